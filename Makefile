@@ -1,0 +1,314 @@
+# SPDX-License-Identifier: MIT
+#
+# rollcoin: build, install and check.  Needs a C compiler, binutils and GNU
+# make, no configuration.  `make help` lists the targets.
+#
+#   make                            the libraries, in build/
+#   make demo                       a coin rolls
+#   make O=dir                      the products elsewhere
+#   make -f ../rollcoin/Makefile    the same from another folder
+#   make install PREFIX=/usr DESTDIR=/tmp/stage
+#   make check TESTS=tests/test_energy.c
+#   make V=1                        show the commands
+
+# ------------------------------------------------------------- where things are
+SRC := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
+O   := build
+
+ifneq ($(words $(CURDIR)),1)
+$(error make cannot work in a folder with a blank in its name)
+endif
+
+PREFIX       ?= /usr/local
+EXEC_PREFIX  ?= $(PREFIX)
+LIBDIR       ?= $(EXEC_PREFIX)/lib
+INCLUDEDIR   ?= $(PREFIX)/include
+PKGCONFIGDIR ?= $(LIBDIR)/pkgconfig
+DESTDIR      ?=
+
+INSTALL      ?= install
+PKG_CONFIG   ?= pkg-config
+CLANG_FORMAT ?= clang-format
+PYTHON       ?= python3
+
+# ---------------------------------------------------------------------- version
+# The version has one home, coin.h.  The soname has a number of its own, raised
+# by a break of the ABI and by nothing else.
+SOVERSION := 0
+VERSION   := $(shell sed -n 's/^\#define COIN_VERSION_[MP][A-Z]* //p' \
+                     $(SRC)/include/coin.h | paste -sd.)
+
+# ------------------------------------------------------------------------ flags
+# The user's flags come first and ours last, so that no -ffp-contract=fast or
+# -fvisibility can undo what the pinned bits and the ABI rest on.  The prefix
+# maps keep the folder's name out of the debug information: equal sources give
+# equal bytes wherever they are built.  -fno-tree-vectorize: gcc's vectorizer
+# fuses a * b - c, d * e + f in one instruction where the processor can (12.2
+# with -mfma), whatever -ffp-contract says.
+CFLAGS ?= -O2 -g
+WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
+          -Wstrict-prototypes -Wmissing-prototypes -Wundef -Wcast-qual \
+          -Wwrite-strings
+MAPS   := -ffile-prefix-map=$(SRC)=. -ffile-prefix-map=$(CURDIR)=.
+PINNED := -ffp-contract=off -fno-tree-vectorize
+
+USER_CC  = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS)
+LIB_CC   = $(USER_CC) -std=c99 $(PINNED) $(MAPS) -fvisibility=hidden \
+           -I$(SRC)/include
+TEST_CC  = $(USER_CC) -std=c11 $(PINNED) $(MAPS) -I$(SRC)/include -I$(SRC)/lib \
+           -I$(SRC)/tests/support -DTEST_ROOT='"$(SRC)"' \
+           -DTEST_DATA='"$(SRC)/tests/reference"'
+BENCH_CC = $(USER_CC) -std=c11 $(MAPS) -I$(SRC)/include
+DEPENDS  = -MMD -MP -MF $@.d
+
+# Recipes are silent; V=1 shows them.
+ifndef V
+.SILENT:
+endif
+
+.DEFAULT_GOAL := all
+.DELETE_ON_ERROR:
+.SECONDARY:
+.PHONY: force
+
+# -------------------------------------------------------------------- libraries
+SOURCES := $(wildcard $(SRC)/lib/*.c)
+STATIC  := $(SOURCES:$(SRC)/lib/%.c=$(O)/static/%.o)
+SHARED  := $(SOURCES:$(SRC)/lib/%.c=$(O)/shared/%.o)
+LIB_A   := $(O)/librollcoin.a
+LIB_SO  := $(O)/librollcoin.so
+SONAME  := librollcoin.so.$(SOVERSION)
+REAL_SO := librollcoin.so.$(VERSION)
+MAP     := $(SRC)/lib/rollcoin.map
+
+.PHONY: all
+all: $(LIB_A) $(LIB_SO) $(O)/rollcoin.pc ## the static and the shared library
+
+$(O)/static/%.o: $(SRC)/lib/%.c $(O)/flags | $(O)/static
+	echo "CC  $(@F)"
+	$(LIB_CC) $(DEPENDS) -c -o $@ $<
+
+$(O)/shared/%.o: $(SRC)/lib/%.c $(O)/flags | $(O)/shared
+	echo "CC  $(@F) (shared)"
+	$(LIB_CC) -fPIC $(DEPENDS) -c -o $@ $<
+
+# Removed first: ar would keep the object of a source that is gone.
+$(LIB_A): $(STATIC)
+	rm -f $@
+	$(AR) rcsD $@ $(STATIC)
+
+$(O)/$(REAL_SO): $(SHARED) $(MAP)
+	$(LIB_CC) $(LDFLAGS) -shared -o $@ $(SHARED) -lm \
+	    -Wl,-soname,$(SONAME),--version-script=$(MAP),-z,defs,--build-id=sha1
+
+$(O)/$(SONAME): $(O)/$(REAL_SO)
+	ln -sf $(REAL_SO) $@
+
+$(LIB_SO): $(O)/$(SONAME)
+	ln -sf $(SONAME) $@
+
+# Folders below the prefix are written relative to it, so that pkg-config can
+# move the whole by --define-prefix.
+below = $(patsubst $(PREFIX),$${prefix},$(patsubst $(PREFIX)/%,$${prefix}/%,$1))
+PC    = sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' \
+            -e 's|@EXEC_PREFIX@|$(call below,$(EXEC_PREFIX))|' \
+            -e 's|@LIBDIR@|$(call below,$(LIBDIR))|' \
+            -e 's|@INCLUDEDIR@|$(call below,$(INCLUDEDIR))|' \
+            $(SRC)/pkgconfig/rollcoin.pc.in
+
+$(O)/rollcoin.pc: force | $(O)
+	$(PC) >$@
+
+# Everything compiled depends on this file, which changes when the flags do.
+$(O)/flags: force | $(O)
+	$(file >$@.new,$(LIB_CC) $(LDFLAGS))
+	cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
+$(O) $(O)/static $(O)/shared $(O)/tests/support $(O)/bench:
+	mkdir -p $@
+
+-include $(wildcard $(O)/*.d $(O)/*/*.d $(O)/*/*/*.d)
+
+# ---------------------------------------------------------------------- install
+TO_LIB = $(DESTDIR)$(LIBDIR)
+TO_INC = $(DESTDIR)$(INCLUDEDIR)
+TO_PC  = $(DESTDIR)$(PKGCONFIGDIR)
+
+.PHONY: install uninstall
+install: $(LIB_A) $(LIB_SO) ## to PREFIX, below DESTDIR if that is set
+	$(INSTALL) -d $(TO_INC) $(TO_LIB) $(TO_PC)
+	$(INSTALL) -m 644 $(SRC)/include/coin.h $(TO_INC)
+	$(INSTALL) -m 644 $(LIB_A) $(O)/$(REAL_SO) $(TO_LIB)
+	ln -sf $(REAL_SO) $(TO_LIB)/$(SONAME)
+	ln -sf $(SONAME) $(TO_LIB)/librollcoin.so
+	$(PC) >$(TO_PC)/rollcoin.pc
+	chmod 644 $(TO_PC)/rollcoin.pc
+
+uninstall: ## remove what install put there
+	rm -f $(TO_INC)/coin.h $(TO_LIB)/librollcoin.a $(TO_LIB)/librollcoin.so \
+	    $(TO_LIB)/$(SONAME) $(TO_LIB)/$(REAL_SO) $(TO_PC)/rollcoin.pc
+
+# ------------------------------------------------------------ examples and demo
+EXAMPLES := $(patsubst $(SRC)/docs/examples/%.c,$(O)/%,\
+                       $(wildcard $(SRC)/docs/examples/*.c))
+
+.PHONY: demo demo-check examples
+demo: $(O)/rolling_quarter ## roll a US quarter: a table, and drawings in build/
+	$(O)/rolling_quarter --out $(O)
+
+demo-check: $(O)/rolling_quarter ## what the demo prints, draws and refuses
+	PYTHON=$(PYTHON) sh $(SRC)/tests/demo/run.sh $(O)/rolling_quarter
+
+examples: $(EXAMPLES) ## every program of docs/examples
+
+$(EXAMPLES): $(O)/%: $(SRC)/docs/examples/%.c $(LIB_A) $(O)/flags
+	$(USER_CC) -std=c99 $(MAPS) -I$(SRC)/include $(DEPENDS) -o $@ $< \
+	    $(LDFLAGS) $(LIB_A) -lm
+
+# ------------------------------------------------------------------------ tests
+# Each tests/test_*.c is a program, linked to tests/support and to the static
+# library, whose internals it may call.  A name in TESTS that matches no file
+# stays as it is: make then has no rule for it.
+TESTS      ?= tests/test_*.c
+TEST_FILES := $(foreach t,$(TESTS),$(or $(wildcard $(SRC)/$t),$t))
+TEST_PROGS := $(TEST_FILES:$(SRC)/%.c=$(O)/%)
+TEST_EXTRA := $(patsubst $(SRC)/%.c,$(O)/%.o,\
+                         $(wildcard $(SRC)/tests/support/*.c))
+CMOCKA      = $(shell $(PKG_CONFIG) --cflags cmocka)
+CMOCKA_LIBS = $(shell $(PKG_CONFIG) --libs cmocka)
+
+# What runs a test: nothing, or valgrind.
+TEST_RUNNER ?=
+
+.PHONY: check build-tests need-cmocka
+check: build-tests ## run the tests, or those that TESTS names
+	failed=; for t in $(TEST_PROGS); do \
+	    $(TEST_RUNNER) $$t || failed="$$failed $${t##*/}"; done; \
+	set -- $(TEST_PROGS); test $$# -gt 0 || failed=" no test program"; \
+	test -z "$$failed" || { echo "FAILED:$$failed"; exit 1; }; \
+	echo "all $$# test programs passed"
+
+build-tests: $(TEST_PROGS)
+
+$(O)/tests/%.o: $(SRC)/tests/%.c $(O)/flags | $(O)/tests/support need-cmocka
+	echo "CC  $(@F)"
+	$(TEST_CC) $(CMOCKA) $(DEPENDS) -c -o $@ $<
+
+$(O)/tests/test_%: $(O)/tests/test_%.o $(TEST_EXTRA) $(LIB_A)
+	$(TEST_CC) $(LDFLAGS) -o $@ $^ $(CMOCKA_LIBS) -lm
+
+need-cmocka:
+	$(PKG_CONFIG) --exists cmocka || { echo "the tests need cmocka:" \
+	    "sudo apt-get install pkg-config libcmocka-dev"; exit 1; } >&2
+
+# ------------------------------------------------------------------- benchmarks
+BENCH := $(patsubst $(SRC)/tests/bench/%.c,$(O)/bench/%,\
+                    $(wildcard $(SRC)/tests/bench/bench_*.c))
+BENCH_EXTRA := $(patsubst $(SRC)/tests/%.c,$(O)/%.o,\
+                 $(filter-out $(SRC)/tests/bench/bench_%,\
+                              $(wildcard $(SRC)/tests/bench/*.c)))
+
+.PHONY: bench build-bench
+bench: build-bench $(O)/bench/bench_steps ## time a step, against the textbook's
+	$(O)/bench/bench_steps
+
+build-bench: $(BENCH)
+
+$(O)/bench/%.o: $(SRC)/tests/bench/%.c $(O)/flags | $(O)/bench
+	$(BENCH_CC) $(DEPENDS) -c -o $@ $<
+
+$(BENCH): $(O)/bench/%: $(SRC)/tests/bench/%.c $(BENCH_EXTRA) $(LIB_A) \
+                        $(O)/flags | $(O)/bench
+	$(BENCH_CC) $(DEPENDS) -o $@ $< $(BENCH_EXTRA) $(LDFLAGS) $(LIB_A) -lm
+
+# ----------------------------------------------------------- tarball, packaging
+# In a git tree a release holds the tracked files and carries the date of the
+# last commit; in an unpacked release it holds the same folders, and its files
+# keep that date.  distcheck proves the two ways equal.
+TARBALL := $(O)/rollcoin-$(VERSION).tar.gz
+FILES    = cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
+           .clang-format .gitignore CHANGELOG.md LICENSE Makefile README.md \
+           docs include lib pkgconfig tests -type f \
+           ! -path '*/__pycache__/*'; fi
+EPOCH    = $(or $(SOURCE_DATE_EPOCH),$(shell cd $(SRC) && if test -e .git; \
+           then git log -1 --format=%ct; else stat -c %Y Makefile; fi))
+
+.PHONY: dist distcheck installcheck
+dist: | $(O) ## rollcoin-VERSION.tar.gz, the same bytes everywhere
+	$(FILES) >$(abspath $(O))/files
+	LC_ALL=C sort -o $(O)/files $(O)/files
+	tar -C $(SRC) -cf $(TARBALL:.gz=) --no-recursion -T $(O)/files \
+	    --format=ustar --mtime=@$(EPOCH) --owner=0 --group=0 \
+	    --numeric-owner --mode=u=rwX,go=rX \
+	    --transform='flags=r;s,^,rollcoin-$(VERSION)/,'
+	gzip -9nf $(TARBALL:.gz=)
+
+# What gates are told: this Makefile, and where to work.
+GATE  = MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' SRC='$(SRC)' \
+        VERSION='$(VERSION)' OUT='$(abspath $(O))'
+AGAIN = $(MAKE) --no-print-directory -f $(SRC)/Makefile
+
+installcheck: all ## install, build a client by pkg-config, uninstall
+	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/install.sh
+
+distcheck: dist ## the tarball builds, passes and makes itself again
+	+$(GATE) TARBALL=$(abspath $(TARBALL)) sh $(SRC)/tests/install/dist.sh
+
+# ------------------------------------------------------------------------ gates
+# A gate whose tool is missing fails.
+.PHONY: sanitize valgrind coverage mutants lint header-check repro repro-update
+sanitize: ## the tests under the address and undefined-behaviour sanitizers
+	+$(AGAIN) O=$(O)/sanitize check CFLAGS='-O1 -g \
+	    -fsanitize=address,undefined,float-cast-overflow \
+	    -fno-sanitize-recover=all'
+
+valgrind: ## the tests under valgrind
+	+$(AGAIN) check \
+	    TEST_RUNNER='valgrind -q --error-exitcode=9 --leak-check=full'
+
+# Unoptimised and unmapped: gcov then sees each branch as it is written, and
+# finds the sources.  Only what ran inside the library's own objects counts.
+COVERED = gcovr --root $(SRC) --filter '$(SRC)/lib/' $(O)/coverage/static
+coverage: ## every line and branch of lib/ runs, or the missing are listed
+	rm -rf $(O)/coverage
+	+$(AGAIN) O=$(O)/coverage check MAPS= \
+	    CFLAGS='-O0 -g --coverage -fprofile-abs-path'
+	$(COVERED) --fail-under-line 100; lines=$$?; \
+	$(COVERED) --fail-under-branch 100 --branches && test $$lines = 0
+
+mutants: ## break the library in many ways: the tests must notice each
+	$(PYTHON) $(SRC)/tests/mutants/mutants.py $(SRC) $(O)/mutants
+
+lint: all header-check ## style, layers, citations, symbols, static analysis
+	+$(GATE) sh $(SRC)/tests/lint/lint.sh
+
+header-check: ## coin.h in every dialect of C and C++
+	sh $(SRC)/tests/lint/header.sh $(SRC)/include
+
+repro: ## one hash of many motions, and equal bytes, from every compiler
+	+$(GATE) sh $(SRC)/tests/repro/hash.sh
+	+$(GATE) sh $(SRC)/tests/repro/fused.sh
+	+$(GATE) sh $(SRC)/tests/repro/rebuild.sh
+
+repro-update: ## accept the hashes of this library as the pinned ones
+	+$(GATE) sh $(SRC)/tests/repro/hash.sh update
+
+# -------------------------------------------------------------- format, helpers
+C_FILES = $(foreach d,include lib tests tests/* docs/examples,\
+            $(wildcard $(SRC)/$d/*.[ch]))
+
+.PHONY: format format-check clean help
+format: ## lay out the C sources (clang-format 14)
+	$(CLANG_FORMAT) -i $(C_FILES)
+
+format-check: ## the C sources are laid out so
+	$(CLANG_FORMAT) --version | grep -q 'version 14' || \
+	    { echo 'format-check needs clang-format 14' >&2; exit 1; }
+	$(CLANG_FORMAT) --dry-run -Werror $(C_FILES)
+
+clean: ## remove the products
+	rm -rf $(O)
+
+help: ## this list
+	sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' \
+	    $(SRC)/Makefile | expand -t 16

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* The linear pair that lean alone drives, Eq. (33): with u = sin theta and
+ * p = wY cos theta,
+ *     dp/du = k1 wZ,   dwZ/du = k2 p/(1 - u^2),   kap = k1 k2,
+ * Legendre's equation of degree nu, nu (nu + 1) = -kap.  The only home of its
+ * special functions; 0 < kap < 2 for every body. */
+#ifndef ROLLCOIN_LEGENDRE_H
+#define ROLLCOIN_LEGENDRE_H
+
+/* p = KY Pe + k1 KZ Po and wZ = KZ We + k2 KY Wo; Pe We - kap Po Wo = 1. */
+typedef struct coin_priv_central {
+    double Pe, Po, We, Wo;
+} coin_priv_central;
+
+/* wZ = al R + be S and k2 p = al PR + be PS; R PS - S PR = -2. */
+typedef struct coin_priv_flat {
+    double R, S, PR, PS;
+} coin_priv_flat;
+
+/* The power series about u = 0.  Pre: |u| <= 0.7.  Accuracy: 1e-15 relative
+ * (test_legendre).  Cost: at most 60 terms. */
+coin_priv_central coin_priv_legendre_central(double kap, double u);
+
+/* The series about the flat coin, v = (1 - |u|)/2 = sin^2(delta/2) with delta
+ * = pi/2 - |theta|.  Pre: 0 < v <= 1/2.  Accuracy: 1e-15 of the terms, 5e-15 at
+ * v = 1/2, down to v = 1e-32 (test_legendre).  Cost: at most 65 terms, and a
+ * logarithm. */
+coin_priv_flat coin_priv_legendre_flat(double kap, double v);
+
+#endif

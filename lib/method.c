@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+#include "pinned.h"
+
+#include "method.h"
+
+/* No pointers in the table: they would need relocation, and with it writable
+ * data in the shared library. */
+static const struct method {
+    char name[12];
+    int32_t order;
+    double coarse, most;
+} methods[] = {
+    {"rk4", 4, 0.35, 1.4},
+};
+
+enum { METHODS = sizeof methods / sizeof *methods };
+
+int coin_priv_method_known(int32_t method)
+{
+    return method >= 0 && method < METHODS;
+}
+
+double coin_priv_method_coarse(int32_t method)
+{
+    return methods[method].coarse;
+}
+
+double coin_priv_method_most(int32_t method)
+{
+    return methods[method].most;
+}
+
+const char *coin_method_name(int32_t method)
+{
+    return coin_priv_method_known(method) ? methods[method].name : NULL;
+}
+
+int32_t coin_method_order(int32_t method)
+{
+    return coin_priv_method_known(method) ? methods[method].order : COIN_EARG;
+}

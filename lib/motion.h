@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+/* The equations of motion: the only place that knows them.
+ *
+ * The sines and cosines of lean and heading are variables of the motion like
+ * the rates, so that no stage of a step calls a function or divides; the pose
+ * is a quadrature that no equation reads. */
+#ifndef ROLLCOIN_MOTION_H
+#define ROLLCOIN_MOTION_H
+
+#include "frame.h"
+#include "params.h"
+
+/* What the equations read. */
+typedef struct coin_priv_stage {
+    double wX, wY, wZ;
+    double sth, cth, q, tth; /* sin theta, cos theta, 1/cos theta, tan theta */
+    double sph, cph;         /* sin phi, cos phi: for the path alone */
+} coin_priv_stage;
+
+/* What they only add to; x and z are of the point of contact, in radii. */
+typedef struct coin_priv_pose {
+    double phi, psi, x, z;
+} coin_priv_pose;
+
+static inline coin_priv_stage coin_priv_stage_of(const coin_state *s)
+{
+    const coin_priv_frame f = coin_priv_frame_of(s);
+    const coin_priv_stage y = {
+        s->wX, s->wY, s->wZ,
+        f.sth, f.cth, 1 / f.cth, f.sth / f.cth,
+        f.sph, f.cph,
+    };
+    return y;
+}
+
+/* The coefficients of the equations of motion, times h but for XJ. */
+typedef struct coin_priv_field {
+    double h, GJ, KJ, XJ, k1, k2;
+} coin_priv_field;
+
+static inline coin_priv_field coin_priv_field_of(const coin_priv_body *b,
+                                                 double h)
+{
+    const coin_priv_field f = {
+        h, h * b->GJ, h * b->KJ, b->XJ, h * b->k1, h * b->k2,
+    };
+    return f;
+}
+
+/* h d/dt of a stage.  Factors are grouped so that no product waits for long:
+ * a step takes as long as its longest chain of dependences. */
+static inline coin_priv_stage coin_priv_motion(const coin_priv_field *f,
+                                               const coin_priv_stage *y)
+{
+    const double wX = y->wX, wY = y->wY, wZ = y->wZ;
+    const double sth = y->sth, cth = y->cth, q = y->q;
+    const double hwX = f->h * wX, hwY = f->h * wY; /* (17): d theta = hwX */
+    const double hwYtan = hwY * y->tth;
+    const double dph = hwY * q;            /* (18) */
+    coin_priv_stage d;
+    /* clang-format off */
+    d.wX = f->GJ * sth - ((f->KJ * wZ) * wY + (f->XJ * wY) * hwYtan); /* (14) */
+    d.wY = wX * (hwYtan + f->k1 * wZ);                       /* (15) */
+    d.wZ = f->k2 * wX * wY;                                  /* (16) */
+    d.sth = cth * hwX;                                       /* (31) */
+    d.cth = -(sth * hwX);                                    /* (31) */
+    d.q = q * q * (sth * hwX);                               /* (31) */
+    d.tth = 0; /* q sin theta, no variable of its own */
+    d.sph = dph * y->cph;                                    /* (31) */
+    d.cph = -(dph * y->sph);                                 /* (31) */
+    /* clang-format on */
+    return d;
+}
+
+/* h d/dt of the pose.  The point of contact moves along the heading, where
+ * the centre's path has two terms. */
+static inline coin_priv_pose coin_priv_drift(const coin_priv_field *f,
+                                             const coin_priv_stage *y)
+{
+    const double hwY = f->h * y->wY;
+    const double dps = f->h * y->wZ + hwY * y->tth; /* (19) */
+    coin_priv_pose d;
+    d.phi = hwY * y->q; /* (18) */
+    d.psi = dps;
+    d.x = -(dps * y->cph); /* (22) */
+    d.z = dps * y->sph;    /* (22) */
+    return d;
+}
+
+/* The velocity of the centre along x, y, z: a (-wZ e_X + wX e_Z). */
+static inline void coin_priv_velocity(double v[3], double a,
+                                      const coin_priv_stage *y)
+{
+    const double g = y->cth * y->wX;
+    v[0] = a * (g * y->sph - y->wZ * y->cph); /* (20) */
+    v[1] = -a * (y->wX * y->sth);             /* (20) */
+    v[2] = a * (g * y->cph + y->wZ * y->sph); /* (20) */
+}
+
+/* The square of the fastest rate: of turning, heading and falling. */
+static inline double coin_priv_rate2(double g_a, const coin_priv_stage *y)
+{
+    const double wX = y->wX, wY = y->wY, wZ = y->wZ;
+    return (wX * wX + wY * wY) * (y->q * y->q) + wZ * wZ + g_a; /* (47) */
+}
+
+#endif

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* One bit pattern on every platform: included first by every source.
+ *
+ * The Makefile passes -ffp-contract=off; these guards serve whoever compiles
+ * the sources with flags of their own.  What no guard here can see (clang with
+ * an explicit -ffp-contract=fast) coin_selftest() reports at run time. */
+#ifndef ROLLCOIN_PINNED_H
+#define ROLLCOIN_PINNED_H
+
+#include <float.h>
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) ||                \
+    defined(__RECIPROCAL_MATH__)
+#error "librollcoin needs IEEE arithmetic as written: no fast-math, no -Ofast"
+#endif
+
+/* 16 is 0 with _Float16 kept apart too, as gcc says for AVX512-FP16. */
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
+#error "librollcoin needs FLT_EVAL_METHOD 0: on i386 -msse2 -mfpmath=sse"
+#endif
+
+/* A fused multiply-add rounds once where two operations round twice.  gcc 12's
+ * vectorizer fuses a b - c, d e + f in pairs even with contraction off. */
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__) && !defined(__TINYC__)
+#pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
+#endif
+
+#endif

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: MIT */
+#include "pinned.h"
+
+#include "frame.h"
+#include "motion.h"
+#include "state.h"
+
+#include <math.h>
+
+int32_t coin_center(const coin_state *s, const coin_params *p, double r[3])
+{
+    coin_priv_body b;
+    const int32_t status = r ? coin_priv_check(s, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    r[0] = s->x;
+    r[1] = b.a * coin_priv_sincos(s->theta).c;
+    r[2] = s->z;
+    return COIN_OK;
+}
+
+int32_t coin_velocity(const coin_state *s, const coin_params *p, double v[3])
+{
+    coin_priv_body b;
+    const int32_t status = v ? coin_priv_check(s, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const coin_priv_stage y = coin_priv_stage_of(s);
+    coin_priv_velocity(v, b.a, &y);
+    return COIN_OK;
+}
+
+int32_t coin_contact(const coin_state *s, const coin_params *p, double r[3],
+                     double v[3])
+{
+    coin_priv_body b;
+    const int32_t status = r && v ? coin_priv_check(s, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const coin_priv_field field = coin_priv_field_of(&b, 1);
+    const coin_priv_stage y = coin_priv_stage_of(s);
+    const double a_dpsi = b.a * coin_priv_drift(&field, &y).psi;
+    r[0] = s->x - b.a * y.sth * y.sph; /* (21) */
+    r[1] = 0;
+    r[2] = s->z - b.a * y.sth * y.cph; /* (21) */
+    v[0] = -a_dpsi * y.cph;            /* (22) */
+    v[1] = 0;
+    v[2] = a_dpsi * y.sph; /* (22) */
+    return COIN_OK;
+}
+
+int32_t coin_axes(const coin_state *s, double R[9])
+{
+    if (!s || !R)
+        return COIN_EARG;
+    if (coin_priv_check_members(s) != COIN_OK)
+        return COIN_ESTATE;
+    const coin_priv_frame f = coin_priv_frame_of(s);
+    coin_priv_frame_rows(&f, R);
+    return COIN_OK;
+}
+
+int32_t coin_angular_velocity(const coin_state *s, double omega[3])
+{
+    double R[9];
+    const int32_t status = omega ? coin_axes(s, R) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    double w[3];
+    int good = 1;
+    for (int i = 0; i < 3; ++i) {
+        w[i] = s->wX * R[i] + s->wY * R[3 + i] + s->wZ * R[6 + i]; /* (7) */
+        good &= w[i] - w[i] == 0;
+    }
+    if (!good)
+        return COIN_ESTATE;
+    for (int i = 0; i < 3; ++i)
+        omega[i] = w[i];
+    return COIN_OK;
+}
+
+int32_t coin_quaternion(const coin_state *s, double q[4])
+{
+    if (!s || !q)
+        return COIN_EARG;
+    if (coin_priv_check_members(s) != COIN_OK)
+        return COIN_ESTATE;
+    const coin_priv_sc ph = coin_priv_sincos(s->phi / 2);
+    const coin_priv_sc th = coin_priv_sincos(s->theta / 2);
+    const coin_priv_sc ps = coin_priv_sincos(s->psi / 2);
+    /* clang-format off */
+    q[0] = ph.c * th.c * ps.c + ph.s * th.s * ps.s; /* (30) */
+    q[1] = ph.c * th.s * ps.c + ph.s * th.c * ps.s; /* (30) */
+    q[2] = ph.s * th.c * ps.c - ph.c * th.s * ps.s; /* (30) */
+    q[3] = ph.c * th.c * ps.s - ph.s * th.s * ps.c; /* (30) */
+    /* clang-format on */
+    return COIN_OK;
+}
+
+/* An angle between -2 pi and 2 pi, brought to (-pi, pi]. */
+static double principal(double angle)
+{
+    const double turn = 4 * COIN_PRIV_HALF_PI;
+    if (angle > turn / 2)
+        return angle - turn;
+    return angle <= -turn / 2 ? angle + turn : angle;
+}
+
+/* The angle of (s, c), whatever its norm; NaN if that is 0 or not finite. */
+static double angle_of(double s, double c)
+{
+    const double norm = coin_priv_hypot(s, c);
+    const coin_priv_sc unit = {s / norm, c / norm};
+    return coin_priv_angle(unit);
+}
+
+/* The angles of a rotation, from the two half sums of Eq. (30): both stay
+ * sharp where the coin is nearly flat and phi, psi are not.  NaN if q is 0 or
+ * not finite. */
+static void angles_of(coin_state *s, const double q[4])
+{
+    double largest = 0, u[4];
+    for (int i = 0; i < 4; ++i)
+        largest = fabs(q[i]) > largest ? fabs(q[i]) : largest;
+    for (int i = 0; i < 4; ++i)
+        u[i] = q[i] / largest; /* no overflow below, any norm */
+    /* (cos, sin) of (phi - psi)/2 times C2 + S2, of (phi + psi)/2 times C2 - S2
+     */
+    const double Ac = u[0] + u[1], As = u[2] - u[3];
+    const double Bc = u[0] - u[1], Bs = u[2] + u[3];
+    const double A = coin_priv_hypot(As, Ac), B = coin_priv_hypot(Bs, Bc);
+    const double sine = 2 * (u[0] * u[1] - u[2] * u[3]), cosine = A * B;
+    s->theta = angle_of(sine, cosine); /* (30) */
+    const double minus = angle_of(As, Ac), plus = angle_of(Bs, Bc);
+    s->phi = principal(plus + minus);                         /* (30) */
+    s->psi = principal(plus - minus);                         /* (30) */
+}
+
+int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
+                               const double q[4], const double omega[3],
+                               double x, double z)
+{
+    coin_priv_body b;
+    coin_state made = {0, 0, 0, x, z, 0, 0, 0};
+    if (!s || !p || !q || !omega)
+        return COIN_EARG;
+    if (coin_priv_body_of(&b, p) != COIN_OK)
+        return COIN_EPARAMS;
+    angles_of(&made, q);
+    double R[9];
+    const coin_priv_frame f = coin_priv_frame_of(&made);
+    coin_priv_frame_rows(&f, R);
+    made.wX = omega[0] * R[0] + omega[1] * R[1] + omega[2] * R[2]; /* (7) */
+    made.wY = omega[0] * R[3] + omega[1] * R[4] + omega[2] * R[5]; /* (7) */
+    made.wZ = omega[0] * R[6] + omega[1] * R[7] + omega[2] * R[8]; /* (7) */
+    const int32_t status = coin_priv_check(&made, p, &b);
+    if (status == COIN_OK)
+        *s = made;
+    return status;
+}

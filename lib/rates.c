@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+#include "pinned.h"
+
+#include "motion.h"
+#include "state.h"
+
+int32_t coin_rates(const coin_state *s, const coin_params *p, coin_state *out)
+{
+    coin_priv_body b;
+    const int32_t status = out ? coin_priv_check(s, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const coin_priv_field field = coin_priv_field_of(&b, 1);
+    const coin_priv_stage y = coin_priv_stage_of(s);
+    const coin_priv_stage d = coin_priv_motion(&field, &y);
+    const coin_priv_pose v = coin_priv_drift(&field, &y);
+    double path[3];
+    coin_priv_velocity(path, b.a, &y);
+    const coin_state rates = {
+        s->wX, v.phi, v.psi, path[0], path[2], d.wX, d.wY, d.wZ,
+    };
+    *out = rates;
+    return COIN_OK;
+}

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef ROLLCOIN_SINCOS_H
+#define ROLLCOIN_SINCOS_H
+
+#include <math.h>
+
+/* Beyond this an angle's own rounding (2^-22) is a visible turn. */
+#define COIN_PRIV_ANGLE_MAX 2147483648.0
+
+/* The double nearest to pi/2, which lies 6.1e-17 below it, and the rest. */
+#define COIN_PRIV_HALF_PI 1.5707963267948966
+#define COIN_PRIV_HALF_PI_LOW 6.123233995736766e-17
+
+typedef struct coin_priv_sc {
+    double s, c;
+} coin_priv_sc;
+
+/* Sine and cosine of x, |x| <= COIN_PRIV_ANGLE_MAX; beyond, infinite or NaN:
+ * both NaN.  Accuracy: 1 ulp for |x| <= 2^20, near multiples of pi/2 too
+ * (test_sincos).  Unlike libm's, the same bits everywhere. */
+coin_priv_sc coin_priv_sincos(double x);
+
+/* The angle in [-pi, pi] whose sine and cosine are a pair of unit norm.
+ * Accuracy: 2^-52 for angles up to pi/2 (test_sincos); NaN for NaN. */
+double coin_priv_angle(coin_priv_sc of);
+
+/* sqrt(a^2 + b^2) without overflow or underflow on the way. */
+static inline double coin_priv_hypot(double a, double b)
+{
+    const double x = fabs(a), y = fabs(b);
+    const double large = x > y ? x : y, small = x > y ? y : x;
+    const double ratio = large > 0 ? small / large : 0;
+    return large * sqrt(1 + ratio * ratio);
+}
+
+#endif

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef ROLLCOIN_STEADY_H
+#define ROLLCOIN_STEADY_H
+
+#include "frame.h"
+#include "state.h"
+
+/* The usual checks, then COIN_EDOMAIN unless the motion is steady.  After
+ * COIN_OK *b and *th hold the body and sine and cosine of the lean. */
+int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
+                               coin_priv_body *b, coin_priv_sc *th);
+
+#endif
