@@ -29,10 +29,10 @@ static void from_flat(double K[2], const coin_priv_body *b, double delta,
     const double kap = b->k1 * b->k2, k2 = b->k2;
     const coin_priv_flat f = coin_priv_legendre_flat(kap, half * half);
     const coin_priv_flat upright = coin_priv_legendre_flat(kap, 0.5);
-    const double al = (k2 * p * f.S - wZ * f.PS) / 2;    /* (38) */
-    const double be = (wZ * f.PR - k2 * p * f.R) / 2;    /* (38) */
-    K[0] = (al * upright.PR + be * upright.PS) / k2;     /* (38) */
-    K[1] = al * upright.R + be * upright.S;              /* (38) */
+    const double al = (k2 * p * f.S - wZ * f.PS) / 2; /* (38) */
+    const double be = (wZ * f.PR - k2 * p * f.R) / 2; /* (38) */
+    K[0] = (al * upright.PR + be * upright.PS) / k2;  /* (38) */
+    K[1] = al * upright.R + be * upright.S;           /* (38) */
 }
 
 int32_t coin_integrals(const coin_state *s, const coin_params *p, double K[2])

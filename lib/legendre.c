@@ -55,7 +55,7 @@ coin_priv_flat coin_priv_legendre_flat(double kap, double v)
     coin_priv_flat f;
     f.R = R;
     f.S = R * ln_v + s_sum;
-    f.PR = -2 * (1 - v) * vdR;                          /* (37) */
-    f.PS = -2 * (1 - v) * (R + vdR * ln_v + vds_sum);   /* (37) */
+    f.PR = -2 * (1 - v) * vdR;                        /* (37) */
+    f.PS = -2 * (1 - v) * (R + vdR * ln_v + vds_sum); /* (37) */
     return f;
 }

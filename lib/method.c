@@ -11,6 +11,9 @@ static const struct method {
     double coarse, most;
 } methods[] = {
     {"rk4", 4, 0.35, 1.4},
+    {"rk8", 8, 0.7, 1.8},
+    {"symplectic2", 2, 0.1, 1.0},
+    {"symplectic4", 4, 0.3, 1.4},
 };
 
 enum { METHODS = sizeof methods / sizeof *methods };
@@ -18,6 +21,20 @@ enum { METHODS = sizeof methods / sizeof *methods };
 int coin_priv_method_known(int32_t method)
 {
     return method >= 0 && method < METHODS;
+}
+
+coin_priv_stepper *coin_priv_method_stepper(int32_t method)
+{
+    switch (method) {
+    case COIN_RK4:
+        return coin_priv_rk4;
+    case COIN_RK8:
+        return coin_priv_rk8;
+    case COIN_SYMPLECTIC2:
+        return coin_priv_symplectic2;
+    default:
+        return coin_priv_symplectic4;
+    }
 }
 
 double coin_priv_method_coarse(int32_t method)

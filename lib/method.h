@@ -2,13 +2,15 @@
 #ifndef ROLLCOIN_METHOD_H
 #define ROLLCOIN_METHOD_H
 
-#include <coin.h>
+#include "stepper.h"
 
-/* Whether there is such a method. */
+/* Whether there is such a method: what the others require. */
 int coin_priv_method_known(int32_t method);
 
+coin_priv_stepper *coin_priv_method_stepper(int32_t method);
+
 /* |dt| W beyond which a step is coarse, and beyond which it is refused.
- * Pre: the method is known. */
+ */
 double coin_priv_method_coarse(int32_t method);
 double coin_priv_method_most(int32_t method);
 

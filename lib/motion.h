@@ -9,6 +9,7 @@
 
 #include "frame.h"
 #include "params.h"
+#include "pinned.h"
 
 /* What the equations read. */
 typedef struct coin_priv_stage {
@@ -17,18 +18,18 @@ typedef struct coin_priv_stage {
     double sph, cph;         /* sin phi, cos phi: for the path alone */
 } coin_priv_stage;
 
-/* What they only add to; x and z are of the point of contact, in radii. */
+/* What they only add to; x and z are of the point of contact, in radii; t is
+ * the time, where it is not what the steps count. */
 typedef struct coin_priv_pose {
-    double phi, psi, x, z;
+    double phi, psi, x, z, t;
 } coin_priv_pose;
 
 static inline coin_priv_stage coin_priv_stage_of(const coin_state *s)
 {
     const coin_priv_frame f = coin_priv_frame_of(s);
     const coin_priv_stage y = {
-        s->wX, s->wY, s->wZ,
-        f.sth, f.cth, 1 / f.cth, f.sth / f.cth,
-        f.sph, f.cph,
+        s->wX,     s->wY,         s->wZ, f.sth, f.cth,
+        1 / f.cth, f.sth / f.cth, f.sph, f.cph,
     };
     return y;
 }
@@ -49,14 +50,14 @@ static inline coin_priv_field coin_priv_field_of(const coin_priv_body *b,
 
 /* h d/dt of a stage.  Factors are grouped so that no product waits for long:
  * a step takes as long as its longest chain of dependences. */
-static inline coin_priv_stage coin_priv_motion(const coin_priv_field *f,
-                                               const coin_priv_stage *y)
+COIN_PRIV_INLINE coin_priv_stage coin_priv_motion(const coin_priv_field *f,
+                                                  const coin_priv_stage *y)
 {
     const double wX = y->wX, wY = y->wY, wZ = y->wZ;
     const double sth = y->sth, cth = y->cth, q = y->q;
     const double hwX = f->h * wX, hwY = f->h * wY; /* (17): d theta = hwX */
     const double hwYtan = hwY * y->tth;
-    const double dph = hwY * q;            /* (18) */
+    const double dph = hwY * q; /* (18) */
     coin_priv_stage d;
     /* clang-format off */
     d.wX = f->GJ * sth - ((f->KJ * wZ) * wY + (f->XJ * wY) * hwYtan); /* (14) */
@@ -74,8 +75,8 @@ static inline coin_priv_stage coin_priv_motion(const coin_priv_field *f,
 
 /* h d/dt of the pose.  The point of contact moves along the heading, where
  * the centre's path has two terms. */
-static inline coin_priv_pose coin_priv_drift(const coin_priv_field *f,
-                                             const coin_priv_stage *y)
+COIN_PRIV_INLINE coin_priv_pose coin_priv_drift(const coin_priv_field *f,
+                                                const coin_priv_stage *y)
 {
     const double hwY = f->h * y->wY;
     const double dps = f->h * y->wZ + hwY * y->tth; /* (19) */
@@ -84,6 +85,49 @@ static inline coin_priv_pose coin_priv_drift(const coin_priv_field *f,
     d.psi = dps;
     d.x = -(dps * y->cph); /* (22) */
     d.z = dps * y->sph;    /* (22) */
+    d.t = f->h;
+    return d;
+}
+
+/* Sundman's form: h d/dtau of a stage, with dt = cos theta dtau.  All of it is
+ * the field above times cos theta: a cubic polynomial of variables that the
+ * energy bounds, regular down to the table.  q and tan theta have no part. */
+COIN_PRIV_INLINE coin_priv_stage coin_priv_sundman(const coin_priv_field *f,
+                                                   const coin_priv_stage *y)
+{
+    const double wX = y->wX, wY = y->wY, wZ = y->wZ;
+    const double sth = y->sth, cth = y->cth;
+    const double cwX = cth * wX, cwZ = cth * wZ;
+    const double hwY = f->h * wY, hcwX = f->h * cwX;
+    const double hwYsin = hwY * sth;
+    coin_priv_stage d;
+    /* clang-format off */
+    d.wX = (f->GJ * sth) * cth
+         - ((f->KJ * wY) * cwZ + (f->XJ * wY) * hwYsin);     /* (32) */
+    d.wY = wX * (hwYsin + f->k1 * cwZ);                      /* (32) */
+    d.wZ = (f->k2 * wY) * cwX;                               /* (32) */
+    d.sth = cth * hcwX;                                      /* (32) */
+    d.cth = -(sth * hcwX);                                   /* (32) */
+    d.q = 0;
+    d.tth = 0;
+    d.sph = hwY * y->cph;                                    /* (32) */
+    d.cph = -(hwY * y->sph);                                 /* (32) */
+    /* clang-format on */
+    return d;
+}
+
+/* h d/dtau of the pose and of the time. */
+COIN_PRIV_INLINE coin_priv_pose
+coin_priv_sundman_drift(const coin_priv_field *f, const coin_priv_stage *y)
+{
+    const double hwY = f->h * y->wY;
+    const double dps = f->h * (y->cth * y->wZ) + hwY * y->sth; /* (32) */
+    coin_priv_pose d;
+    d.phi = hwY; /* (32) */
+    d.psi = dps;
+    d.x = -(dps * y->cph); /* (32) */
+    d.z = dps * y->sph;    /* (32) */
+    d.t = f->h * y->cth;   /* (32) */
     return d;
 }
 
@@ -98,7 +142,7 @@ static inline void coin_priv_velocity(double v[3], double a,
 }
 
 /* The square of the fastest rate: of turning, heading and falling. */
-static inline double coin_priv_rate2(double g_a, const coin_priv_stage *y)
+COIN_PRIV_INLINE double coin_priv_rate2(double g_a, const coin_priv_stage *y)
 {
     const double wX = y->wX, wY = y->wY, wZ = y->wZ;
     return (wX * wX + wY * wY) * (y->q * y->q) + wZ * wZ + g_a; /* (47) */

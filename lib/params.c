@@ -17,13 +17,15 @@ int32_t coin_priv_body_of(coin_priv_body *b, const coin_params *p)
     const double IX = p->inertia_X, IZ = p->inertia_Z;
     const double m = M * a * a, J = IX + m, K = IZ + m, Mga = M * g * a;
     const coin_priv_body body = {
-        M,     a,      IX,      IZ,      m,     J, K, M * g, Mga, g / a,
-        K / J, IX / J, Mga / J, IZ / IX, m / K,
-        MOST / SECANT2_MAX / (1 + a + M * a + J + K),
+        M,       a,       IX,    IZ,
+        m,       J,       K,     M * g,
+        Mga,     g / a,   K / J, IX / J,
+        Mga / J, IZ / IX, m / K, MOST / SECANT2_MAX / (1 + a + M * a + J + K),
     };
     const double limited[] = {
-        M, a, g, IX, IZ, M * a, body.Mg, m, J, K, Mga, body.g_a, body.KJ,
-        body.XJ, body.GJ, body.k1, body.k2, body.w2_max,
+        M,       a,       g,       IX,      IZ,      M * a,
+        body.Mg, m,       J,       K,       Mga,     body.g_a,
+        body.KJ, body.XJ, body.GJ, body.k1, body.k2, body.w2_max,
     };
     int good = IZ <= 2 * IX * (1 + 1e-12);
     for (size_t i = 0; i < sizeof limited / sizeof *limited; ++i)

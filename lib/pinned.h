@@ -9,7 +9,7 @@
 
 #include <float.h>
 
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) ||                \
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) ||                 \
     defined(__RECIPROCAL_MATH__)
 #error "librollcoin needs IEEE arithmetic as written: no fast-math, no -Ofast"
 #endif
@@ -25,6 +25,13 @@
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__) && !defined(__TINYC__)
 #pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
+#endif
+
+/* A step's parts become one piece of straight code, whatever their size. */
+#if defined(__GNUC__)
+#define COIN_PRIV_INLINE static inline __attribute__((always_inline))
+#else
+#define COIN_PRIV_INLINE static inline
 #endif
 
 #endif

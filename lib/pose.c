@@ -132,8 +132,8 @@ static void angles_of(coin_state *s, const double q[4])
     const double sine = 2 * (u[0] * u[1] - u[2] * u[3]), cosine = A * B;
     s->theta = angle_of(sine, cosine); /* (30) */
     const double minus = angle_of(As, Ac), plus = angle_of(Bs, Bc);
-    s->phi = principal(plus + minus);                         /* (30) */
-    s->psi = principal(plus - minus);                         /* (30) */
+    s->phi = principal(plus + minus); /* (30) */
+    s->psi = principal(plus - minus); /* (30) */
 }
 
 int32_t coin_state_from_motion(coin_state *s, const coin_params *p,

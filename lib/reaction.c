@@ -7,8 +7,7 @@
 
 #include <math.h>
 
-coin_force coin_priv_reaction(const coin_priv_body *b,
-                              const coin_priv_stage *y)
+coin_force coin_priv_reaction(const coin_priv_body *b, const coin_priv_stage *y)
 {
     const double wX = y->wX, wY = y->wY, wZ = y->wZ;
     const double sth = y->sth, cth = y->cth, sph = y->sph, cph = y->cph;
@@ -16,8 +15,9 @@ coin_force coin_priv_reaction(const coin_priv_body *b,
     const coin_priv_field field = coin_priv_field_of(b, 1);
     const double dwX = coin_priv_motion(&field, y).wX;
     /* Along e_X, and along the horizontal e_h = (sin phi, 0, cos phi). */
-    const double RX = Ma * (wX * wY * (b->IZ / b->K));                   /* (25) */
-    const double Rh = Ma * (dwX * cth + wY * wZ * y->q - wX * wX * sth); /* (26) */
+    const double RX = Ma * (wX * wY * (b->IZ / b->K)); /* (25) */
+    const double Rh =
+        Ma * (dwX * cth + wY * wZ * y->q - wX * wX * sth); /* (26) */
     coin_force f;
     f.R[0] = RX * cph + Rh * sph;                      /* (28) */
     f.R[1] = b->Mg - Ma * (wX * wX * cth + dwX * sth); /* (27) */

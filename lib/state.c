@@ -9,12 +9,12 @@
 int32_t coin_priv_check_members(const coin_state *s)
 {
     /* x - x is 0 for finite x only, and a comparison with NaN is false. */
-    const int good =
-        (fabs(s->theta) < COIN_PRIV_HALF_PI) &
-        (fabs(s->phi) <= COIN_PRIV_ANGLE_MAX) &
-        (fabs(s->psi) <= COIN_PRIV_ANGLE_MAX) & (s->x - s->x == 0) &
-        (s->z - s->z == 0) & (s->wX - s->wX == 0) & (s->wY - s->wY == 0) &
-        (s->wZ - s->wZ == 0);
+    const int good = (fabs(s->theta) < COIN_PRIV_HALF_PI) &
+                     (fabs(s->phi) <= COIN_PRIV_ANGLE_MAX) &
+                     (fabs(s->psi) <= COIN_PRIV_ANGLE_MAX) &
+                     (s->x - s->x == 0) & (s->z - s->z == 0) &
+                     (s->wX - s->wX == 0) & (s->wY - s->wY == 0) &
+                     (s->wZ - s->wZ == 0);
     return good ? COIN_OK : COIN_ESTATE;
 }
 

@@ -50,8 +50,7 @@ int32_t coin_steady_roll(coin_state *s, const coin_params *p, double wZ)
     return steady(s, p, 0, 0, wZ);
 }
 
-int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
-                                 double wY)
+int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p, double wY)
 {
     return steady(s, p, 0, wY, 0);
 }
@@ -96,14 +95,15 @@ int32_t coin_steady_radii(const coin_state *s, const coin_params *p,
 {
     coin_priv_body b;
     coin_priv_sc th;
-    const int32_t status = center && contact
-                               ? coin_priv_check_steady(s, p, &b, &th)
-                               : COIN_EARG;
+    const int32_t status =
+        center && contact ? coin_priv_check_steady(s, p, &b, &th) : COIN_EARG;
     if (status != COIN_OK)
         return status;
     const double wY = s->wY, wZ = s->wZ;
     const int straight = wY == 0;
-    *center = straight ? (double)INFINITY : b.a * fabs(wZ * th.c / wY);         /* (43) */
-    *contact = straight ? (double)INFINITY : b.a * fabs(wZ * th.c / wY + th.s); /* (43) */
+    *center =
+        straight ? (double)INFINITY : b.a * fabs(wZ * th.c / wY); /* (43) */
+    *contact = straight ? (double)INFINITY
+                        : b.a * fabs(wZ * th.c / wY + th.s); /* (43) */
     return COIN_OK;
 }

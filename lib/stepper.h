@@ -4,14 +4,25 @@
 
 #include "motion.h"
 
-#include <math.h>
-
 /* What a run carries from step to step.  The pairs hold the angles: theta, and
- * phi up to whole turns, which pose.phi counts; x and z begin at 0. */
+ * phi up to whole turns, which pose.phi counts; x, z and t begin at 0. */
 typedef struct coin_priv_carry {
     coin_priv_stage y;
     coin_priv_pose pose;
+    double theta, p; /* of the symplectic methods: theta, wY cos theta */
+    uint64_t steps;  /* since the run began */
 } coin_priv_carry;
+
+coin_priv_carry coin_priv_carry_of(const coin_state *s);
+
+/* Where a run from *start has come to.  A run of no steps is where it began,
+ * to the bit. */
+coin_state coin_priv_state_of(const coin_priv_carry *c, const coin_priv_body *b,
+                              const coin_state *start);
+
+/* phi from the pair that the steps turned; pose.phi is within half a turn of
+ * it, and tells which. */
+double coin_priv_heading(const coin_priv_carry *c);
 
 /* How far a run may go: COIN_COARSE beyond coarse2, COIN_ESTEP beyond most2,
  * both compared with W^2, Eq. (47), where each step begins and ends. */
@@ -20,24 +31,15 @@ typedef struct coin_priv_limits {
     int32_t warnings; /* COIN_COARSE once a step was */
 } coin_priv_limits;
 
-/* Whether a step may end here: above the table all the way (lowest is the
- * least cos theta of its stages), in the range of coin_state_check(), W within
- * the limit.  Any NaN fails: comparisons choose it, phi's reaches psi. */
-static inline int coin_priv_sound(const coin_priv_carry *c, double lowest,
-                                  double rate2, double most2)
-{
-    const double phi = fabs(c->pose.phi), psi = fabs(c->pose.psi);
-    const double low = lowest < c->y.cth ? lowest : c->y.cth;
-    const double angle = phi > psi ? phi : psi;
-    return low > 0 && rate2 <= most2 && angle <= COIN_PRIV_ANGLE_MAX;
-}
+/* Up to n steps of dt.  It ends early where a step would not be sound, and *c
+ * is then as the last good step left it.  Pre: *c is sound. */
+typedef void coin_priv_stepper(coin_priv_carry *c, const coin_priv_body *b,
+                               coin_priv_limits *limits, double dt, uint64_t n);
 
-/* Up to n steps of dt; returns how many were done.  After fewer than n *c is
- * as the last good step left it.  Pre: *c is sound. */
-typedef uint64_t coin_priv_stepper(coin_priv_carry *c, const coin_priv_body *b,
-                                   coin_priv_limits *limits, double dt,
-                                   uint64_t n);
+coin_priv_stepper coin_priv_rk4, coin_priv_rk8;
+coin_priv_stepper coin_priv_symplectic2, coin_priv_symplectic4;
 
-coin_priv_stepper coin_priv_rk4;
+/* The same for who asks for no path: heading and pose stay as they are. */
+coin_priv_stepper coin_priv_rk4_lean, coin_priv_rk8_lean;
 
 #endif

@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: MIT */
+/* The 12-stage formula of order 8 of Dormand and Prince, as in DOP853 (Hairer,
+ * Norsett, Wanner, Solving Ordinary Differential Equations I), without its
+ * error estimate; test_rk8 holds it against the conditions of order.
+ *
+ * One step for either form of the equations of motion: FIELD and DRIFT name
+ * the slopes, times h, of the stage and of what is only added to.  Its users
+ * define them, and get coin_priv_dop8_step(). */
+#include "march.h"
+
+/* Rows of the tableau without their zeros: A5 holds a_51, a_53, a_54; from A6
+ * on a_i1, a_i4, a_i5, ...; B holds b_1, b_6, ..., b_12. */
+/* clang-format off */
+static const double A2[] = {
+    5.26001519587677318785587544488e-2,
+};
+static const double A3[] = {
+    1.97250569845378994544595329183e-2,
+    5.91751709536136983633785987549e-2,
+};
+static const double A4[] = {
+    2.95875854768068491816892993775e-2,
+    8.87627564304205475450678981324e-2,
+};
+static const double A5[] = {
+    2.41365134159266685502369798665e-1,
+    -8.84549479328286085344864962717e-1,
+    9.24834003261792003115737966543e-1,
+};
+static const double A6[] = {
+    3.7037037037037037037037037037e-2,
+    1.70828608729473871279604482173e-1,
+    1.25467687566822425016691814123e-1,
+};
+static const double A7[] = {
+    3.7109375e-2,
+    1.70252211019544039314978060272e-1,
+    6.02165389804559606850219397283e-2,
+    -1.7578125e-2,
+};
+static const double A8[] = {
+    3.70920001185047927108779319836e-2,
+    1.70383925712239993810214054705e-1,
+    1.07262030446373284651809199168e-1,
+    -1.53194377486244017527936158236e-2,
+    8.27378916381402288758473766002e-3,
+};
+static const double A9[] = {
+    6.24110958716075717114429577812e-1,
+    -3.36089262944694129406857109825e0,
+    -8.68219346841726006818189891453e-1,
+    2.75920996994467083049415600797e1,
+    2.01540675504778934086186788979e1,
+    -4.34898841810699588477366255144e1,
+};
+static const double A10[] = {
+    4.77662536438264365890433908527e-1,
+    -2.48811461997166764192642586468e0,
+    -5.90290826836842996371446475743e-1,
+    2.12300514481811942347288949897e1,
+    1.52792336328824235832596922938e1,
+    -3.32882109689848629194453265587e1,
+    -2.03312017085086261358222928593e-2,
+};
+static const double A11[] = {
+    -9.3714243008598732571704021658e-1,
+    5.18637242884406370830023853209e0,
+    1.09143734899672957818500254654e0,
+    -8.14978701074692612513997267357e0,
+    -1.85200656599969598641566180701e1,
+    2.27394870993505042818970056734e1,
+    2.49360555267965238987089396762e0,
+    -3.0467644718982195003823669022e0,
+};
+static const double A12[] = {
+    2.27331014751653820792359768449e0,
+    -1.05344954667372501984066689879e1,
+    -2.00087205822486249909675718444e0,
+    -1.79589318631187989172765950534e1,
+    2.79488845294199600508499808837e1,
+    -2.85899827713502369474065508674e0,
+    -8.87285693353062954433549289258e0,
+    1.23605671757943030647266201528e1,
+    6.43392746015763530355970484046e-1,
+};
+static const double B[] = {
+    5.42937341165687622380535766363e-2,
+    4.45031289275240888144113950566e0,
+    1.89151789931450038304281599044e0,
+    -5.8012039600105847814672114227e0,
+    3.1116436695781989440891606237e-1,
+    -1.52160949662516078556178806805e-1,
+    2.01365400804030348374776537501e-1,
+    4.47106157277725905176885569043e-2,
+};
+/* clang-format on */
+
+/* The members of a stage that slopes move, and those of a pose. */
+#define EACH(F) F(wX) F(wY) F(wZ) F(sth) F(cth) F(q) F(sph) F(cph)
+#define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
+
+#define ROW2(m) y.m = y0.m + A2[0] * d1.m;
+
+#define ROW3(m) y.m = y0.m + (A3[0] * d1.m) + A3[1] * d2.m;
+
+#define ROW4(m) y.m = y0.m + (A4[0] * d1.m) + A4[1] * d3.m;
+
+#define ROW5(m) y.m = y0.m + (A5[0] * d1.m + A5[1] * d3.m) + A5[2] * d4.m;
+
+#define ROW6(m) y.m = y0.m + (A6[0] * d1.m + A6[1] * d4.m) + A6[2] * d5.m;
+
+#define ROW7(m)                                                                \
+    y.m = y0.m + (A7[0] * d1.m + A7[1] * d4.m + A7[2] * d5.m) + A7[3] * d6.m;
+
+#define ROW8(m)                                                                \
+    y.m = y0.m + (A8[0] * d1.m + A8[1] * d4.m + A8[2] * d5.m + A8[3] * d6.m) + \
+          A8[4] * d7.m;
+
+#define ROW9(m)                                                                \
+    y.m = y0.m +                                                               \
+          (A9[0] * d1.m + A9[1] * d4.m + A9[2] * d5.m + A9[3] * d6.m +         \
+           A9[4] * d7.m) +                                                     \
+          A9[5] * d8.m;
+
+#define ROW10(m)                                                               \
+    y.m = y0.m +                                                               \
+          (A10[0] * d1.m + A10[1] * d4.m + A10[2] * d5.m + A10[3] * d6.m +     \
+           A10[4] * d7.m + A10[5] * d8.m) +                                    \
+          A10[6] * d9.m;
+
+#define ROW11(m)                                                               \
+    y.m = y0.m +                                                               \
+          (A11[0] * d1.m + A11[1] * d4.m + A11[2] * d5.m + A11[3] * d6.m +     \
+           A11[4] * d7.m + A11[5] * d8.m + A11[6] * d9.m) +                    \
+          A11[7] * d10.m;
+
+#define ROW12(m)                                                               \
+    y.m = y0.m +                                                               \
+          (A12[0] * d1.m + A12[1] * d4.m + A12[2] * d5.m + A12[3] * d6.m +     \
+           A12[4] * d7.m + A12[5] * d8.m + A12[6] * d9.m + A12[7] * d10.m) +   \
+          A12[8] * d11.m;
+
+#define SUM(m)                                                                 \
+    y.m = y0.m +                                                               \
+          (B[0] * d1.m + B[1] * d6.m + B[2] * d7.m + B[3] * d8.m +             \
+           B[4] * d9.m + B[5] * d10.m + B[6] * d11.m) +                        \
+          B[7] * d12.m;
+
+#define SUM_POSE(m)                                                            \
+    next->pose.m = c->pose.m +                                                 \
+                   (B[0] * v1.m + B[1] * v6.m + B[2] * v7.m + B[3] * v8.m +    \
+                    B[4] * v9.m + B[5] * v10.m + B[6] * v11.m) +               \
+                   B[7] * v12.m;
+
+/* One step h.  In each row the newest slope is added last: the older part does
+ * not wait for it. */
+COIN_PRIV_INLINE double dop8_step(coin_priv_carry *next,
+                                  const coin_priv_carry *c,
+                                  const void *coefficients)
+{
+    const coin_priv_field *f = coefficients;
+    const coin_priv_stage y0 = c->y;
+    coin_priv_stage y = y0;
+    double low;
+    const coin_priv_stage d1 = FIELD(f, &y);
+    const coin_priv_pose v1 = DRIFT(f, &y);
+    EACH(ROW2)
+    y.tth = y.q * y.sth;
+    low = y.cth;
+    const coin_priv_stage d2 = FIELD(f, &y);
+    EACH(ROW3)
+    y.tth = y.q * y.sth;
+    low = y.cth < low ? y.cth : low;
+    const coin_priv_stage d3 = FIELD(f, &y);
+    EACH(ROW4)
+    y.tth = y.q * y.sth;
+    low = y.cth < low ? y.cth : low;
+    const coin_priv_stage d4 = FIELD(f, &y);
+    EACH(ROW5)
+    y.tth = y.q * y.sth;
+    low = y.cth < low ? y.cth : low;
+    const coin_priv_stage d5 = FIELD(f, &y);
+    EACH(ROW6)
+    y.tth = y.q * y.sth;
+    low = y.cth < low ? y.cth : low;
+    const coin_priv_stage d6 = FIELD(f, &y);
+    const coin_priv_pose v6 = DRIFT(f, &y);
+    EACH(ROW7)
+    y.tth = y.q * y.sth;
+    low = y.cth < low ? y.cth : low;
+    const coin_priv_stage d7 = FIELD(f, &y);
+    const coin_priv_pose v7 = DRIFT(f, &y);
+    EACH(ROW8)
+    y.tth = y.q * y.sth;
+    low = y.cth < low ? y.cth : low;
+    const coin_priv_stage d8 = FIELD(f, &y);
+    const coin_priv_pose v8 = DRIFT(f, &y);
+    EACH(ROW9)
+    y.tth = y.q * y.sth;
+    low = y.cth < low ? y.cth : low;
+    const coin_priv_stage d9 = FIELD(f, &y);
+    const coin_priv_pose v9 = DRIFT(f, &y);
+    EACH(ROW10)
+    y.tth = y.q * y.sth;
+    low = y.cth < low ? y.cth : low;
+    const coin_priv_stage d10 = FIELD(f, &y);
+    const coin_priv_pose v10 = DRIFT(f, &y);
+    EACH(ROW11)
+    y.tth = y.q * y.sth;
+    low = y.cth < low ? y.cth : low;
+    const coin_priv_stage d11 = FIELD(f, &y);
+    const coin_priv_pose v11 = DRIFT(f, &y);
+    EACH(ROW12)
+    y.tth = y.q * y.sth;
+    low = y.cth < low ? y.cth : low;
+    const coin_priv_stage d12 = FIELD(f, &y);
+    const coin_priv_pose v12 = DRIFT(f, &y);
+    EACH(SUM)
+    EACH_POSE(SUM_POSE)
+    coin_priv_renew(&y);
+    next->y = y;
+    return low;
+}

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/* The loop around a Runge-Kutta step, and its guard. */
+#ifndef ROLLCOIN_MARCH_H
+#define ROLLCOIN_MARCH_H
+
+#include "stepper.h"
+
+/* So often pose.phi is set to its pair's angle.  In between the sum of phi's
+ * rates, and the pair that the same rates turn, cannot come half a turn apart:
+ * RK4 turns a pair by z - z^5/120 for z, and no step has z > 1.4. */
+#define COIN_PRIV_SETTLE 32
+
+/* Brings the pairs back to the unit circle, so that the angles alone tell the
+ * state, and a run of n steps is n runs of one.  The lean's pair, which the
+ * next step waits for, gets three terms of (1 - e)^(-1/2): the step left e =
+ * O(h^5), and 5/16 e^3 remains, rounding for steps that are not coarse. */
+COIN_PRIV_INLINE void coin_priv_renew(coin_priv_stage *y)
+{
+    const double q = 1 / y->cth;
+    const double lean = 1 - (y->sth * y->sth + y->cth * y->cth);
+    const double turn = 1 / sqrt(y->sph * y->sph + y->cph * y->cph);
+    const double longer = 0.5 + 0.375 * lean;
+    y->tth = y->sth * q;
+    y->sth += (y->sth * lean) * longer;
+    y->cth += (y->cth * lean) * longer;
+    y->q = q - (q * lean) * (0.5 + 0.125 * lean);
+    y->sph *= turn;
+    y->cph *= turn;
+}
+
+/* Whether a step may end here: above the table all the way (lowest is the
+ * least cos theta of its stages), in the range of coin_state_check(), W within
+ * the limit.  Any NaN fails: comparisons choose it, phi's reaches psi. */
+COIN_PRIV_INLINE int coin_priv_sound(const coin_priv_carry *c, double lowest,
+                                     double rate2, double most2)
+{
+    const double phi = fabs(c->pose.phi), psi = fabs(c->pose.psi);
+    const double low = lowest < c->y.cth ? lowest : c->y.cth;
+    const double angle = phi > psi ? phi : psi;
+    return low > 0 && rate2 <= most2 && angle <= COIN_PRIV_ANGLE_MAX;
+}
+
+/* One step from *c to *next, steps apart; returns the least cos theta of its
+ * stages. */
+typedef double coin_priv_step(coin_priv_carry *next, const coin_priv_carry *c,
+                              const void *coefficients);
+
+/* Up to n steps, as coin_priv_stepper says.  With lean set the results of
+ * heading and pose are dropped, and with them all that computes them. */
+COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c, double g_a,
+                                      coin_priv_limits *limits, uint64_t n,
+                                      coin_priv_step *step,
+                                      const void *coefficients, int lean)
+{
+    const double most2 = limits->most2;
+    const uint64_t begin = c->steps;
+    const coin_priv_carry start = *c;
+    coin_priv_carry state[2];
+    double rate2 = coin_priv_rate2(g_a, &c->y), worst2 = 0;
+    uint64_t done = 0;
+    state[0] = state[1] = *c;
+    for (; done < n; ++done) {
+        coin_priv_carry *next = &state[(done + 1) & 1];
+        const double lowest = step(next, &state[done & 1], coefficients);
+        if (lean) {
+            next->y.sph = start.y.sph;
+            next->y.cph = start.y.cph;
+            next->pose = start.pose;
+        }
+        const double next2 = coin_priv_rate2(g_a, &next->y);
+        const double step2 = rate2 > next2 ? rate2 : next2;
+        if (!coin_priv_sound(next, lowest, step2, most2))
+            break;
+        worst2 = step2 > worst2 ? step2 : worst2;
+        rate2 = next2;
+        if (!lean && (begin + done + 1) % COIN_PRIV_SETTLE == 0)
+            next->pose.phi = coin_priv_heading(next);
+    }
+    if (worst2 > limits->coarse2)
+        limits->warnings = COIN_COARSE;
+    *c = state[done & 1];
+    c->steps = begin + done;
+}
+
+#endif

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT */
+#include "pinned.h"
+
+#include "method.h"
+#include "state.h"
+#include "sundman.h"
+
+#include <math.h>
+
+/* What decides a step is the worst that the motion has ahead, and that comes
+ * once a period of theta.  So the coin is sent ahead through one period, first
+ * at a coarse stride to see how long that is and how fast it gets, then with
+ * the method itself at dt beside dt/2, whose difference is dt's error. */
+
+/* A period is two turning points; for motions that have none, or are slow to
+ * reach them, so many natural units of time do. */
+#define LONG_ENOUGH 20.0
+
+/* Steps that a look ahead may take: a coin that passes nearer to flat than
+ * 1e-8 needs more, and then gets a dt for what was seen. */
+#define PATIENCE 100
+#define TRIAL_STEPS 4096
+
+/* What of tol the trial may use: later periods may be worse than the first. */
+#define MARGIN 0.25
+
+struct outlook {
+    double span;   /* the time looked at */
+    double worst2; /* the largest W^2 in it */
+};
+
+static struct outlook look_ahead(coin_priv_carry c, const coin_priv_body *b)
+{
+    struct outlook o = {0, coin_priv_rate2(b->g_a, &c.y)};
+    int turns = 0;
+    for (int i = 0; i < PATIENCE && turns < 2; ++i) {
+        const double wX = c.y.wX;
+        const double tau = coin_priv_sundman_tau(b, &c.y, 0.5);
+        if (!coin_priv_sundman_step(&c, b, tau))
+            break;
+        const double W2 = coin_priv_rate2(b->g_a, &c.y);
+        o.worst2 = W2 > o.worst2 ? W2 : o.worst2;
+        turns += wX * c.y.wX < 0;
+        if (c.pose.t * sqrt(b->g_a) > LONG_ENOUGH)
+            break;
+    }
+    o.span = c.pose.t;
+    return o;
+}
+
+static double larger(double a, double b)
+{
+    return fabs(a) > b ? fabs(a) : b;
+}
+
+/* How far apart two runs from one start are, in radians and radii. */
+static double apart(const coin_priv_carry *c, const coin_priv_carry *d)
+{
+    double e = 0;
+    e = larger(c->y.sth * d->y.cth - c->y.cth * d->y.sth, e);
+    e = larger(c->pose.phi - d->pose.phi, e);
+    e = larger(c->pose.psi - d->pose.psi, e);
+    e = larger(c->pose.x - d->pose.x, e);
+    return larger(c->pose.z - d->pose.z, e);
+}
+
+/* The error per natural unit of time that steps of dt make over the span, or
+ * infinity if they do not get through it. */
+static double trial(const coin_priv_carry *start, const coin_priv_body *b,
+                    int32_t method, double dt, double span)
+{
+    coin_priv_stepper *const step = coin_priv_method_stepper(method);
+    coin_priv_limits any = {(double)INFINITY, b->w2_max, COIN_OK};
+    coin_priv_carry c = *start, d = *start;
+    const double unit = 1 / sqrt(b->g_a);
+    double error = 0;
+    for (uint64_t i = 1; i <= TRIAL_STEPS && (double)(i - 1) * dt < span; ++i) {
+        step(&c, b, &any, dt, 1);
+        step(&d, b, &any, dt / 2, 2);
+        if (c.steps < i || d.steps < 2 * i)
+            return (double)INFINITY;
+        const double t = (double)i * dt / unit;
+        error = larger(apart(&c, &d) / (t > 1 ? t : 1), error);
+    }
+    return error;
+}
+
+/* x^(1/order), order a power of two. */
+static double root(double x, int32_t order)
+{
+    for (; order > 1; order /= 2)
+        x = sqrt(x);
+    return x;
+}
+
+double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
+                   double tol)
+{
+    coin_priv_body b;
+    if (!coin_priv_method_known(method) || !(tol >= 1e-13 && tol <= 1e-2) ||
+        coin_priv_check(s, p, &b) != COIN_OK)
+        return NAN;
+    const coin_priv_carry start = coin_priv_carry_of(s);
+    const struct outlook o = look_ahead(start, &b);
+    const double most = coin_priv_method_coarse(method) / sqrt(o.worst2);
+    const int32_t order = coin_method_order(method);
+    double dt = most;
+    /* Twice: the second trial is near the dt in question, where the error is
+     * truly a power of it, but never too short to see the whole span. */
+    for (int i = 0; i < 2; ++i) {
+        const double tried = larger(o.span / TRIAL_STEPS, dt);
+        const double error = trial(&start, &b, method, tried, o.span);
+        const double wanted = tol * MARGIN / error;
+        if (wanted < 1)
+            dt = tried * (wanted > 0 ? root(wanted, order) : 0.125);
+    }
+    return dt < most ? dt : most;
+}
