@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static char note[256];
+
+void check_note(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(note, sizeof note, format, arguments);
+    va_end(arguments);
+}
+
+int check_begin(void **unused)
+{
+    (void)unused;
+    note[0] = 0;
+    return 0;
+}
+
+static void fail_at(const char *file, int line)
+{
+    if (note[0])
+        print_error("    at %s\n", note);
+    _fail(file, line);
+}
+
+void check_that(int holds, const char *what, const char *file, int line)
+{
+    if (holds)
+        return;
+    print_error("does not hold: %s\n", what);
+    fail_at(file, line);
+}
+
+void check_near_at(double got, double want, double bound, const char *what,
+                   const char *file, int line)
+{
+    if (fabs(got - want) <= bound)
+        return;
+    print_error("%s\n    got %.17g, want %.17g: off by %.3g, bound %.3g\n",
+                what, got, want, got - want, bound);
+    fail_at(file, line);
+}
+
+void check_within_at(double got, double lowest, double highest,
+                     const char *what, const char *file, int line)
+{
+    if (got >= lowest && got <= highest)
+        return;
+    print_error("%s\n    got %.17g, not within %.6g ... %.6g\n", what, got,
+                lowest, highest);
+    fail_at(file, line);
+}
+
+void check_terms_at(double got, double want, double units, double terms,
+                    const char *what, const char *file, int line)
+{
+    const double error = fabs(got - want) + U * fabs(want);
+    if (error <= units * U * terms || (got == 0 && want == 0))
+        return;
+    print_error("%s\n    got %.17g, want %.17g: off by %.3g, which is %.3g u "
+                "of the terms %.3g; allowed %g u\n",
+                what, got, want, got - want, error / (U * terms), terms, units);
+    fail_at(file, line);
+}
+
+void check_status_at(int32_t got, int32_t want, const char *what,
+                     const char *file, int line)
+{
+    if (got == want)
+        return;
+    print_error("%s\n    got %d (%s), want %d (%s)\n", what, (int)got,
+                coin_status_string(got), (int)want, coin_status_string(want));
+    fail_at(file, line);
+}
+
+void check_same_at(const void *got, const void *want, size_t size,
+                   const char *what, const char *file, int line)
+{
+    const unsigned char *g = got, *w = want;
+    size_t i = 0;
+    while (i < size && g[i] == w[i])
+        ++i;
+    if (i == size)
+        return;
+    print_error("%s\n    byte %zu of %zu differs: %02x, not %02x\n", what, i,
+                size, g[i], w[i]);
+    fail_at(file, line);
+}

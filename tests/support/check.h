@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT */
+/* Asserts for numbers, statuses and bytes.
+ *
+ * cmocka's own assert on floating-point numbers casts to float.  These print
+ * what was got, what was wanted, the difference and the bound, and the note
+ * that says in which scene, row or random case the check stood. */
+#ifndef ROLLCOIN_TESTS_CHECK_H
+#define ROLLCOIN_TESTS_CHECK_H
+
+#include <coin.h>
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+/* Half the distance between 1 and the next double. */
+#define U 0x1p-53
+
+/* Where the checks that follow stand; printed when one fails. */
+__attribute__((format(printf, 1, 2))) void check_note(const char *format, ...);
+
+/* A cmocka setup: forgets the note of the test before. */
+int check_begin(void **unused);
+
+#define TEST(function) cmocka_unit_test_setup(function, check_begin)
+
+#define RUN_TESTS(tests) cmocka_run_group_tests_name(__FILE__, tests, 0, 0)
+
+#define check(condition)                                                       \
+    check_that((condition) ? 1 : 0, #condition, __FILE__, __LINE__)
+void check_that(int holds, const char *what, const char *file, int line);
+
+/* |got - want| <= bound; false for NaN. */
+#define check_near(got, want, bound)                                           \
+    check_near_at(got, want, bound, #got, __FILE__, __LINE__)
+void check_near_at(double got, double want, double bound, const char *what,
+                   const char *file, int line);
+
+/* lowest <= got <= highest: a window, for what must be neither more nor less.
+ */
+#define check_within(got, lowest, highest)                                     \
+    check_within_at(got, lowest, highest, #got, __FILE__, __LINE__)
+void check_within_at(double got, double lowest, double highest,
+                     const char *what, const char *file, int line);
+
+/* got is within `units` u times `terms` of a reference value, of which `want`
+ * is the nearest double: the reference's own rounding, u |want|, is charged to
+ * the library, so that the bound is shown for the true value. */
+#define check_terms(got, want, units, terms)                                   \
+    check_terms_at(got, want, units, terms, #got, __FILE__, __LINE__)
+void check_terms_at(double got, double want, double units, double terms,
+                    const char *what, const char *file, int line);
+
+#define check_status(got, want)                                                \
+    check_status_at(got, want, #got, __FILE__, __LINE__)
+void check_status_at(int32_t got, int32_t want, const char *what,
+                     const char *file, int line);
+
+/* Bit for bit. */
+#define check_same(got, want, size)                                            \
+    check_same_at(got, want, size, #got, __FILE__, __LINE__)
+void check_same_at(const void *got, const void *want, size_t size,
+                   const char *what, const char *file, int line);
+
+#endif

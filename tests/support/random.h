@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+/* Random coins and states.  The seed is in the note of a failing check; set
+ * ROLLCOIN_SEED to try another. */
+#ifndef ROLLCOIN_TESTS_RANDOM_H
+#define ROLLCOIN_TESTS_RANDOM_H
+
+#include <coin.h>
+
+struct random {
+    uint64_t seed, state;
+    unsigned drawn; /* how many scenes */
+};
+
+struct random random_begin(uint64_t seed);
+
+double random_between(struct random *r, double low, double high);
+
+/* Each of mass, radius and gravity over six decades, any inner radius. */
+coin_params random_coin(struct random *r);
+
+/* |theta| <= theta_max, rates up to 2 in natural units, any pose; notes the
+ * case. */
+coin_state random_state(struct random *r, const coin_params *p,
+                        double theta_max);
+
+/* A random state, |theta| <= 1, from which so many steps of dt natural units,
+ * forward and backward, are fine enough for full accuracy: no near-flat pass
+ * on the way. */
+coin_state random_motion(struct random *r, const coin_params *p, double dt,
+                         uint64_t steps);
+
+/* sqrt(radius/gravity). */
+double natural_time(const coin_params *p);
+
+#endif

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+/* The layout that programs are compiled against: eight doubles each, in this
+ * order, no padding. */
+#include "support/check.h"
+
+#define D sizeof(double)
+
+#define AT(type, member, place)                                                \
+    {                                                                          \
+#type "." #member, offsetof(type, member), (place)*D                   \
+    }
+
+static const struct {
+    const char *name;
+    size_t got, want;
+} layout[] = {
+    AT(coin_params, mass, 0),
+    AT(coin_params, radius, 1),
+    AT(coin_params, gravity, 2),
+    AT(coin_params, inertia_X, 3),
+    AT(coin_params, inertia_Z, 4),
+    AT(coin_params, reserved, 5),
+    AT(coin_state, theta, 0),
+    AT(coin_state, phi, 1),
+    AT(coin_state, psi, 2),
+    AT(coin_state, x, 3),
+    AT(coin_state, z, 4),
+    AT(coin_state, wX, 5),
+    AT(coin_state, wY, 6),
+    AT(coin_state, wZ, 7),
+    AT(coin_force, R, 0),
+    AT(coin_force, normal, 3),
+    AT(coin_force, friction, 4),
+    AT(coin_force, ratio, 5),
+    {"sizeof(coin_params)", sizeof(coin_params), 8 * D},
+    {"sizeof(coin_state)", sizeof(coin_state), 8 * D},
+    {"sizeof(coin_force)", sizeof(coin_force), 6 * D},
+};
+
+static void every_member_has_its_place(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < sizeof layout / sizeof *layout; ++i) {
+        check_note("%s: %zu, not %zu", layout[i].name, layout[i].got,
+                   layout[i].want);
+        check(layout[i].got == layout[i].want);
+    }
+}
+
+static const struct {
+    const char *name;
+    int32_t got, want;
+} constants[] = {
+    {"COIN_OK", COIN_OK, 0},
+    {"COIN_EPARAMS", COIN_EPARAMS, -1},
+    {"COIN_ESTATE", COIN_ESTATE, -2},
+    {"COIN_ESTEP", COIN_ESTEP, -3},
+    {"COIN_EARG", COIN_EARG, -4},
+    {"COIN_EDOMAIN", COIN_EDOMAIN, -5},
+    {"COIN_EFLAT", COIN_EFLAT, -6},
+    {"COIN_EBUILD", COIN_EBUILD, -7},
+    {"COIN_SLIPS", COIN_SLIPS, 1},
+    {"COIN_LIFTS", COIN_LIFTS, 2},
+    {"COIN_COARSE", COIN_COARSE, 4},
+    {"COIN_NEARLY_FLAT", COIN_NEARLY_FLAT, 8},
+    {"COIN_RK4", COIN_RK4, 0},
+    {"COIN_RK8", COIN_RK8, 1},
+    {"COIN_SYMPLECTIC2", COIN_SYMPLECTIC2, 2},
+    {"COIN_SYMPLECTIC4", COIN_SYMPLECTIC4, 3},
+};
+
+static void every_constant_has_its_number(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < sizeof constants / sizeof *constants; ++i) {
+        check_note("%s: %d, not %d", constants[i].name, (int)constants[i].got,
+                   (int)constants[i].want);
+        check(constants[i].got == constants[i].want);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(every_member_has_its_place),
+        TEST(every_constant_has_its_number),
+    };
+    return RUN_TESTS(tests);
+}

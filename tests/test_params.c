@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+
+#include <math.h>
+
+static void check_body(const coin_params *p, double IX, double IZ)
+{
+    check(p->mass == 2 && p->radius == 4 && p->gravity == 8);
+    check(p->inertia_X == IX && p->inertia_Z == IZ);
+    check(p->reserved[0] == 0 && p->reserved[1] == 0 && p->reserved[2] == 0);
+}
+
+static void each_shape_has_its_inertia(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_disc(&p, 2, 4, 8), COIN_OK);
+    check_body(&p, 2 * 16 / 4.0, 2 * 16 / 2.0);
+    check_status(coin_params_ring(&p, 2, 4, 0, 8), COIN_OK);
+    check_body(&p, 8, 16);
+    check_status(coin_params_ring(&p, 2, 4, 2, 8), COIN_OK);
+    check_body(&p, 2 * (16 + 4) / 4.0, 2 * (16 + 4) / 2.0);
+    check_status(coin_params_ring(&p, 2, 4, 4, 8), COIN_OK);
+    check_body(&p, 2 * 32 / 4.0, 2 * 32 / 2.0);
+    check_status(coin_params_body(&p, 2, 4, 8, 3, 5), COIN_OK);
+    check_body(&p, 3, 5);
+}
+
+/* A uniform disc is a stack of hoops: its inertia by a sum over 1000. */
+static void a_disc_is_made_of_hoops(void **unused)
+{
+    (void)unused;
+    coin_params disc, hoop;
+    double IX = 0, IZ = 0;
+    const int n = 1000;
+    check_status(coin_params_disc(&disc, 3, 2, 1), COIN_OK);
+    for (int i = 0; i < n; ++i) {
+        const double r = 2 * (i + 0.5) / n, mass = 3 * 2 * r / 4 * 2 / n;
+        check_status(coin_params_ring(&hoop, mass, r, r, 1), COIN_OK);
+        IX += hoop.inertia_X;
+        IZ += hoop.inertia_Z;
+    }
+    /* The midpoint rule on r^3 leaves half of 1/n^2. */
+    check_near(IX, disc.inertia_X, 0.6 / (n * n) * disc.inertia_X);
+    check_near(IZ, disc.inertia_Z, 0.6 / (n * n) * disc.inertia_Z);
+}
+
+/* One member at a time, from a good body. */
+static const double bad_numbers[] = {0,         -1,   NAN,   INFINITY,
+                                     -INFINITY, -0.0, 1e-310};
+
+static void check_member(coin_params *p, double *member, double value)
+{
+    const double kept = *member;
+    *member = value;
+    check_note("member %d is %g", (int)(member - &p->mass), value);
+    check_status(coin_params_check(p), COIN_EPARAMS);
+    *member = kept;
+}
+
+static void every_member_must_be_positive_and_finite(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    double *const members[] = {&p.mass, &p.radius, &p.gravity, &p.inertia_X,
+                               &p.inertia_Z};
+    for (size_t m = 0; m < 5; ++m)
+        for (size_t i = 0; i < sizeof bad_numbers / sizeof *bad_numbers; ++i)
+            check_member(&p, members[m], bad_numbers[i]);
+    check_status(coin_params_check(&p), COIN_OK);
+}
+
+static void every_reserved_member_must_be_zero(void **unused)
+{
+    (void)unused;
+    const double bad[] = {1, -1, 5e-324, NAN, INFINITY};
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    for (size_t m = 0; m < 3; ++m)
+        for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
+            check_member(&p, &p.reserved[m], bad[i]);
+    p.reserved[1] = -0.0;
+    check_status(coin_params_check(&p), COIN_OK);
+}
+
+static void axial_inertia_is_at_most_twice_the_diametral(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_body(&p, 1, 1, 1, 0.3, 0.6), COIN_OK);
+    check_status(coin_params_body(&p, 1, 1, 1, 0.3, 0.6 * (1 + 5e-13)),
+                 COIN_OK);
+    check_status(coin_params_body(&p, 1, 1, 1, 0.3, 0.6 * (1 + 2e-12)),
+                 COIN_EPARAMS);
+    check_status(coin_params_body(&p, 1, 1, 1, 0.3, 1e-9), COIN_OK);
+}
+
+static void the_hole_lies_within_the_coin(void **unused)
+{
+    (void)unused;
+    const double bad[] = {-1e-300,  -1,        nextafter(4, 5),
+                          INFINITY, -INFINITY, NAN};
+    coin_params p;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        check_note("inner radius %g", bad[i]);
+        check_status(coin_params_ring(&p, 2, 4, bad[i], 8), COIN_EPARAMS);
+    }
+    check_status(coin_params_ring(&p, 2, 4, -0.0, 8), COIN_OK);
+}
+
+/* M, a, g whose products or quotients no double holds. */
+static void products_must_not_leave_the_range_of_doubles(void **unused)
+{
+    (void)unused;
+    const double bad[][3] = {
+        {1e200, 1e60, 1},    /* M a^2 */
+        {1e-200, 1e-60, 1},  /* M a^2 */
+        {1e150, 1, 1e160},   /* M g a */
+        {1e-150, 1, 1e-160}, /* M g a */
+        {1, 1e-155, 1e155},  /* g/a */
+        {1, 1e155, 1e-155},  /* g/a */
+    };
+    coin_params p;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        const double *b = bad[i];
+        check_note("M = %g, a = %g, g = %g", b[0], b[1], b[2]);
+        check_status(coin_params_disc(&p, b[0], b[1], b[2]), COIN_EPARAMS);
+    }
+}
+
+/* Each body has one ratio that no double holds, or none. */
+static void ratios_of_inertias_must_not_either(void **unused)
+{
+    (void)unused;
+    const struct {
+        const char *ratio;
+        double mass, radius, gravity, IX, IZ;
+        int32_t want;
+    } cases[] = {
+        {"none", 1, 1, 1, 1e-200, 1e-300, COIN_OK},
+        {"I_Z/I_X", 1, 1, 1, 1e200, 1e-200, COIN_EPARAMS},
+        {"I_X/J", 1, 1e75, 1, 1e-200, 1e-200, COIN_EPARAMS},
+        {"m/K", 1e-200, 1, 1e100, 1e150, 1e150, COIN_EPARAMS},
+        {"M g a/J", 1e-200, 1, 1, 1e150, 1e150, COIN_EPARAMS},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        coin_params p;
+        check_note("%s", cases[i].ratio);
+        check_status(coin_params_body(&p, cases[i].mass, cases[i].radius,
+                                      cases[i].gravity, cases[i].IX,
+                                      cases[i].IZ),
+                     cases[i].want);
+    }
+}
+
+/* Atoms to planets, with room. */
+static void every_sensible_scale_is_accepted(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    for (int e = -30; e <= 30; e += 10)
+        for (int f = -30; f <= 30; f += 10) {
+            check_note("mass 1e%d, length 1e%d", e, f);
+            check_status(
+                coin_params_disc(&p, pow(10, e), pow(10, f), pow(10, -f)),
+                COIN_OK);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(each_shape_has_its_inertia),
+        TEST(a_disc_is_made_of_hoops),
+        TEST(every_member_must_be_positive_and_finite),
+        TEST(every_reserved_member_must_be_zero),
+        TEST(axial_inertia_is_at_most_twice_the_diametral),
+        TEST(the_hole_lies_within_the_coin),
+        TEST(products_must_not_leave_the_range_of_doubles),
+        TEST(ratios_of_inertias_must_not_either),
+        TEST(every_sensible_scale_is_accepted),
+    };
+    return RUN_TESTS(tests);
+}

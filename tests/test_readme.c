@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+/* The programs that a newcomer copies: they compile without a warning, link
+ * against the static library and print what they should. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "support/check.h"
+#include "support/scene.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#ifndef TEST_LIB
+#error "the Makefile says where the static library is: -DTEST_LIB"
+#endif
+#ifndef TEST_CC
+#error "the Makefile says how to compile: -DTEST_CC"
+#endif
+
+enum { TEXT = 1 << 16 };
+
+static char folder[] = "/tmp/test_readme.XXXXXX";
+
+/* ---------------------------------------------------------------- the texts */
+static void read_text(const char *name, char text[TEXT])
+{
+    char path[512];
+    snprintf(path, sizeof path, "%s/%s", TEST_ROOT, name);
+    check_note("%s", path);
+    FILE *in = fopen(path, "r");
+    check(in != NULL);
+    const size_t n = fread(text, 1, TEXT - 1, in);
+    fclose(in);
+    check(n > 0 && n < TEXT - 1);
+    text[n] = 0;
+}
+
+/* Cuts what lies between two marks, from the line after the first; returns
+ * where the second ends. */
+static char *between(char *text, const char *from, const char *to, char **end)
+{
+    char *start = strstr(text, from);
+    check_note("no %s", from);
+    check(start != NULL);
+    start = strchr(start, '\n') + 1;
+    *end = strstr(start, to);
+    check(*end != NULL);
+    **end = 0;
+    *end += strlen(to);
+    return start;
+}
+
+/* Takes the " *" off the lines of a comment. */
+static void uncomment(char *text)
+{
+    char *out = text;
+    for (const char *in = text; *in;) {
+        if (strncmp(in, " *", 2) == 0)
+            in += 2;
+        while (*in && *in != '\n')
+            *out++ = *in++;
+        if (*in)
+            *out++ = *in++;
+    }
+    *out = 0;
+}
+
+/* -------------------------------------------------------------- the programs
+ */
+static int shell(const char *command)
+{
+    fflush(NULL);
+    return system(command);
+}
+
+static void compile(const char *before, const char *code, const char *after)
+{
+    char command[2048];
+    snprintf(command, sizeof command, "%s/program.c", folder);
+    FILE *out = fopen(command, "w");
+    check(out != NULL);
+    fprintf(out, "%s%s%s", before, code, after);
+    fclose(out);
+    snprintf(command, sizeof command,
+             "%s -std=c99 -Wall -Wextra -Wpedantic -Werror -I%s/include "
+             "-o %s/program %s/program.c %s -lm",
+             TEST_CC, TEST_ROOT, folder, folder, TEST_LIB);
+    check_note("%s", command);
+    check(shell(command) == 0);
+}
+
+static void run_program(char output[TEXT])
+{
+    char command[512];
+    snprintf(command, sizeof command, "%s/program", folder);
+    FILE *in = popen(command, "r");
+    check(in != NULL);
+    output[fread(output, 1, TEXT - 1, in)] = 0;
+    check_note("%s printed \"%s\"", command, output);
+    check(pclose(in) == 0);
+}
+
+static void the_readme_s_program_prints_what_the_readme_shows(void **unused)
+{
+    (void)unused;
+    static char text[TEXT], output[TEXT];
+    char *end;
+    read_text("README.md", text);
+    const char *program = between(text, "```c\n", "```", &end);
+    const char *shown = between(end, "```", "```", &end);
+    compile("", program, "");
+    run_program(output);
+    check_note("the program printed\n%s\nwhere README.md has\n%s", output,
+               shown);
+    check(strcmp(output, shown) == 0);
+}
+
+/* 1000 steps in the quarter's first second. */
+static void the_header_s_example_rolls_the_quarter(void **unused)
+{
+    (void)unused;
+    static char text[TEXT], output[TEXT];
+    static struct scene quarter;
+    coin_state s;
+    char *end;
+    read_text("include/coin.h", text);
+    char *code = between(text, "@code", "@endcode", &end);
+    uncomment(code);
+    compile("#include <coin.h>\n#include <stdio.h>\nint main(void)\n{\n", code,
+            "\nprintf(\"%.17g %.17g %.17g %.17g %.17g\\n\","
+            " s.theta, s.phi, s.psi, s.x, s.z);\nreturn 0;\n}\n");
+    run_program(output);
+    check(sscanf(output, "%lf %lf %lf %lf %lf", &s.theta, &s.phi, &s.psi, &s.x,
+                 &s.z) == 5);
+    scene_load(&quarter, "quarter");
+    check(scene_at(&quarter, 6, "t") == 1);
+    /* 5e-4 with 120 steps: 1e-7 with 1000. */
+    check_within(scene_error(&quarter, 6, &s), 1e-8, 1e-6);
+}
+
+static int make_folder(void **unused)
+{
+    (void)unused;
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+static int remove_folder(void **unused)
+{
+    (void)unused;
+    char command[64];
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    return shell(command);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(the_readme_s_program_prints_what_the_readme_shows),
+        TEST(the_header_s_example_rolls_the_quarter),
+    };
+    return cmocka_run_group_tests_name(__FILE__, tests, make_folder,
+                                       remove_folder);
+}

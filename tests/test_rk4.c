@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/random.h"
+#include "support/scene.h"
+#include "support/textbook.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Halving the step of an order 4 divides the error by 16; the next order
+ * leaves that within an eighth at these steps. */
+#define LEAST 14.0
+#define MOST 18.0
+
+static struct scene scene;
+
+static double error_with(size_t row, uint64_t steps)
+{
+    const coin_state s = scene_run(&scene, row, steps);
+    return scene_error(&scene, row, &s);
+}
+
+static void the_error_is_of_order_4_in_every_scene(void **unused)
+{
+    (void)unused;
+    const struct {
+        const char *name;
+        uint64_t steps; /* to row 4 */
+    } cases[] = {
+        {"wobble", 400},   {"generic", 400},   {"ring", 400},
+        {"ring_b05", 800}, {"negative", 400},  {"quarter", 800},
+        {"tumble", 200},   {"si_washer", 800},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        scene_load(&scene, cases[i].name);
+        const double one = error_with(4, cases[i].steps);
+        const double half = error_with(4, cases[i].steps * 2);
+        check_note("scene %s: error %.3g, then %.3g", cases[i].name, one, half);
+        check_within(one / half, LEAST, MOST);
+    }
+}
+
+/* The path closes to rounding as the steps shrink: what is left is no other
+ * motion. */
+static void small_steps_reach_the_reference(void **unused)
+{
+    (void)unused;
+    const char *const names[] = {"wobble", "generic", "spin",     "circle",
+                                 "ring",   "quarter", "ring_b05", "negative"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
+        scene_load(&scene, names[i]);
+        const double error = error_with(4, 20000);
+        check_note("scene %s", names[i]);
+        check_within(error, 0, 1e-11);
+    }
+}
+
+/* 120 frames per second, one step each.  README.md quotes the figure. */
+static void a_quarter_at_120_frames_a_second_stays_close_for_a_second(
+    void **unused)
+{
+    (void)unused;
+    scene_load(&scene, "quarter");
+    const size_t row = 6;
+    check(scene_at(&scene, row, "t") == 1);
+    const double error = error_with(row, 120);
+    printf("    quarter, 120 steps in 1 s: off by %.3g rad or radii\n", error);
+    check_within(error, 2e-4, 1e-3);
+}
+
+static double rate(const coin_state *s, const coin_params *p)
+{
+    const double c = cos(s->theta);
+    return sqrt((s->wX * s->wX + s->wY * s->wY) / (c * c) + s->wZ * s->wZ +
+                p->gravity / p->radius);
+}
+
+/* The largest W in a natural unit of time from here. */
+static double largest_rate(const coin_state *s, const coin_params *p)
+{
+    enum { SAMPLES = 129 };
+    coin_state path[SAMPLES];
+    const double dt = natural_time(p) / (SAMPLES - 1);
+    double W = 0;
+    check_status(coin_sample(s, p, COIN_RK4, dt, 1, SAMPLES, path, NULL),
+                 COIN_OK);
+    for (int i = 0; i < SAMPLES; ++i)
+        W = fmax(W, rate(&path[i], p));
+    return W;
+}
+
+/* The error in a natural unit of time with dt W <= 0.1 all along. */
+static double error_at_a_tenth(struct random *r)
+{
+    const coin_params p = random_coin(r);
+    const coin_state s = random_motion(r, &p, 1.0 / 32, 32);
+    const double dt = 0.1 / largest_rate(&s, &p);
+    const uint64_t n = (uint64_t)ceil(natural_time(&p) / dt);
+    coin_state coarse = s, fine = s;
+    check(coin_run(&coarse, &p, COIN_RK4, dt, n, NULL) >= 0);
+    check(coin_run(&fine, &p, COIN_RK4, dt / 16, 16 * n, NULL) >= 0);
+    return fmax(fabs(coarse.theta - fine.theta), fabs(coarse.phi - fine.phi));
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const double *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+/* coin.h: "about 1e-6 per natural unit of time". */
+static void the_error_per_unit_of_time_is_as_documented(void **unused)
+{
+    (void)unused;
+    enum { TRIED = 101 };
+    struct random r = random_begin(32);
+    double errors[TRIED];
+    for (int i = 0; i < TRIED; ++i)
+        errors[i] = error_at_a_tenth(&r);
+    qsort(errors, TRIED, sizeof *errors, ascending);
+    const double median = errors[TRIED / 2], worst = errors[TRIED - 1];
+    printf("    dt W = 0.1: off by %.2g, at worst %.2g, per natural unit\n",
+           median, worst);
+    check_note("%d random scenes", TRIED);
+    check_within(median, 2e-7, 2e-6);
+    check_within(worst, 1e-6, 1e-5);
+}
+
+/* ------------------------------------------------- against the textbook's */
+static double largest_difference(const coin_state *a, const coin_state *b,
+                                 const coin_params *p)
+{
+    const double T = natural_time(p), x = p->radius;
+    const double off[] = {
+        a->theta - b->theta, a->phi - b->phi,     a->psi - b->psi,
+        (a->x - b->x) / x,   (a->z - b->z) / x,   (a->wX - b->wX) * T,
+        (a->wY - b->wY) * T, (a->wZ - b->wZ) * T,
+    };
+    double worst = 0;
+    for (size_t i = 0; i < sizeof off / sizeof *off; ++i)
+        worst = fmax(worst, fabs(off[i]));
+    return worst;
+}
+
+/* How far apart the two are after one step of dt. */
+static double apart(coin_state s, const coin_params *p, double dt)
+{
+    coin_state t = s;
+    check_status(coin_step(&s, p, dt), COIN_OK);
+    textbook_step(&t, p, dt);
+    return largest_difference(&s, &t, p);
+}
+
+/* Both are of order 4, with other variables: their results part by O(dt^5),
+ * 32 times less for half a step. */
+static void a_step_is_the_textbook_s_to_order_5(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(33);
+    for (int i = 0; i < 50; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, 0.8);
+        const double dt = natural_time(&p) / 128;
+        const double one = apart(s, &p, dt), half = apart(s, &p, dt / 2);
+        check_within(one / half, 24, 42);
+    }
+}
+
+/* Random coins, by steps n, 2n, 4n: no reference is needed. */
+static void the_order_is_4_in_random_scenes(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(34);
+    for (int i = 0; i < 50; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state start = random_motion(&r, &p, 1.0 / 32, 64);
+        const double T = natural_time(&p);
+        coin_state s[3];
+        for (int k = 0; k < 3; ++k) {
+            const uint64_t n = (uint64_t)512 << k;
+            s[k] = start;
+            check(coin_run(&s[k], &p, COIN_RK4, 2 * T / (double)n, n, NULL) >=
+                  0);
+        }
+        check_within(largest_difference(&s[0], &s[1], &p) /
+                         largest_difference(&s[1], &s[2], &p),
+                     LEAST, MOST);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(the_error_is_of_order_4_in_every_scene),
+        TEST(small_steps_reach_the_reference),
+        TEST(a_quarter_at_120_frames_a_second_stays_close_for_a_second),
+        TEST(the_error_per_unit_of_time_is_as_documented),
+        TEST(a_step_is_the_textbook_s_to_order_5),
+        TEST(the_order_is_4_in_random_scenes),
+    };
+    return RUN_TESTS(tests);
+}

@@ -1,0 +1,330 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/random.h"
+#include "support/scene.h"
+#include "support/vast.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* What *done holds where a call must leave it alone. */
+#define UNTOUCHED 0x5555555555555555
+
+static struct scene scene;
+
+static int setup(void **unused)
+{
+    check_begin(unused);
+    scene_load(&scene, "generic");
+    check_note("%s", "");
+    return 0;
+}
+
+static int32_t run(coin_state *s, double dt, uint64_t steps, uint64_t *done)
+{
+    return coin_run(s, &scene.params, COIN_RK4, dt, steps, done);
+}
+
+/* ------------------------------------------------------ what does not move */
+static void no_step_and_no_time_change_nothing(void **unused)
+{
+    (void)unused;
+    const struct {
+        double dt;
+        uint64_t steps;
+    } cases[] = {{0.1, 0}, {0, 10}, {-0.0, 10}, {0, 0}, {1e300, 0}};
+    const coin_state before = {0.5, -0.0, 2e9, 1e300, -0.0, 0.1, -0.0, 1.2};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        coin_state s = before;
+        uint64_t done = UNTOUCHED;
+        check_note("dt = %g, steps = %d", cases[i].dt, (int)cases[i].steps);
+        check_status(run(&s, cases[i].dt, cases[i].steps, &done), COIN_OK);
+        check_same(&s, &before, sizeof s);
+        check(done == cases[i].steps);
+    }
+}
+
+static void the_smallest_of_times_moves_by_nothing(void **unused)
+{
+    (void)unused;
+    const coin_state before = {0.5, 1, 2, 3, 4, 0.1, 0.8, 1.2};
+    coin_state s = before;
+    check_status(run(&s, 1e-320, 3, NULL), COIN_OK);
+    check_same(&s, &before, sizeof s);
+}
+
+/* -------------------------------------------------------------- one and many
+ */
+static void a_step_is_a_run_of_one(void **unused)
+{
+    (void)unused;
+    coin_state a = scene_state(&scene, 0), b = a;
+    uint64_t done;
+    check_status(coin_step(&a, &scene.params, 0.05), COIN_OK);
+    check_status(run(&b, 0.05, 1, &done), COIN_OK);
+    check_same(&a, &b, sizeof a);
+    check(done == 1);
+}
+
+static void a_run_repeats_bit_for_bit(void **unused)
+{
+    (void)unused;
+    coin_state a = scene_state(&scene, 0), b = a;
+    check_status(run(&a, 0.05, 300, NULL), COIN_OK);
+    check_status(run(&b, 0.05, 300, NULL), COIN_OK);
+    check_same(&a, &b, sizeof a);
+}
+
+/* Entering a run anew costs a few ulp: 8 u per step, which the motion then
+ * amplifies as the reference says. */
+static void n_steps_in_one_run_are_n_runs_of_one_step(void **unused)
+{
+    (void)unused;
+    const char *const names[] = {"wobble", "generic", "spin",     "circle",
+                                 "ring",   "quarter", "ring_b05", "negative"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
+        const size_t row = 5;
+        scene_load(&scene, names[i]);
+        const double amp = fmax(1, scene_at(&scene, row, "amp"));
+        const double T = natural_time(&scene.params);
+        const double t = scene_at(&scene, row, "t");
+        const int n = (int)ceil(t / (0.1 * T));
+        coin_state one = scene_state(&scene, 0), many = one;
+        check(coin_run(&one, &scene.params, COIN_RK4, t / n, (uint64_t)n,
+                       NULL) >= 0);
+        for (int k = 0; k < n; ++k)
+            check(coin_step(&many, &scene.params, t / n) >= 0);
+        const double bound = 8 * U * n * amp;
+        const double path = bound * scene.params.radius;
+        check_note("scene %s, %d steps", names[i], n);
+        check_near(many.theta, one.theta, bound);
+        check_near(many.phi, one.phi, bound);
+        check_near(many.psi, one.psi, bound);
+        check_near(many.x, one.x, path);
+        check_near(many.z, one.z, path);
+        check_near(many.wX, one.wX, bound / T);
+        check_near(many.wY, one.wY, bound / T);
+        check_near(many.wZ, one.wZ, bound / T);
+    }
+}
+
+/* Many turns of the heading, in steps so coarse that the sum of its rates and
+ * the pair of sine and cosine that they turn drift apart by whole turns. */
+static void whole_turns_are_counted_in_coarse_steps_too(void **unused)
+{
+    (void)unused;
+    const uint64_t n = 2000;
+    coin_state one, many;
+    check_status(coin_steady_upright_spin(&one, &scene.params, 1000), COIN_OK);
+    many = one;
+    const double dt = 1.3 / 1000;
+    check_status(run(&one, dt, n, NULL), COIN_COARSE);
+    for (uint64_t k = 0; k < n; ++k)
+        check_status(coin_step(&many, &scene.params, dt), COIN_COARSE);
+    const double turned = 1.3 * (double)n;
+    check_near(many.phi, one.phi, 8 * U * (double)n * turned);
+    /* Runge-Kutta turns a pair by the angle of the exponential series, cut
+     * after its fourth power. */
+    const double z = 1.3, step = atan2(z - z * z * z / 6,
+                                       1 - z * z / 2 + z * z * z * z / 24);
+    check_near(one.phi, step * (double)n, 8 * U * (double)n * turned);
+}
+
+static void backward_undoes_forward_to_the_order_of_the_method(void **unused)
+{
+    (void)unused;
+    coin_state s = scene_state(&scene, 0);
+    double error[2];
+    for (int i = 0; i < 2; ++i) {
+        const double dt = 0.05 / (1 + i);
+        s = scene_state(&scene, 0);
+        check_status(run(&s, dt, 100 * (1 + (uint64_t)i), NULL), COIN_OK);
+        check_status(run(&s, -dt, 100 * (1 + (uint64_t)i), NULL), COIN_OK);
+        error[i] = scene_error(&scene, 0, &s);
+    }
+    /* An even order's leading error undoes itself: order 5 is left. */
+    check_within(error[0] / error[1], 26, 38);
+}
+
+/* ---------------------------------------------------------- failing midway */
+/* Without momentum to turn it, a leaning coin meets the table. */
+static const coin_state falling = {0.3, 1, 2, 3, 4, 0, 0, 0};
+
+static void a_run_that_fails_keeps_the_steps_before(void **unused)
+{
+    (void)unused;
+    coin_state s = falling, again = falling;
+    uint64_t done = UNTOUCHED;
+    check_status(run(&s, 0.01, 1000, &done), COIN_ESTEP);
+    check_within((double)done, 200, 270);
+    check_status(run(&again, 0.01, done, NULL), COIN_COARSE);
+    check_same(&s, &again, sizeof s);
+    check_status(coin_state_check(&s, &scene.params), COIN_OK);
+    done = UNTOUCHED;
+    check_status(run(&s, 0.01, 1, &done), COIN_ESTEP);
+    check(done == 0);
+    check_same(&s, &again, sizeof s);
+    check_status(run(&s, 0.01, 5, NULL), COIN_ESTEP);
+}
+
+static void a_step_out_of_range_is_not_done(void **unused)
+{
+    (void)unused;
+    const coin_state edges[] = {
+        {0.5, 0x1p31, 0, 0, 0, 0, 1, 0},
+        {0.5, -0x1p31, 0, 0, 0, 0, -1, 0},
+        {0.5, 0, 0x1p31, 0, 0, 0, 0, 1},
+        {0.5, 0, -0x1p31, 0, 0, 0, 0, -1},
+    };
+    for (size_t i = 0; i < 4; ++i) {
+        coin_state s = edges[i];
+        check_note("edge %zu", i);
+        check_status(coin_step(&s, &scene.params, 0.1), COIN_ESTEP);
+        check_same(&s, &edges[i], sizeof s);
+        check_status(coin_step(&s, &scene.params, -0.1), COIN_OK);
+    }
+}
+
+static void a_path_that_overflows_is_not_taken(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 2; ++i) {
+        coin_params vast;
+        double dt;
+        const coin_state edge = vast_coin(&vast, i ? acos(0) : 0, &dt);
+        coin_state s = edge, again = edge;
+        uint64_t done = UNTOUCHED;
+        check_status(coin_run(&s, &vast, COIN_RK4, dt, 1000, &done),
+                     COIN_ESTEP);
+        check(done <= 11);
+        check_status(coin_run(&again, &vast, COIN_RK4, dt, done, NULL),
+                     done ? COIN_COARSE : COIN_OK);
+        check_same(&s, &again, sizeof s);
+        check_status(coin_state_check(&s, &vast), COIN_OK);
+    }
+}
+
+/* ----------------------------------------------------------------- warnings */
+/* W of this spin is constant along it. */
+static double spinning(coin_state *s)
+{
+    check_status(coin_steady_spin(s, &scene.params, 0.6), COIN_OK);
+    const double dphi = s->wY / cos(0.6);
+    return sqrt(dphi * dphi + 1);
+}
+
+static void coarse_steps_are_done_and_said_and_too_coarse_refused(void **unused)
+{
+    (void)unused;
+    const struct {
+        double dtW;
+        int32_t want;
+    } cases[] = {
+        {0.35 * (1 - 1e-6), COIN_OK}, {0.35 * (1 + 1e-6), COIN_COARSE},
+        {1.0, COIN_COARSE},           {5.0, COIN_ESTEP},
+        {1e300, COIN_ESTEP},
+    };
+    coin_state start;
+    const double W = spinning(&start);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            coin_state s = start;
+            const double dt = sign * cases[i].dtW / W;
+            check_note("dt W = %g", sign * cases[i].dtW);
+            check_status(run(&s, dt, 1, NULL), cases[i].want);
+            check(!memcmp(&s, &start, sizeof s) == (cases[i].want < 0));
+        }
+}
+
+/* Near flat and fast at first, high and slow later. */
+static void one_coarse_step_in_a_run_is_enough(void **unused)
+{
+    (void)unused;
+    coin_state s;
+    scene_load(&scene, "nearflat");
+    /* The third turning point of nearflat.csv is its lowest. */
+    const coin_state start = scene_state(&scene, 5);
+    s = start;
+    check(fabs(s.theta) > 1.4);
+    check_status(run(&s, 0.004, 1, NULL), COIN_COARSE);
+    check_status(run(&s, 0.004, 200, NULL), COIN_COARSE);
+    check(fabs(s.theta) < 1.3);
+    check_status(run(&s, 0.004, 1, NULL), COIN_OK);
+    s = start;
+    check_status(run(&s, 0.004, 201, NULL), COIN_COARSE);
+}
+
+/* ------------------------------------------------------------ bad arguments */
+static void bad_runs_touch_nothing(void **unused)
+{
+    (void)unused;
+    const coin_params good = scene.params;
+    coin_params bad = good;
+    bad.gravity = -1;
+    const coin_state fine = {0.5, 0, 0, 0, 0, 1, 1, 1};
+    const coin_state flat = {2, 0, 0, 0, 0, 1, 1, 1};
+    const struct {
+        coin_state s;
+        const coin_params *p;
+        int32_t method;
+        double dt;
+        int32_t want;
+    } cases[] = {
+        {flat, &bad, -1, NAN, COIN_EARG},
+        {flat, &bad, 4, NAN, COIN_EARG},
+        {flat, &bad, INT32_MAX, NAN, COIN_EARG},
+        {flat, &bad, INT32_MIN, NAN, COIN_EARG},
+        {flat, &bad, COIN_RK4, NAN, COIN_EPARAMS},
+        {flat, &good, COIN_RK4, NAN, COIN_ESTATE},
+        {fine, &good, COIN_RK4, NAN, COIN_ESTEP},
+        {fine, &good, COIN_RK4, INFINITY, COIN_ESTEP},
+        {fine, &good, COIN_RK4, -INFINITY, COIN_ESTEP},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i)
+        for (uint64_t n = 0; n < 2; ++n) {
+            coin_state s = cases[i].s;
+            uint64_t done = UNTOUCHED;
+            check_note("case %zu, %d steps", i, (int)n);
+            check_status(coin_run(&s, cases[i].p, cases[i].method, cases[i].dt,
+                                  n, &done),
+                         cases[i].want);
+            check_same(&s, &cases[i].s, sizeof s);
+            check(done == UNTOUCHED);
+        }
+}
+
+static void a_run_knows_the_methods_that_have_a_name(void **unused)
+{
+    (void)unused;
+    for (int32_t method = -2; method < 8; ++method) {
+        coin_state s = scene_state(&scene, 0);
+        check_note("method %d", (int)method);
+        check_status(coin_run(&s, &scene.params, method, 0.01, 1, NULL),
+                     coin_method_name(method) ? COIN_OK : COIN_EARG);
+    }
+}
+
+#undef TEST
+#define TEST(function) cmocka_unit_test_setup(function, setup)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(no_step_and_no_time_change_nothing),
+        TEST(the_smallest_of_times_moves_by_nothing),
+        TEST(a_step_is_a_run_of_one),
+        TEST(a_run_repeats_bit_for_bit),
+        TEST(n_steps_in_one_run_are_n_runs_of_one_step),
+        TEST(whole_turns_are_counted_in_coarse_steps_too),
+        TEST(backward_undoes_forward_to_the_order_of_the_method),
+        TEST(a_run_that_fails_keeps_the_steps_before),
+        TEST(a_step_out_of_range_is_not_done),
+        TEST(a_path_that_overflows_is_not_taken),
+        TEST(coarse_steps_are_done_and_said_and_too_coarse_refused),
+        TEST(one_coarse_step_in_a_run_is_enough),
+        TEST(bad_runs_touch_nothing),
+        TEST(a_run_knows_the_methods_that_have_a_name),
+    };
+    return RUN_TESTS(tests);
+}

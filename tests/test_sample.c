@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/scene.h"
+#include "support/vast.h"
+
+#include <math.h>
+
+enum { SAMPLES = 12 };
+
+static const coin_state untouched = {-1, -2, -3, -4, -5, -6, -7, -8};
+
+static struct scene scene;
+
+static int setup(void **unused)
+{
+    check_begin(unused);
+    scene_load(&scene, "generic");
+    return check_begin(unused);
+}
+
+static int32_t run(coin_state *s, double dt, uint64_t steps, uint64_t *done)
+{
+    return coin_run(s, &scene.params, COIN_RK4, dt, steps, done);
+}
+
+static void samples_have_the_bits_of_a_run(void **unused)
+{
+    (void)unused;
+    const coin_state start = scene_state(&scene, 0);
+    coin_state out[SAMPLES];
+    size_t done = 0;
+    check_status(coin_sample(&start, &scene.params, COIN_RK4, 0.05, 7, SAMPLES,
+                             out, &done),
+                 COIN_OK);
+    check(done == SAMPLES);
+    for (uint64_t k = 0; k < SAMPLES; ++k) {
+        coin_state s = start;
+        check_status(run(&s, 0.05, 7 * k, NULL), COIN_OK);
+        check_note("sample %d", (int)k);
+        check_same(&out[k], &s, sizeof s);
+    }
+}
+
+static void samples_may_start_in_their_own_array(void **unused)
+{
+    (void)unused;
+    const coin_state start = scene_state(&scene, 0);
+    coin_state want[SAMPLES], out[SAMPLES];
+    check_status(coin_sample(&start, &scene.params, COIN_RK4, 0.05, 3, SAMPLES,
+                             want, NULL),
+                 COIN_OK);
+    for (int k = 0; k < SAMPLES; ++k) {
+        out[k] = start;
+        check_status(coin_sample(&out[k], &scene.params, COIN_RK4, 0.05, 3,
+                                 SAMPLES, out, NULL),
+                     COIN_OK);
+        check_note("start in out[%d]", k);
+        check_same(out, want, sizeof out);
+    }
+}
+
+static void samples_may_lie_at_one_time_or_be_none(void **unused)
+{
+    (void)unused;
+    const coin_state start = scene_state(&scene, 0);
+    coin_state out[3] = {untouched, untouched, untouched};
+    size_t done = 77;
+    check_status(
+        coin_sample(&start, &scene.params, COIN_RK4, 0.05, 9, 0, out, &done),
+        COIN_OK);
+    check(done == 0);
+    check_same(&out[0], &untouched, sizeof untouched);
+    check_status(
+        coin_sample(&start, &scene.params, COIN_RK4, 0.05, 0, 2, out, &done),
+        COIN_OK);
+    check(done == 2);
+    check_same(&out[0], &start, sizeof start);
+    check_same(&out[1], &start, sizeof start);
+    check_same(&out[2], &untouched, sizeof untouched);
+}
+
+/* Without momentum to turn it, a leaning coin meets the table. */
+static const coin_state falling = {0.3, 1, 2, 3, 4, 0, 0, 0};
+
+static void samples_that_fail_keep_those_before(void **unused)
+{
+    (void)unused;
+    coin_state out[SAMPLES];
+    size_t done = 77;
+    for (int k = 0; k < SAMPLES; ++k)
+        out[k] = untouched;
+    check_status(coin_sample(&falling, &scene.params, COIN_RK4, 0.01, 50,
+                             SAMPLES, out, &done),
+                 COIN_ESTEP);
+    check_within((double)done, 5, 7);
+    for (uint64_t k = 0; k < SAMPLES; ++k) {
+        coin_state s = falling;
+        check_note("sample %d", (int)k);
+        if (k < done)
+            check_status(run(&s, 0.01, 50 * k, NULL), COIN_OK);
+        check_same(&out[k], k < done ? &s : &untouched, sizeof s);
+    }
+}
+
+static void samples_stop_before_the_path_overflows(void **unused)
+{
+    (void)unused;
+    coin_params vast;
+    double dt;
+    const coin_state edge = vast_coin(&vast, 0, &dt);
+    coin_state out[20];
+    size_t done = 77;
+    for (int k = 0; k < 20; ++k)
+        out[k] = untouched;
+    check_status(coin_sample(&edge, &vast, COIN_RK4, dt, 1, 20, out, &done),
+                 COIN_ESTEP);
+    check_within((double)done, 11, 12);
+    for (size_t k = 0; k < 20; ++k) {
+        check_note("sample %zu", k);
+        if (k < done)
+            check_status(coin_state_check(&out[k], &vast), COIN_OK);
+        else
+            check_same(&out[k], &untouched, sizeof untouched);
+    }
+}
+
+static void bad_arguments_touch_no_sample(void **unused)
+{
+    (void)unused;
+    const coin_params good = scene.params;
+    coin_params bad = good;
+    bad.gravity = -1;
+    const coin_state fine = {0.5, 0, 0, 0, 0, 1, 1, 1};
+    const coin_state flat = {2, 0, 0, 0, 0, 1, 1, 1};
+    const struct {
+        const coin_state *s;
+        const coin_params *p;
+        int32_t method;
+        double dt;
+        int32_t want;
+    } cases[] = {
+        {&flat, &bad, -1, NAN, COIN_EARG},
+        {&flat, &bad, COIN_RK4, NAN, COIN_EPARAMS},
+        {&flat, &good, COIN_RK4, NAN, COIN_ESTATE},
+        {&fine, &good, COIN_RK4, NAN, COIN_ESTEP},
+        {&fine, &good, COIN_RK4, -INFINITY, COIN_ESTEP},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i)
+        for (size_t count = 0; count < 2; ++count) {
+            coin_state out = untouched;
+            size_t done = 77;
+            check_note("case %zu, %zu samples", i, count);
+            check_status(coin_sample(cases[i].s, cases[i].p, cases[i].method,
+                                     cases[i].dt, 1, count, &out, &done),
+                         cases[i].want);
+            check_same(&out, &untouched, sizeof out);
+            check(done == 77);
+        }
+}
+
+/* The spin's W is sqrt(4/cos 0.6 + 1) all along. */
+static void a_coarse_step_between_samples_is_said(void **unused)
+{
+    (void)unused;
+    coin_state start, out[3];
+    check_status(coin_steady_spin(&start, &scene.params, 0.6), COIN_OK);
+    const double dt = 0.35 / sqrt(4 / cos(0.6) + 1);
+    for (int side = -1; side <= 1; side += 2)
+        check_status(coin_sample(&start, &scene.params, COIN_RK4,
+                                 dt * (1 + side * 1e-6), 5, 3, out, NULL),
+                     side < 0 ? COIN_OK : COIN_COARSE);
+}
+
+#undef TEST
+#define TEST(function) cmocka_unit_test_setup(function, setup)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(samples_have_the_bits_of_a_run),
+        TEST(samples_may_start_in_their_own_array),
+        TEST(samples_may_lie_at_one_time_or_be_none),
+        TEST(samples_that_fail_keep_those_before),
+        TEST(samples_stop_before_the_path_overflows),
+        TEST(bad_arguments_touch_no_sample),
+        TEST(a_coarse_step_between_samples_is_said),
+    };
+    return RUN_TESTS(tests);
+}

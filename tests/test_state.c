@@ -1,0 +1,333 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/random.h"
+#include "support/table.h"
+
+#include <math.h>
+#include <string.h>
+
+static coin_params disc(void)
+{
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    return p;
+}
+
+/* --------------------------------------------------------- the state check */
+static const double not_finite[] = {NAN, INFINITY, -INFINITY};
+
+/* A good state with one member replaced; the members are 8 doubles. */
+static int32_t check_with(size_t member, double value)
+{
+    const coin_params p = disc();
+    coin_state s = {0.5, 1, 2, 3, 4, 5, 6, 7};
+    memcpy((char *)&s + member * sizeof(double), &value, sizeof value);
+    check_note("member %zu is %g", member, value);
+    return coin_state_check(&s, &p);
+}
+
+static void every_member_must_be_finite(void **unused)
+{
+    (void)unused;
+    for (size_t member = 0; member < 8; ++member) {
+        for (size_t i = 0; i < 3; ++i)
+            check_status(check_with(member, not_finite[i]), COIN_ESTATE);
+        check_status(check_with(member, -0.5), COIN_OK);
+    }
+}
+
+static void the_lean_stays_above_the_table(void **unused)
+{
+    (void)unused;
+    const double half_pi = 1.5707963267948966;
+    for (int side = -1; side <= 1; side += 2) {
+        check_status(check_with(0, side * nextafter(half_pi, 0)), COIN_OK);
+        check_status(check_with(0, side * half_pi), COIN_ESTATE);
+        check_status(check_with(0, side * 3.1), COIN_ESTATE);
+        check_status(check_with(0, side * 1e300), COIN_ESTATE);
+    }
+}
+
+static void heading_and_roll_stay_below_2_to_the_31(void **unused)
+{
+    (void)unused;
+    for (size_t member = 1; member <= 2; ++member)
+        for (int side = -1; side <= 1; side += 2) {
+            check_status(check_with(member, side * 0x1p31), COIN_OK);
+            check_status(check_with(member, side * 0x1.0000000000001p31),
+                         COIN_ESTATE);
+            check_status(check_with(member, side * 1e18), COIN_ESTATE);
+        }
+}
+
+static void the_path_may_be_as_long_as_a_double(void **unused)
+{
+    (void)unused;
+    check_status(check_with(3, 1.7e308), COIN_OK);
+    check_status(check_with(4, -1.7e308), COIN_OK);
+}
+
+static void a_rate_that_would_overflow_is_refused(void **unused)
+{
+    (void)unused;
+    for (size_t member = 5; member < 8; ++member) {
+        check_status(check_with(member, 1e100), COIN_OK);
+        check_status(check_with(member, 1e200), COIN_ESTATE);
+        check_status(check_with(member, -1e200), COIN_ESTATE);
+    }
+}
+
+/* What passes the check gives finite numbers everywhere. */
+static void no_accepted_state_overflows(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(20);
+    unsigned accepted = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const coin_params p = random_coin(&r);
+        coin_state s = random_state(&r, &p, 1), rates;
+        coin_force f;
+        double K[2];
+        const double size = pow(10, random_between(&r, 0, 150));
+        s.theta = nextafter(1.5707963267948966, 0);
+        s.wX *= size;
+        s.wY *= size;
+        s.wZ *= size;
+        if (coin_state_check(&s, &p) != COIN_OK)
+            continue;
+        ++accepted;
+        check(isfinite(coin_energy(&s, &p)));
+        check_status(coin_rates(&s, &p, &rates), COIN_OK);
+        check(isfinite(rates.phi) && isfinite(rates.psi));
+        check(isfinite(rates.wX) && isfinite(rates.wY));
+        check_status(coin_reaction(&s, &p, &f), COIN_OK);
+        check(isfinite(f.normal) && isfinite(f.friction));
+        check_status(coin_integrals(&s, &p, K), COIN_OK);
+        check(isfinite(K[0]) && isfinite(K[1]));
+    }
+    check_within(accepted, 500, 1990);
+}
+
+/* ------------------------------------------------- a state out of a motion */
+static void from_row(const struct table *t, size_t row, coin_state *got)
+{
+    const coin_params p = disc();
+    const double q[] = {table_at(t, row, "w"), table_at(t, row, "qx"),
+                        table_at(t, row, "qy"), table_at(t, row, "qz")};
+    const double omega[] = {table_at(t, row, "ox"), table_at(t, row, "oy"),
+                            table_at(t, row, "oz")};
+    check_status(coin_state_from_motion(got, &p, q, omega, 3, 4), COIN_OK);
+    check(got->x == 3 && got->z == 4);
+}
+
+/* 8 u, or 8 times what rounding q to double moves the angle by, where that is
+ * more; the rates turn with the angles. */
+static void a_motion_gives_the_reference_s_state(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "motions.csv");
+    for (size_t row = 0; row < t.rows; ++row) {
+        const struct {
+            const char *name, *effect;
+            size_t member;
+        } of[] = {{"theta", "theta_q", 0}, {"phi", "phi_q", 1},
+                  {"psi", "psi_q", 2},     {"wX", "wX_q", 5},
+                  {"wY", "wY_q", 6},       {"wZ", "wZ_q", 7}};
+        coin_state s;
+        double got[8];
+        from_row(&t, row, &s);
+        memcpy(got, &s, sizeof got);
+        for (size_t i = 0; i < 6; ++i) {
+            const double effect = table_at(&t, row, of[i].effect);
+            check_note("%s, row %zu of motions.csv", of[i].name, row);
+            check_terms(got[of[i].member], table_at(&t, row, of[i].name), 8,
+                        i < 3 ? fmax(1, effect) : 6 + effect);
+        }
+    }
+}
+
+/* The same angle, whole turns apart. */
+static double apart(double a, double b)
+{
+    return fabs(remainder(a - b, 6.283185307179586));
+}
+
+static void check_round_trip(const coin_state *s, const coin_params *p)
+{
+    double q[4], omega[3];
+    coin_state back;
+    check_status(coin_quaternion(s, q), COIN_OK);
+    check_status(coin_angular_velocity(s, omega), COIN_OK);
+    check_status(coin_state_from_motion(&back, p, q, omega, s->x, s->z),
+                 COIN_OK);
+    const double w = fabs(s->wX) + fabs(s->wY) + fabs(s->wZ);
+    /* 4 u in each member of q, 8 u in the angles; heading and roll are as
+     * uncertain as 1/cos theta, their difference (or sum) is not. */
+    const double sharp = 32 * U, weak = 32 * U / cos(s->theta);
+    check_near(back.theta, s->theta, sharp);
+    check_near(apart(back.phi, s->phi), 0, weak);
+    check_near(apart(back.psi, s->psi), 0, weak);
+    const double side = s->theta > 0 ? -1 : 1;
+    check_near(apart(back.phi + side * back.psi, s->phi + side * s->psi), 0,
+               2 * sharp);
+    check_near(back.wX, s->wX, weak * w);
+    check_near(back.wY, s->wY, weak * w);
+    check_near(back.wZ, s->wZ, weak * w);
+}
+
+static void a_state_survives_the_way_through_an_engine(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(21);
+    for (int i = 0; i < 500; ++i) {
+        const coin_params p = random_coin(&r);
+        coin_state s = random_state(&r, &p, 1.57);
+        if (i % 2) {
+            const double gap = pow(10, -random_between(&r, 1, 7));
+            s.theta = copysign(1.5707963267948966 - gap, s.theta);
+        }
+        check_round_trip(&s, &p);
+    }
+}
+
+static void the_norm_of_the_quaternion_does_not_matter(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double omega[3] = {0.1, 0.2, 0.3};
+    const int exponents[] = {-1000, -500, 1, 500, 1000};
+    const double q[4] = {0.3, -0.4, 0.5, 0.6};
+    coin_state want, got;
+    check_status(coin_state_from_motion(&want, &p, q, omega, 0, 0), COIN_OK);
+    for (size_t i = 0; i < sizeof exponents / sizeof *exponents; ++i) {
+        double scaled[4];
+        for (int k = 0; k < 4; ++k)
+            scaled[k] = ldexp(q[k], exponents[i]);
+        check_note("norm 2^%d", exponents[i]);
+        check_status(coin_state_from_motion(&got, &p, scaled, omega, 0, 0),
+                     COIN_OK);
+        check_same(&got, &want, sizeof got);
+    }
+}
+
+static void angles_come_out_within_half_a_turn(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(22);
+    const coin_params p = disc();
+    const double omega[3] = {0, 0, 0}, pi = 3.141592653589793;
+    for (int i = 0; i < 2000; ++i) {
+        coin_state s = random_state(&r, &p, 1.57), back;
+        double q[4];
+        s.phi *= 100;
+        s.psi *= i % 2 ? 100 : 0;
+        check_status(coin_quaternion(&s, q), COIN_OK);
+        check_status(coin_state_from_motion(&back, &p, q, omega, 0, 0),
+                     COIN_OK);
+        check(back.phi > -pi && back.phi <= pi);
+        check(back.psi > -pi && back.psi <= pi);
+    }
+}
+
+/* Half a turn exactly: every sign of the quaternion gives +pi, never -pi. */
+static void half_a_turn_is_positive(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double omega[3] = {0, 0, 0};
+    const double half_turns[][4] = {{0, 0, 1, 0},    {0, 0, -1, 0},
+                                    {0, 0, 0, 1},    {0, 0, 0, -1},
+                                    {-0.0, 0, 1, 0}, {-0.0, -0.0, -1, -0.0}};
+    for (size_t i = 0; i < 6; ++i) {
+        coin_state s;
+        check_note("case %zu", i);
+        check_status(coin_state_from_motion(&s, &p, half_turns[i], omega, 0, 0),
+                     COIN_OK);
+        const double turned = i == 2 || i == 3 ? s.psi : s.phi;
+        check_near(turned, 3.141592653589793, 4 * U);
+        check(s.theta == 0);
+    }
+}
+
+static void no_rotation_is_upright(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double q[4] = {-2, 0, 0, 0}, omega[3] = {5, 6, 7};
+    const coin_state want = {0, 0, 0, 3, 4, 5, 6, 7};
+    coin_state s;
+    check_status(coin_state_from_motion(&s, &p, q, omega, 3, 4), COIN_OK);
+    check(s.theta == 0 && fabs(s.phi) == 0 && fabs(s.psi) == 0);
+    check_same(&s.x, &want.x, 5 * sizeof(double));
+}
+
+static void a_motion_without_a_state_is_refused(void **unused)
+{
+    (void)unused;
+    const double r = sqrt(0.5);
+    const struct {
+        const char *why;
+        double q[4], omega[3], x;
+    } bad[] = {
+        {"q is 0", {0, 0, 0, 0}, {0, 0, 0}, 0},
+        {"q has a NaN", {1, NAN, 0, 0}, {0, 0, 0}, 0},
+        {"q has an infinity", {1, 0, -INFINITY, 0}, {0, 0, 0}, 0},
+        {"all of q is infinite",
+         {INFINITY, INFINITY, INFINITY, INFINITY},
+         {0, 0, 0},
+         0},
+        {"flat on one face", {r, r, 0, 0}, {0, 0, 0}, 0},
+        {"flat on the other", {r, -r, 0, 0}, {0, 0, 0}, 0},
+        {"flat and turned", {0.5, 0.5, 0.5, -0.5}, {0, 0, 0}, 0},
+        {"omega has a NaN", {1, 0, 0, 0}, {0, NAN, 0}, 0},
+        {"omega is infinite", {1, 0, 0, 0}, {0, 0, INFINITY}, 0},
+        {"omega is absurd", {1, 0, 0, 0}, {1e200, 0, 0}, 0},
+        {"the centre is nowhere", {1, 0, 0, 0}, {0, 0, 0}, NAN},
+    };
+    const coin_params p = disc();
+    const coin_state before = {1, 2, 3, 4, 5, 6, 7, 8};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        coin_state s = before;
+        check_note("%s", bad[i].why);
+        check_status(
+            coin_state_from_motion(&s, &p, bad[i].q, bad[i].omega, bad[i].x, 0),
+            COIN_ESTATE);
+        check_same(&s, &before, sizeof s);
+    }
+}
+
+/* Without parameters no bound on the rates is known but the doubles' own. */
+static void an_angular_velocity_that_overflows_is_refused(void **unused)
+{
+    (void)unused;
+    const coin_state huge = {0.7, 0.7, 0, 0, 0, 1.7e308, 1.7e308, 1.7e308};
+    const coin_state large = {0.7, 0.7, 0, 0, 0, 1e300, 1e300, 1e300};
+    double omega[3] = {1, 2, 3};
+    const double before[3] = {1, 2, 3};
+    check_status(coin_angular_velocity(&huge, omega), COIN_ESTATE);
+    check_same(omega, before, sizeof omega);
+    check_status(coin_angular_velocity(&large, omega), COIN_OK);
+    check(isfinite(omega[0]) && isfinite(omega[1]) && isfinite(omega[2]));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(every_member_must_be_finite),
+        TEST(the_lean_stays_above_the_table),
+        TEST(heading_and_roll_stay_below_2_to_the_31),
+        TEST(the_path_may_be_as_long_as_a_double),
+        TEST(a_rate_that_would_overflow_is_refused),
+        TEST(no_accepted_state_overflows),
+        TEST(a_motion_gives_the_reference_s_state),
+        TEST(a_state_survives_the_way_through_an_engine),
+        TEST(the_norm_of_the_quaternion_does_not_matter),
+        TEST(angles_come_out_within_half_a_turn),
+        TEST(half_a_turn_is_positive),
+        TEST(no_rotation_is_upright),
+        TEST(a_motion_without_a_state_is_refused),
+        TEST(an_angular_velocity_that_overflows_is_refused),
+    };
+    return RUN_TESTS(tests);
+}

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+
+#include <string.h>
+
+enum { ALL_WARNINGS = 15 };
+
+static const struct {
+    int32_t bit;
+    const char *word;
+} warnings[] = {
+    {COIN_SLIPS, "SLIPS"},
+    {COIN_LIFTS, "LIFTS"},
+    {COIN_COARSE, "COARSE"},
+    {COIN_NEARLY_FLAT, "NEARLY_FLAT"},
+};
+
+static int same(int32_t a, int32_t b)
+{
+    return strcmp(coin_status_string(a), coin_status_string(b)) == 0;
+}
+
+static void every_status_has_a_text_of_its_own(void **unused)
+{
+    (void)unused;
+    for (int32_t a = COIN_EBUILD; a <= ALL_WARNINGS; ++a)
+        for (int32_t b = COIN_EBUILD; b < a; ++b) {
+            check_note("%d and %d", (int)a, (int)b);
+            check(!same(a, b));
+        }
+}
+
+static void texts_are_short_and_have_no_full_stop(void **unused)
+{
+    (void)unused;
+    for (int32_t status = COIN_EBUILD; status <= ALL_WARNINGS + 1; ++status) {
+        const char *text = coin_status_string(status);
+        const size_t n = strlen(text);
+        check_note("%d: \"%s\"", (int)status, text);
+        check(n > 3 && n < 60 && text[n - 1] != '.');
+    }
+}
+
+static void a_set_of_warnings_names_each_of_them(void **unused)
+{
+    (void)unused;
+    for (int32_t set = 1; set < ALL_WARNINGS; ++set) {
+        if ((set & (set - 1)) == 0)
+            continue; /* a single one is put in plain words */
+        for (size_t i = 0; i < 4; ++i) {
+            const char *text = coin_status_string(set);
+            check_note("\"%s\" and %s", text, warnings[i].word);
+            check(!strstr(text, warnings[i].word) == !(set & warnings[i].bit));
+        }
+    }
+}
+
+static void texts_say_what_they_are_about(void **unused)
+{
+    (void)unused;
+    const struct {
+        int32_t status;
+        const char *word;
+    } about[] = {
+        {COIN_OK, "done"},       {COIN_EPARAMS, "parameter"},
+        {COIN_ESTATE, "state"},  {COIN_ESTEP, "step"},
+        {COIN_EARG, "argument"}, {COIN_EDOMAIN, "steady"},
+        {COIN_EFLAT, "flat"},    {COIN_EBUILD, "build"},
+        {COIN_SLIPS, "slip"},    {COIN_LIFTS, "lift"},
+        {COIN_COARSE, "coarse"}, {COIN_NEARLY_FLAT, "flat"},
+        {ALL_WARNINGS, "all"},
+    };
+    for (size_t i = 0; i < sizeof about / sizeof *about; ++i) {
+        const char *text = coin_status_string(about[i].status);
+        check_note("\"%s\" lacks \"%s\"", text, about[i].word);
+        check(strstr(text, about[i].word) != NULL);
+    }
+}
+
+static void any_other_number_is_unknown(void **unused)
+{
+    (void)unused;
+    const int32_t others[] = {COIN_EBUILD - 1,  -1000, INT32_MIN,
+                              ALL_WARNINGS + 1, 1000,  INT32_MAX};
+    for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
+        check_note("%d", (int)others[i]);
+        check(strcmp(coin_status_string(others[i]), "unknown status") == 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(every_status_has_a_text_of_its_own),
+        TEST(texts_are_short_and_have_no_full_stop),
+        TEST(a_set_of_warnings_names_each_of_them),
+        TEST(texts_say_what_they_are_about),
+        TEST(any_other_number_is_unknown),
+    };
+    return RUN_TESTS(tests);
+}

@@ -1,0 +1,381 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/observable.h"
+#include "support/random.h"
+#include "support/steadies.h"
+
+#include <math.h>
+#include <string.h>
+
+static coin_params disc(void)
+{
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    return p;
+}
+
+static coin_state circle(const coin_params *p, double theta, double wZ,
+                         int32_t branch)
+{
+    coin_state s;
+    check_status(coin_steady_circle(&s, p, theta, wZ, branch), COIN_OK);
+    return s;
+}
+
+/* ------------------------------------------------------------ the families */
+static void circles_turn_as_the_reference_s(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "circles.csv");
+    for (size_t row = 0; row < t.rows; ++row) {
+        const struct circle c = circle_at(&t, row);
+        coin_state want = c.state;
+        const coin_state s = circle(&c.params, c.theta, c.wZ, c.branch);
+        check_terms(s.wY, c.wY, 8, fabs(c.wY));
+        want.wY = s.wY;
+        check_same(&s, &want, sizeof s);
+    }
+}
+
+/* A wY^2 + B wY = C has two roots: their sum and product are Vieta's, and
+ * f+ is the one with the plus before the root of Eq. (40). */
+static void the_branches_are_the_two_roots(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(23);
+    for (int i = 0; i < 500; ++i) {
+        const coin_params p = random_coin(&r);
+        const double w = 1 / natural_time(&p);
+        const double theta = random_between(&r, -1.5, 1.5);
+        const double wZ = random_between(&r, -2 * w, 2 * w);
+        const double m = p.mass * p.radius * p.radius;
+        const double A = p.inertia_X * tan(theta), B = (p.inertia_Z + m) * wZ;
+        const double C = p.mass * p.gravity * p.radius * sin(theta);
+        const double plus = circle(&p, theta, wZ, 1).wY;
+        const double minus = circle(&p, theta, wZ, -1).wY;
+        const double size = fabs(plus) + fabs(minus);
+        check_note("theta = %g, wZ = %g", theta, wZ);
+        check_near(plus + minus, -B / A, 16 * U * size);
+        check_near(plus * minus, -C / A, 24 * U * fabs(plus * minus));
+        check((plus - minus) * A > 0);
+    }
+}
+
+static void the_branches_mirror_each_other_bit_for_bit(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(24);
+    for (int i = 0; i < 500; ++i) {
+        const coin_params p = random_coin(&r);
+        const double w = 1 / natural_time(&p);
+        const double theta = random_between(&r, -1.5, 1.5);
+        const double wZ = random_between(&r, -2 * w, 2 * w);
+        const int32_t branch = i % 2 ? 1 : -1;
+        const double f = circle(&p, theta, wZ, branch).wY;
+        check(f == -circle(&p, theta, -wZ, -branch).wY);
+        check(f == circle(&p, -theta, -wZ, -branch).wY);
+    }
+}
+
+/* Without roll the circle shrinks to a spin, either way round. */
+static void without_roll_the_circles_are_the_two_spins(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double leans[] = {0.6, -0.6};
+    for (size_t i = 0; i < 2; ++i)
+        for (int32_t branch = -1; branch <= 1; branch += 2) {
+            const double want = 2 * sqrt(cos(0.6)) * (i ? -branch : branch);
+            check_note("theta = %g, branch %d", leans[i], (int)branch);
+            check_near(circle(&p, leans[i], 0.0, branch).wY, want, 16 * U);
+        }
+}
+
+/* wY -> M g a theta/(K wZ) for small theta: the textbook's root cancels to
+ * nothing there. */
+static void large_circles_do_not_cancel(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double K = 1.5;
+    for (int e = 5; e <= 290; e += 15) {
+        const double theta = pow(10, -e);
+        const coin_state s = circle(&p, theta, 2, 1);
+        check_note("theta = 1e-%d", e);
+        /* The next order is theta^3. */
+        check_near(s.wY, theta / (K * 2), (8 * U + theta * theta) * s.wY);
+    }
+}
+
+static void spins_have_their_centre_at_rest(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(25);
+    for (int i = 0; i < 200; ++i) {
+        const coin_params p = random_coin(&r);
+        const double theta = random_between(&r, -1.57, 1.57);
+        const double w2 = p.mass * p.gravity * p.radius / p.inertia_X;
+        coin_state s, want = {0};
+        check_status(coin_steady_spin(&s, &p, theta), COIN_OK);
+        want.theta = theta;
+        want.wY = s.wY;
+        check_same(&s, &want, sizeof s);
+        check(s.wY > 0);
+        check_near(s.wY, sqrt(w2 * cos(theta)), 8 * U * s.wY);
+    }
+}
+
+static void upright_motions_have_any_rate(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double rates[] = {0, -3, 1e-300, 1e100};
+    for (size_t i = 0; i < 4; ++i) {
+        const coin_state roll = {0, 0, 0, 0, 0, 0, 0, rates[i]};
+        const coin_state spin = {0, 0, 0, 0, 0, 0, rates[i], 0};
+        coin_state s;
+        check_status(coin_steady_roll(&s, &p, rates[i]), COIN_OK);
+        check_same(&s, &roll, sizeof s);
+        check_status(coin_steady_upright_spin(&s, &p, rates[i]), COIN_OK);
+        check_same(&s, &spin, sizeof s);
+    }
+}
+
+/* One of each family, drawn at random. */
+static coin_state any_steady(struct random *r, const coin_params *p, int kind)
+{
+    const double w = 1 / natural_time(p);
+    const double wZ = random_between(r, -2 * w, 2 * w);
+    const double theta = random_between(r, -1.5, 1.5);
+    coin_state s;
+    if (kind == 0)
+        check_status(coin_steady_roll(&s, p, wZ), COIN_OK);
+    else if (kind == 1)
+        check_status(coin_steady_spin(&s, p, theta), COIN_OK);
+    else if (kind == 2)
+        check_status(coin_steady_upright_spin(&s, p, wZ), COIN_OK);
+    else
+        s = circle(p, theta, wZ, kind == 3 ? 1 : -1);
+    return s;
+}
+
+static void no_rate_of_turning_changes_in_any_of_them(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(26);
+    for (int i = 0; i < 500; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = any_steady(&r, &p, i % 5);
+        coin_state rates;
+        check_note("family %d, theta = %g", i % 5, s.theta);
+        check_status(coin_rates(&s, &p, &rates), COIN_OK);
+        check(rates.theta == 0 && rates.wY == 0 && rates.wZ == 0);
+        /* 8 u of wY, which enters squared, and 8 u of the rates. */
+        check_near(rates.wX, 0, 24 * U * parts_of(&s, &p).dwX);
+    }
+}
+
+/* ----------------------------------------------------------------- radii */
+static void radii_are_the_reference_s(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "circles.csv");
+    for (size_t row = 0; row < t.rows; ++row) {
+        const struct circle c = circle_at(&t, row);
+        double center, contact;
+        check_status(coin_steady_radii(&c.state, &c.params, &center, &contact),
+                     COIN_OK);
+        const double R_G = table_at(&t, row, "R_G");
+        check_terms(center, R_G, 8, R_G);
+        check_terms(contact, table_at(&t, row, "R_C"), 8,
+                    R_G + c.params.radius * fabs(sin(c.theta)));
+    }
+}
+
+/* Half a turn of the heading takes a point to the other end of its circle's
+ * diameter. */
+static void radii_are_those_of_the_path_that_a_run_takes(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(27);
+    for (int i = 0; i < 40; ++i) {
+        const coin_params p = random_coin(&r);
+        const double theta = random_between(&r, 0.1, 1.4), steps = 2000;
+        const double w = 1 / natural_time(&p);
+        const coin_state s =
+            circle(&p, theta, random_between(&r, w / 2, w), i % 2 ? 1 : -1);
+        coin_state end = s;
+        double center, contact, from[3], to[3], v[3];
+        const double half_turn = 3.141592653589793 / (s.wY / cos(theta));
+        check_status(coin_steady_radii(&s, &p, &center, &contact), COIN_OK);
+        check_status(coin_run(&end, &p, COIN_RK4, half_turn / steps,
+                              (uint64_t)steps, NULL),
+                     COIN_OK);
+        check_status(coin_contact(&s, &p, from, v), COIN_OK);
+        check_status(coin_contact(&end, &p, to, v), COIN_OK);
+        /* Simpson's rule on a half circle leaves (pi/2000)^4/2880 = 2e-15. */
+        check_near(hypot(end.x, end.z) / 2, center,
+                   1e-12 * (center + p.radius));
+        check_near(hypot(to[0] - from[0], to[2] - from[2]) / 2, contact,
+                   1e-12 * (center + p.radius));
+    }
+}
+
+static void straight_and_resting_motions_have_plain_radii(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    double center, contact;
+    coin_state s;
+    check_status(coin_steady_roll(&s, &p, 3), COIN_OK);
+    check_status(coin_steady_radii(&s, &p, &center, &contact), COIN_OK);
+    check(isinf(center) && center > 0 && isinf(contact) && contact > 0);
+    check_status(coin_steady_roll(&s, &p, 0), COIN_OK);
+    check_status(coin_steady_radii(&s, &p, &center, &contact), COIN_OK);
+    check(isinf(center) && isinf(contact));
+    check_status(coin_steady_spin(&s, &p, -0.6), COIN_OK);
+    check_status(coin_steady_radii(&s, &p, &center, &contact), COIN_OK);
+    check(center == 0);
+    check_near(contact, sin(0.6), 4 * U);
+    check_status(coin_steady_upright_spin(&s, &p, 3), COIN_OK);
+    check_status(coin_steady_radii(&s, &p, &center, &contact), COIN_OK);
+    check(center == 0 && contact == 0);
+}
+
+/* ---------------------------------------------------------- what is steady */
+static int32_t radii_status(const coin_state *s, const coin_params *p)
+{
+    double center = 1, contact = 2;
+    const int32_t status = coin_steady_radii(s, p, &center, &contact);
+    check(status >= 0 || (center == 1 && contact == 2));
+    return status;
+}
+
+/* Off by part * 1e-9 in the quantity named. */
+static void steady_counts_up_to_1e_9_of_the_largest(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state good = circle(&p, 0.4, 1, 1);
+    /* The slope of Eq. (39) in wY; its largest term is M g a = 1.  The
+     * largest rate is wZ = sqrt(g/a) = 1. */
+    const double slope = 1.5 + 2 * 0.25 * good.wY * tan(0.4);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        coin_state s = good;
+        s.wX = sign * 0.999e-9;
+        check_status(radii_status(&s, &p), COIN_OK);
+        s.wX = sign * 1.001e-9;
+        check_status(radii_status(&s, &p), COIN_EDOMAIN);
+        s = good;
+        s.wY += sign * 0.999e-9 / slope;
+        check_status(radii_status(&s, &p), COIN_OK);
+        s.wY = good.wY + sign * 1.001e-9 / slope;
+        check_status(radii_status(&s, &p), COIN_EDOMAIN);
+    }
+}
+
+/* Each of |wY|, |wZ|, sqrt(g/a) can be the largest rate, and each term of Eq.
+ * (39) the largest torque. */
+static void the_largest_may_be_any_of_them(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state states[] = {
+        {0, 0, 0, 0, 0, 0, 1e3, 0},
+        {0, 0, 0, 0, 0, 0, 0, 1e3},
+        circle(&p, 0.4, 1e3, -1),
+    };
+    for (size_t i = 0; i < 3; ++i) {
+        coin_state s = states[i];
+        const double w = fmax(fabs(s.wY), fabs(s.wZ));
+        check_note("state %zu", i);
+        s.wX = 0.999e-9 * w;
+        check_status(radii_status(&s, &p), COIN_OK);
+        s.wX = 1.001e-9 * w;
+        check_status(radii_status(&s, &p), COIN_EDOMAIN);
+    }
+    /* On the fast branch both large terms are wY (K wZ) and its opposite. */
+    coin_state s = states[2];
+    s.wY *= 1 + 0.999e-9;
+    check_status(radii_status(&s, &p), COIN_OK);
+    s.wY = states[2].wY * (1 + 1.001e-9);
+    check_status(radii_status(&s, &p), COIN_EDOMAIN);
+}
+
+/* ---------------------------------------------------------------- refusals */
+static void the_bad_are_refused_in_order(void **unused)
+{
+    (void)unused;
+    const coin_params good = disc();
+    coin_params bad = good;
+    bad.mass = -1;
+    const struct {
+        const coin_params *p;
+        double theta, wZ;
+        int32_t branch, want;
+    } cases[] = {
+        {&bad, 0, NAN, 0, COIN_EARG},
+        {&bad, 0, NAN, 2, COIN_EARG},
+        {&good, 0.3, 1, -2, COIN_EARG},
+        {&bad, 0, NAN, 1, COIN_EPARAMS},
+        {&good, 0, NAN, 1, COIN_ESTATE},
+        {&good, NAN, 1, 1, COIN_ESTATE},
+        {&good, 1.5708, 1, 1, COIN_ESTATE},
+        {&good, -2, 1, -1, COIN_ESTATE},
+        {&good, 0.3, INFINITY, 1, COIN_ESTATE},
+        {&good, 0.3, 1e200, 1, COIN_ESTATE},
+        {&good, 1e-290, 1, -1, COIN_ESTATE}, /* wY = -6e290 */
+        {&good, 0, 1, 1, COIN_EDOMAIN},
+        {&good, -0.0, 1, -1, COIN_EDOMAIN},
+    };
+    const coin_state before = {1, 2, 3, 4, 5, 6, 7, 8};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        coin_state s = before;
+        check_note("case %zu", i);
+        check_status(coin_steady_circle(&s, cases[i].p, cases[i].theta,
+                                        cases[i].wZ, cases[i].branch),
+                     cases[i].want);
+        check_same(&s, &before, sizeof s);
+    }
+}
+
+static void rates_and_leans_out_of_range_are_refused(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double rates[] = {NAN, INFINITY, -INFINITY, 1e200};
+    const double leans[] = {NAN, INFINITY, 1.5707963267948966, -1.6};
+    const coin_state before = {1, 2, 3, 4, 5, 6, 7, 8};
+    for (size_t i = 0; i < 4; ++i) {
+        coin_state s = before;
+        check_note("case %zu", i);
+        check_status(coin_steady_roll(&s, &p, rates[i]), COIN_ESTATE);
+        check_status(coin_steady_upright_spin(&s, &p, rates[i]), COIN_ESTATE);
+        check_status(coin_steady_spin(&s, &p, leans[i]), COIN_ESTATE);
+        check_same(&s, &before, sizeof s);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(circles_turn_as_the_reference_s),
+        TEST(the_branches_are_the_two_roots),
+        TEST(the_branches_mirror_each_other_bit_for_bit),
+        TEST(without_roll_the_circles_are_the_two_spins),
+        TEST(large_circles_do_not_cancel),
+        TEST(spins_have_their_centre_at_rest),
+        TEST(upright_motions_have_any_rate),
+        TEST(no_rate_of_turning_changes_in_any_of_them),
+        TEST(radii_are_the_reference_s),
+        TEST(radii_are_those_of_the_path_that_a_run_takes),
+        TEST(straight_and_resting_motions_have_plain_radii),
+        TEST(steady_counts_up_to_1e_9_of_the_largest),
+        TEST(the_largest_may_be_any_of_them),
+        TEST(the_bad_are_refused_in_order),
+        TEST(rates_and_leans_out_of_range_are_refused),
+    };
+    return RUN_TESTS(tests);
+}

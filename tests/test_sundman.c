@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: MIT */
+/* lib/motion.h holds the equations of motion twice: in time, and in Sundman's
+ * variable, dt = cos theta dtau.  The second is the first times cos theta. */
+#include "support/check.h"
+#include "support/observable.h"
+#include "support/random.h"
+
+#include "motion.h"
+
+#include <math.h>
+
+struct forms {
+    struct parts size;
+    double h, cth;
+    coin_priv_stage time, sundman;
+    coin_priv_pose time_path, sundman_path;
+};
+
+static struct forms random_forms(struct random *r)
+{
+    struct forms f;
+    coin_priv_body b;
+    const coin_params p = random_coin(r);
+    const coin_state s = random_state(r, &p, 1.57);
+    f.size = parts_of(&s, &p);
+    f.h = natural_time(&p);
+    f.cth = cos(s.theta);
+    check_status(coin_priv_body_of(&b, &p), COIN_OK);
+    const coin_priv_field field = coin_priv_field_of(&b, f.h);
+    const coin_priv_stage y = coin_priv_stage_of(&s);
+    f.time = coin_priv_motion(&field, &y);
+    f.sundman = coin_priv_sundman(&field, &y);
+    f.time_path = coin_priv_drift(&field, &y);
+    f.sundman_path = coin_priv_sundman_drift(&field, &y);
+    return f;
+}
+
+/* Bound: 8 u of the terms in either form, and cos theta's own. */
+#define BOUND (20 * U)
+
+static void the_equations_are_those_in_time_times_cos_theta(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(48);
+    for (int i = 0; i < 1000; ++i) {
+        const struct forms f = random_forms(&r);
+        const struct parts *k = &f.size;
+        const double hc = f.h * f.cth, bound = BOUND * hc;
+        const coin_priv_stage *a = &f.time, *b = &f.sundman;
+        check_near(b->wX, f.cth * a->wX, bound * k->dwX);
+        check_near(b->wY, f.cth * a->wY,
+                   bound * k->wX * (k->wY * k->tth + k->IZ / k->IX * k->wZ));
+        check_near(b->wZ, f.cth * a->wZ, bound * k->wX * k->wY);
+        check_near(b->sth, f.cth * a->sth, bound * k->wX * k->cth);
+        check_near(b->cth, f.cth * a->cth, bound * k->wX * k->sth);
+        check_near(b->sph, f.cth * a->sph, bound * k->wY / k->cth);
+        check_near(b->cph, f.cth * a->cph, bound * k->wY / k->cth);
+    }
+}
+
+static void the_path_is_that_in_time_times_cos_theta(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(49);
+    for (int i = 0; i < 1000; ++i) {
+        const struct forms f = random_forms(&r);
+        const struct parts *k = &f.size;
+        const double bound = BOUND * f.h * f.cth;
+        const double dpsi = k->wZ + k->wY * k->tth;
+        const coin_priv_pose *a = &f.time_path, *b = &f.sundman_path;
+        check_near(b->phi, f.cth * a->phi, bound * k->wY / k->cth);
+        check_near(b->psi, f.cth * a->psi, bound * dpsi);
+        check_near(b->x, f.cth * a->x, bound * dpsi);
+        check_near(b->z, f.cth * a->z, bound * dpsi);
+        check_near(b->t, f.cth * a->t, bound);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(the_equations_are_those_in_time_times_cos_theta),
+        TEST(the_path_is_that_in_time_times_cos_theta),
+    };
+    return RUN_TESTS(tests);
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static void the_number_is_that_of_the_header(void **unused)
+{
+    (void)unused;
+    const uint32_t v = coin_version();
+    check(v >> 16 == COIN_VERSION_MAJOR);
+    check((v >> 8 & 0xff) == COIN_VERSION_MINOR);
+    check((v & 0xff) == COIN_VERSION_PATCH);
+}
+
+static void the_text_says_the_same(void **unused)
+{
+    (void)unused;
+    char want[32];
+    snprintf(want, sizeof want, "%d.%d.%d", COIN_VERSION_MAJOR,
+             COIN_VERSION_MINOR, COIN_VERSION_PATCH);
+    check(strcmp(coin_version_string(), want) == 0);
+}
+
+static void the_sizes_are_those_of_the_header(void **unused)
+{
+    (void)unused;
+    check(coin_sizeof_state() == 64 && sizeof(coin_state) == 64);
+    check(coin_sizeof_params() == 64 && sizeof(coin_params) == 64);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(the_number_is_that_of_the_header),
+        TEST(the_text_says_the_same),
+        TEST(the_sizes_are_those_of_the_header),
+    };
+    return RUN_TESTS(tests);
+}
