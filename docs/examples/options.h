@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: MIT */
+/* options.h: the command line of rolling_quarter. */
+#ifndef EXAMPLE_OPTIONS_H
+#define EXAMPLE_OPTIONS_H
+
+#include "scenes.h"
+
+#include <coin.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Some seconds of work; beyond it a slip of the keyboard is more likely. */
+#define MAX_STEPS 1e8
+
+enum { RUN, DONE, USAGE_ERROR }; /* what options_parse() says */
+
+typedef struct options {
+    const scene *scene;
+    int32_t method;
+    double dt, duration; /* 0: as the scene has it */
+    double mu;
+    const char *out;
+    uint64_t steps;
+} options;
+
+static int complain(const char *format, ...)
+{
+    va_list args;
+
+    fputs("rolling_quarter: ", stderr);
+    va_start(args, format);
+    vfprintf(stderr, format, args);
+    va_end(args);
+    fputs("\n", stderr);
+    return USAGE_ERROR;
+}
+
+/* -------------------------------------------------------------- options -- */
+
+static int set_scene(options *o, const char *text)
+{
+    for (size_t k = 0; k < SCENE_COUNT; ++k)
+        if (strcmp(text, SCENES[k].name) == 0) {
+            o->scene = &SCENES[k];
+            return RUN;
+        }
+    complain("no scene '%s'; the scenes are:", text);
+    for (size_t k = 0; k < SCENE_COUNT; ++k)
+        fprintf(stderr, "  %s\n", SCENES[k].name);
+    return USAGE_ERROR;
+}
+
+static int set_method(options *o, const char *text)
+{
+    const char *name;
+
+    for (int32_t m = 0; (name = coin_method_name(m)) != NULL; ++m)
+        if (strcmp(text, name) == 0) {
+            o->method = m;
+            return RUN;
+        }
+    complain("no method '%s'; the methods are:", text);
+    for (int32_t m = 0; (name = coin_method_name(m)) != NULL; ++m)
+        fprintf(stderr, "  %s\n", name);
+    return USAGE_ERROR;
+}
+
+/* Reads a number, all of the text and nothing else; NaN if there is none. */
+static double number(const char *text)
+{
+    char *end;
+    const double x = strtod(text, &end);
+
+    return end != text && *end == '\0' ? x : (double)NAN;
+}
+
+static int set_positive(double *x, const char *option, const char *text)
+{
+    *x = number(text);
+    if (*x > 0 && isfinite(*x))
+        return RUN;
+    return complain("%s must be a finite number > 0, not '%s'", option, text);
+}
+
+static int set_dt(options *o, const char *text)
+{
+    return set_positive(&o->dt, "--dt", text);
+}
+
+static int set_duration(options *o, const char *text)
+{
+    return set_positive(&o->duration, "--duration", text);
+}
+
+static int set_mu(options *o, const char *text)
+{
+    o->mu = number(text);
+    if (o->mu >= 0)
+        return RUN;
+    return complain("--mu must be a number >= 0, or inf, not '%s'", text);
+}
+
+static int set_out(options *o, const char *text)
+{
+    o->out = text;
+    return RUN;
+}
+
+static const struct {
+    const char *name, *value, *help;
+    int (*set)(options *o, const char *text);
+} OPTIONS[] = {
+    {"--scene", "NAME", "what rolls: see --list (quarter)", set_scene},
+    {"--method", "NAME", "the method of integration: see --list (rk4)",
+     set_method},
+    {"--dt", "TIME", "the step, in the scene's unit (suits the scene)", set_dt},
+    {"--duration", "TIME", "how long, in the same unit (suits the scene)",
+     set_duration},
+    {"--mu", "NUMBER", "coefficient of friction of coin on table (0.3)",
+     set_mu},
+    {"--out", "FOLDER", "where the drawings go (build)", set_out},
+};
+
+enum { OPTION_COUNT = sizeof OPTIONS / sizeof OPTIONS[0] };
+
+/* ----------------------------------------------------------------- help -- */
+
+static int print_help(void)
+{
+    puts("usage: rolling_quarter [OPTION VALUE]...\n"
+         "Rolls a coin over a table without slipping, prints its motion and "
+         "draws it.\n");
+    for (size_t k = 0; k < OPTION_COUNT; ++k)
+        printf("  %-10s %-7s %s\n", OPTIONS[k].name, OPTIONS[k].value,
+               OPTIONS[k].help);
+    puts("  --list             the scenes and the methods\n"
+         "  --help             this text");
+    return DONE;
+}
+
+static int print_list(void)
+{
+    const char *name;
+
+    puts("scenes:");
+    for (size_t k = 0; k < SCENE_COUNT; ++k)
+        printf("  %-10s %s\n", SCENES[k].name, SCENES[k].story);
+    puts("methods:");
+    for (int32_t m = 0; (name = coin_method_name(m)) != NULL; ++m)
+        printf("  %-10s order %d\n", name, (int)coin_method_order(m));
+    return DONE;
+}
+
+/* -------------------------------------------------------------- parsing -- */
+
+static int set_option(options *o, const char *name, const char *value)
+{
+    for (size_t k = 0; k < OPTION_COUNT; ++k)
+        if (strcmp(name, OPTIONS[k].name) == 0)
+            return value != NULL ? OPTIONS[k].set(o, value)
+                                 : complain("%s needs a value", name);
+    return complain("no option '%s'; try --help", name);
+}
+
+/* Fills in what the scene decides, and counts the steps. */
+static int complete(options *o)
+{
+    if (o->dt == 0)
+        o->dt = o->scene->dt;
+    if (o->duration == 0)
+        o->duration = o->scene->duration;
+
+    const double steps = floor(o->duration / o->dt + 0.5);
+    if (steps < 1)
+        return complain("a duration of %g is shorter than a step of %g",
+                        o->duration, o->dt);
+    if (!(steps <= MAX_STEPS))
+        return complain("a duration of %g in steps of %g is more than %g "
+                        "steps",
+                        o->duration, o->dt, MAX_STEPS);
+    o->steps = (uint64_t)steps;
+    return RUN;
+}
+
+/* Reads the command line: RUN, DONE if it only asked for help, USAGE_ERROR if
+ * it was wrong, which stderr then explains. */
+static int options_parse(options *o, char **arguments)
+{
+    const options defaults = {SCENES, COIN_RK4, 0, 0, 0.3, "build", 0};
+
+    *o = defaults;
+    for (char **a = arguments; *a != NULL; a += 2) {
+        if (strcmp(*a, "--help") == 0 || strcmp(*a, "-h") == 0)
+            return print_help();
+        if (strcmp(*a, "--list") == 0)
+            return print_list();
+        const int verdict = set_option(o, a[0], a[1]);
+        if (verdict != RUN)
+            return verdict;
+    }
+    return complete(o);
+}
+
+#endif

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: MIT */
+/* Rolls a coin over a table, prints how it moves and draws it.
+ *
+ *   cc rolling_quarter.c $(pkg-config --cflags --libs rollcoin) -lm
+ *
+ * roll() and print_row() are what a program of your own would do; the rest is
+ * the command line (options.h), a choice of coins (scenes.h) and drawings
+ * (pictures.h, svg.h). */
+#include "options.h"
+#include "pictures.h"
+#include "scenes.h"
+
+#include <coin.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ROWS = 20 }; /* of the table, after the start */
+
+/* What is remarkable about a whole motion. */
+typedef struct summary {
+    double lean_min, lean_max, rolled, energy_error, normal_min, friction;
+} summary;
+
+static int fail(const char *what, const char *why)
+{
+    fprintf(stderr, "rolling_quarter: %s: %s\n", what, why);
+    return EXIT_FAILURE;
+}
+
+/* -------------------------------------------------------------- rolling -- */
+
+/* Rolls the coin and keeps up to MOMENTS + 1 states, evenly spread.  On an
+ * error the motion holds what came before it. */
+static int32_t roll(motion *m, const options *o)
+{
+    const uint64_t kept = o->steps < MOMENTS ? o->steps : MOMENTS;
+    coin_state s = m->scene->start;
+    uint64_t at = 0;
+
+    for (uint64_t k = 0; k <= kept; ++k) {
+        const uint64_t goal = k * o->steps / kept;
+        const int32_t status =
+            coin_run(&s, &m->params, o->method, o->dt, goal - at, NULL);
+        if (status < 0)
+            return status;
+        const int32_t check =
+            coin_check(&s, &m->params, o->method, o->dt, o->mu);
+        if (check < 0)
+            return check;
+        at = goal;
+        const moment now = {(double)at * o->dt, s, status | check};
+        m->at[m->count++] = now;
+    }
+    return COIN_OK;
+}
+
+/* The error of the energy, which a coin that rolls keeps. */
+static double energy_error(const motion *m, size_t k)
+{
+    const double E = coin_energy(&m->at[k].state, &m->params);
+
+    return E / coin_energy(&m->at[0].state, &m->params) - 1;
+}
+
+static summary summarize(const motion *m)
+{
+    const double weight = m->params.mass * m->params.gravity;
+    const double huge = (double)INFINITY;
+    summary y = {huge, -huge, 0, 0, huge, 0};
+    for (size_t k = 0; k < m->count; ++k) {
+        const coin_state *s = &m->at[k].state;
+        const double lean = s->theta * DEGREES;
+        coin_force R = {{0, 0, 0}, 0, 0, 0};
+        coin_reaction(s, &m->params, &R);
+        y.lean_min = fmin(y.lean_min, lean);
+        y.lean_max = fmax(y.lean_max, lean);
+        y.energy_error = fmax(y.energy_error, fabs(energy_error(m, k)));
+        y.normal_min = fmin(y.normal_min, R.normal / weight);
+        y.friction = fmax(y.friction, R.ratio);
+        if (k > 0) /* the contact moves at radius |d(psi)/dt|, Eq. (22) */
+            y.rolled +=
+                m->params.radius * fabs(s->psi - m->at[k - 1].state.psi);
+    }
+    return y;
+}
+
+/* ------------------------------------------------------------- printing -- */
+
+static void print_heading(const motion *m, const options *o)
+{
+    const body *b = m->scene->body;
+    const units *in = b->in;
+
+    printf("%s: %s\n", m->scene->name, m->scene->story);
+    printf("mass %g, radius %g, inner radius %g, gravity %g, %s\n", b->mass,
+           b->radius, b->inner_radius, b->gravity, in->given);
+    printf("%s, %lu steps of %g %s\n\n", coin_method_name(o->method),
+           (unsigned long)o->steps, o->dt, in->time);
+    if (o->steps > MOMENTS)
+        printf("what follows looks at %d of these moments\n\n", MOMENTS);
+    printf("%9s %7s %8s %8s %8s %8s %7s %7s  validity\n", "time", "lean",
+           "heading", "x", "z", "energy", "N/(Mg)", "F/N");
+    printf("%9s %7s %8s %8s %8s %8s %17s mu %g\n", in->time, "deg", "deg",
+           in->length, in->length, "error", "", o->mu);
+}
+
+static void print_validity(int32_t bits)
+{
+    static const struct {
+        int32_t bit;
+        const char *word;
+    } WORDS[] = {{COIN_SLIPS, "slips"},
+                 {COIN_LIFTS, "lifts"},
+                 {COIN_COARSE, "coarse"},
+                 {COIN_NEARLY_FLAT, "nearly flat"}};
+    const char *comma = "";
+
+    if (bits == 0)
+        printf("rolls");
+    for (size_t k = 0; k < sizeof WORDS / sizeof WORDS[0]; ++k) {
+        if ((bits & WORDS[k].bit) == 0)
+            continue;
+        printf("%s%s", comma, WORDS[k].word);
+        comma = ", ";
+    }
+}
+
+/* Zero if two decimals would show it as 0.00 or -0.00. */
+static double plain(double x)
+{
+    return fabs(x) < 0.005 ? 0 : x;
+}
+
+/* Where the coin is, how it leans, what the table has to do for it, and
+ * whether a real coin would follow. */
+static void print_row(const motion *m, size_t k)
+{
+    const coin_state *s = &m->at[k].state;
+    const double weight = m->params.mass * m->params.gravity;
+    const double shown = m->scene->body->in->shown;
+    coin_force R = {{0, 0, 0}, 0, 0, 0};
+
+    coin_reaction(s, &m->params, &R);
+    printf("%9.3f %7.2f %8.1f ", m->at[k].t, s->theta * DEGREES,
+           s->phi * DEGREES);
+    printf("%8.2f %8.2f ", plain(s->x * shown), plain(s->z * shown));
+    printf("%8.0e %7.3f %7.3f  ", energy_error(m, k), R.normal / weight,
+           R.ratio);
+    print_validity(m->at[k].bits);
+    printf("\n");
+}
+
+/* Since when a real coin would do something else. */
+static int print_first(const motion *m, int32_t bit, const char *what)
+{
+    for (size_t k = 0; k < m->count; ++k)
+        if ((m->at[k].bits & bit) != 0) {
+            printf("%s from %.3g on\n", what, m->at[k].t);
+            return 1;
+        }
+    return 0;
+}
+
+static void print_summary(const motion *m, double mu)
+{
+    const summary y = summarize(m);
+    const units *in = m->scene->body->in;
+
+    printf("\nlean            %.2f to %.2f degrees\n", y.lean_min, y.lean_max);
+    printf("track           %.2f %s\n", y.rolled * in->shown, in->length);
+    printf("energy error    %.0e at most\n", y.energy_error);
+    printf("N/(Mg)          %.3f at least\n", y.normal_min);
+    printf("F/N             %.3f at most\n", y.friction);
+    printf("a real coin     ");
+    if (print_first(m, COIN_SLIPS | COIN_LIFTS, "slips or lifts") == 0)
+        printf("can do this with mu %g\n", mu);
+    print_first(m, COIN_COARSE, "the step        is coarse");
+}
+
+static void print_motion(const motion *m, const options *o)
+{
+    print_heading(m, o);
+    if (m->count == 0)
+        return;
+    for (size_t row = 0; row <= ROWS; ++row)
+        if (row == 0 ||
+            row * (m->count - 1) / ROWS != (row - 1) * (m->count - 1) / ROWS)
+            print_row(m, row * (m->count - 1) / ROWS);
+    print_summary(m, o->mu);
+}
+
+/* -------------------------------------------------------------- drawing -- */
+
+static int draw(const motion *m, const char *folder)
+{
+    char path[FILENAME_MAX];
+
+    for (size_t k = 0; k < PICTURE_COUNT; ++k) {
+        const int length = snprintf(path, sizeof path, "%s/%s%s.svg", folder,
+                                    m->scene->name, PICTURES[k].suffix);
+        if (length < 0 || (size_t)length >= sizeof path)
+            return fail(folder, "the name is too long");
+        if (draw_picture(m, k, path) != 0)
+            return fail(path, strerror(errno));
+        printf("drew %s\n", path);
+    }
+    return EXIT_SUCCESS;
+}
+
+static int run(const options *o)
+{
+    static motion m; /* too large for the stack of some systems */
+    const body *b = o->scene->body;
+    int32_t status = coin_params_ring(&m.params, b->mass, b->radius,
+                                      b->inner_radius, b->gravity);
+
+    m.scene = o->scene;
+    if (status >= 0)
+        status = roll(&m, o);
+    print_motion(&m, o);
+    if (status >= 0)
+        return draw(&m, o->out);
+    fflush(stdout);
+    fail("the coin stopped there", coin_status_string(status));
+    if (status == COIN_ESTEP)
+        fprintf(stderr, "a smaller --dt than %g may do\n", o->dt);
+    return EXIT_FAILURE;
+}
+
+int main(int argc, char **argv)
+{
+    options o;
+    const int verdict = options_parse(&o, argc > 0 ? argv + 1 : argv);
+
+    if (verdict == USAGE_ERROR)
+        return 2;
+    const int code = verdict == RUN ? run(&o) : EXIT_SUCCESS;
+    if (fflush(stdout) != 0 || ferror(stdout))
+        return fail("standard output", strerror(errno));
+    return code;
+}
