@@ -3,6 +3,7 @@
 
 #define FIELD coin_priv_sundman
 #define DRIFT coin_priv_sundman_drift
+#define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
 #include "dop8.h"
 #include "state.h"
 #include "sundman.h"

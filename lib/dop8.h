@@ -3,9 +3,9 @@
  * Norsett, Wanner, Solving Ordinary Differential Equations I), without its
  * error estimate; test_rk8 holds it against the conditions of order.
  *
- * One step for either form of the equations of motion: FIELD and DRIFT name
- * the slopes, times h, of the stage and of what is only added to.  Its users
- * define them, and get coin_priv_dop8_step(). */
+ * One step for either form of the equations of motion: its users define FIELD
+ * and DRIFT, the slopes, times h, of the stage and of what is only added to,
+ * and EACH_POSE(F), the members F of the latter, and get dop8_step(). */
 #include "march.h"
 
 /* Rows of the tableau without their zeros: A5 holds a_51, a_53, a_54; from A6
@@ -95,9 +95,8 @@ static const double B[] = {
 };
 /* clang-format on */
 
-/* The members of a stage that slopes move, and those of a pose. */
+/* The members of a stage that slopes move. */
 #define EACH(F) F(wX) F(wY) F(wZ) F(sth) F(cth) F(q) F(sph) F(cph)
-#define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
 
 #define ROW2(m) y.m = y0.m + A2[0] * d1.m;
 
@@ -152,6 +151,14 @@ static const double B[] = {
                     B[4] * v9.m + B[5] * v10.m + B[6] * v11.m) +               \
                    B[7] * v12.m;
 
+/* Stage i: where the row puts it, and its slopes; v only where b_i is not 0. */
+#define STAGE(i)                                                               \
+    EACH(ROW##i)                                                               \
+    y.tth = y.q * y.sth;                                                       \
+    low = low < y.cth ? low : y.cth;                                           \
+    const coin_priv_stage d##i = FIELD(f, &y)
+#define PATH(i) const coin_priv_pose v##i = DRIFT(f, &y)
+
 /* One step h.  In each row the newest slope is added last: the older part does
  * not wait for it. */
 COIN_PRIV_INLINE double dop8_step(coin_priv_carry *next,
@@ -159,62 +166,28 @@ COIN_PRIV_INLINE double dop8_step(coin_priv_carry *next,
                                   const void *coefficients)
 {
     const coin_priv_field *f = coefficients;
-    const coin_priv_stage y0 = c->y;
+    const coin_priv_stage y0 = c->y, d1 = FIELD(f, &y0);
+    const coin_priv_pose v1 = DRIFT(f, &y0);
     coin_priv_stage y = y0;
-    double low;
-    const coin_priv_stage d1 = FIELD(f, &y);
-    const coin_priv_pose v1 = DRIFT(f, &y);
-    EACH(ROW2)
-    y.tth = y.q * y.sth;
-    low = y.cth;
-    const coin_priv_stage d2 = FIELD(f, &y);
-    EACH(ROW3)
-    y.tth = y.q * y.sth;
-    low = y.cth < low ? y.cth : low;
-    const coin_priv_stage d3 = FIELD(f, &y);
-    EACH(ROW4)
-    y.tth = y.q * y.sth;
-    low = y.cth < low ? y.cth : low;
-    const coin_priv_stage d4 = FIELD(f, &y);
-    EACH(ROW5)
-    y.tth = y.q * y.sth;
-    low = y.cth < low ? y.cth : low;
-    const coin_priv_stage d5 = FIELD(f, &y);
-    EACH(ROW6)
-    y.tth = y.q * y.sth;
-    low = y.cth < low ? y.cth : low;
-    const coin_priv_stage d6 = FIELD(f, &y);
-    const coin_priv_pose v6 = DRIFT(f, &y);
-    EACH(ROW7)
-    y.tth = y.q * y.sth;
-    low = y.cth < low ? y.cth : low;
-    const coin_priv_stage d7 = FIELD(f, &y);
-    const coin_priv_pose v7 = DRIFT(f, &y);
-    EACH(ROW8)
-    y.tth = y.q * y.sth;
-    low = y.cth < low ? y.cth : low;
-    const coin_priv_stage d8 = FIELD(f, &y);
-    const coin_priv_pose v8 = DRIFT(f, &y);
-    EACH(ROW9)
-    y.tth = y.q * y.sth;
-    low = y.cth < low ? y.cth : low;
-    const coin_priv_stage d9 = FIELD(f, &y);
-    const coin_priv_pose v9 = DRIFT(f, &y);
-    EACH(ROW10)
-    y.tth = y.q * y.sth;
-    low = y.cth < low ? y.cth : low;
-    const coin_priv_stage d10 = FIELD(f, &y);
-    const coin_priv_pose v10 = DRIFT(f, &y);
-    EACH(ROW11)
-    y.tth = y.q * y.sth;
-    low = y.cth < low ? y.cth : low;
-    const coin_priv_stage d11 = FIELD(f, &y);
-    const coin_priv_pose v11 = DRIFT(f, &y);
-    EACH(ROW12)
-    y.tth = y.q * y.sth;
-    low = y.cth < low ? y.cth : low;
-    const coin_priv_stage d12 = FIELD(f, &y);
-    const coin_priv_pose v12 = DRIFT(f, &y);
+    double low = y0.cth;
+    STAGE(2);
+    STAGE(3);
+    STAGE(4);
+    STAGE(5);
+    STAGE(6);
+    PATH(6);
+    STAGE(7);
+    PATH(7);
+    STAGE(8);
+    PATH(8);
+    STAGE(9);
+    PATH(9);
+    STAGE(10);
+    PATH(10);
+    STAGE(11);
+    PATH(11);
+    STAGE(12);
+    PATH(12);
     EACH(SUM)
     EACH_POSE(SUM_POSE)
     coin_priv_renew(&y);

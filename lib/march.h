@@ -53,15 +53,13 @@ COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c, double g_a,
                                       const void *coefficients, int lean)
 {
     const double most2 = limits->most2;
-    const uint64_t begin = c->steps;
     const coin_priv_carry start = *c;
-    coin_priv_carry state[2];
+    coin_priv_carry one = *c, other = *c, *now = &one, *next = &other;
     double rate2 = coin_priv_rate2(g_a, &c->y), worst2 = 0;
-    uint64_t done = 0;
-    state[0] = state[1] = *c;
-    for (; done < n; ++done) {
-        coin_priv_carry *next = &state[(done + 1) & 1];
-        const double lowest = step(next, &state[done & 1], coefficients);
+    uint64_t count = c->steps;
+    const uint64_t end = count + n;
+    while (count < end) {
+        const double lowest = step(next, now, coefficients);
         if (lean) {
             next->y.sph = start.y.sph;
             next->y.cph = start.y.cph;
@@ -71,15 +69,19 @@ COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c, double g_a,
         const double step2 = rate2 > next2 ? rate2 : next2;
         if (!coin_priv_sound(next, lowest, step2, most2))
             break;
+        ++count;
         worst2 = step2 > worst2 ? step2 : worst2;
         rate2 = next2;
-        if (!lean && (begin + done + 1) % COIN_PRIV_SETTLE == 0)
+        if (!lean && count % COIN_PRIV_SETTLE == 0)
             next->pose.phi = coin_priv_heading(next);
+        coin_priv_carry *const swapped = now;
+        now = next;
+        next = swapped;
     }
     if (worst2 > limits->coarse2)
         limits->warnings = COIN_COARSE;
-    *c = state[done & 1];
-    c->steps = begin + done;
+    *c = *now;
+    c->steps = count;
 }
 
 #endif

@@ -85,7 +85,7 @@ COIN_PRIV_INLINE coin_priv_pose coin_priv_drift(const coin_priv_field *f,
     d.psi = dps;
     d.x = -(dps * y->cph); /* (22) */
     d.z = dps * y->sph;    /* (22) */
-    d.t = f->h;
+    d.t = 0;
     return d;
 }
 

@@ -22,12 +22,16 @@ COIN_PRIV_INLINE coin_priv_stage add(const coin_priv_stage *a, double w,
     return r;
 }
 
+/* Leaves t at 0: the steps count it. */
+/* The same for a pose; t stays 0, the steps count it. */
 COIN_PRIV_INLINE coin_priv_pose add_pose(const coin_priv_pose *a, double w,
                                          const coin_priv_pose *b)
 {
     const coin_priv_pose r = {
-        a->phi + w * b->phi, a->psi + w * b->psi, a->x + w * b->x,
-        a->z + w * b->z,     a->t + w * b->t,
+        .phi = a->phi + w * b->phi,
+        .psi = a->psi + w * b->psi,
+        .x = a->x + w * b->x,
+        .z = a->z + w * b->z,
     };
     return r;
 }

@@ -3,6 +3,7 @@
 
 #define FIELD coin_priv_motion
 #define DRIFT coin_priv_drift
+#define EACH_POSE(F) F(phi) F(psi) F(x) F(z)
 #include "dop8.h"
 
 void coin_priv_rk8(coin_priv_carry *c, const coin_priv_body *b,
