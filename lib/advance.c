@@ -42,14 +42,13 @@ int coin_priv_sundman_step(coin_priv_carry *c, const coin_priv_body *b,
                            double tau)
 {
     const coin_priv_field f = coin_priv_field_of(b, tau);
-    coin_priv_carry next = *c;
-    const double lowest = dop8_step(&next, c, &f);
-    if (!coin_priv_sound(&next, lowest, 0, 0))
+    coin_priv_moment next = c->at;
+    const double lowest = dop8_step(&next, &c->at, &f);
+    if (!coin_priv_sound(&next, c->psi.sum, lowest, 0, 0))
         return 0;
-    next.steps = c->steps + 1;
-    if (next.steps % COIN_PRIV_SETTLE == 0)
-        next.pose.phi = coin_priv_heading(&next);
-    *c = next;
+    if (++c->steps % COIN_PRIV_SETTLE == 0)
+        coin_priv_settle(c, &next);
+    c->at = next;
     return 1;
 }
 
@@ -82,23 +81,24 @@ static double next_tau(const coin_priv_body *b, const coin_priv_stage *y,
 /* Whether one classical step in t may land from here. */
 static int near(const coin_priv_carry *c, const coin_priv_body *b, double rem)
 {
-    return rem * rem * coin_priv_rate2(b->g_a, &c->y) <= LAST * LAST;
+    return rem * rem * coin_priv_rate2(b->g_a, &c->at.y) <= LAST * LAST;
 }
 
 /* Moves *c until *rem, the time still to go, is short, or the coin is flat, or
  * a step fails.  A step that does not change *rem would repeat for ever. */
 static int32_t approach(coin_priv_carry *c, const coin_priv_body *b,
-                        double stride, double *rem)
+                        double stride, coin_priv_sum *rem)
 {
-    while (!near(c, b, *rem)) {
-        const double before = *rem;
-        if (c->y.cth < FLAT)
+    while (!near(c, b, rem->sum)) {
+        const double before = rem->sum;
+        const double tau = next_tau(b, &c->at.y, stride, before);
+        if (c->at.y.cth < FLAT)
             return COIN_EFLAT;
-        c->pose.t = 0;
-        if (!coin_priv_sundman_step(c, b, next_tau(b, &c->y, stride, before)))
+        c->at.pose.t = 0;
+        if (!coin_priv_sundman_step(c, b, tau))
             return COIN_ESTEP;
-        *rem = before - c->pose.t;
-        if (*rem == before)
+        coin_priv_add(rem, -c->at.pose.t);
+        if (rem->sum == before)
             return COIN_ESTEP;
     }
     return COIN_OK;
@@ -122,12 +122,12 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
         return COIN_ESTEP;
     coin_priv_carry c = coin_priv_carry_of(s);
     coin_priv_limits limits = {(double)INFINITY, (double)INFINITY, COIN_OK};
-    double rem = t;
+    coin_priv_sum rem = {t, 0};
     status = approach(&c, &b, stride_of(tol), &rem);
-    if (status == COIN_OK && rem != 0)
-        coin_priv_rk4(&c, &b, &limits, rem, 1);
+    if (status == COIN_OK && rem.sum != 0)
+        coin_priv_rk4(&c, &b, &limits, rem.sum, 1);
     *s = coin_priv_state_of(&c, &b, s);
     if (reached)
-        *reached = t - rem;
+        *reached = t - rem.sum;
     return status;
 }

@@ -6,23 +6,42 @@
 coin_priv_carry coin_priv_carry_of(const coin_state *s)
 {
     coin_priv_carry c = {
-        .y = coin_priv_stage_of(s),
-        .pose = {.phi = s->phi, .psi = s->psi},
-        .theta = s->theta,
+        .at = {.y = coin_priv_stage_of(s),
+               .pose = {.phi = s->phi},
+               .theta = s->theta},
+        .psi = {s->psi, 0},
     };
-    c.p = s->wY * c.y.cth;
+    c.at.p = s->wY * c.at.y.cth;
     return c;
 }
 
-double coin_priv_heading(const coin_priv_carry *c)
+/* phi from the pair that the steps turned; pose.phi is within half a turn of
+ * it, and tells which. */
+static double heading(const coin_priv_moment *at)
 {
-    const double sph = c->y.sph, cph = c->y.cph;
-    const coin_priv_sc at = coin_priv_sincos(c->pose.phi);
+    const double sph = at->y.sph, cph = at->y.cph;
+    const coin_priv_sc by = coin_priv_sincos(at->pose.phi);
     const coin_priv_sc ahead = {
-        sph * at.c - cph * at.s,
-        cph * at.c + sph * at.s,
+        sph * by.c - cph * by.s,
+        cph * by.c + sph * by.s,
     };
-    return c->pose.phi + coin_priv_angle(ahead);
+    return at->pose.phi + coin_priv_angle(ahead);
+}
+
+void coin_priv_settle(coin_priv_carry *c, coin_priv_moment *at)
+{
+    at->pose.phi = heading(at);
+    coin_priv_add(&c->psi, at->pose.psi);
+    coin_priv_add(&c->x, at->pose.x);
+    coin_priv_add(&c->z, at->pose.z);
+    at->pose.psi = at->pose.x = at->pose.z = 0;
+}
+
+/* A sum with the part that is not in it yet. */
+static double total(coin_priv_sum so_far, double part)
+{
+    coin_priv_add(&so_far, part);
+    return so_far.sum;
 }
 
 /* A lean below pi/2 for a pair with c > 0, however small c is. */
@@ -39,18 +58,19 @@ coin_state coin_priv_state_of(const coin_priv_carry *c, const coin_priv_body *b,
 {
     if (c->steps == 0)
         return *start;
-    const coin_priv_stage *y = &c->y;
+    const coin_priv_stage *y = &c->at.y;
+    const coin_priv_pose *pose = &c->at.pose;
     const coin_priv_frame f = coin_priv_frame_of(start);
     /* From the contact's path to the centre's: a sin theta e_h at both ends.
      */
-    const double dx = c->pose.x + (y->sth * y->sph - f.sth * f.sph); /* (21) */
-    const double dz = c->pose.z + (y->sth * y->cph - f.sth * f.cph); /* (21) */
+    const double lean_x = y->sth * y->sph - f.sth * f.sph; /* (21) */
+    const double lean_z = y->sth * y->cph - f.sth * f.cph; /* (21) */
     const coin_state s = {
         .theta = lean_of(y->sth, y->cth),
-        .phi = coin_priv_heading(c),
-        .psi = c->pose.psi,
-        .x = start->x + b->a * dx,
-        .z = start->z + b->a * dz,
+        .phi = heading(&c->at),
+        .psi = total(c->psi, pose->psi),
+        .x = start->x + b->a * (total(c->x, pose->x) + lean_x),
+        .z = start->z + b->a * (total(c->z, pose->z) + lean_z),
         .wX = y->wX,
         .wY = y->wY,
         .wZ = y->wZ,

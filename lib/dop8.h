@@ -161,8 +161,8 @@ static const double B[] = {
 
 /* One step h.  In each row the newest slope is added last: the older part does
  * not wait for it. */
-COIN_PRIV_INLINE double dop8_step(coin_priv_carry *next,
-                                  const coin_priv_carry *c,
+COIN_PRIV_INLINE double dop8_step(coin_priv_moment *next,
+                                  const coin_priv_moment *c,
                                   const void *coefficients)
 {
     const coin_priv_field *f = coefficients;

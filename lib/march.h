@@ -5,11 +5,6 @@
 
 #include "stepper.h"
 
-/* So often pose.phi is set to its pair's angle.  In between the sum of phi's
- * rates, and the pair that the same rates turn, cannot come half a turn apart:
- * RK4 turns a pair by z - z^5/120 for z, and no step has z > 1.4. */
-#define COIN_PRIV_SETTLE 32
-
 /* Brings the pairs back to the unit circle, so that the angles alone tell the
  * state, and a run of n steps is n runs of one.  The lean's pair, which the
  * next step waits for, gets three terms of (1 - e)^(-1/2): the step left e =
@@ -30,19 +25,19 @@ COIN_PRIV_INLINE void coin_priv_renew(coin_priv_stage *y)
 
 /* Whether a step may end here: above the table all the way (lowest is the
  * least cos theta of its stages), in the range of coin_state_check(), W within
- * the limit.  Any NaN fails: comparisons choose it, phi's reaches psi. */
-COIN_PRIV_INLINE int coin_priv_sound(const coin_priv_carry *c, double lowest,
-                                     double rate2, double most2)
+ * the limit.  Any NaN fails.  psi is the run's sum so far. */
+COIN_PRIV_INLINE int coin_priv_sound(const coin_priv_moment *at, double psi,
+                                     double lowest, double rate2, double most2)
 {
-    const double phi = fabs(c->pose.phi), psi = fabs(c->pose.psi);
-    const double low = lowest < c->y.cth ? lowest : c->y.cth;
-    const double angle = phi > psi ? phi : psi;
-    return low > 0 && rate2 <= most2 && angle <= COIN_PRIV_ANGLE_MAX;
+    const double low = lowest < at->y.cth ? lowest : at->y.cth;
+    return low > 0 && rate2 <= most2 &&
+           fabs(at->pose.phi) <= COIN_PRIV_ANGLE_MAX &&
+           fabs(psi + at->pose.psi) <= COIN_PRIV_ANGLE_MAX;
 }
 
-/* One step from *c to *next, steps apart; returns the least cos theta of its
- * stages. */
-typedef double coin_priv_step(coin_priv_carry *next, const coin_priv_carry *c,
+/* One step from *now to *next; returns the least cos theta of its stages. */
+typedef double coin_priv_step(coin_priv_moment *next,
+                              const coin_priv_moment *now,
                               const void *coefficients);
 
 /* Up to n steps, as coin_priv_stepper says.  With lean set the results of
@@ -53,35 +48,31 @@ COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c, double g_a,
                                       const void *coefficients, int lean)
 {
     const double most2 = limits->most2;
-    const coin_priv_carry start = *c;
-    coin_priv_carry one = *c, other = *c, *now = &one, *next = &other;
-    double rate2 = coin_priv_rate2(g_a, &c->y), worst2 = 0;
-    uint64_t count = c->steps;
-    const uint64_t end = count + n;
-    while (count < end) {
+    coin_priv_moment one = c->at, other = c->at, *now = &one, *next = &other;
+    double rate2 = coin_priv_rate2(g_a, &c->at.y), worst2 = 0;
+    const uint64_t end = c->steps + n;
+    while (c->steps < end) {
         const double lowest = step(next, now, coefficients);
         if (lean) {
-            next->y.sph = start.y.sph;
-            next->y.cph = start.y.cph;
-            next->pose = start.pose;
+            next->y.sph = c->at.y.sph;
+            next->y.cph = c->at.y.cph;
+            next->pose = c->at.pose;
         }
         const double next2 = coin_priv_rate2(g_a, &next->y);
         const double step2 = rate2 > next2 ? rate2 : next2;
-        if (!coin_priv_sound(next, lowest, step2, most2))
+        if (!coin_priv_sound(next, c->psi.sum, lowest, step2, most2))
             break;
-        ++count;
         worst2 = step2 > worst2 ? step2 : worst2;
         rate2 = next2;
-        if (!lean && count % COIN_PRIV_SETTLE == 0)
-            next->pose.phi = coin_priv_heading(next);
-        coin_priv_carry *const swapped = now;
+        if (++c->steps % COIN_PRIV_SETTLE == 0 && !lean)
+            coin_priv_settle(c, next);
+        coin_priv_moment *const swapped = now;
         now = next;
         next = swapped;
     }
     if (worst2 > limits->coarse2)
         limits->warnings = COIN_COARSE;
-    *c = *now;
-    c->steps = count;
+    c->at = *now;
 }
 
 #endif

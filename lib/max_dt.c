@@ -31,20 +31,20 @@ struct outlook {
 
 static struct outlook look_ahead(coin_priv_carry c, const coin_priv_body *b)
 {
-    struct outlook o = {0, coin_priv_rate2(b->g_a, &c.y)};
+    struct outlook o = {0, coin_priv_rate2(b->g_a, &c.at.y)};
     int turns = 0;
     for (int i = 0; i < PATIENCE && turns < 2; ++i) {
-        const double wX = c.y.wX;
-        const double tau = coin_priv_sundman_tau(b, &c.y, 0.5);
+        const double wX = c.at.y.wX;
+        const double tau = coin_priv_sundman_tau(b, &c.at.y, 0.5);
         if (!coin_priv_sundman_step(&c, b, tau))
             break;
-        const double W2 = coin_priv_rate2(b->g_a, &c.y);
+        const double W2 = coin_priv_rate2(b->g_a, &c.at.y);
         o.worst2 = W2 > o.worst2 ? W2 : o.worst2;
-        turns += wX * c.y.wX < 0;
-        if (c.pose.t * sqrt(b->g_a) > LONG_ENOUGH)
+        turns += wX * c.at.y.wX < 0;
+        if (c.at.pose.t * sqrt(b->g_a) > LONG_ENOUGH)
             break;
     }
-    o.span = c.pose.t;
+    o.span = c.at.pose.t;
     return o;
 }
 
@@ -53,15 +53,22 @@ static double larger(double a, double b)
     return fabs(a) > b ? fabs(a) : b;
 }
 
+/* The difference of two sums with their parts. */
+static double between(coin_priv_sum a, double part_a, coin_priv_sum b,
+                      double part_b)
+{
+    return (a.sum - b.sum) + (part_a - part_b);
+}
+
 /* How far apart two runs from one start are, in radians and radii. */
 static double apart(const coin_priv_carry *c, const coin_priv_carry *d)
 {
     double e = 0;
-    e = larger(c->y.sth * d->y.cth - c->y.cth * d->y.sth, e);
-    e = larger(c->pose.phi - d->pose.phi, e);
-    e = larger(c->pose.psi - d->pose.psi, e);
-    e = larger(c->pose.x - d->pose.x, e);
-    return larger(c->pose.z - d->pose.z, e);
+    e = larger(c->at.y.sth * d->at.y.cth - c->at.y.cth * d->at.y.sth, e);
+    e = larger(c->at.pose.phi - d->at.pose.phi, e);
+    e = larger(between(c->psi, c->at.pose.psi, d->psi, d->at.pose.psi), e);
+    e = larger(between(c->x, c->at.pose.x, d->x, d->at.pose.x), e);
+    return larger(between(c->z, c->at.pose.z, d->z, d->at.pose.z), e);
 }
 
 /* The error per natural unit of time that steps of dt make over the span, or

@@ -44,8 +44,8 @@ struct rk4 {
 /* One classical Runge-Kutta step.  The slopes are times h/2, h/2, h and h/6, so
  * that the classical sum is (d1 + 2 d2 + d3)/3 + d4, and nothing but the last
  * addition waits for the last slope. */
-COIN_PRIV_INLINE double rk4_step(coin_priv_carry *next,
-                                 const coin_priv_carry *c,
+COIN_PRIV_INLINE double rk4_step(coin_priv_moment *next,
+                                 const coin_priv_moment *c,
                                  const void *coefficients)
 {
     const struct rk4 *k = coefficients;

@@ -24,15 +24,15 @@ COIN_PRIV_INLINE double slope_wY(const coin_priv_body *b,
     return y->wY * y->tth + b->k1 * y->wZ; /* (15) */
 }
 
-COIN_PRIV_INLINE void kick(coin_priv_carry *c, const coin_priv_body *b,
+COIN_PRIV_INLINE void kick(coin_priv_moment *c, const coin_priv_body *b,
                            double h)
 {
     c->y.wX += h * fall(b, &c->y); /* (50) */
 }
 
 /* Chin's kick: F + h^2/24 F dF/dtheta instead of F, over 2/3 h. */
-COIN_PRIV_INLINE void modified_kick(coin_priv_carry *c, const coin_priv_body *b,
-                                    double h)
+COIN_PRIV_INLINE void modified_kick(coin_priv_moment *c,
+                                    const coin_priv_body *b, double h)
 {
     const coin_priv_stage *y = &c->y;
     const double wY = y->wY, wZ = y->wZ, tth = y->tth;
@@ -72,7 +72,7 @@ COIN_PRIV_INLINE double hermite(double h, double f0, double f1, double df0,
 
 /* Moves *c by a drift of h; 0 if that leads to the table, or so near that the
  * pair's series does not reach. */
-COIN_PRIV_INLINE int drift(coin_priv_carry *c, const coin_priv_body *b,
+COIN_PRIV_INLINE int drift(coin_priv_moment *c, const coin_priv_body *b,
                            double h)
 {
     const coin_priv_stage y0 = c->y;
@@ -116,8 +116,8 @@ struct split {
 };
 
 /* Stoermer-Verlet: V/2 T V/2. */
-COIN_PRIV_INLINE double verlet_step(coin_priv_carry *next,
-                                    const coin_priv_carry *c,
+COIN_PRIV_INLINE double verlet_step(coin_priv_moment *next,
+                                    const coin_priv_moment *c,
                                     const void *coefficients)
 {
     const struct split *k = coefficients;
@@ -130,8 +130,8 @@ COIN_PRIV_INLINE double verlet_step(coin_priv_carry *next,
 }
 
 /* Chin's 4A: V/6 T/2 2V'/3 T/2 V/6, all steps forward. */
-COIN_PRIV_INLINE double chin_step(coin_priv_carry *next,
-                                  const coin_priv_carry *c,
+COIN_PRIV_INLINE double chin_step(coin_priv_moment *next,
+                                  const coin_priv_moment *c,
                                   const void *coefficients)
 {
     const struct split *k = coefficients;
