@@ -40,26 +40,29 @@ VERSION   := $(shell sed -n 's/^\#define COIN_VERSION_[MP][A-Z]* //p' \
 
 # ------------------------------------------------------------------------ flags
 # The user's flags come first and ours last, so that no -ffp-contract=fast or
-# -fvisibility can undo what the pinned bits and the ABI rest on.  The prefix
-# maps keep the folder's name out of the debug information: equal sources give
-# equal bytes wherever they are built.  -fno-tree-vectorize: gcc's vectorizer
-# fuses a * b - c, d * e + f in one instruction where the processor can (12.2
-# with -mfma), whatever -ffp-contract says.
+# -fvisibility can undo what the pinned bits and the ABI rest on.
+# -fno-tree-vectorize: gcc's vectorizer fuses a * b - c, d * e + f in one
+# instruction where the processor can (12.2 with -mfma), whatever -ffp-contract
+# says.  The map keeps this folder's name out of the debug information: equal
+# sources give equal bytes wherever they are built.
 CFLAGS ?= -O2 -g
 WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
           -Wstrict-prototypes -Wmissing-prototypes -Wundef -Wcast-qual \
           -Wwrite-strings
-MAPS   := -ffile-prefix-map=$(SRC)=. -ffile-prefix-map=$(CURDIR)=.
+MAP    := -ffile-prefix-map=$(SRC)=.
 PINNED := -ffp-contract=off -fno-tree-vectorize
 
-USER_CC  = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS)
-LIB_CC   = $(USER_CC) -std=c99 $(PINNED) $(MAPS) -fvisibility=hidden \
+CC_USER  = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS)
+CC_LIB   = $(CC_USER) -std=c99 $(PINNED) $(MAP) -fvisibility=hidden \
            -I$(SRC)/include
-TEST_CC  = $(USER_CC) -std=c11 $(PINNED) $(MAPS) -I$(SRC)/include -I$(SRC)/lib \
-           -I$(SRC)/tests/support -DTEST_ROOT='"$(SRC)"' \
-           -DTEST_DATA='"$(SRC)/tests/reference"'
-BENCH_CC = $(USER_CC) -std=c11 $(MAPS) -I$(SRC)/include
-DEPENDS  = -MMD -MP -MF $@.d
+CC_TEST  = $(CC_USER) -std=c11 $(PINNED) $(MAP) -I$(SRC)/include -I$(SRC)/lib \
+           -I$(SRC)/tests/support $(TEST_SEES)
+CC_BENCH = $(CC_USER) -std=c11 $(MAP) -I$(SRC)/include
+DEPENDS  = -MMD -MP -MT $@ -MF $(abspath $@).d
+
+# What tests read, and how they compile and link what users would.
+TEST_SEES = -DTEST_ROOT='"$(SRC)"' -DTEST_DATA='"$(SRC)/tests/reference"' \
+            -DTEST_CC='"$(CC) $(CFLAGS)"' -DTEST_LIB='"$(abspath $(LIB_A))"'
 
 # Recipes are silent; V=1 shows them.
 ifndef V
@@ -79,27 +82,27 @@ LIB_A   := $(O)/librollcoin.a
 LIB_SO  := $(O)/librollcoin.so
 SONAME  := librollcoin.so.$(SOVERSION)
 REAL_SO := librollcoin.so.$(VERSION)
-MAP     := $(SRC)/lib/rollcoin.map
+EXPORTS := $(SRC)/lib/rollcoin.map
 
 .PHONY: all
 all: $(LIB_A) $(LIB_SO) $(O)/rollcoin.pc ## the static and the shared library
 
 $(O)/static/%.o: $(SRC)/lib/%.c $(O)/flags | $(O)/static
 	echo "CC  $(@F)"
-	$(LIB_CC) $(DEPENDS) -c -o $@ $<
+	cd $(SRC) && $(CC_LIB) $(DEPENDS) -c -o $(abspath $@) $<
 
 $(O)/shared/%.o: $(SRC)/lib/%.c $(O)/flags | $(O)/shared
 	echo "CC  $(@F) (shared)"
-	$(LIB_CC) -fPIC $(DEPENDS) -c -o $@ $<
+	cd $(SRC) && $(CC_LIB) -fPIC $(DEPENDS) -c -o $(abspath $@) $<
 
 # Removed first: ar would keep the object of a source that is gone.
 $(LIB_A): $(STATIC)
 	rm -f $@
 	$(AR) rcsD $@ $(STATIC)
 
-$(O)/$(REAL_SO): $(SHARED) $(MAP)
-	$(LIB_CC) $(LDFLAGS) -shared -o $@ $(SHARED) -lm \
-	    -Wl,-soname,$(SONAME),--version-script=$(MAP),-z,defs,--build-id=sha1
+$(O)/$(REAL_SO): $(SHARED) $(EXPORTS)
+	$(CC_LIB) $(LDFLAGS) -shared -o $@ $(SHARED) -lm \
+	    -Wl,-soname,$(SONAME),--version-script=$(EXPORTS),-z,defs,--build-id=sha1
 
 $(O)/$(SONAME): $(O)/$(REAL_SO)
 	ln -sf $(REAL_SO) $@
@@ -121,7 +124,7 @@ $(O)/rollcoin.pc: force | $(O)
 
 # Everything compiled depends on this file, which changes when the flags do.
 $(O)/flags: force | $(O)
-	$(file >$@.new,$(LIB_CC) $(LDFLAGS))
+	$(file >$@.new,$(CC_LIB) $(LDFLAGS))
 	cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 $(O) $(O)/static $(O)/shared $(O)/tests/support $(O)/bench:
@@ -162,7 +165,7 @@ demo-check: $(O)/rolling_quarter ## what the demo prints, draws and refuses
 examples: $(EXAMPLES) ## every program of docs/examples
 
 $(EXAMPLES): $(O)/%: $(SRC)/docs/examples/%.c $(LIB_A) $(O)/flags
-	$(USER_CC) -std=c99 $(MAPS) -I$(SRC)/include $(DEPENDS) -o $@ $< \
+	$(CC_USER) -std=c99 $(MAP) -I$(SRC)/include $(DEPENDS) -o $@ $< \
 	    $(LDFLAGS) $(LIB_A) -lm
 
 # ------------------------------------------------------------------------ tests
@@ -192,10 +195,10 @@ build-tests: $(TEST_PROGS)
 
 $(O)/tests/%.o: $(SRC)/tests/%.c $(O)/flags | $(O)/tests/support need-cmocka
 	echo "CC  $(@F)"
-	$(TEST_CC) $(CMOCKA) $(DEPENDS) -c -o $@ $<
+	$(CC_TEST) $(CMOCKA) $(DEPENDS) -c -o $@ $<
 
 $(O)/tests/test_%: $(O)/tests/test_%.o $(TEST_EXTRA) $(LIB_A)
-	$(TEST_CC) $(LDFLAGS) -o $@ $^ $(CMOCKA_LIBS) -lm
+	$(CC_TEST) $(LDFLAGS) -o $@ $^ $(CMOCKA_LIBS) -lm
 
 need-cmocka:
 	$(PKG_CONFIG) --exists cmocka || { echo "the tests need cmocka:" \
@@ -215,11 +218,11 @@ bench: build-bench $(O)/bench/bench_steps ## time a step, against the textbook's
 build-bench: $(BENCH)
 
 $(O)/bench/%.o: $(SRC)/tests/bench/%.c $(O)/flags | $(O)/bench
-	$(BENCH_CC) $(DEPENDS) -c -o $@ $<
+	$(CC_BENCH) $(DEPENDS) -c -o $@ $<
 
 $(BENCH): $(O)/bench/%: $(SRC)/tests/bench/%.c $(BENCH_EXTRA) $(LIB_A) \
                         $(O)/flags | $(O)/bench
-	$(BENCH_CC) $(DEPENDS) -o $@ $< $(BENCH_EXTRA) $(LDFLAGS) $(LIB_A) -lm
+	$(CC_BENCH) $(DEPENDS) -o $@ $< $(BENCH_EXTRA) $(LDFLAGS) $(LIB_A) -lm
 
 # ----------------------------------------------------------- tarball, packaging
 # In a git tree a release holds the tracked files and carries the date of the
@@ -271,7 +274,7 @@ valgrind: ## the tests under valgrind
 COVERED = gcovr --root $(SRC) --filter '$(SRC)/lib/' $(O)/coverage/static
 coverage: ## every line and branch of lib/ runs, or the missing are listed
 	rm -rf $(O)/coverage
-	+$(AGAIN) O=$(O)/coverage check MAPS= \
+	+$(AGAIN) O=$(O)/coverage check MAP= \
 	    CFLAGS='-O0 -g --coverage -fprofile-abs-path'
 	$(COVERED) --fail-under-line 100; lines=$$?; \
 	$(COVERED) --fail-under-branch 100 --branches && test $$lines = 0

@@ -12,6 +12,8 @@ coin_priv_carry coin_priv_carry_of(const coin_state *s)
         .psi = {s->psi, 0},
     };
     c.at.p = s->wY * c.at.y.cth;
+    c.x.sum = -c.at.y.sth * c.at.y.sph; /* (21) */
+    c.z.sum = -c.at.y.sth * c.at.y.cph; /* (21) */
     return c;
 }
 
@@ -60,17 +62,14 @@ coin_state coin_priv_state_of(const coin_priv_carry *c, const coin_priv_body *b,
         return *start;
     const coin_priv_stage *y = &c->at.y;
     const coin_priv_pose *pose = &c->at.pose;
-    const coin_priv_frame f = coin_priv_frame_of(start);
-    /* From the contact's path to the centre's: a sin theta e_h at both ends.
-     */
-    const double lean_x = y->sth * y->sph - f.sth * f.sph; /* (21) */
-    const double lean_z = y->sth * y->cph - f.sth * f.cph; /* (21) */
+    const double dx = total(c->x, pose->x) + y->sth * y->sph; /* (21) */
+    const double dz = total(c->z, pose->z) + y->sth * y->cph; /* (21) */
     const coin_state s = {
         .theta = lean_of(y->sth, y->cth),
         .phi = heading(&c->at),
         .psi = total(c->psi, pose->psi),
-        .x = start->x + b->a * (total(c->x, pose->x) + lean_x),
-        .z = start->z + b->a * (total(c->z, pose->z) + lean_z),
+        .x = start->x + b->a * dx,
+        .z = start->z + b->a * dz,
         .wX = y->wX,
         .wY = y->wY,
         .wZ = y->wZ,

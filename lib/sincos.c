@@ -68,7 +68,8 @@ coin_priv_sc coin_priv_sincos(double x)
     return r;
 }
 
-/* asin x to x^5: off by 15/336 x^7. */
+/* asin x to x^5: off by 15/336 x^7, below x 2^-56 for |x| < SMALL. */
+#define SMALL 0.0025
 static double arcsine(double x)
 {
     const double z = x * x;
@@ -80,6 +81,8 @@ double coin_priv_angle(coin_priv_sc of)
     /* A guess by the smaller of the two, off by 0.007 at pi/4 where they are
      * equal, and by a Newton step whose own rest is below 1e-16. */
     double guess;
+    if (fabs(of.s) < SMALL && of.c > 0)
+        return arcsine(of.s);
     if (fabs(of.s) > fabs(of.c))
         guess = (of.s > 0 ? COIN_PRIV_HALF_PI : -COIN_PRIV_HALF_PI) -
                 (of.s > 0 ? arcsine(of.c) : -arcsine(of.c));

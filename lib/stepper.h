@@ -22,7 +22,7 @@ typedef struct coin_priv_moment {
  * sum it would always round alike. */
 typedef struct coin_priv_carry {
     coin_priv_moment at;
-    coin_priv_sum psi, x, z; /* x, z of the contact, from the start, in radii */
+    coin_priv_sum psi, x, z; /* x, z: contact less starting centre, in radii */
     uint64_t steps;          /* since the run began */
 } coin_priv_carry;
 
