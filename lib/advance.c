@@ -12,6 +12,9 @@
  * in no time that a double can tell. */
 #define FLAT 1e-30
 
+/* Natural units of time beyond which a step would change nothing of t. */
+#define TOO_LONG 1e15
+
 /* |rem| W below which one classical step in t lands: it errs by the fifth
  * power, far below rounding. */
 #define LAST 2e-3
@@ -85,21 +88,18 @@ static int near(const coin_priv_carry *c, const coin_priv_body *b, double rem)
 }
 
 /* Moves *c until *rem, the time still to go, is short, or the coin is flat, or
- * a step fails.  A step that does not change *rem would repeat for ever. */
+ * a step fails. */
 static int32_t approach(coin_priv_carry *c, const coin_priv_body *b,
                         double stride, coin_priv_sum *rem)
 {
     while (!near(c, b, rem->sum)) {
-        const double before = rem->sum;
-        const double tau = next_tau(b, &c->at.y, stride, before);
+        const double tau = next_tau(b, &c->at.y, stride, rem->sum);
         if (c->at.y.cth < FLAT)
             return COIN_EFLAT;
         c->at.pose.t = 0;
         if (!coin_priv_sundman_step(c, b, tau))
             return COIN_ESTEP;
         coin_priv_add(rem, -c->at.pose.t);
-        if (rem->sum == before)
-            return COIN_ESTEP;
     }
     return COIN_OK;
 }
@@ -118,7 +118,7 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
         tol >= 1e-13 && tol <= 1e-2 ? coin_priv_check(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    if (!(t - t == 0))
+    if (!(fabs(t) * sqrt(b.g_a) <= TOO_LONG))
         return COIN_ESTEP;
     coin_priv_carry c = coin_priv_carry_of(s);
     coin_priv_limits limits = {(double)INFINITY, (double)INFINITY, COIN_OK};

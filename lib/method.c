@@ -12,8 +12,8 @@ static const struct method {
 } methods[] = {
     {"rk4", 4, 0.35, 1.4},
     {"rk8", 8, 0.7, 1.8},
-    {"symplectic2", 2, 0.1, 1.0},
-    {"symplectic4", 4, 0.3, 1.4},
+    {"symplectic2", 2, 0.08, 1.0},
+    {"symplectic4", 4, 0.16, 1.4},
 };
 
 enum { METHODS = sizeof methods / sizeof *methods };

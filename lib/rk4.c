@@ -22,7 +22,6 @@ COIN_PRIV_INLINE coin_priv_stage add(const coin_priv_stage *a, double w,
     return r;
 }
 
-/* Leaves t at 0: the steps count it. */
 /* The same for a pose; t stays 0, the steps count it. */
 COIN_PRIV_INLINE coin_priv_pose add_pose(const coin_priv_pose *a, double w,
                                          const coin_priv_pose *b)
