@@ -47,7 +47,8 @@ int coin_priv_sundman_step(coin_priv_carry *c, const coin_priv_body *b,
     const coin_priv_field f = coin_priv_field_of(b, tau);
     coin_priv_moment next = c->at;
     const double lowest = dop8_step(&next, &c->at, &f);
-    if (!coin_priv_sound(&next, c->psi.sum, lowest, 0, 0))
+    if (!(lowest > 0 && next.y.cth > 0) ||
+        !coin_priv_angles_hold(&next, c->psi.sum))
         return 0;
     if (++c->steps % COIN_PRIV_SETTLE == 0)
         coin_priv_settle(c, &next);

@@ -5,34 +5,57 @@
 
 #include "stepper.h"
 
-/* Brings the pairs back to the unit circle, so that the angles alone tell the
- * state, and a run of n steps is n runs of one.  The lean's pair, which the
- * next step waits for, gets three terms of (1 - e)^(-1/2): the step left e =
- * O(h^5), and 5/16 e^3 remains, rounding for steps that are not coarse. */
+/* Brings the pairs back to the unit circle, and q and tth to theirs, so that
+ * the angles alone tell the state, and a run of n steps is n runs of one.  A
+ * step leaves e = 1 - s^2 - c^2 = O(h^5); of three terms of (1 - e)^(-1/2)
+ * there remains 5/16 e^3, rounding for steps that are not coarse. */
 COIN_PRIV_INLINE void coin_priv_renew(coin_priv_stage *y)
 {
     const double q = 1 / y->cth;
     const double lean = 1 - (y->sth * y->sth + y->cth * y->cth);
-    const double turn = 1 / sqrt(y->sph * y->sph + y->cph * y->cph);
-    const double longer = 0.5 + 0.375 * lean;
+    const double turn = 1 - (y->sph * y->sph + y->cph * y->cph);
+    const double longer = 0.5 + 0.375 * lean, wider = 0.5 + 0.375 * turn;
     y->tth = y->sth * q;
     y->sth += (y->sth * lean) * longer;
     y->cth += (y->cth * lean) * longer;
     y->q = q - (q * lean) * (0.5 + 0.125 * lean);
-    y->sph *= turn;
-    y->cph *= turn;
+    y->sph += (y->sph * turn) * wider;
+    y->cph += (y->cph * turn) * wider;
 }
 
-/* Whether a step may end here: above the table all the way (lowest is the
- * least cos theta of its stages), in the range of coin_state_check(), W within
- * the limit.  Any NaN fails.  psi is the run's sum so far. */
-COIN_PRIV_INLINE int coin_priv_sound(const coin_priv_moment *at, double psi,
-                                     double lowest, double rate2, double most2)
+/* Whether phi and psi are in the range of coin_state_check(); psi is the run's
+ * sum so far.  NaN is not. */
+COIN_PRIV_INLINE int coin_priv_angles_hold(const coin_priv_moment *at,
+                                           double psi)
 {
-    const double low = lowest < at->y.cth ? lowest : at->y.cth;
-    return low > 0 && rate2 <= most2 &&
-           fabs(at->pose.phi) <= COIN_PRIV_ANGLE_MAX &&
+    return fabs(at->pose.phi) <= COIN_PRIV_ANGLE_MAX &&
            fabs(psi + at->pose.psi) <= COIN_PRIV_ANGLE_MAX;
+}
+
+/* Whether W is within the limit where a step begins or ends; notes if it is
+ * beyond that of full accuracy.  NaN is not. */
+COIN_PRIV_INLINE int coin_priv_within(coin_priv_limits *limits, double g_a,
+                                      const coin_priv_stage *y)
+{
+    const double rate2 = coin_priv_rate2(g_a, y);
+    if (rate2 <= limits->coarse2)
+        return 1;
+    limits->warnings = COIN_COARSE;
+    return rate2 <= limits->most2;
+}
+
+/* The cos theta above which W^2 is below coarse2 whatever the rates, so that
+ * most steps need no closer look: the energy bounds wX^2 + wY^2 by 2 E/I_X and
+ * wZ^2 by 2 E/K.  A quarter is added to it for what the energy may err until
+ * the next settling; at the limit a step errs by less than 1e-3 of it. */
+COIN_PRIV_INLINE double coin_priv_high(const coin_priv_body *b, double coarse2,
+                                       const coin_priv_stage *y)
+{
+    const double wX = y->wX, wY = y->wY, wZ = y->wZ;
+    const double T2 = b->J * wX * wX + b->IX * wY * wY + b->K * wZ * wZ;
+    const double E2 = 1.25 * (T2 + 2 * b->Mga * y->cth); /* (23) */
+    const double room = coarse2 - E2 / b->K - b->g_a;
+    return room > 0 ? sqrt(E2 / b->IX / room) : 2;
 }
 
 /* One step from *now to *next; returns the least cos theta of its stages. */
@@ -41,37 +64,44 @@ typedef double coin_priv_step(coin_priv_moment *next,
                               const void *coefficients);
 
 /* Up to n steps, as coin_priv_stepper says.  With lean set the results of
- * heading and pose are dropped, and with them all that computes them. */
-COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c, double g_a,
+ * heading and pose are dropped, and with them all that computes them.  The
+ * inner loop calls nothing: a call would cost every step its registers. */
+COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c,
+                                      const coin_priv_body *b,
                                       coin_priv_limits *limits, uint64_t n,
                                       coin_priv_step *step,
                                       const void *coefficients, int lean)
 {
-    const double most2 = limits->most2;
     coin_priv_moment one = c->at, other = c->at, *now = &one, *next = &other;
-    double rate2 = coin_priv_rate2(g_a, &c->at.y), worst2 = 0;
-    const uint64_t end = c->steps + n;
-    while (c->steps < end) {
-        const double lowest = step(next, now, coefficients);
-        if (lean) {
-            next->y.sph = c->at.y.sph;
-            next->y.cph = c->at.y.cph;
-            next->pose = c->at.pose;
+    const double g_a = b->g_a;
+    int sound = n == 0 || coin_priv_within(limits, g_a, &now->y);
+    while (sound && n > 0) {
+        const uint64_t room = COIN_PRIV_SETTLE - c->steps % COIN_PRIV_SETTLE;
+        const uint64_t block = n < room ? n : room;
+        const double high = coin_priv_high(b, limits->coarse2, &now->y);
+        uint64_t done = 0;
+        for (; done < block; ++done) {
+            const double lowest = step(next, now, coefficients);
+            const double low = lowest < next->y.cth ? lowest : next->y.cth;
+            if (lean) {
+                next->y.sph = c->at.y.sph;
+                next->y.cph = c->at.y.cph;
+                next->pose = c->at.pose;
+            }
+            sound = low > high ||
+                    (low > 0 && coin_priv_within(limits, g_a, &next->y));
+            if (!sound || !coin_priv_angles_hold(next, c->psi.sum))
+                break;
+            coin_priv_moment *const swapped = now;
+            now = next;
+            next = swapped;
         }
-        const double next2 = coin_priv_rate2(g_a, &next->y);
-        const double step2 = rate2 > next2 ? rate2 : next2;
-        if (!coin_priv_sound(next, c->psi.sum, lowest, step2, most2))
-            break;
-        worst2 = step2 > worst2 ? step2 : worst2;
-        rate2 = next2;
-        if (++c->steps % COIN_PRIV_SETTLE == 0 && !lean)
-            coin_priv_settle(c, next);
-        coin_priv_moment *const swapped = now;
-        now = next;
-        next = swapped;
+        sound = done == block;
+        c->steps += done;
+        n -= done;
+        if (done == room && !lean)
+            coin_priv_settle(c, now);
     }
-    if (worst2 > limits->coarse2)
-        limits->warnings = COIN_COARSE;
     c->at = *now;
 }
 

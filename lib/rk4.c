@@ -90,12 +90,12 @@ void coin_priv_rk4(coin_priv_carry *c, const coin_priv_body *b,
                    coin_priv_limits *limits, double dt, uint64_t n)
 {
     const struct rk4 k = coefficients(b, dt);
-    coin_priv_march(c, b->g_a, limits, n, rk4_step, &k, 0);
+    coin_priv_march(c, b, limits, n, rk4_step, &k, 0);
 }
 
 void coin_priv_rk4_lean(coin_priv_carry *c, const coin_priv_body *b,
                         coin_priv_limits *limits, double dt, uint64_t n)
 {
     const struct rk4 k = coefficients(b, dt);
-    coin_priv_march(c, b->g_a, limits, n, rk4_step, &k, 1);
+    coin_priv_march(c, b, limits, n, rk4_step, &k, 1);
 }

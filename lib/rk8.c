@@ -10,12 +10,12 @@ void coin_priv_rk8(coin_priv_carry *c, const coin_priv_body *b,
                    coin_priv_limits *limits, double dt, uint64_t n)
 {
     const coin_priv_field f = coin_priv_field_of(b, dt);
-    coin_priv_march(c, b->g_a, limits, n, dop8_step, &f, 0);
+    coin_priv_march(c, b, limits, n, dop8_step, &f, 0);
 }
 
 void coin_priv_rk8_lean(coin_priv_carry *c, const coin_priv_body *b,
                         coin_priv_limits *limits, double dt, uint64_t n)
 {
     const coin_priv_field f = coin_priv_field_of(b, dt);
-    coin_priv_march(c, b->g_a, limits, n, dop8_step, &f, 1);
+    coin_priv_march(c, b, limits, n, dop8_step, &f, 1);
 }

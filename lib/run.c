@@ -40,9 +40,10 @@ static int32_t open_run(struct run *r, const coin_state *s,
         return COIN_ESTEP;
     r->start = *s;
     r->c = coin_priv_carry_of(s);
-    r->limits.coarse2 = squared(coin_priv_method_coarse(method) / dt);
     r->limits.most2 =
         smaller(squared(coin_priv_method_most(method) / dt), r->b.w2_max);
+    r->limits.coarse2 =
+        smaller(squared(coin_priv_method_coarse(method) / dt), r->limits.most2);
     r->limits.warnings = COIN_OK;
     r->step = coin_priv_method_stepper(method);
     r->dt = dt;

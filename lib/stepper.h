@@ -54,8 +54,8 @@ void coin_priv_settle(coin_priv_carry *c, coin_priv_moment *at);
 /* How far a run may go: COIN_COARSE beyond coarse2, COIN_ESTEP beyond most2,
  * both compared with W^2, Eq. (47), where each step begins and ends. */
 typedef struct coin_priv_limits {
-    double coarse2, most2;
-    int32_t warnings; /* COIN_COARSE once a step was */
+    double coarse2, most2; /* coarse2 <= most2 */
+    int32_t warnings;      /* COIN_COARSE once a step was */
 } coin_priv_limits;
 
 /* Up to n steps of dt.  It ends early where a step would not be sound, and *c
