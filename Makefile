@@ -100,7 +100,7 @@ $(LIB_A): $(STATIC)
 	rm -f $@
 	$(AR) rcsD $@ $(STATIC)
 
-$(O)/$(REAL_SO): $(SHARED) $(EXPORTS)
+$(O)/$(REAL_SO): $(SHARED) $(EXPORTS) $(SRC)/Makefile
 	$(CC_LIB) $(LDFLAGS) -shared -o $@ $(SHARED) -lm \
 	    -Wl,-soname,$(SONAME),--version-script=$(EXPORTS),-z,defs,--build-id=sha1
 

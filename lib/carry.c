@@ -23,9 +23,11 @@ static double heading(const coin_priv_moment *at)
 {
     const double sph = at->y.sph, cph = at->y.cph;
     const coin_priv_sc by = coin_priv_sincos(at->pose.phi);
+    /* A coarse step leaves the pair's norm a little off 1. */
+    const double norm = sqrt(sph * sph + cph * cph);
     const coin_priv_sc ahead = {
-        sph * by.c - cph * by.s,
-        cph * by.c + sph * by.s,
+        (sph * by.c - cph * by.s) / norm,
+        (cph * by.c + sph * by.s) / norm,
     };
     return at->pose.phi + coin_priv_angle(ahead);
 }
