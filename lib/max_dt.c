@@ -9,42 +9,58 @@
 
 /* What decides a step is the worst that the motion has ahead, and that comes
  * once a period of theta.  So the coin is sent ahead through one period, first
- * at a coarse stride to see how long that is and how fast it gets, then with
- * the method itself at dt beside dt/2, whose difference is dt's error. */
+ * at a coarse stride to see how long that is, how fast it gets and where, then
+ * with the method itself at dt beside dt/2, whose difference is dt's error. */
 
 /* A period is two turning points; for motions that have none, or are slow to
  * reach them, so many natural units of time do. */
 #define LONG_ENOUGH 20.0
 
-/* Steps that a look ahead may take: a coin that passes nearer to flat than
- * 1e-8 needs more, and then gets a dt for what was seen. */
-#define PATIENCE 100
+/* Steps that a look ahead may take, and a trial. */
+#define PATIENCE 400
 #define TRIAL_STEPS 4096
 
-/* What of tol the trial may use: later periods may be worse than the first. */
-#define MARGIN 0.25
+/* What of tol the trial may use: later periods may be worse than the first,
+ * and a path bends away from another as the square of time. */
+#define MARGIN 0.125
+
+/* Differences below this are rounding. */
+#define ROUNDING 1e-14
 
 struct outlook {
-    double span;   /* the time looked at */
-    double worst2; /* the largest W^2 in it */
+    coin_priv_carry from; /* where the trial begins */
+    double span;          /* the time looked at from there */
+    double worst2;        /* the largest W^2 in it */
 };
 
-static struct outlook look_ahead(coin_priv_carry c, const coin_priv_body *b)
+/* Looks ahead from c; the trial begins where W^2 first reaches enough. */
+static struct outlook look_ahead(coin_priv_carry c, const coin_priv_body *b,
+                                 double enough)
 {
-    struct outlook o = {0, coin_priv_rate2(b->g_a, &c.at.y)};
-    int turns = 0;
+    struct outlook o = {c, 0, coin_priv_rate2(b->g_a, &c.at.y)};
+    int turns = 0, found = o.worst2 >= enough;
+    double begin = 0;
     for (int i = 0; i < PATIENCE && turns < 2; ++i) {
         const double wX = c.at.y.wX;
         const double tau = coin_priv_sundman_tau(b, &c.at.y, 0.5);
         if (!coin_priv_sundman_step(&c, b, tau))
             break;
         const double W2 = coin_priv_rate2(b->g_a, &c.at.y);
+        if (!found) {
+            const coin_priv_sc lean = {c.at.y.sth, c.at.y.cth};
+            o.from = c;
+            o.from.at.theta = coin_priv_angle(lean);
+            o.from.at.p = c.at.y.wY * c.at.y.cth;
+            begin = c.at.pose.t;
+            found = W2 >= enough;
+        }
         o.worst2 = W2 > o.worst2 ? W2 : o.worst2;
         turns += wX * c.at.y.wX < 0;
         if (c.at.pose.t * sqrt(b->g_a) > LONG_ENOUGH)
             break;
     }
-    o.span = c.at.pose.t;
+    coin_priv_settle(&o.from, &o.from.at);
+    o.span = c.at.pose.t - begin;
     return o;
 }
 
@@ -84,7 +100,7 @@ static double trial(const coin_priv_carry *start, const coin_priv_body *b,
     for (uint64_t i = 1; i <= TRIAL_STEPS && (double)(i - 1) * dt < span; ++i) {
         step(&c, b, &any, dt, 1);
         step(&d, b, &any, dt / 2, 2);
-        if (c.steps < i || d.steps < 2 * i)
+        if (c.steps < start->steps + i || d.steps < start->steps + 2 * i)
             return (double)INFINITY;
         const double t = (double)i * dt / unit;
         error = larger(apart(&c, &d) / (t > 1 ? t : 1), error);
@@ -108,18 +124,21 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
         coin_priv_check(s, p, &b) != COIN_OK)
         return NAN;
     const coin_priv_carry start = coin_priv_carry_of(s);
-    const struct outlook o = look_ahead(start, &b);
-    const double most = coin_priv_method_coarse(method) / sqrt(o.worst2);
+    const double worst2 = look_ahead(start, &b, 0).worst2;
+    const struct outlook o = look_ahead(start, &b, worst2 / 16);
+    const double most = coin_priv_method_coarse(method) / sqrt(worst2);
     const int32_t order = coin_method_order(method);
     double dt = most;
-    /* Twice: the second trial is near the dt in question, where the error is
-     * truly a power of it, but never too short to see the whole span. */
-    for (int i = 0; i < 2; ++i) {
-        const double tried = larger(o.span / TRIAL_STEPS, dt);
-        const double error = trial(&start, &b, method, tried, o.span);
-        const double wanted = tol * MARGIN / error;
-        if (wanted < 1)
-            dt = tried * (wanted > 0 ? root(wanted, order) : 0.125);
+    /* Three trials, each where the last one points: far from the dt in question
+     * the error is no power of it.  None is so short that it does not see the
+     * span, or so fine that the error is lost in rounding. */
+    for (int i = 0; i < 3; ++i) {
+        const double seen = larger(o.span / TRIAL_STEPS, dt);
+        const double tried = seen < most ? seen : most;
+        const double error = trial(&o.from, &b, method, tried, o.span);
+        const double wanted = tol * MARGIN / larger(error, ROUNDING);
+        const double factor = root(wanted, order);
+        dt = tried * (factor > 4 ? 4 : factor > 0 ? factor : 0.125);
     }
     return dt < most ? dt : most;
 }

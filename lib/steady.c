@@ -29,9 +29,9 @@ int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
     /* clang-format on */
     const double rate = larger(larger(wY, wZ), sqrt(b->g_a));
     const double torque = larger(larger(roll, turn), b->Mga);
-    const int steady = (fabs(wX) <= STEADY * rate) &
-                       (fabs(roll + turn - fall) <= STEADY * torque);
-    return steady ? COIN_OK : COIN_EDOMAIN;
+    const int balanced = (fabs(wX) <= STEADY * rate) &
+                         (fabs(roll + turn - fall) <= STEADY * torque);
+    return balanced ? COIN_OK : COIN_EDOMAIN;
 }
 
 /* Writes a steady state if it is a state. */
