@@ -328,13 +328,14 @@ COIN_API int32_t coin_method_order(int32_t method);
 
 /** The largest step of a method whose error stays below tol from this state
  * on.  Found by trial: the motion is followed through one period of theta (or
- * 20 natural units) with dt beside dt/2.
+ * 20 natural units), and where it is at its worst with dt beside dt/2.
  * @param tol  1e-13 to 1e-2: error per natural unit of time, in radians and
  *             radii [1]
- * @return dt > 0, never so large that a step would be COIN_COARSE; NaN on the
- *         usual errors, an unknown method and tol out of range.
+ * @return dt > 0, never so large that a step would be COIN_COARSE; 0 if the
+ *         coin falls flat; NaN on the usual errors, an unknown method and tol
+ *         out of range.
  * Accuracy: docs/accuracy.md says how often the error stays within tol.
- * Cost: that of a run of at most 25,000 steps; some hundreds as a rule. */
+ * Cost: that of a run of at most 40,000 steps; some hundreds as a rule. */
 COIN_API double coin_max_dt(const coin_state *s, const coin_params *p,
                             int32_t method, double tol);
 
