@@ -8,10 +8,6 @@
 #include "state.h"
 #include "sundman.h"
 
-/* A coin that comes nearer to flat than this lies flat: its pass would be over
- * in no time that a double can tell. */
-#define FLAT 1e-30
-
 /* Natural units of time beyond which a step would change nothing of t. */
 #define TOO_LONG 1e15
 
@@ -21,8 +17,8 @@
 
 /* A step is STRIDE tol^(1/8) over the rate, at most LONGEST: measured so that
  * its error stays below tol per natural unit of time for 999 of 1000 random
- * states, and below 3 tol for all (tests/bench/reliability). */
-#define STRIDE 4.0
+ * states, and below 3 tol for all (docs/accuracy.md). */
+#define STRIDE 3.8
 #define LONGEST 1.2
 
 /* The rate at which things change in tau.  The weights of wY and wZ follow
@@ -95,7 +91,7 @@ static int32_t approach(coin_priv_carry *c, const coin_priv_body *b,
 {
     while (!near(c, b, rem->sum)) {
         const double tau = next_tau(b, &c->at.y, stride, rem->sum);
-        if (c->at.y.cth < FLAT)
+        if (c->at.y.cth < COIN_PRIV_FLAT)
             return COIN_EFLAT;
         c->at.pose.t = 0;
         if (!coin_priv_sundman_step(c, b, tau))

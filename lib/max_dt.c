@@ -30,7 +30,7 @@
 struct outlook {
     coin_priv_carry from; /* where the trial begins */
     double span;          /* the time looked at from there */
-    double worst2;        /* the largest W^2 in it */
+    double worst2;        /* the largest W^2 in it; infinite if it ends flat */
 };
 
 /* Looks ahead from c; the trial begins where W^2 first reaches enough. */
@@ -59,6 +59,8 @@ static struct outlook look_ahead(coin_priv_carry c, const coin_priv_body *b,
         if (c.at.pose.t * sqrt(b->g_a) > LONG_ENOUGH)
             break;
     }
+    if (c.at.y.cth < COIN_PRIV_FLAT)
+        o.worst2 = (double)INFINITY;
     coin_priv_settle(&o.from, &o.from.at);
     o.span = c.at.pose.t - begin;
     return o;

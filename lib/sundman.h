@@ -4,6 +4,10 @@
 
 #include "stepper.h"
 
+/* A coin that comes nearer to flat than this lies flat: its pass would be over
+ * in no time that a double can tell. */
+#define COIN_PRIV_FLAT 1e-30
+
 /* The step in tau of the given stride from here: about 1 for a coarse look at
  * the motion, less for accuracy (advance.c). */
 double coin_priv_sundman_tau(const coin_priv_body *b, const coin_priv_stage *y,
