@@ -101,6 +101,21 @@ static int32_t approach(coin_priv_carry *c, const coin_priv_body *b,
     return COIN_OK;
 }
 
+/* The last bit of the way, in t. */
+static int32_t land(coin_priv_carry *c, const coin_priv_body *b,
+                    coin_priv_sum *rem)
+{
+    coin_priv_limits any = {(double)INFINITY, (double)INFINITY, COIN_OK};
+    const uint64_t steps = c->steps;
+    if (rem->sum == 0)
+        return COIN_OK;
+    coin_priv_rk4(c, b, &any, rem->sum, 1);
+    if (c->steps == steps)
+        return COIN_ESTEP;
+    rem->sum = 0;
+    return COIN_OK;
+}
+
 static double stride_of(double tol)
 {
     const double stride = STRIDE * sqrt(sqrt(sqrt(tol)));
@@ -118,11 +133,10 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
     if (!(fabs(t) * sqrt(b.g_a) <= TOO_LONG))
         return COIN_ESTEP;
     coin_priv_carry c = coin_priv_carry_of(s);
-    coin_priv_limits limits = {(double)INFINITY, (double)INFINITY, COIN_OK};
     coin_priv_sum rem = {t, 0};
     status = approach(&c, &b, stride_of(tol), &rem);
-    if (status == COIN_OK && rem.sum != 0)
-        coin_priv_rk4(&c, &b, &limits, rem.sum, 1);
+    if (status == COIN_OK)
+        status = land(&c, &b, &rem);
     *s = coin_priv_state_of(&c, &b, s);
     if (reached)
         *reached = t - rem.sum;
