@@ -60,9 +60,9 @@ static double tau_of(const coin_priv_body *b, const coin_priv_stage *y,
     const coin_priv_field f = coin_priv_field_of(b, 1);
     const double c = y->cth, r = rem / c;
     const double dwX = coin_priv_sundman(&f, y).wX / c;
-    const double c1 = -y->sth * y->wX;
-    const double c2 = -c * y->wX * y->wX - y->sth * dwX;
-    return r - c1 * (r * r) / 2 + (2 * c1 * c1 - c * c2) * (r * r * r) / 6;
+    const double c1 = -y->sth * y->wX * r; /* times r, r^2: without unit */
+    const double c2 = (-c * y->wX * y->wX - y->sth * dwX) * r * r;
+    return r * (1 - c1 / 2 + (2 * c1 * c1 - c * c2) / 6);
 }
 
 /* The next step in tau: a full one, or what lands on rem if that is less.  The
@@ -85,18 +85,22 @@ static int near(const coin_priv_carry *c, const coin_priv_body *b, double rem)
 }
 
 /* Moves *c until *rem, the time still to go, is short, or the coin is flat, or
- * a step fails. */
+ * a step fails.  Each time that a step goes too far the next may go only half
+ * as far: however bad the series, that ends. */
 static int32_t approach(coin_priv_carry *c, const coin_priv_body *b,
                         double stride, coin_priv_sum *rem)
 {
     while (!near(c, b, rem->sum)) {
-        const double tau = next_tau(b, &c->at.y, stride, rem->sum);
+        const double before = rem->sum;
+        const double tau = next_tau(b, &c->at.y, stride, before);
         if (c->at.y.cth < COIN_PRIV_FLAT)
             return COIN_EFLAT;
         c->at.pose.t = 0;
         if (!coin_priv_sundman_step(c, b, tau))
             return COIN_ESTEP;
         coin_priv_add(rem, -c->at.pose.t);
+        if ((rem->sum < 0) != (before < 0))
+            stride /= 2;
     }
     return COIN_OK;
 }
@@ -137,8 +141,12 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
     status = approach(&c, &b, stride_of(tol), &rem);
     if (status == COIN_OK)
         status = land(&c, &b, &rem);
-    *s = coin_priv_state_of(&c, &b, s);
+    const coin_state end = coin_priv_state_of(&c, &b, s);
+    /* A path so long that x or z overflowed counts as none, as in a run. */
+    const int lost = coin_priv_check_members(&end) != COIN_OK;
+    if (!lost)
+        *s = end;
     if (reached)
-        *reached = t - rem.sum;
-    return status;
+        *reached = lost ? 0 : t - rem.sum;
+    return lost ? COIN_ESTEP : status;
 }

@@ -24,6 +24,9 @@
  * and a path bends away from another as the square of time. */
 #define MARGIN 0.125
 
+/* The steps of a look ahead may miss the peak of W by 2 %. */
+#define PEAK 0.97
+
 /* Differences below this are rounding. */
 #define ROUNDING 1e-14
 
@@ -128,7 +131,7 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
     const coin_priv_carry start = coin_priv_carry_of(s);
     const double worst2 = look_ahead(start, &b, 0).worst2;
     const struct outlook o = look_ahead(start, &b, worst2 / 16);
-    const double most = coin_priv_method_coarse(method) / sqrt(worst2);
+    const double most = PEAK * coin_priv_method_coarse(method) / sqrt(worst2);
     const int32_t order = coin_method_order(method);
     double dt = most;
     /* Three trials, each where the last one points: far from the dt in question

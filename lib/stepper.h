@@ -14,7 +14,8 @@ typedef struct coin_priv_sum {
 typedef struct coin_priv_moment {
     coin_priv_stage y;
     coin_priv_pose pose;
-    double theta, p; /* of the symplectic methods; p = wY cos theta */
+    double theta, p, low; /* of the symplectic methods; p = wY cos theta, low
+                             what the sum of phi left out */
 } coin_priv_moment;
 
 /* A run under way.  What a few steps added to psi, x and z is in the pose, the

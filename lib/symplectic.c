@@ -94,7 +94,10 @@ COIN_PRIV_INLINE int drift(coin_priv_moment *c, const coin_priv_body *b,
                              e); /* (49) */
     y.wY = c->p * y.q;
     const struct rates r1 = rates_of(b, &y);
-    c->pose.phi += hermite(h, r0.phi, r1.phi, r0.ddphi, r1.ddphi);
+    coin_priv_sum phi = {c->pose.phi, c->low};
+    coin_priv_add(&phi, hermite(h, r0.phi, r1.phi, r0.ddphi, r1.ddphi));
+    c->pose.phi = phi.sum;
+    c->low = phi.low;
     c->pose.psi += hermite(h, r0.psi, r1.psi, r0.ddpsi, r1.ddpsi);
     const coin_priv_sc ph = coin_priv_sincos(c->pose.phi);
     y.sph = ph.s;
