@@ -49,15 +49,14 @@ CFLAGS ?= -O2 -g
 WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
           -Wstrict-prototypes -Wmissing-prototypes -Wundef -Wcast-qual \
           -Wwrite-strings
-MAP    := -ffile-prefix-map=$(SRC)=.
+MAPS   := -ffile-prefix-map=$(SRC)=.
 PINNED := -ffp-contract=off -fno-tree-vectorize
 
 CC_USER  = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS)
-CC_LIB   = $(CC_USER) -std=c99 $(PINNED) $(MAP) -fvisibility=hidden \
+CC_LIB   = $(CC_USER) -std=c99 $(PINNED) $(MAPS) -fvisibility=hidden \
            -I$(SRC)/include
-CC_TEST  = $(CC_USER) -std=c11 $(PINNED) $(MAP) -I$(SRC)/include -I$(SRC)/lib \
+CC_TEST  = $(CC_USER) -std=c11 $(PINNED) $(MAPS) -I$(SRC)/include -I$(SRC)/lib \
            -I$(SRC)/tests/support $(TEST_SEES)
-CC_BENCH = $(CC_USER) -std=c11 $(MAP) -I$(SRC)/include
 DEPENDS  = -MMD -MP -MT $@ -MF $(abspath $@).d
 
 # What tests read, and how they compile and link what users would.
@@ -124,10 +123,10 @@ $(O)/rollcoin.pc: force | $(O)
 
 # Everything compiled depends on this file, which changes when the flags do.
 $(O)/flags: force | $(O)
-	$(file >$@.new,$(CC_LIB) $(LDFLAGS))
+	echo '$(subst ','\'',$(CC_LIB) $(LDFLAGS))' >$@.new
 	cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
-$(O) $(O)/static $(O)/shared $(O)/tests/support $(O)/bench:
+$(O) $(O)/static $(O)/shared $(O)/tests/support:
 	mkdir -p $@
 
 -include $(wildcard $(O)/*.d $(O)/*/*.d $(O)/*/*/*.d)
@@ -165,7 +164,7 @@ demo-check: $(O)/rolling_quarter ## what the demo prints, draws and refuses
 examples: $(EXAMPLES) ## every program of docs/examples
 
 $(EXAMPLES): $(O)/%: $(SRC)/docs/examples/%.c $(LIB_A) $(O)/flags
-	$(CC_USER) -std=c99 $(MAP) -I$(SRC)/include $(DEPENDS) -o $@ $< \
+	$(CC_USER) -std=c99 $(MAPS) -I$(SRC)/include $(DEPENDS) -o $@ $< \
 	    $(LDFLAGS) $(LIB_A) -lm
 
 # ------------------------------------------------------------------------ tests
@@ -205,24 +204,7 @@ need-cmocka:
 	    "sudo apt-get install pkg-config libcmocka-dev"; exit 1; } >&2
 
 # ------------------------------------------------------------------- benchmarks
-BENCH := $(patsubst $(SRC)/tests/bench/%.c,$(O)/bench/%,\
-                    $(wildcard $(SRC)/tests/bench/bench_*.c))
-BENCH_EXTRA := $(patsubst $(SRC)/tests/%.c,$(O)/%.o,\
-                 $(filter-out $(SRC)/tests/bench/bench_%,\
-                              $(wildcard $(SRC)/tests/bench/*.c)))
-
-.PHONY: bench build-bench
-bench: build-bench $(O)/bench/bench_steps ## time a step, against the textbook's
-	$(O)/bench/bench_steps
-
-build-bench: $(BENCH)
-
-$(O)/bench/%.o: $(SRC)/tests/bench/%.c $(O)/flags | $(O)/bench
-	$(CC_BENCH) $(DEPENDS) -c -o $@ $<
-
-$(BENCH): $(O)/bench/%: $(SRC)/tests/bench/%.c $(BENCH_EXTRA) $(LIB_A) \
-                        $(O)/flags | $(O)/bench
-	$(CC_BENCH) $(DEPENDS) -o $@ $< $(BENCH_EXTRA) $(LDFLAGS) $(LIB_A) -lm
+include $(wildcard $(SRC)/tests/bench/bench.mk)
 
 # ----------------------------------------------------------- tarball, packaging
 # In a git tree a release holds the tracked files and carries the date of the
@@ -260,10 +242,10 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 # ------------------------------------------------------------------------ gates
 # A gate whose tool is missing fails.
 .PHONY: sanitize valgrind coverage mutants lint header-check repro repro-update
+SANITIZE := -O1 -g -fsanitize=address,undefined,float-cast-overflow \
+            -fno-sanitize-recover=all
 sanitize: ## the tests under the address and undefined-behaviour sanitizers
-	+$(AGAIN) O=$(O)/sanitize check CFLAGS='-O1 -g \
-	    -fsanitize=address,undefined,float-cast-overflow \
-	    -fno-sanitize-recover=all'
+	+$(AGAIN) O=$(O)/sanitize check CFLAGS='$(SANITIZE)'
 
 valgrind: ## the tests under valgrind
 	+$(AGAIN) check \
@@ -274,7 +256,7 @@ valgrind: ## the tests under valgrind
 COVERED = gcovr --root $(SRC) --filter '$(SRC)/lib/' $(O)/coverage/static
 coverage: ## every line and branch of lib/ runs, or the missing are listed
 	rm -rf $(O)/coverage
-	+$(AGAIN) O=$(O)/coverage check MAP= \
+	+$(AGAIN) O=$(O)/coverage check MAPS= \
 	    CFLAGS='-O0 -g --coverage -fprofile-abs-path'
 	$(COVERED) --fail-under-line 100; lines=$$?; \
 	$(COVERED) --fail-under-branch 100 --branches && test $$lines = 0
@@ -314,4 +296,4 @@ clean: ## remove the products
 
 help: ## this list
 	sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' \
-	    $(SRC)/Makefile | expand -t 16
+	    $(filter-out %.d,$(MAKEFILE_LIST)) | expand -t 16

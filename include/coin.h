@@ -127,11 +127,11 @@ enum {
 
 /** Status: positive = done, with these warning bits. */
 enum {
-    COIN_SLIPS = 1,       /**< N > 0 and F > mu N: a real coin slips */
-    COIN_LIFTS = 2,       /**< N <= 0: a real coin lifts off */
-    COIN_COARSE = 4,      /**< |dt| W beyond the method's limit of full
-                               accuracy, W as in Eq. (47): docs/guide.md */
-    COIN_NEARLY_FLAT = 8  /**< cos(theta) < 0.01 */
+    COIN_SLIPS = 1,      /**< N > 0 and F > mu N: a real coin slips */
+    COIN_LIFTS = 2,      /**< N <= 0: a real coin lifts off */
+    COIN_COARSE = 4,     /**< |dt| W beyond the method's limit of full
+                              accuracy, W as in Eq. (47): docs/guide.md */
+    COIN_NEARLY_FLAT = 8 /**< cos(theta) < 0.01 */
 };
 
 /** Methods of integration. */

@@ -1,0 +1,26 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Runs every lint; fails at the end if one did.
+# From `make lint`: MAKE CC SRC OUT.
+set -eu
+here=$SRC/tests/lint
+failed=
+
+run()
+{
+    title=$1
+    shift
+    echo "lint: $title"
+    "$@" || failed="$failed; $title"
+}
+
+run "the sources' sizes" python3 "$here/sizes.py" "$SRC"
+run "layers of lib/" python3 "$here/layers.py" "$SRC/lib"
+run "citations" python3 "$here/citations.py" "$SRC"
+run "text" sh "$here/text.sh"
+run "public symbols" sh "$here/symbols.sh"
+run "what the objects need and hold" sh "$here/objects.sh"
+run "static analysis" sh "$here/analyse.sh"
+
+test -z "$failed" || { echo "lint: FAILED:${failed#;}" >&2; exit 1; }
+echo "lint: clean"

@@ -1,0 +1,52 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# No multiplication may be fused with an addition, neither by the Makefile's
+# flags nor by those of a user who drops the sources into a project: where the
+# processor can fuse, the objects are searched for such instructions.  Equal
+# hashes alone could be luck: multiplying by 2 or 0.5, fusing changes no bit.
+# From `make repro`: MAKE SRC OUT.
+set -eu
+work=$OUT/fused
+rm -rf "$work"
+mkdir -p "$work"
+failed=0
+
+case $(uname -m) in
+x86_64) can_fuse="-mavx2 -mfma" ;;
+*) can_fuse= ;;
+esac
+
+fused_in()
+{
+    objdump -d --no-show-raw-insn "$@" |
+        grep -cE '\<v?fn?m(add|sub|la|ls|acc|sac)' || :
+}
+
+# The search must find what it is looking for.
+echo 'double f(double a, double b, double c) { return a * b + c; }' |
+    gcc -x c -O2 -ffp-contract=fast $can_fuse -c - -o "$work/control.o"
+test "$(fused_in "$work/control.o")" = 1
+
+report()
+{
+    count=$(fused_in "$work"/objects/*.o)
+    echo "$count fused  $1"
+    test "$count" = 0 || failed=1
+}
+
+for cc in gcc clang; do
+    $MAKE --no-print-directory -f "$SRC/Makefile" "O=$work/make-$cc" "CC=$cc" \
+        "CFLAGS=-O3 $can_fuse -ffp-contract=fast" all >/dev/null
+    ln -sfn "$work/make-$cc/static" "$work/objects"
+    report "make CC=$cc CFLAGS='-O3 $can_fuse -ffp-contract=fast'"
+    rm "$work/objects"
+    mkdir "$work/objects"
+    for file in "$SRC"/lib/*.c; do
+        # shellcheck disable=SC2086
+        $cc -std=gnu11 -O3 $can_fuse -I"$SRC/include" -c "$file" \
+            -o "$work/objects/$(basename "$file" .c).o"
+    done
+    report "$cc -std=gnu11 -O3 $can_fuse"
+    rm -r "$work/objects"
+done
+exit $failed

@@ -1,0 +1,33 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The same sources give the same bytes: two copies of a release in folders of
+# different names, built in parallel and in series, in tree and out of tree, by
+# each compiler.
+# From `make repro`: MAKE SRC OUT VERSION.
+set -eu
+work=$OUT/rebuild
+name=rollcoin-$VERSION
+rm -rf "$work"
+mkdir -p "$work/one" "$work/another/deep/folder"
+
+unset MAKEFLAGS # of the make that runs this
+make="$MAKE --no-print-directory"
+$make -f "$SRC/Makefile" "O=$work" dist
+tar -xzf "$work/$name.tar.gz" -C "$work/one"
+tar -xzf "$work/$name.tar.gz" -C "$work/another/deep/folder"
+
+for cc in gcc clang; do
+    $make -C "$work/one/$name" O=$cc CC=$cc -j8 all dist >/dev/null
+    out=$work/another/$cc
+    (
+        cd "$work/another"
+        $make -f "deep/folder/$name/Makefile" "O=$out" CC=$cc -j1 all dist \
+            >/dev/null
+    )
+    for file in librollcoin.a "librollcoin.so.$VERSION" "$name.tar.gz"; do
+        cmp "$work/one/$name/$cc/$file" "$out/$file"
+        echo "same bytes  $cc $file"
+    done
+    # The debug information must be there, or equal bytes would prove little.
+    readelf -S "$out/librollcoin.so.$VERSION" | grep -q debug_info
+done
