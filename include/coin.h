@@ -308,8 +308,8 @@ COIN_API int32_t coin_lean_run(coin_lean *l, const coin_params *p,
  *         it, or phi or psi leaves its range: s is then as at *reached;
  *         COIN_EFLAT the coin falls flat, nearer than 1e-30 rad: s is the last
  *         state that a double can hold before, *reached the time of impact.
- * Accuracy: below tol per unit for 999 of 1000 random states over 4 units,
- *         below 3 tol for all (make bench); rounding adds 1e-15 or so per
+ * Accuracy: below tol per unit for all of 2000 random states over 4 units
+ *         (docs/accuracy.md); rounding adds 1e-15 or so per
  *         unit.  Near flat theta alone cannot hold cos(theta): at a distance d
  *         from flat a call loses u/d of it, one long call nothing.
  * Cost: as |t|; about as 1/tol^(1/8) steps per unit, each 1.3 times one of

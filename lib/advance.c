@@ -16,9 +16,9 @@
 #define LAST 2e-3
 
 /* A step is STRIDE tol^(1/8) over the rate, at most LONGEST: measured so that
- * its error stays below tol per natural unit of time for 999 of 1000 random
- * states, and below 3 tol for all (docs/accuracy.md). */
-#define STRIDE 3.8
+ * its error stays below tol per natural unit of time (docs/accuracy.md), and
+ * that the least tol reaches what rounding leaves. */
+#define STRIDE 3.2
 #define LONGEST 1.2
 
 /* The rate at which things change in tau.  The weights of wY and wZ follow
