@@ -75,7 +75,7 @@ static double next_tau(const coin_priv_body *b, const coin_priv_stage *y,
     if (!(fabs(rem) < 2 * full * y->cth))
         return side * full;
     const double tau = tau_of(b, y, rem);
-    return tau * side > 0 && tau * side < full ? tau : side * full;
+    return fabs(tau) < full ? tau : side * full;
 }
 
 /* Whether one classical step in t may land from here. */

@@ -32,7 +32,7 @@ coin_priv_flat coin_priv_legendre_flat(double kap, double v);
 /* The pair carried from u to u + e by its power series about u.  (34)
  * Pre: |e| (1 + |u|) <= COIN_PRIV_SERIES_REACH c2, c2 = 1 - u^2, which makes
  * the series' ratio 0.18.  Accuracy: 6 u of the terms of the change
- * (test_symplectic).
+ * (test_drift).
  * Cost: 22 terms, always. */
 #define COIN_PRIV_SERIES_REACH 0.18
 #define COIN_PRIV_SERIES_TERMS 22

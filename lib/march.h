@@ -63,14 +63,29 @@ typedef double coin_priv_step(coin_priv_moment *next,
                               const coin_priv_moment *now,
                               const void *coefficients);
 
-/* Up to n steps, as coin_priv_stepper says.  With lean set the results of
- * heading and pose are dropped, and with them all that computes them.  The
- * inner loop calls nothing: a call would cost every step its registers. */
+/* A step without what it did to heading and pose, and so, since nothing else
+ * reads that, without all that computes it. */
+COIN_PRIV_INLINE double coin_priv_pathless(coin_priv_step *step,
+                                           coin_priv_moment *next,
+                                           const coin_priv_moment *now,
+                                           const void *coefficients)
+{
+    const double sph = now->y.sph, cph = now->y.cph;
+    const coin_priv_pose pose = now->pose;
+    const double lowest = step(next, now, coefficients);
+    next->y.sph = sph;
+    next->y.cph = cph;
+    next->pose = pose;
+    return lowest;
+}
+
+/* Up to n steps, as coin_priv_stepper says.  The inner loop calls nothing: a
+ * call would cost every step its registers. */
 COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c,
                                       const coin_priv_body *b,
                                       coin_priv_limits *limits, uint64_t n,
                                       coin_priv_step *step,
-                                      const void *coefficients, int lean)
+                                      const void *coefficients)
 {
     coin_priv_moment one = c->at, other = c->at, *now = &one, *next = &other;
     const double g_a = b->g_a;
@@ -83,11 +98,6 @@ COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c,
         for (; done < block; ++done) {
             const double lowest = step(next, now, coefficients);
             const double low = lowest < next->y.cth ? lowest : next->y.cth;
-            if (lean) {
-                next->y.sph = c->at.y.sph;
-                next->y.cph = c->at.y.cph;
-                next->pose = c->at.pose;
-            }
             sound = low > high ||
                     (low > 0 && coin_priv_within(limits, g_a, &next->y));
             if (!sound || !coin_priv_angles_hold(next, c->psi.sum))
@@ -99,7 +109,7 @@ COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c,
         sound = done == block;
         c->steps += done;
         n -= done;
-        if (done == room && !lean)
+        if (done == room)
             coin_priv_settle(c, now);
     }
     c->at = *now;

@@ -105,7 +105,7 @@ static double trial(const coin_priv_carry *start, const coin_priv_body *b,
     for (uint64_t i = 1; i <= TRIAL_STEPS && (double)(i - 1) * dt < span; ++i) {
         step(&c, b, &any, dt, 1);
         step(&d, b, &any, dt / 2, 2);
-        if (c.steps < start->steps + i || d.steps < start->steps + 2 * i)
+        if (c.steps + d.steps < 2 * start->steps + 3 * i)
             return (double)INFINITY;
         const double t = (double)i * dt / unit;
         error = larger(apart(&c, &d) / (t > 1 ? t : 1), error);

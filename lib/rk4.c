@@ -76,6 +76,12 @@ COIN_PRIV_INLINE double rk4_step(coin_priv_moment *next,
     return lower < y4.cth ? lower : y4.cth;
 }
 
+COIN_PRIV_INLINE double lean_step(coin_priv_moment *next,
+                                  const coin_priv_moment *now, const void *k)
+{
+    return coin_priv_pathless(rk4_step, next, now, k);
+}
+
 static struct rk4 coefficients(const coin_priv_body *b, double dt)
 {
     const struct rk4 k = {
@@ -90,12 +96,12 @@ void coin_priv_rk4(coin_priv_carry *c, const coin_priv_body *b,
                    coin_priv_limits *limits, double dt, uint64_t n)
 {
     const struct rk4 k = coefficients(b, dt);
-    coin_priv_march(c, b, limits, n, rk4_step, &k, 0);
+    coin_priv_march(c, b, limits, n, rk4_step, &k);
 }
 
 void coin_priv_rk4_lean(coin_priv_carry *c, const coin_priv_body *b,
                         coin_priv_limits *limits, double dt, uint64_t n)
 {
     const struct rk4 k = coefficients(b, dt);
-    coin_priv_march(c, b, limits, n, rk4_step, &k, 1);
+    coin_priv_march(c, b, limits, n, lean_step, &k);
 }

@@ -153,12 +153,12 @@ void coin_priv_symplectic2(coin_priv_carry *c, const coin_priv_body *b,
                            coin_priv_limits *limits, double dt, uint64_t n)
 {
     const struct split k = {b, dt};
-    coin_priv_march(c, b, limits, n, verlet_step, &k, 0);
+    coin_priv_march(c, b, limits, n, verlet_step, &k);
 }
 
 void coin_priv_symplectic4(coin_priv_carry *c, const coin_priv_body *b,
                            coin_priv_limits *limits, double dt, uint64_t n)
 {
     const struct split k = {b, dt};
-    coin_priv_march(c, b, limits, n, chin_step, &k, 0);
+    coin_priv_march(c, b, limits, n, chin_step, &k);
 }

@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/methods.h"
+#include "support/random.h"
+
+#include "method.h"
+
+#include <math.h>
+
+/* A tol that suits each method: far from its limit and from rounding. */
+static const double tol_of[METHODS] = {1e-5, 1e-8, 1e-3, 1e-5};
+
+static coin_params disc(void)
+{
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    return p;
+}
+
+/* --------------------------------------------------------- what it gives */
+/* However near to flat, and whatever is asked. */
+static void for_any_state_it_is_a_step(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(100);
+    for (int i = 0; i < 60; ++i) {
+        const coin_params p = random_coin(&r);
+        coin_state s = random_state(&r, &p, 1.57);
+        if (i % 4 == 0)
+            s.theta = 1.5707963 - pow(10, random_between(&r, -7, 0));
+        const double tol = pow(10, random_between(&r, -10, -2));
+        const double dt = coin_max_dt(&s, &p, i % METHODS, tol);
+        check_within(dt / natural_time(&p), 1e-12, 1);
+    }
+}
+
+static void a_larger_tol_allows_no_smaller_step(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(101);
+    for (int i = 0; i < 12; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, 1.2);
+        double before = 0;
+        for (double tol = 1e-8; tol < 1e-2; tol *= 10) {
+            const double dt = coin_max_dt(&s, &p, i % METHODS, tol);
+            check(dt >= before);
+            before = dt;
+        }
+    }
+}
+
+/* Away from rounding and the limits dt is as tol^(1/order). */
+static void the_step_is_as_the_root_of_tol(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state s = {.theta = 0.5, .wX = 0.1, .wY = 0.8, .wZ = 1.2};
+    for (int32_t method = 0; method < METHODS; ++method) {
+        const double tol = tol_of[method] / 100;
+        const double one = coin_max_dt(&s, &p, method, tol);
+        const double less = coin_max_dt(&s, &p, method, tol / 16);
+        check_note("method %d", (int)method);
+        check_near(log2(one / less), 4.0 / coin_method_order(method), 0.1);
+    }
+}
+
+static void a_coin_that_falls_flat_has_none(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state falls[] = {{.theta = 0.3}, {.theta = -1.2, .wX = 1}};
+    for (int i = 0; i < 2; ++i)
+        for (int32_t method = 0; method < METHODS; ++method)
+            check(coin_max_dt(&falls[i], &p, method, 1e-6) == 0);
+}
+
+/* It may have no turning point, or none for long; then the limit decides. */
+static void a_coin_at_rest_has_the_largest_step(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state rest = {.theta = 0};
+    for (int32_t method = 0; method < METHODS; ++method)
+        check_within(coin_max_dt(&rest, &p, method, 1e-6) /
+                         coin_priv_method_coarse(method),
+                     0.9, 1);
+}
+
+/* Where heading or roll soon leaves its range, the look ahead ends. */
+static void at_the_end_of_the_range_of_angles_it_is_a_step(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    for (int i = 0; i < 40; ++i) {
+        const coin_state s = {.theta = 0.2,
+                              .phi = 0x1p31 - 0.25 * i,
+                              .wX = 0.5,
+                              .wY = 1,
+                              .wZ = 1};
+        for (int32_t method = 0; method < METHODS; ++method)
+            check_within(coin_max_dt(&s, &p, method, 1e-4), 1e-6, 1);
+    }
+}
+
+static void in_units_a_power_of_two_apart_it_is_the_same(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_params q;
+    const double L = 0x1p40, T = 0x1p-30;
+    check_status(coin_params_disc(&q, 8, L, L / (T * T)), COIN_OK);
+    const coin_state s = {.theta = 0.5, .wX = 0.1, .wY = 0.8, .wZ = 1.2};
+    coin_state t = s;
+    t.wX /= T;
+    t.wY /= T;
+    t.wZ /= T;
+    for (int32_t method = 0; method < METHODS; ++method)
+        check(coin_max_dt(&t, &q, method, 1e-6) ==
+              T * coin_max_dt(&s, &p, method, 1e-6));
+}
+
+/* --------------------------------------------------------- what it means */
+/* The error per natural unit of time over about 5 of them; infinite if a step
+ * is refused. */
+static double error_of(const coin_state *start, const coin_params *p,
+                       int32_t method, double dt)
+{
+    const double T = natural_time(p), span = 5 * T;
+    const uint64_t n = (uint64_t)ceil(span / dt);
+    coin_state s = *start, exact = *start;
+    if (coin_run(&s, p, method, dt, n, NULL) < 0)
+        return INFINITY;
+    const double t = dt * (double)n;
+    check_status(coin_advance(&exact, p, t, 1e-13, NULL), COIN_OK);
+    return path_apart(&s, &exact, p) / (t / T);
+}
+
+/* Of 40 motions of 5 units, of other seeds than its margin was made from. */
+static void the_error_stays_within_tol_and_would_not_for_four_times_the_step(
+    void **unused)
+{
+    (void)unused;
+    for (int32_t method = 0; method < METHODS; ++method) {
+        struct random r = random_begin(102);
+        const double tol = tol_of[method];
+        int within = 0, needed = 0;
+        for (int i = 0; i < 40; ++i) {
+            const coin_params p = random_coin(&r);
+            const coin_state s = random_state(&r, &p, 1.2);
+            const double dt = coin_max_dt(&s, &p, method, tol);
+            const double error = error_of(&s, &p, method, dt);
+            check_within(error, 0, 3 * tol);
+            within += error <= tol;
+            needed += error_of(&s, &p, method, 4 * dt) > tol;
+        }
+        check_note("method %d: %d of 40 within, 4 dt too large for %d",
+                   (int)method, within, needed);
+        check(within >= 38 && needed >= 36);
+    }
+}
+
+/* Large tol: the limit of full accuracy decides. */
+static void no_step_of_that_size_is_coarse(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(103);
+    for (int i = 0; i < 60; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, 1.2);
+        const double dt = coin_max_dt(&s, &p, i % METHODS, 1e-2);
+        const uint64_t n = (uint64_t)(5 * natural_time(&p) / dt);
+        coin_state moved = s;
+        check_status(coin_run(&moved, &p, i % METHODS, dt, n, NULL), COIN_OK);
+    }
+}
+
+static void bad_arguments_give_nan(void **unused)
+{
+    (void)unused;
+    const coin_params good = disc();
+    coin_params bad = good;
+    bad.gravity = 0;
+    const coin_state fine = {.theta = 0.5, .wY = 1}, flat = {.theta = 2};
+    check(coin_max_dt(&fine, &good, COIN_RK4, 1e-6) > 0);
+    check(isnan(coin_max_dt(NULL, &good, COIN_RK4, 1e-6)));
+    check(isnan(coin_max_dt(&fine, NULL, COIN_RK4, 1e-6)));
+    check(isnan(coin_max_dt(&fine, &bad, COIN_RK4, 1e-6)));
+    check(isnan(coin_max_dt(&flat, &good, COIN_RK4, 1e-6)));
+    check(isnan(coin_max_dt(&fine, &good, -1, 1e-6)));
+    check(isnan(coin_max_dt(&fine, &good, 4, 1e-6)));
+    const double tols[] = {0, -1e-6, 0.99e-13, 1.01e-2, NAN, INFINITY};
+    for (size_t i = 0; i < sizeof tols / sizeof *tols; ++i) {
+        check_note("tol = %g", tols[i]);
+        check(isnan(coin_max_dt(&fine, &good, COIN_RK4, tols[i])));
+    }
+    check(coin_max_dt(&fine, &good, COIN_RK4, 1e-13) > 0);
+    check(coin_max_dt(&fine, &good, COIN_RK4, 1e-2) > 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(for_any_state_it_is_a_step),
+        TEST(a_larger_tol_allows_no_smaller_step),
+        TEST(the_step_is_as_the_root_of_tol),
+        TEST(a_coin_that_falls_flat_has_none),
+        TEST(a_coin_at_rest_has_the_largest_step),
+        TEST(at_the_end_of_the_range_of_angles_it_is_a_step),
+        TEST(in_units_a_power_of_two_apart_it_is_the_same),
+        TEST(the_error_stays_within_tol_and_would_not_for_four_times_the_step),
+        TEST(no_step_of_that_size_is_coarse),
+        TEST(bad_arguments_give_nan),
+    };
+    return RUN_TESTS(tests);
+}

@@ -1,0 +1,344 @@
+/* SPDX-License-Identifier: MIT */
+/* coin_advance() at the edges: past the table and down to it, out of the
+ * doubles; and what it costs. */
+#include "support/check.h"
+#include "support/methods.h"
+#include "support/random.h"
+#include "support/vast.h"
+
+#include <math.h>
+
+/* coin_advance() once more, with its equations counted: twelve are a step. */
+#include "motion.h"
+
+static unsigned long equations;
+
+static coin_priv_stage counted(const coin_priv_field *f,
+                               const coin_priv_stage *y)
+{
+    ++equations;
+    return coin_priv_sundman(f, y);
+}
+
+int32_t counted_advance(coin_state *s, const coin_params *p, double t,
+                        double tol, double *reached);
+
+#define coin_priv_sundman(f, y) counted(f, y)
+#define coin_priv_sundman_tau counted_tau
+#define coin_priv_sundman_step counted_step
+#define coin_advance counted_advance
+#include "advance.c"
+#undef coin_priv_sundman_step
+#undef coin_advance
+
+int coin_priv_sundman_step(coin_priv_carry *c, const coin_priv_body *b,
+                           double tau);
+
+#define HALF_PI 1.5707963267948966
+
+/* How many steps a call takes. */
+static double steps_of(coin_state s, const coin_params *p, double t, double tol)
+{
+    equations = 0;
+    check_status(counted_advance(&s, p, t, tol, NULL), COIN_OK);
+    return (double)equations / 12;
+}
+
+static coin_params ring(double inner)
+{
+    coin_params p;
+    check_status(coin_params_ring(&p, 1, 1, inner, 1), COIN_OK);
+    return p;
+}
+
+static coin_state end_of(const struct table *t, size_t row)
+{
+    const coin_state s = {
+        table_at(t, row, "theta"), table_at(t, row, "phi"),
+        table_at(t, row, "psi"),   table_at(t, row, "x"),
+        table_at(t, row, "z"),     table_at(t, row, "wX"),
+        table_at(t, row, "wY"),    table_at(t, row, "wZ"),
+    };
+    return s;
+}
+
+/* A step is as the eighth root of tol. */
+static void eight_decades_of_tol_cost_ten_times_the_steps(void **unused)
+{
+    (void)unused;
+    const coin_params p = ring(0.3);
+    const coin_state s = {.theta = 0.5, .wX = 0.1, .wY = 0.8, .wZ = 1.2};
+    const double few = steps_of(s, &p, 100, 1e-5);
+    check_within(few, 200, 400);
+    check_within(steps_of(s, &p, 100, 1e-13) / few, 9.9, 10.1);
+}
+
+/* From up to a step away the series of Eq. (54) lands at once as a rule, and
+ * seldom after more than two steps; with a wrong sign or first coefficient it
+ * takes 1.57 and more. */
+static void landing_takes_a_step_or_two(void **unused)
+{
+    (void)unused;
+    enum { TRIED = 4000 };
+    struct random r = random_begin(86);
+    double sum = 0;
+    for (int i = 0; i < TRIED; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const coin_state s = random_state(&r, &p, 1.5);
+        coin_priv_body b;
+        check_status(coin_priv_body_of(&b, &p), COIN_OK);
+        const coin_priv_stage y = coin_priv_stage_of(&s);
+        const double tau = coin_priv_sundman_tau(&b, &y, LONGEST);
+        const double t = random_between(&r, -1, 1) * tau * y.cth;
+        sum += floor(steps_of(s, &p, t, 1e-2));
+    }
+    check_within(sum / TRIED, 1.4, 1.49);
+}
+
+/* A step in tau of any size leads to a state above the table or nowhere. */
+static void a_sundman_step_is_sound_or_not_done(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(85);
+    int done = 0, refused = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const coin_state s = random_state(&r, &p, 1.57);
+        coin_priv_body b;
+        check_status(coin_priv_body_of(&b, &p), COIN_OK);
+        coin_priv_carry c = coin_priv_carry_of(&s), before = c;
+        if (coin_priv_sundman_step(&c, &b, random_between(&r, -6, 6))) {
+            check(c.at.y.cth > 0 && c.steps == 1);
+            ++done;
+        } else {
+            check_same(&c, &before, sizeof c);
+            ++refused;
+        }
+    }
+    check(done > 500 && refused > 500);
+}
+
+/* ------------------------------------------------------------ flat falls */
+static void falls_are_timed_to_1e_11(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "falls.csv");
+    for (size_t i = 0; i < 2 * t.rows; ++i) {
+        const size_t row = i / 2;
+        const double sign = i % 2 ? -1 : 1, side = table_at(&t, row, "side");
+        const double impact = sign * table_at(&t, row, "t");
+        const coin_params p = ring(table_at(&t, row, "b"));
+        coin_state s = {.theta = table_at(&t, row, "theta"),
+                        .wX = sign * table_at(&t, row, "wX")};
+        double reached = 7;
+        check_note("row %zu of falls.csv, side %g", row, sign);
+        check_status(coin_advance(&s, &p, 50 * sign, 1e-10, &reached),
+                     COIN_EFLAT);
+        check_near(reached, impact, 1e-11);
+        check(s.theta == side * (HALF_PI - 0x1p-52));
+        check_status(coin_state_check(&s, &p), COIN_OK);
+    }
+}
+
+/* It falls upright: the point of contact, heading and roll stay; the speed is
+ * that of the height lost. */
+static void the_last_state_is_that_of_the_impact(void **unused)
+{
+    (void)unused;
+    const coin_params p = ring(0);
+    const coin_state start = {0.3, 1, 2, 3, 4, 0.25, 0, 0};
+    coin_state s = start;
+    double before[3], after[3], v[3];
+    check_status(coin_contact(&s, &p, before, v), COIN_OK);
+    check_status(coin_advance(&s, &p, 50, 1e-10, NULL), COIN_EFLAT);
+    check_status(coin_contact(&s, &p, after, v), COIN_OK);
+    check_near(after[0], before[0], 4 * U * 4);
+    check_near(after[2], before[2], 4 * U * 4);
+    check(s.phi == start.phi && s.psi == start.psi && s.wY == 0 && s.wZ == 0);
+    const double E = coin_energy(&start, &p);
+    check_near(s.wX, sqrt(2 * E / (p.inertia_X + 1)), 1e-10);
+    /* Falling on, it is at once there; backward it gets up again. */
+    double reached = 7;
+    const coin_state last = s;
+    check_status(coin_advance(&s, &p, 1, 1e-10, &reached), COIN_EFLAT);
+    check_within(reached, 0, 1e-15);
+    s = last;
+    check_status(coin_advance(&s, &p, -1.945199152647443958, 1e-10, NULL),
+                 COIN_OK);
+    check_within(states_apart(&s, &start, &p), 0, 1e-10);
+}
+
+static void just_before_the_impact_all_is_well(void **unused)
+{
+    (void)unused;
+    const coin_params p = ring(0);
+    const double impact = 2.689538375431411885;
+    for (double left = 1; left > 1e-11; left /= 10) {
+        coin_state s = {.theta = 0.3};
+        check_note("%g before impact", left);
+        check_status(coin_advance(&s, &p, impact - left, 1e-10, NULL), COIN_OK);
+        /* At the speed of the fall. */
+        check_within((HALF_PI - s.theta) / left, 0.7, 1.3);
+    }
+}
+
+/* ---------------------------------------------------- nearly flat passes */
+/* A row of passes.csv: the coin after a pass and back. */
+struct pass {
+    coin_params p;
+    coin_state start, want, s;
+    double rates, d;
+};
+
+static struct pass pass_at(const struct table *t, size_t row, double tol)
+{
+    const double rates = table_at(t, row, "s");
+    const coin_state start = {.theta = 0.3, .wY = rates, .wZ = rates};
+    struct pass c = {
+        .p = ring(table_at(t, row, "b")),
+        .start = start,
+        .want = end_of(t, row),
+        .s = start,
+        .rates = rates,
+        .d = table_at(t, row, "d"),
+    };
+    check_note("b = %g, wY = wZ = %g", table_at(t, row, "b"), rates);
+    check_status(coin_advance(&c.s, &c.p, table_at(t, row, "t"), tol, NULL),
+                 COIN_OK);
+    return c;
+}
+
+/* The distance of the pass, down to 1e-13, makes no difference. */
+static void each_pass_of_the_ladder_is_that_of_the_reference(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "passes.csv");
+    check(t.rows == 39);
+    for (size_t row = 0; row < t.rows; ++row) {
+        const struct pass c = pass_at(&t, row, 1e-12);
+        check_within(states_apart(&c.s, &c.want, &c.p), 0, 2e-13);
+    }
+}
+
+/* Eq. (51), to its next two terms: sqrt(J/I_X) M g a/E d ln(1/d) and some d. */
+static void the_heading_turns_by_the_universal_angle(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "passes.csv");
+    for (size_t row = 0; row < t.rows; ++row) {
+        const struct pass c = pass_at(&t, row, 1e-12);
+        const double root = sqrt(1 + 1 / c.p.inertia_X);
+        const double more = c.s.phi - 2 * HALF_PI * root;
+        const double E = coin_energy(&c.start, &c.p);
+        const double next = root / E * c.d * log(1 / c.d);
+        check_within((next - more) / c.d, 1.5, 6);
+    }
+}
+
+/* Each decade that the pass is nearer costs as much as the last. */
+static void a_pass_costs_little_and_keeps_the_energy(void **unused)
+{
+    (void)unused;
+    const coin_params p = ring(0);
+    const double period = 5.379076750862823;
+    double before = 0;
+    for (int k = 2; k <= 13; ++k) {
+        const double rates = pow(10, -k);
+        const coin_state start = {.theta = 0.3, .wY = rates, .wZ = rates};
+        const double E = coin_energy(&start, &p);
+        const double steps = steps_of(start, &p, period, 1e-9);
+        coin_state s = start;
+        check_status(coin_advance(&s, &p, period, 1e-9, NULL), COIN_OK);
+        check_note("wY = wZ = %g", rates);
+        check_within(steps / period, 10, 60);
+        check_near(coin_energy(&s, &p), E, 1e-9 * E);
+        if (k > 2)
+            check_within(steps - before, 12, 20);
+        before = steps;
+    }
+}
+
+/* Landing in the midst of it: as long before as after the middle, the coin
+ * leans alike, and has turned by as much less than half as more.  The heading
+ * there turns by 3/d in a unit of time, of which 32 u are lost. */
+static void landings_within_a_pass_are_right(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(84);
+    struct table t;
+    table_load(&t, "passes.csv");
+    for (size_t row = 0; row < 5; ++row)
+        for (int i = 0; i < 20; ++i) {
+            const struct pass c = pass_at(&t, row, 1e-12);
+            const double middle = table_at(&t, row, "t") / 2;
+            const double off = c.d * pow(10, random_between(&r, -2, 1));
+            const double bound = 1e-12 + 32 * U * 3 / c.d;
+            coin_state a = c.start, b = c.start;
+            check_note("row %zu, %g from the middle", row, off);
+            check_status(coin_advance(&a, &c.p, middle - off, 1e-12, NULL),
+                         COIN_OK);
+            check_status(coin_advance(&b, &c.p, middle + off, 1e-12, NULL),
+                         COIN_OK);
+            check_near(a.theta, b.theta, 1e-14);
+            check_near(a.wX, -b.wX, bound);
+            check_near(a.phi + b.phi, c.want.phi, bound);
+        }
+}
+
+/* The edge between passes and falls: 1e-30 rad. */
+static void nearer_than_1e_30_is_flat(void **unused)
+{
+    (void)unused;
+    const coin_params p = ring(0);
+    for (double tol = 1e-13; tol < 1e-1; tol *= 1e11) {
+        coin_state s = {.theta = 0.3, .wY = 1e-29, .wZ = 1e-29};
+        check_note("tol = %g", tol);
+        check_status(coin_advance(&s, &p, 3, tol, NULL), COIN_OK);
+        const coin_state nearer = {.theta = 0.3, .wY = 1e-31, .wZ = 1e-31};
+        s = nearer;
+        check_status(coin_advance(&s, &p, 3, tol, NULL), COIN_EFLAT);
+        check_status(coin_state_check(&s, &p), COIN_OK);
+    }
+}
+
+/* 11 steps of dt fit before x and z leave the doubles. */
+static void a_path_that_overflows_is_not_taken(void **unused)
+{
+    (void)unused;
+    coin_params vast;
+    double dt;
+    const coin_state edge = vast_coin(&vast, 0, &dt);
+    for (int n = 1; n < 1000; n = 3 * n + 1) {
+        coin_state s = edge;
+        double reached = 7;
+        const int32_t status = coin_advance(&s, &vast, n * dt, 1e-6, &reached);
+        check_note("%d steps of half a radius", n);
+        check_status(status, n < 11 ? COIN_OK : COIN_ESTEP);
+        check_status(coin_state_check(&s, &vast), COIN_OK);
+        check(reached == (n < 11 ? n * dt : 0));
+        if (status < 0)
+            check_same(&s, &edge, sizeof s);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(eight_decades_of_tol_cost_ten_times_the_steps),
+        TEST(landing_takes_a_step_or_two),
+        TEST(a_sundman_step_is_sound_or_not_done),
+        TEST(falls_are_timed_to_1e_11),
+        TEST(the_last_state_is_that_of_the_impact),
+        TEST(just_before_the_impact_all_is_well),
+        TEST(each_pass_of_the_ladder_is_that_of_the_reference),
+        TEST(the_heading_turns_by_the_universal_angle),
+        TEST(a_pass_costs_little_and_keeps_the_energy),
+        TEST(landings_within_a_pass_are_right),
+        TEST(nearer_than_1e_30_is_flat),
+        TEST(a_path_that_overflows_is_not_taken),
+    };
+    return RUN_TESTS(tests);
+}
