@@ -36,6 +36,17 @@ coin_priv_flat coin_priv_legendre_flat(double kap, double v);
  * Cost: 22 terms, always. */
 #define COIN_PRIV_SERIES_REACH 0.18
 #define COIN_PRIV_SERIES_TERMS 22
+
+/* 1/((n + 1)(n + 2)): a division costs a step as much as three products. */
+#define COIN_PRIV_OVER(n) (1.0 / (((n) + 1) * ((n) + 2)))
+#define COIN_PRIV_OVER4(n)                                                     \
+    COIN_PRIV_OVER(n), COIN_PRIV_OVER(n + 1), COIN_PRIV_OVER(n + 2),           \
+        COIN_PRIV_OVER(n + 3)
+static const double coin_priv_over[24] = {
+    COIN_PRIV_OVER4(0),  COIN_PRIV_OVER4(4),  COIN_PRIV_OVER4(8),
+    COIN_PRIV_OVER4(12), COIN_PRIV_OVER4(16), COIN_PRIV_OVER4(20),
+};
+
 COIN_PRIV_INLINE void coin_priv_legendre_shift(double *p, double *wZ, double k1,
                                                double k2, double u, double c2,
                                                double e)
@@ -45,7 +56,7 @@ COIN_PRIV_INLINE void coin_priv_legendre_shift(double *p, double *wZ, double k1,
     double b0 = *wZ, b1 = k2 * *p * x; /* a_n e^n of this term and the next */
     double change = 0, sum = b0;
     for (int i = 0; i < COIN_PRIV_SERIES_TERMS; ++i) {
-        const double n = i, next = 1 / ((n + 1) * (n + 2));
+        const double n = i, next = coin_priv_over[i];
         const double b2 = back1 * b1 * ((n + 1) * (n + 1) * next) +
                           back2 * b0 * ((n * (n + 1) + kap) * next);
         change += b1;
