@@ -98,7 +98,7 @@ static const double B[] = {
 /* The members of a stage that slopes move, side by side: a row of the tableau
  * is the same sum for each, which gcc and clang then take in pairs, by the
  * baseline of every 64-bit processor, and to the same bits. */
-#if defined(__GNUC__) && !defined(__TINYC__)
+#if defined(__GNUC__) && !defined(__TINYC__) && !defined(__cplusplus)
 typedef double lane __attribute__((vector_size(16)));
 #define AT(row, k) (row).v[(k) / 2][(k) % 2]
 #define EACH(F) F(0) F(1) F(2) F(3)
@@ -118,9 +118,9 @@ COIN_PRIV_INLINE struct row row_of(const coin_priv_stage *s)
     AT(r, 0) = s->wX;
     AT(r, 1) = s->wY;
     AT(r, 2) = s->wZ;
-    AT(r, 3) = s->q;
-    AT(r, 4) = s->sth;
-    AT(r, 5) = s->cth;
+    AT(r, 3) = s->sth;
+    AT(r, 4) = s->cth;
+    AT(r, 5) = s->q;
     AT(r, 6) = s->sph;
     AT(r, 7) = s->cph;
     return r;
@@ -132,10 +132,10 @@ COIN_PRIV_INLINE coin_priv_stage stage_of(const struct row *r)
         .wX = AT(*r, 0),
         .wY = AT(*r, 1),
         .wZ = AT(*r, 2),
-        .q = AT(*r, 3),
-        .sth = AT(*r, 4),
-        .cth = AT(*r, 5),
-        .tth = AT(*r, 3) * AT(*r, 4),
+        .sth = AT(*r, 3),
+        .cth = AT(*r, 4),
+        .q = AT(*r, 5),
+        .tth = AT(*r, 5) * AT(*r, 3),
         .sph = AT(*r, 6),
         .cph = AT(*r, 7),
     };
