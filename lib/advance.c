@@ -44,7 +44,7 @@ int coin_priv_sundman_step(coin_priv_carry *c, const coin_priv_body *b,
     coin_priv_moment next = c->at;
     const double lowest = dop8_step(&next, &c->at, &f);
     if (!(lowest > 0 && next.y.cth > 0) ||
-        !coin_priv_angles_hold(&next, c->psi.sum))
+        !coin_priv_angles_hold(&next, c->psi.sum, 0))
         return 0;
     if (++c->steps % COIN_PRIV_SETTLE == 0)
         coin_priv_settle(c, &next);

@@ -14,23 +14,27 @@ COIN_PRIV_INLINE void coin_priv_renew(coin_priv_stage *y)
     const double q = 1 / y->cth;
     const double lean = 1 - (y->sth * y->sth + y->cth * y->cth);
     const double turn = 1 - (y->sph * y->sph + y->cph * y->cph);
-    const double longer = 0.5 + 0.375 * lean, wider = 0.5 + 0.375 * turn;
+    const double longer = 0.5 + 0.375 * lean;
+    const double gain = turn * (0.5 + 0.375 * turn);
     y->tth = y->sth * q;
     y->sth += (y->sth * lean) * longer;
     y->cth += (y->cth * lean) * longer;
     y->q = q - (q * lean) * (0.5 + 0.125 * lean);
-    y->sph += (y->sph * turn) * wider;
-    y->cph += (y->cph * turn) * wider;
+    y->sph += y->sph * gain;
+    y->cph += y->cph * gain;
 }
 
-/* Whether phi and psi are in the range of coin_state_check(); psi is the run's
- * sum so far.  NaN is not. */
+/* Whether phi and psi are in the range of coin_state_check(), and so far within
+ * it as room; psi is the run's sum so far.  NaN is not. */
 COIN_PRIV_INLINE int coin_priv_angles_hold(const coin_priv_moment *at,
-                                           double psi)
+                                           double psi, double room)
 {
-    return fabs(at->pose.phi) <= COIN_PRIV_ANGLE_MAX &&
-           fabs(psi + at->pose.psi) <= COIN_PRIV_ANGLE_MAX;
+    return fabs(at->pose.phi) <= COIN_PRIV_ANGLE_MAX - room &&
+           fabs(psi + at->pose.psi) <= COIN_PRIV_ANGLE_MAX - room;
 }
+
+/* Several times what a block of steps can turn phi or psi by, 2 rad each. */
+#define COIN_PRIV_ROOM 256.0
 
 /* Whether W is within the limit where a step begins or ends; notes if it is
  * beyond that of full accuracy.  NaN is not. */
@@ -94,13 +98,16 @@ COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c,
         const uint64_t room = COIN_PRIV_SETTLE - c->steps % COIN_PRIV_SETTLE;
         const uint64_t block = n < room ? n : room;
         const double high = coin_priv_high(b, limits->coarse2, &now->y);
+        const int at_edge =
+            !coin_priv_angles_hold(now, c->psi.sum, COIN_PRIV_ROOM);
         uint64_t done = 0;
         for (; done < block; ++done) {
             const double lowest = step(next, now, coefficients);
             const double low = lowest < next->y.cth ? lowest : next->y.cth;
             sound = low > high ||
                     (low > 0 && coin_priv_within(limits, g_a, &next->y));
-            if (!sound || !coin_priv_angles_hold(next, c->psi.sum))
+            if (!sound ||
+                (at_edge && !coin_priv_angles_hold(next, c->psi.sum, 0)))
                 break;
             coin_priv_moment *const swapped = now;
             now = next;

@@ -5,6 +5,7 @@
 #include "support/scene.h"
 
 #include <math.h>
+#include <string.h>
 
 #define HALF_PI 1.5707963267948966
 
@@ -131,6 +132,31 @@ static void steps_too_large_are_refused_before_the_motion_is_nonsense(
     }
 }
 
+/* Ten steps of an eighth fit before phi, or psi, is out of range. */
+static void a_run_counts_the_steps_that_stay_in_range(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    for (int i = 0; i < 2; ++i) {
+        coin_state start, out[12];
+        check_status(i ? coin_steady_roll(&start, &p, 1)
+                       : coin_steady_upright_spin(&start, &p, 1),
+                     COIN_OK);
+        *(i ? &start.psi : &start.phi) = 2147483648.0 - 1.25;
+        coin_state s = start;
+        uint64_t done = 99;
+        check_status(coin_run(&s, &p, COIN_RK4, 0.125, 40, &done), COIN_ESTEP);
+        check(done == 10);
+        size_t samples = 99;
+        out[11].theta = 7;
+        check_status(
+            coin_sample(&start, &p, COIN_RK4, 0.125, 1, 12, out, &samples),
+            COIN_ESTEP);
+        check(samples == 11 && out[11].theta == 7);
+        check(memcmp(&out[10], &s, sizeof s) == 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -139,6 +165,7 @@ int main(void)
         TEST(a_pass_near_the_table_is_resolved_or_refused),
         TEST(no_step_leaves_the_range_of_states),
         TEST(steps_too_large_are_refused_before_the_motion_is_nonsense),
+        TEST(a_run_counts_the_steps_that_stay_in_range),
     };
     return RUN_TESTS(tests);
 }

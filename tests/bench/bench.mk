@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: MIT
+#
+# Speed against accuracy: included by the Makefile, whose SRC, O, CC, CFLAGS,
+# WARN, MAPS, PINNED and PYTHON it uses.
+#
+#   make bench      measure, and print what came out    (ten minutes)
+#   make charts     the same, then renew tests/bench/results, the pictures and
+#                   the tables of docs/accuracy.md
+#   make figures    pictures and tables from tests/bench/results as they are
+#   make longrun    ten million steps of everything          (half an hour)
+#
+# Library, textbook and peers are built twice, alike: portable and native.  A
+# busy machine shows: wait for a quiet one, and run nothing beside.
+
+BENCH_SRC := $(SRC)/tests/bench
+RESULTS   := $(BENCH_SRC)/results
+BENCH_OUT  = $(O)/bench
+BUILDS    := portable native
+FLAGS_portable := -O2
+FLAGS_native   := -O3 -march=native
+
+BENCHES := $(patsubst $(BENCH_SRC)/%.c,%,$(wildcard $(BENCH_SRC)/bench_*.c))
+SHARED_BY_BENCHES := scene workprec counted movers textbook
+PEERS        := gsl odeint cvode ode mujoco
+LIBS_gsl     := -lgsl -lgslcblas
+LIBS_cvode   := -lsundials_cvode -lsundials_nvecserial \
+                -lsundials_sunnonlinsolfixedpoint
+LIBS_ode     := -lode -lstdc++
+LIBS_mujoco  := -lmujoco
+
+BENCH_SEES = -I$(SRC)/include -I$(SRC)/lib -I$(BENCH_SRC) $(MAPS) \
+             -D_POSIX_C_SOURCE=200809L \
+             -DBENCH_DATA='"$(SRC)/tests/reference"'
+BENCH_CC   = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS) -std=c11 $(PINNED) \
+             $(BENCH_SEES)
+# What the library pins is its own affair: others get the build's plain flags,
+# without contraction.
+PLAIN     := -ffp-contract=off
+# Headers of others are not ours to warn about.
+PEER_CC    = $(CC) -w $(CFLAGS) -std=c11 $(PLAIN) $(BENCH_SEES)
+PEER_CXX   = $(CXX) -w $(CFLAGS) -std=c++17 $(PLAIN) $(BENCH_SEES)
+
+# One build of everything, in $(O)/bench/$1.
+define bench_build
+$(BENCH_OUT)/$1 $(BENCH_OUT)/$1/lib:
+	mkdir -p $$@
+
+$(BENCH_OUT)/$1/lib/%.o: $(SRC)/lib/%.c $(O)/flags | $(BENCH_OUT)/$1/lib
+	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
+
+$(BENCH_OUT)/$1/%.o: $(BENCH_SRC)/%.c $(O)/flags | $(BENCH_OUT)/$1
+	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
+
+$(BENCH_OUT)/$1/textbook.o: $(BENCH_SRC)/textbook.c | $(BENCH_OUT)/$1
+	$$(PEER_CC) $(FLAGS_$1) -c -o $$@ $$<
+
+NEEDED_$1 := $$(SHARED_BY_BENCHES:%=$(BENCH_OUT)/$1/%.o) \
+             $$(patsubst $(SRC)/lib/%.c,$(BENCH_OUT)/$1/lib/%.o,$(SOURCES))
+
+$$(BENCHES:%=$(BENCH_OUT)/$1/%): $(BENCH_OUT)/$1/%: $(BENCH_OUT)/$1/%.o \
+    $$(NEEDED_$1)
+	$$(BENCH_CC) $(FLAGS_$1) $$(LDFLAGS) -o $$@ $$^ -lm
+
+$(BENCH_OUT)/$1/peer_%: $(BENCH_SRC)/peers/%.c $$(NEEDED_$1) | need-peers
+	$$(PEER_CC) $(FLAGS_$1) -o $$@ $$^ $$(LIBS_$$*) -lm
+
+$(BENCH_OUT)/$1/peer_%: $(BENCH_SRC)/peers/%.cpp $$(NEEDED_$1) | need-peers
+	$$(PEER_CXX) $(FLAGS_$1) -o $$@ $$^ -lm
+endef
+$(foreach b,$(BUILDS),$(eval $(call bench_build,$b)))
+
+-include $(wildcard $(BENCH_OUT)/*/*.d $(BENCH_OUT)/*/lib/*.d)
+
+.PHONY: build-bench need-peers need-charts bench charts figures longrun costs
+build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%))
+
+# A peer that is missing would make our curve look better than it is.
+need-peers:
+	for h in gsl/gsl_odeiv2.h boost/numeric/odeint.hpp cvode/cvode.h \
+	    mujoco/mujoco.h ode/ode.h; do echo "#include <$$h>" | \
+	    $(CXX) -x c++ -fsyntax-only - 2>/dev/null || \
+	    { echo "the benchmarks need <$$h>: sudo apt-get install g++" \
+	    "libgsl-dev libboost-dev libsundials-dev libmujoco-dev libode-dev"; \
+	    exit 1; }; done >&2
+
+need-charts:
+	for tool in gnuplot valgrind $(PYTHON); do command -v $$tool \
+	    >/dev/null || { echo "the charts need $$tool: sudo apt-get" \
+	    "install gnuplot-nox valgrind python3" >&2; exit 1; }; done
+
+DRAW = $(PYTHON) $(BENCH_SRC)/curves.py $(RESULTS) $(BENCH_OUT)/curves && \
+       $(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(SRC)/docs/accuracy.md && \
+       for f in $(BENCH_SRC)/*.gp; do gnuplot -e "from='$(BENCH_OUT)/curves'" \
+           -e "results='$(RESULTS)'" -e "to='$(SRC)/docs/figures'" $$f || \
+           exit 1; done
+COSTS = { $(ABOUT); $(PYTHON) $(BENCH_SRC)/costs.py $(BENCH_OUT); } \
+        >$(BENCH_OUT)/costs.csv
+ABOUT = CC='$(CC)' CXX='$(CXX)' sh $(BENCH_SRC)/about.sh \
+        'portable: $(FLAGS_portable) $(PLAIN)' \
+        'native: $(FLAGS_native) $(PLAIN)' 'library: $(PINNED) besides'
+EACH_BUILD = for b in $(BUILDS); do
+
+TIMED = build-bench need-charts $(BENCH_OUT)/truth $(BENCH_OUT)/count \
+        $(foreach b,$(BUILDS),$(PEERS:%=$(BENCH_OUT)/$b/peer_%))
+
+# One after the other, whatever -j says: they are timed.
+bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
+	echo "measuring: leave the machine alone"
+	{ $(ABOUT); echo build,method,ns_per_step,textbook_over_it; \
+	    $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_steps $$b || exit 1; done; \
+	    } >$(BENCH_OUT)/steps.csv
+	{ $(ABOUT); echo build,scene,method,setting,error,ns_per_unit,$(\
+	    )slopes_per_unit,textbook_ns,status; \
+	    $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_accuracy $$b || exit 1; \
+	    for p in $(PEERS); do test $$b.$$p = native.ode -o \
+	        $$b.$$p = native.mujoco || $(BENCH_OUT)/$$b/peer_$$p $$b || \
+	        exit 1; done; done; } >$(BENCH_OUT)/accuracy.csv
+	{ $(ABOUT); $(BENCH_OUT)/portable/bench_best; } >$(BENCH_OUT)/best.csv
+	$(BENCH_OUT)/truth >$(BENCH_OUT)/truth.csv
+	{ $(ABOUT); $(BENCH_OUT)/portable/bench_reliability \
+	    $(BENCH_OUT)/truth.csv; } >$(BENCH_OUT)/reliability.csv
+	$(COSTS)
+	$(PYTHON) $(BENCH_SRC)/summary.py $(BENCH_OUT)
+
+$(BENCH_OUT)/truth: $(BENCH_SRC)/peers/truth.cpp | need-peers
+	$(PEER_CXX) -O2 -o $@ $<
+
+charts: bench ## measure, and renew the charts
+	mkdir -p $(RESULTS)
+	for t in steps accuracy best reliability costs; do \
+	    cp $(BENCH_OUT)/$$t.csv $(RESULTS)/$$t.csv; done
+	$(DRAW)
+
+figures: need-charts ## draw the charts from the kept results
+	mkdir -p $(BENCH_OUT)
+	$(DRAW)
+
+longrun: $(BENCH_OUT)/portable/bench_longrun ## what ten million steps do (half an hour)
+	mkdir -p $(RESULTS)
+	{ $(ABOUT); $<; } >$(BENCH_OUT)/longrun.csv
+	{ $(ABOUT); $< damping; } >$(BENCH_OUT)/damping.csv
+	cp $(BENCH_OUT)/longrun.csv $(BENCH_OUT)/damping.csv $(RESULTS)
+
+# The library's sources once more, with a double that counts.
+COUNTED := $(patsubst $(SRC)/lib/%.c,$(BENCH_OUT)/counted/%.o,$(SOURCES))
+
+$(BENCH_OUT)/counted:
+	mkdir -p $@
+
+$(BENCH_OUT)/counted/%.o: $(SRC)/lib/%.c $(BENCH_SRC)/arithmetic.h \
+                          $(wildcard $(SRC)/lib/*.h) | $(BENCH_OUT)/counted
+	$(CXX) -std=c++20 -O1 -w -fpermissive -x c++ -I$(SRC)/include \
+	    -include $(BENCH_SRC)/arithmetic.h -c -o $@ $<
+
+$(BENCH_OUT)/count: $(BENCH_SRC)/count.cpp $(COUNTED)
+	$(CXX) -std=c++20 -O1 -w -I$(SRC)/include -o $@ $^
+
+costs: $(BENCH_OUT)/count need-charts # after bench, whose steps.csv it reads
+	$(COSTS)
