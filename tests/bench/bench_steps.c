@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT */
+/* What a step costs: of every method, against the textbook's in the same
+ * windows; and what frame rates give on a US quarter.
+ *     bench_steps BUILD            CSV
+ *     bench_steps run METHOD N     N steps and nothing else, for callgrind */
+#include "clock.h"
+#include "movers.h"
+#include "scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define STEPS 256
+#define ROUNDS 20000
+
+static double window(enum mover_kind kind, const scene *c, double tare)
+{
+    mover m = mover_at(kind, &c->row[0].s, &c->p, 0.05);
+    const double begin = clock_ns();
+    const int failed = mover_go(&m, STEPS);
+    const double ns = (clock_ns() - begin - tare) / STEPS;
+    return failed ? NAN : ns;
+}
+
+/* Time for each of the operations, one of which waits for the other. */
+#define CHAIN(name, operations, expression)                                    \
+    static double name(double tare)                                            \
+    {                                                                          \
+        volatile double start = 1.0000001;                                     \
+        double x[12], y = start;                                               \
+        for (int i = 0; i < 12; ++i)                                           \
+            x[i] = start;                                                      \
+        const double begin = clock_ns();                                       \
+        for (int k = 0; k < STEPS; ++k) {                                      \
+            expression                                                         \
+        }                                                                      \
+        const double ns = clock_ns() - begin - tare;                           \
+        for (int i = 0; i < 12; ++i)                                           \
+            start = x[i];                                                      \
+        return ns / ((operations)*STEPS);                                      \
+    }
+/* clang-format off */
+CHAIN(latency_add, 4, *x += y; *x += y; *x += y; *x += y;)
+CHAIN(latency_mul, 4, *x *= y; *x *= y; *x *= y; *x *= y;)
+CHAIN(latency_div, 4, *x /= y; *x /= y; *x /= y; *x /= y;)
+CHAIN(latency_sqrt, 2, *x = sqrt(*x); *x = sqrt(*x); (void)y;)
+CHAIN(per_flop, 24,
+      x[0] = x[0] * y + y; x[1] = x[1] * y + y; x[2] = x[2] * y + y;
+      x[3] = x[3] * y + y; x[4] = x[4] * y + y; x[5] = x[5] * y + y;
+      x[6] = x[6] * y + y; x[7] = x[7] * y + y; x[8] = x[8] * y + y;
+      x[9] = x[9] * y + y; x[10] = x[10] * y + y; x[11] = x[11] * y + y;)
+/* clang-format on */
+
+static const struct {
+    const char *name;
+    double (*measure)(double tare);
+} probes[] = {
+    {"latency add", latency_add},   {"latency mul", latency_mul},
+    {"latency div", latency_div},   {"latency sqrt", latency_sqrt},
+    {"per flop at best", per_flop},
+};
+
+enum { PROBES = sizeof probes / sizeof *probes };
+
+/* All take turns, so that each sees the machine's quiet moments. */
+static void cost_of_steps(const char *build, const scene *c)
+{
+    const double tare = clock_cost();
+    double least[MOVERS + PROBES];
+    for (int k = 0; k < MOVERS + PROBES; ++k)
+        least[k] = INFINITY;
+    for (int i = 0; i < ROUNDS; ++i) {
+        for (int k = 0; k < MOVERS; ++k)
+            least[k] = fmin(least[k], window((enum mover_kind)k, c, tare));
+        for (int k = 0; k < PROBES; ++k)
+            least[MOVERS + k] =
+                fmin(least[MOVERS + k], probes[k].measure(tare));
+    }
+    for (int k = 0; k < MOVERS; ++k)
+        printf("%s,%s,%.4g,%.4g\n", build, mover_name((enum mover_kind)k),
+               least[k], least[MOVER_TEXTBOOK] / least[k]);
+    for (int k = 0; k < PROBES; ++k)
+        printf("%s,%s,%.4g,\n", build, probes[k].name, least[MOVERS + k]);
+}
+
+/* The error of a second of the quarter at a frame rate; one step per frame. */
+static void frames(const char *build, const scene *c, enum mover_kind kind,
+                   int rate)
+{
+    mover m = mover_at(kind, &c->row[0].s, &c->p, 1.0 / rate);
+    double worst = 0;
+    for (int i = 1, k = 1; i <= rate; ++i) {
+        if (mover_go(&m, 1))
+            worst = NAN;
+        for (; k < c->rows && c->row[k].t < (i + 0.5) / rate; ++k)
+            if (fabs(c->row[k].t - (double)i / rate) < 1e-9)
+                worst = fmax(worst, scene_error(c, &m.s, &c->row[k].s, 0));
+    }
+    printf("%s,quarter at %d/s: %s,%.3g,\n", build, rate, mover_name(kind),
+           worst);
+}
+
+static int run_only(char **argv)
+{
+    scene c;
+    scene_load(&c, "generic", 20);
+    for (int k = 0; k < MOVERS; ++k) {
+        if (strcmp(argv[2], mover_name((enum mover_kind)k)) != 0)
+            continue;
+        mover m = mover_at((enum mover_kind)k, &c.row[0].s, &c.p, 0.05);
+        return mover_go(&m, strtoul(argv[3], NULL, 10));
+    }
+    fprintf(stderr, "bench_steps: no method %s\n", argv[2]);
+    return 2;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc == 4 && strcmp(argv[1], "run") == 0)
+        return run_only(argv);
+    const char *build = argc > 1 ? argv[1] : "unnamed";
+    scene c;
+    scene_load(&c, "generic", 20);
+    cost_of_steps(build, &c);
+    scene_load(&c, "quarter", 1);
+    frames(build, &c, MOVER_RK4, 120);
+    frames(build, &c, MOVER_RK4, 60);
+    frames(build, &c, MOVER_TEXTBOOK, 60);
+    frames(build, &c, MOVER_RK8, 60);
+    return 0;
+}

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+/* GSL's Dormand-Prince 8(5,3) under its own control of the step. */
+#include "rates.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+static struct {
+    const scene *c;
+    struct peer_body b;
+    gsl_odeiv2_system system;
+    gsl_odeiv2_driver *driver;
+    double setting, t, y[8];
+} at;
+
+static int rates(double t, const double y[], double d[], void *body)
+{
+    (void)t;
+    peer_rates(body, y, d);
+    return GSL_SUCCESS;
+}
+
+static void begin(const solver *self, const scene *c, double setting)
+{
+    (void)self;
+    if (at.driver && setting != at.setting) {
+        gsl_odeiv2_driver_free(at.driver);
+        at.driver = NULL;
+    }
+    at.c = c;
+    at.b = peer_body_of(c);
+    at.system.function = rates;
+    at.system.dimension = 8;
+    at.system.params = &at.b;
+    at.setting = setting;
+    at.t = 0;
+    scene_to_natural(c, at.y);
+    if (!at.driver)
+        at.driver = gsl_odeiv2_driver_alloc_y_new(
+            &at.system, gsl_odeiv2_step_rk8pd, 1e-3, setting, setting);
+    gsl_odeiv2_driver_reset_hstart(at.driver, 1e-3);
+}
+
+static int go(double t, unsigned long steps)
+{
+    (void)steps;
+    return gsl_odeiv2_driver_apply(at.driver, &at.t, at.t + t / at.c->unit,
+                                   at.y) != GSL_SUCCESS;
+}
+
+static coin_state state(void)
+{
+    return scene_from_natural(at.c, at.y);
+}
+
+int main(int argc, char **argv)
+{
+    static const solver list[] = {
+        {"GSL rk8pd", 0, 0, PEER_TOLERANCES, 20e6, 0, begin, go, state},
+    };
+    gsl_set_error_handler_off();
+    return workprec(list, 1, argc, argv);
+}

@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What the benchmarks came to, as tables in Markdown.
+
+    summary.py FOLDER [PAGE]
+
+FOLDER holds accuracy.csv, steps.csv, ...; what is between the lines
+<!-- NAME --> and <!-- end --> of PAGE becomes the table of that name.
+
+A ratio compares the cheapest settings that reach an error, each cost taken
+relative to a textbook step timed in the same moments.
+"""
+import csv
+import pathlib
+import re
+import sys
+
+FOLDER = pathlib.Path(sys.argv[1])
+BUILDS = ("portable", "native")
+SCENES = ("wobble", "generic", "tumble", "ring", "quarter", "nearflat")
+ERRORS = (1e-3, 1e-6, 1e-9, 1e-12)
+OURS = ("rk4", "rk8", "coin_advance")
+TEXTBOOK = "textbook RK4"
+
+# What the ratio to the textbook is to be: error, scenes, by build.
+GOALS = ((1e-6, SCENES[:5], (7, 9)), (1e-9, SCENES[:5], (20, 28)),
+         (1e-12, ("generic", "ring"), (55, 85)),
+         (1e-9, ("nearflat",), (140, 220)))
+PEER_GOAL = (2, 3)
+
+
+def read(name):
+    path = FOLDER / f"{name}.csv"
+    if not path.exists():
+        return []
+    lines = [l for l in path.read_text().splitlines() if l[:1] != "#"]
+    return list(csv.DictReader(lines))
+
+
+def table(head, rows):
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(map(str, l)) + " |" for l in lines)
+
+
+GOOD = [r for r in read("accuracy") if r["status"] == "ok"]
+PEERS = {r["method"] for r in GOOD} - {*OURS, TEXTBOOK, "symplectic2",
+                                       "symplectic4"}
+
+
+def cheapest(build, scene, methods, error):
+    """Cost in textbook steps per unit of time, and whose."""
+    return min(((float(r["ns_per_unit"]) / float(r["textbook_ns"]), r["method"])
+                for r in GOOD
+                if r["build"] == build and r["scene"] == scene
+                and r["method"] in methods and float(r["error"]) <= error),
+               default=None)
+
+
+def ratio(build, scene, others, error):
+    """Their cost over ours, our method, theirs."""
+    ours = cheapest(build, scene, OURS, error)
+    theirs = cheapest(build, scene, others, error)
+    return ours and theirs and (theirs[0] / ours[0], ours[1], theirs[1])
+
+
+def ratios(build):
+    def cell(scene, error):
+        r = ratio(build, scene, (TEXTBOOK,), error)
+        return f"{r[0]:.1f} {r[1]}" if r else "not reached by the textbook's"
+    return table(["scene", *map("{:g}".format, ERRORS)],
+                 [[s, *(cell(s, e) for e in ERRORS)] for s in SCENES])
+
+
+def peers(build):
+    def cell(scene, error):
+        r = ratio(build, scene, PEERS, error)
+        return f"{r[0]:.1f} {r[2]}" if r else "-"
+    return table(["scene", *map("{:g}".format, ERRORS)],
+                 [[s, *(cell(s, e) for e in ERRORS)] for s in SCENES])
+
+
+def verdict(reached, wanted):
+    """The least, where it is, and whether that is enough."""
+    if not reached or None in reached.values():
+        return "not measured"
+    where = min(reached, key=reached.get)
+    yes = "yes" if reached[where] >= wanted else "**no**"
+    return f"{reached[where]:.1f} ({where}) of {wanted}: {yes}"
+
+
+def goals():
+    def first(r):
+        return r and r[0]
+    rows = []
+    for error, scenes, wanted in GOALS:
+        rows.append([f"textbook RK4 / ours at {error:g}: {', '.join(scenes)}"]
+                    + [verdict({s: first(ratio(b, s, (TEXTBOOK,), error))
+                                for s in scenes}, w)
+                       for b, w in zip(BUILDS, wanted)])
+    for error in ERRORS[1:]:
+        rows.append([f"best peer / ours at {error:g}, every scene"]
+                    + [verdict({s: first(ratio(b, s, PEERS, error))
+                                for s in SCENES}, w)
+                       for b, w in zip(BUILDS, PEER_GOAL)])
+    return table(["the least of", *BUILDS], rows)
+
+
+def steps():
+    found = {(r["build"], r["method"]): r for r in read("steps")}
+    names = [m for b, m in found if b == "portable"
+             and found[b, m]["textbook_over_it"]]
+    return table(["method", *(f"{b}, ns (textbook's / it)" for b in BUILDS)],
+                 [[m, *(f"{float(r['ns_per_step']):.0f} "
+                        f"({float(r['textbook_over_it']):.2f})"
+                        for r in (found[b, m] for b in BUILDS))]
+                  for m in names])
+
+
+def frames():
+    return table(["what", "error after one second"],
+                 [[r["method"], r["ns_per_step"]] for r in read("steps")
+                  if r["build"] == "portable" and "quarter at" in r["method"]])
+
+
+def costs():
+    rows = read("costs")
+    return table([k.replace("_", " ") for k in rows[0]],
+                 [[v or "-" for v in r.values()] for r in rows])
+
+
+def reliability():
+    head = ("method", "tol", "units", "coins", "skipped", "within tol",
+            "within 3 tol", "within 10 tol", "median/tol", "worst/tol")
+    return table(head, [[v for k, v in r.items() if k != "refused"]
+                        for r in read("reliability")])
+
+
+def best():
+    rows = read("best")
+    def share(r):
+        return min(float(r["coin_advance"]), float(r["rk8"])) / float(r["limit"])
+    named = [r for r in rows if not r["scene"].startswith("random")]
+    drawn = [r for r in rows if r["scene"].startswith("random")]
+    lines = [[r["scene"], r["units"], r["amp"], r["coin_advance"], r["rk8"],
+              r["limit"], r["reached"]] for r in named]
+    worst = max(drawn, key=share)
+    within = sum(share(r) <= 1 for r in drawn)
+    lines.append([f"{len(drawn)} random, the worst of which", worst["units"],
+                  worst["amp"], worst["coin_advance"], worst["rk8"],
+                  worst["limit"], f"{within} of {len(drawn)}"])
+    return table(["scene", "units of time", "amp", "coin_advance", "rk8",
+                  "limit", "within"], lines)
+
+
+def longrun():
+    rows = [r for r in read("longrun") if r["steps"] in ("1e+07", "10000000",
+                                                       "100000000")]
+    return table(["method", "h", "steps", "starts", "energy, rms", "worst",
+                  "K_Y, rms", "K_Z, rms", "phase, rms [rad]"],
+                 [[r["method"], r["h"], f"{float(r['steps']):.0e}",
+                   r["starts"], r["energy_rms"], r["energy_worst"],
+                   r["KY_rms"], r["KZ_rms"], r["phase_rms"]] for r in rows])
+
+
+TABLES = {"goals": goals, "steps": steps, "frames": frames, "costs": costs,
+          "reliability": reliability, "best": best, "longrun": longrun}
+for name in BUILDS:
+    TABLES[f"ratios {name}"] = lambda b=name: ratios(b)
+    TABLES[f"peers {name}"] = lambda b=name: peers(b)
+
+
+def main():
+    if len(sys.argv) == 2:
+        for name, make in TABLES.items():
+            print(f"\n{name}\n\n{make()}")
+        return
+    page = pathlib.Path(sys.argv[2])
+    text = re.sub(r"(<!-- ([\w ]+) -->\n).*?(<!-- end -->)",
+                  lambda m: m[1] + TABLES[m[2]]() + "\n" + m[3],
+                  page.read_text(), flags=re.S)
+    page.write_text(text)
+
+
+main()
