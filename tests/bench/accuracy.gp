@@ -9,10 +9,10 @@ floor_ring = 66; floor_quarter = 73; floor_nearflat = 27
 
 titles = "wobble generic tumble ring quarter nearflat"
 set logscale xy
-set xrange [1e-19:30]
+set xrange [4e-21:30]
 set xtics 1e-15,1e3,1 format "10^{%T}" offset 0,0.3
 set ytics format "10^{%T}" offset 0.5,0
-set margins 6, 0.5, 2, 1.4
+set margins 7, 0.5, 2, 1.4
 
 do for [measure in "ns slopes"] {
     set terminal svg size 800,1180 font "sans,11" background rgb "white"
@@ -39,16 +39,16 @@ do for [measure in "ns slopes"] {
         set xlabel (k > 4 ? "largest error [rad, radii]" : "") offset 0,0.8
         set ylabel (k % 2 == 0 ? "" : measure eq "ns" ? \
             "CPU ns per natural unit of time" : \
-            "right-hand sides per natural unit of time") offset 2.2,0
+            "right-hand sides per natural unit of time") offset 1.2,0
         # Slopes of orders 4 and 8 over four decades of error.
         foot = low * 1.5
-        set arrow 1 from 1e-12,foot*10 to 1e-8,foot nohead lc rgb "#A0A0A0"
-        set arrow 2 from 1e-12,foot*10 to 1e-12,foot nohead lc rgb "#A0A0A0"
-        set arrow 3 from 1e-12,foot to 1e-8,foot nohead lc rgb "#A0A0A0"
-        set arrow 4 from 1e-12,foot*3.162 to 1e-8,foot nohead \
+        set arrow 1 from 4e-14,foot*10 to 4e-10,foot nohead lc rgb "#A0A0A0"
+        set arrow 2 from 4e-14,foot*10 to 4e-14,foot nohead lc rgb "#A0A0A0"
+        set arrow 3 from 4e-14,foot to 4e-10,foot nohead lc rgb "#A0A0A0"
+        set arrow 4 from 4e-14,foot*3.162 to 4e-10,foot nohead \
             lc rgb "#A0A0A0"
-        set label 2 "order 4" at 4e-12,foot*6.5 font ",10" tc rgb "#808080"
-        set label 3 "8" at 1.6e-12,foot*1.7 font ",10" tc rgb "#808080"
+        set label 2 "order 4" at 1.6e-13,foot*6.5 font ",10" tc rgb "#808080"
+        set label 3 "8" at 7e-14,foot*1.7 font ",10" tc rgb "#808080"
         plot for [i=1:13] stem.".dat" index i-1 using 1:2 \
                  with linespoints ls i, \
              stem.".labels" using (1e-15):1:2:(colour[int($3)]) \

@@ -19,7 +19,7 @@ file = "<grep -v '^#' '".results."/costs.csv' | tail -n +2"
 set key at graph 0.98,0.98 right top reverse Left samplen 1 spacing 1.2
 plot file using 2:0:ytic(1) with points pt 7 ps 0.9 lc rgb "#0072B2" \
          title "measured", \
-     '' using 3:0 with points pt 2 ps 0.8 lw 1.6 lc rgb "#D55E00" \
+     '' using 3:($0+0.26) with points pt 2 ps 0.8 lw 1.6 lc rgb "#D55E00" \
          title "its longest chain of operations", \
-     '' using 4:0 with points pt 6 ps 0.8 lw 1.6 lc rgb "#009E73" \
+     '' using 4:($0+0.26) with points pt 6 ps 0.8 lw 1.6 lc rgb "#009E73" \
          title "its operations, all at the best rate"

@@ -24,24 +24,24 @@ do for [name in "energy integrals phase"] {
     set output to."/longrun_".name.".svg"
     unset label
     if (name eq "energy") {
-        set yrange [1e-16:1]
+        set yrange [1e-17:1]
         set ylabel "|energy error|, relative" offset 1.5,0
     }
     if (name eq "integrals") {
-        set yrange [1e-16:1]
-        set ylabel "error of K_Y or K_Z, the larger, relative" offset 1.5,0
+        set yrange [1e-17:1]
+        set ylabel "error of KY or KZ, the larger, relative" offset 1.5,0
     }
     if (name eq "phase") {
         set yrange [1e-14:1e5]
         set ylabel "error of the nutation's phase [rad]" offset 1.5,0
     }
-    first = name eq "phase" ? 3e-14 : 3e-16
+    first = name eq "phase" ? 3e-14 : 1e-16
     low = name eq "phase" ? 1 : 0.5
     high = name eq "phase" ? 2 : 1
-    set label 1 (low == 1 ? "t" : "sqrt(t)") at 2e5,guide(2e5, first, low)*0.5 \
+    set label 1 (low == 1 ? "t" : "sqrt(t)") at 2e5,guide(2e5, first, low)*0.4 \
         tc rgb "#909090"
-    set label 2 (high == 2 ? "t^2" : "t") at 2e5,guide(2e5, first, high)*2.5 \
-        right tc rgb "#909090"
+    set label 2 (high == 2 ? "t^2" : "t") at 4e5,guide(4e5, first, high)*0.35 \
+        tc rgb "#909090"
     plot sample [50:1e7] '+' using 1:(guide($1, first, low)) \
             with lines ls 20, \
         [50:1e7] '+' using 1:(guide($1, first, high)) with lines ls 20, \
@@ -57,7 +57,7 @@ unset label
 set xrange [10:4e7]
 set xtics 10,10,1e6
 unset logscale y
-set yrange [0:0.8]
+set yrange [0:0.7]
 set ytics 0.2 format "%.1f"
 set ylabel "swing of the lean, largest less least [rad]" offset 1.5,0
 plot for [i=1:6] from."/damping.dat" index i-1 using 1:2 \
