@@ -203,8 +203,9 @@ need-cmocka:
 	$(PKG_CONFIG) --exists cmocka || { echo "the tests need cmocka:" \
 	    "sudo apt-get install pkg-config libcmocka-dev"; exit 1; } >&2
 
-# ------------------------------------------------------------------- benchmarks
-include $(wildcard $(SRC)/tests/bench/bench.mk)
+# ------------------------------------------------------- gates of their own kind
+# bench.mk and the like: each is told by the variables above.
+include $(wildcard $(SRC)/tests/*/*.mk)
 
 # ----------------------------------------------------------- tarball, packaging
 # In a git tree a release holds the tracked files and carries the date of the
