@@ -1,18 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/methods.h"
 #include "support/random.h"
 
 #include <math.h>
 
 static struct scene scene;
-
-static coin_params ring(double inner)
-{
-    coin_params p;
-    check_status(coin_params_ring(&p, 1, 1, inner, 1), COIN_OK);
-    return p;
-}
 
 static const coin_state generic = {
     .theta = 0.5, .wX = 0.1, .wY = 0.8, .wZ = 1.2};
@@ -83,17 +77,6 @@ static coin_state start_of(const struct table *t, size_t row)
     return s;
 }
 
-static coin_state end_of(const struct table *t, size_t row)
-{
-    const coin_state s = {
-        table_at(t, row, "theta"), table_at(t, row, "phi"),
-        table_at(t, row, "psi"),   table_at(t, row, "x"),
-        table_at(t, row, "z"),     table_at(t, row, "wX"),
-        table_at(t, row, "wY"),    table_at(t, row, "wZ"),
-    };
-    return s;
-}
-
 /* The limit holds for most; in the others, which pass near flat, the steps of
  * tol = 1e-13 still err by as much again. */
 static void so_it_is_in_100_random_motions(void **unused)
@@ -105,7 +88,7 @@ static void so_it_is_in_100_random_motions(void **unused)
     check(t.rows == 100);
     for (size_t row = 0; row < t.rows; ++row) {
         const coin_params p = ring(table_at(&t, row, "b"));
-        const coin_state end = end_of(&t, row);
+        const coin_state end = state_in_row(&t, row);
         coin_state s = start_of(&t, row);
         check_status(coin_advance(&s, &p, 100, 1e-13, NULL), COIN_OK);
         const double limit = 4e-15 * table_at(&t, row, "amp") + 4e-15;

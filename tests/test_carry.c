@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What a run carries from step to step: angles as pairs, whole turns, sums. */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/methods.h"
 #include "support/random.h"
 
@@ -12,13 +13,6 @@
 #define HALF_PI 1.5707963267948966
 
 enum { SAMPLES = 200 };
-
-static coin_params disc(void)
-{
-    coin_params p;
-    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    return p;
-}
 
 static coin_priv_body body_of(const coin_params *p)
 {
@@ -244,13 +238,6 @@ static void no_method_moves_by_no_steps_or_begins_beyond_its_limit(
 }
 
 /* ------------------------------------------------------------ the limits */
-static double rate(const coin_state *s, const coin_params *p)
-{
-    const double c = cos(s->theta);
-    return sqrt((s->wX * s->wX + s->wY * s->wY) / (c * c) + s->wZ * s->wZ +
-                p->gravity / p->radius);
-}
-
 /* COIN_COARSE comes exactly if W, where some step of the run begins or ends,
  * is beyond the method's limit: the march looks at W only where the energy
  * allows it to be. */
@@ -265,15 +252,15 @@ static void the_warning_is_that_of_the_largest_rate(void **unused)
         const coin_state s = random_state(&r, &p, 1.5);
         const int32_t method = i % METHODS;
         const double limit = coin_priv_method_coarse(method);
-        const double dt =
-            limit / rate(&s, &p) * pow(10, random_between(&r, -0.7, 0.01));
+        const double dt = limit / fastest_rate(&s, &p) *
+                          pow(10, random_between(&r, -0.7, 0.01));
         const int32_t status =
             coin_sample(&s, &p, method, dt, 1, SAMPLES, path, NULL);
         if (status < 0)
             continue;
         double W = 0;
         for (int k = 0; k < SAMPLES; ++k)
-            W = fmax(W, rate(&path[k], &p));
+            W = fmax(W, fastest_rate(&path[k], &p));
         check_status(status, dt * W > limit ? COIN_COARSE : COIN_OK);
         coarse += status == COIN_COARSE;
         fine += status == COIN_OK;

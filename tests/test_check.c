@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/random.h"
 
 #include <math.h>
@@ -7,25 +8,10 @@
 /* The limit of full accuracy of COIN_RK4, docs/guide.md. */
 #define RK4_COARSE 0.35
 
-static coin_params disc(void)
-{
-    coin_params p;
-    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    return p;
-}
-
 static int32_t bits(const coin_state *s, const coin_params *p, double dt,
                     double mu)
 {
     return coin_check(s, p, COIN_RK4, dt, mu);
-}
-
-/* Eq. (47). */
-static double rate(const coin_state *s, const coin_params *p)
-{
-    const double c = cos(s->theta);
-    return sqrt((s->wX * s->wX + s->wY * s->wY) / (c * c) + s->wZ * s->wZ +
-                p->gravity / p->radius);
 }
 
 static void a_coin_slips_beyond_its_friction_coefficient(void **unused)
@@ -91,7 +77,7 @@ static void a_step_is_coarse_beyond_the_method_s_limit(void **unused)
     for (int i = 0; i < 300; ++i) {
         const coin_params p = random_coin(&r);
         const coin_state s = random_state(&r, &p, 1.2);
-        const double dt = RK4_COARSE / rate(&s, &p);
+        const double dt = RK4_COARSE / fastest_rate(&s, &p);
         const int32_t fine = bits(&s, &p, 0, INFINITY);
         for (int sign = -1; sign <= 1; sign += 2) {
             check_status(bits(&s, &p, sign * dt * (1 - 1e-12), INFINITY), fine);
@@ -113,7 +99,7 @@ static void a_step_says_the_same(void **unused)
     for (int i = -1; i <= 1; i += 2) {
         coin_state s;
         check_status(coin_steady_spin(&s, &p, 0.6), COIN_OK);
-        const double dt = RK4_COARSE / rate(&s, &p) * (1 + i * 1e-12);
+        const double dt = RK4_COARSE / fastest_rate(&s, &p) * (1 + i * 1e-12);
         const int32_t want = i > 0 ? COIN_COARSE : COIN_OK;
         check_status(bits(&s, &p, dt, INFINITY), want);
         check_status(coin_step(&s, &p, dt), want);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The exact drift of the symplectic methods: its reach, and its series. */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/random.h"
 #include "support/table.h"
 
@@ -11,20 +12,12 @@
 #include <math.h>
 
 /* ----------------------------------------------------------- the refusal */
-/* W of Eq. (47). */
-static double rate(const coin_state *s, const coin_params *p)
-{
-    const double c = cos(s->theta);
-    return sqrt((s->wX * s->wX + s->wY * s->wY) / (c * c) + s->wZ * s->wZ +
-                p->gravity / p->radius);
-}
-
 /* The largest dt, to a part in 1e9, whose step is not refused; refused ones
  * leave the state alone. */
 static double largest_step(const coin_state *at, const coin_params *p,
                            int32_t method)
 {
-    double good = 0, bad = 3 / rate(at, p);
+    double good = 0, bad = 3 / fastest_rate(at, p);
     while (bad - good > 1e-9 * bad) {
         const double dt = (good + bad) / 2;
         coin_state s = *at;
@@ -113,10 +106,11 @@ static void no_step_of_full_accuracy_is_refused(void **unused)
         s.theta = side * (1.5707963 - pow(10, random_between(&r, -7, 0)));
         for (int32_t k = COIN_SYMPLECTIC2; k <= COIN_SYMPLECTIC4; ++k) {
             const double most = coin_priv_method_coarse(k);
-            double dt = (i % 2 ? most : -most) / rate(&s, &p);
+            double dt = (i % 2 ? most : -most) / fastest_rate(&s, &p);
             coin_state end = s;
             check_status(coin_advance(&end, &p, dt, 1e-9, NULL), COIN_OK);
-            dt *= fmin(1, rate(&s, &p) / rate(&end, &p)) * 0.999;
+            dt *=
+                fmin(1, fastest_rate(&s, &p) / fastest_rate(&end, &p)) * 0.999;
             check_status(coin_run(&s, &p, k, dt, 1, NULL), COIN_OK);
         }
     }

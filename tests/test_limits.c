@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Where the methods fail, and how: never in silence. */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/random.h"
 #include "support/scene.h"
 
@@ -8,13 +9,6 @@
 #include <string.h>
 
 #define HALF_PI 1.5707963267948966
-
-static coin_params disc(void)
-{
-    coin_params p;
-    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    return p;
-}
 
 /* Without angular momentum nothing keeps the coin off the table, where
  * textbook Runge-Kutta goes on below it: it is there at t = 2.68953837543. */

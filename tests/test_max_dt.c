@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/methods.h"
 #include "support/random.h"
 
@@ -9,13 +10,6 @@
 
 /* A tol that suits each method: far from its limit and from rounding. */
 static const double tol_of[METHODS] = {1e-5, 1e-8, 1e-3, 1e-5};
-
-static coin_params disc(void)
-{
-    coin_params p;
-    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    return p;
-}
 
 /* --------------------------------------------------------- what it gives */
 /* However near to flat, and whatever is asked. */

@@ -2,6 +2,7 @@
 /* coin_advance() at the edges: past the table and down to it, out of the
  * doubles; and what it costs. */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/methods.h"
 #include "support/random.h"
 #include "support/vast.h"
@@ -42,24 +43,6 @@ static double steps_of(coin_state s, const coin_params *p, double t, double tol)
     equations = 0;
     check_status(counted_advance(&s, p, t, tol, NULL), COIN_OK);
     return (double)equations / 12;
-}
-
-static coin_params ring(double inner)
-{
-    coin_params p;
-    check_status(coin_params_ring(&p, 1, 1, inner, 1), COIN_OK);
-    return p;
-}
-
-static coin_state end_of(const struct table *t, size_t row)
-{
-    const coin_state s = {
-        table_at(t, row, "theta"), table_at(t, row, "phi"),
-        table_at(t, row, "psi"),   table_at(t, row, "x"),
-        table_at(t, row, "z"),     table_at(t, row, "wX"),
-        table_at(t, row, "wY"),    table_at(t, row, "wZ"),
-    };
-    return s;
 }
 
 /* A step is as the eighth root of tol. */
@@ -198,7 +181,7 @@ static struct pass pass_at(const struct table *t, size_t row, double tol)
     struct pass c = {
         .p = ring(table_at(t, row, "b")),
         .start = start,
-        .want = end_of(t, row),
+        .want = state_in_row(t, row),
         .s = start,
         .rates = rates,
         .d = table_at(t, row, "d"),

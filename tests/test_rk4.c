@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/random.h"
 #include "support/scene.h"
 #include "support/textbook.h"
@@ -69,13 +70,6 @@ static void a_quarter_at_120_frames_a_second_stays_close_for_a_second(
     check_within(error, 2e-4, 1e-3);
 }
 
-static double rate(const coin_state *s, const coin_params *p)
-{
-    const double c = cos(s->theta);
-    return sqrt((s->wX * s->wX + s->wY * s->wY) / (c * c) + s->wZ * s->wZ +
-                p->gravity / p->radius);
-}
-
 /* The largest W in a natural unit of time from here. */
 static double largest_rate(const coin_state *s, const coin_params *p)
 {
@@ -86,7 +80,7 @@ static double largest_rate(const coin_state *s, const coin_params *p)
     check_status(coin_sample(s, p, COIN_RK4, dt, 1, SAMPLES, path, NULL),
                  COIN_OK);
     for (int i = 0; i < SAMPLES; ++i)
-        W = fmax(W, rate(&path[i], p));
+        W = fmax(W, fastest_rate(&path[i], p));
     return W;
 }
 

@@ -1,24 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/random.h"
 #include "support/steadies.h"
 
 #include <math.h>
-
-static coin_params ring(double inner)
-{
-    coin_params p;
-    check_status(coin_params_ring(&p, 1, 1, inner, 1), COIN_OK);
-    return p;
-}
-
-static coin_state circle(const coin_params *p, double theta, double wZ,
-                         int32_t branch)
-{
-    coin_state s;
-    check_status(coin_steady_circle(&s, p, theta, wZ, branch), COIN_OK);
-    return s;
-}
 
 static double lambda2(const coin_state *s, const coin_params *p)
 {

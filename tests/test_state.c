@@ -1,17 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/random.h"
 #include "support/table.h"
 
 #include <math.h>
 #include <string.h>
-
-static coin_params disc(void)
-{
-    coin_params p;
-    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    return p;
-}
 
 /* --------------------------------------------------------- the state check */
 static const double not_finite[] = {NAN, INFINITY, -INFINITY};

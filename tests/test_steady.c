@@ -1,26 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/observable.h"
 #include "support/random.h"
 #include "support/steadies.h"
 
 #include <math.h>
 #include <string.h>
-
-static coin_params disc(void)
-{
-    coin_params p;
-    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    return p;
-}
-
-static coin_state circle(const coin_params *p, double theta, double wZ,
-                         int32_t branch)
-{
-    coin_state s;
-    check_status(coin_steady_circle(&s, p, theta, wZ, branch), COIN_OK);
-    return s;
-}
 
 /* ------------------------------------------------------------ the families */
 static void circles_turn_as_the_reference_s(void **unused)

@@ -2,6 +2,7 @@
 #include "observable.h"
 
 #include "check.h"
+#include "coins.h"
 #include "scene.h"
 #include "table.h"
 
@@ -61,14 +62,8 @@ static void read_exact(const struct table *t, size_t row, coin_params *p,
         table_at(t, row, "gravity"),   table_at(t, row, "inertia_X"),
         table_at(t, row, "inertia_Z"), {0, 0, 0},
     };
-    const coin_state state = {
-        table_at(t, row, "theta"), table_at(t, row, "phi"),
-        table_at(t, row, "psi"),   table_at(t, row, "x"),
-        table_at(t, row, "z"),     table_at(t, row, "wX"),
-        table_at(t, row, "wY"),    table_at(t, row, "wZ"),
-    };
     *p = params;
-    *s = state;
+    *s = state_in_row(t, row);
 }
 
 void observable_at_exact_states(const struct observable *o)

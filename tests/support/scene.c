@@ -2,6 +2,7 @@
 #include "scene.h"
 
 #include "check.h"
+#include "coins.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -59,14 +60,8 @@ double scene_at(const struct scene *scene, size_t row, const char *column)
 
 coin_state scene_state(const struct scene *scene, size_t row)
 {
-    const struct scene *c = scene;
-    const coin_state s = {
-        scene_at(c, row, "theta"), scene_at(c, row, "phi"),
-        scene_at(c, row, "psi"),   scene_at(c, row, "x"),
-        scene_at(c, row, "z"),     scene_at(c, row, "wX"),
-        scene_at(c, row, "wY"),    scene_at(c, row, "wZ"),
-    };
-    return s;
+    check_note("scene %s, row %zu", scene->name, row);
+    return state_in_row(&scene->rows, row);
 }
 
 coin_state scene_run(const struct scene *scene, size_t row, uint64_t steps)

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+#include "coins.h"
+
+#include "check.h"
+
+#include <math.h>
+
+coin_params disc(void)
+{
+    return ring(0);
+}
+
+coin_params ring(double inner)
+{
+    coin_params p;
+    check_status(coin_params_ring(&p, 1, 1, inner, 1), COIN_OK);
+    return p;
+}
+
+coin_state circle(const coin_params *p, double theta, double wZ, int32_t branch)
+{
+    coin_state s;
+    check_status(coin_steady_circle(&s, p, theta, wZ, branch), COIN_OK);
+    return s;
+}
+
+coin_state state_in_row(const struct table *t, size_t row)
+{
+    const coin_state s = {
+        table_at(t, row, "theta"), table_at(t, row, "phi"),
+        table_at(t, row, "psi"),   table_at(t, row, "x"),
+        table_at(t, row, "z"),     table_at(t, row, "wX"),
+        table_at(t, row, "wY"),    table_at(t, row, "wZ"),
+    };
+    return s;
+}
+
+double fastest_rate(const coin_state *s, const coin_params *p)
+{
+    const double c = cos(s->theta);
+    return sqrt((s->wX * s->wX + s->wY * s->wY) / (c * c) + s->wZ * s->wZ +
+                p->gravity / p->radius);
+}

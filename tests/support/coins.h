@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/* Coins that many tests begin with. */
+#ifndef ROLLCOIN_TESTS_COINS_H
+#define ROLLCOIN_TESTS_COINS_H
+
+#include "table.h"
+
+#include <coin.h>
+
+/* Mass, radius and gravity 1. */
+coin_params disc(void);
+coin_params ring(double inner);
+
+/* On a steady circle. */
+coin_state circle(const coin_params *p, double theta, double wZ,
+                  int32_t branch);
+
+/* The eight columns of a row that are named as the members of a state. */
+coin_state state_in_row(const struct table *t, size_t row);
+
+/* W of Eq. (47), by libm. */
+double fastest_rate(const coin_state *s, const coin_params *p);
+
+#endif
