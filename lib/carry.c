@@ -5,11 +5,13 @@
 
 coin_priv_carry coin_priv_carry_of(const coin_state *s)
 {
+    const coin_priv_pose pose = {s->phi, 0, 0, 0, 0};
     coin_priv_carry c = {
-        .at = {.y = coin_priv_stage_of(s),
-               .pose = {.phi = s->phi},
-               .theta = s->theta},
-        .psi = {s->psi, 0},
+        {coin_priv_stage_of(s), pose, s->theta, 0, 0},
+        {s->psi, 0},
+        {0, 0},
+        {0, 0},
+        0,
     };
     c.at.p = s->wY * c.at.y.cth;
     c.x.sum = -c.at.y.sth * c.at.y.sph; /* (21) */
@@ -67,14 +69,14 @@ coin_state coin_priv_state_of(const coin_priv_carry *c, const coin_priv_body *b,
     const double dx = total(c->x, pose->x) + y->sth * y->sph; /* (21) */
     const double dz = total(c->z, pose->z) + y->sth * y->cph; /* (21) */
     const coin_state s = {
-        .theta = lean_of(y->sth, y->cth),
-        .phi = heading(&c->at),
-        .psi = total(c->psi, pose->psi),
-        .x = start->x + b->a * dx,
-        .z = start->z + b->a * dz,
-        .wX = y->wX,
-        .wY = y->wY,
-        .wZ = y->wZ,
+        lean_of(y->sth, y->cth),
+        heading(&c->at),
+        total(c->psi, pose->psi),
+        start->x + b->a * dx,
+        start->z + b->a * dz,
+        y->wX,
+        y->wY,
+        y->wZ,
     };
     return s;
 }

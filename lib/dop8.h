@@ -129,15 +129,15 @@ COIN_PRIV_INLINE struct row row_of(const coin_priv_stage *s)
 COIN_PRIV_INLINE coin_priv_stage stage_of(const struct row *r)
 {
     const coin_priv_stage s = {
-        .wX = AT(*r, 0),
-        .wY = AT(*r, 1),
-        .wZ = AT(*r, 2),
-        .sth = AT(*r, 3),
-        .cth = AT(*r, 4),
-        .q = AT(*r, 5),
-        .tth = AT(*r, 5) * AT(*r, 3),
-        .sph = AT(*r, 6),
-        .cph = AT(*r, 7),
+        AT(*r, 0),
+        AT(*r, 1),
+        AT(*r, 2),
+        AT(*r, 3),
+        AT(*r, 4),
+        AT(*r, 5),
+        AT(*r, 5) * AT(*r, 3), /* q sin theta */
+        AT(*r, 6),
+        AT(*r, 7),
     };
     return s;
 }
@@ -217,7 +217,7 @@ COIN_PRIV_INLINE double dop8_step(coin_priv_moment *next,
                                   const coin_priv_moment *c,
                                   const void *coefficients)
 {
-    const coin_priv_field *f = coefficients;
+    const coin_priv_field *f = (const coin_priv_field *)coefficients;
     const coin_priv_stage s1 = c->y, k1 = FIELD(f, &s1);
     const struct row y0 = row_of(&s1), d1 = row_of(&k1);
     struct row y;

@@ -33,10 +33,11 @@ COIN_PRIV_INLINE coin_priv_pose add_pose(const coin_priv_pose *a, double w,
                                          const coin_priv_pose *b)
 {
     const coin_priv_pose r = {
-        .phi = a->phi + w * b->phi,
-        .psi = a->psi + w * b->psi,
-        .x = a->x + w * b->x,
-        .z = a->z + w * b->z,
+        a->phi + w * b->phi,
+        a->psi + w * b->psi,
+        a->x + w * b->x,
+        a->z + w * b->z,
+        0,
     };
     return r;
 }
@@ -53,7 +54,7 @@ COIN_PRIV_INLINE double rk4_step(coin_priv_moment *next,
                                  const coin_priv_moment *c,
                                  const void *coefficients)
 {
-    const struct rk4 *k = coefficients;
+    const struct rk4 *k = (const struct rk4 *)coefficients;
     const coin_priv_stage y1 = c->y;
     coin_priv_stage sum = coin_priv_motion(&k->half, &y1);
     coin_priv_pose path = coin_priv_drift(&k->half, &y1);

@@ -115,12 +115,7 @@ int32_t coin_lean_run(coin_lean *l, const coin_params *p, int32_t method,
     struct run r;
     if (!l || (method != COIN_RK4 && method != COIN_RK8))
         return COIN_EARG;
-    const coin_state s = {
-        .theta = l->theta,
-        .wX = l->wX,
-        .wY = l->wY,
-        .wZ = l->wZ,
-    };
+    const coin_state s = {l->theta, 0, 0, 0, 0, l->wX, l->wY, l->wZ};
     const int32_t status = open_run(&r, &s, p, method, dt);
     if (status != COIN_OK)
         return status;

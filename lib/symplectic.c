@@ -54,10 +54,10 @@ COIN_PRIV_INLINE struct rates rates_of(const coin_priv_body *b,
     const double wX = y->wX, wY = y->wY, tth = y->tth;
     const double dwY = slope_wY(b, y);
     const struct rates r = {
-        .phi = wY * y->q,        /* (18) */
-        .psi = y->wZ + wY * tth, /* (19) */
-        .ddphi = wX * y->q * (dwY + wY * tth),
-        .ddpsi = wX * (b->k2 * wY + dwY * tth + wY * (1 + tth * tth)),
+        wY * y->q,        /* (18) */
+        y->wZ + wY * tth, /* (19) */
+        wX * y->q * (dwY + wY * tth),
+        wX * (b->k2 * wY + dwY * tth + wY * (1 + tth * tth)),
     };
     return r;
 }
@@ -123,7 +123,7 @@ COIN_PRIV_INLINE double verlet_step(coin_priv_moment *next,
                                     const coin_priv_moment *c,
                                     const void *coefficients)
 {
-    const struct split *k = coefficients;
+    const struct split *k = (const struct split *)coefficients;
     *next = *c;
     kick(next, k->b, k->h / 2);
     if (!drift(next, k->b, k->h))
@@ -137,7 +137,7 @@ COIN_PRIV_INLINE double chin_step(coin_priv_moment *next,
                                   const coin_priv_moment *c,
                                   const void *coefficients)
 {
-    const struct split *k = coefficients;
+    const struct split *k = (const struct split *)coefficients;
     *next = *c;
     kick(next, k->b, k->h / 6);
     if (!drift(next, k->b, k->h / 2))

@@ -31,6 +31,12 @@ for file in "$SRC"/lib/*.c; do
     # shellcheck disable=SC2086
     try clang $own -Weverything $off -c "$file" -o "$work/analysed.o"
 done
+# The sources are C++ too, for those who drop the single header into it.
+for cc in g++ clang++; do
+    # shellcheck disable=SC2086
+    try $cc -x c++ -std=c++11 -Wall -Wextra -Wpedantic -Werror \
+        -I"$SRC/include" -fsyntax-only "$SRC"/lib/*.c
+done
 for cc in gcc clang; do
     try $MAKE --no-print-directory -f "$SRC/Makefile" "O=$work/$cc" "CC=$cc" \
         'CFLAGS=-O2 -Werror' all examples build-tests build-bench
