@@ -264,7 +264,7 @@ COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
  * Accuracy: docs/guide.md; COIN_RK4 with |dt| W <= 0.1 adds about 1e-6 per
  *         natural unit of time, and 16 times less for each halving.  A run of
  *         n steps is n runs of one step to rounding (test_run).
- * Cost: four sines and cosines per call, and one per 32 steps (the symplectic
+ * Cost: four sines and cosines per call, and one per 64 steps (the symplectic
  *         methods: two per drift).  A step has no data-dependent loop and no
  *         branch but its guard. */
 COIN_API int32_t coin_run(coin_state *s, const coin_params *p, int32_t method,

@@ -2,9 +2,9 @@
 #include "pinned.h"
 
 /* gcc would allocate registers loop by loop, and spill at the seams: 3 % of a
- * step. */
+ * step; renamed, they let the processor start the next stage sooner: 2 %. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__)
-#pragma GCC optimize("ira-region=all")
+#pragma GCC optimize("ira-region=all", "rename-registers")
 #endif
 
 #include "march.h"

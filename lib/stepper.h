@@ -49,7 +49,7 @@ static inline void coin_priv_add(coin_priv_sum *to, double part)
  * steps the sum of phi's rates, and the pair that the same rates turn, cannot
  * come half a turn apart: RK4 turns a pair by z - z^5/120 for z, and no step
  * has z > 1.4. */
-#define COIN_PRIV_SETTLE 32
+#define COIN_PRIV_SETTLE 64
 void coin_priv_settle(coin_priv_carry *c, coin_priv_moment *at);
 
 /* How far a run may go: COIN_COARSE beyond coarse2, COIN_ESTEP beyond most2,

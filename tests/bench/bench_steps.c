@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define STEPS 256
-#define ROUNDS 20000
+#define STEPS 1000
+#define ROUNDS 5000
 
 static double window(enum mover_kind kind, const scene *c, double tare)
 {
