@@ -109,6 +109,18 @@ $(O)/$(SONAME): $(O)/$(REAL_SO)
 $(LIB_SO): $(O)/$(SONAME)
 	ln -sf $(SONAME) $@
 
+# All of it as one header, for a project or firmware that takes files in.
+SINGLE       := $(O)/single/coin.h
+SINGLE_PARTS := $(sort $(wildcard $(SRC)/include/*.h)) $(sort $(SOURCES))
+
+.PHONY: single
+single: $(SINGLE) ## build/single/coin.h, the library as one header
+
+$(SINGLE): $(SRC)/LICENSE $(SRC)/lib/single.awk $(SINGLE_PARTS) \
+           $(wildcard $(SRC)/lib/*.h) | $(O)/single
+	cd $(SRC) && LC_ALL=C awk -f lib/single.awk LICENSE \
+	    $(SINGLE_PARTS:$(SRC)/%=%) >$(abspath $@)
+
 # Folders below the prefix are written relative to it, so that pkg-config can
 # move the whole by --define-prefix.
 below = $(patsubst $(PREFIX),$${prefix},$(patsubst $(PREFIX)/%,$${prefix}/%,$1))
@@ -126,7 +138,7 @@ $(O)/flags: force | $(O)
 	echo '$(subst ','\'',$(CC_LIB) $(LDFLAGS))' >$@.new
 	cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
-$(O) $(O)/static $(O)/shared $(O)/tests/support:
+$(O) $(O)/static $(O)/shared $(O)/single $(O)/tests/support:
 	mkdir -p $@
 
 -include $(wildcard $(O)/*.d $(O)/*/*.d $(O)/*/*/*.d)

@@ -98,7 +98,7 @@ static const double B[] = {
 /* The members of a stage that slopes move, side by side: a row of the tableau
  * is the same sum for each, which gcc and clang then take in pairs, by the
  * baseline of every 64-bit processor, and to the same bits. */
-#if defined(__GNUC__) && !defined(__TINYC__) && !defined(__cplusplus)
+#if defined(__GNUC__) && !defined(__TINYC__) && !defined(COIN_PRIV_COUNTED)
 typedef double lane __attribute__((vector_size(16)));
 #define AT(row, k) (row).v[(k) / 2][(k) % 2]
 #define EACH(F) F(0) F(1) F(2) F(3)

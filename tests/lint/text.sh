@@ -8,7 +8,7 @@ status=0
 
 sources=$(find Makefile include lib tests docs .ci \
     \( -name Makefile -o -name '*.[ch]' -o -name '*.map' -o -name '*.py' \
-    -o -name '*.sh' -o -path .ci/run \) -type f)
+    -o -name '*.sh' -o -name '*.awk' -o -name '*.mk' -o -path .ci/run \) -type f)
 for file in $sources; do
     head -3 "$file" | grep -q 'SPDX-License-Identifier: MIT' ||
         { echo "$file: no SPDX line"; status=1; }

@@ -17,14 +17,15 @@ tar -xzf "$work/$name.tar.gz" -C "$work/one"
 tar -xzf "$work/$name.tar.gz" -C "$work/another/deep/folder"
 
 for cc in gcc clang; do
-    $make -C "$work/one/$name" O=$cc CC=$cc -j8 all dist >/dev/null
+    $make -C "$work/one/$name" O=$cc CC=$cc -j8 all dist single >/dev/null
     out=$work/another/$cc
     (
         cd "$work/another"
         $make -f "deep/folder/$name/Makefile" "O=$out" CC=$cc -j1 all dist \
-            >/dev/null
+            single >/dev/null
     )
-    for file in librollcoin.a "librollcoin.so.$VERSION" "$name.tar.gz"; do
+    for file in librollcoin.a "librollcoin.so.$VERSION" "$name.tar.gz" \
+        single/coin.h; do
         cmp "$work/one/$name/$cc/$file" "$out/$file"
         echo "same bytes  $cc $file"
     done
