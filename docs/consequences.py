@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Asserts what physics.md concludes from the equations of motion.
 
-usage:  python3 docs/consequences.py   Eq. (33)-(54); runs derivation.py first
+usage:  python3 docs/consequences.py   Eq. (33)-(54), (56); derivation.py first
 """
 import sys
 
@@ -87,6 +87,12 @@ holds(41, ((-K*wZ + root)/(2*IX*T) - 2*M*g*a*s/(K*wZ + root)).subs(by_root))
 holds(42, steady.subs(wZ, 0) - IX*T*(wY**2 - M*g*a*c/IX))
 holds(53, (R[1] - M*g).subs(wX, 0).subs(at_rest),
       (Rh - M*a*wY*wZ/c).subs(wX, 0).subs(at_rest))
+ph0, time = sp.symbols('ph0 time')               # (56) moves as (20), wX = 0
+half = wY*time/(2*c)
+chord = a*wZ*time*sp.sin(half)/half
+for moved, rate in ((-chord*sp.cos(ph0 + half), -a*wZ*sp.cos(ph0 + 2*half)),
+                    (chord*sp.sin(ph0 + half), a*wZ*sp.sin(ph0 + 2*half))):
+    holds(56, sp.simplify(sp.expand_trig(diff(moved, time) - rate)))
 field = sp.Matrix([wX, eq14, eq15, eq16])
 A = field.jacobian([th, wX, wY, wZ]).subs(wX, 0)
 JL = (M*g*a*c - (IX*(1 + 3*T**2) + m)*wY**2 - (3*IZ + m)*T*wY*wZ

@@ -464,6 +464,30 @@ COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
 COIN_API int32_t coin_steady_radii(const coin_state *s, const coin_params *p,
                                    double *center, double *contact);
 
+/** The steady motion nearest to a state: the same two integrals, at the
+ * extremum of the potential that is nearest in lean.  Eq. (39), (48).
+ * @param[out] out  theta, wY, wZ; wX = 0; the pose is that of s
+ * @return COIN_OK; the usual errors; COIN_EDOMAIN if there is none: the coin
+ *         would fall flat on both sides, or it is nearer than 1e-6 to flat.
+ * It may be unstable: coin_stability().  Two extrema closer to each other than
+ * 0.0005 cos(theta) may both be passed over.
+ * Accuracy: docs/models.md (test_steady_near).  Cost: some 5 us, more near
+ * flat; a chain of series, 40 terms per radian. */
+COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
+                                  coin_state *out);
+
+/** A steady motion at any time, in closed form: nothing is stepped.  Eq. (56).
+ * @param s         a steady state; what its residue of up to 1e-9 would do to
+ *                  it is left out, and wX comes out 0
+ * @param t         the time, of either sign [T]
+ * @param[out] out  the state at t
+ * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or phi, psi, x
+ *         or z leaves its range; COIN_EDOMAIN as coin_steady_radii().
+ * Accuracy: 4 u of the angles turned, and as much of the path (test_steady_at).
+ * Cost: three sines and cosines. */
+COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
+                                double t, coin_state *out);
+
 /** Linear stability of a steady motion.  Eq. (44).
  * @param[out] lambda2  lambda^2 [1/T^2]: > 0, a small lean away from it grows
  *                      as exp(sqrt(lambda^2) t); < 0, it oscillates with the

@@ -19,7 +19,8 @@ FLOORS = [
     [{"motion"}, {"legendre"}],
     [{"stepper", "carry", "march", "rk4", "dop8", "rk8", "symplectic",
       "sundman", "advance"},
-     {"energy"}, {"integrals"}, {"reaction"}, {"pose"}, {"rates"}, {"steady"}],
+     {"energy"}, {"integrals"}, {"reaction"}, {"pose"}, {"rates"},
+     {"steady", "steady_at", "steady_near"}],
     [{"run", "method", "check", "max_dt"}, {"stability"}],
     [{"selftest"}],
 ]

@@ -99,6 +99,14 @@ static int32_t steady_radii(void *const a[])
 {
     return coin_steady_radii(a[0], a[1], a[2], a[3]);
 }
+static int32_t steady_near(void *const a[])
+{
+    return coin_steady_near(a[0], a[1], a[2]);
+}
+static int32_t steady_at(void *const a[])
+{
+    return coin_steady_at(a[0], a[1], 1, a[2]);
+}
 static int32_t stability(void *const a[])
 {
     return coin_stability(a[0], a[1], a[2]);
@@ -129,6 +137,8 @@ const struct function functions[] = {
     {"coin_steady_upright_spin", "op", upright_spin},
     {"coin_steady_circle", "op", steady_circle},
     {"coin_steady_radii", "spoo", steady_radii},
+    {"coin_steady_near", "spo", steady_near},
+    {"coin_steady_at", "spo", steady_at},
     {"coin_stability", "spo", stability},
 };
 

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+#include "pinned.h"
+
+#include "steady.h"
+
+/* sin(h)/h. */
+static double sinc(double h)
+{
+    return h == 0 ? 1 : coin_priv_sincos(h).s / h;
+}
+
+int32_t coin_steady_at(const coin_state *s, const coin_params *p, double t,
+                       coin_state *out)
+{
+    coin_priv_body b;
+    coin_priv_sc th;
+    int32_t status = out ? coin_priv_check_steady(s, p, &b, &th) : COIN_EARG;
+    if (status == COIN_OK || status == COIN_EDOMAIN)
+        status = t - t == 0 ? status : COIN_ESTEP;
+    if (status != COIN_OK)
+        return status;
+    const double wY = s->wY, wZ = s->wZ;
+    const double half = wY * t / th.c / 2;        /* (56) */
+    const double way = b.a * wZ * t * sinc(half); /* (56) */
+    const coin_priv_sc along = coin_priv_sincos(s->phi + half);
+    coin_state at = *s;
+    at.wX = 0;
+    at.phi += 2 * half;                      /* (56) */
+    at.psi += (wZ + wY * (th.s / th.c)) * t; /* (56) */
+    at.x -= way * along.c;                   /* (56) */
+    at.z += way * along.s;                   /* (56) */
+    if (coin_priv_check_members(&at) != COIN_OK)
+        return COIN_ESTEP;
+    *out = at;
+    return COIN_OK;
+}

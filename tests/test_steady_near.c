@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/random.h"
+#include "support/steadies.h"
+
+#include "legendre.h"
+
+#include <math.h>
+
+/* d(wX)/dt in natural units at another lean on the leaf of two integrals:
+ * what the search walks to by steps, here by the series about upright. */
+static double push(const coin_params *p, const double K[2], double theta)
+{
+    const double m = p->mass * p->radius * p->radius;
+    const double k1 = p->inertia_Z / p->inertia_X, k2 = m / (p->inertia_Z + m);
+    const coin_priv_central f = coin_priv_legendre_central(k1 * k2, sin(theta));
+    const double wY = (K[0] * f.Pe + k1 * K[1] * f.Po) / cos(theta);
+    const double wZ = K[1] * f.We + k2 * K[0] * f.Wo;
+    const double torque = p->mass * p->gravity * p->radius * sin(theta) -
+                          (p->inertia_Z + m) * wY * wZ -
+                          p->inertia_X * wY * wY * tan(theta);
+    return torque / (p->mass * p->gravity * p->radius);
+}
+
+static double size_of(const coin_state *s)
+{
+    return fabs(s->wY) + fabs(s->wZ);
+}
+
+/* ------------------------------------------------------------------- tests */
+/* Both integrals are kept, through a walk of up to 3 rad; 64 u were 16 u at
+ * most in ten seeds. */
+static void the_integrals_are_those_of_the_state(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(61);
+    for (int i = 0; i < 1000; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, 1.4);
+        coin_state near;
+        double of_s[2], of_near[2];
+        check_status(coin_steady_near(&s, &p, &near), COIN_OK);
+        check_status(coin_integrals(&s, &p, of_s), COIN_OK);
+        check_status(coin_integrals(&near, &p, of_near), COIN_OK);
+        for (int k = 0; k < 2; ++k)
+            check_near(of_near[k], of_s[k], 64 * U * 3 * size_of(&s));
+        check(near.wX == 0 && near.phi == s.phi && near.psi == s.psi &&
+              near.x == s.x && near.z == s.z);
+    }
+}
+
+/* No potential has an extremum nearer than the one that was found: the push
+ * keeps its sign on the way there and for as far to the other side. */
+static void nothing_nearer_is_passed_over(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(62);
+    int seen = 0;
+    for (int i = 0; i < 300; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, 0.7);
+        coin_state near;
+        double K[2];
+        check_status(coin_steady_near(&s, &p, &near), COIN_OK);
+        check_status(coin_integrals(&s, &p, K), COIN_OK);
+        const double way = fabs(near.theta - s.theta);
+        const double here = push(&p, K, s.theta);
+        for (double at = s.theta - way; at < s.theta + way; at += 0.01)
+            if (fabs(at) < 0.75 && fabs(at - near.theta) > 1e-6) {
+                check(here * push(&p, K, at) > 0);
+                ++seen;
+            }
+        if (fabs(near.theta) < 0.75) {
+            const double beyond = near.theta + (near.theta - s.theta) * 1e-3;
+            check(here * push(&p, K, beyond) < 0);
+        }
+    }
+    check(seen > 1000);
+}
+
+/* A steady circle, wX and lean disturbed along its leaf, finds itself again to
+ * what its rounding is worth: u over the curvature of the potential. */
+static void a_disturbed_circle_finds_its_circle(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "circles.csv");
+    int found = 0;
+    for (size_t row = 0; row < t.rows; ++row) {
+        const struct circle c = circle_at(&t, row);
+        const double w = 1 / natural_time(&c.params);
+        coin_state s = c.state, near;
+        double lambda2;
+        check_status(coin_stability(&s, &c.params, &lambda2), COIN_OK);
+        if (fabs(c.theta) > 1.4 || fabs(lambda2) < 1e-3 * w * w)
+            continue;
+        s.wX = 0.001 * w;
+        check_status(coin_advance(&s, &c.params, 0.3 / w, 1e-13, NULL),
+                     COIN_OK);
+        check_status(coin_steady_near(&s, &c.params, &near), COIN_OK);
+        check_near(near.theta, c.theta, 1e-11);
+        check_near(near.wY, c.wY, 1e-11 * (fabs(c.wY) + fabs(c.wZ) + w));
+        check_near(near.wZ, c.wZ, 1e-11 * (fabs(c.wY) + fabs(c.wZ) + w));
+        ++found;
+    }
+    check(found > 20);
+}
+
+/* What is steady already comes back as it is. */
+static void a_steady_state_is_its_own(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    coin_state s, near;
+    coin_params_disc(&p, 1, 1, 1);
+    check_status(coin_steady_roll(&s, &p, 0.3), COIN_OK);
+    check_status(coin_steady_near(&s, &p, &near), COIN_OK);
+    check_same(&near, &s, sizeof s);
+    check_status(coin_steady_upright_spin(&s, &p, 0.3), COIN_OK);
+    check_status(coin_steady_near(&s, &p, &near), COIN_OK);
+    check_same(&near, &s, sizeof s);
+}
+
+/* Slow upright rolling is a hill between two valleys: near the top the hill is
+ * the nearest, farther out a valley. */
+static void a_hill_is_found_beside_its_valleys(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    coin_params_disc(&p, 1, 1, 1);
+    coin_state s = {0, 0, 0, 0, 0, 0.1, 0, 0.5}, near;
+    double lambda2;
+    check_status(coin_advance(&s, &p, 0.5, 1e-13, NULL), COIN_OK);
+    check_status(coin_steady_near(&s, &p, &near), COIN_OK);
+    check_near(near.theta, 0, 1e-13);
+    check_status(coin_stability(&near, &p, &lambda2), COIN_OK);
+    check(lambda2 > 0);
+    check_status(coin_advance(&s, &p, 2, 1e-13, NULL), COIN_OK);
+    check_status(coin_steady_near(&s, &p, &near), COIN_OK);
+    check_status(coin_stability(&near, &p, &lambda2), COIN_OK);
+    check(near.theta > 0.1 && lambda2 < 0);
+}
+
+/* Lean and roll mirrored, everything is. */
+static void the_mirror_of_a_state_has_the_mirrored_motion(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(63);
+    for (int i = 0; i < 200; ++i) {
+        const coin_params p = random_coin(&r);
+        coin_state s = random_state(&r, &p, 1.3), near, mirrored;
+        check_status(coin_steady_near(&s, &p, &near), COIN_OK);
+        s.theta = -s.theta;
+        s.wX = -s.wX;
+        s.wZ = -s.wZ;
+        check_status(coin_steady_near(&s, &p, &mirrored), COIN_OK);
+        check(mirrored.theta == -near.theta && mirrored.wZ == -near.wZ &&
+              mirrored.wY == near.wY);
+    }
+}
+
+/* Without spin the one extremum is upright; leaning further, a coin finds it
+ * on one side and the table on the other. */
+static void a_coin_without_spin_has_upright_alone(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    coin_params_disc(&p, 1, 1, 1);
+    coin_state s = {0.7, 0, 0, 0, 0, 0.2, 0, 0}, near;
+    check_status(coin_steady_near(&s, &p, &near), COIN_OK);
+    check_near(near.theta, 0, 1e-15);
+}
+
+/* Down to 1e-6 from flat what is found counts as steady.  Nearer, the rounding
+ * of theta alone is 1e-9 of the terms. */
+static void what_is_found_counts_as_steady(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    coin_params_disc(&p, 1, 1, 1);
+    for (double delta = 0.5; delta > 1.2e-6; delta *= 0.7) {
+        coin_state s, near;
+        double center, contact;
+        check_note("%g from flat", delta);
+        check_status(coin_steady_spin(&s, &p, acos(0) - delta), COIN_OK);
+        s.wX = 0.1 * delta;
+        s.wY *= 1.1;
+        check_status(coin_steady_near(&s, &p, &near), COIN_OK);
+        check_status(coin_steady_radii(&near, &p, &center, &contact), COIN_OK);
+        check(near.theta != s.theta);
+    }
+}
+
+/* At rest as flat as 1e-9, the only valley is too near the table to tell. */
+static void too_near_the_table_there_is_none(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    coin_params_disc(&p, 1, 1, 1);
+    coin_state s = {acos(0) - 1e-9, 1, 2, 3, 4, 0, 0, 0}, near = s;
+    check_status(coin_steady_near(&s, &p, &near), COIN_EDOMAIN);
+    check_same(&near, &s, sizeof s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(the_integrals_are_those_of_the_state),
+        TEST(nothing_nearer_is_passed_over),
+        TEST(a_disturbed_circle_finds_its_circle),
+        TEST(a_steady_state_is_its_own),
+        TEST(a_hill_is_found_beside_its_valleys),
+        TEST(the_mirror_of_a_state_has_the_mirrored_motion),
+        TEST(a_coin_without_spin_has_upright_alone),
+        TEST(what_is_found_counts_as_steady),
+        TEST(too_near_the_table_there_is_none),
+    };
+    return RUN_TESTS(tests);
+}
