@@ -120,9 +120,8 @@ int32_t coin_steady_near(const coin_state *s, const coin_params *p,
     const int32_t status = out ? coin_priv_check(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    struct place o = {.theta = s->theta, .wZ = s->wZ};
-    o.at = coin_priv_sincos(s->theta);
-    o.p = s->wY * o.at.c;
+    const coin_priv_sc at = coin_priv_sincos(s->theta);
+    struct place o = {s->theta, at, s->wY * at.c, s->wY, s->wZ, 0, 0};
     look(&o, &b);
     if (!nearest(&o, &b))
         return COIN_EDOMAIN;
