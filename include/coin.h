@@ -314,7 +314,8 @@ COIN_API int32_t coin_lean_run(coin_lean *l, const coin_params *p,
  *         from flat a call loses u/d of it, one long call nothing.
  * Cost: as |t|; about as 1/tol^(1/8) steps per unit, each 1.3 times one of
  *         COIN_RK8, and a pass at distance d costs ln(1/d) units more.  A coin
- *         that bounces near flat with little energy passes often. */
+ *         that bounces near flat with little energy passes often, and one that
+ *         turns fast takes a step for every radian or so. */
 COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
                               double tol, double *reached);
 

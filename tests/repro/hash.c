@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Prints a hash of every bit of many motions: the reference scenes by each
- * method, 2000 steps of 0.02 natural units of time.  The same on every
- * platform and compiler, whatever the size or order of bytes: it takes the
- * bits of each double from the lowest to the highest. */
+/* Prints a hash of every bit of many motions: the reference scenes, a coin that
+ * nearly falls flat and one that does, by each method, 2000 steps of 0.02
+ * natural units of time; the same by lean runs, by coin_advance() forward and
+ * back, and the steps that coin_max_dt() chooses.  The same on every platform
+ * and compiler, whatever the size or order of bytes: it takes the bits of each
+ * double from the lowest to the highest. */
 #include <coin.h>
 
 #include <inttypes.h>
@@ -32,6 +34,12 @@ static const scene scenes[] = {
     {"nearflat", 1, 1, 0, 1, 0.3, 0, 0.02, 0.02},
     {"ring", 1, 1, 0.9, 1, 0.5, 0.1, 0.8, 1.2},
     {"quarter", 0.00567, 0.01213, 0, 9.80665, 0.3, 0, 5, 40},
+    {"flat3", 1, 1, 0, 1, 0.5, 0, -0.2947, 0.3},
+    {"ring_b05", 1, 1, 0.5, 1, 0.2, -0.3, -0.5, 0.9},
+    {"negative", 1, 1, 0, 1, -0.4, 0.2, 0.6, -1.5},
+    {"si_washer", 0.0123, 0.02, 0.008, 9.81, 0.25, -2, 6, 30},
+    {"drop", 1, 1, 0, 1, 0.3, 0, 1e-13, 1e-13},
+    {"fall", 1, 1, 0.5, 1, -0.3, -0.1, 0, 0},
 };
 
 static uint64_t hash_u64(uint64_t h, uint64_t bits)
@@ -42,57 +50,130 @@ static uint64_t hash_u64(uint64_t h, uint64_t bits)
     return h;
 }
 
+static uint64_t hash_doubles(uint64_t h, const void *from, size_t count)
+{
+    const unsigned char *at = from;
+    uint64_t bits;
+    size_t i;
+    for (i = 0; i < count; ++i) {
+        memcpy(&bits, at + i * sizeof bits, sizeof bits);
+        h = hash_u64(h, bits);
+    }
+    return h;
+}
+
 static uint64_t hash_state(uint64_t h, const coin_state *s)
 {
-    uint64_t bits[sizeof *s / sizeof(uint64_t)];
-    size_t i;
-    memcpy(bits, s, sizeof bits);
-    for (i = 0; i < sizeof bits / sizeof *bits; ++i)
-        h = hash_u64(h, bits[i]);
-    return h;
+    return hash_doubles(h, s, sizeof *s / sizeof(double));
+}
+
+static uint64_t hash_status(uint64_t h, int32_t status)
+{
+    return hash_u64(h, (uint32_t)status);
+}
+
+/* A scene's beginning. */
+typedef struct start {
+    coin_params p;
+    coin_state s;
+    double unit;
+} start;
+
+static start start_of(const scene *a)
+{
+    start b;
+    const coin_state s = {a->theta, 0, 0, 0, 0, a->wX, a->wY, a->wZ};
+    coin_params_ring(&b.p, a->mass, a->radius, a->inner_radius, a->gravity);
+    b.s = s;
+    b.unit = sqrt(a->radius / a->gravity);
+    return b;
 }
 
 /* A scene by a method: the samples on the way, then one run to the end.  A
  * refused step is part of the picture: status and progress count too. */
-static uint64_t hash_motion(const scene *a, int32_t method)
+static uint64_t hash_run(const scene *a, int32_t method)
 {
-    const double dt = 0.02 * sqrt(a->radius / a->gravity);
-    coin_state s = {0, 0, 0, 0, 0, 0, 0, 0}, out[SAMPLES];
-    uint64_t h = FNV_OFFSET, steps = 0;
-    coin_params p;
+    start b = start_of(a);
+    coin_state out[SAMPLES];
+    const double dt = 0.02 * b.unit;
+    uint64_t steps = 0, h = hash_status(FNV_OFFSET, coin_params_check(&b.p));
     size_t i, done = 0;
-    int32_t status;
 
-    status =
-        coin_params_ring(&p, a->mass, a->radius, a->inner_radius, a->gravity);
-    h = hash_u64(h, (uint32_t)status);
-    s.theta = a->theta;
-    s.wX = a->wX;
-    s.wY = a->wY;
-    s.wZ = a->wZ;
-    status = coin_sample(&s, &p, method, dt, PER_SAMPLE, SAMPLES, out, &done);
-    h = hash_u64(hash_u64(h, (uint32_t)status), done);
+    h = hash_status(h, coin_sample(&b.s, &b.p, method, dt, PER_SAMPLE, SAMPLES,
+                                   out, &done));
+    h = hash_u64(h, done);
     for (i = 0; i < done; ++i)
         h = hash_state(h, &out[i]);
-    status = coin_run(&s, &p, method, dt, STEPS, &steps);
-    h = hash_u64(hash_u64(h, (uint32_t)status), steps);
-    return hash_state(h, &s);
+    h = hash_status(h, coin_run(&b.s, &b.p, method, dt, STEPS, &steps));
+    return hash_state(hash_u64(h, steps), &b.s);
+}
+
+/* The lean alone, which only the Runge-Kutta methods follow: the others say
+ * so. */
+static uint64_t hash_lean(const scene *a, int32_t method)
+{
+    const start b = start_of(a);
+    coin_lean l = {b.s.theta, b.s.wX, b.s.wY, b.s.wZ};
+    const double dt = 0.02 * b.unit;
+    uint64_t steps = 0, h = FNV_OFFSET;
+    h = hash_status(h, coin_lean_run(&l, &b.p, method, dt, STEPS, &steps));
+    return hash_doubles(hash_u64(h, steps), &l, sizeof l / sizeof(double));
+}
+
+/* The steps that a method should take. */
+static uint64_t hash_max_dt(const scene *a, int32_t method)
+{
+    const start b = start_of(a);
+    uint64_t h = FNV_OFFSET;
+    double tol, dt;
+    for (tol = 1e-2; tol > 1e-11; tol /= 1000) {
+        dt = coin_max_dt(&b.s, &b.p, method, tol);
+        h = hash_doubles(h, &dt, 1);
+    }
+    return h;
+}
+
+/* By coin_advance() to ten times, and back again. */
+static uint64_t hash_advance(const scene *a)
+{
+    uint64_t h = FNV_OFFSET;
+    double tol, reached;
+    int i;
+    for (tol = 1e-2; tol >= 0.99e-11; tol /= 1000) {
+        start b = start_of(a);
+        for (i = 1; i <= 20; ++i) {
+            const double t = (i <= 10 ? 1.7 : -1.7) * b.unit;
+            reached = 0;
+            h = hash_status(h, coin_advance(&b.s, &b.p, t, tol, &reached));
+            h = hash_state(hash_doubles(h, &reached, 1), &b.s);
+        }
+    }
+    return h;
+}
+
+static uint64_t print(uint64_t all, uint64_t h, const char *by, const char *how,
+                      const scene *a)
+{
+    printf("%016" PRIx64 " %s%s %s\n", h, by, how, a->name);
+    return hash_u64(all, h);
 }
 
 int main(void)
 {
     uint64_t all = FNV_OFFSET;
-    int32_t method;
+    int32_t m;
+    size_t i;
 
-    for (method = 0; coin_method_name(method) != NULL; ++method) {
-        size_t i;
-        for (i = 0; i < sizeof scenes / sizeof *scenes; ++i) {
-            const uint64_t h = hash_motion(&scenes[i], method);
-            printf("%016" PRIx64 " %s %s\n", h, coin_method_name(method),
-                   scenes[i].name);
-            all = hash_u64(all, h);
+    for (i = 0; i < sizeof scenes / sizeof *scenes; ++i) {
+        const scene *a = &scenes[i];
+        for (m = 0; coin_method_name(m) != NULL; ++m) {
+            const char *name = coin_method_name(m);
+            all = print(all, hash_run(a, m), name, "", a);
+            all = print(all, hash_lean(a, m), name, " lean", a);
+            all = print(all, hash_max_dt(a, m), name, " max_dt", a);
         }
+        all = print(all, hash_advance(a), "advance", "", a);
     }
     printf("%016" PRIx64 " all, selftest %d\n", all, (int)coin_selftest());
-    return method == 0;
+    return coin_method_name(0) == NULL;
 }
