@@ -116,6 +116,41 @@ def table(lib, coins, method, rows):
         print(" | ".join(["%g" % dtW, *cells, short(errors[-1])]))
 
 
+def apart(s, t, p):
+    """The largest difference of two states, in natural units."""
+    T = math.sqrt(p.radius/p.gravity)
+    return max(abs(getattr(s, n) - getattr(t, n))*scale
+               for n, scale in zip(MEMBERS, [1]*3 + [1/p.radius]*2 + [T]*3))
+
+
+def returns(lib, coins, name, rows, go):
+    """go() forward and back over the span: the distance from the start."""
+    print("\n%s, forward and back: median | 9 of 10 | 99 of 100" % name)
+    for setting in rows:
+        errors = []
+        for start, p, W in coins:
+            s = copy(start)
+            done = (go(s, p, W, setting, SPAN) >= 0
+                    and go(s, p, W, setting, -SPAN) >= 0)
+            errors.append(apart(s, start, p)/SPAN if done else math.inf)
+        errors.sort()
+        print(" | ".join(["%g" % setting] + [
+            short(errors[int(COINS*q)]) for q in (.5, .9, .99)]))
+
+
+def round_trips(lib, coins):
+    for m, rows in enumerate(((0.1, 0.2, 0.35), (0.2, 0.35, 0.7), (0.08,),
+                              (0.16,))):
+        def run(s, p, W, dtW, t):
+            steps = math.ceil(SPAN*W/dtW)
+            return lib.coin_run(byref(s), byref(p), m, t/steps, steps, None)
+        returns(lib, coins, METHODS[m], rows, run)
+
+    def advance(s, p, _, tol, t):
+        return lib.coin_advance(byref(s), byref(p), t, tol, None)
+    returns(lib, coins, "coin_advance", (1e-6, 1e-9, 1e-12), advance)
+
+
 def quarter(lib):
     """A US quarter for one second, by steps per second."""
     p, s = Params(), State(theta=0.3, wY=5, wZ=40)
@@ -199,6 +234,7 @@ def main(path, seed=1):
     table(lib, coins, 1, (0.1, 0.2, 0.35, 0.7, 1, 1.8))
     table(lib, coins, 2, (0.01, 0.03, 0.08, 0.16))
     table(lib, coins, 3, (0.05, 0.1, 0.16, 0.3))
+    round_trips(lib, coins)
     quarter(lib)
     times(lib)
     drops(lib)

@@ -169,33 +169,6 @@ static void the_shortest_times_move_by_the_rates(void **unused)
         }
 }
 
-/* In any parts, away from flat: what a call costs is rounding, 16 u with what
- * the motion makes of it (measured). */
-static void in_many_calls_it_comes_where_one_comes(void **unused)
-{
-    (void)unused;
-    struct random r = random_begin(81);
-    for (int i = 0; i < 100; ++i) {
-        const coin_params p = random_coin(&r);
-        const double T = natural_time(&p);
-        const coin_state start = random_motion(&r, &p, 1.0 / 32, 256);
-        coin_state one = start, many = start;
-        double left = 8 * T, reached;
-        int calls = 0;
-        check_status(coin_advance(&one, &p, left, 1e-13, &reached), COIN_OK);
-        check(reached == left);
-        for (; left != 0; ++calls) {
-            const double part = T * pow(10, random_between(&r, -6, 0));
-            const double t = part < left ? part : left;
-            check_status(coin_advance(&many, &p, t, 1e-13, &reached), COIN_OK);
-            check(reached == t);
-            left -= t;
-        }
-        check_note("motion %d in %d calls", i, calls);
-        check_within(states_apart(&one, &many, &p), 0, 64 * U * calls);
-    }
-}
-
 static void backward_it_returns(void **unused)
 {
     (void)unused;
@@ -354,7 +327,6 @@ int main(void)
         TEST(of_300_random_motions_hardly_one_errs_by_more_than_tol),
         TEST(no_time_changes_nothing),
         TEST(the_shortest_times_move_by_the_rates),
-        TEST(in_many_calls_it_comes_where_one_comes),
         TEST(backward_it_returns),
         TEST(in_units_a_power_of_two_apart_every_bit_is_the_same),
         TEST(mirrored_or_backward_every_bit_is_the_same),

@@ -3,11 +3,11 @@
 #include "support/coins.h"
 #include "support/random.h"
 #include "support/scene.h"
+#include "support/spread.h"
 #include "support/textbook.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 /* Halving the step of an order 4 divides the error by 16; the next order
  * leaves that within an eighth at these steps. */
@@ -70,37 +70,17 @@ static void a_quarter_at_120_frames_a_second_stays_close_for_a_second(
     check_within(error, 2e-4, 1e-3);
 }
 
-/* The largest W in a natural unit of time from here. */
-static double largest_rate(const coin_state *s, const coin_params *p)
-{
-    enum { SAMPLES = 129 };
-    coin_state path[SAMPLES];
-    const double dt = natural_time(p) / (SAMPLES - 1);
-    double W = 0;
-    check_status(coin_sample(s, p, COIN_RK4, dt, 1, SAMPLES, path, NULL),
-                 COIN_OK);
-    for (int i = 0; i < SAMPLES; ++i)
-        W = fmax(W, fastest_rate(&path[i], p));
-    return W;
-}
-
 /* The error in a natural unit of time with dt W <= 0.1 all along. */
 static double error_at_a_tenth(struct random *r)
 {
     const coin_params p = random_coin(r);
     const coin_state s = random_motion(r, &p, 1.0 / 32, 32);
-    const double dt = 0.1 / largest_rate(&s, &p);
+    const double dt = 0.1 / fastest_ahead(&s, &p, natural_time(&p));
     const uint64_t n = (uint64_t)ceil(natural_time(&p) / dt);
     coin_state coarse = s, fine = s;
     check(coin_run(&coarse, &p, COIN_RK4, dt, n, NULL) >= 0);
     check(coin_run(&fine, &p, COIN_RK4, dt / 16, 16 * n, NULL) >= 0);
     return fmax(fabs(coarse.theta - fine.theta), fabs(coarse.phi - fine.phi));
-}
-
-static int ascending(const void *a, const void *b)
-{
-    const double *x = a, *y = b;
-    return (*x > *y) - (*x < *y);
 }
 
 /* coin.h: "about 1e-6 per natural unit of time". */
@@ -112,13 +92,12 @@ static void the_error_per_unit_of_time_is_as_documented(void **unused)
     double errors[TRIED];
     for (int i = 0; i < TRIED; ++i)
         errors[i] = error_at_a_tenth(&r);
-    qsort(errors, TRIED, sizeof *errors, ascending);
-    const double median = errors[TRIED / 2], worst = errors[TRIED - 1];
+    const struct spread off = spread_of(errors, TRIED);
     printf("    dt W = 0.1: off by %.2g, at worst %.2g, per natural unit\n",
-           median, worst);
+           off.median, off.worst);
     check_note("%d random scenes", TRIED);
-    check_within(median, 2e-7, 2e-6);
-    check_within(worst, 1e-6, 1e-5);
+    check_within(off.median, 2e-7, 2e-6);
+    check_within(off.worst, 1e-6, 1e-5);
 }
 
 /* ------------------------------------------------- against the textbook's */

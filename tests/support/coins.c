@@ -2,6 +2,7 @@
 #include "coins.h"
 
 #include "check.h"
+#include "random.h"
 
 #include <math.h>
 
@@ -40,4 +41,16 @@ double fastest_rate(const coin_state *s, const coin_params *p)
     const double c = cos(s->theta);
     return sqrt((s->wX * s->wX + s->wY * s->wY) / (c * c) + s->wZ * s->wZ +
                 p->gravity / p->radius);
+}
+
+double fastest_ahead(const coin_state *s, const coin_params *p, double t)
+{
+    const int parts = 16 + (int)(128 * fabs(t) / natural_time(p));
+    coin_state at = *s;
+    double W = fastest_rate(&at, p);
+    for (int i = 0; i < parts; ++i) {
+        check_status(coin_advance(&at, p, t / parts, 1e-6, NULL), COIN_OK);
+        W = fmax(W, fastest_rate(&at, p));
+    }
+    return W;
 }

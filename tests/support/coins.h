@@ -21,4 +21,7 @@ coin_state state_in_row(const struct table *t, size_t row);
 /* W of Eq. (47), by libm. */
 double fastest_rate(const coin_state *s, const coin_params *p);
 
+/* The largest W in a time from here, of either sign. */
+double fastest_ahead(const coin_state *s, const coin_params *p, double t);
+
 #endif
