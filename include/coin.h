@@ -196,8 +196,9 @@ COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
 /** Whether the parameters can be computed with.
  * @return COIN_OK; COIN_EARG null; COIN_EPARAMS if a member is not finite or
  *         not positive, a reserved member is not 0, I_Z > 2 I_X (beyond a
- *         relative 1e-12: no body has that), or M a^2, M g a, g/a or a ratio
- *         of inertias leaves the range of normal doubles. */
+ *         relative 1e-12: no body has that), or M a^2, M g a, g/a, a ratio of
+ *         inertias or the square of a critical rate leaves the range of normal
+ *         doubles. */
 COIN_API int32_t coin_params_check(const coin_params *p);
 
 /* ---------------------------------------------------------------- state -- */
@@ -451,7 +452,8 @@ COIN_API int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
  *                (a large circle for small theta) is the root with
  *                wY wZ theta > 0
  * @return as coin_steady_roll(); COIN_EARG other branch; COIN_ESTATE also if
- *         wY would overflow; COIN_EDOMAIN theta = 0.
+ *         wY would overflow; COIN_EDOMAIN theta = 0, or wY beyond the smallest
+ *         doubles.
  * Accuracy: 8 u in wY (test_steady). */
 COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
                                     double theta, double wZ, int32_t branch);

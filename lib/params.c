@@ -22,10 +22,11 @@ int32_t coin_priv_body_of(coin_priv_body *b, const coin_params *p)
         Mga,     g / a,   K / J, IX / J,
         Mga / J, IZ / IX, m / K, MOST / SECANT2_MAX / (1 + a + M * a + J + K),
     };
+    const double roll2 = Mga / K / body.k1; /* critical rate, squared: (45) */
     const double limited[] = {
-        M,       a,       g,       IX,      IZ,      M * a,
-        body.Mg, m,       J,       K,       Mga,     body.g_a,
-        body.KJ, body.XJ, body.GJ, body.k1, body.k2, body.w2_max,
+        M,       a,       g,       IX,          IZ,       M * a,   body.Mg,
+        m,       J,       K,       Mga,         body.g_a, body.KJ, body.XJ,
+        body.GJ, body.k1, body.k2, body.w2_max, roll2,
     };
     int good = IZ <= 2 * IX * (1 + 1e-12);
     for (size_t i = 0; i < sizeof limited / sizeof *limited; ++i)

@@ -34,12 +34,16 @@ int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
     return balanced ? COIN_OK : COIN_EDOMAIN;
 }
 
-/* Writes a steady state if it is a state. */
+/* Writes a steady state if it is one: with moments of inertia 1e200 apart a
+ * rate may lie beyond all doubles (test_steady). */
 static int32_t steady(coin_state *s, const coin_params *p, double theta,
                       double wY, double wZ)
 {
     const coin_state made = {theta, 0, 0, 0, 0, 0, wY, wZ};
-    const int32_t status = s ? coin_state_check(&made, p) : COIN_EARG;
+    coin_priv_body b;
+    coin_priv_sc th;
+    const int32_t status =
+        s ? coin_priv_check_steady(&made, p, &b, &th) : COIN_EARG;
     if (status == COIN_OK)
         *s = made;
     return status;

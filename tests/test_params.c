@@ -143,6 +143,8 @@ static void ratios_of_inertias_must_not_either(void **unused)
         {"I_X/J", 1, 1e75, 1, 1e-200, 1e-200, COIN_EPARAMS},
         {"m/K", 1e-200, 1, 1e100, 1e150, 1e150, COIN_EPARAMS},
         {"M g a/J", 1e-200, 1, 1, 1e150, 1e150, COIN_EPARAMS},
+        {"critical rate", 1e-150, 1, 1e60, 1e100, 1e-150, COIN_EPARAMS},
+        {"none", 1e-150, 1, 1, 1e100, 1e-150, COIN_OK},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         coin_params p;

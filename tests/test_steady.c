@@ -344,6 +344,32 @@ static void rates_and_leans_out_of_range_are_refused(void **unused)
     }
 }
 
+/* Found by fuzzing: what overflows on the way to wY left wY = 0. */
+static void a_rate_beyond_the_doubles_is_refused(void **unused)
+{
+    (void)unused;
+    const struct {
+        double mass, gravity, IX, IZ, theta, wZ;
+        int32_t branch;
+    } cases[] = {
+        {1e-196, 1e-3, 1e100, 1e-196, 1.5707963267948963, 1, -1},
+        {1, 1e-290, 0.25, 0.5, 0.3, 1e100, 1},
+    };
+    for (size_t i = 0; i < 2; ++i) {
+        coin_params p;
+        const coin_state before = {1, 2, 3, 4, 5, 6, 7, 8};
+        coin_state s = before;
+        check_note("case %zu", i);
+        check_status(coin_params_body(&p, cases[i].mass, 1, cases[i].gravity,
+                                      cases[i].IX, cases[i].IZ),
+                     COIN_OK);
+        check_status(coin_steady_circle(&s, &p, cases[i].theta, cases[i].wZ,
+                                        cases[i].branch),
+                     COIN_EDOMAIN);
+        check_same(&s, &before, sizeof s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -362,6 +388,7 @@ int main(void)
         TEST(the_largest_may_be_any_of_them),
         TEST(the_bad_are_refused_in_order),
         TEST(rates_and_leans_out_of_range_are_refused),
+        TEST(a_rate_beyond_the_doubles_is_refused),
     };
     return RUN_TESTS(tests);
 }
