@@ -1,0 +1,305 @@
+/* SPDX-License-Identifier: MIT */
+/* What libFuzzer calls: draws a function and its arguments, calls it twice
+ * over different patterns, and demands what coin.h promises of any function.
+ */
+#include "fuzz.h"
+
+#include <errno.h>
+#include <fenv.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The calls of one examination; the outputs of each are filled with another
+ * pattern, so that what is not written, or read before, shows. */
+enum { GIVEN, FIRST, SECOND, SHARED, COPIES };
+static const unsigned char pattern[COPIES] = {0xa5, 0xa5, 0x5a, 0xc3};
+
+/* A function with the memory of its arguments: blocks of their own size each,
+ * with the sanitizer's walls around them. */
+struct subject {
+    const struct function *f;
+    const struct kind *kind[ARGUMENTS];
+    size_t count;
+    union argument a[COPIES][ARGUMENTS];
+    uint64_t done, refused;
+};
+
+static struct subject *subjects;
+static const struct subject *current;
+
+void demand_that(int holds, const char *what, const char *file, int line)
+{
+    if (holds)
+        return;
+    fprintf(stderr, "%s:%d: %s: does not hold: %s\n", file, line,
+            current ? current->f->name : "fuzz", what);
+    abort();
+}
+
+int same(const void *a, const void *b, size_t size)
+{
+    return memcmp(a, b, size) == 0;
+}
+
+static int is_all(const void *of, unsigned char byte, size_t size)
+{
+    const unsigned char *const at = of;
+    return size == 0 || (*at == byte && same(at, at + 1, size - 1));
+}
+
+/* ---------------------------------------------------------------- at the end
+ * Every function was called, was done at least once and, where it has errors,
+ * refused at least once: else the target is not worth its name. */
+static int counted(void)
+{
+    int good = 1;
+    for (size_t i = 0; i < fuzz_count; ++i) {
+        const struct subject *s = &subjects[i];
+        const int can_fail = s->f->errors || s->f->is_number;
+        good &= s->done > 0 && (s->refused > 0 || !can_fail);
+        fprintf(stderr,
+                "count: %-26s %12" PRIu64 " done %12" PRIu64 " refused\n",
+                s->f->name, s->done, s->refused);
+    }
+    return good;
+}
+
+static void report(void)
+{
+    current = NULL;
+    const int good = counted();
+    if (getenv("FUZZ_DEMANDS_ALL"))
+        demand(good && "every function was done and was refused");
+}
+
+/* -------------------------------------------------------------- at the start
+ */
+static void *memory(size_t size)
+{
+    void *const m = calloc(1, size);
+    demand(m);
+    return m;
+}
+
+static void prepare(struct subject *s, const struct function *f)
+{
+    s->f = f;
+    while (f->signature[s->count]) {
+        const struct kind *k = kind_of(f->signature[s->count]);
+        demand(k && s->count < ARGUMENTS);
+        for (size_t c = 0; c < COPIES && k->role != SCALAR; ++c)
+            s->a[c][s->count].p = memory(k->size);
+        s->kind[s->count++] = k;
+    }
+}
+
+static void prepare_all(void)
+{
+    subjects = memory(fuzz_count * sizeof *subjects);
+    for (size_t i = 0; i < fuzz_count; ++i)
+        prepare(&subjects[i], &fuzz_functions[i]);
+    atexit(report);
+}
+
+/* ----------------------------------------------------------------- the calls
+ */
+static void take_arguments(struct subject *s, struct bytes *b,
+                           const struct world *w)
+{
+    for (size_t i = 0; i < s->count; ++i) {
+        const struct kind *k = s->kind[i];
+        if (k->role == SCALAR)
+            k->take(b, w, &s->a[GIVEN][i]);
+        else if (k->take)
+            k->take(b, w, s->a[GIVEN][i].p);
+        else
+            memset(s->a[GIVEN][i].p, pattern[GIVEN], k->size);
+    }
+}
+
+/* The arguments of one call as they were drawn, outputs with its pattern. */
+static void restore(struct subject *s, int copy)
+{
+    for (size_t i = 0; i < s->count; ++i) {
+        const struct kind *k = s->kind[i];
+        if (k->role == SCALAR)
+            s->a[copy][i] = s->a[GIVEN][i];
+        else if (k->take)
+            memcpy(s->a[copy][i].p, s->a[GIVEN][i].p, k->size);
+        else
+            memset(s->a[copy][i].p, pattern[copy], k->size);
+    }
+}
+
+/* Calls with the null-th argument null; none is if that is beyond the last. */
+static double call(const struct subject *s, int copy, size_t null)
+{
+    union argument a[ARGUMENTS];
+    memcpy(a, s->a[copy], sizeof a);
+    if (null < s->count)
+        a[null].p = NULL;
+    errno = 1234;
+    const double result = s->f->call(a);
+    demand(errno == 1234);
+    demand(fegetround() == FE_TONEAREST);
+    return result;
+}
+
+static int is_error(const struct function *f, double result)
+{
+    return f->is_number ? isnan(result) : result < 0;
+}
+
+/* ---------------------------------------------------------- what must hold */
+static void is_untouched(const struct subject *s, int copy, size_t i)
+{
+    const struct kind *k = s->kind[i];
+    if (k->role == SCALAR)
+        return;
+    if (k->take)
+        demand(same(s->a[copy][i].p, s->a[GIVEN][i].p, k->size));
+    else
+        demand(is_all(s->a[copy][i].p, pattern[copy], k->size));
+}
+
+static void inputs_are_untouched(const struct subject *s, int copy)
+{
+    for (size_t i = 0; i < s->count; ++i)
+        if (s->kind[i]->role == READ)
+            is_untouched(s, copy, i);
+}
+
+static void all_is_untouched(const struct subject *s, int copy)
+{
+    for (size_t i = 0; i < s->count; ++i)
+        is_untouched(s, copy, i);
+}
+
+/* After success: the same bits from both calls, and sound ones. */
+static void outputs_are_sound(const struct subject *s, size_t null,
+                              const coin_params *p)
+{
+    for (size_t i = 0; i < s->count; ++i) {
+        const struct kind *k = s->kind[i];
+        if (i == null || k->role == SCALAR || !k->sound)
+            continue;
+        demand(same(s->a[FIRST][i].p, s->a[SECOND][i].p, k->size));
+        demand(k->sound(s->a[FIRST][i].p, p));
+    }
+}
+
+/* With what to compare an outcome: whether arguments are good, by the public
+ * checks; a function has its say only in what these leave open. */
+static void the_right_error_is_returned(const struct subject *s, double result,
+                                        size_t null, const struct world *w)
+{
+    const struct function *f = s->f;
+    const int knows = strchr(f->signature, 'p') != NULL;
+    const int bad_params = knows && coin_params_check(&w->p) != COIN_OK;
+    const int has_state = strpbrk(f->signature, "sS") != NULL;
+    const int bad_state = knows && has_state && !bad_params &&
+                          coin_state_check(&w->s, &w->p) != COIN_OK;
+    const int null_counts = null < s->count && s->kind[null]->role != PROGRESS;
+    if (f->is_number) {
+        if (null_counts || bad_params || bad_state)
+            demand(isnan(result));
+        return;
+    }
+    if (null_counts)
+        demand(result == COIN_EARG);
+    else if (bad_params)
+        demand(result == COIN_EARG || result == COIN_EPARAMS);
+    else if (bad_state)
+        demand(result == COIN_EARG || result == COIN_ESTATE);
+    else if (knows && has_state)
+        demand(result != COIN_EPARAMS && result != COIN_ESTATE);
+}
+
+static void status_is_documented(const struct function *f, double result)
+{
+    if (f->is_number) {
+        demand(!isinf(result));
+        return;
+    }
+    const int32_t status = (int32_t)result;
+    demand(status == result && status >= COIN_EBUILD);
+    if (status < 0)
+        demand(f->errors & BIT(status));
+    else
+        demand((status & ~f->warnings) == 0);
+}
+
+/* An output in the place of the input of its type gives the same bits. */
+static void may_share(struct subject *s, double result)
+{
+    const char *const from = strchr(s->f->signature, 's');
+    const char *const to = strpbrk(s->f->signature, "OR");
+    if (!from || !to)
+        return;
+    const size_t in = (size_t)(from - s->f->signature);
+    const size_t out = (size_t)(to - s->f->signature);
+    void *const kept = s->a[SHARED][out].p;
+    restore(s, SHARED);
+    s->a[SHARED][out].p = s->a[SHARED][in].p;
+    const double shared = call(s, SHARED, s->count);
+    demand(same(&shared, &result, sizeof result));
+    if (is_error(s->f, result))
+        is_untouched(s, SHARED, in);
+    else
+        demand(
+            same(s->a[SHARED][in].p, s->a[FIRST][out].p, s->kind[out]->size));
+    s->a[SHARED][out].p = kept;
+}
+
+/* -------------------------------------------------------------------- a call
+ */
+static void examine(struct subject *s, struct bytes *b)
+{
+    const struct world w = take_world(b);
+    const uint8_t which = take_byte(b);
+    const size_t null = which < 240 ? ARGUMENTS : which & 7;
+    take_arguments(s, b, &w);
+    if (null < s->count && s->kind[null]->role == SCALAR)
+        return;
+    restore(s, FIRST);
+    restore(s, SECOND);
+    const double result = call(s, FIRST, null);
+    const double again = call(s, SECOND, null);
+    const struct function *f = s->f;
+    const int failed = is_error(f, result);
+    ++*(failed ? &s->refused : &s->done);
+    demand(same(&result, &again, sizeof result) || (failed && isnan(again)));
+    inputs_are_untouched(s, FIRST);
+    status_is_documented(f, result);
+    the_right_error_is_returned(s, result, null, &w);
+    const int progress =
+        failed && !f->is_number && (f->progress & BIT((int32_t)result));
+    if (!failed)
+        outputs_are_sound(s, null, &w.p);
+    else if (!progress)
+        all_is_untouched(s, FIRST);
+    if (null < s->count)
+        return;
+    const struct outcome o = {result, s->a[GIVEN], s->a[FIRST], &w};
+    if (f->judge)
+        f->judge(&o);
+    may_share(s, result);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct bytes b = {data, data + size};
+    if (!subjects)
+        prepare_all();
+    struct subject *const s = &subjects[take_byte(&b) % fuzz_count];
+    current = s;
+    /* Without arguments once is enough. */
+    if (s->count > 0 || s->done == 0)
+        examine(s, &b);
+    return 0;
+}

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT */
+/* What can be read off a state. */
+#include "fuzz.h"
+
+#include <math.h>
+
+CALL(coin_angular_velocity, (a[0].p, a[1].p))
+CALL(coin_energy, (a[0].p, a[1].p))
+CALL(coin_integrals, (a[0].p, a[1].p, a[2].p))
+CALL(coin_reaction, (a[0].p, a[1].p, a[2].p))
+CALL(coin_rates, (a[0].p, a[1].p, a[2].p))
+CALL(coin_center, (a[0].p, a[1].p, a[2].p))
+CALL(coin_velocity, (a[0].p, a[1].p, a[2].p))
+CALL(coin_contact, (a[0].p, a[1].p, a[2].p, a[3].p))
+CALL(coin_axes, (a[0].p, a[1].p))
+CALL(coin_quaternion, (a[0].p, a[1].p))
+CALL(coin_check, (a[0].p, a[1].p, a[2].i, a[3].d, a[4].d))
+
+/* Rows of unit length: 3 products and as many sums of 4 u. */
+#define UNIT (32 * 0x1p-53)
+
+static double squares(const double *x, int count)
+{
+    double sum = 0;
+    for (int i = 0; i < count; ++i)
+        sum += x[i] * x[i];
+    return sum;
+}
+
+static void judge_axes(const struct outcome *o)
+{
+    const double *R = o->left[1].p;
+    for (int i = 0; i < 3 && o->result >= 0; ++i)
+        demand(fabs(squares(R + 3 * i, 3) - 1) <= UNIT);
+}
+
+static void judge_quaternion(const struct outcome *o)
+{
+    if (o->result >= 0)
+        demand(fabs(squares(o->left[1].p, 4) - 1) <= UNIT);
+}
+
+static void judge_center(const struct outcome *o)
+{
+    const double *r = o->left[2].p;
+    if (o->result >= 0)
+        demand(r[1] > 0 && r[1] <= o->world->p.radius);
+}
+
+static void judge_contact(const struct outcome *o)
+{
+    const double *r = o->left[2].p, *v = o->left[3].p;
+    if (o->result >= 0)
+        demand(r[1] == 0 && v[1] == 0);
+}
+
+/* The bits are those of the reaction: a coin that lifts off does not slip. */
+static void judge_check(const struct outcome *o)
+{
+    const int32_t bits = (int32_t)o->result;
+    coin_force f;
+    if (bits < 0)
+        return;
+    demand(coin_reaction(&o->world->s, &o->world->p, &f) == COIN_OK);
+    demand(!(f.normal > 0) == ((bits & COIN_LIFTS) != 0));
+    demand((f.normal > 0 && f.friction > o->given[4].d * f.normal) ==
+           ((bits & COIN_SLIPS) != 0));
+}
+
+#define NO_PARAMS (BIT(COIN_EARG) | BIT(COIN_ESTATE))
+#define CHECKED (USUAL | BIT(COIN_ESTEP))
+
+const struct function fuzz_functions[] = {
+    ROW(coin_angular_velocity, "s3", NO_PARAMS, 0, PLAIN),
+    ROW(coin_energy, "sp", NUMBER),
+    ROW(coin_integrals, "sp2", USUAL, 0, PLAIN),
+    ROW(coin_reaction, "spF", USUAL, 0, PLAIN),
+    ROW(coin_rates, "spR", USUAL, 0, PLAIN),
+    ROW(coin_center, "sp3", USUAL, 0, 0, judge_center, 0),
+    ROW(coin_velocity, "sp3", USUAL, 0, PLAIN),
+    ROW(coin_contact, "sp33", USUAL, 0, 0, judge_contact, 0),
+    ROW(coin_axes, "s9", NO_PARAMS, 0, 0, judge_axes, 0),
+    ROW(coin_quaternion, "s4", NO_PARAMS, 0, 0, judge_quaternion, 0),
+    ROW(coin_check, "spitd", CHECKED, 15, 0, judge_check, 0),
+};
+
+END_OF_TABLE;

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: MIT */
+/* Fixed steps. */
+#include "fuzz.h"
+
+#include <math.h>
+#include <string.h>
+
+CALL(coin_step, (a[0].p, a[1].p, a[2].d))
+CALL(coin_run, (a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].p))
+CALL(coin_lean_run, (a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].p))
+CALL(coin_sample,
+     (a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].u, a[6].p, a[7].p))
+
+/* The progress of a call: all of it, or none because the step is no number, or
+ * so much. */
+static uint64_t progress(const struct outcome *o, double dt, uint64_t asked,
+                         uint64_t done)
+{
+    if (o->result >= 0) {
+        demand(done == asked);
+        return asked;
+    }
+    if (o->result != COIN_ESTEP || !isfinite(dt)) {
+        demand(done == UINT64_C(0xa5a5a5a5a5a5a5a5));
+        return 0;
+    }
+    demand(done < asked);
+    return done;
+}
+
+/* A run that ends early is one of so many steps. */
+static void judge_run(const struct outcome *o)
+{
+    const union argument *a = o->given;
+    coin_state s = o->world->s;
+    uint64_t done, again;
+    memcpy(&done, o->left[5].p, sizeof done);
+    done = progress(o, a[3].d, a[4].u, done);
+    if (done > 0)
+        demand(coin_run(&s, &o->world->p, a[2].i, a[3].d, done, &again) >= 0);
+    demand(same(&s, o->left[0].p, sizeof s));
+}
+
+static void judge_step(const struct outcome *o)
+{
+    coin_state s = o->world->s;
+    const double dt = o->given[2].d;
+    if (o->result >= 0)
+        demand(coin_run(&s, &o->world->p, COIN_RK4, dt, 1, NULL) == o->result);
+    demand(same(&s, o->left[0].p, sizeof s));
+}
+
+/* The same bits as those members of a whole run, where its path fits. */
+static void judge_lean_run(const struct outcome *o)
+{
+    const union argument *a = o->given;
+    const coin_state *w = &o->world->s;
+    coin_state s = {w->theta, 0, 0, 0, 0, w->wX, w->wY, w->wZ};
+    uint64_t done, again;
+    memcpy(&done, o->left[5].p, sizeof done);
+    done = progress(o, a[3].d, a[4].u, done);
+    if (done > 0 &&
+        coin_run(&s, &o->world->p, a[2].i, a[3].d, done, &again) < 0)
+        return;
+    const coin_lean l = {s.theta, s.wX, s.wY, s.wZ};
+    demand(same(&l, o->left[0].p, sizeof l));
+}
+
+/* Each sample has the bits of a run; those beyond are untouched. */
+static void judge_sample(const struct outcome *o)
+{
+    const union argument *a = o->given;
+    const unsigned char *out = o->left[6].p, *fresh = a[6].p;
+    const coin_params *p = &o->world->p;
+    uint64_t done;
+    size_t count;
+    memcpy(&count, o->left[7].p, sizeof count);
+    count = progress(o, a[3].d, a[5].u, count);
+    for (size_t k = 0; k < count; ++k) {
+        coin_state s = o->world->s;
+        demand(coin_run(&s, p, a[2].i, a[3].d, k * a[4].u, &done) >= 0);
+        demand(same(&s, out + k * sizeof s, sizeof s));
+        demand(coin_state_check(&s, p) == COIN_OK);
+    }
+    const size_t written = count * sizeof(coin_state);
+    demand(same(out + written, fresh + written,
+                SAMPLES * sizeof(coin_state) - written));
+}
+
+#define STEPS (USUAL | BIT(COIN_ESTEP))
+
+const struct function fuzz_functions[] = {
+    ROW(coin_step, "Spt", STEPS, COIN_COARSE, 0, judge_step, 0),
+    ROW(coin_run, "Spitun", STEPS, COIN_COARSE, BIT(COIN_ESTEP), judge_run, 0),
+    ROW(coin_sample, "spitucAz", STEPS, COIN_COARSE, BIT(COIN_ESTEP),
+        judge_sample, 0),
+    ROW(coin_lean_run, "Lpitun", STEPS, COIN_COARSE, BIT(COIN_ESTEP),
+        judge_lean_run, 0),
+};
+
+END_OF_TABLE;

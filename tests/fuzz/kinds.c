@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: MIT */
+/* What arguments are: how bytes become one, and what an output has to be. */
+#include "fuzz.h"
+
+#include <math.h>
+#include <string.h>
+
+int finite_all(const double *x, size_t count)
+{
+    for (size_t i = 0; i < count; ++i)
+        if (!isfinite(x[i]))
+            return 0;
+    return 1;
+}
+
+/* ------------------------------------------------------------- taking each */
+static void take_p(struct bytes *b, const struct world *w, void *to)
+{
+    (void)b;
+    memcpy(to, &w->p, sizeof w->p);
+}
+
+static void take_s(struct bytes *b, const struct world *w, void *to)
+{
+    (void)b;
+    memcpy(to, &w->s, sizeof w->s);
+}
+
+static void take_l(struct bytes *b, const struct world *w, void *to)
+{
+    const coin_lean l = {w->s.theta, w->s.wX, w->s.wY, w->s.wZ};
+    (void)b;
+    memcpy(to, &l, sizeof l);
+}
+
+static void take_numbers(struct bytes *b, double *x, size_t count)
+{
+    for (size_t i = 0; i < count; ++i)
+        x[i] = perhaps(b, 2 * take_part(b));
+}
+
+static void take_q(struct bytes *b, const struct world *w, void *to)
+{
+    (void)w;
+    take_numbers(b, to, 4);
+}
+
+static void take_omega(struct bytes *b, const struct world *w, void *to)
+{
+    double *const omega = to;
+    for (int i = 0; i < 3; ++i)
+        omega[i] = take_rate(b, w->W);
+}
+
+static void take_d(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    (void)w;
+    a->d = take_number(b);
+}
+
+static void take_angle(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    (void)w;
+    a->d = take_lean(b);
+}
+
+static void take_omega_Z(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    a->d = take_rate(b, sqrt(w->p.gravity / w->p.radius));
+}
+
+/* A step, from far too short to far too long for this state. */
+static void take_dt(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    const uint8_t how = take_byte(b);
+    const double part = take_part(b);
+    a->d = how < 232 ? ldexp(part, 2 - how % 24) / w->W : take_number(b);
+}
+
+/* A time: up to a few tens of such steps. */
+static void take_time(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    take_dt(b, w, to);
+    a->d = isfinite(a->d) && fabs(a->d) * w->W <= 4 ? a->d * 8 : a->d;
+}
+
+static void take_tol(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    const uint8_t how = take_byte(b);
+    (void)w;
+    a->d = how < 240 ? ldexp(1, -(7 + how % 37)) : take_number(b);
+}
+
+/* Methods, branches: near 0, or anything. */
+static void take_i(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    const uint8_t how = take_byte(b);
+    (void)w;
+    if (how < 224)
+        a->i = how % 4;
+    else if (how < 248)
+        a->i = how % 8 - 2;
+    else
+        a->i = (int32_t)(0x01010101u * take_byte(b));
+}
+
+static void take_branch(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    take_i(b, w, to);
+    a->i = a->i >= 0 && a->i < 4 ? a->i % 2 * 2 - 1 : a->i;
+}
+
+/* Few, or so many that sums are settled on the way. */
+static void take_u(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    const uint8_t how = take_byte(b);
+    (void)w;
+    a->u = how < 224 ? how % 4 : 30 + how % 40;
+}
+
+static void take_count(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    (void)w;
+    a->u = take_byte(b) % (SAMPLES + 1);
+}
+
+/* ------------------------------------------------------- what is an output */
+static int sound_params(const void *of, const coin_params *p)
+{
+    (void)p;
+    return coin_params_check(of) == COIN_OK;
+}
+
+static int sound_state(const void *of, const coin_params *p)
+{
+    return coin_state_check(of, p) == COIN_OK;
+}
+
+static int sound_lean(const void *of, const coin_params *p)
+{
+    const coin_lean *l = of;
+    const coin_state s = {l->theta, 0, 0, 0, 0, l->wX, l->wY, l->wZ};
+    return coin_state_check(&s, p) == COIN_OK;
+}
+
+static int sound_8(const void *of, const coin_params *p)
+{
+    (void)p;
+    return finite_all(of, 8);
+}
+
+static int sound_force(const void *of, const coin_params *p)
+{
+    const coin_force *f = of;
+    (void)p;
+    return finite_all(f->R, 3) && f->normal == f->R[1] && f->friction >= 0 &&
+           isfinite(f->friction) &&
+           (f->normal > 0 ? f->ratio >= 0 : f->ratio == (double)INFINITY);
+}
+
+#define SOUND(count)                                                           \
+    static int sound_##count(const void *of, const coin_params *p)             \
+    {                                                                          \
+        (void)p;                                                               \
+        return finite_all(of, count);                                          \
+    }
+SOUND(1)
+SOUND(2)
+SOUND(3)
+SOUND(4)
+SOUND(9)
+
+static int sound_radius(const void *of, const coin_params *p)
+{
+    const double *r = of;
+    (void)p;
+    return *r >= 0;
+}
+
+static const struct kind kinds[] = {
+    {'p', READ, sizeof(coin_params), take_p, NULL},
+    {'P', WRITTEN, sizeof(coin_params), NULL, sound_params},
+    {'s', READ, sizeof(coin_state), take_s, NULL},
+    {'S', MOVED, sizeof(coin_state), take_s, sound_state},
+    {'O', WRITTEN, sizeof(coin_state), NULL, sound_state},
+    {'R', WRITTEN, sizeof(coin_state), NULL, sound_8}, /* rates */
+    {'L', MOVED, sizeof(coin_lean), take_l, sound_lean},
+    {'F', WRITTEN, sizeof(coin_force), NULL, sound_force},
+    {'A', WRITTEN, SAMPLES * sizeof(coin_state), NULL, NULL},
+    {'q', READ, 4 * sizeof(double), take_q, NULL},
+    {'w', READ, 3 * sizeof(double), take_omega, NULL},
+    {'1', WRITTEN, sizeof(double), NULL, sound_1},
+    {'2', WRITTEN, 2 * sizeof(double), NULL, sound_2},
+    {'3', WRITTEN, 3 * sizeof(double), NULL, sound_3},
+    {'4', WRITTEN, 4 * sizeof(double), NULL, sound_4},
+    {'9', WRITTEN, 9 * sizeof(double), NULL, sound_9},
+    {'I', WRITTEN, sizeof(double), NULL, sound_radius},
+    {'n', PROGRESS, sizeof(uint64_t), NULL, NULL},
+    {'z', PROGRESS, sizeof(size_t), NULL, NULL},
+    {'r', PROGRESS, sizeof(double), NULL, sound_1},
+    {'d', SCALAR, 0, take_d, NULL},
+    {'a', SCALAR, 0, take_angle, NULL},
+    {'v', SCALAR, 0, take_omega_Z, NULL},
+    {'t', SCALAR, 0, take_dt, NULL},
+    {'T', SCALAR, 0, take_time, NULL},
+    {'e', SCALAR, 0, take_tol, NULL},
+    {'i', SCALAR, 0, take_i, NULL},
+    {'b', SCALAR, 0, take_branch, NULL},
+    {'u', SCALAR, 0, take_u, NULL},
+    {'c', SCALAR, 0, take_count, NULL},
+};
+
+const struct kind *kind_of(char letter)
+{
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; ++i)
+        if (kinds[i].letter == letter)
+            return &kinds[i];
+    demand(letter == 0);
+    return NULL;
+}
