@@ -11,6 +11,7 @@
 #define DRIFT coin_priv_sundman_drift
 #define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
 #include "dop8.h"
+#include "march.h"
 #include "state.h"
 #include "sundman.h"
 

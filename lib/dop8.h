@@ -6,7 +6,8 @@
  * One step for either form of the equations of motion: its users define FIELD
  * and DRIFT, the slopes, times h, of the stage and of what is only added to,
  * and EACH_POSE(F), the members F of the latter, and get dop8_step(). */
-#include "march.h"
+#include "lesser.h"
+#include "motion.h"
 
 /* Rows of the tableau without their zeros: A5 holds a_51, a_53, a_54; from A6
  * on a_i1, a_i4, a_i5, ...; B holds b_1, b_6, ..., b_12. */
@@ -208,7 +209,7 @@ COIN_PRIV_INLINE coin_priv_stage stage_of(const struct row *r)
     EACH(ROW##i)                                                               \
     const coin_priv_stage s##i = stage_of(&y), k##i = FIELD(f, &s##i);         \
     const struct row d##i = row_of(&k##i);                                     \
-    low = low < s##i.cth ? low : s##i.cth
+    low = coin_priv_lesser(low, s##i.cth)
 #define PATH(i) const coin_priv_pose v##i = DRIFT(f, &s##i)
 
 /* One step h.  In each row the newest slope is added last: the older part does

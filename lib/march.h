@@ -3,26 +3,8 @@
 #ifndef ROLLCOIN_MARCH_H
 #define ROLLCOIN_MARCH_H
 
+#include "lesser.h"
 #include "stepper.h"
-
-/* Brings the pairs back to the unit circle, and q and tth to theirs, so that
- * the angles alone tell the state, and a run of n steps is n runs of one.  A
- * step leaves e = 1 - s^2 - c^2 = O(h^5); of three terms of (1 - e)^(-1/2)
- * there remains 5/16 e^3, rounding for steps that are not coarse. */
-COIN_PRIV_INLINE void coin_priv_renew(coin_priv_stage *y)
-{
-    const double q = 1 / y->cth;
-    const double lean = 1 - (y->sth * y->sth + y->cth * y->cth);
-    const double turn = 1 - (y->sph * y->sph + y->cph * y->cph);
-    const double longer = 0.5 + 0.375 * lean;
-    const double gain = turn * (0.5 + 0.375 * turn);
-    y->tth = y->sth * q;
-    y->sth += (y->sth * lean) * longer;
-    y->cth += (y->cth * lean) * longer;
-    y->q = q - (q * lean) * (0.5 + 0.125 * lean);
-    y->sph += y->sph * gain;
-    y->cph += y->cph * gain;
-}
 
 /* Whether phi and psi are in the range of coin_state_check(), and so far within
  * it as room; psi is the run's sum so far.  NaN is not. */
@@ -103,7 +85,7 @@ COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c,
         uint64_t done = 0;
         for (; done < block; ++done) {
             const double lowest = step(next, now, coefficients);
-            const double low = lowest < next->y.cth ? lowest : next->y.cth;
+            const double low = coin_priv_lesser(lowest, next->y.cth);
             sound = low > high ||
                     (low > 0 && coin_priv_within(limits, g_a, &next->y));
             if (!sound ||

@@ -7,8 +7,6 @@
 #ifndef ROLLCOIN_MOTION_H
 #define ROLLCOIN_MOTION_H
 
-#include "frame.h"
-#include "params.h"
 #include "pinned.h"
 
 /* What the equations read. */
@@ -24,29 +22,19 @@ typedef struct coin_priv_pose {
     double phi, psi, x, z, t;
 } coin_priv_pose;
 
-static inline coin_priv_stage coin_priv_stage_of(const coin_state *s)
-{
-    const coin_priv_frame f = coin_priv_frame_of(s);
-    const coin_priv_stage y = {
-        s->wX,     s->wY,         s->wZ, f.sth, f.cth,
-        1 / f.cth, f.sth / f.cth, f.sph, f.cph,
-    };
-    return y;
-}
+/* What a step reads and writes.  The pairs hold the angles: theta, and phi up
+ * to whole turns, which pose.phi counts. */
+typedef struct coin_priv_moment {
+    coin_priv_stage y;
+    coin_priv_pose pose;
+    double theta, p, low; /* of the symplectic methods; p = wY cos theta, low
+                             what the sum of phi left out */
+} coin_priv_moment;
 
 /* The coefficients of the equations of motion, times h but for XJ. */
 typedef struct coin_priv_field {
     double h, GJ, KJ, XJ, k1, k2;
 } coin_priv_field;
-
-static inline coin_priv_field coin_priv_field_of(const coin_priv_body *b,
-                                                 double h)
-{
-    const coin_priv_field f = {
-        h, h * b->GJ, h * b->KJ, b->XJ, h * b->k1, h * b->k2,
-    };
-    return f;
-}
 
 /* h d/dt of a stage.  Factors are grouped so that no product waits for long:
  * a step takes as long as its longest chain of dependences. */
@@ -129,6 +117,25 @@ coin_priv_sundman_drift(const coin_priv_field *f, const coin_priv_stage *y)
     d.z = dps * y->sph;    /* (32) */
     d.t = f->h * y->cth;   /* (32) */
     return d;
+}
+
+/* Brings the pairs back to the unit circle, and q and tth to theirs, so that
+ * the angles alone tell the state, and a run of n steps is n runs of one.  A
+ * step leaves e = 1 - s^2 - c^2 = O(h^5); of three terms of (1 - e)^(-1/2)
+ * there remains 5/16 e^3, rounding for steps that are not coarse. */
+COIN_PRIV_INLINE void coin_priv_renew(coin_priv_stage *y)
+{
+    const double q = 1 / y->cth;
+    const double lean = 1 - (y->sth * y->sth + y->cth * y->cth);
+    const double turn = 1 - (y->sph * y->sph + y->cph * y->cph);
+    const double longer = 0.5 + 0.375 * lean;
+    const double gain = turn * (0.5 + 0.375 * turn);
+    y->tth = y->sth * q;
+    y->sth += (y->sth * lean) * longer;
+    y->cth += (y->cth * lean) * longer;
+    y->q = q - (q * lean) * (0.5 + 0.125 * lean);
+    y->sph += y->sph * gain;
+    y->cph += y->cph * gain;
 }
 
 /* The velocity of the centre along x, y, z: a (-wZ e_X + wX e_Z). */

@@ -2,7 +2,7 @@
 #include "pinned.h"
 
 #include "frame.h"
-#include "motion.h"
+#include "stage.h"
 #include "state.h"
 
 #include <math.h>

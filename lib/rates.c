@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "pinned.h"
 
-#include "motion.h"
+#include "stage.h"
 #include "state.h"
 
 int32_t coin_rates(const coin_state *s, const coin_params *p, coin_state *out)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "pinned.h"
 
-#include "motion.h"
 #include "reaction.h"
+#include "stage.h"
 #include "state.h"
 
 #include <math.h>

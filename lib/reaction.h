@@ -2,7 +2,7 @@
 #ifndef ROLLCOIN_REACTION_H
 #define ROLLCOIN_REACTION_H
 
-#include "motion.h"
+#include "stage.h"
 
 /* The force of the table on a coin in this stage. */
 coin_force coin_priv_reaction(const coin_priv_body *b,

@@ -5,6 +5,7 @@
 #define DRIFT coin_priv_drift
 #define EACH_POSE(F) F(phi) F(psi) F(x) F(z)
 #include "dop8.h"
+#include "march.h"
 
 COIN_PRIV_INLINE double lean_step(coin_priv_moment *next,
                                   const coin_priv_moment *now, const void *f)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "pinned.h"
 
+#include "lesser.h"
 #include "method.h"
 #include "state.h"
 #include "stepper.h"
@@ -17,16 +18,6 @@ struct run {
     double dt;
 };
 
-static double squared(double x)
-{
-    return x * x;
-}
-
-static double smaller(double a, double b)
-{
-    return a < b ? a : b;
-}
-
 /* Checks everything, then computes what the steps share. */
 static int32_t open_run(struct run *r, const coin_state *s,
                         const coin_params *p, int32_t method, double dt)
@@ -40,10 +31,10 @@ static int32_t open_run(struct run *r, const coin_state *s,
         return COIN_ESTEP;
     r->start = *s;
     r->c = coin_priv_carry_of(s);
-    r->limits.most2 =
-        smaller(squared(coin_priv_method_most(method) / dt), r->b.w2_max);
-    r->limits.coarse2 =
-        smaller(squared(coin_priv_method_coarse(method) / dt), r->limits.most2);
+    const double most = coin_priv_method_most(method) / dt;
+    const double coarse = coin_priv_method_coarse(method) / dt;
+    r->limits.most2 = coin_priv_lesser(most * most, r->b.w2_max);
+    r->limits.coarse2 = coin_priv_lesser(coarse * coarse, r->limits.most2);
     r->limits.warnings = COIN_OK;
     r->step = coin_priv_method_stepper(method);
     r->dt = dt;

@@ -2,21 +2,12 @@
 #ifndef ROLLCOIN_STEPPER_H
 #define ROLLCOIN_STEPPER_H
 
-#include "motion.h"
+#include "stage.h"
 
 /* A sum and what its rounding left out. */
 typedef struct coin_priv_sum {
     double sum, low;
 } coin_priv_sum;
-
-/* What a step reads and writes.  The pairs hold the angles: theta, and phi up
- * to whole turns, which pose.phi counts. */
-typedef struct coin_priv_moment {
-    coin_priv_stage y;
-    coin_priv_pose pose;
-    double theta, p, low; /* of the symplectic methods; p = wY cos theta, low
-                             what the sum of phi left out */
-} coin_priv_moment;
 
 /* A run under way.  What a few steps added to psi, x and z is in the pose, the
  * rest in sums: a steady motion adds the same again and again, and to a long

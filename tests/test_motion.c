@@ -4,7 +4,7 @@
 #include "support/observable.h"
 #include "support/random.h"
 
-#include "motion.h"
+#include "stage.h"
 
 #include <math.h>
 

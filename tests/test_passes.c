@@ -10,7 +10,7 @@
 #include <math.h>
 
 /* coin_advance() once more, with its equations counted: twelve are a step. */
-#include "motion.h"
+#include "stage.h"
 
 static unsigned long equations;
 

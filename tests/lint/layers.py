@@ -14,9 +14,9 @@ import sys
 
 FLOORS = [
     [{"pinned"}],
-    [{"sincos"}, {"version"}, {"status"}],
+    [{"sincos"}, {"motion", "lesser"}, {"version"}, {"status"}],
     [{"params", "state"}, {"frame"}],
-    [{"motion"}, {"legendre"}],
+    [{"stage"}, {"legendre"}],
     [{"stepper", "carry", "march", "rk4", "dop8", "rk8", "symplectic",
       "sundman", "advance"},
      {"energy"}, {"integrals"}, {"reaction"}, {"pose"}, {"rates"},
