@@ -503,6 +503,28 @@ COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
 COIN_API int32_t coin_stability(const coin_state *s, const coin_params *p,
                                 double *lambda2);
 
+/** A small wobble about a steady motion, in closed form: linear in what start
+ * differs from it by.  Eq. (60)-(63).
+ * @param steady    the steady motion, of any pose
+ * @param start     the state at t = 0, near to it: its lean and rates are what
+ *                  differs; the pose begins where start has it
+ * @param t         the time, of either sign [T]
+ * @param[out] out  the state after t
+ * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or what is
+ *         computed is not a state: an unstable lean has grown to the table, or
+ *         phi or psi leave their range; COIN_EDOMAIN steady as in
+ *         coin_steady_radii() is not steady, or the steady motion next to
+ *         start leans more than 0.1 from it (as it may near lambda^2 = 0,
+ *         where nothing linear holds the coin).
+ * Accuracy: with A the largest difference in natural units from both steady
+ *         motions, an error of order A^2 in all members, which grows as t;
+ *         where the lean grows as exp(lambda t), A is what it has grown to
+ *         (test_wobble).  docs/models.md has figures.
+ * Cost: that of ten sines and cosines, whatever t. */
+COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
+                                const coin_state *start, double t,
+                                coin_state *out);
+
 /** The rate |wZ| above which straight rolling is stable: sqrt(g/(3 a)) for a
  * disc.  Eq. (45).  @return the rate [1/T]; NaN on bad parameters. */
 COIN_API double coin_critical_roll(const coin_params *p);

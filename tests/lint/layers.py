@@ -21,7 +21,7 @@ FLOORS = [
       "sundman", "advance"},
      {"energy"}, {"integrals"}, {"reaction"}, {"pose"}, {"rates"},
      {"steady", "steady_at", "steady_near"}],
-    [{"run", "method", "check", "max_dt"}, {"stability"}],
+    [{"run", "method", "check", "max_dt"}, {"stability"}, {"wobble"}],
     [{"selftest"}],
 ]
 PLACE = {stem: (level, column) for level, floor in enumerate(FLOORS)

@@ -111,6 +111,10 @@ static int32_t stability(void *const a[])
 {
     return coin_stability(a[0], a[1], a[2]);
 }
+static int32_t wobble_at(void *const a[])
+{
+    return coin_wobble_at(a[0], a[1], a[2], 1, a[3]);
+}
 
 const struct function functions[] = {
     {"coin_params_disc", "P", disc},
@@ -140,6 +144,7 @@ const struct function functions[] = {
     {"coin_steady_near", "spo", steady_near},
     {"coin_steady_at", "spo", steady_at},
     {"coin_stability", "spo", stability},
+    {"coin_wobble_at", "spso", wobble_at},
 };
 
 const size_t function_count = sizeof functions / sizeof *functions;
