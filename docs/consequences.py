@@ -174,6 +174,24 @@ holds(51, diff(delta, t, 2) - IX*p_flat**2/J/delta**3, sp.simplify(
 fall = {wY: 0, wZ: 0, wX: sqrt(2*M*g*a*(c0 - c)/J)}
 holds(52, (R[1]/(M*g) - 1 + m/J*(1 + 2*c0*c - 3*c**2)).subs(fall),
       (Rh/(M*g) + m/J*s*(2*c0 - 3*c)).subs(fall))
+k, n = IX/m, sp.Symbol('n')                     # n for cos theta
+press = (k - 2*n + 3*n**2)/(1 + k)              # N/(M g), from upright
+holds('lift-off', (R[1]/(M*g)).subs(fall).subs(c0, 1) - press.subs(n, c),
+      diff(press, n).subs(n, sp.Rational(1, 3)),
+      press.subs(n, sp.Rational(1, 3)) - (3*IX - m)/(3*J),
+      *(press.subs(n, (1 + sign*sqrt(1 - 3*k))/3) for sign in (1, -1)),
+      *(press.subs(IX, m/4).subs(n, n0)         # 60 degrees, 80.41
+        for n0 in (sp.Rational(1, 2), sp.Rational(1, 6))),
+      R[1].subs({th: 0}) - M*g + M*a*wX**2)     # upright, any wY, wZ, body
+ratio2 = (1 - n**2)*(2 - 3*n)**2/(k - 2*n + 3*n**2)**2      # (F/N)^2
+peak = (6*k + 9)*n**2 - (2*k + 12)*n + 4 - 3*k
+holds('slip', (Rh/R[1]).subs(fall).subs(c0, 1)**2 - ratio2.subs(n, c),
+      diff(ratio2, n) + 2*(3*n - 2)*peak/(k - 2*n + 3*n**2)**3)
+n0 = (25 + sqrt(79))/42                         # 36.21 degrees
+holds('slip', peak.subs(IX, m/4).subs(n, n0))
+assert abs(sqrt(ratio2.subs(IX, m/4).subs(n, n0)).evalf(20)
+           - sp.Float('0.421574466749')) < 1e-12
+assert abs(sp.deg(sp.acos(n0)).evalf(20) - sp.Float('36.2095584929')) < 1e-10
 tau = t/c0 - c1*t**2/(2*c0**2) + t**3*(2*c1**2 - c0*c2)/(6*c0**3)
 holds(54, *powers(sp.series(
     diff(tau, t) - 1/(c0 + c1*t + c2*t**2/2), t, 0, 3).removeO(), t, 2))

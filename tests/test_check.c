@@ -44,32 +44,178 @@ static void a_coin_that_rolls_straight_needs_no_friction(void **unused)
     check_status(bits(&s, &p, 0, 0), COIN_OK);
 }
 
-/* Falling from upright at rest, N changes sign at 60 degrees and again at
- * cos theta = 1/6. */
-static void a_coin_lifts_off_where_the_normal_force_ends(void **unused)
+/* ------------------------------------------------- a fall from upright rest */
+/* M = a = g = 1, I_X = k; I_Z has no part in it. */
+static coin_params body(double k)
+{
+    coin_params p;
+    check_status(coin_params_body(&p, 1, 1, 1, k, 1.5 * k), COIN_OK);
+    return p;
+}
+
+/* Where it leans by acos(c): Eq. (23). */
+static coin_state fallen(double c, double k)
+{
+    const coin_state s = {.theta = acos(c), .wX = sqrt(2 * (1 - c) / (1 + k))};
+    return s;
+}
+
+static int32_t bits_fallen(double c, double k, double mu)
+{
+    const coin_params p = body(k);
+    const coin_state s = fallen(c, k);
+    check_note("cos theta = %.15g, I_X/m = %.15g, mu = %.15g", c, k, mu);
+    return bits(&s, &p, 0, mu);
+}
+
+/* Eq. (52): N < 0 just for |3c - 1| < sqrt(1 - 3k).  For the disc that is from
+ * 60 degrees to 80.4059. */
+static void a_falling_coin_lifts_off_where_the_normal_force_ends(void **unused)
 {
     (void)unused;
-    const coin_params p = disc();
+    for (int i = 1; i <= 16; ++i) {
+        const double k = i / 48.0 - 1e-4, root = sqrt(1 - 3 * k);
+        const double first = (1 + root) / 3, last = (1 - root) / 3;
+        check_status(bits_fallen(first + 1e-12, k, INFINITY), COIN_OK);
+        check_status(bits_fallen(first - 1e-12, k, INFINITY), COIN_LIFTS);
+        check_status(bits_fallen(last + 1e-12, k, INFINITY), COIN_LIFTS);
+        check_status(bits_fallen(last - 1e-12, k, INFINITY), COIN_OK);
+    }
+    const double first = acos(0.5) * 180 / acos(-1);
+    const double last = acos(1.0 / 6) * 180 / acos(-1);
+    check_near(first, 60, 1e-12);
+    check_near(last, 80.4059317731, 1e-10);
+    check_status(bits_fallen(0.5 - 1e-12, 0.25, INFINITY), COIN_LIFTS);
+    check_status(bits_fallen(1.0 / 6 + 1e-12, 0.25, INFINITY), COIN_LIFTS);
+    /* Without a normal force there is nothing to slip on. */
+    check_status(bits_fallen(0.4, 0.25, 0), COIN_LIFTS);
+    check_status(bits_fallen(0.6, 0.25, 0), COIN_SLIPS);
+}
+
+/* N is least at c = 1/3, and 0 there for I_X = M a^2/3. */
+static void a_heavy_rim_never_lifts_off_in_such_a_fall(void **unused)
+{
+    (void)unused;
+    const double third = 1.0 / 3;
+    check_status(bits_fallen(third, third - 1e-12, INFINITY), COIN_LIFTS);
+    for (double k = third + 1e-12; k < 8; k = 1.5 * k)
+        for (int i = 1; i < 300; ++i)
+            check_status(bits_fallen(i / 300.0, k, INFINITY),
+                         i < 3 ? COIN_NEARLY_FLAT : COIN_OK);
+}
+
+/* The friction it needs has a peak before it reverses at cos theta = 2/3, and
+ * no bound where it lifts off: docs/physics.md, "Where rolling fails". */
+static void a_falling_coin_slips_before_the_peak_of_its_friction(void **unused)
+{
+    (void)unused;
     const struct {
-        double cosine;
-        int32_t want;
-    } cases[] = {
-        {0.5 * (1 + 1e-12), COIN_OK},
-        {0.5 * (1 - 1e-12), COIN_LIFTS},
-        {1.0 / 6 * (1 + 1e-12), COIN_LIFTS},
-        {1.0 / 6 * (1 - 1e-12), COIN_OK},
+        double k, degrees, mu;
+    } peaks[] = {
+        {0.25, 36.2095584929, 0.421574466749},
+        {0.3125, 35.346231416, 0.381920336148},
+        {0.5, 33.5573097619, 0.301511344578},
     };
-    for (size_t i = 0; i < 4; ++i) {
-        const double c = cases[i].cosine, wX = sqrt(1.6 * (1 - c));
-        const coin_state s = {acos(c), 0, 0, 0, 0, wX, 0, 0};
-        check_note("cos theta = %.15g", c);
-        check_status(bits(&s, &p, 0, INFINITY), cases[i].want);
-        /* Without a normal force there is nothing to slip on. */
-        check_status(bits(&s, &p, 0, 0),
-                     cases[i].want ? COIN_LIFTS : COIN_SLIPS);
+    for (size_t i = 0; i < 3; ++i) {
+        const double k = peaks[i].k, mu = peaks[i].mu;
+        const double c = cos(peaks[i].degrees * acos(-1) / 180);
+        check_near((6 * k + 9) * c * c - (2 * k + 12) * c + 4 - 3 * k, 0,
+                   1e-11);
+        check_status(bits_fallen(c, k, mu * (1 - 1e-11)), COIN_SLIPS);
+        for (int n = 201; n < 300; ++n)
+            check_status(bits_fallen(n / 300.0, k, mu * (1 + 1e-11)), COIN_OK);
+        check_status(bits_fallen(2.0 / 3, k, 1e-12), COIN_OK);
+    }
+    /* Whatever mu, a disc slips before it lifts off. */
+    for (double mu = 0.43; mu < 1e9; mu *= 10)
+        check_status(bits_fallen(0.5 + 0.01 / mu, 0.25, mu), COIN_SLIPS);
+}
+
+/* The angle in degrees of the first sample of a fall with that bit, and of the
+ * last before it ends; -1 if there is none. */
+struct stretch {
+    double from, to;
+};
+
+static struct stretch stretch_of(int32_t bit, double mu)
+{
+    const coin_params p = disc();
+    const double degree = acos(-1) / 180;
+    struct stretch found = {-1, -1};
+    coin_state s = {.theta = 1e-4};
+    while (s.theta < 88 * degree) {
+        if (bits(&s, &p, 0, mu) & bit) {
+            found.to = s.theta / degree;
+            found.from = found.from < 0 ? found.to : found.from;
+        } else if (found.from > 0)
+            break;
+        const double t = s.wX > 0.01 ? 0.01 * degree / s.wX : 0.1;
+        check_status(coin_advance(&s, &p, t, 1e-10, NULL), COIN_OK);
+    }
+    return found;
+}
+
+/* By the motion itself; samples lie 0.01 degrees apart. */
+static void so_it_happens_in_a_fall_that_is_run(void **unused)
+{
+    (void)unused;
+    const struct stretch lifts = stretch_of(COIN_LIFTS, INFINITY);
+    check_within(lifts.from, 60, 60.011);
+    check_within(lifts.to, 80.395, 80.406);
+    const struct stretch early = stretch_of(COIN_SLIPS, 0.4215);
+    check_within(early.from, 35.5, 36.21);
+    check_within(early.to, 36.21, 37);
+    const struct stretch late = stretch_of(COIN_SLIPS, 0.4217);
+    check_within(late.from, 48.2, 60);
+    check_within(late.to, 59.98, 60);
+}
+
+/* Any body: upright N = M g - M a wX^2, whatever wY and wZ; wX = 1.5 does. */
+static void upright_every_coin_lifts_off_that_leans_fast_enough(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(32);
+    for (int i = 0; i < 300; ++i) {
+        const coin_params p = random_coin(&r);
+        const double unit = natural_time(&p);
+        coin_state s = random_state(&r, &p, 1);
+        s.theta = 0;
+        for (int side = -1; side <= 1; side += 2) {
+            s.wX = side * (1 - 1e-12) / unit;
+            check_status(bits(&s, &p, 0, INFINITY), COIN_OK);
+            s.wX = side * (1 + 1e-12) / unit;
+            check_status(bits(&s, &p, 0, INFINITY), COIN_LIFTS);
+            s.wX = side * 1.5 / unit;
+            check_status(bits(&s, &p, 0, INFINITY), COIN_LIFTS);
+        }
     }
 }
 
+/* Eq. (53): N = M g in all of them, so that only friction counts. */
+static void a_steady_motion_never_lifts_off_and_slips_below_its_mu(
+    void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(33);
+    for (int i = 0; i < 400; ++i) {
+        const coin_params p = random_coin(&r);
+        const double w = 1 / natural_time(&p);
+        const double theta = random_between(&r, -1.4, 1.4);
+        const double wZ = random_between(&r, -2 * w, 2 * w);
+        coin_state s = circle(&p, theta, wZ, i % 2 ? 1 : -1);
+        const double mu =
+            p.radius * fabs(s.wY * s.wZ) / (p.gravity * cos(theta));
+        check_note("theta = %g, mu = %g", theta, mu);
+        check_status(bits(&s, &p, 0, mu * (1 - 1e-10)), COIN_SLIPS);
+        check_status(bits(&s, &p, 0, mu * (1 + 1e-10)), COIN_OK);
+        check_status(coin_steady_spin(&s, &p, theta), COIN_OK);
+        check_status(bits(&s, &p, 0, 1e-10), COIN_OK);
+        check_status(coin_steady_upright_spin(&s, &p, 100 * wZ), COIN_OK);
+        check_status(bits(&s, &p, 0, 0), COIN_OK);
+    }
+}
+
+/* ---------------------------------------------------------- the other bits */
 static void a_step_is_coarse_beyond_the_method_s_limit(void **unused)
 {
     (void)unused;
@@ -170,7 +316,12 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(a_coin_slips_beyond_its_friction_coefficient),
         TEST(a_coin_that_rolls_straight_needs_no_friction),
-        TEST(a_coin_lifts_off_where_the_normal_force_ends),
+        TEST(a_falling_coin_lifts_off_where_the_normal_force_ends),
+        TEST(a_heavy_rim_never_lifts_off_in_such_a_fall),
+        TEST(a_falling_coin_slips_before_the_peak_of_its_friction),
+        TEST(so_it_happens_in_a_fall_that_is_run),
+        TEST(upright_every_coin_lifts_off_that_leans_fast_enough),
+        TEST(a_steady_motion_never_lifts_off_and_slips_below_its_mu),
         TEST(a_step_is_coarse_beyond_the_method_s_limit),
         TEST(a_step_says_the_same),
         TEST(a_coin_is_nearly_flat_below_a_cosine_of_0_01),
