@@ -1,0 +1,513 @@
+/* SPDX-License-Identifier: MIT */
+/** @file coin.h
+ * librollcoin: the motion of a coin that rolls without slipping on a table.
+ *
+ * This header is the whole public API and its reference documentation.
+ * Equation numbers, such as Eq. (14), are those of docs/physics.md.
+ *
+ * FRAMES. Small letters x y z are the table's frame, y up.  Capital letters
+ * X Y Z are the coin's frame: origin at the centre, X horizontal in the
+ * coin's plane, Y up in its plane, Z along its axis.  theta is the lean (0 =
+ * upright, +-pi/2 = flat on the table), phi the heading about the vertical,
+ * psi the roll about the axis: the coin is turned by psi about z, then by
+ * theta about x, then by phi about y, all three fixed axes.
+ *
+ * UNITS. Angles are in radians; everything else is in any consistent set of
+ * units.  Dimensions stand in brackets: [M] mass, [L] length, [T] time, [1]
+ * none.  A natural unit of time is sqrt(radius/gravity): 35 ms for a US
+ * quarter.
+ *
+ * ARGUMENTS come in one order: the object acted on, the parameters, scalars,
+ * then outputs.  Every pointer must be valid and not null, except where a
+ * line says "may be null".  An output may be the same object as an input of
+ * the same type.
+ *
+ * STATUS. Functions return an int32_t: 0 is COIN_OK; a negative value is an
+ * error, and then every output and the state are exactly as before; a
+ * positive value means done, with warning bits.  Where several errors apply,
+ * the first of COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN
+ * is returned.  Functions that return a double return NaN on bad input.
+ * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
+ * coin_params_check() and COIN_ESTATE as coin_state_check().
+ *
+ * PROMISES. No allocation, no global state, no output, no errno, no change of
+ * the floating-point environment: every function is reentrant and bounded in
+ * time and stack.  What moves a state gives the same bits on every platform
+ * and compiler (see coin_selftest()).
+ *
+ * ACCURACY. "u" is 2^-53 = 1.1e-16.  "8 u of the terms" bounds an error by 8 u
+ * times the sum of the absolute values of the formula's terms, theta taken as
+ * the exact double that it is.
+ */
+#ifndef ROLLCOIN_COIN_H
+#define ROLLCOIN_COIN_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define COIN_VERSION_MAJOR 0
+#define COIN_VERSION_MINOR 1
+#define COIN_VERSION_PATCH 0
+
+/* Define COIN_API (empty, or to your own linkage) before including this file
+ * to embed the sources in a program that must not export them. */
+#ifndef COIN_API
+#if defined(_WIN32) && defined(COIN_BUILD)
+#define COIN_API __declspec(dllexport)
+#elif defined(__GNUC__)
+#define COIN_API __attribute__((visibility("default")))
+#else
+#define COIN_API
+#endif
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---------------------------------------------------------------- types -- */
+
+/** A thin axisymmetric body.  Fill it by coin_params_disc(), _ring() or
+ * _body(); every member may be read, and written at your own risk. */
+typedef struct coin_params {
+    double mass;        /**< M, > 0 [M] */
+    double radius;      /**< a, of the rim that rolls, > 0 [L] */
+    double gravity;     /**< g, > 0 [L/T^2] */
+    double inertia_X;   /**< I_X = I_Y, about a diameter, > 0 [M L^2] */
+    double inertia_Z;   /**< I_Z, about the axis, > 0, <= 2 I_X [M L^2] */
+    double reserved[3]; /**< must be 0 */
+} coin_params;
+
+/** Where a coin is and how it turns.  The angular velocity is that of the
+ * body, resolved along the coin's frame.  The height of the centre is implied:
+ * y = radius cos(theta); so is its velocity, by rolling: Eq. (20). */
+typedef struct coin_state {
+    double theta; /**< lean, -pi/2 < theta < pi/2 [rad] */
+    double phi;   /**< heading, |phi| <= 2^31 [rad] */
+    double psi;   /**< roll, |psi| <= 2^31 [rad] */
+    double x;     /**< of the centre [L] */
+    double z;     /**< of the centre [L] */
+    double wX;    /**< omega_X = d(theta)/dt [1/T] */
+    double wY;    /**< omega_Y [1/T] */
+    double wZ;    /**< omega_Z [1/T] */
+} coin_state;
+
+/** What drives everything: a coin for scenes that draw no path. */
+typedef struct coin_lean {
+    double theta; /**< lean, -pi/2 < theta < pi/2 [rad] */
+    double wX;    /**< omega_X = d(theta)/dt [1/T] */
+    double wY;    /**< omega_Y [1/T] */
+    double wZ;    /**< omega_Z [1/T] */
+} coin_lean;
+
+/** The force of the table on the coin. */
+typedef struct coin_force {
+    double R[3];     /**< in the table frame x, y, z [M L/T^2] */
+    double normal;   /**< N = R_y; <= 0 means a real coin would lift off */
+    double friction; /**< F = sqrt(R_x^2 + R_z^2) */
+    double ratio;    /**< F/N, the friction coefficient needed [1]; +infinity
+                          if N <= 0 */
+} coin_force;
+
+/** Status: 0, or negative = error.  Numbers never change meaning. */
+enum {
+    COIN_OK = 0,       /**< done */
+    COIN_EPARAMS = -1, /**< parameters out of range: coin_params_check() */
+    COIN_ESTATE = -2,  /**< state out of range: coin_state_check() */
+    COIN_ESTEP = -3,   /**< dt not finite, or beyond what the method can do
+                            from this state, or the coin would cross the
+                            table: a smaller dt may do */
+    COIN_EARG = -4,    /**< null pointer, unknown method or branch, bad
+                            tolerance, mu < 0 */
+    COIN_EDOMAIN = -5, /**< no such steady state, or the state is not steady */
+    COIN_EFLAT = -6,   /**< the coin falls flat within the time asked */
+    COIN_EBUILD = -7   /**< this build does not give the pinned bits:
+                            coin_selftest() */
+};
+
+/** Status: positive = done, with these warning bits. */
+enum {
+    COIN_SLIPS = 1,      /**< N > 0 and F > mu N: a real coin slips */
+    COIN_LIFTS = 2,      /**< N <= 0: a real coin lifts off */
+    COIN_COARSE = 4,     /**< |dt| W beyond the method's limit of full
+                              accuracy, W as in Eq. (47): docs/guide.md */
+    COIN_NEARLY_FLAT = 8 /**< cos(theta) < 0.01 */
+};
+
+/** Methods of integration. */
+enum {
+    COIN_RK4 = 0,         /**< classical Runge-Kutta, order 4 */
+    COIN_RK8 = 1,         /**< Dormand-Prince, 12 stages, order 8 */
+    COIN_SYMPLECTIC2 = 2, /**< kick-drift-kick with the exact drift, order 2 */
+    COIN_SYMPLECTIC4 = 3  /**< Chin 4A with the exact drift, order 4 */
+};
+
+/* -------------------------------------------------------------- version -- */
+
+/** The library's version, 0xMMmmpp; compare with the COIN_VERSION_ macros to
+ * see that header and library belong together. */
+COIN_API uint32_t coin_version(void);
+
+/** The same as text, "0.1.0". */
+COIN_API const char *coin_version_string(void);
+
+/** What a status means, in English, without a full stop; never null.  Warning
+ * bits may be combined: the text then names the set as such. */
+COIN_API const char *coin_status_string(int32_t status);
+
+/** sizeof(coin_state) as the library was compiled: 64.  For bindings. */
+COIN_API uint32_t coin_sizeof_state(void);
+
+/** sizeof(coin_params) as the library was compiled: 64.  For bindings. */
+COIN_API uint32_t coin_sizeof_params(void);
+
+/** Whether this build computes the pinned bits: steps some coins and compares
+ * a hash with the one built in.
+ * @return COIN_OK; COIN_EBUILD if the compiler fused or reordered arithmetic
+ *         (fast-math, contraction), or the rounding mode is not to-nearest.
+ * Cost: some 300 us. */
+COIN_API int32_t coin_selftest(void);
+
+/* ----------------------------------------------------------- parameters -- */
+
+/** A uniform thin disc: I_X = M a^2/4, I_Z = M a^2/2.  Eq. (29).
+ * @param[out] p   the parameters, reserved members 0
+ * @param mass     M, > 0 [M]
+ * @param radius   a, > 0 [L]
+ * @param gravity  g, > 0 [L/T^2]
+ * @return COIN_OK; COIN_EARG null p; COIN_EPARAMS as coin_params_check(). */
+COIN_API int32_t coin_params_disc(coin_params *p, double mass, double radius,
+                                  double gravity);
+
+/** A thin ring: I_X = M (a^2 + b^2)/4, I_Z = 2 I_X.  Eq. (29).
+ * @param inner_radius  b, 0 (a disc) to radius (a hoop) inclusive [L]
+ * @return as coin_params_disc(); COIN_EPARAMS also if b is out of range. */
+COIN_API int32_t coin_params_ring(coin_params *p, double mass, double radius,
+                                  double inner_radius, double gravity);
+
+/** Any thin axisymmetric body.
+ * @param inertia_X  I_X about a diameter, > 0 [M L^2]
+ * @param inertia_Z  I_Z about the axis, > 0 and <= 2 I_X [M L^2]
+ * @return as coin_params_disc(). */
+COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
+                                  double gravity, double inertia_X,
+                                  double inertia_Z);
+
+/** Whether the parameters can be computed with.
+ * @return COIN_OK; COIN_EARG null; COIN_EPARAMS if a member is not finite or
+ *         not positive, a reserved member is not 0, I_Z > 2 I_X (beyond a
+ *         relative 1e-12: no body has that), or M a^2, M g a, g/a or a ratio
+ *         of inertias leaves the range of normal doubles. */
+COIN_API int32_t coin_params_check(const coin_params *p);
+
+/* ---------------------------------------------------------------- state -- */
+
+/** Whether a state can be computed with.
+ * @return COIN_OK; COIN_EARG null; COIN_EPARAMS; COIN_ESTATE if a member is
+ *         not finite, |theta| >= pi/2, |phi| or |psi| > 2^31 (their sine is
+ *         lost), or the angular velocity is so large that energies or forces
+ *         would overflow. */
+COIN_API int32_t coin_state_check(const coin_state *s, const coin_params *p);
+
+/** The state of a coin that an engine holds as a rotation and an angular
+ * velocity.  Eq. (7), (30).
+ * @param[out] s  the state; -pi < phi, psi <= pi
+ * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
+ * @param omega   [3] angular velocity in the table frame [1/T]
+ * @param x,z     the centre of mass [L]
+ * @return COIN_OK; the usual errors: COIN_ESTATE if q or omega is not finite,
+ *         q is 0, or the coin lies flat.
+ * Accuracy: 8 u in each angle for a unit q; near flat phi and psi are each as
+ * uncertain as u/cos(theta), their sum or difference is not (test_pose). */
+COIN_API int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
+                                        const double q[4],
+                                        const double omega[3], double x,
+                                        double z);
+
+/** The angular velocity in the table frame.  Eq. (7).
+ * @param[out] omega  [3] along x, y, z [1/T]
+ * @return COIN_OK; the usual errors, and COIN_ESTATE if a component would
+ *         overflow.
+ * Accuracy: 8 u of the terms (test_pose). */
+COIN_API int32_t coin_angular_velocity(const coin_state *s, double omega[3]);
+
+/* ------------------------------------------------------------- stepping -- */
+
+/** One classical Runge-Kutta step of order 4: coin_run(s, p, COIN_RK4, dt, 1,
+ * null).  Eq. (14)-(20).
+ *
+ * A US quarter, leaning 0.3 rad, for one second:
+ * @code
+ * coin_params p;
+ * coin_state s = {0.3, 0, 0, 0, 0, 0, 5, 40};
+ * coin_params_disc(&p, 0.00567, 0.01213, 9.80665);
+ * for (int i = 0; i < 1000; ++i)
+ *     if (coin_step(&s, &p, 1e-3) < 0)
+ *         return 1;
+ * @endcode */
+COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
+
+/** Moves a coin by a number of fixed steps.
+ * @param[in,out] s   the state
+ * @param method      COIN_RK4, ...: coin_method_name()
+ * @param dt          the step, any finite value; < 0 runs backward [T]
+ * @param steps       how many; 0 changes nothing
+ * @param[out] done   how many were done; may be null
+ * @return COIN_OK; COIN_COARSE: all done, but a step began or ended with
+ *         |dt| W beyond the method's limit of full accuracy; the usual errors
+ *         and COIN_EARG for an unknown method, with *done untouched;
+ *         COIN_ESTEP if dt is not finite (*done untouched), or a step is
+ *         beyond the method, would lead through the table or out of the range
+ *         of coin_state_check(): s is then as after the *done steps before.
+ *         The symplectic methods refuse any step beyond their limit of full
+ *         accuracy whose drift the series of Eq. (34) does not reach.
+ * Accuracy: docs/guide.md; COIN_RK4 with |dt| W <= 0.1 adds about 1e-6 per
+ *         natural unit of time, and 16 times less for each halving.  A run of
+ *         n steps is n runs of one step to rounding (test_run).
+ * Cost: four sines and cosines per call, and one per 64 steps (the symplectic
+ *         methods: two per drift).  A step has no data-dependent loop and no
+ *         branch but its guard. */
+COIN_API int32_t coin_run(coin_state *s, const coin_params *p, int32_t method,
+                          double dt, uint64_t steps, uint64_t *done);
+
+/** A trajectory in one call: out[k] is the state after k * steps_per_sample
+ * steps, out[0] = *start.  The samples lie on one uninterrupted run: out[k]
+ * has the bits of coin_run() from *start, however often it is sampled.
+ * @param start             where to begin; may be an element of out
+ * @param steps_per_sample  steps between two samples
+ * @param count             how many samples out holds; 0 changes nothing
+ * @param[out] out          [count] states
+ * @param[out] done         how many samples were written; may be null
+ * @return as coin_run(); after COIN_ESTEP on the way out[0 .. *done-1] hold
+ *         the samples before the failing step, and the rest are untouched. */
+COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
+                             int32_t method, double dt,
+                             uint64_t steps_per_sample, size_t count,
+                             coin_state *out, size_t *done);
+
+/** coin_run() for a scene that draws no path: the same equations, the same
+ * steps, the pose left out.
+ * @param[in,out] l  theta, wX, wY, wZ
+ * @param method     COIN_RK4 or COIN_RK8; any other is COIN_EARG
+ * @return as coin_run(), with the bits that coin_run() gives these members. */
+COIN_API int32_t coin_lean_run(coin_lean *l, const coin_params *p,
+                               int32_t method, double dt, uint64_t steps,
+                               uint64_t *done);
+
+/** Moves a coin by any time, to a stated accuracy, however near to flat it
+ * passes: order 8 in Sundman's time, Eq. (32), with a step chosen from the
+ * state, landing on t, Eq. (54).
+ * @param[in,out] s  the state
+ * @param t          the time, of either sign [T]
+ * @param tol        1e-13 to 1e-2: the error that the steps may add per natural
+ *                   unit of time, in radians and radii, before the motion's
+ *                   own amplification [1]
+ * @param[out] reached  the time moved, t but for the errors below; may be null
+ * @return COIN_OK; the usual errors; COIN_EARG also for tol out of range;
+ *         COIN_ESTEP t not finite, or so long that a step changes nothing of
+ *         it, or phi or psi leaves its range: s is then as at *reached;
+ *         COIN_EFLAT the coin falls flat, nearer than 1e-30 rad: s is the last
+ *         state that a double can hold before, *reached the time of impact.
+ * Accuracy: below tol per unit for all of 2000 random states over 4 units
+ *         (docs/accuracy.md); rounding adds 1e-15 or so per
+ *         unit.  Near flat theta alone cannot hold cos(theta): at a distance d
+ *         from flat a call loses u/d of it, one long call nothing.
+ * Cost: as |t|; about as 1/tol^(1/8) steps per unit, each 1.3 times one of
+ *         COIN_RK8, and a pass at distance d costs ln(1/d) units more.  A coin
+ *         that bounces near flat with little energy passes often. */
+COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
+                              double tol, double *reached);
+
+/* -------------------------------------------------------------- methods -- */
+
+/** A method's name, "rk4" for COIN_RK4; null if there is no such method. */
+COIN_API const char *coin_method_name(int32_t method);
+
+/** A method's order of convergence, 4 for COIN_RK4; COIN_EARG if there is no
+ * such method. */
+COIN_API int32_t coin_method_order(int32_t method);
+
+/** The largest step of a method whose error stays below tol from this state
+ * on.  Found by trial: the motion is followed through one period of theta (or
+ * 20 natural units), and where it is at its worst with dt beside dt/2.
+ * @param tol  1e-13 to 1e-2: error per natural unit of time, in radians and
+ *             radii [1]
+ * @return dt > 0, never so large that a step would be COIN_COARSE; 0 if the
+ *         coin falls flat; NaN on the usual errors, an unknown method and tol
+ *         out of range.
+ * Accuracy: docs/accuracy.md says how often the error stays within tol.
+ * Cost: that of a run of at most 40,000 steps; some hundreds as a rule. */
+COIN_API double coin_max_dt(const coin_state *s, const coin_params *p,
+                            int32_t method, double tol);
+
+/* ---------------------------------------------------------- observables -- */
+
+/** The energy [M L^2/T^2], constant along every motion.  Eq. (23).
+ * @return E, 0 = at rest at the table's height; NaN on the usual errors.
+ * Accuracy: 8 u of E (test_energy). */
+COIN_API double coin_energy(const coin_state *s, const coin_params *p);
+
+/** The two linear integrals, constant along every motion: wY and wZ carried
+ * along the orbit to theta = 0.  Eq. (35), and Eq. (38) near flat.
+ * @param[out] K  [2] K_Y, K_Z [1/T]
+ * @return COIN_OK; the usual errors.
+ * Accuracy: 16 u of the terms at every |theta| < pi/2 (test_integrals).  Near
+ * flat the terms grow as ln(1/cos theta).  Uses log of libm for |sin theta| >
+ * 0.7: the last bit may differ between platforms. */
+COIN_API int32_t coin_integrals(const coin_state *s, const coin_params *p,
+                                double K[2]);
+
+/** The force of the table on the coin.  Eq. (25)-(28).  The rolling model
+ * holds the coin to the table: N may come out negative, see COIN_LIFTS.
+ * @return COIN_OK; the usual errors.
+ * Accuracy: 8 u of the terms (test_reaction). */
+COIN_API int32_t coin_reaction(const coin_state *s, const coin_params *p,
+                               coin_force *out);
+
+/** The rates of change of every member.  Eq. (14)-(20).
+ * @param[out] out  d/dt of theta, phi, ... in the member of that name; it is
+ *                  not a state
+ * @return COIN_OK; the usual errors.
+ * Accuracy: 8 u of the terms (test_motion). */
+COIN_API int32_t coin_rates(const coin_state *s, const coin_params *p,
+                            coin_state *out);
+
+/** The centre of mass.
+ * @param[out] r  [3] x, y, z; y = radius cos(theta) [L]
+ * @return COIN_OK; the usual errors.  Accuracy: 4 u (test_pose). */
+COIN_API int32_t coin_center(const coin_state *s, const coin_params *p,
+                             double r[3]);
+
+/** The velocity of the centre of mass.  Eq. (20).
+ * @param[out] v  [3] along x, y, z [L/T]
+ * @return COIN_OK; the usual errors.  Accuracy: 8 u of the terms (test_pose).
+ */
+COIN_API int32_t coin_velocity(const coin_state *s, const coin_params *p,
+                               double v[3]);
+
+/** The point of contact, and how fast it moves along the table (the geometric
+ * point: the coin's own material there is at rest).  Eq. (21), (22).
+ * @param[out] r  [3] the point, y = 0 [L]
+ * @param[out] v  [3] its velocity, y = 0 [L/T]
+ * @return COIN_OK; the usual errors.  Accuracy: 8 u of the terms (test_pose).
+ */
+COIN_API int32_t coin_contact(const coin_state *s, const coin_params *p,
+                              double r[3], double v[3]);
+
+/** The coin's frame.  Eq. (7).
+ * @param[out] R  [9] rows e_X, e_Y, e_Z, each along x, y, z [1]
+ * @return COIN_OK; the usual errors.  Accuracy: 4 u (test_pose). */
+COIN_API int32_t coin_axes(const coin_state *s, double R[9]);
+
+/** The rotation of the body, the roll included.  Eq. (30).
+ * @param[out] q  [4] w, x, y, z, unit norm, body to table; continuous in the
+ *                angles, so q and -q both occur
+ * @return COIN_OK; the usual errors.  Accuracy: 4 u (test_pose). */
+COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
+
+/* ------------------------------------------------------------- validity -- */
+
+/** Whether the rolling model and a step hold for this state.  docs/guide.md
+ * says what to do about each bit.
+ * @param dt  the step in question, any finite value [T]
+ * @param mu  the friction coefficient, >= 0, may be +infinity [1]
+ * @return COIN_OK, or the bits COIN_SLIPS, COIN_LIFTS, COIN_COARSE,
+ *         COIN_NEARLY_FLAT; COIN_EARG also for an unknown method and mu < 0 or
+ *         NaN; the usual errors; COIN_ESTEP dt not finite.
+ * Cost: about one of coin_reaction(). */
+COIN_API int32_t coin_check(const coin_state *s, const coin_params *p,
+                            int32_t method, double dt, double mu);
+
+/* -------------------------------------------------------- steady motion -- */
+
+/** Straight rolling, upright: theta = wX = wY = 0.
+ * @param[out] s  all 8 members, the pose 0
+ * @param wZ      the speed is radius |wZ|, along -x for wZ > 0 [1/T]
+ * @return COIN_OK; COIN_EARG; COIN_EPARAMS; COIN_ESTATE wZ not finite. */
+COIN_API int32_t coin_steady_roll(coin_state *s, const coin_params *p,
+                                  double wZ);
+
+/** Spinning with the centre at rest, leaning: wX = wZ = 0, wY > 0.  Needs no
+ * friction.  Eq. (42).
+ * @param theta  the lean, |theta| < pi/2 [rad]
+ * @return as coin_steady_roll(), COIN_ESTATE for theta. */
+COIN_API int32_t coin_steady_spin(coin_state *s, const coin_params *p,
+                                  double theta);
+
+/** Spinning upright about a diameter: theta = wX = wZ = 0.
+ * @param wY  any finite rate [1/T]
+ * @return as coin_steady_roll(). */
+COIN_API int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
+                                          double wY);
+
+/** Rolling along a circle at a constant lean.  Eq. (40), computed as Eq. (41)
+ * without cancellation.
+ * @param theta   the lean, 0 < |theta| < pi/2 [rad]
+ * @param wZ      any finite rate [1/T]
+ * @param branch  +1 or -1: the root f+ or f- of Eq. (40); the slow precession
+ *                (a large circle for small theta) is the root with
+ *                wY wZ theta > 0
+ * @return as coin_steady_roll(); COIN_EARG other branch; COIN_ESTATE also if
+ *         wY would overflow; COIN_EDOMAIN theta = 0.
+ * Accuracy: 8 u in wY (test_steady). */
+COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
+                                    double theta, double wZ, int32_t branch);
+
+/** The circles that the centre and the contact point of a steady motion
+ * follow.  Eq. (43).
+ * @param[out] center   R_G, of the centre of mass; +infinity if wY = 0 [L]
+ * @param[out] contact  R_C, of the contact point; likewise [L]
+ * @return COIN_OK; the usual errors; COIN_EDOMAIN if the state is not steady:
+ *         |wX| above 1e-9 of the largest of |wY|, |wZ|, sqrt(g/a), or the two
+ *         sides of Eq. (39) apart by more than 1e-9 of the largest of its
+ *         terms and M g a. */
+COIN_API int32_t coin_steady_radii(const coin_state *s, const coin_params *p,
+                                   double *center, double *contact);
+
+/** The steady motion nearest to a state: the same two integrals, at the
+ * extremum of the potential that is nearest in lean.  Eq. (39), (48).
+ * @param[out] out  theta, wY, wZ; wX = 0; the pose is that of s
+ * @return COIN_OK; the usual errors; COIN_EDOMAIN if there is none: the coin
+ *         would fall flat on both sides, or it is nearer than 1e-6 to flat.
+ * It may be unstable: coin_stability().  Two extrema closer to each other than
+ * 0.0005 cos(theta) may both be passed over.
+ * Accuracy: docs/models.md (test_steady_near).  Cost: some 5 us, more near
+ * flat; a chain of series, 40 terms per radian. */
+COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
+                                  coin_state *out);
+
+/** A steady motion at any time, in closed form: nothing is stepped.  Eq. (56).
+ * @param s         a steady state; what its residue of up to 1e-9 would do to
+ *                  it is left out, and wX comes out 0
+ * @param t         the time, of either sign [T]
+ * @param[out] out  the state at t
+ * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or phi, psi, x
+ *         or z leaves its range; COIN_EDOMAIN as coin_steady_radii().
+ * Accuracy: 4 u of the angles turned, and as much of the path (test_steady_at).
+ * Cost: three sines and cosines. */
+COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
+                                double t, coin_state *out);
+
+/** Linear stability of a steady motion.  Eq. (44).
+ * @param[out] lambda2  lambda^2 [1/T^2]: > 0, a small lean away from it grows
+ *                      as exp(sqrt(lambda^2) t); < 0, it oscillates with the
+ *                      period 2 pi/sqrt(-lambda^2); 0, critical (and stable in
+ *                      fact: docs/physics.md)
+ * @return as coin_steady_radii().
+ * Accuracy: 16 u of the terms (test_stability). */
+COIN_API int32_t coin_stability(const coin_state *s, const coin_params *p,
+                                double *lambda2);
+
+/** The rate |wZ| above which straight rolling is stable: sqrt(g/(3 a)) for a
+ * disc.  Eq. (45).  @return the rate [1/T]; NaN on bad parameters. */
+COIN_API double coin_critical_roll(const coin_params *p);
+
+/** The rate |wY| above which upright spinning is stable: sqrt(4 g/(5 a)) for a
+ * disc.  Eq. (46).  @return the rate [1/T]; NaN on bad parameters. */
+COIN_API double coin_critical_spin(const coin_params *p);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

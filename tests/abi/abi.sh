@@ -1,0 +1,92 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Compares headers and shared library with the baselines of this soname, in
+# tests/abi/SOVERSION: every difference is a failure, an addition too, until
+# `make abi-update` has accepted it.  docs/abi.md explains each part.
+#     abi.sh [update]    from `make abi`: CC SRC OUT VERSION SOVERSION PYTHON
+# LIBRARY and INCLUDE may name others than the ones just built: seeds.sh.
+set -eu
+here=$SRC/tests/abi
+base=${BASE:-$here/$SOVERSION}
+library=${LIBRARY:-$OUT/librollcoin.so}
+include=${INCLUDE:-$SRC/include}
+work=$OUT/abi
+failed=
+export CC
+
+die() { echo "abi: $*" >&2; exit 1; }
+changed() { echo "abi: $1 changed"; failed="$failed $1"; }
+
+for tool in abidw abidiff nm readelf "$PYTHON"; do
+    command -v "$tool" >/dev/null || die "needs $tool"
+done
+# abidiff calls any two libraries equal if it is shown no debug information.
+readelf -S "$library" | grep -q '\.debug_info' ||
+    die "$library has no debug information: build it with -g"
+readelf -d "$library" | grep -q "SONAME.*\[librollcoin.so.$SOVERSION\]" ||
+    die "$library is not librollcoin.so.$SOVERSION"
+
+rm -rf "$work"
+mkdir -p "$work/new"
+
+# ---------------------------------------------------------------- what there is
+# Loading addresses and sizes of code are nobody's business.
+nm -D --defined-only --with-symbol-versions "$library" | sed 's/^[^ ]* //' |
+    LC_ALL=C sort >"$work/new/symbols.txt"
+for list in macros constants layout functions; do
+    "$PYTHON" "$SRC/tests/ffi/header.py" "$include" $list >"$work/new/$list.txt"
+done
+abidw --no-corpus-path --no-comp-dir-path --no-show-locs "$library" \
+    >"$work/new/rollcoin.abi"
+
+# ----------------------------------------------------------------------- update
+if test "${1:-}" = update; then
+    if test "${VERSION%%.*}" -gt 0 && test -d "$base"; then
+        for list in symbols macros constants layout functions; do
+            LC_ALL=C comm -23 "$base/$list.txt" "$work/new/$list.txt"
+        done >"$work/lost"
+        test ! -s "$work/lost" || { cat "$work/lost"; die "a break of the ABI:" \
+            "raise SOVERSION in the Makefile, or take it back"; }
+    fi
+    mkdir -p "$base"
+    cp "$work/new"/* "$base"
+    # From 1.0 on the header of a soname's first release stays.
+    test "${VERSION%%.*}" -gt 0 && test -d "$base/include" ||
+        { rm -rf "$base/include"; cp -r "$include" "$base/include"; }
+    echo "abi: accepted as librollcoin.so.$SOVERSION:" \
+        "$(wc -l <"$base/symbols.txt") symbols"
+    exit
+fi
+
+# ----------------------------------------------------------------------- compare
+for file in symbols.txt macros.txt constants.txt layout.txt functions.txt \
+    rollcoin.abi include/coin.h; do
+    test -s "$base/$file" || die "there is no $base/$file: make abi-update"
+done
+for list in symbols macros constants layout functions; do
+    diff "$base/$list.txt" "$work/new/$list.txt" || changed $list
+done
+abidiff --suppressions "$here/rollcoin.suppr" --no-show-locs \
+    "$base/rollcoin.abi" "$library" || changed types
+
+# A program compiled with the frozen headers, beside one compiled with today's,
+# with the library of today.  It takes the address of all it knows of.
+# client HEADERS NAME
+client()
+{
+    "$PYTHON" "$SRC/tests/ffi/header.py" "$1" functions |
+        sed 's/(.*//; s/.*[ *]//; s/.*/CALL(&)/' >"$work/calls.h"
+    find "$1" -name '*.h' -printf '#include <%P>\n' | LC_ALL=C sort \
+        >"$work/headers.h"
+    $CC -std=c99 -O1 -I"$1" -I"$work" "$here/client.c" "$library" -lm \
+        -o "$work/$2"
+    LD_BIND_NOW=1 LD_LIBRARY_PATH=$(dirname "$library") "$work/$2" \
+        >"$work/$2.txt"
+}
+client "$include" today && client "$base/include" frozen &&
+    diff "$work/frozen.txt" "$work/today.txt" &&
+    test -s "$work/today.txt" || changed client
+
+test -z "$failed" || die "changed:$failed; if that is meant, make abi-update"
+echo "abi: as programs know it: $(wc -l <"$base/symbols.txt") symbols," \
+    "$(wc -l <"$base/layout.txt") sizes and offsets, the frozen client runs"

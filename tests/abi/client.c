@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/* A program that was compiled before: abi.sh compiles it with the headers of a
+ * soname's first release, and runs it with the library of today.  It prints,
+ * in hexadecimal, what it reads through every struct. */
+#include "headers.h"
+
+#include <stdio.h>
+
+typedef void any_function(void);
+
+/* All that those headers declare: a symbol that is gone shows at the start. */
+#define CALL(name) (any_function *)name,
+static any_function *const all[] = {
+#include "calls.h"
+};
+
+enum { SAMPLES = 4 };
+
+static void print_state(const coin_state *s)
+{
+    printf("%a %a %a %a %a %a %a %a\n", s->theta, s->phi, s->psi, s->x, s->z,
+           s->wX, s->wY, s->wZ);
+}
+
+static int32_t roll(const coin_params *p)
+{
+    coin_state path[SAMPLES], s = {0.3, 0, 0, 0, 0, 0, 5, 40};
+    coin_lean lean = {0.3, 0, 5, 40};
+    size_t done;
+    int32_t status =
+        coin_sample(&s, p, COIN_RK8, 1.0 / 120, 40, SAMPLES, path, &done);
+    for (size_t k = 0; k < done; ++k)
+        print_state(&path[k]);
+    status |= coin_run(&s, p, COIN_SYMPLECTIC4, 1e-3, 100, NULL);
+    print_state(&s);
+    status |= coin_lean_run(&lean, p, COIN_RK4, 1e-3, 100, NULL);
+    printf("%a %a %a %a\n", lean.theta, lean.wX, lean.wY, lean.wZ);
+    return status;
+}
+
+static int32_t look(const coin_params *p)
+{
+    const coin_state s = {0.3, 0.2, 0.1, 0, 0, 0, 5, 40};
+    coin_force f;
+    const int32_t status = coin_reaction(&s, p, &f);
+    printf("%a %a %a %a %a %a\n", f.R[0], f.R[1], f.R[2], f.normal, f.friction,
+           f.ratio);
+    printf("%d\n", (int)coin_check(&s, p, COIN_RK4, 1e-3, 0.01));
+    return status;
+}
+
+int main(void)
+{
+    coin_params p;
+    const int32_t status = coin_params_disc(&p, 0.00567, 0.01213, 9.80665);
+    size_t known = 0;
+
+    while (known < sizeof all / sizeof *all && all[known])
+        ++known;
+    printf("%a %a %a\n", p.inertia_X, p.inertia_Z, p.reserved[2]);
+    printf("%u %u\n", (unsigned)(coin_sizeof_state() - sizeof(coin_state)),
+           (unsigned)(coin_sizeof_params() - sizeof(coin_params)));
+    return (status | roll(&p) | look(&p)) != COIN_OK ||
+           known < sizeof all / sizeof *all;
+}
