@@ -4,9 +4,10 @@
 # WARN, MAPS, PINNED and PYTHON it uses.
 #
 #   make bench      measure, and print what came out    (ten minutes)
-#   make charts     the same, then renew tests/bench/results, the pictures and
-#                   the tables of docs/accuracy.md
+#   make charts     the same and the atlas, then renew tests/bench/results, the
+#                   pictures and the tables of docs/accuracy.md, docs/limits.md
 #   make figures    pictures and tables from tests/bench/results as they are
+#   make atlas      the maps of docs/limits.md, not timed   (three minutes)
 #   make longrun    ten million steps of everything          (half an hour)
 #
 # Library, textbook and peers are built twice, alike: portable and native.  A
@@ -20,7 +21,7 @@ FLAGS_portable := -O2
 FLAGS_native   := -O3 -march=native
 
 BENCHES := $(patsubst $(BENCH_SRC)/%.c,%,$(wildcard $(BENCH_SRC)/bench_*.c))
-SHARED_BY_BENCHES := scene workprec counted movers textbook
+SHARED_BY_BENCHES := scene workprec atlas counted movers textbook
 PEERS        := gsl odeint cvode ode mujoco
 LIBS_gsl     := -lgsl -lgslcblas
 LIBS_cvode   := -lsundials_cvode -lsundials_nvecserial \
@@ -71,7 +72,8 @@ $(foreach b,$(BUILDS),$(eval $(call bench_build,$b)))
 
 -include $(wildcard $(BENCH_OUT)/*/*.d $(BENCH_OUT)/*/lib/*.d)
 
-.PHONY: build-bench need-peers need-charts bench charts figures longrun costs
+.PHONY: build-bench need-peers need-charts bench charts figures longrun costs \
+        atlas atlas-check
 build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%))
 
 # A peer that is missing would make our curve look better than it is.
@@ -88,8 +90,10 @@ need-charts:
 	    >/dev/null || { echo "the charts need $$tool: sudo apt-get" \
 	    "install gnuplot-nox valgrind python3" >&2; exit 1; }; done
 
-DRAW = $(PYTHON) $(BENCH_SRC)/curves.py $(RESULTS) $(BENCH_OUT)/curves && \
-       $(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(SRC)/docs/accuracy.md && \
+DRAW = for py in curves atlas; do $(PYTHON) $(BENCH_SRC)/$$py.py $(RESULTS) \
+           $(BENCH_OUT)/curves || exit 1; done && \
+       $(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(SRC)/docs/accuracy.md \
+           $(SRC)/docs/limits.md && \
        for f in $(BENCH_SRC)/*.gp; do gnuplot -e "from='$(BENCH_OUT)/curves'" \
            -e "results='$(RESULTS)'" -e "to='$(SRC)/docs/figures'" $$f || \
            exit 1; done
@@ -127,13 +131,30 @@ $(BENCH_OUT)/truth: $(BENCH_SRC)/peers/truth.cpp | need-peers
 
 charts: bench ## measure, and renew the charts
 	mkdir -p $(RESULTS)
-	for t in steps accuracy best reliability costs; do \
+	$(MAP)
+	for t in steps accuracy best reliability costs atlas; do \
 	    cp $(BENCH_OUT)/$$t.csv $(RESULTS)/$$t.csv; done
 	$(DRAW)
 
 figures: need-charts ## draw the charts from the kept results
 	mkdir -p $(BENCH_OUT)
 	$(DRAW)
+
+# What becomes of a coin under every step: not timed, so at any time.
+MAPPED := bench_accuracy peer_gsl peer_odeint
+MAP     = { $(ABOUT); echo family,method,x,outcomes; for p in $(MAPPED); do \
+              $(BENCH_OUT)/portable/$$p atlas || exit 1; done; \
+              } >$(BENCH_OUT)/atlas.csv
+
+atlas: $(MAPPED:%=$(BENCH_OUT)/portable/%) need-charts ## the maps of docs/limits.md (3 minutes)
+	mkdir -p $(RESULTS)
+	$(MAP)
+	cp $(BENCH_OUT)/atlas.csv $(RESULTS)
+	$(DRAW)
+
+atlas-check: $(BENCH_OUT)/portable/bench_accuracy # the maps' references, by another route
+	$< atlas references >$(BENCH_OUT)/references.csv
+	$(BENCH_SRC)/atlas_check.py <$(BENCH_OUT)/references.csv
 
 longrun: $(BENCH_OUT)/portable/bench_longrun ## what ten million steps do (half an hour)
 	mkdir -p $(RESULTS)

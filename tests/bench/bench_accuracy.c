@@ -26,9 +26,9 @@ static int go(double t, unsigned long steps)
     const double dt = t / (double)steps;
     if (at.method == ADVANCE)
         return (workprec_counts ? counted_advance : coin_advance)(
-                   &at.s, &at.c->p, t, at.setting, 0) < 0;
+            &at.s, &at.c->p, t, at.setting, 0);
     if (at.method != TEXTBOOK)
-        return coin_run(&at.s, &at.c->p, at.method, dt, steps, 0) < 0;
+        return coin_run(&at.s, &at.c->p, at.method, dt, steps, 0);
     textbook_run(&at.s, &at.c->p, dt, steps);
     return 0;
 }

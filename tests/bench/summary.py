@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 """What the benchmarks came to, as tables in Markdown.
 
-    summary.py FOLDER [PAGE]
+    summary.py FOLDER [PAGE]...
 
 FOLDER holds accuracy.csv, steps.csv, ...; what is between the lines
-<!-- NAME --> and <!-- end --> of PAGE becomes the table of that name.
+<!-- NAME --> and <!-- end --> of a PAGE becomes the table of that name.
 
 A ratio compares the cheapest settings that reach an error, each cost taken
 relative to a textbook step timed in the same moments.
@@ -162,8 +162,22 @@ def longrun():
                    r["KY_rms"], r["KZ_rms"], r["phase_rms"]] for r in rows])
 
 
-TABLES = {"goals": goals, "steps": steps, "frames": frames, "costs": costs,
-          "reliability": reliability, "best": best, "longrun": longrun}
+def atlas():
+    """How often each letter of atlas.c; a warning makes it small."""
+    of = {}
+    for r in read("atlas"):
+        of[r["method"]] = of.get(r["method"], "") + r["outcomes"]
+    def count(cells, letters):
+        return sum(map(cells.count, letters))
+    head = ("method", "runs", "right", "right, warned", "wrong, warned",
+            "refused", "wrong and silent", "of these through the table or NaN")
+    return table(head, [[m, len(o), *(count(o, w) for w in
+                         ("R", "r", "plgs", "X", "PLGS", "S"))]
+                        for m, o in of.items()])
+
+
+TABLES = {"atlas": atlas, "goals": goals, "steps": steps, "frames": frames,
+          "costs": costs, "reliability": reliability, "best": best, "longrun": longrun}
 for name in BUILDS:
     TABLES[f"ratios {name}"] = lambda b=name: ratios(b)
     TABLES[f"peers {name}"] = lambda b=name: peers(b)
@@ -174,11 +188,11 @@ def main():
         for name, make in TABLES.items():
             print(f"\n{name}\n\n{make()}")
         return
-    page = pathlib.Path(sys.argv[2])
-    text = re.sub(r"(<!-- ([\w ]+) -->\n).*?(<!-- end -->)",
-                  lambda m: m[1] + TABLES[m[2]]() + "\n" + m[3],
-                  page.read_text(), flags=re.S)
-    page.write_text(text)
+    for page in map(pathlib.Path, sys.argv[2:]):
+        text = re.sub(r"(<!-- ([\w ]+) -->\n).*?(<!-- end -->)",
+                      lambda m: m[1] + TABLES[m[2]]() + "\n" + m[3],
+                      page.read_text(), flags=re.S)
+        page.write_text(text)
 
 
 main()

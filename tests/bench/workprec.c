@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "workprec.h"
 
+#include "atlas.h"
 #include "clock.h"
 #include "textbook.h"
 
@@ -81,7 +82,7 @@ static void check(const struct rung *r, struct reading *out)
     out->status = "ok";
     for (int i = 1; i < r->c->rows; ++i) {
         const double t = r->c->row[i].t - r->c->row[i - 1].t;
-        const int failed = r->v->go(t, steps_of(r, t));
+        const int failed = r->v->go(t, steps_of(r, t)) < 0;
         const coin_state s = r->v->state();
         const double e = scene_error(r->c, &s, &r->c->row[i].s, r->v->wraps);
         out->error = e <= out->error ? out->error : e;
@@ -215,6 +216,8 @@ static void walk(const char *build, const scene *c, const solver *v,
 
 int workprec(const solver *list, int count, int argc, char **argv)
 {
+    if (argc > 1 && strcmp(argv[1], "atlas") == 0)
+        return atlas(list, count, argc - 2, argv + 2);
     static const struct {
         const char *name;
         double until; /* in the scene's unit */

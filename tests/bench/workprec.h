@@ -23,7 +23,7 @@ typedef struct solver {
     /* Puts the coin at the scene's start. */
     void (*begin)(const struct solver *self, const scene *c, double setting);
     /* Moves it by t, in the scene's unit, in so many steps if that is what the
-     * setting means.  0, or the solver says that it failed. */
+     * setting means.  0, a warning > 0, or < 0: the solver says it failed. */
     int (*go)(double t, unsigned long steps);
     coin_state (*state)(void);
 } solver;

@@ -64,7 +64,7 @@ static int go(double t, unsigned long steps)
 {
     (void)steps;
     const double end = at.t + t / at.c->unit;
-    return CVode(at.cvode, end, at.y, &at.t, CV_NORMAL) < 0;
+    return CVode(at.cvode, end, at.y, &at.t, CV_NORMAL);
 }
 
 static coin_state state(void)

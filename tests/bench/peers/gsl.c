@@ -45,7 +45,9 @@ static int go(double t, unsigned long steps)
 {
     (void)steps;
     return gsl_odeiv2_driver_apply(at.driver, &at.t, at.t + t / at.c->unit,
-                                   at.y) != GSL_SUCCESS;
+                                   at.y) == GSL_SUCCESS
+               ? 0
+               : -1;
 }
 
 static coin_state state(void)

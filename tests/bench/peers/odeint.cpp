@@ -64,9 +64,9 @@ template <class Controlled> static int go(Controlled &stepper, double t)
             at.h = h;
         }
         if (!(at.h > 1e-15))
-            return 1;
+            return -1;
     }
-    return at.t < end;
+    return at.t < end ? -1 : 0;
 }
 
 static int go_rkf78(double t, unsigned long)
