@@ -11,7 +11,7 @@ static const struct method {
     double coarse, most;
 } methods[] = {
     {"rk4", 4, 0.35, 1.4},
-    {"rk8", 8, 0.7, 1.8},
+    {"rk8", 8, 1.0, 1.8},
     {"symplectic2", 2, 0.08, 1.0},
     {"symplectic4", 4, 0.16, 1.4},
 };

@@ -2,6 +2,7 @@
 /* Where the methods fail, and how: never in silence. */
 #include "support/check.h"
 #include "support/coins.h"
+#include "support/methods.h"
 #include "support/random.h"
 #include "support/scene.h"
 
@@ -9,6 +10,17 @@
 #include <string.h>
 
 #define HALF_PI 1.5707963267948966
+
+/* What docs/guide.md says of each method: the |dt| W beyond which a step is
+ * coarse, and beyond which it is refused. */
+static const struct limits {
+    double coarse, most;
+} limits[METHODS] = {
+    [COIN_RK4] = {0.35, 1.4},
+    [COIN_RK8] = {1, 1.8},
+    [COIN_SYMPLECTIC2] = {0.08, 1},
+    [COIN_SYMPLECTIC4] = {0.16, 1.4},
+};
 
 /* Without angular momentum nothing keeps the coin off the table, where
  * textbook Runge-Kutta goes on below it: it is there at t = 2.68953837543. */
@@ -126,6 +138,204 @@ static void steps_too_large_are_refused_before_the_motion_is_nonsense(
     }
 }
 
+/* Where W never changes, each limit is where the guide says, to rounding. */
+static void every_method_warns_and_refuses_at_its_limits(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state steady = circle(&p, 0.4, 2, 1);
+    const double W = fastest_rate(&steady, &p);
+    for (int32_t method = 0; method < METHODS; ++method)
+        for (int side = -1; side <= 1; side += 2) {
+            const struct limits *at = &limits[method];
+            const double dt[] = {at->coarse * (1 - 1e-9),
+                                 at->coarse * (1 + 1e-9), at->most * (1 - 1e-9),
+                                 at->most * (1 + 1e-9)};
+            const int32_t status[] = {COIN_OK, COIN_COARSE, COIN_COARSE,
+                                      COIN_ESTEP};
+            for (int i = 0; i < 4; ++i) {
+                coin_state s = steady;
+                check_note("%s, dt W = %.9g", coin_method_name(method), dt[i]);
+                check_status(
+                    coin_run(&s, &p, method, side * dt[i] / W, 1, NULL),
+                    status[i]);
+            }
+        }
+}
+
+/* The largest W of a motion. */
+static double peak(coin_state s, const coin_params *p, double t)
+{
+    double W = 0;
+    for (int i = 0; i < 2000; ++i) {
+        check_status(coin_run(&s, p, COIN_RK8, t / 2000, 1, NULL), COIN_OK);
+        W = fmax(W, fastest_rate(&s, p));
+    }
+    return W;
+}
+
+/* Ten units of the scene generic, in steps ever larger: where they are first
+ * coarse and first refused, in W at its peak, and what the last steps before
+ * that made of the scene. */
+struct fall {
+    double coarse, refused, fine_error, coarse_error;
+};
+
+static struct fall walk_until_it_fails(int32_t method)
+{
+    struct fall found = {0, 0, 0, 0};
+    struct scene scene;
+    scene_load(&scene, "generic");
+    const size_t row = scene_row(&scene, 10);
+    const coin_state start = scene_state(&scene, 0);
+    const double W = peak(start, &scene.params, 10);
+    for (double dt = 0.03; found.refused == 0; dt *= 1.02) {
+        const double n = ceil(10 / dt);
+        coin_state s = start;
+        const int32_t status =
+            coin_run(&s, &scene.params, method, 10 / n, (uint64_t)n, NULL);
+        const double error = scene_error(&scene, row, &s);
+        if (status < 0)
+            found.refused = 10 / n * W;
+        else if (status == COIN_COARSE)
+            found.coarse_error = fmax(found.coarse_error, error);
+        else
+            found.fine_error = error;
+        if (status == COIN_COARSE && found.coarse == 0)
+            found.coarse = 10 / n * W;
+    }
+    return found;
+}
+
+/* A step may miss the peak of W by half its length, which lets dt grow by
+ * (dt W)^2/8 before it is noticed; the walk goes in steps of 2 %, of whole
+ * numbers of steps.  A symplectic method is refused where its drift reaches too
+ * far towards the table, some way before `most`. */
+static void every_method_fails_along_a_motion_where_it_should(void **unused)
+{
+    (void)unused;
+    /* Error after 10 units at the largest step that is not coarse, and at the
+     * worst that is done, as measured; within a factor of 2. */
+    static const double errors[METHODS][2] = {
+        [COIN_RK4] = {6.9e-4, 0.23},
+        [COIN_RK8] = {2.8e-6, 3.3e-4},
+        [COIN_SYMPLECTIC2] = {1.9e-3, 0.077},
+        [COIN_SYMPLECTIC4] = {6.8e-6, 9.6e-3},
+    };
+    for (int32_t method = 0; method < METHODS; ++method) {
+        const struct fall found = walk_until_it_fails(method);
+        const struct limits *at = &limits[method];
+        const int by_drift =
+            method == COIN_SYMPLECTIC2 || method == COIN_SYMPLECTIC4;
+        check_note("%s", coin_method_name(method));
+        check_within(found.coarse, at->coarse,
+                     at->coarse * (1.05 + at->coarse * at->coarse / 8));
+        check_within(found.refused, by_drift ? 0.5 * at->most : at->most,
+                     at->most * (1.1 + at->most * at->most / 8));
+        check_within(found.fine_error, errors[method][0] / 2,
+                     errors[method][0] * 2);
+        check_within(found.coarse_error, errors[method][1] / 2,
+                     errors[method][1] * 2);
+    }
+}
+
+/* The least and the greatest relative error of the energy of the scene generic
+ * in so many steps of dt W at the peak. */
+static void energy_range(int32_t method, double dtW, int steps, double range[2])
+{
+    struct scene scene;
+    scene_load(&scene, "generic");
+    const coin_params *p = &scene.params;
+    coin_state s = scene_state(&scene, 0);
+    const double E = coin_energy(&s, p), dt = dtW / peak(s, p, 10);
+    range[0] = range[1] = 0;
+    for (int i = 0; i < steps; ++i) {
+        check_note("%s at %g, step %d", coin_method_name(method), dtW, i);
+        check(coin_run(&s, p, method, dt, 1, NULL) >= 0);
+        const double error = coin_energy(&s, p) / E - 1;
+        range[0] = fmin(range[0], error);
+        range[1] = fmax(range[1], error);
+    }
+}
+
+/* How they fail.  Coarse steps of Runge-Kutta lose energy, smoothly, until the
+ * nodding has died: of the scene's energy that is 3.8 %.  The symplectic
+ * methods never lose any. */
+static void coarse_steps_lose_energy_or_only_the_phase(void **unused)
+{
+    (void)unused;
+    double range[2], later[2];
+    energy_range(COIN_RK4, 0.7, 4000, range);
+    check_within(range[0], -0.039, -0.036);
+    check_within(range[1], 0, 1e-6);
+    energy_range(COIN_RK8, 1.5, 4000, range);
+    check_within(range[0], -4e-3, -1e-3);
+    check_within(range[1], 0, 1e-9);
+    for (int i = 0; i < 2; ++i) {
+        const int32_t method = i ? COIN_SYMPLECTIC4 : COIN_SYMPLECTIC2;
+        energy_range(method, 2 * limits[method].coarse, 200, range);
+        energy_range(method, 2 * limits[method].coarse, 4000, later);
+        check_within((later[1] - later[0]) / (range[1] - range[0]), 1, 1.1);
+        check_within(range[1] - range[0], i ? 1e-6 : 2e-4, i ? 4e-6 : 6e-4);
+    }
+}
+
+/* Ever nearer to flat, a fixed step first comes out coarse and then is refused,
+ * where dt times W at the closest approach says so; coin_advance() passes. */
+static void a_fixed_step_ends_where_the_pass_is_too_near(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double dt = 1e-3;
+    for (int32_t method = 0; method < METHODS; ++method) {
+        int fine = 0, refused = 0;
+        for (double spin = 0.1; spin > 1e-5; spin /= 1.25) {
+            const coin_state start = {0.3, 0, 0, 0, 0, 0, spin, spin};
+            coin_state s = start, low = start;
+            check_status(coin_advance(&s, &p, 4, 1e-9, NULL), COIN_OK);
+            double W = 0;
+            while (low.wX >= 0 || low.theta < 1) {
+                const double c = cos(low.theta);
+                check_status(coin_advance(&low, &p, 0.02 * c, 1e-9, NULL),
+                             COIN_OK);
+                W = fmax(W, fastest_rate(&low, &p));
+            }
+            s = start;
+            const int32_t status = coin_run(&s, &p, method, dt, 4000, NULL);
+            const struct limits *at = &limits[method];
+            check_note("%s, spin %g: dt W = %g", coin_method_name(method), spin,
+                       dt * W);
+            if (dt * W < at->coarse)
+                check_status(status, COIN_OK);
+            else if (dt * W > 2 * at->most)
+                check_status(status, COIN_ESTEP);
+            fine += status == COIN_OK;
+            refused += status == COIN_ESTEP;
+        }
+        check(fine > 3 && refused > 10);
+    }
+}
+
+/* One step per video frame: of RK4 it is allowed and said to be coarse, and it
+ * is wrong by what the guide says; of RK8 it is neither. */
+static void a_quarter_may_take_a_step_per_frame(void **unused)
+{
+    (void)unused;
+    struct scene scene;
+    scene_load(&scene, "quarter");
+    const size_t row = scene_row(&scene, 1);
+    const int32_t status[] = {COIN_COARSE, COIN_OK};
+    const double error[] = {8e-3, 5e-8};
+    for (int32_t method = COIN_RK4; method <= COIN_RK8; ++method) {
+        coin_state s = scene_state(&scene, 0);
+        check_note("%s", coin_method_name(method));
+        check_status(coin_run(&s, &scene.params, method, 1.0 / 60, 60, NULL),
+                     status[method]);
+        check_within(scene_error(&scene, row, &s), error[method] / 1.5,
+                     error[method] * 1.5);
+    }
+}
+
 /* Ten steps of an eighth fit before phi, or psi, is out of range. */
 static void a_run_counts_the_steps_that_stay_in_range(void **unused)
 {
@@ -159,6 +369,11 @@ int main(void)
         TEST(a_pass_near_the_table_is_resolved_or_refused),
         TEST(no_step_leaves_the_range_of_states),
         TEST(steps_too_large_are_refused_before_the_motion_is_nonsense),
+        TEST(every_method_warns_and_refuses_at_its_limits),
+        TEST(every_method_fails_along_a_motion_where_it_should),
+        TEST(coarse_steps_lose_energy_or_only_the_phase),
+        TEST(a_fixed_step_ends_where_the_pass_is_too_near),
+        TEST(a_quarter_may_take_a_step_per_frame),
         TEST(a_run_counts_the_steps_that_stay_in_range),
     };
     return RUN_TESTS(tests);
