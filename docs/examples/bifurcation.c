@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: MIT */
+/* Which steady motions there are, and which of them last.
+ *
+ *   cc bifurcation.c $(pkg-config --cflags --libs rollcoin) -lm
+ *
+ * First the window of unstable circles: for each rate of roll the lean beyond
+ * which slow circles are stable, Eq. (44).  Then the fork of the disc: the
+ * leans that are steady at given integrals K_Y and K_Z. */
+#include "turning.h"
+
+enum { RATES = 200, THROWN = 100 };
+
+static double lambda2(const coin_state *s, const coin_params *p)
+{
+    double L;
+
+    demand(coin_stability(s, p, &L));
+    return L;
+}
+
+/* --------------------------------------------------------------- window -- */
+
+/* The lean beyond which slow circles of this rate of roll are stable. */
+static double edge(const coin_params *p, double wZ)
+{
+    double low = 1e-6, high = 0.6;
+
+    for (int k = 0; k < 50; ++k) {
+        const double middle = (low + high) / 2;
+        coin_state s;
+        demand(coin_steady_circle(&s, p, middle, wZ, 1));
+        *(lambda2(&s, p) > 0 ? &low : &high) = middle;
+    }
+    return low;
+}
+
+/* The rate at which that is greatest: the edge has one summit. */
+static double tip(const coin_params *p)
+{
+    double low = 0.1, high = 0.5;
+
+    for (int k = 0; k < 60; ++k) {
+        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        *(edge(p, a) < edge(p, b) ? &low : &high) =
+            edge(p, a) < edge(p, b) ? a : b;
+    }
+    return low;
+}
+
+static void print_window(double inner)
+{
+    coin_params p;
+
+    demand(coin_params_ring(&p, 1, 1, inner, 1));
+    const double top = tip(&p), last = coin_critical_roll(&p);
+    for (int k = 0; k <= RATES; ++k) {
+        const double wZ = last * (k + 0.001) / (RATES + 0.002);
+        printf("window %g,%.6f,%.6f\n", inner, wZ, edge(&p, wZ));
+    }
+    printf("\n\ntip %g,%.9f,%.9f\n\n\n", inner, top, edge(&p, top));
+}
+
+/* ----------------------------------------------------------------- fork -- */
+
+/* The steady motions with these integrals, from the greatest lean down: a coin
+ * thrown through all leans passes near each. */
+static int steady_motions(coin_state found[3], const coin_params *p, double K_Y,
+                          double K_Z)
+{
+    coin_state s = {0, 0, 0, 0, 0, 1.5, K_Y, K_Z};
+    int count = 0;
+
+    to_turn(&s, p, 1);
+    for (int k = 0; k < THROWN && s.wX <= 1e-9; ++k, roll_on(&s, p, 0.1)) {
+        coin_state steady;
+        demand(coin_steady_near(&s, p, &steady));
+        if (count == 0 || fabs(found[count - 1].theta - steady.theta) > 1e-4)
+            if (count < 3)
+                found[count++] = steady;
+    }
+    return count;
+}
+
+static void print_fork(double K_Y)
+{
+    coin_params p;
+
+    demand(coin_params_disc(&p, 1, 1, 1));
+    for (int k = 0; k <= RATES; ++k) {
+        const double K_Z = 0.02 + 0.78 * k / RATES;
+        coin_state found[3];
+        const int count = steady_motions(found, &p, K_Y, K_Z);
+        for (int i = 0; i < count; ++i)
+            printf("fork %g,%.6f,%.6f,%.6f\n", K_Y, K_Z, found[i].theta,
+                   lambda2(&found[i], &p));
+    }
+    printf("\n\n");
+}
+
+int main(void)
+{
+    printf("curve,rate,theta,lambda2\n");
+    print_window(0);
+    print_window(1);
+    print_fork(0);
+    print_fork(0.05);
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,248 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The numbers behind docs/pictures.md against closed forms.
+
+    check.py FRESH KEPT      folders of CSV files: computed now, and kept
+
+The programs of docs/examples move a coin; nothing is moved here.  The formulas
+are those of docs/physics.md for M = a = g = 1, written once more, its series
+summed plainly.  Tolerances are the last digit printed, or stand with what is
+left out.
+"""
+import itertools
+import math
+import pathlib
+import sys
+
+PI = math.pi
+
+
+class Body:
+    def __init__(self, inner):
+        self.IX = (1 + inner**2)/4
+        self.IZ = 2*self.IX
+        self.J, self.K = 1 + self.IX, 1 + self.IZ
+        self.k1, self.k2 = self.IZ/self.IX, 1/self.K
+
+
+DISC = Body(0)
+
+
+def series(u, first, shift, kap):
+    """(34), even or odd: Pe, Po (shift -1), We, Wo (shift 1)."""
+    term = total = u**first
+    for n in itertools.count(first, 2):
+        term *= u*u*(n*(n + shift) + kap)/((n + 1)*(n + 2))
+        total += term
+        if abs(term) < 1e-17*abs(total) or term == 0:
+            return total
+
+
+def on_leaf(b, theta, KY, KZ):
+    """wY and wZ where a motion with these integrals leans by theta."""
+    u, kap = math.sin(theta), b.k1*b.k2
+    p = KY*series(u, 0, -1, kap) + b.k1*KZ*series(u, 1, -1, kap)
+    wZ = KZ*series(u, 0, 1, kap) + b.k2*KY*series(u, 1, 1, kap)
+    return p/math.cos(theta), wZ
+
+
+def potential(b, theta, KY, KZ):
+    wY, wZ = on_leaf(b, theta, KY, KZ)
+    return (b.IX*wY**2 + b.K*wZ**2)/2 + math.cos(theta)          # (48)
+
+
+def slope(b, theta, KY, KZ):
+    wY, wZ = on_leaf(b, theta, KY, KZ)
+    return (b.K*wY*wZ + b.IX*wY**2*math.tan(theta)
+            - math.sin(theta))                                   # (39)
+
+
+def lambda2(b, theta, wY, wZ):
+    t = math.tan(theta)
+    return (math.cos(theta) - (b.IX*(1 + 3*t*t) + 1)*wY**2
+            - (3*b.IZ + 1)*t*wY*wZ - b.k1*b.K*wZ**2)/b.J         # (44)
+
+
+def slow_circle(b, theta, wZ):
+    """wY of the slow circle: (41), theta > 0, wZ > 0."""
+    s, t = math.sin(theta), math.tan(theta)
+    return 2*s/(b.K*wZ + math.sqrt((b.K*wZ)**2 + 4*b.IX*s*t))
+
+
+def near(name, got, want, bound):
+    global checks
+    checks += 1
+    if not abs(got - want) <= bound:
+        sys.exit(f"{name}: {got} is not {want} within {bound:.1e}")
+
+
+checks = 0
+
+
+def table(path):
+    """Blocks of rows: the first column a name, the others numbers."""
+    blocks = path.read_text().split("\n\n\n")
+    rows = [[line.split(",") for line in block.split("\n") if line]
+            for block in blocks]
+    rows[0] = rows[0][1:]                                # the header
+    return [[(r[0], *map(float, r[1:])) for r in block]
+            for block in rows if block]
+
+
+def rosettes(blocks):
+    digit = 0.5e-4
+    for block, (turns, petals, drawn) in zip(blocks, (
+            (4, 7, 7), (3, 8, 8), (9, 8, 8), (3, 5, 5), (4, 3, 3),
+            (1, 1, 9)), strict=True):
+        path = [complex(z, x) for _, x, z in block]
+        n = (len(path) - 1)//drawn
+        near("rosette, points", len(path), n*drawn + 1, 0)
+        turn = complex(math.cos(2*PI*turns/petals),
+                       math.sin(2*PI*turns/petals))
+        step = path[n] - path[0]
+        for k in range(len(path) - 2*n):     # each petal is the last, turned
+            near("rosette, petal", abs(
+                path[k + 2*n] - path[k + n] - turn*(path[k + n] - path[k])),
+                0, 6*digit)
+        near("rosette, end", abs(path[-1] - path[0]),
+             abs(step)*drawn if petals == 1 else 0, 30*digit)
+        near("rosette, size", max(abs(z - path[0]) for z in path) > 1, 1, 0)
+
+
+def potentials(blocks):
+    leaves = [(0, 0.3), (0, 0.45), (0, 1/math.sqrt(3)), (0, 0.7), (0.35, 1)]
+    for block, leaf in zip(blocks, leaves):
+        for _, theta, V in block:
+            push = abs(slope(DISC, theta, *leaf))
+            near("potential", V, potential(DISC, theta, *leaf),
+                 0.5e-6 + 1e-5*push)
+        near("potential, extent", block[0][1] > 0.9 > -0.9 > block[-1][1], 1, 0)
+    (_, theta, V), = blocks[5]
+    near("steady", slope(DISC, theta, 0.35, 1), 0, 1e-11)
+    near("steady", V, potential(DISC, theta, 0.35, 1), 1e-11)
+    for wX, block in zip((0.2, 0.6, 1), blocks[6:], strict=True):
+        E = potential(DISC, 0, 0.35, 1) + DISC.J*wX**2/2
+        for _, theta, V in block:
+            near("swing", V, E, 1e-11)
+            near("swing", potential(DISC, theta, 0.35, 1), E, 1e-10)
+
+
+def tip_of(b):
+    """tan^2 of the lean above which all circles are stable."""
+    A = (3*b.IZ + 1)**2 - 12*b.IZ*b.K
+    B = -2*b.K*(3*b.IZ + 1 + 2*b.k1)
+    return (-B - math.sqrt(B*B - 4*A*b.K**2))/(2*A)
+
+
+def bifurcation(blocks):
+    near("tip of the disc", tip_of(DISC), (18*math.sqrt(5) - 39)/11, 1e-14)
+    for inner, (edge, tip) in ((0, blocks[0:2]), (1, blocks[2:4])):
+        b = Body(inner)
+        for _, wZ, theta, *_ in edge:
+            if theta < 2e-3:
+                continue
+            for off, side in ((-1e-3, 1), (1e-3, -1)):
+                at = theta + off
+                L = lambda2(b, at, slow_circle(b, at, wZ), wZ)
+                near("window", L*side > 0, 1, 0)
+        (_, wZ, theta), = tip
+        # The summit is flat: the lean is right to the square of wZ's error.
+        near("tip", math.tan(theta)**2, tip_of(b), 2e-9)
+        near("tip", lambda2(b, theta, slow_circle(b, theta, wZ), wZ), 0, 1e-7)
+    for KY, block in ((0, blocks[4]), (0.05, blocks[5])):
+        for _, KZ, theta, L in block:
+            wY, wZ = on_leaf(DISC, theta, KY, KZ)
+            stiff = max(1, wY**2)*(1 + math.tan(theta)**2)
+            near("fork", slope(DISC, theta, KY, KZ), 0, 3e-6*stiff)
+            near("fork", L, lambda2(DISC, theta, wY, wZ), 1e-4*stiff)
+        upright = [(KZ, L) for _, KZ, theta, L in block if abs(theta) < 1e-9]
+        for KZ, L in upright:
+            near("fork, upright", (L <= 0) == (KZ**2 >= 1/3), 1, 0)    # (45)
+        near("fork, upright", len(upright) > 0, KY == 0, 0)
+        leans = {KZ: 0 for _, KZ, *_ in block}
+        for _, KZ, *_ in block:
+            leans[KZ] += 1
+        near("fork, tines", max(leans.values()), 3, 0)
+        near("fork, handle", leans[max(leans)], 1, 0)
+
+
+def steady_lean(KY, KZ):
+    """That nearest to upright: where V has no slope."""
+    def push(theta):
+        return slope(DISC, theta, KY, KZ)
+    for k in itertools.count():
+        for side in (0.01, -0.01):
+            low, high = k*side, (k + 1)*side
+            if push(low)*push(high) <= 0:
+                for _ in range(60):
+                    middle = (low + high)/2
+                    if push(low)*push(middle) > 0:
+                        low = middle
+                    else:
+                        high = middle
+                return low
+
+
+def small_nods(KY, KZ):
+    """2 pi phi'/|lambda| about it."""
+    theta = steady_lean(KY, KZ)
+    wY, wZ = on_leaf(DISC, theta, KY, KZ)
+    return 2*PI*wY/math.cos(theta)/math.sqrt(-lambda2(DISC, theta, wY, wZ))
+
+
+PE, PO = 2.1406983534237, 1.4690645964526                # Pe(1), Po(1): disc
+
+
+def precession(blocks):
+    near("precession, blocks", len(blocks), 8, 0)
+    for small, nods in zip(blocks[::2], blocks[1::2]):
+        (_, KY, KZ, _, turn), = small
+        near("small nods", abs(turn), abs(small_nods(KY, KZ)), 1e-8)
+        # The turn is even in the swing, so linear in the energy.
+        first, second = nods[0], nods[40]
+        near("small nods", (first[4] - turn)/(second[4] - turn),
+             first[3]/second[3], 0.02)
+        p_up, p_down = KY*PE + 2*KZ*PO, KY*PE - 2*KZ*PO
+        passes = math.copysign(1, p_up) + math.copysign(1, p_down)
+        limit = passes*PI*math.sqrt(5)
+        # What is missing goes as d, and d as 1/sqrt(E); gravity, which adds
+        # (1/E) d ln(1/d), is a tenth of it by now.
+        last, before = nods[-1], nods[-41]
+        near("energies", last[3]/before[3], 10, 1e-3)
+        near("near flat", abs(last[4] - limit)/abs(before[4] - limit),
+             1/math.sqrt(10), 0.04)
+
+
+def nearly_flat(blocks):
+    for inner, block in zip((0, 0.5, 1), blocks, strict=True):
+        b = Body(inner)
+        limit = PI*math.sqrt(b.J/b.IX)                           # (51)
+        for name, spin, d, turn in block:
+            near("nearly flat", float(name), inner, 0)
+            if d > 1e-3:
+                continue
+            E = (b.IX + b.K)*spin**2/2 + math.cos(0.3)
+            more = math.sqrt(b.J/b.IX)/E*d*math.log(1/d)
+            near("nearly flat", turn, limit + more, 6*d)
+            # Two-sided: the logarithm is more than what is left.
+            near("nearly flat", turn - limit > more/3, 1, 0)
+
+
+def same(fresh, kept):
+    """Numbers as kept, but for the last digits of another C library's sine."""
+    a, b = fresh.read_text().split(), kept.read_text().split()
+    near(f"{kept}: rows", len(b), len(a), 0)
+    for x, y in zip(a, b):
+        for v, w in zip(x.split(","), y.split(","), strict=True):
+            try:
+                near(str(kept), float(v), float(w), 1e-4*abs(float(w)) + 1e-4)
+            except ValueError:
+                near(f"{kept}: {v}", v == w, 1, 0)
+
+
+fresh, kept = map(pathlib.Path, sys.argv[1:])
+for check in (rosettes, potentials, bifurcation, precession, nearly_flat):
+    name = {"potentials": "potential"}.get(check.__name__, check.__name__)
+    check(table(fresh / f"{name}.csv"))
+    same(fresh / f"{name}.csv", kept / f"{name}.csv")
+print(f"{checks} numbers behind the pictures hold")

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+#
+# The pictures of docs/pictures.md: included by the Makefile.  Each comes from
+# a program of docs/examples, which prints its numbers.
+
+PICTURES     := rosettes potential bifurcation precession nearly_flat
+PICTURES_SRC := $(SRC)/tests/pictures
+PICTURES_OUT  = $(O)/pictures
+
+.PHONY: pictures pictures-check need-gnuplot
+$(PICTURES_OUT)/%.csv: $(O)/%
+	mkdir -p $(@D)
+	$< >$@
+
+pictures: $(PICTURES:%=$(PICTURES_OUT)/%.csv) need-gnuplot ## compute and draw what docs/pictures.md shows
+	mkdir -p $(SRC)/docs/figures/data
+	cp $(PICTURES:%=$(PICTURES_OUT)/%.csv) $(SRC)/docs/figures/data
+	for f in $(PICTURES); do gnuplot -e "from='$(PICTURES_OUT)'" \
+	    -e "style='$(SRC)/tests/bench/style.gpi'" \
+	    -e "to='$(SRC)/docs/figures'" $(PICTURES_SRC)/$$f.gp || exit 1; done
+
+figures: pictures
+
+pictures-check: $(PICTURES:%=$(PICTURES_OUT)/%.csv) ## the numbers behind the pictures against closed forms
+	$(PYTHON) $(PICTURES_SRC)/check.py $(PICTURES_OUT) \
+	    $(SRC)/docs/figures/data
+
+need-gnuplot:
+	command -v gnuplot >/dev/null || { echo "the pictures need gnuplot:" \
+	    "sudo apt-get install gnuplot-nox" >&2; exit 1; }
