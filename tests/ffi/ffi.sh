@@ -1,0 +1,142 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The bindings of docs/examples: their declarations are those of coin.h, every
+# size, offset, constant and prototype; errors become what the language has
+# for them; and each rolls the quarter to the very digits of quarter.c.
+#     ffi.sh [update | declarations]
+# From `make bindings`: CC CXX SRC OUT PYTHON RUSTC CARGO BINDGEN.
+set -eu
+here=$SRC/tests/ffi
+examples=$SRC/docs/examples
+module=$examples/python/rollcoin.py
+raw=$examples/rust/src/ffi.rs
+work=$OUT/ffi
+failed=
+export CC
+
+die() { echo "bindings: $*" >&2; exit 1; }
+differs() { echo "bindings: $1"; failed="$failed; $1"; }
+
+for tool in "$CC" "$CXX" "$PYTHON" "$RUSTC" "$CARGO" "$BINDGEN" rustfmt; do
+    command -v "${tool%% *}" >/dev/null || die "needs $tool"
+done
+rm -rf "$work"
+mkdir -p "$work"
+
+# Python writes no caches into the sources.
+export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$examples/python"
+
+# ----------------------------------------------------------------- declarations
+rust_declarations()
+{
+    "$BINDGEN" "$SRC/include/coin.h" "$@" \
+        --allowlist-function 'coin_.*' --allowlist-type 'coin_.*' \
+        --allowlist-var 'COIN_.*' --blocklist-type '__u?int.*' \
+        --no-doc-comments --size_t-is-usize --with-derive-default \
+        --with-derive-partialeq \
+        --raw-line '// SPDX-License-Identifier: MIT' \
+        --raw-line '// What coin.h declares: by `make bindings-update`.' \
+        -- "-I$SRC/include" -std=c99
+}
+"$PYTHON" "$here/python.py" write "$SRC/include" "$module" \
+    >"$work/rollcoin.py" || die "pycparser cannot read coin.h"
+rust_declarations --no-layout-tests >"$work/ffi.rs" ||
+    die "bindgen cannot read coin.h"
+
+if test "${1:-}" = update; then
+    cp "$work/rollcoin.py" "$module"
+    cp "$work/ffi.rs" "$raw"
+    echo "bindings: declarations renewed"
+    exit
+fi
+diff "$module" "$work/rollcoin.py" || differs "Python's declarations"
+diff "$raw" "$work/ffi.rs" || differs "Rust's declarations"
+
+# The same by another route: what the C compiler, ctypes and rustc make of it.
+export ROLLCOIN_LIBRARY="$OUT/librollcoin.so"
+"$PYTHON" "$here/header.py" "$SRC/include" layout |
+    grep '^coin_' >"$work/layout.c.txt"
+"$PYTHON" "$here/python.py" layout "$module" >"$work/layout.py.txt" &&
+    diff "$work/layout.c.txt" "$work/layout.py.txt" ||
+    differs "Python's layout"
+rust_declarations >"$work/tested.rs"
+grep -q 'Offset of field' "$work/tested.rs" || die "bindgen tests nothing"
+"$RUSTC" --edition 2021 --test -A warnings "$work/tested.rs" \
+    -o "$work/tested" -L "native=$OUT" -l static=rollcoin -l m &&
+    "$work/tested" -q >"$work/log" || { cat "$work/log"
+    differs "Rust's layout"; }
+echo "bindings: $(wc -l <"$work/layout.c.txt") sizes and offsets," \
+    "$(grep -c 'pub fn' "$raw") functions in Python and Rust as in coin.h"
+test "${1:-}" != declarations ||
+    { test -z "$failed" || die "differ:${failed#;}: make bindings-update"; exit; }
+
+# ------------------------------------------------------------------------- tests
+"$PYTHON" "$here/test_python.py" -q || differs "the tests of Python"
+for std in c++17 c++20; do
+    for cxx in "$CXX" clang++; do
+        # shellcheck disable=SC2086
+        $cxx -std=$std -Wall -Wextra -Wpedantic -Wconversion -Werror \
+            -I"$SRC/include" -I"$examples/cpp" "$here/test_cpp.cpp" \
+            "$OUT/librollcoin.a" -lm -o "$work/test_cpp" && "$work/test_cpp" ||
+            differs "the tests of C++, $cxx -std=$std"
+    done
+done
+cp -r "$examples/rust" "$work/rust"
+(
+    cd "$work/rust"
+    export ROLLCOIN_LIB="$OUT" RUSTC CARGO_TARGET_DIR="$work/cargo"
+    RUSTFLAGS='-D warnings' "$CARGO" test --offline -q
+) >"$work/log" 2>&1 || { cat "$work/log"; differs "the tests of Rust"; }
+grep '^test result' "$work/log" | head -1
+
+# ------------------------------------------------------------ the same numbers
+"$OUT/quarter" >"$work/quarter.txt"
+test "$(wc -l <"$work/quarter.txt")" = 11 || differs "quarter.c"
+
+# same NAME COMMAND...: what it prints is what quarter.c prints.
+same()
+{
+    name=$1
+    shift
+    "$@" >"$work/found.txt" && cmp "$work/quarter.txt" "$work/found.txt" ||
+        { differs "$name rolls another quarter"; return; }
+    echo "same numbers  $name"
+}
+$CXX -std=c++17 -I"$SRC/include" "$examples/cpp/quarter.cpp" \
+    "$OUT/librollcoin.a" -lm -o "$work/quarter-cpp"
+same C++ "$work/quarter-cpp"
+same Python "$PYTHON" "$examples/python/quarter.py"
+same "Rust, by cargo" env ROLLCOIN_LIB="$OUT" RUSTC="$RUSTC" \
+    CARGO_TARGET_DIR="$work/cargo" "$CARGO" run --offline -q \
+    --manifest-path "$work/rust/Cargo.toml" --example quarter
+(
+    cd "$work"
+    "$RUSTC" --edition 2021 -O --crate-type rlib --crate-name rollcoin \
+        "$examples/rust/src/lib.rs" -L "native=$OUT" -l static=rollcoin -l m
+    "$RUSTC" --edition 2021 -O "$examples/rust/examples/quarter.rs" \
+        --extern rollcoin=librollcoin.rlib -o quarter-rs
+)
+same "Rust, by rustc" "$work/quarter-rs"
+
+# ----------------------------------------------------------------- the guide's
+# Each of these programs is shown whole in guide.md.
+"$PYTHON" - "$SRC/docs/guide.md" "$examples" <<'END' || differs "the guide"
+import pathlib
+import re
+import sys
+
+guide, examples = map(pathlib.Path, sys.argv[1:])
+text = guide.read_text()
+for name in ("quarter.c", "cpp/quarter.cpp", "python/quarter.py",
+             "rust/examples/quarter.rs"):
+    program = (examples / name).read_text()
+    # What follows the head of comments.
+    code = re.sub(r'\A(?:#!.*\n|# .*\n|//.*\n|/\*(?s:.*?)\*/\n|"""(?s:.*?)"""\n)+',
+                  "", program).lstrip("\n")
+    if code not in text:
+        sys.exit(f"guide.md does not show {name} as it is")
+print("guide.md shows the programs as they are")
+END
+
+test -z "$failed" || die "differ:${failed#;}"
+echo "bindings: as coin.h says"

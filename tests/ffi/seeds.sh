@@ -1,0 +1,83 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Lets coin.h and the bindings drift apart, in a copy: `ffi.sh declarations`
+# must see each drift, in all the ways that are named here.
+# From `make bindings-seeds`: CC CXX SRC OUT PYTHON RUSTC CARGO BINDGEN.
+set -eu
+work=$OUT/ffi-seeds
+copy=$work/source
+missed=0
+rm -rf "$work"
+mkdir -p "$work"
+export CC CXX PYTHON RUSTC CARGO BINDGEN
+
+fresh()
+{
+    rm -rf "$copy"
+    mkdir -p "$copy/docs" "$copy/tests" "$copy/build"
+    cp -r "$SRC/include" "$copy"
+    cp -r "$SRC/docs/examples" "$copy/docs"
+    cp -r "$SRC/tests/ffi" "$copy/tests"
+    cp "$OUT"/librollcoin.* "$copy/build"
+}
+
+# gives WHAT: the gate must fail, and its last line be "differ: $2".
+gives()
+{
+    if SRC=$copy OUT=$copy/build sh "$copy/tests/ffi/ffi.sh" declarations \
+        >"$work/log" 2>&1; then
+        last="the gate passed"
+    else
+        last=$(tail -1 "$work/log")
+    fi
+    case $last in
+    *"$2"*) echo "seen    $1: $2" ;;
+    *)
+        echo "MISSED  $1: not '$2' but '$last'"
+        missed=1
+        ;;
+    esac
+}
+
+# drift WHAT SEEN FILE SED: what the edit leaves as it was is no seed.
+drift()
+{
+    fresh
+    sed -i "$4" "$copy/$3"
+    ! cmp -s "$copy/$3" "$SRC/$3" || { echo "no seed: $4"; exit 1; }
+    gives "$1" "$2"
+}
+
+fresh
+SRC=$copy OUT=$copy/build sh "$copy/tests/ffi/ffi.sh" declarations \
+    >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+echo "passes  undrifted"
+
+both="Python's declarations; Rust's declarations"
+update=": make bindings-update"
+drift "a member inserted" "$both; Python's layout$update" include/coin.h \
+    's/^    double normal; /    double extra; double normal; /'
+drift "two members in each other's place" "$both; Python's layout$update" \
+    include/coin.h '/^    double wY;/{h;d};/^    double wZ;/{G;}'
+drift "an argument of another type" "$both$update" include/coin.h \
+    's/size_t count/int32_t count/'
+drift "an argument gone" "$both$update" include/coin.h \
+    's/const coin_params \*p, double dt);/const coin_params *p);/'
+drift "a constant with another value" "$both$update" include/coin.h \
+    's/COIN_ESTEP = -3/COIN_ESTEP = -9/'
+drift "a function added" "$both$update" include/coin.h \
+    's/^COIN_API uint32_t coin_version(void);/&\nCOIN_API double coin_new(void);/'
+drift "a kind of type that no binding knows" "pycparser cannot read coin.h" \
+    include/coin.h 's/^    double ratio;/    union { int a; } u; double ratio;/'
+
+python=docs/examples/python/rollcoin.py
+drift "a member swapped in Python" "Python's declarations; Python's layout" \
+    $python '/^        ("wY"/{h;d};/^        ("wZ"/{G;}'
+drift "a prototype changed in Python" "differ: Python's declarations$update" \
+    $python 's/"coin_step": (c_int32,/"coin_step": (c_double,/'
+drift "a member's type changed in Rust" "differ: Rust's declarations$update" \
+    docs/examples/rust/src/ffi.rs '0,/pub wX: f64/s//pub wX: f32/'
+
+(BINDGEN=/nowhere/bindgen; fresh; gives "a missing tool" "needs /nowhere/bindgen")
+test $missed = 0 || { echo "bindings-seeds: MISSED some" >&2; exit 1; }
+echo "bindings-seeds: each drift is seen"
