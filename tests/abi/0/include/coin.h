@@ -196,8 +196,9 @@ COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
 /** Whether the parameters can be computed with.
  * @return COIN_OK; COIN_EARG null; COIN_EPARAMS if a member is not finite or
  *         not positive, a reserved member is not 0, I_Z > 2 I_X (beyond a
- *         relative 1e-12: no body has that), or M a^2, M g a, g/a or a ratio
- *         of inertias leaves the range of normal doubles. */
+ *         relative 1e-12: no body has that), or M a^2, M g a, g/a, a ratio of
+ *         inertias or the square of a critical rate leaves the range of normal
+ *         doubles. */
 COIN_API int32_t coin_params_check(const coin_params *p);
 
 /* ---------------------------------------------------------------- state -- */
@@ -263,7 +264,9 @@ COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
  *         accuracy whose drift the series of Eq. (34) does not reach.
  * Accuracy: docs/guide.md; COIN_RK4 with |dt| W <= 0.1 adds about 1e-6 per
  *         natural unit of time, and 16 times less for each halving.  A run of
- *         n steps is n runs of one step to rounding (test_run).
+ *         n steps is n runs of one step to rounding: 8 u per call of angles,
+ *         over cos(theta), for steps that are not coarse (COIN_RK4: |dt| W up
+ *         to 0.2) and before the motion's own amplification (test_cuts).
  * Cost: four sines and cosines per call, and one per 64 steps (the symplectic
  *         methods: two per drift).  A step has no data-dependent loop and no
  *         branch but its guard. */
@@ -314,7 +317,8 @@ COIN_API int32_t coin_lean_run(coin_lean *l, const coin_params *p,
  *         from flat a call loses u/d of it, one long call nothing.
  * Cost: as |t|; about as 1/tol^(1/8) steps per unit, each 1.3 times one of
  *         COIN_RK8, and a pass at distance d costs ln(1/d) units more.  A coin
- *         that bounces near flat with little energy passes often. */
+ *         that bounces near flat with little energy passes often, and one that
+ *         turns fast takes a step for every radian or so. */
 COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
                               double tol, double *reached);
 
@@ -448,7 +452,8 @@ COIN_API int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
  *                (a large circle for small theta) is the root with
  *                wY wZ theta > 0
  * @return as coin_steady_roll(); COIN_EARG other branch; COIN_ESTATE also if
- *         wY would overflow; COIN_EDOMAIN theta = 0.
+ *         wY would overflow; COIN_EDOMAIN theta = 0, or wY beyond the smallest
+ *         doubles.
  * Accuracy: 8 u in wY (test_steady). */
 COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
                                     double theta, double wZ, int32_t branch);
@@ -497,6 +502,28 @@ COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
  * Accuracy: 16 u of the terms (test_stability). */
 COIN_API int32_t coin_stability(const coin_state *s, const coin_params *p,
                                 double *lambda2);
+
+/** A small wobble about a steady motion, in closed form: linear in what start
+ * differs from it by.  Eq. (60)-(63).
+ * @param steady    the steady motion, of any pose
+ * @param start     the state at t = 0, near to it: its lean and rates are what
+ *                  differs; the pose begins where start has it
+ * @param t         the time, of either sign [T]
+ * @param[out] out  the state after t
+ * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or what is
+ *         computed is not a state: an unstable lean has grown to the table, or
+ *         phi or psi leave their range; COIN_EDOMAIN steady as in
+ *         coin_steady_radii() is not steady, or the steady motion next to
+ *         start leans more than 0.1 from it (as it may near lambda^2 = 0,
+ *         where nothing linear holds the coin).
+ * Accuracy: with A the largest difference in natural units from both steady
+ *         motions, an error of order A^2 in all members, which grows as t;
+ *         where the lean grows as exp(lambda t), A is what it has grown to
+ *         (test_wobble).  docs/models.md has figures.
+ * Cost: that of ten sines and cosines, whatever t. */
+COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
+                                const coin_state *start, double t,
+                                coin_state *out);
 
 /** The rate |wZ| above which straight rolling is stable: sqrt(g/(3 a)) for a
  * disc.  Eq. (45).  @return the rate [1/T]; NaN on bad parameters. */
