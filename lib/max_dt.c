@@ -46,8 +46,7 @@ static struct outlook look_ahead(coin_priv_carry c, const coin_priv_body *b,
     for (int i = 0; i < PATIENCE && turns < 2; ++i) {
         const double wX = c.at.y.wX;
         const double tau = coin_priv_sundman_tau(b, &c.at.y, 0.5);
-        if (!coin_priv_sundman_step(&c, b, tau))
-            break;
+        coin_priv_sundman_step(&c, b, tau); /* one that fails changes nothing */
         const double W2 = coin_priv_rate2(b->g_a, &c.at.y);
         if (!found) {
             const coin_priv_sc lean = {c.at.y.sth, c.at.y.cth};
@@ -128,7 +127,9 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
     if (!coin_priv_method_known(method) || !(tol >= 1e-13 && tol <= 1e-2) ||
         coin_priv_check(s, p, &b) != COIN_OK)
         return NAN;
-    const coin_priv_carry start = coin_priv_carry_of(s);
+    /* From where the pose has room, whatever it is. */
+    const coin_state lean = {s->theta, 0, 0, 0, 0, s->wX, s->wY, s->wZ};
+    const coin_priv_carry start = coin_priv_carry_of(&lean);
     const double worst2 = look_ahead(start, &b, 0).worst2;
     const struct outlook o = look_ahead(start, &b, worst2 / 16);
     const double most = PEAK * coin_priv_method_coarse(method) / sqrt(worst2);

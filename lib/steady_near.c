@@ -3,7 +3,7 @@
 
 #include "legendre.h"
 #include "sincos.h"
-#include "state.h"
+#include "steady.h"
 
 #include <math.h>
 
@@ -38,6 +38,12 @@ static void look(struct place *o, const coin_priv_body *b)
     /* clang-format on */
 }
 
+/* Signs are multiplied, not numbers whose product may underflow. */
+static int sign_of(double x)
+{
+    return (x > 0) - (x < 0);
+}
+
 /* Moves along the potential, by at most 2 LONG_STEP cos theta. */
 static void move(struct place *o, const coin_priv_body *b, double theta)
 {
@@ -56,7 +62,7 @@ static void move(struct place *o, const coin_priv_body *b, double theta)
 static void settle(struct place *o, const coin_priv_body *b, double end)
 {
     double low = o->theta, high = end;
-    const double sign = o->push;
+    const int sign = sign_of(o->push);
     for (int i = 0; i < 60; ++i) {
         double next = o->theta - o->push / o->bend;
         if (!((next - low) * (next - high) < 0))
@@ -65,7 +71,7 @@ static void settle(struct place *o, const coin_priv_body *b, double end)
         if (fabs(step) <= DBL_EPSILON / 2 * fabs(next))
             return;
         move(o, b, next);
-        if (o->push * sign > 0)
+        if (sign_of(o->push) * sign > 0)
             low = next;
         else
             high = next;
@@ -89,7 +95,7 @@ static int find(struct place *o, const coin_priv_body *b, double side,
     while (o->at.c > FLAT && fabs(o->theta - start) <= most) {
         const struct place last = *o;
         move(o, b, o->theta + side * step_of(o));
-        if (!(o->push * last.push > 0)) {
+        if (sign_of(o->push) * sign_of(last.push) <= 0) {
             const double end = o->theta;
             *o = last;
             settle(o, b, end);
@@ -113,6 +119,25 @@ static int nearest(struct place *o, const coin_priv_body *b)
     return above || below;
 }
 
+/* The rates nearest to those of *o that balance (39) at this lean: what push is
+ * left is the rounding of theta, to which fast coins are steep.  Newton's way
+ * in the plane of both; at rates of 1e16 the second step still counts.  Slow
+ * coins would have to change, and are not steep. */
+static void balance(struct place *o, const coin_priv_body *b)
+{
+    const double tth = o->at.s / o->at.c;
+    for (int i = 0; i < 3; ++i) {
+        const double by_wY = b->KJ * o->wZ + 2 * b->XJ * o->wY * tth;
+        const double by_wZ = b->KJ * o->wY;
+        const double slope = coin_priv_hypot(by_wY, by_wZ);
+        if (!(fabs(o->push) < slope * coin_priv_hypot(o->wY, o->wZ)))
+            return;
+        o->p += o->push / slope * (by_wY / slope) * o->at.c;
+        o->wZ += o->push / slope * (by_wZ / slope);
+        look(o, b);
+    }
+}
+
 int32_t coin_steady_near(const coin_state *s, const coin_params *p,
                          coin_state *out)
 {
@@ -125,10 +150,16 @@ int32_t coin_steady_near(const coin_state *s, const coin_params *p,
     look(&o, &b);
     if (!nearest(&o, &b))
         return COIN_EDOMAIN;
-    *out = *s;
-    out->theta = o.theta;
-    out->wX = 0;
-    out->wY = o.wY;
-    out->wZ = o.wZ;
+    balance(&o, &b);
+    coin_state near = *s;
+    near.theta = o.theta;
+    near.wX = 0;
+    near.wY = o.wY;
+    near.wZ = o.wZ;
+    /* Bodies with moments of inertia 1e80 apart may defeat the search. */
+    coin_priv_sc th;
+    if (coin_priv_check_steady(&near, p, &b, &th) != COIN_OK)
+        return COIN_EDOMAIN;
+    *out = near;
     return COIN_OK;
 }

@@ -202,6 +202,36 @@ static void too_near_the_table_there_is_none(void **unused)
     check_same(&near, &s, sizeof s);
 }
 
+/* Found by fuzzing: fast coins came out unsteady by the rounding of theta,
+ * and where gravity is 1e-200 no sign of a push was seen. */
+static void fast_coins_and_slow_worlds_too(void **unused)
+{
+    (void)unused;
+    const struct {
+        double gravity, IX, IZ;
+        coin_state s;
+        int32_t want;
+    } cases[] = {
+        {1, 0.25, 0.5, {1.07, 1, 2, 3, 4, 1, 0, 0x1p31}, COIN_OK},
+        {1, 0.25, 0.5, {0.35, 1, 2, 3, 4, 1, -7e16, -7e16}, COIN_OK},
+        {1e-207, 0.25, 0.5, {0.3, 0, 0, 0, 0, 0, 0, -1e-107}, COIN_OK},
+        {1, 0.5, 1, {-1e-4, 0, 0, 0, 0, 0, 0, -1e-150}, COIN_OK},
+        {1e22, 1e93, 1e4, {0.98, 0, 0, 0, 0, 8e11, 8e11, 8e11}, COIN_EDOMAIN},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        coin_params p;
+        coin_state near;
+        double lambda2;
+        check_note("case %zu", i);
+        check_status(coin_params_body(&p, 1, 1, cases[i].gravity, cases[i].IX,
+                                      cases[i].IZ),
+                     COIN_OK);
+        check_status(coin_steady_near(&cases[i].s, &p, &near), cases[i].want);
+        if (cases[i].want == COIN_OK)
+            check_status(coin_stability(&near, &p, &lambda2), COIN_OK);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -214,6 +244,7 @@ int main(void)
         TEST(a_coin_without_spin_has_upright_alone),
         TEST(what_is_found_counts_as_steady),
         TEST(too_near_the_table_there_is_none),
+        TEST(fast_coins_and_slow_worlds_too),
     };
     return RUN_TESTS(tests);
 }

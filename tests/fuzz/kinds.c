@@ -26,6 +26,17 @@ static void take_s(struct bytes *b, const struct world *w, void *to)
     memcpy(to, &w->s, sizeof w->s);
 }
 
+/* A state like that of the world, or a little beside it. */
+static void take_k(struct bytes *b, const struct world *w, void *to)
+{
+    coin_state s = w->s;
+    const double part = take_part(b) * ldexp(1, -(take_byte(b) % 32));
+    s.theta += part;
+    s.wX += take_rate(b, w->W) * part;
+    s.wZ += w->W * part;
+    memcpy(to, &s, sizeof s);
+}
+
 static void take_l(struct bytes *b, const struct world *w, void *to)
 {
     const coin_lean l = {w->s.theta, w->s.wX, w->s.wY, w->s.wZ};
@@ -191,6 +202,7 @@ static const struct kind kinds[] = {
     {'p', READ, sizeof(coin_params), take_p, NULL},
     {'P', WRITTEN, sizeof(coin_params), NULL, sound_params},
     {'s', READ, sizeof(coin_state), take_s, NULL},
+    {'k', READ, sizeof(coin_state), take_k, NULL},
     {'S', MOVED, sizeof(coin_state), take_s, sound_state},
     {'O', WRITTEN, sizeof(coin_state), NULL, sound_state},
     {'R', WRITTEN, sizeof(coin_state), NULL, sound_8}, /* rates */

@@ -29,7 +29,7 @@ for target; do
     else
         status=1
         echo "fuzz: $target FAILED"
-        grep -E 'Seed|does not hold|runtime error|ERROR|SUMMARY|^ *#|Base64' \
+        grep -E 'Seed|does not hold|^[ps] = |^argument|runtime error|ERROR|SUMMARY|^ *#|Base64' \
             "$log" | tail -30
         tail -3 "$log"
     fi
