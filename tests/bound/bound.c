@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+/* Calls whose instructions callgrind counts, each in a part of its own:
+ *     KIND first      a call of one step, whatever becomes of it
+ *     KIND further    64 steps more, of those that all are done
+ *     advance N       a call of coin_advance()
+ * bound.py reads the parts. */
+#include "coins.h"
+#include "random.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <valgrind/callgrind.h>
+
+enum { STATES = 1000, MORE = 64, KINDS = 6 };
+
+static const char *const names[KINDS] = {
+    "rk4", "rk8", "symplectic2", "symplectic4", "rk4 lean", "rk8 lean",
+};
+
+/* Any valid state: leaning by any power of ten from flat, rates from nothing
+ * to a thousand, the pose at the end of its range now and then. */
+static coin_state any_state(struct random *r, const coin_params *p)
+{
+    coin_state s = random_state(r, p, 1.57);
+    const double fast = pow(10, random_between(r, -3, 3));
+    if (random_between(r, 0, 1) < 0.3)
+        s.theta = 1.5707963267948963 - pow(10, random_between(r, -15, 0));
+    if (random_between(r, 0, 1) < 0.05)
+        s.phi = 0x1p31 - random_between(r, 0, 300);
+    s.wX *= fast;
+    s.wY *= fast;
+    s.wZ *= fast;
+    return s;
+}
+
+static int32_t run(int kind, coin_state s, const coin_params *p, double dt,
+                   uint64_t steps)
+{
+    coin_lean l = {s.theta, s.wX, s.wY, s.wZ};
+    int32_t status;
+    CALLGRIND_TOGGLE_COLLECT;
+    if (kind < 4)
+        status = coin_run(&s, p, kind, dt, steps, NULL);
+    else
+        status = coin_lean_run(&l, p, kind - 4, dt, steps, NULL);
+    CALLGRIND_TOGGLE_COLLECT;
+    return status;
+}
+
+static void part(const char *name, const char *what)
+{
+    char label[64];
+    snprintf(label, sizeof label, "%s,%s", name, what);
+    CALLGRIND_DUMP_STATS_AT(label);
+}
+
+/* Steps from a millionth of the fastest rate's time to beyond the limits. */
+static void steps_of(int kind)
+{
+    struct random r = random_begin(1000 + (uint64_t)kind);
+    for (int i = 0; i < STATES; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = any_state(&r, &p);
+        const double dt =
+            pow(10, random_between(&r, -6, 0.3)) / fastest_rate(&s, &p);
+        run(kind, s, &p, dt, 1);
+        part(names[kind], "first");
+        const int32_t status = run(kind, s, &p, dt, 1 + MORE);
+        part(names[kind], status < 0 ? "refused" : "all");
+    }
+}
+
+static void landings(void)
+{
+    struct random r = random_begin(1010);
+    for (int i = 0; i < STATES; ++i) {
+        const coin_params p = random_coin(&r);
+        coin_state s = any_state(&r, &p);
+        const double t = random_between(&r, -9, 9) / fastest_rate(&s, &p);
+        const double tol = pow(10, random_between(&r, -12, -3));
+        CALLGRIND_TOGGLE_COLLECT;
+        coin_advance(&s, &p, t, tol, NULL);
+        CALLGRIND_TOGGLE_COLLECT;
+        part("advance", "landed");
+    }
+}
+
+int main(void)
+{
+    for (int kind = 0; kind < KINDS; ++kind)
+        steps_of(kind);
+    landings();
+    return 0;
+}

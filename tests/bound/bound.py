@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Instructions over random valid states, against the table in the docs.
+
+    bound.py OUT DOCS           fails unless they are within 5 % of it
+    bound.py OUT DOCS update    writes it
+
+OUT is callgrind's, with a part for each call of bound.c.
+"""
+import collections
+import pathlib
+import re
+import statistics
+import sys
+
+# Another version of the same compiler moves a row by a few per cent; what
+# fails to inline, or calls where nothing did, by more.
+WITHIN = 0.05
+STATES = 1000
+LONG = 20  # steps of coin_advance that make its start and end count little
+STEPS = 64
+BLOCK = re.compile(r"(<!-- bound -->\n).*?(<!-- end -->)", re.S)
+
+
+def parts(path):
+    """(label, instructions, calls of a step of coin_advance) of each part."""
+    label, total, steps, is_step = None, 0, 0, False
+    with open(path, encoding="ascii", errors="replace") as out:
+        for line in out:
+            if line.startswith("desc: Trigger: Client Request: "):
+                label, steps = line.split(": ", 3)[3].strip(), 0
+            elif line.startswith("summary: "):
+                total = int(line.split()[1])
+            elif line.startswith("cfn="):
+                is_step = line.strip() == "cfn=coin_priv_sundman_step"
+            elif line.startswith("calls=") and is_step:
+                steps += int(line[6:].split()[0])
+            elif line.startswith("part: ") and label:
+                yield label, total, steps
+                label = None
+    if label:
+        yield label, total, steps
+
+
+def measured(path):
+    """{row: instructions of each state}."""
+    found, first = collections.defaultdict(list), 0
+    for label, total, steps in parts(path):
+        name, what = label.split(",")
+        if what == "first":
+            found[name, "a call of one step"].append(total)
+            first = total
+        elif what == "all":
+            found[name, "each further step"].append((total - first) / STEPS)
+        elif what == "landed" and steps >= LONG:
+            found["coin_advance", "each step, its call's share included"] \
+                .append(total / steps)
+    return found
+
+
+def table(found):
+    rows = ["| method | what | states | least | median | most |",
+            "| --- | --- | --- | --- | --- | --- |"]
+    for (name, what), counts in found.items():
+        figures = min(counts), statistics.median(counts), max(counts)
+        rows.append(f"| {name} | {what} | {len(counts)} | "
+                    + " | ".join(f"{n:.0f}" for n in figures) + " |")
+    return "\n".join(rows) + "\n"
+
+
+def numbers(text):
+    """{first two cells: the others} of the rows of a table."""
+    rows = [[c.strip() for c in line.strip("| ").split("|")]
+            for line in text.splitlines()[2:] if line.startswith("|")]
+    return {tuple(r[:2]): [int(n) for n in r[2:]] for r in rows}
+
+
+def compare(got, stated):
+    wrong = [f"{key}: not in the docs, or not measured"
+             for key in sorted(got.keys() ^ stated.keys())]
+    for key in got.keys() & stated.keys():
+        for name, g, s in zip(("states", "least", "median", "most"),
+                              got[key], stated[key]):
+            if abs(g - s) > WITHIN * s:
+                wrong.append(f"{' '.join(key)}: {name} {g}, stated {s}")
+    return wrong
+
+
+def main(out, docs, update=None):
+    found = measured(out)
+    calls = [len(c) for (_, what), c in found.items() if "one step" in what]
+    if calls != [STATES] * 6:
+        sys.exit(f"bound: {calls} calls, not {STATES} of each of 6 kinds")
+    path, now = pathlib.Path(docs), table(found)
+    print(now, end="")
+    text = path.read_text()
+    block = BLOCK.search(text)
+    if not block:
+        sys.exit(f"{docs} has no table <!-- bound -->")
+    if update:
+        path.write_text(BLOCK.sub(lambda m: m[1] + now + m[2], text))
+        return
+    wrong = compare(numbers(now), numbers(block[0].split("\n", 1)[1]))
+    sys.exit("\n".join(["bound: other figures than in the docs", *wrong])
+             if wrong else 0)
+
+
+main(*sys.argv[1:])
