@@ -5,16 +5,13 @@
 
 #include <math.h>
 
-/* Terms below this part of their sum no longer change it. */
-#define NEGLIGIBLE 1e-17
-
 /* sum of t_n u^n over n = n0, n0 + 2, ..., t_n0 = 1:
  *     t_{n+2} = t_n (n (n + shift) + kap)/((n + 1)(n + 2))            (34)
  * All terms have one sign: nothing cancels. */
 static double power_series(double kap, double u, double n0, double shift)
 {
     double term = n0 > 0 ? u : 1, sum = term;
-    for (double n = n0; fabs(term) > NEGLIGIBLE * fabs(sum); n += 2) {
+    for (double n = n0; fabs(term) > COIN_PRIV_NEGLIGIBLE * fabs(sum); n += 2) {
         term *= u * u * (n * (n + shift) + kap) / ((n + 1) * (n + 2));
         sum += term;
     }
@@ -40,7 +37,7 @@ coin_priv_flat coin_priv_legendre_flat(double kap, double v)
     double R = 1, vdR = 0, s_sum = 0, vds_sum = 0;
     /* (n + 1) v^n bounds the terms of every sum, whatever kap. */
     double power = 1;
-    for (double n = 0; (n + 1) * power > NEGLIGIBLE; ++n) {
+    for (double n = 0; (n + 1) * power > COIN_PRIV_NEGLIGIBLE; ++n) {
         power *= v;
         const double rho = (n * (n + 1) + kap) / ((n + 1) * (n + 1));
         const double odd = (2 * n + 1) / ((n + 1) * (n + 1));

@@ -8,6 +8,7 @@
 #define ROLLCOIN_LEGENDRE_H
 
 #include "pinned.h"
+#include "precision.h"
 
 /* p = KY Pe + k1 KZ Po and wZ = KZ We + k2 KY Wo; Pe We - kap Po Wo = 1. */
 typedef struct coin_priv_central {
@@ -35,7 +36,6 @@ coin_priv_flat coin_priv_legendre_flat(double kap, double v);
  * (test_drift).
  * Cost: 22 terms, always. */
 #define COIN_PRIV_SERIES_REACH 0.18
-#define COIN_PRIV_SERIES_TERMS 22
 
 /* 1/((n + 1)(n + 2)): a division costs a step as much as three products. */
 #define COIN_PRIV_OVER(n) (1.0 / (((n) + 1) * ((n) + 2)))
@@ -47,16 +47,18 @@ static const double coin_priv_over[24] = {
     COIN_PRIV_OVER4(12), COIN_PRIV_OVER4(16), COIN_PRIV_OVER4(20),
 };
 
-COIN_PRIV_INLINE void coin_priv_legendre_shift(double *p, double *wZ, double k1,
-                                               double k2, double u, double c2,
-                                               double e)
+/* The change alone. */
+COIN_PRIV_INLINE void coin_priv_legendre_change(double *dp, double *dwZ,
+                                                double p, double wZ, double k1,
+                                                double k2, double u, double c2,
+                                                double e)
 {
     const double kap = k1 * k2, x = e / c2;
     const double back1 = 2 * u * x, back2 = e * x;
-    double b0 = *wZ, b1 = k2 * *p * x; /* a_n e^n of this term and the next */
+    double b0 = wZ, b1 = k2 * p * x; /* a_n e^n of this term and the next */
     double change = 0, sum = b0;
     for (int i = 0; i < COIN_PRIV_SERIES_TERMS; ++i) {
-        const double n = i, next = coin_priv_over[i];
+        const double n = (double)i, next = coin_priv_over[i];
         const double b2 = back1 * b1 * ((n + 1) * (n + 1) * next) +
                           back2 * b0 * ((n * (n + 1) + kap) * next);
         change += b1;
@@ -64,8 +66,18 @@ COIN_PRIV_INLINE void coin_priv_legendre_shift(double *p, double *wZ, double k1,
         b0 = b1;
         b1 = b2;
     }
-    *p += k1 * e * sum;
-    *wZ += change;
+    *dp = k1 * e * sum;
+    *dwZ = change;
+}
+
+COIN_PRIV_INLINE void coin_priv_legendre_shift(double *p, double *wZ, double k1,
+                                               double k2, double u, double c2,
+                                               double e)
+{
+    double dp, dwZ;
+    coin_priv_legendre_change(&dp, &dwZ, *p, *wZ, k1, k2, u, c2, e);
+    *p += dp;
+    *wZ += dwZ;
 }
 
 #endif

@@ -1,41 +1,37 @@
 /* SPDX-License-Identifier: MIT */
 #include "pinned.h"
 
+#include "lesser.h"
 #include "params.h"
+#include "precision.h"
 
-/* Numbers in here can be multiplied by each other's ratios, and by the 1/cos
- * of the flattest lean, and stay normal: 1e-300 and 1e300 leave 2^26. */
-#define LEAST 1e-300
-#define MOST 1e300
-
-/* 1/cos^2 theta is below this for every |theta| < pi/2 that a double holds. */
-#define SECANT2_MAX 1e32
+/* A body's numbers, by name and in a row. */
+union body {
+    coin_priv_body of;
+    double number[sizeof(coin_priv_body) / sizeof(double)];
+};
 
 int32_t coin_priv_body_of(coin_priv_body *b, const coin_params *p)
 {
     const double M = p->mass, a = p->radius, g = p->gravity;
     const double IX = p->inertia_X, IZ = p->inertia_Z;
     const double m = M * a * a, J = IX + m, K = IZ + m, Mga = M * g * a;
-    const coin_priv_body body = {
-        M,       a,       IX,    IZ,
-        m,       J,       K,     M * g,
-        Mga,     g / a,   K / J, IX / J,
-        Mga / J, IZ / IX, m / K, MOST / SECANT2_MAX / (1 + a + M * a + J + K),
-    };
-    const double roll2 = Mga / K / body.k1; /* critical rate, squared: (45) */
-    const double limited[] = {
-        M,       a,       g,       IX,          IZ,       M * a,   body.Mg,
-        m,       J,       K,       Mga,         body.g_a, body.KJ, body.XJ,
-        body.GJ, body.k1, body.k2, body.w2_max, roll2,
-    };
-    int good = IZ <= 2 * IX * (1 + 1e-12);
-    for (size_t i = 0; i < sizeof limited / sizeof *limited; ++i)
-        good &= limited[i] >= LEAST && limited[i] <= MOST;
-    for (size_t i = 0; i < 3; ++i)
-        good &= p->reserved[i] == 0;
-    if (!good)
+    const union body body = {{M, a, IX, IZ, m, J, K, M * g, Mga, g / a, K / J,
+                              IX / J, Mga / J, IZ / IX, m / K,
+                              COIN_PRIV_W2_MAX / (1 + a + M * a + J + K)}};
+    const double roll2 = Mga / K / body.of.k1; /* critical, squared: (45) */
+    double least = coin_priv_lesser(coin_priv_lesser(g, M * a), roll2);
+    double sum = g + M * a + roll2;
+    for (size_t i = 0; i < sizeof body / sizeof(double); ++i) {
+        least = coin_priv_lesser(body.number[i], least);
+        sum += body.number[i];
+    }
+    /* A comparison with NaN, which the sum hands on, is false. */
+    if (!(least >= COIN_PRIV_LEAST && sum <= COIN_PRIV_MOST) ||
+        !(IZ <= 2 * IX * (1 + COIN_PRIV_INERTIA_SLACK)) ||
+        p->reserved[0] != 0 || p->reserved[1] != 0 || p->reserved[2] != 0)
         return COIN_EPARAMS;
-    *b = body;
+    *b = body.of;
     return COIN_OK;
 }
 

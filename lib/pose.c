@@ -141,7 +141,7 @@ int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
                                double x, double z)
 {
     coin_priv_body b;
-    coin_state made = {0, 0, 0, x, z, 0, 0, 0};
+    coin_state made = {0, 0, 0, x, z, 0, 0, 0 COIN_PRIV_NO_LOW};
     if (!s || !p || !q || !omega)
         return COIN_EARG;
     if (coin_priv_body_of(&b, p) != COIN_OK)

@@ -17,7 +17,8 @@ int32_t coin_rates(const coin_state *s, const coin_params *p, coin_state *out)
     double path[3];
     coin_priv_velocity(path, b.a, &y);
     const coin_state rates = {
-        s->wX, v.phi, v.psi, path[0], path[2], d.wX, d.wY, d.wZ,
+        s->wX,   v.phi, v.psi, path[0],
+        path[2], d.wX,  d.wY,  d.wZ COIN_PRIV_NO_LOW,
     };
     *out = rates;
     return COIN_OK;

@@ -5,44 +5,19 @@
 
 #include <stdint.h>
 
-/* pi/2 = P1 + P2 + P3 + P4: three parts of 22 bits, so that n times a part is
- * exact for |n| < 2^31, and a rest. */
-#define P1 1.570796012878418
-#define P2 3.139164164167596e-07
-#define P3 6.223371969669989e-14
-#define P4 2.0222662487959506e-21
-
-/* Adding and subtracting 1.5 2^52 rounds to the nearest integer. */
-#define ROUNDER 6755399441055744.0
-
-/* sin(x + y), |x + y| <= pi/4, |y| <= ulp(x): the Taylor polynomial to x^17,
- * whose next term is 1e-19 at pi/4. */
+/* sin(x + y), |x + y| <= pi/4, |y| <= ulp(x). */
 static double sine(double x, double y)
 {
     const double z = x * x;
-    const double p =
-        -1.0 / 6 +
-        z * (1.0 / 120 +
-             z * (-1.0 / 5040 +
-                  z * (1.0 / 362880 +
-                       z * (-1.0 / 39916800 +
-                            z * (1.0 / 6227020800.0 +
-                                 z * (-1.0 / 1307674368000.0 +
-                                      z * (1.0 / 355687428096000.0)))))));
+    const double p = COIN_PRIV_SINE(z);
     return x + (x * z * p + y * (1.0 - 0.5 * z));
 }
 
-/* cos(x + y), likewise to x^16; 1 - z/2 is summed with its rounding error. */
+/* cos(x + y), likewise; 1 - z/2 is summed with its rounding error. */
 static double cosine(double x, double y)
 {
     const double z = x * x;
-    const double p =
-        1.0 / 24 +
-        z * (-1.0 / 720 + z * (1.0 / 40320 +
-                               z * (-1.0 / 3628800 +
-                                    z * (1.0 / 479001600 +
-                                         z * (-1.0 / 87178291200.0 +
-                                              z * (1.0 / 20922789888000.0))))));
+    const double p = COIN_PRIV_COSINE(z);
     const double w = 1.0 - 0.5 * z;
     return w + (((1.0 - w) - 0.5 * z) + (z * z * p - x * y));
 }
@@ -54,11 +29,13 @@ coin_priv_sc coin_priv_sincos(double x)
     if (!(fabs(x) <= COIN_PRIV_ANGLE_MAX))
         return r;
     /* x = n pi/2 + (hi + lo), Cody and Waite; t is exact. */
-    const double n = (x * (1.0 / COIN_PRIV_HALF_PI) + ROUNDER) - ROUNDER;
-    const double t = (x - n * P1) - n * P2;
-    const double r3 = t - n * P3;
-    const double hi = r3 - n * P4;
-    const double lo = ((r3 - hi) - n * P4) + ((t - r3) - n * P3);
+    const double n =
+        (x * (1.0 / COIN_PRIV_HALF_PI) + COIN_PRIV_ROUNDER) - COIN_PRIV_ROUNDER;
+    const double t = (x - n * COIN_PRIV_P1) - n * COIN_PRIV_P2;
+    const double r3 = t - n * COIN_PRIV_P3;
+    const double hi = r3 - n * COIN_PRIV_P4;
+    const double lo =
+        ((r3 - hi) - n * COIN_PRIV_P4) + ((t - r3) - n * COIN_PRIV_P3);
     const double s = sine(hi, lo), c = cosine(hi, lo);
     const int32_t quarter = (int32_t)n & 3;
     r.s = quarter & 1 ? c : s;

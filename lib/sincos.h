@@ -2,14 +2,9 @@
 #ifndef ROLLCOIN_SINCOS_H
 #define ROLLCOIN_SINCOS_H
 
+#include "precision.h"
+
 #include <math.h>
-
-/* Beyond this an angle's own rounding (2^-22) is a visible turn. */
-#define COIN_PRIV_ANGLE_MAX 2147483648.0
-
-/* The double nearest to pi/2, which lies 6.1e-17 below it, and the rest. */
-#define COIN_PRIV_HALF_PI 1.5707963267948966
-#define COIN_PRIV_HALF_PI_LOW 6.123233995736766e-17
 
 typedef struct coin_priv_sc {
     double s, c;

@@ -9,12 +9,12 @@
 int32_t coin_priv_check_members(const coin_state *s)
 {
     /* x - x is 0 for finite x only, and a comparison with NaN is false. */
-    const int good = (fabs(s->theta) < COIN_PRIV_HALF_PI) &
-                     (fabs(s->phi) <= COIN_PRIV_ANGLE_MAX) &
-                     (fabs(s->psi) <= COIN_PRIV_ANGLE_MAX) &
-                     (s->x - s->x == 0) & (s->z - s->z == 0) &
-                     (s->wX - s->wX == 0) & (s->wY - s->wY == 0) &
-                     (s->wZ - s->wZ == 0);
+    const int good = fabs(s->theta) < COIN_PRIV_HALF_PI &&
+                     fabs(s->phi) <= COIN_PRIV_ANGLE_MAX &&
+                     fabs(s->psi) <= COIN_PRIV_ANGLE_MAX && s->x - s->x == 0 &&
+                     s->z - s->z == 0 && s->wX - s->wX == 0 &&
+                     s->wY - s->wY == 0 && s->wZ - s->wZ == 0 &&
+                     COIN_PRIV_LOW_HOLDS(s);
     return good ? COIN_OK : COIN_ESTATE;
 }
 
@@ -26,9 +26,7 @@ int32_t coin_priv_check(const coin_state *s, const coin_params *p,
     if (coin_priv_body_of(b, p) != COIN_OK)
         return COIN_EPARAMS;
     const double w2 = s->wX * s->wX + s->wY * s->wY + s->wZ * s->wZ;
-    const int good =
-        (coin_priv_check_members(s) == COIN_OK) & (w2 <= b->w2_max);
-    return good ? COIN_OK : COIN_ESTATE;
+    return w2 <= b->w2_max ? coin_priv_check_members(s) : COIN_ESTATE;
 }
 
 int32_t coin_state_check(const coin_state *s, const coin_params *p)

@@ -13,7 +13,7 @@ import re
 import sys
 
 FLOORS = [
-    [{"pinned"}],
+    [{"pinned", "precision"}],
     [{"sincos"}, {"motion", "lesser"}, {"version"}, {"status"}],
     [{"params", "state"}, {"frame"}],
     [{"stage"}, {"legendre"}],
@@ -29,7 +29,7 @@ PLACE = {stem: (level, column) for level, floor in enumerate(FLOORS)
 
 
 def problems(lib):
-    files = sorted(lib.glob("*.[ch]"))
+    files = sorted([*lib.glob("*.[ch]"), *lib.glob("float/*.[ch]")])
     stems = {file.stem for file in files}
     yield from (f"{s}: not in the table of layers" for s in stems - set(PLACE))
     yield from (f"{s}: no such file" for s in set(PLACE) - stems)
