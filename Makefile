@@ -82,6 +82,7 @@ LIB_SO  := $(O)/librollcoin.so
 SONAME  := librollcoin.so.$(SOVERSION)
 REAL_SO := librollcoin.so.$(VERSION)
 EXPORTS := $(SRC)/lib/rollcoin.map
+include $(SRC)/lib/float/float.mk
 
 .PHONY: all
 all: $(LIB_A) $(LIB_SO) $(O)/rollcoin.pc ## the static and the shared library
@@ -111,15 +112,21 @@ $(LIB_SO): $(O)/$(SONAME)
 
 # All of it as one header, for a project or firmware that takes files in.
 SINGLE       := $(O)/single/coin.h
-SINGLE_PARTS := $(sort $(wildcard $(SRC)/include/*.h)) $(sort $(SOURCES))
+SINGLE_TREE  := $(O)/single/tree
 
 .PHONY: single
 single: $(SINGLE) ## build/single/coin.h, the library as one header
 
-$(SINGLE): $(SRC)/LICENSE $(SRC)/lib/single.awk $(SINGLE_PARTS) \
-           $(wildcard $(SRC)/lib/*.h) | $(O)/single
-	cd $(SRC) && LC_ALL=C awk -f lib/single.awk LICENSE \
-	    $(SINGLE_PARTS:$(SRC)/%=%) >$(abspath $@)
+$(SINGLE): $(SRC)/LICENSE $(SRC)/lib/single.awk $(FLOAT_C) $(FLOAT_H) \
+           $(wildcard $(SRC)/include/*.h $(SRC)/lib/*.[ch]) | $(O)/single
+	rm -rf $(SINGLE_TREE)
+	mkdir -p $(SINGLE_TREE)/include $(SINGLE_TREE)/lib
+	cp $(SRC)/LICENSE $(SINGLE_TREE)
+	cp $(SRC)/include/*.h $(SINGLE_TREE)/include
+	cp $(SRC)/lib/*.[ch] $(FLOAT_C) $(FLOAT_H) $(SINGLE_TREE)/lib
+	cd $(SINGLE_TREE) && export LC_ALL=C && awk -f $(SRC)/lib/single.awk \
+	    LICENSE include/*.h lib/*.c >$(abspath $@)
+	echo '#include "coin.h" /* which holds coinf.h */' >$(O)/single/coinf.h
 
 # Folders below the prefix are written relative to it, so that pkg-config can
 # move the whole by --define-prefix.
@@ -151,7 +158,7 @@ TO_PC  = $(DESTDIR)$(PKGCONFIGDIR)
 .PHONY: install uninstall
 install: $(LIB_A) $(LIB_SO) ## to PREFIX, below DESTDIR if that is set
 	$(INSTALL) -d $(TO_INC) $(TO_LIB) $(TO_PC)
-	$(INSTALL) -m 644 $(SRC)/include/coin.h $(TO_INC)
+	$(INSTALL) -m 644 $(SRC)/include/coin.h $(SRC)/include/coinf.h $(TO_INC)
 	$(INSTALL) -m 644 $(LIB_A) $(O)/$(REAL_SO) $(TO_LIB)
 	ln -sf $(REAL_SO) $(TO_LIB)/$(SONAME)
 	ln -sf $(SONAME) $(TO_LIB)/librollcoin.so
@@ -159,7 +166,8 @@ install: $(LIB_A) $(LIB_SO) ## to PREFIX, below DESTDIR if that is set
 	chmod 644 $(TO_PC)/rollcoin.pc
 
 uninstall: ## remove what install put there
-	rm -f $(TO_INC)/coin.h $(TO_LIB)/librollcoin.a $(TO_LIB)/librollcoin.so \
+	rm -f $(TO_INC)/coin.h $(TO_INC)/coinf.h $(TO_LIB)/librollcoin.a \
+	    $(TO_LIB)/librollcoin.so \
 	    $(TO_LIB)/$(SONAME) $(TO_LIB)/$(REAL_SO) $(TO_PC)/rollcoin.pc
 
 # ------------------------------------------------------------ examples and demo
@@ -266,7 +274,8 @@ valgrind: ## the tests under valgrind
 
 # Unoptimised and unmapped: gcov then sees each branch as it is written, and
 # finds the sources.  Only what ran inside the library's own objects counts.
-COVERED = gcovr --root $(SRC) --filter '$(SRC)/lib/' $(O)/coverage/static
+COVERED = gcovr --root $(SRC) --filter '$(SRC)/lib/' \
+          --filter '$(abspath $(O))/coverage/float/' $(O)/coverage/static
 coverage: ## every line and branch of lib/ runs, or the missing are listed
 	rm -rf $(O)/coverage
 	+$(AGAIN) O=$(O)/coverage check MAPS= \
@@ -292,7 +301,7 @@ repro-update: ## accept the hashes of this library as the pinned ones
 	+$(GATE) sh $(SRC)/tests/repro/hash.sh update
 
 # -------------------------------------------------------------- format, helpers
-C_FILES = $(foreach d,include lib tests tests/* docs/examples,\
+C_FILES = $(foreach d,include lib lib/float tests tests/* docs/examples,\
             $(wildcard $(SRC)/$d/*.[ch]))
 
 .PHONY: format format-check clean help

@@ -145,7 +145,7 @@ function in_public(word)
     return word ~ /^(coinf?_|COINF?_|__)/
 }
 
-# A name of file scope is followed by one of these; or it is the tag of a struct,
+# A name of file scope is followed by one of these; or it is a tag,
 # or an enumerator.
 function note_name(word, rest,    found)
 {
@@ -153,7 +153,7 @@ function note_name(word, rest,    found)
         enum_depth = -1
     if (in_public(word))
         return
-    if (before == "struct")
+    if (before == "struct" || before == "union")
         found = depth == 0 && rest ~ /^ *{/
     else if (depth == 0)
         found = rest ~ /^ *([(=;,[]|__attribute__)/

@@ -4,7 +4,7 @@
  * where VERSION is what pkg-config says.  Header, library and package must be
  * of one version, the library must compute the pinned bits, and the integrals
  * need libm, so that a missing -lm shows when linking statically. */
-#include <coin.h>
+#include <coinf.h>
 
 #include <math.h>
 #include <stdio.h>
@@ -47,7 +47,7 @@ int main(int argc, char **argv)
     if (coin_sizeof_state() != sizeof(coin_state) ||
         coin_sizeof_params() != sizeof(coin_params))
         return fail("header and library differ in layout");
-    if (coin_selftest() != COIN_OK)
+    if (coin_selftest() != COIN_OK || coinf_selftest() != COIN_OK)
         return fail("the library does not compute the pinned bits");
     return roll();
 }

@@ -17,7 +17,8 @@ files_are()
 {
     for file in "$2/librollcoin.a" "$2/librollcoin.so" \
         "$2/librollcoin.so.$SOVERSION" "$2/librollcoin.so.$VERSION" \
-        "$2/pkgconfig/rollcoin.pc" "${2%%/lib*}/include/coin.h"; do
+        "$2/pkgconfig/rollcoin.pc" "${2%%/lib*}/include/coin.h" \
+        "${2%%/lib*}/include/coinf.h"; do
         echo "$file"
     done | LC_ALL=C sort >"$work/expected"
     (cd "$1" && find . ! -type d | sed 's/^.//' | LC_ALL=C sort) >"$work/found"

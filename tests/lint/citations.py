@@ -30,7 +30,7 @@ def cited_equations(text):
 
 
 def problems(src):
-    files = sorted([*src.glob("lib/*.[ch]"), *src.glob("include/*.h")])
+    files = sorted([*src.glob("lib/**/*.[ch]"), *src.glob("include/*.h")])
     physics = (src / "docs/physics.md").read_text()
     marks = re.findall(r"\*\*\((\d+)\)\*\*( \[code\])?", physics)
     numbers = [int(number) for number, _ in marks]

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# coin.h alone, in every dialect that a user may compile it in.
+# coin.h alone and both headers, in every dialect that a user may compile them
+# in.
 #     header.sh INCLUDE
 set -eu
 status=0
@@ -8,9 +9,11 @@ status=0
 try()
 {
     # shellcheck disable=SC2086
-    echo '#include <coin.h>' | $1 -Wall -Wextra -Werror -pedantic \
-        -I"$include" -fsyntax-only - ||
-        { echo "coin.h: not clean under $1" >&2; status=1; }
+    for header in coin.h coinf.h; do
+        printf '#include <%s>\n#include <coin.h>\n' $header |
+            $1 -Wall -Wextra -Werror -pedantic -I"$include" -fsyntax-only - ||
+            { echo "$header: not clean under $1" >&2; status=1; }
+    done
 }
 
 include=$1
@@ -22,5 +25,5 @@ for std in c++98 c++11 c++14 c++17 c++20; do
     try "g++ -x c++ -std=$std"
     try "clang++ -x c++ -std=$std"
 done
-test $status = 0 && echo "coin.h: clean in C89-gnu to C2x and C++98 to C++20"
+test $status = 0 && echo "coin.h, coinf.h: clean in C89-gnu to C2x and C++98 to C++20"
 exit $status

@@ -19,6 +19,7 @@ run "layers of lib/" python3 "$here/layers.py" "$SRC/lib"
 run "citations" python3 "$here/citations.py" "$SRC"
 run "text" sh "$here/text.sh"
 run "public symbols" sh "$here/symbols.sh"
+run "coinf.h beside coin.h" sh "$here/twins.sh"
 run "what the objects need and hold" sh "$here/objects.sh"
 run "static analysis" sh "$here/analyse.sh"
 

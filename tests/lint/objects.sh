@@ -4,7 +4,7 @@
 # data.
 # From `make lint`: OUT.
 set -eu
-allowed="log sqrt memcpy memset"
+allowed="log logf sqrt sqrtf memcpy memset"
 work=$OUT/lint
 status=0
 mkdir -p "$work"

@@ -1,21 +1,22 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What coin.h declares, what rollcoin.map names and what the shared library
-# exports are the same; other names shared between sources are coin_priv_*.
+# What coin.h and coinf.h declare, what rollcoin.map names and what the shared
+# library exports are the same; other names shared between sources are
+# coin_priv_* and coinf_priv_*.
 # From `make lint`: CC SRC OUT.
 set -eu
 work=$OUT/lint
 mkdir -p "$work"
 
-$CC -E -P -DCOIN_API=EXPORT "$SRC/include/coin.h" | tr '\n' ' ' |
+$CC -E -P -DCOIN_API=EXPORT -I"$SRC/include" "$SRC/include/coinf.h" | tr '\n' ' ' |
     grep -o 'EXPORT [^(]*(' | sed 's/($//; s/.*[ *]//' |
     LC_ALL=C sort >"$work/declared"
-sed -n '/global:/,/local:/s/^ *\(coin_[A-Za-z_0-9]*\);.*/\1/p' \
+sed -n '/global:/,/local:/s/^ *\(coinf*_[A-Za-z_0-9]*\);.*/\1/p' \
     "$SRC/lib/rollcoin.map" | LC_ALL=C sort >"$work/mapped"
 nm -D --defined-only "$OUT/librollcoin.so" |
     sed -n 's/.* [^A ] \([^@]*\).*/\1/p' | LC_ALL=C sort >"$work/exported"
 nm -g --defined-only "$OUT/librollcoin.a" |
-    sed -n 's/.* [A-Z] \(.*\)/\1/p' | grep -v '^coin_priv_' |
+    sed -n 's/.* [A-Z] \(.*\)/\1/p' | grep -v '^coinf*_priv_' |
     LC_ALL=C sort >"$work/global"
 
 test -s "$work/declared"

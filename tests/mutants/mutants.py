@@ -46,7 +46,7 @@ def complaints(lib, mutants):
             yield f"{file}: '{old}' occurs {count} times, not once"
         if old == new:
             yield f"{file}: '{old}' is not changed"
-    code = {f.name for f in lib.glob("*.[ch]")
+    code = {str(f.relative_to(lib)) for f in lib.rglob("*.[ch]")
             if re.search(r"^{$", f.read_text(), re.M)}  # has a function
     for file in sorted(code - {file for file, _, _ in mutants}):
         yield f"{file}: no mutant"
@@ -72,7 +72,7 @@ class Copy:
 
     def failing_test(self, file):
         """The name of the first test that fails, if one does."""
-        own = "test_" + file.split(".")[0]
+        own = "test_" + re.split("[/.]", file)[0]
         tests = sorted(
             (t for t in self.out.glob("tests/test_*") if not t.suffix),
             key=lambda t: (t.name != own, t.name == "test_selftest", t.name))

@@ -2,10 +2,11 @@
 /* Prints a hash of every bit of many motions: the reference scenes, a coin that
  * nearly falls flat and one that does, by each method, 2000 steps of 0.02
  * natural units of time; the same by lean runs, by coin_advance() forward and
- * back, and the steps that coin_max_dt() chooses.  The same on every platform
- * and compiler, whatever the size or order of bytes: it takes the bits of each
- * double from the lowest to the highest. */
-#include <coin.h>
+ * back, and the steps that coin_max_dt() chooses; and the runs in single
+ * precision.  The same on every platform and compiler, whatever the size or
+ * order of bytes: it takes the bits of each double from the lowest to the
+ * highest. */
+#include <coinf.h>
 
 #include <inttypes.h>
 #include <math.h>
@@ -151,6 +152,33 @@ static uint64_t hash_advance(const scene *a)
     return h;
 }
 
+/* The same runs in single precision, in two parts. */
+static uint64_t hash_float(const scene *a, int32_t method)
+{
+    coinf_state s = {0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0, 0, 0, 0, 0}};
+    const float dt = (float)(0.02 * sqrt(a->radius / a->gravity));
+    uint64_t steps = 0, h = FNV_OFFSET;
+    uint32_t bits[sizeof s / sizeof(uint32_t)];
+    coinf_params p;
+    int part;
+    size_t i;
+
+    coinf_params_ring(&p, (float)a->mass, (float)a->radius,
+                      (float)a->inner_radius, (float)a->gravity);
+    s.theta = (float)a->theta;
+    s.wX = (float)a->wX;
+    s.wY = (float)a->wY;
+    s.wZ = (float)a->wZ;
+    for (part = 0; part < 2; ++part) {
+        h = hash_status(h, coinf_run(&s, &p, method, dt, STEPS / 2, &steps));
+        h = hash_u64(h, steps);
+        memcpy(bits, &s, sizeof bits);
+        for (i = 0; i < sizeof bits / sizeof *bits; ++i)
+            h = hash_u64(h, bits[i]);
+    }
+    return h;
+}
+
 static uint64_t print(uint64_t all, uint64_t h, const char *by, const char *how,
                       const scene *a)
 {
@@ -171,9 +199,11 @@ int main(void)
             all = print(all, hash_run(a, m), name, "", a);
             all = print(all, hash_lean(a, m), name, " lean", a);
             all = print(all, hash_max_dt(a, m), name, " max_dt", a);
+            all = print(all, hash_float(a, m), name, " float", a);
         }
         all = print(all, hash_advance(a), "advance", "", a);
     }
-    printf("%016" PRIx64 " all, selftest %d\n", all, (int)coin_selftest());
+    printf("%016" PRIx64 " all, selftest %d %d\n", all, (int)coin_selftest(),
+           (int)coinf_selftest());
     return coin_method_name(0) == NULL;
 }

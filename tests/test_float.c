@@ -1,0 +1,314 @@
+/* SPDX-License-Identifier: MIT */
+/* How exact single precision is, and what it keeps to the bit. */
+#include "support/check.h"
+#include "support/floats.h"
+#include "support/random.h"
+#include "support/scene.h"
+
+#include <fenv.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* What coinf.h promises over UNITS natural units of time, and on scenes that
+ * amplify an error how little. */
+#define PROMISED 4e-6
+#define UNITS 20
+#define CALM 100
+
+static struct scene scene;
+
+/* A named scene in floats. */
+struct start {
+    coinf_params p;
+    coinf_state s;
+    double unit; /* of time */
+};
+
+static struct start start_of(const char *name)
+{
+    scene_load(&scene, name);
+    const coin_state s = scene_state(&scene, 0);
+    const struct start b = {
+        floats_params(&scene.params),
+        floats_state(&s),
+        natural_time(&scene.params),
+    };
+    return b;
+}
+
+/* How much the loaded scene amplifies errors within so many units. */
+static double amplification(double units)
+{
+    double amp = 0;
+    for (size_t row = 0; row < scene.rows.rows; ++row) {
+        amp = fmax(amp, scene_at(&scene, row, "amp"));
+        if (scene_at(&scene, row, "t") >= units * natural_time(&scene.params))
+            break;
+    }
+    return amp;
+}
+
+/* The largest error of a loop of single steps over so many units, seen at 8
+ * times.  Whoever sets keep to 0 throws away what rounding leaves out. */
+static double loop_error(const struct start *b, double dt_units, double units,
+                         int keep)
+{
+    const float dt = (float)(dt_units * b->unit);
+    const int per_look = (int)(units / 8 / dt_units);
+    coinf_state s = b->s;
+    double worst = 0;
+    for (int i = 1; i <= 8 * per_look; ++i) {
+        check_status(coinf_step(&s, &b->p, dt), COIN_OK);
+        if (!keep)
+            memset(s.low, 0, sizeof s.low);
+        if (i % per_look == 0)
+            worst = fmax(worst, floats_error(&s, &b->s, &b->p, i * (double)dt));
+    }
+    return worst;
+}
+
+static const double steps[] = {1e-3, 2.3e-3, 4.1e-3, 7.3e-3, 1.13e-2, 2e-2};
+enum { TRIED = sizeof steps / sizeof *steps };
+
+static void a_loop_of_steps_is_as_exact_as_promised(void **unused)
+{
+    (void)unused;
+    int calm = 0;
+    double worst = 0;
+    for (int i = 0; i < SCENES; ++i) {
+        const struct start b = start_of(scene_names[i]);
+        if (amplification(UNITS) > CALM)
+            continue;
+        for (int k = 0; k < TRIED; ++k) {
+            const double error = loop_error(&b, steps[k], UNITS, 1);
+            check_note("scene %s, dt = %g units", scene_names[i], steps[k]);
+            check_within(error, 0, PROMISED);
+            worst = fmax(worst, error);
+        }
+        ++calm;
+    }
+    printf("    %d scenes: off by %.2g rad or radii at worst\n", calm, worst);
+    check(calm == 9);
+}
+
+/* An unstable roll: what it does to an error of a float, it does to ours. */
+static void where_the_motion_amplifies_the_error_is_amplified(void **unused)
+{
+    (void)unused;
+    const struct start b = start_of("tumble");
+    for (int k = 0; k < TRIED; ++k) {
+        check_note("dt = %g units", steps[k]);
+        check_within(loop_error(&b, steps[k], 10, 1), 0, PROMISED);
+        check_within(loop_error(&b, steps[k], UNITS, 1), PROMISED / 100,
+                     amplification(UNITS) * UF);
+    }
+}
+
+/* The remainders are what makes it so. */
+static void without_remainders_fine_steps_lose_digits(void **unused)
+{
+    (void)unused;
+    const char *const names[] = {"generic", "circle", "quarter"};
+    for (int i = 0; i < 3; ++i) {
+        const struct start b = start_of(names[i]);
+        check_note("scene %s", names[i]);
+        check_within(loop_error(&b, 1e-3, UNITS, 0), 3e-5, 1e-2);
+    }
+}
+
+/* Random coins, over 4 units so that few amplify: what is left of the promise
+ * then, a tenth per unit, for nine of ten. */
+static void random_coins_are_followed_as_exactly(void **unused)
+{
+    (void)unused;
+    enum { COINS = 60 };
+    struct random r = random_begin(61);
+    int good = 0;
+    for (int i = 0; i < COINS; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_motion(&r, &p, 1.0 / 32, 128);
+        const struct start b = {floats_params(&p), floats_state(&s),
+                                natural_time(&p)};
+        good += loop_error(&b, 1.0 / 256, 4, 1) <= 0.4 * PROMISED;
+    }
+    check_note("%d of %d", good, (int)COINS);
+    check(good >= COINS * 9 / 10);
+}
+
+/* ------------------------------------------------------------------- order */
+static double run_error(const struct start *b, int32_t method, double dt_units)
+{
+    const float dt = (float)(dt_units * b->unit);
+    const int n = (int)(4 / dt_units + 0.5);
+    coinf_state s = b->s;
+    check(coinf_run(&s, &b->p, method, dt, (uint64_t)n, NULL) >= 0);
+    return floats_error(&s, &b->s, &b->p, n * (double)dt);
+}
+
+static void the_order_is_the_method_s(void **unused)
+{
+    (void)unused;
+    const char *const names[] = {"generic", "ring", "negative"};
+    for (int i = 0; i < 3; ++i) {
+        const struct start b = start_of(names[i]);
+        check_note("scene %s", names[i]);
+        check_within(run_error(&b, COIN_RK4, 1.0 / 8) /
+                         run_error(&b, COIN_RK4, 1.0 / 16),
+                     13, 20);
+        check_within(run_error(&b, COIN_SYMPLECTIC2, 1.0 / 32) /
+                         run_error(&b, COIN_SYMPLECTIC2, 1.0 / 64),
+                     3.8, 4.2);
+    }
+}
+
+/* The symplectic method keeps the energy's error within h^2, and rounding does
+ * not add up either: 100,000 steps are no worse than the first 1000. */
+static void the_symplectic_method_does_not_drift(void **unused)
+{
+    (void)unused;
+    const struct start b = start_of("generic");
+    const coin_params p = doubles_params(&b.p);
+    const coin_state from = doubles_state(&b.s);
+    const double E = coin_energy(&from, &p);
+    coinf_state s = b.s;
+    double early = 0, late = 0;
+    for (int i = 0; i < 1000; ++i) {
+        check_status(
+            coinf_run(&s, &b.p, COIN_SYMPLECTIC2, 0.02f, i < 500 ? 2 : 198, 0),
+            COIN_OK);
+        const coin_state now = doubles_state(&s);
+        const double off = fabs(coin_energy(&now, &p) / E - 1);
+        if (i < 500)
+            early = fmax(early, off);
+        else
+            late = fmax(late, off);
+    }
+    printf("    energy off by %.2g in 1000 steps, %.2g in 100000\n", early,
+           late);
+    check_within(early, 1e-6, 1e-4);
+    check_within(late, early / 2, early * 1.1);
+}
+
+/* --------------------------------------------------------------- to the bit */
+static void a_run_is_so_many_steps_to_the_bit(void **unused)
+{
+    (void)unused;
+    const int32_t methods[] = {COIN_RK4, COIN_SYMPLECTIC2};
+    for (int k = 0; k < 2; ++k) {
+        const struct start b = start_of("quarter");
+        const float dt = (float)(0.02 * b.unit);
+        coinf_state run = b.s, loop = b.s;
+        check_status(coinf_run(&run, &b.p, methods[k], dt, 500, NULL), COIN_OK);
+        for (int i = 0; i < 500; ++i)
+            check_status(methods[k] == COIN_RK4
+                             ? coinf_step(&loop, &b.p, dt)
+                             : coinf_run(&loop, &b.p, methods[k], dt, 1, NULL),
+                         COIN_OK);
+        check_note("method %d", (int)methods[k]);
+        check_same(&run, &loop, sizeof run);
+        check(memcmp(&run, &b.s, sizeof run) != 0);
+    }
+}
+
+static void a_lean_run_has_the_bits_of_a_run(void **unused)
+{
+    (void)unused;
+    const struct start b = start_of("generic");
+    coinf_state s = b.s;
+    coinf_lean l = {s.theta, s.wX, s.wY, s.wZ, {0, 0, 0, 0}};
+    for (int i = 0; i < 3; ++i) {
+        uint64_t done;
+        check_status(coinf_run(&s, &b.p, COIN_RK4, 0.01f, 100, NULL), COIN_OK);
+        check_status(coinf_lean_run(&l, &b.p, COIN_RK4, 0.01f, 100, &done),
+                     COIN_OK);
+        check(done == 100);
+        check(l.theta == s.theta && l.wX == s.wX && l.wY == s.wY &&
+              l.wZ == s.wZ);
+        check(l.low[0] == s.low[0] && l.low[1] == s.low[5] &&
+              l.low[2] == s.low[6] && l.low[3] == s.low[7]);
+    }
+}
+
+static void heading_and_roll_stay_within_half_a_turn(void **unused)
+{
+    (void)unused;
+    struct start b = start_of("quarter");
+    b.s.phi = -4000;
+    b.s.psi = 4096;
+    coinf_state s = b.s;
+    const float dt = (float)(0.01 * b.unit);
+    for (int i = 1; i <= 1000; ++i) {
+        check_status(coinf_step(&s, &b.p, dt), COIN_OK);
+        check(fabsf(s.phi) <= 3.1415928f && fabsf(s.psi) <= 3.1415928f);
+    }
+    check_within(floats_error(&s, &b.s, &b.p, 1000 * (double)dt), 0, PROMISED);
+}
+
+/* As in test_symmetry. */
+static void mirrored_and_reversed_motions_have_the_same_bits(void **unused)
+{
+    (void)unused;
+    const int32_t methods[] = {COIN_RK4, COIN_SYMPLECTIC2};
+    for (int k = 0; k < 2; ++k) {
+        const struct start b = start_of("generic");
+        coinf_state s = b.s, mirrored = b.s, back = b.s;
+        mirrored.theta = -s.theta;
+        mirrored.wX = -s.wX;
+        mirrored.wZ = -s.wZ;
+        back.wX = -s.wX;
+        back.wY = -s.wY;
+        back.wZ = -s.wZ;
+        coinf_run(&s, &b.p, methods[k], 0.01f, 400, NULL);
+        coinf_run(&mirrored, &b.p, methods[k], 0.01f, 400, NULL);
+        coinf_run(&back, &b.p, methods[k], -0.01f, 400, NULL);
+        check(mirrored.theta == -s.theta && mirrored.phi == s.phi &&
+              mirrored.psi == -s.psi && mirrored.x == -s.x &&
+              mirrored.z == -s.z && mirrored.wZ == -s.wZ);
+        check(mirrored.low[0] == -s.low[0] && mirrored.low[4] == -s.low[4]);
+        check(back.theta == s.theta && back.phi == s.phi && back.psi == s.psi &&
+              back.x == s.x && back.z == s.z && back.wZ == -s.wZ);
+    }
+}
+
+static void this_build_gives_the_pinned_bits(void **unused)
+{
+    (void)unused;
+    check_status(coinf_selftest(), COIN_OK);
+}
+
+/* Whether floats follow fesetround(); under valgrind they do not. */
+static int rounds_otherwise(void)
+{
+    volatile float one = 1, little = 1e-10f;
+    return one + little != 1 || one - little != 1;
+}
+
+static void another_rounding_mode_does_not(void **unused)
+{
+    (void)unused;
+    check(fesetround(FE_UPWARD) == 0);
+    const int32_t status = coinf_selftest();
+    const int otherwise = rounds_otherwise();
+    check(fesetround(FE_TONEAREST) == 0);
+    check_status(status, otherwise ? COIN_EBUILD : COIN_OK);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(a_loop_of_steps_is_as_exact_as_promised),
+        TEST(where_the_motion_amplifies_the_error_is_amplified),
+        TEST(without_remainders_fine_steps_lose_digits),
+        TEST(random_coins_are_followed_as_exactly),
+        TEST(the_order_is_the_method_s),
+        TEST(the_symplectic_method_does_not_drift),
+        TEST(a_run_is_so_many_steps_to_the_bit),
+        TEST(a_lean_run_has_the_bits_of_a_run),
+        TEST(heading_and_roll_stay_within_half_a_turn),
+        TEST(mirrored_and_reversed_motions_have_the_same_bits),
+        TEST(this_build_gives_the_pinned_bits),
+        TEST(another_rounding_mode_does_not),
+    };
+    return RUN_TESTS(tests);
+}

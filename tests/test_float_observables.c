@@ -1,0 +1,384 @@
+/* SPDX-License-Identifier: MIT */
+/* What coinf.h reads off a state, beside coin.h at the same numbers. */
+#include "support/check.h"
+#include "support/floats.h"
+#include "support/random.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { VALUES = 9, INPUTS = 13, TRIED = 400 };
+
+/* A function in both precisions; each returns how many numbers it wrote. */
+struct pair {
+    const char *name;
+    int (*exact)(double out[VALUES], const coin_state *, const coin_params *);
+    int (*tried)(float out[VALUES], const coinf_state *, const coinf_params *);
+};
+
+#define PAIR(name, count)                                                      \
+    static int exact_##name(double out[VALUES], const coin_state *s,           \
+                            const coin_params *p)                              \
+    {                                                                          \
+        check_status(coin_##name(s, p, out), COIN_OK);                         \
+        return count;                                                          \
+    }                                                                          \
+    static int tried_##name(float out[VALUES], const coinf_state *s,           \
+                            const coinf_params *p)                             \
+    {                                                                          \
+        check_status(coinf_##name(s, p, out), COIN_OK);                        \
+        return count;                                                          \
+    }
+
+PAIR(integrals, 2)
+PAIR(center, 3)
+PAIR(velocity, 3)
+
+static int exact_contact(double out[], const coin_state *s,
+                         const coin_params *p)
+{
+    check_status(coin_contact(s, p, out, out + 3), COIN_OK);
+    return 6;
+}
+static int tried_contact(float out[], const coinf_state *s,
+                         const coinf_params *p)
+{
+    check_status(coinf_contact(s, p, out, out + 3), COIN_OK);
+    return 6;
+}
+
+static int exact_energy(double out[], const coin_state *s, const coin_params *p)
+{
+    out[0] = coin_energy(s, p);
+    return 1;
+}
+static int tried_energy(float out[], const coinf_state *s,
+                        const coinf_params *p)
+{
+    out[0] = coinf_energy(s, p);
+    return 1;
+}
+
+static int exact_reaction(double out[], const coin_state *s,
+                          const coin_params *p)
+{
+    coin_force f;
+    check_status(coin_reaction(s, p, &f), COIN_OK);
+    memcpy(out, &f, 5 * sizeof *out);
+    return 5;
+}
+static int tried_reaction(float out[], const coinf_state *s,
+                          const coinf_params *p)
+{
+    coinf_force f;
+    check_status(coinf_reaction(s, p, &f), COIN_OK);
+    memcpy(out, &f, 5 * sizeof *out);
+    return 5;
+}
+
+static int exact_rates(double out[], const coin_state *s, const coin_params *p)
+{
+    coin_state r;
+    check_status(coin_rates(s, p, &r), COIN_OK);
+    memcpy(out, &r, 8 * sizeof *out);
+    return 8;
+}
+static int tried_rates(float out[], const coinf_state *s, const coinf_params *p)
+{
+    static const float none[8];
+    coinf_state r;
+    check_status(coinf_rates(s, p, &r), COIN_OK);
+    memcpy(out, &r, 8 * sizeof *out);
+    check_same(r.low, none, sizeof none);
+    return 8;
+}
+
+static int exact_axes(double out[], const coin_state *s, const coin_params *p)
+{
+    (void)p;
+    check_status(coin_axes(s, out), COIN_OK);
+    return 9;
+}
+static int tried_axes(float out[], const coinf_state *s, const coinf_params *p)
+{
+    (void)p;
+    check_status(coinf_axes(s, out), COIN_OK);
+    return 9;
+}
+
+static int exact_turning(double out[], const coin_state *s,
+                         const coin_params *p)
+{
+    (void)p;
+    check_status(coin_quaternion(s, out), COIN_OK);
+    check_status(coin_angular_velocity(s, out + 4), COIN_OK);
+    return 7;
+}
+static int tried_turning(float out[], const coinf_state *s,
+                         const coinf_params *p)
+{
+    (void)p;
+    check_status(coinf_quaternion(s, out), COIN_OK);
+    check_status(coinf_angular_velocity(s, out + 4), COIN_OK);
+    return 7;
+}
+
+static const struct pair pairs[] = {
+    {"energy", exact_energy, tried_energy},
+    {"integrals", exact_integrals, tried_integrals},
+    {"reaction", exact_reaction, tried_reaction},
+    {"rates", exact_rates, tried_rates},
+    {"center", exact_center, tried_center},
+    {"velocity", exact_velocity, tried_velocity},
+    {"contact", exact_contact, tried_contact},
+    {"axes", exact_axes, tried_axes},
+    {"quaternion, angular velocity", exact_turning, tried_turning},
+};
+
+/* The inputs, one changed by a part of it. */
+static void change(coin_state *s, coin_params *p, size_t input, double part)
+{
+    double *const all[INPUTS] = {
+        &s->theta,   &s->phi,       &s->psi,       &s->x,    &s->z,
+        &s->wX,      &s->wY,        &s->wZ,        &p->mass, &p->radius,
+        &p->gravity, &p->inertia_X, &p->inertia_Z,
+    };
+    *all[input] *= 1 + part;
+}
+
+/* What one rounding of each input, and one of the result, can change. */
+static void one_rounding(double out[VALUES], const struct pair *f,
+                         const coin_state *s, const coin_params *p)
+{
+    double value[VALUES], other[VALUES];
+    const int count = f->exact(value, s, p);
+    for (int k = 0; k < count; ++k)
+        out[k] = UF * fabs(value[k]);
+    for (size_t i = 0; i < INPUTS; ++i) {
+        coin_state t = *s;
+        coin_params q = *p;
+        change(&t, &q, i, i == 12 ? -UF : UF); /* I_Z stays below 2 I_X */
+        f->exact(other, &t, &q);
+        for (int k = 0; k < count; ++k)
+            out[k] += fabs(other[k] - value[k]);
+    }
+}
+
+/* A well-made formula errs by a few such changes: the worst was 2.5 of them. */
+#define CHANGES 5
+
+static void each_is_as_exact_as_its_arguments(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(62);
+    double worst = 0;
+    for (int i = 0; i < TRIED; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, i % 2 ? 1.5 : 0.7);
+        const coinf_params fp = floats_params(&p);
+        const coinf_state fs = floats_state(&s);
+        const coin_params dp = doubles_params(&fp);
+        const coin_state ds = doubles_state(&fs);
+        for (size_t k = 0; k < sizeof pairs / sizeof *pairs; ++k) {
+            double want[VALUES], bound[VALUES];
+            float got[VALUES];
+            const int count = pairs[k].exact(want, &ds, &dp);
+            check(pairs[k].tried(got, &fs, &fp) == count);
+            one_rounding(bound, &pairs[k], &ds, &dp);
+            for (int j = 0; j < count; ++j) {
+                const double part = fabs(got[j] - want[j]) / (bound[j] + 1e-30);
+                check_note("%s, value %d", pairs[k].name, j);
+                check_within(part, 0, CHANGES);
+                worst = fmax(worst, part);
+            }
+        }
+    }
+    printf("    %.2g roundings of the arguments at worst\n", worst);
+}
+
+static void a_coin_is_made_from_a_rotation_and_back(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(63);
+    for (int i = 0; i < TRIED; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state from = random_state(&r, &p, 1.5);
+        const coinf_params fp = floats_params(&p);
+        const coinf_state s = floats_state(&from);
+        const float scale = (float)random_between(&r, -3, 3);
+        float q[4], omega[3];
+        coinf_state t = {0, 0, 0, 0, 0, 0, 0, 0, {1, 1, 1, 1, 1, 1, 1, 1}};
+        check_status(coinf_quaternion(&s, q), COIN_OK);
+        check_status(coinf_angular_velocity(&s, omega), COIN_OK);
+        for (int k = 0; k < 4; ++k)
+            q[k] *= scale;
+        check_status(coinf_state_from_motion(&t, &fp, q, omega, s.x, s.z),
+                     COIN_OK);
+        const double cth = cos(s.theta), w = 2 / natural_time(&p);
+        check_near(t.theta, s.theta, 8 * UF);
+        check_near(t.phi, s.phi, 16 * UF / cth);
+        check_near(t.psi, s.psi, 16 * UF / cth);
+        check(t.x == s.x && t.z == s.z);
+        check_near(t.wX, s.wX, 32 * UF * w / cth);
+        check_near(t.wY, s.wY, 32 * UF * w / cth);
+        check_near(t.wZ, s.wZ, 32 * UF * w / cth);
+        for (int k = 0; k < 8; ++k)
+            check(t.low[k] == 0);
+    }
+}
+
+/* Half a turn about an axis, where angles are pi. */
+static void half_turns_are_made_too(void **unused)
+{
+    (void)unused;
+    const coinf_params p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}};
+    const coin_params dp = doubles_params(&p);
+    const float none[3] = {0};
+    const double exactly_none[3] = {0};
+    for (int axis = 1; axis < 4; ++axis) {
+        float q[4] = {0}, back[4];
+        double dq[4] = {0};
+        coinf_state s;
+        coin_state d;
+        dq[axis] = q[axis] = 1;
+        check_status(coinf_state_from_motion(&s, &p, q, none, 0, 0), COIN_OK);
+        check_status(coin_state_from_motion(&d, &dp, dq, exactly_none, 0, 0),
+                     COIN_OK);
+        check_near(s.theta, d.theta, 4 * UF);
+        check_near(fabsf(s.phi), fabs(d.phi), 8 * UF);
+        check_near(fabsf(s.psi), fabs(d.psi), 8 * UF);
+        check_status(coinf_quaternion(&s, back), COIN_OK);
+        check_near(fabsf(back[axis]), 1, 4 * UF);
+    }
+}
+
+static void no_rotation_and_a_flat_coin_make_no_state(void **unused)
+{
+    (void)unused;
+    const float nothing[4] = {0}, flat[4] = {1, 1, 0, 0}, omega[3] = {0, 0, 0};
+    const float turn[4] = {1, 0, 0, 0}, fast[3] = {1e20f, 0, 0};
+    coinf_params p;
+    coinf_state s = {0.1f, 1, 2, 3, 4, 5, 6, 7, {0}};
+    const coinf_state before = s;
+    check_status(coinf_params_disc(&p, 1, 1, 1), COIN_OK);
+    check_status(coinf_state_from_motion(&s, &p, nothing, omega, 0, 0),
+                 COIN_ESTATE);
+    check_status(coinf_state_from_motion(&s, &p, flat, omega, 0, 0),
+                 COIN_ESTATE);
+    check_status(coinf_state_from_motion(&s, &p, turn, fast, 0, 0),
+                 COIN_ESTATE);
+    check_status(coinf_state_from_motion(&s, &p, turn, omega, NAN, 0),
+                 COIN_ESTATE);
+    check_status(coinf_state_from_motion(&s, &p, NULL, omega, 0, 0), COIN_EARG);
+    check_status(coinf_state_from_motion(&s, &p, turn, NULL, 0, 0), COIN_EARG);
+    check_status(coinf_state_from_motion(&s, NULL, turn, omega, 0, 0),
+                 COIN_EARG);
+    check_status(coinf_state_from_motion(NULL, &p, turn, omega, 0, 0),
+                 COIN_EARG);
+    check_same(&s, &before, sizeof s);
+    p.mass = -1;
+    check_status(coinf_state_from_motion(&s, &p, turn, omega, 0, 0),
+                 COIN_EPARAMS);
+    check_same(&s, &before, sizeof s);
+}
+
+/* The bits, and the fastest of the rates, as coin_check() sees them. */
+static void the_validity_bits_are_those_of_doubles(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(64);
+    int seen = 0;
+    for (int i = 0; i < TRIED; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, i % 2 ? 1.57 : 0.7);
+        const coinf_params fp = floats_params(&p);
+        const coinf_state fs = floats_state(&s);
+        const coin_params dp = doubles_params(&fp);
+        const coin_state ds = doubles_state(&fs);
+        const int32_t method = i % 3 ? COIN_RK4 : COIN_SYMPLECTIC2;
+        const float dt = (float)(0.1 * natural_time(&p));
+        const int32_t got = coinf_check(&fs, &fp, method, dt, 0.5f);
+        check_status(got, coin_check(&ds, &dp, method, dt, 0.5));
+        seen |= got;
+    }
+    check(seen == (COIN_SLIPS | COIN_LIFTS | COIN_COARSE | COIN_NEARLY_FLAT));
+}
+
+static void force_is_infinite_beside_none(void **unused)
+{
+    (void)unused;
+    const coinf_state lifts = {0.1f, 0, 0, 0, 0, 3, 0, 0, {0}};
+    const coinf_state rolls = {0, 0, 0, 0, 0, 0, 0, 1, {0}};
+    coinf_params p;
+    coinf_force f;
+    check_status(coinf_params_ring(&p, 1, 1, 0, 1), COIN_OK);
+    check_status(coinf_reaction(&lifts, &p, &f), COIN_OK);
+    check(f.normal <= 0 && isinf(f.ratio));
+    check_status(coinf_reaction(&rolls, &p, &f), COIN_OK);
+    check(f.normal == 1 && f.ratio == 0);
+    check_status(coinf_check(&rolls, &p, COIN_RK4, 0.1f, -1), COIN_EARG);
+    check_status(coinf_params_ring(&p, 1, 1, 2, 1), COIN_EPARAMS);
+    check_status(coinf_params_ring(&p, 1, 1, -1, 1), COIN_EPARAMS);
+    check_status(coinf_params_ring(NULL, 1, 1, 0, 1), COIN_EARG);
+}
+
+/* Every function that reads a state refuses a bad one, and null. */
+static void bad_arguments_leave_outputs_alone(void **unused)
+{
+    (void)unused;
+    coinf_state bad = {NAN, 0, 0, 0, 0, 0, 0, 0, {0}}, s = {0};
+    coinf_params p;
+    float out[9] = {7, 7, 7, 7, 7, 7, 7, 7, 7};
+    coinf_force f = {{7, 7, 7}, 7, 7, 7};
+    coinf_state r = bad;
+    check_status(coinf_params_disc(&p, 1, 1, 1), COIN_OK);
+    for (int null = 0; null < 2; ++null) {
+        const coinf_state *const t = null ? NULL : &bad;
+        const int32_t want = null ? COIN_EARG : COIN_ESTATE;
+        check(isnan(coinf_energy(t, &p)));
+        check_status(coinf_integrals(t, &p, out), want);
+        check_status(coinf_reaction(t, &p, &f), want);
+        check_status(coinf_rates(t, &p, &r), want);
+        check_status(coinf_center(t, &p, out), want);
+        check_status(coinf_velocity(t, &p, out), want);
+        check_status(coinf_contact(t, &p, out, out + 3), want);
+        check_status(coinf_axes(t, out), want);
+        check_status(coinf_quaternion(t, out), want);
+        check_status(coinf_angular_velocity(t, out), want);
+        check_status(coinf_check(t, &p, COIN_RK4, 0, 1), want);
+    }
+    check_status(coinf_integrals(&s, &p, NULL), COIN_EARG);
+    check_status(coinf_reaction(&s, &p, NULL), COIN_EARG);
+    check_status(coinf_rates(&s, &p, NULL), COIN_EARG);
+    check_status(coinf_center(&s, &p, NULL), COIN_EARG);
+    check_status(coinf_velocity(&s, &p, NULL), COIN_EARG);
+    check_status(coinf_contact(&s, &p, NULL, out), COIN_EARG);
+    check_status(coinf_contact(&s, &p, out, NULL), COIN_EARG);
+    check_status(coinf_axes(&s, NULL), COIN_EARG);
+    check_status(coinf_quaternion(&s, NULL), COIN_EARG);
+    check_status(coinf_angular_velocity(&s, NULL), COIN_EARG);
+    s.wX = 3e38f;
+    s.wY = 3e38f;
+    s.theta = 0.7f;
+    s.phi = 0.7f;
+    check_status(coinf_angular_velocity(&s, out), COIN_ESTATE);
+    for (int i = 0; i < 9; ++i)
+        check(out[i] == 7);
+    check(f.R[0] == 7 && f.ratio == 7);
+    check_same(&r, &bad, sizeof r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(each_is_as_exact_as_its_arguments),
+        TEST(a_coin_is_made_from_a_rotation_and_back),
+        TEST(half_turns_are_made_too),
+        TEST(no_rotation_and_a_flat_coin_make_no_state),
+        TEST(the_validity_bits_are_those_of_doubles),
+        TEST(force_is_infinite_beside_none),
+        TEST(bad_arguments_leave_outputs_alone),
+    };
+    return RUN_TESTS(tests);
+}

@@ -1,0 +1,336 @@
+/* SPDX-License-Identifier: MIT */
+/* What coinf.h refuses, and that it then changes nothing. */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/floats.h"
+#include "support/random.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* What *done holds where a call must leave it alone. */
+#define UNTOUCHED 0x5555555555555555
+
+static const coinf_params body = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}};
+static const coinf_state good = {0.5f, 1, 2, 3, 4, 0.1f, 0.8f, 1.2f, {0}};
+
+/* ------------------------------------------------------------------ layout */
+static void a_state_is_eight_floats_and_their_eight_remainders(void **unused)
+{
+    (void)unused;
+    const size_t at[] = {
+        offsetof(coinf_state, theta), offsetof(coinf_state, phi),
+        offsetof(coinf_state, psi),   offsetof(coinf_state, x),
+        offsetof(coinf_state, z),     offsetof(coinf_state, wX),
+        offsetof(coinf_state, wY),    offsetof(coinf_state, wZ),
+        offsetof(coinf_state, low),
+    };
+    for (size_t i = 0; i < sizeof at / sizeof *at; ++i)
+        check(at[i] == 4 * i);
+    check(sizeof(coinf_state) == 64);
+    check(sizeof(coinf_lean) == 32 && offsetof(coinf_lean, low) == 16);
+    check(sizeof(coinf_params) == 32 && offsetof(coinf_params, reserved) == 20);
+    check(sizeof(coinf_force) == 24 && offsetof(coinf_force, ratio) == 20);
+}
+
+/* --------------------------------------------------------------- bad input */
+/* Every way to move a state; each must refuse in the same way. */
+static int32_t move(int how, coinf_state *s, const coinf_params *p, float dt,
+                    uint64_t *done)
+{
+    if (how == 0)
+        return coinf_step(s, p, dt);
+    return coinf_run(s, p, how == 1 ? COIN_RK4 : COIN_SYMPLECTIC2, dt, 3, done);
+}
+
+static void refused(const coinf_state *s, const coinf_params *p, float dt,
+                    int32_t want)
+{
+    for (int how = 0; how < 3; ++how) {
+        coinf_state moved = *s;
+        uint64_t done = UNTOUCHED;
+        check_status(move(how, &moved, p, dt, &done), want);
+        check_same(&moved, s, sizeof moved);
+        check(done == UNTOUCHED);
+    }
+}
+
+static void null_pointers_and_unknown_methods_are_refused(void **unused)
+{
+    (void)unused;
+    const int32_t unknown[] = {-1, COIN_RK8, COIN_SYMPLECTIC4, 4, 1000};
+    coinf_lean l = {0.5f, 0, 0, 1, {0}};
+    coinf_state s = good;
+    check_status(coinf_step(NULL, &body, 0.01f), COIN_EARG);
+    check_status(coinf_step(&s, NULL, 0.01f), COIN_EARG);
+    check_status(coinf_lean_run(NULL, &body, COIN_RK4, 0.01f, 1, NULL),
+                 COIN_EARG);
+    check_status(coinf_lean_run(&l, NULL, COIN_RK4, 0.01f, 1, NULL), COIN_EARG);
+    check_status(coinf_lean_run(&l, &body, COIN_SYMPLECTIC2, 0.01f, 1, NULL),
+                 COIN_EARG);
+    for (size_t i = 0; i < sizeof unknown / sizeof *unknown; ++i) {
+        check_note("method %d", (int)unknown[i]);
+        check_status(coinf_run(&s, &body, unknown[i], 0.01f, 1, NULL),
+                     COIN_EARG);
+        check_status(coinf_check(&s, &body, unknown[i], 0.01f, 1), COIN_EARG);
+    }
+    check_same(&s, &good, sizeof s);
+}
+
+static void bad_parameters_are_refused(void **unused)
+{
+    (void)unused;
+    const coinf_params bad[] = {
+        {-1, 1, 1, 0.25f, 0.5f, {0, 0, 0}},
+        {NAN, 1, 1, 0.25f, 0.5f, {0, 0, 0}},
+        {1, 0, 1, 0.25f, 0.5f, {0, 0, 0}},
+        {1, INFINITY, 1, 0.25f, 0.5f, {0, 0, 0}},
+        {1, 1, -9.8f, 0.25f, 0.5f, {0, 0, 0}},
+        {1, 1, 1, 0, 0.5f, {0, 0, 0}},
+        {1, 1, 1, 0.25f, NAN, {0, 0, 0}},
+        {1, 1, 1, 0.25f, 0.500001f, {0, 0, 0}},
+        {1, 1, 1, 0.25f, 0.5f, {1, 0, 0}},
+        {1, 1, 1, 0.25f, 0.5f, {0, 1, 0}},
+        {1, 1, 1, 0.25f, 0.5f, {0, 0, NAN}},
+        {1e16f, 1e16f, 1, 0.25f, 0.5f, {0, 0, 0}},
+        {1e-16f, 1, 1e-16f, 2e-17f, 4e-17f, {0, 0, 0}},
+        {9e29f, 1, 1, 2e29f, 4e29f, {0, 0, 0}},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        check_note("parameters %zu", i);
+        check_status(coinf_params_check(&bad[i]), COIN_EPARAMS);
+        refused(&good, &bad[i], 0.01f, COIN_EPARAMS);
+    }
+    check_status(coinf_params_check(NULL), COIN_EARG);
+    check_status(coinf_params_check(&body), COIN_OK);
+}
+
+static void bad_states_are_refused(void **unused)
+{
+    (void)unused;
+    const struct {
+        size_t member; /* low follows the members */
+        float value;
+    } bad[] = {
+        {0, 1.57079637f}, {0, -1.57079637f}, {0, NAN},       {1, 4097},
+        {1, NAN},         {2, -4097},        {2, INFINITY},  {3, NAN},
+        {4, -INFINITY},   {5, NAN},          {5, 1e10f},     {6, INFINITY},
+        {6, -1e10f},      {7, NAN},          {7, 1e20f},     {8, 1e-6f},
+        {9, -1e-6f},      {10, 2e-6f},       {8, NAN},       {11, NAN},
+        {12, INFINITY},   {13, -INFINITY},   {15, INFINITY},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        coinf_state s = good;
+        memcpy((char *)&s + 4 * bad[i].member, &bad[i].value, 4);
+        check_note("member %zu: %g", bad[i].member, bad[i].value);
+        check_status(coinf_state_check(&s, &body), COIN_ESTATE);
+        refused(&s, &body, 0.01f, COIN_ESTATE);
+        /* Without parameters no rate that is finite is too large. */
+        float R[9];
+        check_status(coinf_axes(&s, R), isfinite(bad[i].value) &&
+                                                bad[i].member > 4 &&
+                                                bad[i].member < 8
+                                            ? COIN_OK
+                                            : COIN_ESTATE);
+    }
+    check_status(coinf_state_check(NULL, &body), COIN_EARG);
+    check_status(coinf_state_check(&good, NULL), COIN_EARG);
+}
+
+static void the_edge_of_the_range_is_within(void **unused)
+{
+    (void)unused;
+    const coinf_state edge = {1.57079625f, 4096, -4096, FLT_MAX, -FLT_MAX,
+                              0,           0,    0,     {9e-7f}};
+    coinf_state s = edge;
+    check_status(coinf_state_check(&edge, &body), COIN_OK);
+    check_status(coinf_step(&s, &body, 0), COIN_OK);
+    check_same(&s, &edge, sizeof s);
+}
+
+static void times_that_are_not_finite_are_refused(void **unused)
+{
+    (void)unused;
+    const float bad[] = {NAN, INFINITY, -INFINITY};
+    for (int i = 0; i < 3; ++i) {
+        refused(&good, &body, bad[i], COIN_ESTEP);
+        check_status(coinf_check(&good, &body, COIN_RK4, bad[i], 1),
+                     COIN_ESTEP);
+    }
+}
+
+/* ------------------------------------------------------------------- limits */
+static void no_step_and_no_time_change_nothing(void **unused)
+{
+    (void)unused;
+    const coinf_state before = {0.5f, 4000, -0.0f, 3, 4, 1, 1, 1, {1e-9f}};
+    coinf_state s = before;
+    coinf_lean l = {0.5f, 1, 1, 1, {1e-9f, 0, 0, 0}};
+    const coinf_lean lean = l;
+    uint64_t done = 0;
+    check_status(coinf_run(&s, &body, COIN_RK4, 0.1f, 0, NULL), COIN_OK);
+    check_status(coinf_run(&s, &body, COIN_RK4, 0, 7, &done), COIN_OK);
+    check(done == 7);
+    check_status(coinf_step(&s, &body, -0.0f), COIN_OK);
+    check_status(coinf_lean_run(&l, &body, COIN_RK4, 0, 7, NULL), COIN_OK);
+    check_same(&s, &before, sizeof s);
+    check_same(&l, &lean, sizeof l);
+}
+
+/* |dt| W at the start is units. */
+static int32_t step_of(float units, int32_t method)
+{
+    const coinf_state upright = {0, 0, 0, 0, 0, 0, 0, sqrtf(3), {0}};
+    coinf_state s = upright;
+    return coinf_run(&s, &body, method, units / 2, 1, NULL);
+}
+
+static void coarse_steps_are_reported_and_coarser_ones_refused(void **unused)
+{
+    (void)unused;
+    check_status(step_of(0.349f, COIN_RK4), COIN_OK);
+    check_status(step_of(0.351f, COIN_RK4), COIN_COARSE);
+    check_status(step_of(-1.39f, COIN_RK4), COIN_COARSE);
+    check_status(step_of(1.41f, COIN_RK4), COIN_ESTEP);
+    check_status(step_of(0.0799f, COIN_SYMPLECTIC2), COIN_OK);
+    check_status(step_of(0.0801f, COIN_SYMPLECTIC2), COIN_COARSE);
+    check_status(step_of(-0.99f, COIN_SYMPLECTIC2), COIN_COARSE);
+    check_status(step_of(1.01f, COIN_SYMPLECTIC2), COIN_ESTEP);
+    check_status(step_of(1e30f, COIN_RK4), COIN_ESTEP);
+}
+
+/* Steps near the limit: where one ends, W may not be beyond it either, but for
+ * the error of the last stage, which stands for the end. */
+static void a_step_does_not_end_far_beyond_the_limit(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(65);
+    int refused = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const coinf_params p = {1, 1, 0.01f, 0.25f, 0.5f, {0, 0, 0}};
+        const coin_params d = doubles_params(&p);
+        const coin_state from = random_state(&r, &d, 0.5);
+        const int32_t method = i % 2 ? COIN_RK4 : COIN_SYMPLECTIC2;
+        const double most = i % 2 ? 1.4 : 1.0;
+        const float dt = (float)(0.99 * most / fastest_rate(&from, &d));
+        coinf_state s = floats_state(&from);
+        if (coinf_run(&s, &p, method, dt, 1, NULL) < 0) {
+            ++refused;
+            continue;
+        }
+        const double w2 =
+            (double)s.wX * s.wX + (double)s.wY * s.wY + (double)s.wZ * s.wZ;
+        check_within(dt * sqrt(w2), 0, most * 1.000001);
+        check_status(coinf_state_check(&s, &p), COIN_OK);
+    }
+    check_within(refused, 400, 3600);
+}
+
+/* From rest at 1.5 rad a step of 0.9 leads through the table; and one that
+ * ends nearer to pi/2 than half the last digit is refused by the digit. */
+static void a_step_through_the_table_is_refused(void **unused)
+{
+    (void)unused;
+    const coinf_state low = {1.5f, 0, 0, 0, 0, 0, 0, 0, {0}};
+    const coinf_state edge = {1.57079625f, 0, 0, 0, 0, 0.012f, 0, 0, {5e-8f}};
+    coinf_state s = low;
+    check_status(coinf_step(&s, &body, 0.9f), COIN_ESTEP);
+    check_status(coinf_run(&s, &body, COIN_SYMPLECTIC2, 0.9f, 1, NULL),
+                 COIN_ESTEP);
+    check_same(&s, &low, sizeof s);
+    s = edge;
+    check_status(coinf_step(&s, &body, 1e-6f), COIN_ESTEP);
+    check_same(&s, &edge, sizeof s);
+    check(coinf_step(&s, &body, 1e-7f) >= 0);
+}
+
+/* A coin that falls flat, at t = 2.6895: test_limits. */
+static void a_fall_ends_above_the_table_with_its_progress(void **unused)
+{
+    (void)unused;
+    const int32_t methods[] = {COIN_RK4, COIN_SYMPLECTIC2};
+    for (int k = 0; k < 2; ++k)
+        for (int side = -1; side <= 1; side += 2)
+            for (float dt = 0.1f; dt > 1e-4f; dt /= 4) {
+                const coinf_state start = {
+                    (float)side * 0.3f, 0, 0, 0, 0, 0, 0, 0, {0}};
+                coinf_state s = start, again = start;
+                uint64_t done = UNTOUCHED;
+                check_note("method %d, dt = %g", (int)methods[k], dt);
+                check_status(
+                    coinf_run(&s, &body, methods[k], dt, 1000000, &done),
+                    COIN_ESTEP);
+                check_within((double)done * dt, 2.6895 - 40 * dt, 2.6895);
+                check_status(coinf_state_check(&s, &body), COIN_OK);
+                /* The state is that of so many good steps. */
+                check(coinf_run(&again, &body, methods[k], dt, done, NULL) >=
+                      0);
+                check_same(&again, &s, sizeof s);
+                check_status(coinf_run(&s, &body, methods[k], 1e3f, 2, &done),
+                             COIN_ESTEP);
+                check(done == 0);
+                check_same(&again, &s, sizeof s);
+            }
+}
+
+static void a_lean_run_keeps_its_progress_too(void **unused)
+{
+    (void)unused;
+    coinf_lean l = {0.3f, 0, 0, 0, {0}};
+    coinf_state s = {0.3f, 0, 0, 0, 0, 0, 0, 0, {0}};
+    uint64_t done = 0;
+    check_status(coinf_lean_run(&l, &body, COIN_RK4, 0.01f, 1000, &done),
+                 COIN_ESTEP);
+    check(coinf_run(&s, &body, COIN_RK4, 0.01f, done, NULL) >= 0);
+    check(done > 200 && l.theta == s.theta && l.wX == s.wX);
+    const coinf_lean before = l;
+    check_status(coinf_lean_run(&l, &body, COIN_RK4, NAN, 1, NULL), COIN_ESTEP);
+    check_status(coinf_lean_run(&l, &body, COIN_RK4, 100, 1, NULL), COIN_ESTEP);
+    l.low[0] = NAN;
+    check_status(coinf_lean_run(&l, &body, COIN_RK4, 0.01f, 1, NULL),
+                 COIN_ESTATE);
+    l.low[0] = before.low[0];
+    check_same(&l, &before, sizeof l);
+}
+
+/* A path so long that x leaves the floats. */
+static void a_path_beyond_the_floats_is_refused(void **unused)
+{
+    (void)unused;
+    const coinf_params vast = {1e-20f, 1e10f, 1e10f, 0.25f, 0.5f, {0, 0, 0}};
+    const int32_t methods[] = {COIN_RK4, COIN_SYMPLECTIC2};
+    check_status(coinf_params_check(&vast), COIN_OK);
+    for (int k = 0; k < 2; ++k) {
+        const coinf_state start = {0, 0, 0, -FLT_MAX, -FLT_MAX, 0, 0, 1, {0}};
+        coinf_state s = start;
+        s.low[3] = -FLT_MAX;
+        const coinf_state before = s;
+        uint64_t done = UNTOUCHED;
+        check_status(coinf_state_check(&s, &vast), COIN_OK);
+        check_status(coinf_run(&s, &vast, methods[k], 0.01f, 3, &done),
+                     COIN_ESTEP);
+        check(done == 0);
+        check_same(&s, &before, sizeof s);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(a_state_is_eight_floats_and_their_eight_remainders),
+        TEST(null_pointers_and_unknown_methods_are_refused),
+        TEST(bad_parameters_are_refused),
+        TEST(bad_states_are_refused),
+        TEST(the_edge_of_the_range_is_within),
+        TEST(times_that_are_not_finite_are_refused),
+        TEST(no_step_and_no_time_change_nothing),
+        TEST(coarse_steps_are_reported_and_coarser_ones_refused),
+        TEST(a_step_does_not_end_far_beyond_the_limit),
+        TEST(a_step_through_the_table_is_refused),
+        TEST(a_fall_ends_above_the_table_with_its_progress),
+        TEST(a_lean_run_keeps_its_progress_too),
+        TEST(a_path_beyond_the_floats_is_refused),
+    };
+    return RUN_TESTS(tests);
+}
