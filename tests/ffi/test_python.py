@@ -3,8 +3,12 @@
 """Errors become exceptions, outputs results, buffers are used in place.
 The library is ROLLCOIN_LIBRARY, the module is on PYTHONPATH."""
 import array
+import contextlib
 import copy
+import io
 import math
+import pathlib
+import runpy
 import unittest
 
 import numpy
@@ -99,6 +103,16 @@ class Buffers(unittest.TestCase):
         rc.sample(quarter()[1], p, rc.RK8, 1e-2, 10, table)
         self.assertEqual(table.tobytes(), path.tobytes())
         self.assertEqual(len(rc.sample(s, p, rc.RK4, 1e-3, 1, 5)), 5)
+
+    def test_the_launches_are_runs(self):
+        folder = pathlib.Path(rc.__file__).parent
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            made = runpy.run_path(folder / "launches.py")
+        self.assertEqual(len(printed.getvalue().splitlines()), 13)
+        for lean, path in zip(made["leans"], made["paths"]):
+            s = rc.State(theta=lean, wZ=40)
+            rc.run(s, made["quarter"], rc.RK8, 1 / 960, 8 * 240)
+            self.assertEqual(path[-1].tobytes(), bytes(s))
 
     def test_any_writable_buffer_will_do_and_no_other(self):
         numbers = array.array("d", [0.1] * 16)

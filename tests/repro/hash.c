@@ -53,7 +53,7 @@ static uint64_t hash_u64(uint64_t h, uint64_t bits)
 
 static uint64_t hash_doubles(uint64_t h, const void *from, size_t count)
 {
-    const unsigned char *at = from;
+    const unsigned char *at = (const unsigned char *)from;
     uint64_t bits;
     size_t i;
     for (i = 0; i < count; ++i) {
