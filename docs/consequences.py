@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Asserts what physics.md concludes from the equations of motion.
 
-usage:  python3 docs/consequences.py   Eq. (33)-(54), (56), (60)-(63)
+usage:  python3 docs/consequences.py   Eq. (33)-(54), (56)-(58), (60)-(63)
 runs derivation.py first
 """
 import sys
@@ -151,6 +151,21 @@ for n in range(5):
     flow = diff(flow, x)*wX + diff(flow, wX)*F
 for got, want in zip((X, Y), exact):
     holds(50, *powers(got - want, h, 4))        # order 4
+
+# ---- any time from half a period, (57) and (58); w = e^(i b)
+path = {wX: -wX, x: -x}                         # t, wX, phi -> -: x' is even
+rate_z, rate_x = wX*c*sp.cos(x) + wZ*sp.sin(x), (
+    -wZ*sp.cos(x) + wX*c*sp.sin(x))             # (20) with phi = x
+holds(57, (eq14 - eq14.subs(wX, -wX)), (eq15 + eq15.subs(wX, -wX)),
+      rate_z + rate_z.subs(path, simultaneous=True),
+      rate_x - rate_x.subs(path, simultaneous=True))
+w, zB, xB, n = sp.symbols('w zB xB n', positive=True)
+L = (xB*(w + 1/w) - zB*(w - 1/w)/sp.I)          # 2 (xB cos b - zB sin b)
+once = (zB + sp.I*xB) - w**2*(zB - sp.I*xB)     # B is where -B was carried
+moved = [sp.I*L*(w**k - w**-k)/(w - 1/w)*w**k for k in range(6)]
+holds(58, moved[1] - once,
+      *(moved[k + 1] - (once + w**2*moved[k]) for k in range(5)),
+      (zB - xB*sp.I*(w + 1/w)/(w - 1/w))*(1 - w**2) - once)
 
 # ---- small wobbles, (60)-(63)
 wYy, wZy, phiy = wY*T + k1*wZ, k2*wY, (2*wY*T + k1*wZ)/c

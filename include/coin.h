@@ -109,6 +109,33 @@ typedef struct coin_force {
                           if N <= 0 */
 } coin_force;
 
+/** A motion solved once, to be asked for any time: coin_orbit_init(),
+ * coin_orbit_at().  No pointers: it may be copied, stored and shared.  Half a
+ * period of theta is held in pieces, each a polynomial of time. */
+typedef struct coin_orbit {
+    double period;             /**< of theta; 0 if the motion is steady [T] */
+    double heading_per_period; /**< what phi gains in it [rad] */
+    double roll_per_period;    /**< what psi gains in it [rad] */
+    double theta_min;          /**< the turning points of the lean [rad] */
+    double theta_max;
+    double center[2];  /**< x, z of the centre of the annulus that the path
+                            of the centre of mass fills; NaN if it drifts
+                            [L] */
+    double radius_min; /**< of the annulus; NaN if it drifts [L] */
+    double radius_max;
+    double drift[2];          /**< x, z of the displacement per period, if
+                                   heading_per_period is a multiple of 2 pi to
+                                   rounding, and else 0 [L] */
+    double conditioning;      /**< how strongly a period amplifies rounding,
+                                   >= 1: by how many W, Eq. (47), d(theta)/dt
+                                   changes for a radian at a turning point, W as
+                                   at the start and to a factor of 2 [1] */
+    double private_frame[28]; /**< this and what follows: the library's */
+    double private_edges[24];
+    double private_centers[24];
+    double private_terms[3840];
+} coin_orbit;
+
 /** Status: 0, or negative = error.  Numbers never change meaning. */
 enum {
     COIN_OK = 0,       /**< done */
@@ -160,6 +187,9 @@ COIN_API uint32_t coin_sizeof_state(void);
 
 /** sizeof(coin_params) as the library was compiled: 64.  For bindings. */
 COIN_API uint32_t coin_sizeof_params(void);
+
+/** sizeof(coin_orbit) as the library was compiled.  For bindings. */
+COIN_API uint32_t coin_sizeof_orbit(void);
 
 /** Whether this build computes the pinned bits: steps some coins and compares
  * a hash with the one built in.
@@ -321,6 +351,32 @@ COIN_API int32_t coin_lean_run(coin_lean *l, const coin_params *p,
  *         turns fast takes a step for every radian or so. */
 COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
                               double tol, double *reached);
+
+/* ----------------------------------------------- motion without stepping -- */
+
+/** Solves a motion for all times: half a period of theta, between its turning
+ * points, by power series; mirror and period give the rest.  Eq. (55), (57).
+ * @param[out] o  the orbit
+ * @return COIN_OK; the usual errors; COIN_EDOMAIN if the motion has no
+ *         well-defined period: too close to a separatrix (an unstable steady
+ *         motion, say), to flat, or conditioning above 1e9.
+ * A steady motion is an orbit too, of period 0.  A steady motion that is
+ * unstable, and not upright to the bit, is none: its own rounding leads away.
+ * Accuracy: period, heading and roll per period to 1e-15 of conditioning
+ *         (test_orbit).
+ * Cost: docs/models.md; some 40 KiB of stack. */
+COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
+                                 const coin_params *p);
+
+/** The state at any time, forward or backward, without stepping.
+ * @param t         the time since the state that the orbit was made from [T]
+ * @param[out] out  the state
+ * @return COIN_OK; COIN_EARG; COIN_ESTEP if t is not finite, 2^31 periods or
+ *         more, or phi, psi, x or z leaves its range.
+ * Accuracy: 1e-14 radians and radii, and 1e-15 of conditioning more for each
+ *         period since the start (test_orbit).
+ * Cost: less than a textbook Runge-Kutta step, whatever t is. */
+COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
 
 /* -------------------------------------------------------------- methods -- */
 

@@ -10,4 +10,15 @@
 int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
                                coin_priv_body *b, coin_priv_sc *th);
 
+/* The constant rates of a steady motion: d(phi)/dt, d(psi)/dt, and the centre's
+ * speed along its path. */
+typedef struct coin_priv_steady {
+    double heading, roll, speed;
+} coin_priv_steady;
+
+/* Moves a steady state by any time; COIN_ESTEP, and *s untouched, if that
+ * leads out of range. */
+int32_t coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
+                              double t);
+
 #endif

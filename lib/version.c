@@ -26,3 +26,8 @@ uint32_t coin_sizeof_params(void)
 {
     return (uint32_t)sizeof(coin_params);
 }
+
+uint32_t coin_sizeof_orbit(void)
+{
+    return (uint32_t)sizeof(coin_orbit);
+}

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { BUFFER = 512 };
+enum { BUFFER = 32768 }; /* what a coin_orbit has room in */
 
 /* ---------------------------------------------------------------- arguments */
 /* Upright and steady, so that every function accepts it. */
@@ -32,6 +32,13 @@ static void place(struct arguments *a, size_t i, const void *value, size_t size)
     memcpy(a->memory[i].bytes, value, size);
 }
 
+static void place_orbit(struct arguments *a, size_t i)
+{
+    coin_orbit o;
+    check_status(coin_orbit_init(&o, &good_state, &good_params), COIN_OK);
+    place(a, i, &o, sizeof o);
+}
+
 /* Outputs hold a pattern. */
 static struct arguments arguments_for(const struct function *f,
                                       const coin_state *s, const coin_params *p)
@@ -45,6 +52,8 @@ static struct arguments arguments_for(const struct function *f,
             place(&a, i, s, sizeof *s);
         else if (f->kinds[i] == 'd')
             place(&a, i, good_doubles, sizeof good_doubles);
+        else if (f->kinds[i] == 'b')
+            place_orbit(&a, i);
     }
     return a;
 }

@@ -108,6 +108,16 @@ static void take_tol(struct bytes *b, const struct world *w, void *to)
     a->d = how < 240 ? ldexp(1, -(7 + how % 37)) : take_number(b);
 }
 
+/* The world's orbit, or that of a rolling coin if it has none. */
+static void take_orbit(struct bytes *b, const struct world *w, void *to)
+{
+    const coin_params p = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
+    const coin_state s = {0.1, 0, 0, 0, 0, 0, 0, 1};
+    (void)b;
+    if (coin_orbit_init(to, &w->s, &w->p) != COIN_OK)
+        demand(coin_orbit_init(to, &s, &p) == COIN_OK);
+}
+
 /* Methods, branches: near 0, or anything. */
 static void take_i(struct bytes *b, const struct world *w, void *to)
 {
@@ -198,6 +208,15 @@ static int sound_radius(const void *of, const coin_params *p)
     return *r >= 0;
 }
 
+static int sound_orbit(const void *of, const coin_params *p)
+{
+    const coin_orbit *o = of;
+    (void)p;
+    return finite_all(&o->period, 5) && finite_all(o->drift, 2) &&
+           o->period >= 0 && o->theta_min <= o->theta_max &&
+           !(o->radius_min > o->radius_max) && o->conditioning >= 1;
+}
+
 static const struct kind kinds[] = {
     {'p', READ, sizeof(coin_params), take_p, NULL},
     {'P', WRITTEN, sizeof(coin_params), NULL, sound_params},
@@ -209,6 +228,8 @@ static const struct kind kinds[] = {
     {'L', MOVED, sizeof(coin_lean), take_l, sound_lean},
     {'F', WRITTEN, sizeof(coin_force), NULL, sound_force},
     {'A', WRITTEN, SAMPLES * sizeof(coin_state), NULL, NULL},
+    {'G', WRITTEN, sizeof(coin_orbit), NULL, sound_orbit},
+    {'g', READ, sizeof(coin_orbit), take_orbit, NULL},
     {'q', READ, 4 * sizeof(double), take_q, NULL},
     {'w', READ, 3 * sizeof(double), take_omega, NULL},
     {'1', WRITTEN, sizeof(double), NULL, sound_1},

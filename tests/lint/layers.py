@@ -14,14 +14,15 @@ import sys
 
 FLOORS = [
     [{"pinned", "precision"}],
-    [{"sincos"}, {"motion", "lesser"}, {"version"}, {"status"}],
+    [{"sincos"}, {"motion", "lesser"}, {"version"}, {"status"}, {"pair"}],
     [{"params", "state"}, {"frame"}],
     [{"stage"}, {"legendre"}],
     [{"stepper", "carry", "march", "rk4", "dop8", "rk8", "symplectic",
       "sundman", "advance"},
      {"energy"}, {"integrals"}, {"reaction"}, {"pose"}, {"rates"},
      {"steady", "steady_at", "steady_near"}],
-    [{"run", "method", "check", "max_dt"}, {"stability"}, {"wobble"}],
+    [{"run", "method", "check", "max_dt"}, {"stability"}, {"wobble"},
+     {"orbit", "orbit_at", "half", "series"}],
     [{"selftest"}],
 ]
 PLACE = {stem: (level, column) for level, floor in enumerate(FLOORS)

@@ -2,9 +2,9 @@
 /* Prints a hash of every bit of many motions: the reference scenes, a coin that
  * nearly falls flat and one that does, by each method, 2000 steps of 0.02
  * natural units of time; the same by lean runs, by coin_advance() forward and
- * back, and the steps that coin_max_dt() chooses; and the runs in single
- * precision.  The same on every platform and compiler, whatever the size or
- * order of bytes: it takes the bits of each double from the lowest to the
+ * back, and the steps that coin_max_dt() chooses; the orbit; and the runs in
+ * single precision.  The same on every platform and compiler, whatever the size
+ * or order of bytes: it takes the bits of each double from the lowest to the
  * highest. */
 #include <coinf.h>
 
@@ -179,6 +179,25 @@ static uint64_t hash_float(const scene *a, int32_t method)
     return h;
 }
 
+/* The orbit, to ten times forward and back. */
+static uint64_t hash_orbit(const scene *a)
+{
+    const start b = start_of(a);
+    coin_orbit o;
+    coin_state s = b.s;
+    const int32_t status = coin_orbit_init(&o, &b.s, &b.p);
+    uint64_t h = hash_status(FNV_OFFSET, status);
+    int i;
+    if (status != COIN_OK)
+        return h;
+    h = hash_doubles(h, &o, sizeof o / sizeof(double));
+    for (i = -10; i <= 10; ++i) {
+        h = hash_status(h, coin_orbit_at(&o, 17.3 * i * b.unit, &s));
+        h = hash_state(h, &s);
+    }
+    return h;
+}
+
 static uint64_t print(uint64_t all, uint64_t h, const char *by, const char *how,
                       const scene *a)
 {
@@ -202,6 +221,7 @@ int main(void)
             all = print(all, hash_float(a, m), name, " float", a);
         }
         all = print(all, hash_advance(a), "advance", "", a);
+        all = print(all, hash_orbit(a), "orbit", "", a);
     }
     printf("%016" PRIx64 " all, selftest %d %d\n", all, (int)coin_selftest(),
            (int)coinf_selftest());

@@ -107,6 +107,14 @@ static int32_t steady_at(void *const a[])
 {
     return coin_steady_at(a[0], a[1], 1, a[2]);
 }
+static int32_t orbit_init(void *const a[])
+{
+    return coin_orbit_init(a[0], a[1], a[2]);
+}
+static int32_t orbit_at(void *const a[])
+{
+    return coin_orbit_at(a[0], 1, a[1]);
+}
 static int32_t stability(void *const a[])
 {
     return coin_stability(a[0], a[1], a[2]);
@@ -143,6 +151,8 @@ const struct function functions[] = {
     {"coin_steady_radii", "spoo", steady_radii},
     {"coin_steady_near", "spo", steady_near},
     {"coin_steady_at", "spo", steady_at},
+    {"coin_orbit_init", "osp", orbit_init},
+    {"coin_orbit_at", "bo", orbit_at},
     {"coin_stability", "spo", stability},
     {"coin_wobble_at", "spso", wobble_at},
 };

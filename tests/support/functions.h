@@ -13,7 +13,7 @@ enum { POINTERS = 4 };
  *   p  parameters, read                 P  parameters, written
  *   s  a state, read                    S  a state, moved
  *   o  output, written                  n  output that may be null
- *   d  four doubles, read */
+ *   d  four doubles, read              b  an orbit, read */
 struct function {
     const char *name, *kinds;
     int32_t (*call)(void *const a[POINTERS]);

@@ -80,6 +80,26 @@ class Force(Plain):
     ]
 
 
+class Orbit(Plain):
+    """coin_orbit."""
+    _fields_ = [
+        ("period", c_double),
+        ("heading_per_period", c_double),
+        ("roll_per_period", c_double),
+        ("theta_min", c_double),
+        ("theta_max", c_double),
+        ("center", c_double * 2),
+        ("radius_min", c_double),
+        ("radius_max", c_double),
+        ("drift", c_double * 2),
+        ("conditioning", c_double),
+        ("private_frame", c_double * 28),
+        ("private_edges", c_double * 24),
+        ("private_centers", c_double * 24),
+        ("private_terms", c_double * 3840),
+    ]
+
+
 OK = 0
 EPARAMS = -1
 ESTATE = -2
@@ -104,6 +124,7 @@ PROTOTYPES = {
     "coin_status_string": (c_char_p, c_int32),
     "coin_sizeof_state": (c_uint32,),
     "coin_sizeof_params": (c_uint32,),
+    "coin_sizeof_orbit": (c_uint32,),
     "coin_selftest": (c_int32,),
     "coin_params_disc": (c_int32, POINTER(Params), c_double, c_double,
         c_double),
@@ -125,6 +146,9 @@ PROTOTYPES = {
         c_double, c_uint64, POINTER(c_uint64)),
     "coin_advance": (c_int32, POINTER(State), POINTER(Params), c_double,
         c_double, POINTER(c_double)),
+    "coin_orbit_init": (c_int32, POINTER(Orbit), POINTER(State),
+        POINTER(Params)),
+    "coin_orbit_at": (c_int32, POINTER(Orbit), c_double, POINTER(State)),
     "coin_method_name": (c_char_p, c_int32),
     "coin_method_order": (c_int32, c_int32),
     "coin_max_dt": (c_double, POINTER(State), POINTER(Params), c_int32,

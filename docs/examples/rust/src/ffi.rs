@@ -44,6 +44,33 @@ pub struct coin_force {
     pub friction: f64,
     pub ratio: f64,
 }
+#[repr(C)]
+#[derive(Debug, Copy, Clone, PartialEq)]
+pub struct coin_orbit {
+    pub period: f64,
+    pub heading_per_period: f64,
+    pub roll_per_period: f64,
+    pub theta_min: f64,
+    pub theta_max: f64,
+    pub center: [f64; 2usize],
+    pub radius_min: f64,
+    pub radius_max: f64,
+    pub drift: [f64; 2usize],
+    pub conditioning: f64,
+    pub private_frame: [f64; 28usize],
+    pub private_edges: [f64; 24usize],
+    pub private_centers: [f64; 24usize],
+    pub private_terms: [f64; 3840usize],
+}
+impl Default for coin_orbit {
+    fn default() -> Self {
+        let mut s = ::std::mem::MaybeUninit::<Self>::uninit();
+        unsafe {
+            ::std::ptr::write_bytes(s.as_mut_ptr(), 0, 1);
+            s.assume_init()
+        }
+    }
+}
 pub const COIN_OK: _bindgen_ty_1 = 0;
 pub const COIN_EPARAMS: _bindgen_ty_1 = -1;
 pub const COIN_ESTATE: _bindgen_ty_1 = -2;
@@ -77,6 +104,9 @@ extern "C" {
 }
 extern "C" {
     pub fn coin_sizeof_params() -> u32;
+}
+extern "C" {
+    pub fn coin_sizeof_orbit() -> u32;
 }
 extern "C" {
     pub fn coin_selftest() -> i32;
@@ -165,6 +195,12 @@ extern "C" {
         tol: f64,
         reached: *mut f64,
     ) -> i32;
+}
+extern "C" {
+    pub fn coin_orbit_init(o: *mut coin_orbit, s: *const coin_state, p: *const coin_params) -> i32;
+}
+extern "C" {
+    pub fn coin_orbit_at(o: *const coin_orbit, t: f64, out: *mut coin_state) -> i32;
 }
 extern "C" {
     pub fn coin_method_name(method: i32) -> *const ::std::os::raw::c_char;

@@ -1,0 +1,338 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/methods.h"
+#include "support/random.h"
+#include "support/scene.h"
+#include "support/steadies.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static coin_orbit orbit_of(const coin_state *s, const coin_params *p)
+{
+    coin_orbit o;
+    check_status(coin_orbit_init(&o, s, p), COIN_OK);
+    return o;
+}
+
+static coin_params disc(void)
+{
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    return p;
+}
+
+/* A random coin that has an orbit: one in a hundred comes too near to flat. */
+static coin_orbit random_orbit(struct random *r, coin_params *p, coin_state *s)
+{
+    coin_orbit o;
+    for (int tries = 0; tries < 10; ++tries) {
+        *p = random_coin(r);
+        *s = random_state(r, p, 1);
+        if (coin_orbit_init(&o, s, p) == COIN_OK)
+            return o;
+    }
+    check(0);
+    return o;
+}
+
+/* --------------------------------------------------------- the reference */
+/* The order of orbits.csv. */
+static const char *const far_scenes[] = {
+    "generic",  "wobble",    "ring",     "quarter",
+    "negative", "si_washer", "ring_b05", "nearflat",
+};
+
+/* 8 u: each half of a period is a sum of pieces, each rounded to its own
+ * unit.  Found: 3 u. */
+static void periods_are_those_of_the_reference(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "orbits.csv");
+    for (size_t row = 0; row < t.rows; ++row) {
+        struct scene scene;
+        scene_load(&scene, far_scenes[(size_t)table_at(&t, row, "scene")]);
+        const coin_state s = scene_state(&scene, 0);
+        const coin_orbit o = orbit_of(&s, &scene.params);
+        const double T = table_at(&t, row, "period");
+        check_near(o.period, T, 8 * U * T);
+        check_near(o.heading_per_period, table_at(&t, row, "heading"), 16 * U);
+        check_near(o.roll_per_period, table_at(&t, row, "roll"), 16 * U);
+        check_near(o.theta_min, table_at(&t, row, "theta_min"), 4 * U);
+        check_near(o.theta_max, table_at(&t, row, "theta_max"), 4 * U);
+    }
+}
+
+/* The ring's moments of inertia are not doubles, and its theta follows them.
+ */
+static void pieces_are_few_and_cover_half_a_period(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < SCENES; ++i) {
+        struct scene scene;
+        scene_load(&scene, scene_names[i]);
+        const coin_state s = scene_state(&scene, 0);
+        const coin_orbit o = orbit_of(&s, &scene.params);
+        if (o.period == 0)
+            continue;
+        const int count = (int)o.private_frame[1];
+        check(count >= 3 && count <= 24);
+        for (int n = 0; n + 1 < count; ++n)
+            check(o.private_edges[n] < o.private_edges[n + 1]);
+        check(o.private_edges[0] == 0);
+    }
+}
+
+/* --------------------------------------------------------- steady motions */
+static void a_steady_motion_has_no_period(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "circles.csv");
+    int seen = 0;
+    for (size_t row = 0; row < t.rows; ++row) {
+        const struct circle c = circle_at(&t, row);
+        double lambda2, center, contact;
+        coin_state s = c.state;
+        s.phi = 0.7;
+        s.psi = 3;
+        s.x = 4 * c.params.radius;
+        s.z = 5 * c.params.radius;
+        check_status(coin_stability(&s, &c.params, &lambda2), COIN_OK);
+        const double w2 = c.params.gravity / c.params.radius;
+        if (lambda2 > -1e-2 * w2 || fabs(c.theta) > 1.5)
+            continue;
+        const coin_orbit o = orbit_of(&s, &c.params);
+        check_note("circles.csv, row %zu, lambda^2 = %g g/a", row,
+                   lambda2 / w2);
+        check(o.period == 0 && o.conditioning == 1);
+        check(o.heading_per_period == 0 && o.roll_per_period == 0);
+        check(o.theta_min == c.theta && o.theta_max == c.theta);
+        check(o.drift[0] == 0 && o.drift[1] == 0);
+        check_status(coin_steady_radii(&s, &c.params, &center, &contact),
+                     COIN_OK);
+        check_near(o.radius_min, center, 4 * U * center);
+        check(o.radius_max == o.radius_min);
+        check_near(hypot(o.center[0] - s.x, o.center[1] - s.z), center,
+                   8 * U * (center + s.x + s.z));
+        const double T = natural_time(&c.params);
+        for (double at = -50 * T; at < 60 * T; at += 30 * T) {
+            coin_state one, other;
+            check_status(coin_orbit_at(&o, at, &one), COIN_OK);
+            check_status(coin_steady_at(&s, &c.params, at, &other), COIN_OK);
+            check_near(states_apart(&one, &other, &c.params), 0,
+                       1e-13 * (1 + fabs(other.phi) + fabs(other.psi)));
+        }
+        ++seen;
+    }
+    check(seen > 20);
+}
+
+/* Upright and straight, it has no circle; at rest, its circle is a point. */
+static void a_straight_roll_has_no_centre(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_state s = {0, 0.3, 1, 2, 3, 0, 0, 0.2}, at;
+    coin_orbit o = orbit_of(&s, &p); /* unstable, and yet it stays */
+    check(isnan(o.center[0]) && isnan(o.center[1]) && isnan(o.radius_min) &&
+          isnan(o.radius_max));
+    check_status(coin_orbit_at(&o, 100, &at), COIN_OK);
+    check(at.psi == 21 && at.phi == s.phi && at.theta == 0);
+    s.wZ = 0;
+    o = orbit_of(&s, &p);
+    check(o.period == 0 && o.center[0] == 2 && o.center[1] == 3 &&
+          o.radius_max == 0);
+    s.wY = 0.1;
+    o = orbit_of(&s, &p);
+    check(o.period == 0 && o.center[0] == 2 && o.radius_max == 0);
+    check_status(coin_orbit_at(&o, -100, &at), COIN_OK);
+    check_near(at.phi, 0.3 - 10, 4 * U * 10);
+}
+
+/* Nudged by little, it swings with the period of Eq. (44); by less than its
+ * own rounding, it does not. */
+static void close_to_steady_the_period_is_that_of_small_swings(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    for (double nudge = 1e-3; nudge > 1e-13; nudge /= 10) {
+        coin_state s;
+        double lambda2;
+        check_status(coin_steady_circle(&s, &p, 0.4, 1, 1), COIN_OK);
+        check_status(coin_stability(&s, &p, &lambda2), COIN_OK);
+        s.wX = nudge;
+        const coin_orbit o = orbit_of(&s, &p);
+        const double T = 2 * acos(-1) / sqrt(-lambda2);
+        check_note("nudged by %g", nudge);
+        /* The next term is of second order; wX is rounded to 1e-16. */
+        check_near(o.period, T, T * (2 * nudge * nudge + 1e-15 / nudge));
+        check_near(o.theta_max - o.theta_min, 2 * nudge / sqrt(-lambda2),
+                   2e-16 + 2 * nudge * nudge);
+    }
+    coin_state s;
+    check_status(coin_steady_circle(&s, &p, 0.4, 1, 1), COIN_OK);
+    s.wX = 1e-17;
+    check(orbit_of(&s, &p).period == 0);
+}
+
+/* ------------------------------------------------------------- no orbit */
+static void refused(const coin_state *s, const coin_params *p)
+{
+    coin_orbit o, before;
+    memset(&o, 0xa5, sizeof o);
+    before = o;
+    check_status(coin_orbit_init(&o, s, p), COIN_EDOMAIN);
+    check_same(&o, &before, sizeof o);
+}
+
+/* Slow upright rolling is the top of a hill.  Started ever nearer to it, the
+ * coin takes ever longer, and its period ever more from rounding: a hundred
+ * times more for a lean ten times less. */
+static void near_a_separatrix_there_is_no_orbit(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    double last = 1, period = 0; /* found: 66, 6483, ... */
+    for (double lean = 0.01; lean > 2e-6; lean /= 10) {
+        const coin_state s = {lean, 0, 0, 0, 0, 0, 0, 0.3};
+        const coin_orbit o = orbit_of(&s, &p);
+        check_note("a lean of %g", lean);
+        check(o.conditioning > 50 * last && o.period > period);
+        last = o.conditioning;
+        period = o.period;
+    }
+    const coin_state near = {1e-12, 0, 0, 0, 0, 0, 0, 0.3};
+    refused(&near, &p);
+    /* An unstable circle is one by its rounding alone, even if that is none. */
+    for (double wZ = 0.2; wZ < 0.5; wZ += 0.003) {
+        coin_state steady;
+        check_status(coin_steady_circle(&steady, &p, 0.15, wZ, 1), COIN_OK);
+        refused(&steady, &p);
+    }
+}
+
+/* Seven pieces for each factor 10 in the distance to flat; and with no spin at
+ * all, or next to none, no way past the table. */
+static void near_the_table_there_is_no_orbit(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_state s = {0.3, 0, 0, 0, 0, 0, 0, 0};
+    refused(&s, &p); /* falls flat */
+    for (double spin = 1e-4; spin > 1e-20; spin /= 100) {
+        check_note("a spin of %g", spin);
+        s.wY = s.wZ = spin;
+        refused(&s, &p);
+    }
+    s.wY = s.wZ = 1e-4;
+    s.wX = -0.01; /* coming back from there */
+    refused(&s, &p);
+    s.wY = s.wZ = 1e-2;
+    check(orbit_of(&s, &p).period > 5);
+}
+
+/* --------------------------------------------------------- the annulus */
+/* The path stays in it, and comes within a millionth of both edges, or what
+ * 2000 points of a period miss. */
+static void the_path_fills_its_annulus(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(71);
+    for (int i = 0; i < 40; ++i) {
+        coin_params p;
+        coin_state s;
+        const coin_orbit o = random_orbit(&r, &p, &s);
+        double low = (double)INFINITY, high = 0;
+        for (int k = 0; k < 2000; ++k) {
+            coin_state at;
+            check_status(coin_orbit_at(&o, (k - 700) * o.period / 2000, &at),
+                         COIN_OK);
+            const double d = hypot(at.x - o.center[0], at.z - o.center[1]);
+            low = fmin(low, d);
+            high = fmax(high, d);
+        }
+        const double size = o.radius_max;
+        check_within(low - o.radius_min, -1e-9 * size, 1e-4 * size);
+        check_within(o.radius_max - high, -1e-9 * size, 1e-4 * size);
+    }
+}
+
+/* A wobble through upright with K_Y = 0 goes straight on. */
+static void a_symmetric_wobble_drifts(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state s = {0, 0.5, 0, 2, 3, 0.1, 0, 1};
+    const coin_orbit o = orbit_of(&s, &p);
+    check(o.heading_per_period == 0);
+    check_near(o.theta_min, -o.theta_max, 4 * U);
+    check(isnan(o.center[0]) && isnan(o.center[1]) && isnan(o.radius_min) &&
+          isnan(o.radius_max));
+    for (int k = -3; k < 1000; k += 111) {
+        coin_state at;
+        check_status(coin_orbit_at(&o, k * o.period, &at), COIN_OK);
+        const double bound = 1e-14 * (3 + abs(k) * hypot(1, o.period));
+        check_near(at.x, s.x + k * o.drift[0], bound);
+        check_near(at.z, s.z + k * o.drift[1], bound);
+    }
+    check_near(atan2(o.drift[1], -o.drift[0]), 0.5, 0.2); /* the heading */
+}
+
+/* Any other drifts where Dphi passes a multiple of 2 pi: here 0. */
+static void a_resonant_motion_drifts(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_state s = {0.5, 0, 0, 0, 0, 0.1, 0.8, 1.2};
+    double low = 1, high = 1.2; /* wY, with heading above and below 0 */
+    coin_orbit o;
+    while (high - low > 2e-16 * high) {
+        s.wY = (low + high) / 2;
+        o = orbit_of(&s, &p);
+        if (o.heading_per_period > 0)
+            low = s.wY;
+        else
+            high = s.wY;
+        if (isnan(o.center[0]))
+            break;
+    }
+    check(isnan(o.center[0]) && isnan(o.radius_max));
+    check_near(o.heading_per_period, 0, 2e-15);
+    coin_state at;
+    check_status(coin_orbit_at(&o, 100 * o.period, &at), COIN_OK);
+    check_near(at.x, 100 * o.drift[0], 1e-10);
+    check_near(at.z, 100 * o.drift[1], 1e-10);
+    check(hypot(at.x, at.z) > 1);
+    /* Off the resonance it has a centre, far away. */
+    s.wY = s.wY * (1 + 1e-9);
+    o = orbit_of(&s, &p);
+    check(o.drift[0] == 0 && hypot(o.center[0], o.center[1]) > 1e4);
+}
+
+static void its_size_is_as_promised(void **unused)
+{
+    (void)unused;
+    check(coin_sizeof_orbit() == sizeof(coin_orbit));
+    check(sizeof(coin_orbit) == 31424);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(periods_are_those_of_the_reference),
+        TEST(pieces_are_few_and_cover_half_a_period),
+        TEST(a_steady_motion_has_no_period),
+        TEST(a_straight_roll_has_no_centre),
+        TEST(close_to_steady_the_period_is_that_of_small_swings),
+        TEST(near_a_separatrix_there_is_no_orbit),
+        TEST(near_the_table_there_is_no_orbit),
+        TEST(the_path_fills_its_annulus),
+        TEST(a_symmetric_wobble_drifts),
+        TEST(a_resonant_motion_drifts),
+        TEST(its_size_is_as_promised),
+    };
+    return RUN_TESTS(tests);
+}

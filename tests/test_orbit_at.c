@@ -1,0 +1,317 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/methods.h"
+#include "support/random.h"
+#include "support/scene.h"
+
+#include <math.h>
+#include <string.h>
+
+static coin_orbit orbit_of(const coin_state *s, const coin_params *p)
+{
+    coin_orbit o;
+    check_status(coin_orbit_init(&o, s, p), COIN_OK);
+    return o;
+}
+
+static coin_state at(const coin_orbit *o, double t)
+{
+    coin_state s;
+    check_status(coin_orbit_at(o, t, &s), COIN_OK);
+    return s;
+}
+
+/* A random coin that has an orbit: one in a hundred comes too near to flat. */
+static coin_orbit random_orbit(struct random *r, coin_params *p, coin_state *s)
+{
+    coin_orbit o;
+    for (int tries = 0; tries < 10; ++tries) {
+        *p = random_coin(r);
+        *s = random_state(r, p, 1);
+        if (coin_orbit_init(&o, s, p) == COIN_OK)
+            return o;
+    }
+    check(0);
+    return o;
+}
+
+/* ---------------------------------------------------------- references */
+/* What the motion itself makes of a rounding of the start, and a tenth of the
+ * pose's promise: found, a tenth of this bound. */
+static double bound_of(double amp)
+{
+    return 4e-15 * amp + 1e-14;
+}
+
+static void every_scene_is_where_the_reference_is(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < SCENES; ++i) {
+        struct scene scene;
+        scene_load(&scene, scene_names[i]);
+        const coin_state s = scene_state(&scene, 0);
+        const coin_orbit o = orbit_of(&s, &scene.params);
+        for (size_t row = 0; row < scene.rows.rows; ++row) {
+            const coin_state now = at(&o, scene_at(&scene, row, "t"));
+            check_near(scene_error(&scene, row, &now), 0,
+                       bound_of(scene_at(&scene, row, "amp")));
+        }
+    }
+}
+
+static coin_state random_row(const struct table *t, size_t row, int start)
+{
+    const coin_state s = {
+        table_at(t, row, start ? "theta0" : "theta"),
+        start ? 0 : table_at(t, row, "phi"),
+        start ? 0 : table_at(t, row, "psi"),
+        start ? 0 : table_at(t, row, "x"),
+        start ? 0 : table_at(t, row, "z"),
+        table_at(t, row, start ? "wX0" : "wX"),
+        table_at(t, row, start ? "wY0" : "wY"),
+        table_at(t, row, start ? "wZ0" : "wZ"),
+    };
+    return s;
+}
+
+static void random_coins_are_where_the_reference_is(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "random.csv");
+    check(t.rows == 100);
+    for (size_t row = 0; row < t.rows; ++row) {
+        coin_params p;
+        check_status(coin_params_ring(&p, 1, 1, table_at(&t, row, "b"), 1),
+                     COIN_OK);
+        const coin_state s = random_row(&t, row, 1);
+        const coin_state want = random_row(&t, row, 0);
+        const coin_orbit o = orbit_of(&s, &p);
+        const coin_state now = at(&o, 100);
+        const double bound = bound_of(table_at(&t, row, "amp"));
+        check_note("random.csv, row %zu", row);
+        check_near(path_apart(&now, &want, &p), 0, bound);
+        /* Rates change by up to W^2 where angles do by W: W is below 10. */
+        check_near(states_apart(&now, &want, &p), 0, 10 * bound);
+    }
+}
+
+/* The order of orbits.csv. */
+static const char *const far_scenes[] = {
+    "generic",  "wobble",    "ring",     "quarter",
+    "negative", "si_washer", "ring_b05", "nearflat",
+};
+
+/* At 1000 and at 1e6 natural units, and as long before the start. */
+static void far_times_are_as_good_as_doubles_tell(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "orbits.csv");
+    for (size_t row = 0; row < t.rows; ++row) {
+        struct scene scene;
+        scene_load(&scene, far_scenes[(size_t)table_at(&t, row, "scene")]);
+        const coin_state s = scene_state(&scene, 0);
+        const coin_orbit o = orbit_of(&s, &scene.params);
+        const double when = table_at(&t, row, "t");
+        const coin_state want = {
+            table_at(&t, row, "theta"), table_at(&t, row, "phi"),
+            table_at(&t, row, "psi"),   table_at(&t, row, "x"),
+            table_at(&t, row, "z"),     table_at(&t, row, "wX"),
+            table_at(&t, row, "wY"),    table_at(&t, row, "wZ"),
+        };
+        const coin_state now = at(&o, when);
+        const int near = fabs(when) < 2e3 * natural_time(&scene.params);
+        check_note("%s at %g", scene.name, when);
+        check_near(states_apart(&now, &want, &scene.params), 0,
+                   near ? 1e-12 : 1e-9);
+    }
+}
+
+/* ---------------------------------------------------------- its own laws */
+/* The start comes back, and a part of the way begun elsewhere goes on alike.
+ */
+static void an_orbit_from_a_later_state_goes_on(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(81);
+    for (int i = 0; i < 100; ++i) {
+        coin_params p;
+        coin_state s;
+        const coin_orbit o = random_orbit(&r, &p, &s);
+        const double T = natural_time(&p);
+        const double one = random_between(&r, -10, 10) * T;
+        const double two = random_between(&r, -10, 10) * T;
+        const coin_state start = at(&o, 0), middle = at(&o, one);
+        check_near(states_apart(&start, &s, &p), 0, 64 * U);
+        const coin_orbit later = orbit_of(&middle, &p);
+        const coin_state end = at(&o, one + two), same = at(&later, two);
+        check_near(path_apart(&end, &same, &p), 0,
+                   1e-12 * o.conditioning * (1 + 20 * T / o.period));
+    }
+}
+
+static void energy_and_integrals_stay(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(82);
+    for (int i = 0; i < 100; ++i) {
+        coin_params p;
+        coin_state s;
+        const coin_orbit o = random_orbit(&r, &p, &s);
+        const double E = coin_energy(&s, &p);
+        double K[2], now[2];
+        check_status(coin_integrals(&s, &p, K), COIN_OK);
+        const double size = (fabs(K[0]) + fabs(K[1])) * 20;
+        for (int k = 0; k < 20; ++k) {
+            const coin_state x = at(&o, random_between(&r, -3, 3) * o.period);
+            const double near = 1 / cos(x.theta); /* theta rounded: u/cos */
+            check_near(coin_energy(&x, &p), E, 128 * U * E * near);
+            check_status(coin_integrals(&x, &p, now), COIN_OK);
+            check_near(now[0], K[0], 64 * U * size * near);
+            check_near(now[1], K[1], 64 * U * size * near);
+        }
+    }
+}
+
+/* Nothing jumps where pieces meet, nor at the turning points: a step of 1e-9
+ * across is what the rates make of it, to rounding. */
+static void pieces_join(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(83);
+    int seen = 0;
+    for (int i = 0; i < 100; ++i) {
+        coin_params p;
+        coin_state s;
+        const coin_orbit o = random_orbit(&r, &p, &s);
+        const double unit = 1 / o.private_frame[0];
+        const double step = 1e-9 * natural_time(&p);
+        const int count = (int)o.private_frame[1];
+        for (int n = 0; n < count; ++n, ++seen) {
+            const double t = (o.private_edges[n] - o.private_frame[3]) * unit;
+            const coin_state before = at(&o, t - step),
+                             after = at(&o, t + step);
+            coin_state rates;
+            check_status(coin_rates(&before, &p, &rates), COIN_OK);
+            const double W = 1 + fabs(rates.phi * natural_time(&p));
+            check_near(after.theta - before.theta, 2 * step * rates.theta,
+                       4e-18 * W * W + 1e-15);
+            check_near(after.phi - before.phi, 2 * step * rates.phi,
+                       4e-18 * W * W * W + 8e-15);
+            check_near(after.psi - before.psi, 2 * step * rates.psi,
+                       4e-18 * W * W * W + 8e-15);
+            check_near((after.x - before.x) / p.radius,
+                       2 * step * rates.x / p.radius, 4e-18 * W * W + 1e-14);
+            check_near((after.z - before.z) / p.radius,
+                       2 * step * rates.z / p.radius, 4e-18 * W * W + 1e-14);
+        }
+    }
+    check(seen > 500);
+}
+
+/* Reversed rates are reversed time, to the bit: the walk from the start is the
+ * same in both directions. */
+static void reversed_motion_is_reversed_time(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(84);
+    for (int i = 0; i < 100; ++i) {
+        coin_params p;
+        coin_state s;
+        const coin_orbit o = random_orbit(&r, &p, &s);
+        const double T = natural_time(&p);
+        s.wX = -s.wX;
+        s.phi = -s.phi;
+        s.psi = -s.psi;
+        s.x = -s.x;
+        const coin_orbit back = orbit_of(&s, &p);
+        check_near(back.period, o.period, 8 * U * o.period);
+        for (double t = -20 * T; t < 21 * T; t += 10 * T) {
+            const coin_state one = at(&o, t);
+            coin_state other = at(&back, -t);
+            other.wX = -other.wX;
+            other.phi = -other.phi;
+            other.psi = -other.psi;
+            other.x = -other.x;
+            check_near(path_apart(&one, &other, &p), 0,
+                       1e-13 * o.conditioning * (1 + 20 * T / o.period));
+        }
+    }
+}
+
+/* Twice as large and as heavy, and in other units of time by a power of two:
+ * the same bits. */
+static void units_of_powers_of_two_change_no_bit(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(85);
+    for (int i = 0; i < 20; ++i) {
+        coin_params p, q;
+        check_status(coin_params_ring(&p, 1, 1, 0.5, 1), COIN_OK);
+        check_status(coin_params_ring(&q, 4, 2, 1, 32), COIN_OK);
+        coin_state s = random_state(&r, &p, 1), S = s;
+        S.x *= 2;
+        S.z *= 2;
+        S.wX *= 4;
+        S.wY *= 4;
+        S.wZ *= 4;
+        const coin_orbit o = orbit_of(&s, &p), O = orbit_of(&S, &q);
+        for (double t = -30; t < 31; t += 7) {
+            const coin_state one = at(&o, t);
+            coin_state other = at(&O, t / 4);
+            other.x /= 2;
+            other.z /= 2;
+            other.wX /= 4;
+            other.wY /= 4;
+            other.wZ /= 4;
+            check_same(&one, &other, sizeof one);
+        }
+    }
+}
+
+/* --------------------------------------------------------------- limits */
+static void what_it_cannot_tell_it_refuses(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    const coin_state wobbling = {0.1, 0, 0, 0, 0, 0, 0, 1};
+    const coin_state steady = {0, 0, 0, 0, 0, 0, 0, 1};
+    const coin_state start[] = {wobbling, steady};
+    const double never[] = {
+        (double)NAN, (double)INFINITY, -(double)INFINITY, 1e300, 1e10, -1e10};
+    for (int i = 0; i < 2; ++i) {
+        const coin_orbit o = orbit_of(&start[i], &p);
+        coin_state out, before;
+        memset(&out, 0xa5, sizeof out);
+        before = out;
+        for (size_t k = 0; k < sizeof never / sizeof *never; ++k)
+            check_status(coin_orbit_at(&o, never[k], &out), COIN_ESTEP);
+        check_status(coin_orbit_at(NULL, 1, &out), COIN_EARG);
+        check_status(coin_orbit_at(&o, 1, NULL), COIN_EARG);
+        check_same(&out, &before, sizeof out);
+        check_status(coin_orbit_at(&o, 2e9, &out), COIN_OK);
+    }
+    coin_state s = wobbling, out; /* psi leaves its range within a period */
+    s.psi = 2147483646.0;
+    const coin_orbit o = orbit_of(&s, &p);
+    check_status(coin_orbit_at(&o, 1, &out), COIN_OK);
+    check_status(coin_orbit_at(&o, 3, &out), COIN_ESTEP);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(every_scene_is_where_the_reference_is),
+        TEST(random_coins_are_where_the_reference_is),
+        TEST(far_times_are_as_good_as_doubles_tell),
+        TEST(an_orbit_from_a_later_state_goes_on),
+        TEST(energy_and_integrals_stay),
+        TEST(pieces_join),
+        TEST(reversed_motion_is_reversed_time),
+        TEST(units_of_powers_of_two_change_no_bit),
+        TEST(what_it_cannot_tell_it_refuses),
+    };
+    return RUN_TESTS(tests);
+}
