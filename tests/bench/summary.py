@@ -5,7 +5,8 @@
     summary.py FOLDER [PAGE]...
 
 FOLDER holds accuracy.csv, steps.csv, ...; what is between the lines
-<!-- NAME --> and <!-- end --> of a PAGE becomes the table of that name.
+<!-- NAME --> and <!-- end --> of a PAGE becomes the table of that name, if it is
+one of those made here.
 
 A ratio compares the cheapest settings that reach an error, each cost taken
 relative to a textbook step timed in the same moments.
@@ -190,7 +191,8 @@ def main():
         return
     for page in map(pathlib.Path, sys.argv[2:]):
         text = re.sub(r"(<!-- ([\w ]+) -->\n).*?(<!-- end -->)",
-                      lambda m: m[1] + TABLES[m[2]]() + "\n" + m[3],
+                      lambda m: m[1] + TABLES[m[2]]() + "\n" + m[3]
+                      if m[2] in TABLES else m[0],
                       page.read_text(), flags=re.S)
         page.write_text(text)
 
