@@ -227,18 +227,81 @@ static void a_step_does_not_end_far_beyond_the_limit(void **unused)
     check_within(refused, 400, 3600);
 }
 
-/* From rest at 1.5 rad a step of 0.9 leads through the table; and one that
- * ends nearer to pi/2 than half the last digit is refused by the digit. */
+/* Rates at the edge of what a state may have, sqrt(1e14/5.75), stay within. */
+static void rates_at_the_edge_stay_within_it(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(66);
+    int moved = 0;
+    for (int i = 0; i < 500; ++i) {
+        const double angle = random_between(&r, 0, 6.28);
+        const double edge = random_between(&r, 0.95, 1) * 4.17028e6;
+        coinf_state s = {0, 0, 0, 0, 0, 0, 0, 0, {0}};
+        s.theta = (float)random_between(&r, -1, 1);
+        s.wX = (float)(edge * sin(angle));
+        s.wY = (float)(0.7 * edge * cos(angle));
+        s.wZ = (float)(0.714 * edge * cos(angle));
+        if (coinf_state_check(&s, &body) != COIN_OK)
+            continue;
+        moved += coinf_step(&s, &body, 5e-8f) >= 0;
+        check_status(coinf_state_check(&s, &body), COIN_OK);
+    }
+    check_within(moved, 20, 480);
+}
+
+/* Through a pass near flat and up again: a step is coarse if it begins or ends
+ * beyond the limit.  The last stage stands for the end, to a part in 20. */
+static void a_pass_is_coarse_where_a_step_begins_or_ends_so(void **unused)
+{
+    (void)unused;
+    const coin_params d = doubles_params(&body);
+    for (int k = 0; k < 2; ++k) {
+        const int32_t method = k ? COIN_SYMPLECTIC2 : COIN_RK4;
+        const double limit = k ? 0.08 : 0.35;
+        int down = 0, up = 0, fine = 0;
+        for (float dt = 0.004f; dt < 0.1f; dt *= 1.07f) {
+            coinf_state s = {0.3f, 0, 0, 0, 0, 0, 0.1f, 0.1f, {0}};
+            for (float t = 0; t < 5; t += dt) {
+                const coin_state from = doubles_state(&s);
+                const int32_t status = coinf_run(&s, &body, method, dt, 1, 0);
+                const coin_state to = doubles_state(&s);
+                const double begin = dt * fastest_rate(&from, &d) / limit;
+                const double end = dt * fastest_rate(&to, &d) / limit;
+                check_note("method %d, dt = %g, %g to %g", k, dt, begin, end);
+                if (status < 0)
+                    break;
+                if (begin > 1.0001 || end > 1.05)
+                    check_status(status, COIN_COARSE);
+                if (begin < 0.9999 && end < 0.95)
+                    check_status(status, COIN_OK);
+                down += begin < 0.9999 && end > 1.05;
+                up += begin > 1.0001 && end < 0.95;
+                fine += begin < 0.9999 && end < 0.95;
+            }
+        }
+        check(down > 0 && up > 0 && fine > 0);
+    }
+}
+
+/* From rest at 1.5 rad a step of 0.9 leads through the table; a drift may be
+ * beyond its series; and a step that ends nearer to pi/2 than half the last
+ * digit is refused by the digit. */
 static void a_step_through_the_table_is_refused(void **unused)
 {
     (void)unused;
     const coinf_state low = {1.5f, 0, 0, 0, 0, 0, 0, 0, {0}};
+    const coinf_state far = {1.2f, 0, 0, 0, 0, 1, 0, 0, {0}};
     const coinf_state edge = {1.57079625f, 0, 0, 0, 0, 0.012f, 0, 0, {5e-8f}};
     coinf_state s = low;
     check_status(coinf_step(&s, &body, 0.9f), COIN_ESTEP);
     check_status(coinf_run(&s, &body, COIN_SYMPLECTIC2, 0.9f, 1, NULL),
                  COIN_ESTEP);
     check_same(&s, &low, sizeof s);
+    s = far;
+    check_status(coinf_run(&s, &body, COIN_SYMPLECTIC2, 0.05f, 1, NULL),
+                 COIN_ESTEP);
+    check_same(&s, &far, sizeof s);
+    check(coinf_run(&s, &body, COIN_SYMPLECTIC2, 0.02f, 1, NULL) >= 0);
     s = edge;
     check_status(coinf_step(&s, &body, 1e-6f), COIN_ESTEP);
     check_same(&s, &edge, sizeof s);
@@ -327,6 +390,8 @@ int main(void)
         TEST(no_step_and_no_time_change_nothing),
         TEST(coarse_steps_are_reported_and_coarser_ones_refused),
         TEST(a_step_does_not_end_far_beyond_the_limit),
+        TEST(rates_at_the_edge_stay_within_it),
+        TEST(a_pass_is_coarse_where_a_step_begins_or_ends_so),
         TEST(a_step_through_the_table_is_refused),
         TEST(a_fall_ends_above_the_table_with_its_progress),
         TEST(a_lean_run_keeps_its_progress_too),

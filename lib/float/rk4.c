@@ -84,7 +84,8 @@ static struct slope left_out(const struct slope *first,
 /* The classical Runge-Kutta step, as the first slope and the rest of the
  * change: ((f2 - f1) + (f3 - f1))/3 + (f4 - f1)/6.  Rounding a weight to a
  * float then costs a part of the rest only; in a steady motion it would add up.
- * 0 if a stage is not sound; the last one stands for the end of the step. */
+ * 0 if the last stage, which stands for the end of the step, is too fast: near
+ * the table that it is, long before a stage could be below. */
 static int slopes(struct slope *first, struct slope *rest,
                   coinf_priv_plan *plan, const coinf_priv_stage *y1)
 {
@@ -95,8 +96,6 @@ static int slopes(struct slope *first, struct slope *rest,
     *rest = left_out(first, plan, y1);
     for (int i = 0; i < 3; ++i) {
         y = add(y1, reach[i], &d);
-        if (!(y.cth > 0))
-            return 0;
         const struct slope of = slope_at(&d, plan, &y);
         gather(rest, weight[i], &of, first);
     }

@@ -10,11 +10,9 @@
 static float balance(const coinf_priv_field *f, const coinf_priv_body *b,
                      float g)
 {
-    const float a = b->a, i = b->IZ / (b->M * a);
-    const float sum = a + i, sum_low = i - (sum - a); /* i <= a for a rim */
-    const float ratio = sum / g;
+    const float sum = b->a + b->IZ / (b->M * b->a), ratio = sum / g;
     const float ratio_low =
-        ((sum - ratio * g) + (sum_low - coinf_priv_residue(ratio, g))) / g;
+        ((sum - ratio * g) - coinf_priv_residue(ratio, g)) / g;
     return (f->GJ * ratio - f->KJ) +
            (coinf_priv_residue(f->GJ, ratio) + f->GJ * ratio_low);
 }

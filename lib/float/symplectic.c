@@ -42,15 +42,14 @@ static void half_kick(coinf_state *s, const coinf_priv_plan *plan,
 }
 
 /* From theta's old pair in *y to its new one: wY and wZ follow.  0 if that is
- * beyond the table or the series. */
+ * beyond the series. */
 static int shift(coinf_state *s, const coinf_priv_plan *plan,
                  coinf_priv_stage *y)
 {
     const coinf_priv_sc th = coinf_priv_pair(s->theta, s->low[0]);
     const float e = th.s - y->sth, c2 = y->cth * y->cth;
     float dp, dwZ;
-    if (!(fabsf(s->theta) < COINF_PRIV_HALF_PI) ||
-        !(fabsf(e) * (1 + fabsf(y->sth)) <= COINF_PRIV_SERIES_REACH * c2))
+    if (!(fabsf(e) * (1 + fabsf(y->sth)) <= COINF_PRIV_SERIES_REACH * c2))
         return 0;
     coinf_priv_legendre_change(&dp, &dwZ, y->wY * y->cth, y->wZ, plan->k1,
                                plan->k2, y->sth, c2, e); /* (49) */
