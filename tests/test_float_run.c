@@ -357,7 +357,6 @@ static void a_lean_run_keeps_its_progress_too(void **unused)
     check_same(&l, &before, sizeof l);
 }
 
-/* A path so long that x leaves the floats. */
 static void a_path_beyond_the_floats_is_refused(void **unused)
 {
     (void)unused;
