@@ -230,8 +230,8 @@ def long_runs(lib):
 def main(path, seed=1):
     lib = load(path)
     coins = list(random_coins(lib, int(seed)))
-    table(lib, coins, 0, (0.05, 0.1, 0.2, 0.35, 0.7, 1.4))
-    table(lib, coins, 1, (0.1, 0.2, 0.35, 0.7, 1, 1.8))
+    table(lib, coins, 0, (0.05, 0.1, 0.2, 0.35, 0.7, 1.2))
+    table(lib, coins, 1, (0.1, 0.2, 0.35, 0.7, 1, 1.2))
     table(lib, coins, 2, (0.01, 0.03, 0.08, 0.16))
     table(lib, coins, 3, (0.05, 0.1, 0.16, 0.3))
     round_trips(lib, coins)

@@ -10,8 +10,8 @@ static const struct method {
     int32_t order;
     double coarse, most;
 } methods[] = {
-    {"rk4", 4, 0.35, 1.4},
-    {"rk8", 8, 1.0, 1.8},
+    {"rk4", 4, 0.35, 1.2},
+    {"rk8", 8, 1.0, 1.2},
     {"symplectic2", 2, 0.08, 1.0},
     {"symplectic4", 4, 0.16, 1.4},
 };

@@ -39,7 +39,7 @@ static inline void coin_priv_add(coin_priv_sum *to, double part)
  * *at to the sums of *c, and sets pose.phi to its pair's angle.  In so few
  * steps the sum of phi's rates, and the pair that the same rates turn, cannot
  * come half a turn apart: RK4 turns a pair by z - z^5/120 for z, and no step
- * has z > 1.4. */
+ * has z > 1.2. */
 #define COIN_PRIV_SETTLE 64
 void coin_priv_settle(coin_priv_carry *c, coin_priv_moment *at);
 
