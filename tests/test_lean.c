@@ -157,6 +157,23 @@ static void a_run_that_fails_keeps_the_steps_before(void **unused)
     }
 }
 
+/* Found by fuzzing, when steps of RK8 up to |dt| W = 1.8 were done: two of them
+ * left a pair of sine and cosine of norm 1e6, and theta = NaN. */
+static void steps_that_would_leave_no_lean_are_refused(void **unused)
+{
+    (void)unused;
+    const double IX = 0.29319876970396003, dt = 0.2414215162830497;
+    const coin_lean before = {0.977508544921875, 3.325439453125,
+                              -0.862060546875, 3.337646484375};
+    coin_params p;
+    coin_lean l = before;
+    uint64_t done = 99;
+    check_status(coin_params_body(&p, 1, 1, 1, IX, 2 * IX), COIN_OK);
+    check_status(coin_lean_run(&l, &p, COIN_RK8, dt, 2, &done), COIN_ESTEP);
+    check(done == 0);
+    check_same(&l, &before, sizeof l);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -165,6 +182,7 @@ int main(void)
         TEST(no_step_and_no_time_change_nothing),
         TEST(bad_arguments_touch_nothing),
         TEST(a_run_that_fails_keeps_the_steps_before),
+        TEST(steps_that_would_leave_no_lean_are_refused),
     };
     return RUN_TESTS(tests);
 }

@@ -199,14 +199,14 @@ static void all_is_untouched(const struct subject *s, int copy)
 
 /* After success: the same bits from both calls, and sound ones. */
 static void outputs_are_sound(const struct subject *s, size_t null,
-                              const coin_params *p)
+                              const struct world *w)
 {
     for (size_t i = 0; i < s->count; ++i) {
         const struct kind *k = s->kind[i];
         if (i == null || k->role == SCALAR || !k->sound)
             continue;
         demand(same(s->a[FIRST][i].p, s->a[SECOND][i].p, k->size));
-        demand(k->sound(s->a[FIRST][i].p, p));
+        demand(k->sound(s->a[FIRST][i].p, w));
     }
 }
 
@@ -216,11 +216,14 @@ static void the_right_error_is_returned(const struct subject *s, double result,
                                         size_t null, const struct world *w)
 {
     const struct function *f = s->f;
-    const int knows = strchr(f->signature, 'p') != NULL;
-    const int bad_params = knows && coin_params_check(&w->p) != COIN_OK;
-    const int has_state = strpbrk(f->signature, "sS") != NULL;
+    const int single = strncmp(f->name, "coinf", 5) == 0;
+    const int knows = strpbrk(f->signature, "pf") != NULL;
+    const int has_state = strpbrk(f->signature, "sSgH") != NULL;
+    const int bad_params = knows && (single ? coinf_params_check(&w->pf)
+                                            : coin_params_check(&w->p)) != 0;
     const int bad_state = knows && has_state && !bad_params &&
-                          coin_state_check(&w->s, &w->p) != COIN_OK;
+                          (single ? coinf_state_check(&w->sf, &w->pf)
+                                  : coin_state_check(&w->s, &w->p)) != COIN_OK;
     const int null_counts = null < s->count && s->kind[null]->role != PROGRESS;
     if (f->is_number) {
         if (null_counts || bad_params || bad_state)
@@ -254,8 +257,8 @@ static void status_is_documented(const struct function *f, double result)
 /* An output in the place of the input of its type gives the same bits. */
 static void may_share(struct subject *s, double result)
 {
-    const char *const from = strchr(s->f->signature, 's');
-    const char *const to = strpbrk(s->f->signature, "OR");
+    const char *const from = strpbrk(s->f->signature, "sg");
+    const char *const to = strpbrk(s->f->signature, "ORhj");
     if (!from || !to)
         return;
     const size_t in = (size_t)(from - s->f->signature);
@@ -277,7 +280,10 @@ static void may_share(struct subject *s, double result)
  */
 static void examine(struct subject *s, struct bytes *b)
 {
-    const struct world w = world = take_world(b);
+    world = take_world(b);
+    if (strncmp(s->f->name, "coinf", 5) == 0)
+        take_single(&world, b);
+    const struct world w = world;
     const uint8_t which = take_byte(b);
     const size_t null = which < 240 ? ARGUMENTS : which & 7;
     take_arguments(s, b, &w);
@@ -297,7 +303,7 @@ static void examine(struct subject *s, struct bytes *b)
     const int progress =
         failed && !f->is_number && (f->progress & BIT((int32_t)result));
     if (!failed)
-        outputs_are_sound(s, null, &w.p);
+        outputs_are_sound(s, null, &w);
     else if (!progress)
         all_is_untouched(s, FIRST);
     if (null < s->count)

@@ -8,6 +8,7 @@
 #define ROLLCOIN_TESTS_FUZZ_H
 
 #include <coin.h>
+#include <coinf.h>
 
 #include <stddef.h>
 #include <stdint.h>
@@ -26,12 +27,16 @@ struct bytes {
     const uint8_t *at, *end;
 };
 
-/* A coin to call about, most often a good one, and its fastest rate W. */
+/* A coin to call about, most often a good one, its fastest rate W, and the same
+ * in single precision. */
 struct world {
     coin_params p;
     coin_state s;
     double W;
+    coinf_params pf;
+    coinf_state sf;
 };
+void take_single(struct world *w, struct bytes *b);
 
 struct world take_world(struct bytes *b);
 uint8_t take_byte(struct bytes *b);
@@ -56,10 +61,12 @@ struct kind {
     enum role role;
     size_t size; /* of what it points to */
     void (*take)(struct bytes *b, const struct world *w, void *to);
-    int (*sound)(const void *of, const coin_params *p);
+    int (*sound)(const void *of, const struct world *w);
 };
 
 const struct kind *kind_of(char letter);
+extern const struct kind single_kinds[];
+extern const size_t single_kind_count;
 
 /* Whether all are finite. */
 int finite_all(const double *x, size_t count);

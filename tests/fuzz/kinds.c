@@ -92,12 +92,17 @@ static void take_dt(struct bytes *b, const struct world *w, void *to)
     a->d = how < 232 ? ldexp(part, 2 - how % 24) / w->W : take_number(b);
 }
 
-/* A time: up to a few tens of such steps. */
+/* A time: up to a few tens of such steps, or so long that it is refused; what
+ * lies between would be moved, for hours. */
 static void take_time(struct bytes *b, const struct world *w, void *to)
 {
     union argument *const a = to;
     take_dt(b, w, to);
-    a->d = isfinite(a->d) && fabs(a->d) * w->W <= 4 ? a->d * 8 : a->d;
+    const double units = fabs(a->d) * sqrt(w->p.gravity / w->p.radius);
+    if (fabs(a->d) * w->W <= 4)
+        a->d *= 8;
+    else if (units <= 1e15)
+        a->d = copysign(32 / w->W, a->d);
 }
 
 static void take_tol(struct bytes *b, const struct world *w, void *to)
@@ -156,43 +161,43 @@ static void take_count(struct bytes *b, const struct world *w, void *to)
 }
 
 /* ------------------------------------------------------- what is an output */
-static int sound_params(const void *of, const coin_params *p)
+static int sound_params(const void *of, const struct world *w)
 {
-    (void)p;
+    (void)w;
     return coin_params_check(of) == COIN_OK;
 }
 
-static int sound_state(const void *of, const coin_params *p)
+static int sound_state(const void *of, const struct world *w)
 {
-    return coin_state_check(of, p) == COIN_OK;
+    return coin_state_check(of, &w->p) == COIN_OK;
 }
 
-static int sound_lean(const void *of, const coin_params *p)
+static int sound_lean(const void *of, const struct world *w)
 {
     const coin_lean *l = of;
     const coin_state s = {l->theta, 0, 0, 0, 0, l->wX, l->wY, l->wZ};
-    return coin_state_check(&s, p) == COIN_OK;
+    return coin_state_check(&s, &w->p) == COIN_OK;
 }
 
-static int sound_8(const void *of, const coin_params *p)
+static int sound_8(const void *of, const struct world *w)
 {
-    (void)p;
+    (void)w;
     return finite_all(of, 8);
 }
 
-static int sound_force(const void *of, const coin_params *p)
+static int sound_force(const void *of, const struct world *w)
 {
     const coin_force *f = of;
-    (void)p;
+    (void)w;
     return finite_all(f->R, 3) && f->normal == f->R[1] && f->friction >= 0 &&
            isfinite(f->friction) &&
            (f->normal > 0 ? f->ratio >= 0 : f->ratio == (double)INFINITY);
 }
 
 #define SOUND(count)                                                           \
-    static int sound_##count(const void *of, const coin_params *p)             \
+    static int sound_##count(const void *of, const struct world *w)            \
     {                                                                          \
-        (void)p;                                                               \
+        (void)w;                                                               \
         return finite_all(of, count);                                          \
     }
 SOUND(1)
@@ -201,17 +206,25 @@ SOUND(3)
 SOUND(4)
 SOUND(9)
 
-static int sound_radius(const void *of, const coin_params *p)
+static int sound_radius(const void *of, const struct world *w)
 {
     const double *r = of;
-    (void)p;
+    (void)w;
     return *r >= 0;
 }
 
-static int sound_orbit(const void *of, const coin_params *p)
+/* Of an orbit's own coin, which need not be the world's. */
+static int sound_members(const void *of, const struct world *w)
+{
+    double R[9];
+    (void)w;
+    return coin_axes(of, R) == COIN_OK;
+}
+
+static int sound_orbit(const void *of, const struct world *w)
 {
     const coin_orbit *o = of;
-    (void)p;
+    (void)w;
     return finite_all(&o->period, 5) && finite_all(o->drift, 2) &&
            o->period >= 0 && o->theta_min <= o->theta_max &&
            !(o->radius_min > o->radius_max) && o->conditioning >= 1;
@@ -228,8 +241,9 @@ static const struct kind kinds[] = {
     {'L', MOVED, sizeof(coin_lean), take_l, sound_lean},
     {'F', WRITTEN, sizeof(coin_force), NULL, sound_force},
     {'A', WRITTEN, SAMPLES * sizeof(coin_state), NULL, NULL},
-    {'G', WRITTEN, sizeof(coin_orbit), NULL, sound_orbit},
-    {'g', READ, sizeof(coin_orbit), take_orbit, NULL},
+    {'Y', WRITTEN, sizeof(coin_orbit), NULL, sound_orbit},
+    {'V', WRITTEN, sizeof(coin_state), NULL, sound_members},
+    {'y', READ, sizeof(coin_orbit), take_orbit, NULL},
     {'q', READ, 4 * sizeof(double), take_q, NULL},
     {'w', READ, 3 * sizeof(double), take_omega, NULL},
     {'1', WRITTEN, sizeof(double), NULL, sound_1},
@@ -258,6 +272,8 @@ const struct kind *kind_of(char letter)
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; ++i)
         if (kinds[i].letter == letter)
             return &kinds[i];
-    demand(letter == 0);
+    for (size_t i = 0; i < single_kind_count; ++i)
+        if (single_kinds[i].letter == letter)
+            return &single_kinds[i];
     return NULL;
 }
