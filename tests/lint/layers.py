@@ -23,7 +23,7 @@ FLOORS = [
      {"steady", "steady_at", "steady_near"}],
     [{"run", "method", "check", "max_dt"}, {"stability"}, {"wobble"},
      {"orbit", "orbit_at", "half", "series"}],
-    [{"selftest"}],
+    [{"selftest"}, {"model"}],
 ]
 PLACE = {stem: (level, column) for level, floor in enumerate(FLOORS)
          for column, group in enumerate(floor) for stem in group}

@@ -124,6 +124,11 @@ static int32_t wobble_at(void *const a[])
     return coin_wobble_at(a[0], a[1], a[2], 1, a[3]);
 }
 
+static int32_t model_needed(void *const a[])
+{
+    return coin_model_needed(a[0], a[1], 1, 1e-3);
+}
+
 const struct function functions[] = {
     {"coin_params_disc", "P", disc},
     {"coin_params_ring", "P", ring},
@@ -155,6 +160,7 @@ const struct function functions[] = {
     {"coin_orbit_at", "bo", orbit_at},
     {"coin_stability", "spo", stability},
     {"coin_wobble_at", "spso", wobble_at},
+    {"coin_model_needed", "sp", model_needed},
 };
 
 const size_t function_count = sizeof functions / sizeof *functions;

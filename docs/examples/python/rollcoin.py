@@ -116,6 +116,10 @@ RK4 = 0
 RK8 = 1
 SYMPLECTIC2 = 2
 SYMPLECTIC4 = 3
+MODEL_STEADY = 0
+MODEL_WOBBLE = 1
+MODEL_ORBIT = 2
+MODEL_STEPS = 3
 
 # Name: (result, arguments...)
 PROTOTYPES = {
@@ -187,6 +191,8 @@ PROTOTYPES = {
         POINTER(State), c_double, POINTER(State)),
     "coin_critical_roll": (c_double, POINTER(Params)),
     "coin_critical_spin": (c_double, POINTER(Params)),
+    "coin_model_needed": (c_int32, POINTER(State), POINTER(Params), c_double,
+        c_double),
 }
 
 

@@ -90,6 +90,11 @@ pub const COIN_RK8: _bindgen_ty_3 = 1;
 pub const COIN_SYMPLECTIC2: _bindgen_ty_3 = 2;
 pub const COIN_SYMPLECTIC4: _bindgen_ty_3 = 3;
 pub type _bindgen_ty_3 = ::std::os::raw::c_uint;
+pub const COIN_MODEL_STEADY: _bindgen_ty_4 = 0;
+pub const COIN_MODEL_WOBBLE: _bindgen_ty_4 = 1;
+pub const COIN_MODEL_ORBIT: _bindgen_ty_4 = 2;
+pub const COIN_MODEL_STEPS: _bindgen_ty_4 = 3;
+pub type _bindgen_ty_4 = ::std::os::raw::c_uint;
 extern "C" {
     pub fn coin_version() -> u32;
 }
@@ -310,4 +315,12 @@ extern "C" {
 }
 extern "C" {
     pub fn coin_critical_spin(p: *const coin_params) -> f64;
+}
+extern "C" {
+    pub fn coin_model_needed(
+        s: *const coin_state,
+        p: *const coin_params,
+        horizon: f64,
+        tol: f64,
+    ) -> i32;
 }

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/* Random scenes, and what each rung of the ladder of models makes of them. */
+#ifndef ROLLCOIN_TESTS_RUNGS_H
+#define ROLLCOIN_TESTS_RUNGS_H
+
+#include "random.h"
+
+/* Kinds of scenes; distances, horizons and tolerances are log-uniform. */
+enum {
+    NEAR_STABLE,   /* 1e-10 to 0.1 off a stable steady motion */
+    NEAR_UNSTABLE, /* as far off an unstable one */
+    GENERIC,
+    SEPARATRIX,  /* on its way from an unstable steady motion */
+    NEARLY_FLAT, /* falls, with a spin of 1e-8 to 0.1 */
+    KINDS_OF_SCENES
+};
+extern const char *const kinds_of_scenes[KINDS_OF_SCENES];
+
+struct rung_scene {
+    coin_params params;
+    coin_state start;
+    double horizon, tol;
+};
+
+/* Horizons are 0.1 to longest natural units, tolerances 1e-7 to 0.1. */
+struct rung_scene random_scene(struct random *r, int kind, double longest);
+
+/* A scene's answer, and the largest errors of the pose over its horizon,
+ * against coin_advance() at 1e-13 wherever it is looked at: infinite if a rung
+ * has no answer.  wanted < 0: an error, and nothing else is known. */
+struct rungs {
+    int32_t wanted;
+    double error[COIN_MODEL_STEPS]; /* of steady, wobble, orbit */
+};
+struct rungs climb(const struct rung_scene *scene, struct random *r, int looks);
+
+#endif

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/rungs.h"
+
+#include <math.h>
+
+static const coin_params disc = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
+
+static coin_state circle(double theta, double wZ)
+{
+    coin_state s;
+    check_status(coin_steady_circle(&s, &disc, theta, wZ, 1), COIN_OK);
+    return s;
+}
+
+/* A sample of what `make models` does 10,000 times. */
+static void it_never_names_a_model_that_misses(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(6);
+    int named[4] = {0, 0, 0, 0};
+    for (int k = 0; k < 100; ++k) {
+        const struct rung_scene scene =
+            random_scene(&r, k % KINDS_OF_SCENES, 30);
+        const struct rungs found = climb(&scene, &r, 60);
+        check_within(found.wanted, COIN_MODEL_STEADY, COIN_MODEL_STEPS);
+        if (found.wanted < COIN_MODEL_STEPS)
+            check_within(found.error[found.wanted], 0, scene.tol);
+        ++named[found.wanted];
+    }
+    check_note("all scenes");
+    for (int i = 0; i < 4; ++i)
+        check_within(named[i], 5, 70);
+}
+
+/* Twice the error that the model has is enough, 3 % less is not: 320 looks find
+ * the largest error to some percent.  Once round the circle the path is back
+ * where it should be, and the largest error lies between.  Lengths are in
+ * units of 4. */
+static void half_of_the_tolerance_is_for_what_it_does_not_see(void **unused)
+{
+    (void)unused;
+    const coin_params p = {1, 4, 4, 4, 8, {0, 0, 0}};
+    struct random r = random_begin(7);
+    for (int k = 0; k < 10; ++k) {
+        const coin_state steady = circle(0.2 + 0.1 * (k % 5), 1);
+        const double round = 2 * acos(-1) * cos(steady.theta) / steady.wY;
+        struct rung_scene scene = {p, steady, k < 5 ? round : -round, 1};
+        scene.start.theta += 3e-3;
+        const struct rungs found = climb(&scene, &r, 2000);
+        for (int32_t model = 0; model < COIN_MODEL_ORBIT; ++model) {
+            const double twice = 2 * found.error[model];
+            check_note("model %d, circle %d", model, k);
+            check_status(coin_model_needed(&scene.start, &p, scene.horizon,
+                                           1.05 * twice),
+                         model);
+            check(coin_model_needed(&scene.start, &p, scene.horizon,
+                                    0.97 * twice) > model);
+        }
+    }
+}
+
+static void a_steady_motion_is_steady_for_long(void **unused)
+{
+    (void)unused;
+    const coin_state s = circle(0.4, 1), roll = {0, 0, 0, 0, 0, 0, 0, 1};
+    check_status(coin_model_needed(&s, &disc, 1e5, 1e-6), COIN_MODEL_STEADY);
+    check_status(coin_model_needed(&s, &disc, -1e5, 1e-6), COIN_MODEL_STEADY);
+    check_status(coin_model_needed(&roll, &disc, 1e5, 1e-6), COIN_MODEL_STEADY);
+    check_status(coin_model_needed(&s, &disc, 0, 1e-9), COIN_MODEL_STEADY);
+}
+
+/* An unstable circle has no orbit: as long as it lasts it is followed by
+ * steps, 64 natural units at most. */
+static void an_unstable_one_is_so_for_a_while(void **unused)
+{
+    (void)unused;
+    coin_state s = circle(0.15, 0.5);
+    s.theta += 1e-8;
+    check_status(coin_model_needed(&s, &disc, 1, 1e-6), COIN_MODEL_STEADY);
+    check_status(coin_model_needed(&s, &disc, 20, 1e-6), COIN_MODEL_WOBBLE);
+    const coin_state fast = circle(0.3, 0.43);
+    check_status(coin_model_needed(&fast, &disc, 63, 1e-3), COIN_MODEL_STEADY);
+    check_status(coin_model_needed(&fast, &disc, 65, 1e-3), COIN_MODEL_STEPS);
+}
+
+/* Ten times what coin_orbit_at() states, and that within a quarter. */
+static void an_orbit_is_named_as_far_as_it_is_exact(void **unused)
+{
+    (void)unused;
+    const coin_state s = {0.5, 0, 0, 0, 0, 0.1, 0.8, 1.2};
+    const double horizon = 1e6;
+    coin_orbit o;
+    coin_state end;
+    check_status(coin_orbit_init(&o, &s, &disc), COIN_OK);
+    check_status(coin_orbit_at(&o, horizon, &end), COIN_OK);
+    const double periods = horizon / o.period;
+    const double heading =
+        1e-13 + 1e-15 * fabs(end.phi) + 1e-14 * o.conditioning * periods;
+    const double own = heading * (1 + o.radius_max) + 1e-15 * fabs(end.psi);
+    check_status(coin_model_needed(&s, &disc, horizon, 4.0004 * own),
+                 COIN_MODEL_ORBIT);
+    check_status(coin_model_needed(&s, &disc, horizon, 3.9996 * own),
+                 COIN_MODEL_STEPS);
+}
+
+static void bad_horizons_and_tolerances_are_refused(void **unused)
+{
+    (void)unused;
+    const coin_state s = circle(0.4, 1);
+    const double bad[] = {0, -1, NAN, INFINITY};
+    for (int i = 0; i < 4; ++i)
+        check_status(coin_model_needed(&s, &disc, 1, bad[i]), COIN_EARG);
+    check_status(coin_model_needed(&s, &disc, NAN, 1e-3), COIN_ESTEP);
+    check_status(coin_model_needed(&s, &disc, -INFINITY, 1e-3), COIN_ESTEP);
+    check_status(coin_model_needed(&s, &disc, 1e15, 1e-3), COIN_ESTEP);
+    check_status(coin_model_needed(NULL, &disc, 1, 0), COIN_EARG);
+}
+
+static void a_fall_on_the_face_is_reported(void **unused)
+{
+    (void)unused;
+    const coin_state s = {0.5, 0, 0, 0, 0, 0, 0, 0};
+    check_status(coin_model_needed(&s, &disc, 10, 1e-3), COIN_EFLAT);
+    check_status(coin_model_needed(&s, &disc, 1, 1e-3), COIN_MODEL_STEPS);
+}
+
+/* 5e-7 from flat coin_steady_near() has no answer, and there is no swing that
+ * any answer could be about. */
+static void next_to_the_table_nothing_steady_is_near(void **unused)
+{
+    (void)unused;
+    const coin_state s = {1.5707958267948966, 0, 0, 0, 0, -1, 1e-3, 0.5};
+    coin_state near;
+    check_status(coin_steady_near(&s, &disc, &near), COIN_EDOMAIN);
+    check_within(coin_model_needed(&s, &disc, 0.1, 0.5), COIN_MODEL_ORBIT,
+                 COIN_MODEL_STEPS);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(it_never_names_a_model_that_misses),
+        TEST(half_of_the_tolerance_is_for_what_it_does_not_see),
+        TEST(a_steady_motion_is_steady_for_long),
+        TEST(an_unstable_one_is_so_for_a_while),
+        TEST(an_orbit_is_named_as_far_as_it_is_exact),
+        TEST(bad_horizons_and_tolerances_are_refused),
+        TEST(a_fall_on_the_face_is_reported),
+        TEST(next_to_the_table_nothing_steady_is_near),
+    };
+    return RUN_TESTS(tests);
+}
