@@ -91,7 +91,8 @@ static struct phasor mean_exp(double x, double y)
         return one;
     }
     const coin_priv_sc half = coin_priv_sincos(y / 2);
-    const struct phasor g = growth(x);
+    const struct phasor still = {0, 0};
+    const struct phasor g = x == 0 ? still : growth(x); /* often */
     const double grown = g.re + g.im, back = 2 * half.s * half.s;
     const struct phasor change = {grown * (1 - back) - back,
                                   (1 + grown) * 2 * half.s * half.c};
