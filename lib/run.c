@@ -36,7 +36,6 @@ static int32_t open_run(struct run *r, const coin_state *s,
     r->limits.most2 = coin_priv_lesser(most * most, r->b.w2_max);
     r->limits.coarse2 = coin_priv_lesser(coarse * coarse, r->limits.most2);
     r->limits.warnings = COIN_OK;
-    r->step = coin_priv_method_stepper(method);
     r->dt = dt;
     return COIN_OK;
 }
@@ -56,6 +55,21 @@ static coin_state state_of(const struct run *r)
     return coin_priv_state_of(&r->c, &r->b, &r->start);
 }
 
+/* So many steps of an opened run, to *s. */
+static int32_t run_to(coin_state *s, struct run *r, uint64_t steps,
+                      uint64_t *done)
+{
+    uint64_t n = advance(r, steps);
+    const coin_state end = state_of(r);
+    if (coin_priv_check_members(&end) == COIN_OK)
+        *s = end;
+    else
+        n = 0; /* a path so long that x or z overflowed */
+    if (done)
+        *done = n;
+    return n < steps ? COIN_ESTEP : r->limits.warnings;
+}
+
 int32_t coin_run(coin_state *s, const coin_params *p, int32_t method, double dt,
                  uint64_t steps, uint64_t *done)
 {
@@ -63,20 +77,19 @@ int32_t coin_run(coin_state *s, const coin_params *p, int32_t method, double dt,
     const int32_t status = open_run(&r, s, p, method, dt);
     if (status != COIN_OK)
         return status;
-    uint64_t n = advance(&r, steps);
-    const coin_state end = state_of(&r);
-    if (coin_priv_check_members(&end) == COIN_OK)
-        *s = end;
-    else
-        n = 0; /* a path so long that x or z overflowed */
-    if (done)
-        *done = n;
-    return n < steps ? COIN_ESTEP : r.limits.warnings;
+    r.step = coin_priv_method_stepper(method);
+    return run_to(s, &r, steps, done);
 }
 
+/* Names its stepper: a program that calls no coin_run() links no other. */
 int32_t coin_step(coin_state *s, const coin_params *p, double dt)
 {
-    return coin_run(s, p, COIN_RK4, dt, 1, NULL);
+    struct run r;
+    const int32_t status = open_run(&r, s, p, COIN_RK4, dt);
+    if (status != COIN_OK)
+        return status;
+    r.step = coin_priv_rk4;
+    return run_to(s, &r, 1, NULL);
 }
 
 int32_t coin_sample(const coin_state *start, const coin_params *p,
@@ -88,6 +101,7 @@ int32_t coin_sample(const coin_state *start, const coin_params *p,
     const int32_t status = out ? open_run(&r, start, p, method, dt) : COIN_EARG;
     if (status != COIN_OK)
         return status;
+    r.step = coin_priv_method_stepper(method);
     size_t k = 0;
     for (; k < count && (k == 0 || advance(&r, n) == n); ++k) {
         const coin_state sample = state_of(&r);
