@@ -18,7 +18,7 @@ static inline float coinf_priv_method_coarse(int32_t method)
 }
 static inline float coinf_priv_method_most(int32_t method)
 {
-    return method == COIN_RK4 ? 1.4f : 1.0f;
+    return method == COIN_RK4 ? 1.2f : 1.0f;
 }
 
 #endif
