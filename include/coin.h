@@ -360,6 +360,21 @@ COIN_API int32_t coin_lean_run(coin_lean *l, const coin_params *p,
 COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
                               double tol, double *reached);
 
+/** coin_run() for many coins of one body, as many abreast as the processor's
+ * vectors hold doubles: each gets the bits that coin_run() gives it.
+ * @param[in,out] s    [count] states
+ * @param count        how many; 0 is OK
+ * @param method       any; COIN_RK4 and COIN_RK8 go abreast
+ * @param[out] status  [count] what coin_run() returns for each; may be null
+ * @return COIN_EARG, COIN_EPARAMS: nothing was touched; else the status of the
+ *         first coin that failed, else all warnings together.  A coin that
+ *         failed is where its last good step left it, and the others go on.
+ * Cost: docs/accuracy.md; the coins are best of a kind, since one that comes
+ *         near flat or is coarse goes alone for a while. */
+COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
+                                const coin_params *p, int32_t method, double dt,
+                                uint64_t steps, int32_t *status);
+
 /* ----------------------------------------------- motion without stepping -- */
 
 /** Solves a motion for all times: half a period of theta, between its turning

@@ -6,47 +6,47 @@
  * One step for either form of the equations of motion: its users define FIELD
  * and DRIFT, the slopes, times h, of the stage and of what is only added to,
  * and EACH_POSE(F), the members F of the latter, and get dop8_step(). */
-#include "lesser.h"
 #include "motion.h"
+#include "number.h"
 
 /* Rows of the tableau without their zeros: A5 holds a_51, a_53, a_54; from A6
  * on a_i1, a_i4, a_i5, ...; B holds b_1, b_6, ..., b_12. */
 /* clang-format off */
-static const double A2[] = {
+static const coin_priv_shared A2[] = {
     5.26001519587677318785587544488e-2,
 };
-static const double A3[] = {
+static const coin_priv_shared A3[] = {
     1.97250569845378994544595329183e-2,
     5.91751709536136983633785987549e-2,
 };
-static const double A4[] = {
+static const coin_priv_shared A4[] = {
     2.95875854768068491816892993775e-2,
     8.87627564304205475450678981324e-2,
 };
-static const double A5[] = {
+static const coin_priv_shared A5[] = {
     2.41365134159266685502369798665e-1,
     -8.84549479328286085344864962717e-1,
     9.24834003261792003115737966543e-1,
 };
-static const double A6[] = {
+static const coin_priv_shared A6[] = {
     3.7037037037037037037037037037e-2,
     1.70828608729473871279604482173e-1,
     1.25467687566822425016691814123e-1,
 };
-static const double A7[] = {
+static const coin_priv_shared A7[] = {
     3.7109375e-2,
     1.70252211019544039314978060272e-1,
     6.02165389804559606850219397283e-2,
     -1.7578125e-2,
 };
-static const double A8[] = {
+static const coin_priv_shared A8[] = {
     3.70920001185047927108779319836e-2,
     1.70383925712239993810214054705e-1,
     1.07262030446373284651809199168e-1,
     -1.53194377486244017527936158236e-2,
     8.27378916381402288758473766002e-3,
 };
-static const double A9[] = {
+static const coin_priv_shared A9[] = {
     6.24110958716075717114429577812e-1,
     -3.36089262944694129406857109825e0,
     -8.68219346841726006818189891453e-1,
@@ -54,7 +54,7 @@ static const double A9[] = {
     2.01540675504778934086186788979e1,
     -4.34898841810699588477366255144e1,
 };
-static const double A10[] = {
+static const coin_priv_shared A10[] = {
     4.77662536438264365890433908527e-1,
     -2.48811461997166764192642586468e0,
     -5.90290826836842996371446475743e-1,
@@ -63,7 +63,7 @@ static const double A10[] = {
     -3.32882109689848629194453265587e1,
     -2.03312017085086261358222928593e-2,
 };
-static const double A11[] = {
+static const coin_priv_shared A11[] = {
     -9.3714243008598732571704021658e-1,
     5.18637242884406370830023853209e0,
     1.09143734899672957818500254654e0,
@@ -73,7 +73,7 @@ static const double A11[] = {
     2.49360555267965238987089396762e0,
     -3.0467644718982195003823669022e0,
 };
-static const double A12[] = {
+static const coin_priv_shared A12[] = {
     2.27331014751653820792359768449e0,
     -1.05344954667372501984066689879e1,
     -2.00087205822486249909675718444e0,
@@ -84,7 +84,7 @@ static const double A12[] = {
     1.23605671757943030647266201528e1,
     6.43392746015763530355970484046e-1,
 };
-static const double B[] = {
+static const coin_priv_shared B[] = {
     5.42937341165687622380535766363e-2,
     4.45031289275240888144113950566e0,
     1.89151789931450038304281599044e0,
@@ -99,7 +99,7 @@ static const double B[] = {
 /* The members of a stage that slopes move, side by side: a row of the tableau
  * is the same sum for each, which gcc and clang then take in pairs, by the
  * baseline of every 64-bit processor, and to the same bits. */
-#if defined(__GNUC__) && !defined(__TINYC__) && !defined(COIN_PRIV_COUNTED)
+#if defined(__GNUC__) && !defined(__TINYC__) && !defined(double)
 typedef double lane __attribute__((vector_size(16)));
 #define AT(row, k) (row).v[(k) / 2][(k) % 2]
 #define EACH(F) F(0) F(1) F(2) F(3)

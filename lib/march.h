@@ -3,7 +3,7 @@
 #ifndef ROLLCOIN_MARCH_H
 #define ROLLCOIN_MARCH_H
 
-#include "lesser.h"
+#include "number.h"
 #include "stepper.h"
 
 /* Whether phi and psi are in the range of coin_state_check(), and so far within

@@ -46,6 +46,7 @@ COIN_PRIV_INLINE coin_priv_stage coin_priv_motion(const coin_priv_field *f,
     const double hwX = f->h * wX, hwY = f->h * wY; /* (17): d theta = hwX */
     const double hwYtan = hwY * y->tth;
     const double dph = hwY * q; /* (18) */
+    const double none = {0};
     coin_priv_stage d;
     /* clang-format off */
     d.wX = f->GJ * sth - ((f->KJ * wZ) * wY + (f->XJ * wY) * hwYtan); /* (14) */
@@ -54,7 +55,7 @@ COIN_PRIV_INLINE coin_priv_stage coin_priv_motion(const coin_priv_field *f,
     d.sth = cth * hwX;                                       /* (31) */
     d.cth = -(sth * hwX);                                    /* (31) */
     d.q = q * q * (sth * hwX);                               /* (31) */
-    d.tth = 0; /* q sin theta, no variable of its own */
+    d.tth = none; /* q sin theta, no variable of its own */
     d.sph = dph * y->cph;                                    /* (31) */
     d.cph = -(dph * y->sph);                                 /* (31) */
     /* clang-format on */
@@ -68,12 +69,13 @@ COIN_PRIV_INLINE coin_priv_pose coin_priv_drift(const coin_priv_field *f,
 {
     const double hwY = f->h * y->wY;
     const double dps = f->h * y->wZ + hwY * y->tth; /* (19) */
+    const double none = {0};
     coin_priv_pose d;
     d.phi = hwY * y->q; /* (18) */
     d.psi = dps;
     d.x = -(dps * y->cph); /* (22) */
     d.z = dps * y->sph;    /* (22) */
-    d.t = 0;
+    d.t = none;
     return d;
 }
 
@@ -87,7 +89,7 @@ COIN_PRIV_INLINE coin_priv_stage coin_priv_sundman(const coin_priv_field *f,
     const double sth = y->sth, cth = y->cth;
     const double cwX = cth * wX, cwZ = cth * wZ;
     const double hwY = f->h * wY, hcwX = f->h * cwX;
-    const double hwYsin = hwY * sth;
+    const double hwYsin = hwY * sth, none = {0};
     coin_priv_stage d;
     /* clang-format off */
     d.wX = (f->GJ * sth) * cth
@@ -96,8 +98,8 @@ COIN_PRIV_INLINE coin_priv_stage coin_priv_sundman(const coin_priv_field *f,
     d.wZ = (f->k2 * wY) * cwX;                               /* (32) */
     d.sth = cth * hcwX;                                      /* (32) */
     d.cth = -(sth * hcwX);                                   /* (32) */
-    d.q = 0;
-    d.tth = 0;
+    d.q = none;
+    d.tth = none;
     d.sph = hwY * y->cph;                                    /* (32) */
     d.cph = -(hwY * y->sph);                                 /* (32) */
     /* clang-format on */

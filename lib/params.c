@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "pinned.h"
 
-#include "lesser.h"
+#include "number.h"
 #include "params.h"
 #include "precision.h"
 

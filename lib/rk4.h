@@ -2,12 +2,13 @@
 #ifndef ROLLCOIN_RK4_H
 #define ROLLCOIN_RK4_H
 
-#include "lesser.h"
 #include "motion.h"
+#include "number.h"
 
 /* a + w b, member by member. */
-COIN_PRIV_INLINE coin_priv_stage add(const coin_priv_stage *a, double w,
-                                     const coin_priv_stage *b)
+COIN_PRIV_INLINE coin_priv_stage coin_priv_stage_plus(const coin_priv_stage *a,
+                                                      coin_priv_shared w,
+                                                      const coin_priv_stage *b)
 {
     const double sth = a->sth + w * b->sth, q = a->q + w * b->q;
     const coin_priv_stage r = {
@@ -25,15 +26,16 @@ COIN_PRIV_INLINE coin_priv_stage add(const coin_priv_stage *a, double w,
 }
 
 /* The same for a pose; t stays 0, the steps count it. */
-COIN_PRIV_INLINE coin_priv_pose add_pose(const coin_priv_pose *a, double w,
-                                         const coin_priv_pose *b)
+COIN_PRIV_INLINE coin_priv_pose coin_priv_pose_plus(const coin_priv_pose *a,
+                                                    coin_priv_shared w,
+                                                    const coin_priv_pose *b)
 {
     const coin_priv_pose r = {
         a->phi + w * b->phi,
         a->psi + w * b->psi,
         a->x + w * b->x,
         a->z + w * b->z,
-        0,
+        a->t,
     };
     return r;
 }
@@ -54,27 +56,27 @@ COIN_PRIV_INLINE double coin_priv_rk4_step(coin_priv_moment *next,
     const coin_priv_stage y1 = c->y;
     coin_priv_stage sum = coin_priv_motion(&k->half, &y1);
     coin_priv_pose path = coin_priv_drift(&k->half, &y1);
-    const coin_priv_stage y2 = add(&y1, 1, &sum);
+    const coin_priv_stage y2 = coin_priv_stage_plus(&y1, 1, &sum);
 
     const coin_priv_stage d2 = coin_priv_motion(&k->half, &y2);
     const coin_priv_pose v2 = coin_priv_drift(&k->half, &y2);
-    const coin_priv_stage y3 = add(&y1, 1, &d2);
-    sum = add(&sum, 2, &d2);
-    path = add_pose(&path, 2, &v2);
+    const coin_priv_stage y3 = coin_priv_stage_plus(&y1, 1, &d2);
+    sum = coin_priv_stage_plus(&sum, 2, &d2);
+    path = coin_priv_pose_plus(&path, 2, &v2);
 
     const coin_priv_stage d3 = coin_priv_motion(&k->full, &y3);
     const coin_priv_pose v3 = coin_priv_drift(&k->full, &y3);
-    const coin_priv_stage y4 = add(&y1, 1, &d3);
-    sum = add(&sum, 1, &d3);
-    path = add_pose(&path, 1, &v3);
+    const coin_priv_stage y4 = coin_priv_stage_plus(&y1, 1, &d3);
+    sum = coin_priv_stage_plus(&sum, 1, &d3);
+    path = coin_priv_pose_plus(&path, 1, &v3);
 
     const coin_priv_stage d4 = coin_priv_motion(&k->sixth, &y4);
     const coin_priv_pose v4 = coin_priv_drift(&k->sixth, &y4);
-    const coin_priv_stage y = add(&y1, 1.0 / 3, &sum);
-    const coin_priv_pose pose = add_pose(&c->pose, 1.0 / 3, &path);
-    next->y = add(&y, 1, &d4);
+    const coin_priv_stage y = coin_priv_stage_plus(&y1, 1.0 / 3, &sum);
+    const coin_priv_pose pose = coin_priv_pose_plus(&c->pose, 1.0 / 3, &path);
+    next->y = coin_priv_stage_plus(&y, 1, &d4);
     coin_priv_renew(&next->y);
-    next->pose = add_pose(&pose, 1, &v4);
+    next->pose = coin_priv_pose_plus(&pose, 1, &v4);
     return coin_priv_lesser(coin_priv_lesser(y2.cth, y3.cth), y4.cth);
 }
 

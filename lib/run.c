@@ -1,26 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "pinned.h"
 
-#include "lesser.h"
 #include "method.h"
+#include "number.h"
+#include "run.h"
 #include "state.h"
-#include "stepper.h"
 
 #include <math.h>
 
-/* A run under way. */
-struct run {
-    coin_state start;
-    coin_priv_body b;
-    coin_priv_carry c;
-    coin_priv_limits limits;
-    coin_priv_stepper *step;
-    double dt;
-};
-
-/* Checks everything, then computes what the steps share. */
-static int32_t open_run(struct run *r, const coin_state *s,
-                        const coin_params *p, int32_t method, double dt)
+int32_t coin_priv_run_open(coin_priv_run *r, const coin_state *s,
+                           const coin_params *p, int32_t method, double dt)
 {
     const int32_t status = coin_priv_method_known(method)
                                ? coin_priv_check(s, p, &r->b)
@@ -40,8 +29,7 @@ static int32_t open_run(struct run *r, const coin_state *s,
     return COIN_OK;
 }
 
-/* Up to n steps; returns how many were done. */
-static uint64_t advance(struct run *r, uint64_t n)
+uint64_t coin_priv_run_on(coin_priv_run *r, uint64_t n)
 {
     if (r->dt == 0)
         return n;
@@ -50,17 +38,16 @@ static uint64_t advance(struct run *r, uint64_t n)
     return r->c.steps - before;
 }
 
-static coin_state state_of(const struct run *r)
+coin_state coin_priv_run_state(const coin_priv_run *r)
 {
     return coin_priv_state_of(&r->c, &r->b, &r->start);
 }
 
-/* So many steps of an opened run, to *s. */
-static int32_t run_to(coin_state *s, struct run *r, uint64_t steps,
-                      uint64_t *done)
+int32_t coin_priv_run_close(const coin_priv_run *r, uint64_t steps,
+                            coin_state *s, uint64_t *done)
 {
-    uint64_t n = advance(r, steps);
-    const coin_state end = state_of(r);
+    const coin_state end = coin_priv_run_state(r);
+    uint64_t n = r->dt == 0 ? steps : r->c.steps;
     if (coin_priv_check_members(&end) == COIN_OK)
         *s = end;
     else
@@ -73,38 +60,41 @@ static int32_t run_to(coin_state *s, struct run *r, uint64_t steps,
 int32_t coin_run(coin_state *s, const coin_params *p, int32_t method, double dt,
                  uint64_t steps, uint64_t *done)
 {
-    struct run r;
-    const int32_t status = open_run(&r, s, p, method, dt);
+    coin_priv_run r;
+    const int32_t status = coin_priv_run_open(&r, s, p, method, dt);
     if (status != COIN_OK)
         return status;
     r.step = coin_priv_method_stepper(method);
-    return run_to(s, &r, steps, done);
+    coin_priv_run_on(&r, steps);
+    return coin_priv_run_close(&r, steps, s, done);
 }
 
 /* Names its stepper: a program that calls no coin_run() links no other. */
 int32_t coin_step(coin_state *s, const coin_params *p, double dt)
 {
-    struct run r;
-    const int32_t status = open_run(&r, s, p, COIN_RK4, dt);
+    coin_priv_run r;
+    const int32_t status = coin_priv_run_open(&r, s, p, COIN_RK4, dt);
     if (status != COIN_OK)
         return status;
     r.step = coin_priv_rk4;
-    return run_to(s, &r, 1, NULL);
+    coin_priv_run_on(&r, 1);
+    return coin_priv_run_close(&r, 1, s, NULL);
 }
 
 int32_t coin_sample(const coin_state *start, const coin_params *p,
                     int32_t method, double dt, uint64_t steps_per_sample,
                     size_t count, coin_state *out, size_t *done)
 {
-    struct run r;
+    coin_priv_run r;
     const uint64_t n = steps_per_sample;
-    const int32_t status = out ? open_run(&r, start, p, method, dt) : COIN_EARG;
+    const int32_t status =
+        out ? coin_priv_run_open(&r, start, p, method, dt) : COIN_EARG;
     if (status != COIN_OK)
         return status;
     r.step = coin_priv_method_stepper(method);
     size_t k = 0;
-    for (; k < count && (k == 0 || advance(&r, n) == n); ++k) {
-        const coin_state sample = state_of(&r);
+    for (; k < count && (k == 0 || coin_priv_run_on(&r, n) == n); ++k) {
+        const coin_state sample = coin_priv_run_state(&r);
         if (coin_priv_check_members(&sample) != COIN_OK)
             break;
         out[k] = sample;
@@ -117,16 +107,16 @@ int32_t coin_sample(const coin_state *start, const coin_params *p,
 int32_t coin_lean_run(coin_lean *l, const coin_params *p, int32_t method,
                       double dt, uint64_t steps, uint64_t *done)
 {
-    struct run r;
+    coin_priv_run r;
     if (!l || (method != COIN_RK4 && method != COIN_RK8))
         return COIN_EARG;
     const coin_state s = {l->theta, 0, 0, 0, 0, l->wX, l->wY, l->wZ};
-    const int32_t status = open_run(&r, &s, p, method, dt);
+    const int32_t status = coin_priv_run_open(&r, &s, p, method, dt);
     if (status != COIN_OK)
         return status;
     r.step = method == COIN_RK4 ? coin_priv_rk4_lean : coin_priv_rk8_lean;
-    const uint64_t n = advance(&r, steps);
-    const coin_state end = state_of(&r);
+    const uint64_t n = coin_priv_run_on(&r, steps);
+    const coin_state end = coin_priv_run_state(&r);
     l->theta = end.theta;
     l->wX = end.wX;
     l->wY = end.wY;

@@ -7,7 +7,8 @@
 # lib/rk4.c gets the prefix coin_priv_rk4_, so that neither two sources nor the
 # user's file meet; what sources share, coin_priv_*, becomes COIN_PRIV, which
 # is static.  A header with a guard is taken once, before the first source that
-# needs it; one without (a template such as dop8.h) wherever it is included.
+# needs it; one without (a template such as dop8.h) wherever it is included, and
+# so is one whose guard a source lifts by #undef.
 
 # ------------------------------------------------------------------- reading --
 function load(file,    line, n, status)
@@ -46,12 +47,19 @@ function included(line)
     return line
 }
 
-function guarded(file,    n)
+# The guard of a header, or nothing.
+function guard_of(file,    n)
 {
     for (n = 1; n <= lines[file]; ++n)
         if (text[file, n] ~ /^#/)
-            return text[file, n] ~ /^#ifndef ROLLCOIN_/
-    return 0
+            return text[file, n] ~ /^#ifndef ROLLCOIN_/ ? \
+                substr(text[file, n], 9) : ""
+    return ""
+}
+
+function guarded(file)
+{
+    return guard_of(file) != ""
 }
 
 function stop(message)
@@ -168,7 +176,7 @@ function note_macro(line)
     sub(/^# *define /, "", line)
     match(line, /^[A-Za-z_0-9]+/)
     line = substr(line, 1, RLENGTH)
-    if (in_public(line))
+    if (in_public(line) || line == "double") # lanes.c makes a vector of it
         return
     local[line] = 1
     if (sub(/[0-9]+$/, "", line))
@@ -182,8 +190,10 @@ function body(file, collect,    n, inner, line)
     for (n = 1; n <= lines[file]; ++n) {
         line = text[file, n]
         inner = included(line)
-        if (inner != "" && !guarded(inner))
+        if (inner != "" && (!guarded(inner) || guard_of(inner) in lifted))
             body(inner, collect)
+        if (line ~ /^#undef ROLLCOIN_/)
+            lifted[substr(line, 8)] = 1
         if (line ~ /^#include / || line ~ /SPDX-License-Identifier/)
             continue
         line = scan(line, collect)
@@ -255,6 +265,7 @@ function source(file,    stem)
         stop(file " and " stems[stem] ": one name, and so one prefix")
     stems[stem] = file
     prefix = "coin_priv_" stem "_"
+    split("", lifted)
     split("", local)
     split("", pasted)
     scan_begin()

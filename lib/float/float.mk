@@ -5,7 +5,7 @@
 # the same name, from that.
 FLOAT_SOURCES := carry check energy integrals legendre params pose rates \
                  reaction rk4 run selftest sincos state symplectic
-FLOAT_HEADERS := frame legendre lesser method motion params pinned precision \
+FLOAT_HEADERS := frame legendre method motion number params pinned precision \
                  reaction sincos stage state stepper
 FLOAT_C       := $(FLOAT_SOURCES:%=$(O)/float/coinf_%.c)
 FLOAT_H       := $(FLOAT_HEADERS:%=$(O)/float/coinf_%.h)

@@ -10,7 +10,7 @@
 #ifndef ROLLCOIN_STEPPER_H
 #define ROLLCOIN_STEPPER_H
 
-#include "lesser.h"
+#include "number.h"
 #include "stage.h"
 
 /* What the steps of a run share: the equations of motion times dt, and the

@@ -6,8 +6,6 @@
 #ifndef ARITHMETIC_H
 #define ARITHMETIC_H
 
-#define COIN_PRIV_COUNTED /* no vectors of such doubles */
-
 #include <cfloat>
 #include <cmath>
 #include <cstddef>

@@ -7,6 +7,7 @@
 
 CALL(coin_step, (a[0].p, a[1].p, a[2].d))
 CALL(coin_run, (a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].p))
+CALL(coin_batch_run, (a[0].p, a[1].u, a[2].p, a[3].i, a[4].d, a[5].u, a[6].p))
 CALL(coin_lean_run, (a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].p))
 CALL(coin_sample,
      (a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].u, a[6].p, a[7].p))
@@ -48,6 +49,29 @@ static void judge_step(const struct outcome *o)
     if (o->result >= 0)
         demand(coin_run(&s, &o->world->p, COIN_RK4, dt, 1, NULL) == o->result);
     demand(same(&s, o->left[0].p, sizeof s));
+}
+
+/* Each coin as by a run of its own, those beyond untouched; the first error, or
+ * all warnings. */
+static void judge_batch_run(const struct outcome *o)
+{
+    const union argument *a = o->given;
+    coin_state s[SAMPLES];
+    int32_t status[SAMPLES], error = COIN_OK, warnings = COIN_OK;
+    if (o->result == COIN_EARG || o->result == COIN_EPARAMS)
+        return;
+    memcpy(s, a[0].p, sizeof s);
+    memcpy(status, a[6].p, sizeof status);
+    for (size_t k = 0; k < a[1].u; ++k) {
+        status[k] = coin_run(&s[k], &o->world->p, a[3].i, a[4].d, a[5].u, NULL);
+        if (status[k] > 0)
+            warnings |= status[k];
+        else if (error == COIN_OK)
+            error = status[k];
+    }
+    demand(o->result == (error != COIN_OK ? error : warnings));
+    demand(same(s, o->left[0].p, sizeof s));
+    demand(same(status, o->left[6].p, sizeof status));
 }
 
 /* The same bits as those members of a whole run, where its path fits. */
@@ -92,6 +116,8 @@ static void judge_sample(const struct outcome *o)
 const struct function fuzz_functions[] = {
     ROW(coin_step, "Spt", STEPS, COIN_COARSE, 0, judge_step, 0),
     ROW(coin_run, "Spitun", STEPS, COIN_COARSE, BIT(COIN_ESTEP), judge_run, 0),
+    ROW(coin_batch_run, "XcpituZ", STEPS, COIN_COARSE,
+        BIT(COIN_ESTEP) | BIT(COIN_ESTATE), judge_batch_run, 0),
     ROW(coin_sample, "spitucAz", STEPS, COIN_COARSE, BIT(COIN_ESTEP),
         judge_sample, 0),
     ROW(coin_lean_run, "Lpitun", STEPS, COIN_COARSE, BIT(COIN_ESTEP),

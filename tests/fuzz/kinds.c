@@ -37,6 +37,15 @@ static void take_k(struct bytes *b, const struct world *w, void *to)
     memcpy(to, &s, sizeof s);
 }
 
+/* Several, of which the first is the world's own. */
+static void take_coins(struct bytes *b, const struct world *w, void *to)
+{
+    coin_state *const coins = to;
+    take_s(b, w, coins);
+    for (int k = 1; k < SAMPLES; ++k)
+        take_k(b, w, coins + k);
+}
+
 static void take_l(struct bytes *b, const struct world *w, void *to)
 {
     const coin_lean l = {w->s.theta, w->s.wX, w->s.wY, w->s.wZ};
@@ -236,6 +245,7 @@ static const struct kind kinds[] = {
     {'s', READ, sizeof(coin_state), take_s, NULL},
     {'k', READ, sizeof(coin_state), take_k, NULL},
     {'S', MOVED, sizeof(coin_state), take_s, sound_state},
+    {'X', MOVED, SAMPLES * sizeof(coin_state), take_coins, NULL},
     {'O', WRITTEN, sizeof(coin_state), NULL, sound_state},
     {'R', WRITTEN, sizeof(coin_state), NULL, sound_8}, /* rates */
     {'L', MOVED, sizeof(coin_lean), take_l, sound_lean},
@@ -254,6 +264,7 @@ static const struct kind kinds[] = {
     {'I', WRITTEN, sizeof(double), NULL, sound_radius},
     {'n', PROGRESS, sizeof(uint64_t), NULL, NULL},
     {'z', PROGRESS, sizeof(size_t), NULL, NULL},
+    {'Z', PROGRESS, SAMPLES * sizeof(int32_t), NULL, NULL},
     {'r', PROGRESS, sizeof(double), NULL, sound_1},
     {'d', SCALAR, 0, take_d, NULL},
     {'a', SCALAR, 0, take_angle, NULL},

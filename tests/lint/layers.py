@@ -14,14 +14,14 @@ import sys
 
 FLOORS = [
     [{"pinned", "precision"}],
-    [{"sincos"}, {"motion", "lesser"}, {"version"}, {"status"}, {"pair"}],
+    [{"sincos"}, {"motion", "number"}, {"version"}, {"status"}, {"pair"}],
     [{"params", "state"}, {"frame"}],
     [{"stage"}, {"legendre"}],
-    [{"stepper", "carry", "march", "rk4", "dop8", "rk8", "symplectic",
+    [{"stepper", "carry", "march", "rk4", "dop8", "rk8", "lanes", "symplectic",
       "sundman", "advance"},
      {"energy"}, {"integrals"}, {"reaction"}, {"pose"}, {"rates"},
      {"steady", "steady_at", "steady_near"}],
-    [{"run", "method", "check", "max_dt"}, {"stability"}, {"wobble"},
+    [{"run", "batch", "method", "check", "max_dt"}, {"stability"}, {"wobble"},
      {"orbit", "orbit_at", "half", "series"}],
     [{"selftest"}, {"model"}],
 ]

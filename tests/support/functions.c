@@ -39,6 +39,10 @@ static int32_t run(void *const a[])
 {
     return coin_run(a[0], a[1], COIN_RK4, 0.01, 3, a[2]);
 }
+static int32_t batch_run(void *const a[])
+{
+    return coin_batch_run(a[0], 1, a[1], COIN_RK4, 0.01, 3, NULL);
+}
 static int32_t sample(void *const a[])
 {
     return coin_sample(a[0], a[1], COIN_RK4, 0.01, 2, 3, a[2], a[3]);
@@ -139,6 +143,7 @@ const struct function functions[] = {
     {"coin_angular_velocity", "so", angular_velocity},
     {"coin_step", "Sp", step},
     {"coin_run", "Spn", run},
+    {"coin_batch_run", "Sp", batch_run},
     {"coin_sample", "spon", sample},
     {"coin_integrals", "spo", integrals},
     {"coin_reaction", "spo", reaction},

@@ -150,6 +150,8 @@ PROTOTYPES = {
         c_double, c_uint64, POINTER(c_uint64)),
     "coin_advance": (c_int32, POINTER(State), POINTER(Params), c_double,
         c_double, POINTER(c_double)),
+    "coin_batch_run": (c_int32, POINTER(State), c_size_t, POINTER(Params),
+        c_int32, c_double, c_uint64, POINTER(c_int32)),
     "coin_orbit_init": (c_int32, POINTER(Orbit), POINTER(State),
         POINTER(Params)),
     "coin_orbit_at": (c_int32, POINTER(Orbit), c_double, POINTER(State)),

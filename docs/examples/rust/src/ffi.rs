@@ -202,6 +202,17 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
+    pub fn coin_batch_run(
+        s: *mut coin_state,
+        count: usize,
+        p: *const coin_params,
+        method: i32,
+        dt: f64,
+        steps: u64,
+        status: *mut i32,
+    ) -> i32;
+}
+extern "C" {
     pub fn coin_orbit_init(o: *mut coin_orbit, s: *const coin_state, p: *const coin_params) -> i32;
 }
 extern "C" {

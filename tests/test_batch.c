@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: MIT */
+/* A batch against coin_run() for each of its coins, to the bit. */
+#include "lanes.h"
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/methods.h"
+#include "support/random.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOST = 2 * COIN_PRIV_LANES + 1 };
+
+/* A batch and what it has to become. */
+struct trial {
+    coin_params p;
+    coin_state s[MOST], want[MOST];
+    int32_t status[MOST], want_status[MOST], want_all;
+    size_t count;
+};
+
+static void expect(struct trial *t, int32_t method, double dt, uint64_t steps)
+{
+    int32_t error = COIN_OK, warnings = COIN_OK;
+    memcpy(t->want, t->s, sizeof t->s);
+    for (size_t i = 0; i < t->count; ++i) {
+        const int32_t status =
+            coin_run(&t->want[i], &t->p, method, dt, steps, NULL);
+        t->want_status[i] = status;
+        if (status > 0)
+            warnings |= status;
+        if (status < 0 && error == COIN_OK)
+            error = status;
+    }
+    t->want_all = error != COIN_OK ? error : warnings;
+}
+
+static void check_trial(struct trial *t, int32_t method, double dt,
+                        uint64_t steps)
+{
+    expect(t, method, dt, steps);
+    check_status(
+        coin_batch_run(t->s, t->count, &t->p, method, dt, steps, t->status),
+        t->want_all);
+    check_same(t->s, t->want, t->count * sizeof *t->s);
+    check_same(t->status, t->want_status, t->count * sizeof *t->status);
+}
+
+/* Fast and slow, high and near flat, some at the end of the range of angles,
+ * some no state at all. */
+static void fill(struct trial *t, struct random *r)
+{
+    t->p = random_coin(r);
+    for (size_t i = 0; i < t->count; ++i) {
+        t->s[i] = random_state(r, &t->p, 1.57);
+        const double kind = random_between(r, 0, 1);
+        if (kind < 0.05)
+            t->s[i].wX = (double)NAN;
+        else if (kind < 0.1)
+            t->s[i].psi = 2147483648.0 - random_between(r, 0, 4);
+        else if (kind < 0.15)
+            t->s[i].phi = random_between(r, 0, 4) - 2147483648.0;
+    }
+}
+
+static void each_coin_goes_as_it_would_alone(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(41);
+    int failed = 0, warned = 0, well = 0;
+    for (int32_t method = 0; method < METHODS; ++method) {
+        for (int i = 0; i < 60; ++i) {
+            struct trial t;
+            t.count = (size_t)i % (MOST + 1);
+            fill(&t, &r);
+            const double longest = i % 3 == 0 ? 0.3 : 0.03;
+            const double dt =
+                random_between(&r, -longest, longest) * natural_time(&t.p);
+            const uint64_t steps = (uint64_t)random_between(&r, 0, 200);
+            check_note("method %d, batch %d, dt %g, steps %u", (int)method, i,
+                       dt, (unsigned)steps);
+            check_trial(&t, method, dt, steps);
+            for (size_t k = 0; k < t.count; ++k) {
+                failed += t.want_status[k] < 0;
+                warned += t.want_status[k] > 0;
+                well += t.want_status[k] == COIN_OK;
+            }
+        }
+    }
+    check(failed > 50 && warned > 50 && well > 50);
+}
+
+/* One step by the method's vectors; whether the coin stayed above high, and
+ * where it is then. */
+static int stays_above(double high, int32_t method, double wX, double *cth)
+{
+    const coin_params p = disc();
+    const coin_state s = {.theta = 0.5, .wX = wX};
+    coin_priv_body b;
+    coin_priv_moment at[COIN_PRIV_LANES];
+    double highs[COIN_PRIV_LANES];
+    int sound[COIN_PRIV_LANES];
+    check_status(coin_priv_body_of(&b, &p), COIN_OK);
+    for (int k = 0; k < COIN_PRIV_LANES; ++k) {
+        at[k] = coin_priv_carry_of(&s).at;
+        highs[k] = high;
+    }
+    coin_priv_method_abreast(method)(at, sound, highs, &b, 0.1, 1);
+    *cth = at[0].y.cth;
+    return sound[0];
+}
+
+/* One that falls is lowest where its step ends, one that rises at the first
+ * stage within. */
+static void who_is_above_is_above_at_every_stage(void **unused)
+{
+    (void)unused;
+    double end;
+    check(!coin_priv_method_abreast(COIN_SYMPLECTIC2));
+    for (int32_t method = COIN_RK4; method <= COIN_RK8; ++method) {
+        check(!coin_priv_method_abreast(method) == (COIN_PRIV_LANES == 1));
+        if (COIN_PRIV_LANES == 1)
+            continue;
+        check(stays_above(0.8, method, 1, &end));
+        check(stays_above(nextafter(end, 0), method, 1, &end));
+        check(!stays_above(end, method, 1, &end));
+        check(stays_above(cos(0.5) - 1e-3, method, -1, &end));
+        check(end > cos(0.5) + 0.03);
+        check(!stays_above(cos(0.5) + 0.03, method, -1, &end));
+    }
+}
+
+/* The first error is that of the lowest index, though a coin that is no state
+ * is found out before one that fails on its way. */
+static void the_first_coin_that_failed_tells_the_status(void **unused)
+{
+    (void)unused;
+    struct trial t = {.p = disc(), .count = MOST};
+    for (size_t i = 0; i < MOST; ++i)
+        t.s[i] = (coin_state){.theta = 0.3, .wY = 0.5, .wZ = 1.2};
+    t.s[0].theta = 1.5;
+    t.s[0].wX = 20;
+    t.s[1].theta = 2;
+    check_trial(&t, COIN_RK4, 0.1, 100);
+    check_status(t.status[0], COIN_ESTEP);
+    check_status(t.status[1], COIN_ESTATE);
+    check_status(t.want_all, COIN_ESTEP);
+    check_status(t.status[2], COIN_OK);
+}
+
+static void no_time_and_no_steps_change_nothing(void **unused)
+{
+    (void)unused;
+    struct trial t = {.p = disc(), .count = MOST};
+    for (size_t i = 0; i < MOST; ++i)
+        t.s[i] = (coin_state){.theta = 0.3, .wY = 0.5, .wZ = (double)i};
+    const struct trial before = t;
+    check_status(
+        coin_batch_run(t.s, t.count, &t.p, COIN_RK4, 0, 1000, t.status),
+        COIN_OK);
+    check_status(coin_batch_run(t.s, t.count, &t.p, COIN_RK8, 0.1, 0, NULL),
+                 COIN_OK);
+    check_status(coin_batch_run(t.s, 0, &t.p, COIN_RK4, 0.1, 5, NULL), COIN_OK);
+    check_same(t.s, before.s, sizeof t.s);
+}
+
+static void bad_arguments_touch_nothing(void **unused)
+{
+    (void)unused;
+    struct trial t = {.p = disc(), .count = 3};
+    for (size_t i = 0; i < t.count; ++i)
+        t.s[i] = (coin_state){.theta = 0.3, .wY = 0.5};
+    const struct trial before = t;
+    coin_params wrong = t.p;
+    wrong.mass = -1;
+    check_status(coin_batch_run(NULL, 0, &t.p, COIN_RK4, 0.1, 5, t.status),
+                 COIN_EARG);
+    check_status(coin_batch_run(t.s, 3, NULL, COIN_RK4, 0.1, 5, t.status),
+                 COIN_EARG);
+    check_status(coin_batch_run(t.s, 3, &wrong, METHODS, 0.1, 5, t.status),
+                 COIN_EARG);
+    check_status(coin_batch_run(t.s, 3, &wrong, COIN_RK4, 0.1, 5, t.status),
+                 COIN_EPARAMS);
+    check_same(&t, &before, sizeof t);
+    check_status(
+        coin_batch_run(t.s, 3, &t.p, COIN_RK4, (double)NAN, 5, t.status),
+        COIN_ESTEP);
+    check_same(t.s, before.s, sizeof t.s);
+    check_status(t.status[2], COIN_ESTEP);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(each_coin_goes_as_it_would_alone),
+        TEST(who_is_above_is_above_at_every_stage),
+        TEST(the_first_coin_that_failed_tells_the_status),
+        TEST(no_time_and_no_steps_change_nothing),
+        TEST(bad_arguments_touch_nothing),
+    };
+    return RUN_TESTS(tests);
+}
