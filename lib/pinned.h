@@ -24,7 +24,8 @@
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__) && !defined(__TINYC__)
-#pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
+#pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize",               \
+                     "no-tree-loop-vectorize")
 #endif
 
 /* A step's parts become one piece of straight code, whatever their size. */
