@@ -103,27 +103,56 @@ static const coin_priv_shared B[] = {
 typedef double lane __attribute__((vector_size(16)));
 #define AT(row, k) (row).v[(k) / 2][(k) % 2]
 #define EACH(F) F(0) F(1) F(2) F(3)
+#if defined(__AVX__) && defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define FOURS
+#endif
+#endif
 #else
 typedef double lane;
 #define AT(row, k) (row).v[k]
 #define EACH(F) F(0) F(1) F(2) F(3) F(4) F(5) F(6) F(7)
 #endif
 
+/* With AVX the slopes of a row but the newest are summed in fours, w, before
+ * the newest is known: it is waited for, and to put it into fours and to take
+ * it out again would take longer than it saves. */
+#ifdef FOURS
+typedef double four __attribute__((vector_size(32)));
+struct row {
+    lane v[4];
+    four w[2];
+};
+#define PART(d, m) (d).w[m]
+#define FOUR(r, m)                                                             \
+    __builtin_shufflevector((r).v[2 * (m)], (r).v[2 * (m) + 1], 0, 1, 2, 3)
+#define PAIR(f, k) __builtin_shufflevector(f, f, k, (k) + 1)
+#define WIDEN(r) (r).w[0] = FOUR(r, 0), (r).w[1] = FOUR(r, 1)
+#define SUM_OLD(i) y.w[0] = y0.w[0] + OLD##i(0), y.w[1] = y0.w[1] + OLD##i(1)
+#define OLD(i, m) PAIR(y.w[(m) / 2], (m) % 2 * 2)
+#else
 struct row {
     lane v[8 * sizeof(double) / sizeof(lane)];
 };
+#define PART(d, m) (d).v[m]
+#define WIDEN(r) (void)0
+#define SUM_OLD(i) (void)0
+#define OLD(i, m) (y0.v[m] + OLD##i(m))
+#endif
 
+/* In the order in which they are needed soonest, by measurement. */
 COIN_PRIV_INLINE struct row row_of(const coin_priv_stage *s)
 {
     struct row r;
     AT(r, 0) = s->wX;
-    AT(r, 1) = s->wY;
-    AT(r, 2) = s->wZ;
+    AT(r, 1) = s->wZ;
+    AT(r, 2) = s->cth;
     AT(r, 3) = s->sth;
-    AT(r, 4) = s->cth;
-    AT(r, 5) = s->q;
+    AT(r, 4) = s->q;
+    AT(r, 5) = s->wY;
     AT(r, 6) = s->sph;
     AT(r, 7) = s->cph;
+    WIDEN(r);
     return r;
 }
 
@@ -131,72 +160,68 @@ COIN_PRIV_INLINE coin_priv_stage stage_of(const struct row *r)
 {
     const coin_priv_stage s = {
         AT(*r, 0),
-        AT(*r, 1),
-        AT(*r, 2),
-        AT(*r, 3),
-        AT(*r, 4),
         AT(*r, 5),
-        AT(*r, 5) * AT(*r, 3), /* q sin theta */
+        AT(*r, 1),
+        AT(*r, 3),
+        AT(*r, 2),
+        AT(*r, 4),
+        AT(*r, 4) * AT(*r, 3), /* q sin theta */
         AT(*r, 6),
         AT(*r, 7),
     };
     return s;
 }
 
+#define OLD3(m) (A3[0] * PART(d1, m))
+
+#define OLD4(m) (A4[0] * PART(d1, m))
+
+#define OLD5(m) (A5[0] * PART(d1, m) + A5[1] * PART(d3, m))
+
+#define OLD6(m) (A6[0] * PART(d1, m) + A6[1] * PART(d4, m))
+
+#define OLD7(m)                                                                \
+    (A7[0] * PART(d1, m) + A7[1] * PART(d4, m) + A7[2] * PART(d5, m))
+
+#define OLD8(m)                                                                \
+    (A8[0] * PART(d1, m) + A8[1] * PART(d4, m) + A8[2] * PART(d5, m) +         \
+     A8[3] * PART(d6, m))
+
+#define OLD9(m)                                                                \
+    (A9[0] * PART(d1, m) + A9[1] * PART(d4, m) + A9[2] * PART(d5, m) +         \
+     A9[3] * PART(d6, m) + A9[4] * PART(d7, m))
+
+#define OLD10(m)                                                               \
+    (A10[0] * PART(d1, m) + A10[1] * PART(d4, m) + A10[2] * PART(d5, m) +      \
+     A10[3] * PART(d6, m) + A10[4] * PART(d7, m) + A10[5] * PART(d8, m))
+
+#define OLD11(m)                                                               \
+    (A11[0] * PART(d1, m) + A11[1] * PART(d4, m) + A11[2] * PART(d5, m) +      \
+     A11[3] * PART(d6, m) + A11[4] * PART(d7, m) + A11[5] * PART(d8, m) +      \
+     A11[6] * PART(d9, m))
+
+#define OLD12(m)                                                               \
+    (A12[0] * PART(d1, m) + A12[1] * PART(d4, m) + A12[2] * PART(d5, m) +      \
+     A12[3] * PART(d6, m) + A12[4] * PART(d7, m) + A12[5] * PART(d8, m) +      \
+     A12[6] * PART(d9, m) + A12[7] * PART(d10, m))
+
+#define OLD13(m)                                                               \
+    (B[0] * PART(d1, m) + B[1] * PART(d6, m) + B[2] * PART(d7, m) +            \
+     B[3] * PART(d8, m) + B[4] * PART(d9, m) + B[5] * PART(d10, m) +           \
+     B[6] * PART(d11, m))
+
 #define ROW2(m) y.v[m] = y0.v[m] + A2[0] * d1.v[m];
-
-#define ROW3(m) y.v[m] = y0.v[m] + (A3[0] * d1.v[m]) + A3[1] * d2.v[m];
-
-#define ROW4(m) y.v[m] = y0.v[m] + (A4[0] * d1.v[m]) + A4[1] * d3.v[m];
-
-#define ROW5(m)                                                                \
-    y.v[m] = y0.v[m] + (A5[0] * d1.v[m] + A5[1] * d3.v[m]) + A5[2] * d4.v[m];
-
-#define ROW6(m)                                                                \
-    y.v[m] = y0.v[m] + (A6[0] * d1.v[m] + A6[1] * d4.v[m]) + A6[2] * d5.v[m];
-
-#define ROW7(m)                                                                \
-    y.v[m] = y0.v[m] + (A7[0] * d1.v[m] + A7[1] * d4.v[m] + A7[2] * d5.v[m]) + \
-             A7[3] * d6.v[m];
-
-#define ROW8(m)                                                                \
-    y.v[m] = y0.v[m] +                                                         \
-             (A8[0] * d1.v[m] + A8[1] * d4.v[m] + A8[2] * d5.v[m] +            \
-              A8[3] * d6.v[m]) +                                               \
-             A8[4] * d7.v[m];
-
-#define ROW9(m)                                                                \
-    y.v[m] = y0.v[m] +                                                         \
-             (A9[0] * d1.v[m] + A9[1] * d4.v[m] + A9[2] * d5.v[m] +            \
-              A9[3] * d6.v[m] + A9[4] * d7.v[m]) +                             \
-             A9[5] * d8.v[m];
-
-#define ROW10(m)                                                               \
-    y.v[m] = y0.v[m] +                                                         \
-             (A10[0] * d1.v[m] + A10[1] * d4.v[m] + A10[2] * d5.v[m] +         \
-              A10[3] * d6.v[m] + A10[4] * d7.v[m] + A10[5] * d8.v[m]) +        \
-             A10[6] * d9.v[m];
-
-#define ROW11(m)                                                               \
-    y.v[m] = y0.v[m] +                                                         \
-             (A11[0] * d1.v[m] + A11[1] * d4.v[m] + A11[2] * d5.v[m] +         \
-              A11[3] * d6.v[m] + A11[4] * d7.v[m] + A11[5] * d8.v[m] +         \
-              A11[6] * d9.v[m]) +                                              \
-             A11[7] * d10.v[m];
-
-#define ROW12(m)                                                               \
-    y.v[m] = y0.v[m] +                                                         \
-             (A12[0] * d1.v[m] + A12[1] * d4.v[m] + A12[2] * d5.v[m] +         \
-              A12[3] * d6.v[m] + A12[4] * d7.v[m] + A12[5] * d8.v[m] +         \
-              A12[6] * d9.v[m] + A12[7] * d10.v[m]) +                          \
-             A12[8] * d11.v[m];
-
-#define SUM(m)                                                                 \
-    y.v[m] =                                                                   \
-        y0.v[m] +                                                              \
-        (B[0] * d1.v[m] + B[1] * d6.v[m] + B[2] * d7.v[m] + B[3] * d8.v[m] +   \
-         B[4] * d9.v[m] + B[5] * d10.v[m] + B[6] * d11.v[m]) +                 \
-        B[7] * d12.v[m];
+#define ROW3(m) y.v[m] = OLD(3, m) + A3[1] * d2.v[m];
+#define ROW4(m) y.v[m] = OLD(4, m) + A4[1] * d3.v[m];
+#define ROW5(m) y.v[m] = OLD(5, m) + A5[2] * d4.v[m];
+#define ROW6(m) y.v[m] = OLD(6, m) + A6[2] * d5.v[m];
+#define ROW7(m) y.v[m] = OLD(7, m) + A7[3] * d6.v[m];
+#define ROW8(m) y.v[m] = OLD(8, m) + A8[4] * d7.v[m];
+#define ROW9(m) y.v[m] = OLD(9, m) + A9[5] * d8.v[m];
+#define ROW10(m) y.v[m] = OLD(10, m) + A10[6] * d9.v[m];
+#define ROW11(m) y.v[m] = OLD(11, m) + A11[7] * d10.v[m];
+#define ROW12(m) y.v[m] = OLD(12, m) + A12[8] * d11.v[m];
+#define SUM(m) y.v[m] = OLD(13, m) + B[7] * d12.v[m];
 
 #define SUM_POSE(m)                                                            \
     next->pose.m = c->pose.m +                                                 \
@@ -204,9 +229,11 @@ COIN_PRIV_INLINE coin_priv_stage stage_of(const struct row *r)
                     B[4] * v9.m + B[5] * v10.m + B[6] * v11.m) +               \
                    B[7] * v12.m;
 
-/* Stage i: where the row puts it, and its slopes; v only where b_i is not 0. */
-#define STAGE(i)                                                               \
+/* Stage i (13: the end): where its row puts it, and its slopes; meanwhile what
+ * row j, the next, has of older ones.  v only where b_i is not 0. */
+#define STAGE(i, j)                                                            \
     EACH(ROW##i)                                                               \
+    SUM_OLD(j);                                                                \
     const coin_priv_stage s##i = stage_of(&y), k##i = FIELD(f, &s##i);         \
     const struct row d##i = row_of(&k##i);                                     \
     low = coin_priv_lesser(low, s##i.cth)
@@ -224,23 +251,23 @@ COIN_PRIV_INLINE double dop8_step(coin_priv_moment *next,
     struct row y;
     double low = s1.cth;
     PATH(1);
-    STAGE(2);
-    STAGE(3);
-    STAGE(4);
-    STAGE(5);
-    STAGE(6);
+    STAGE(2, 3);
+    STAGE(3, 4);
+    STAGE(4, 5);
+    STAGE(5, 6);
+    STAGE(6, 7);
     PATH(6);
-    STAGE(7);
+    STAGE(7, 8);
     PATH(7);
-    STAGE(8);
+    STAGE(8, 9);
     PATH(8);
-    STAGE(9);
+    STAGE(9, 10);
     PATH(9);
-    STAGE(10);
+    STAGE(10, 11);
     PATH(10);
-    STAGE(11);
+    STAGE(11, 12);
     PATH(11);
-    STAGE(12);
+    STAGE(12, 13);
     PATH(12);
     EACH(SUM)
     EACH_POSE(SUM_POSE)
