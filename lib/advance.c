@@ -18,6 +18,9 @@
 /* Natural units of time beyond which a step would change nothing of t. */
 #define TOO_LONG 1e15
 
+/* The most steps of a call: 0.2 s. */
+#define STEPS_MAX (UINT64_C(1) << 20)
+
 /* |rem| W below which one classical step in t lands: it errs by the fifth
  * power, far below rounding. */
 #define LAST 2e-3
@@ -92,8 +95,8 @@ static int near(const coin_priv_carry *c, const coin_priv_body *b, double rem)
 }
 
 /* Moves *c until *rem, the time still to go, is short, or the coin is flat, or
- * a step fails.  Each time that a step goes too far the next may go only half
- * as far: however bad the series, that ends. */
+ * a step fails or is one too many.  Each time that a step goes too far the next
+ * may go only half as far: however bad the series, that ends. */
 static int32_t approach(coin_priv_carry *c, const coin_priv_body *b,
                         double stride, coin_priv_sum *rem)
 {
@@ -102,6 +105,8 @@ static int32_t approach(coin_priv_carry *c, const coin_priv_body *b,
         const double tau = next_tau(b, &c->at.y, stride, before);
         if (c->at.y.cth < COIN_PRIV_FLAT)
             return COIN_EFLAT;
+        if (c->steps == STEPS_MAX)
+            return COIN_ESTEP;
         c->at.pose.t = 0;
         if (!coin_priv_sundman_step(c, b, tau))
             return COIN_ESTEP;

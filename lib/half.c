@@ -81,17 +81,17 @@ static void add_piece(coin_priv_half *h, double t)
 
 /* The root of wX between 0 and end, by Newton's steps, or halves where those
  * lead out of the bracket, which shrinks each time. */
-static double root(const coin_priv_series *s, double end)
+static double root(const coin_priv_half *h, double end)
 {
-    const double sign = wX_of(s->at);
+    const coin_priv_point *p = h->now.at;
     double low = 0, high = end, t = end, step;
     do {
         double wX = 0, slope = 0;
         for (int k = COIN_PRIV_ORDER; k >= 0; --k) {
             slope = slope * t + wX;
-            wX = wX * t + wX_of(&s->at[k]);
+            wX = wX * t + wX_of(&p[k]);
         }
-        if (wX * sign > 0)
+        if (wX * h->toward > 0)
             low = t;
         else
             high = t;
@@ -166,7 +166,7 @@ static int walk(coin_priv_half *h, coin_priv_turn *turn, double side)
         const double step = side * h->reach[piece];
         const coin_priv_point p = coin_priv_series_at(&h->now, step);
         turned = !(wX_of(&p) * h->toward > 0);
-        const double tau = turned ? root(&h->now, step) : step;
+        const double tau = turned ? root(h, step) : step;
         if (turned && fabs(tau) <= BEYOND * fabs(step)) {
             *turn = turn_at(h, piece, tau);
             return 1;
@@ -223,7 +223,7 @@ int coin_priv_half_solve(coin_priv_half *h)
 {
     const coin_priv_series start = h->now;
     const double wX = wX_of(start.at);
-    h->toward = wX != 0 ? wX : wX_of(start.at + 1);
+    h->toward = (wX != 0 ? wX : wX_of(start.at + 1)) < 0 ? -1 : 1;
     if (wX == 0)
         h->A = turn_at(h, 0, 0);
     if (!walk(h, &h->B, 1))

@@ -21,7 +21,7 @@ typedef struct coin_priv_half {
     double g_a, rate;     /* 1 over that unit */
     coin_priv_series now; /* about the latest centre */
     int count, back;
-    double toward;                  /* the sign of wX between A and B */
+    double toward;                  /* -1 or 1: of wX between A and B */
     double reach[COIN_PRIV_PIECES]; /* of each piece's series */
     double bend[COIN_PRIV_PIECES];  /* lambda^2 at its centre */
     double joint[COIN_PRIV_PIECES]; /* from its centre to the piece before it */

@@ -33,7 +33,8 @@
 struct outlook {
     coin_priv_carry from; /* where the trial begins */
     double span;          /* the time looked at from there */
-    double worst2;        /* the largest W^2 in it; infinite if it ends flat */
+    double worst2;        /* the largest W^2 in it; infinite if no step will do:
+                             it ends flat, or W is beyond what a step takes */
 };
 
 /* Looks ahead from c; the trial begins where W^2 first reaches enough. */
@@ -61,7 +62,7 @@ static struct outlook look_ahead(coin_priv_carry c, const coin_priv_body *b,
         if (c.at.pose.t * sqrt(b->g_a) > LONG_ENOUGH)
             break;
     }
-    if (c.at.y.cth < COIN_PRIV_FLAT)
+    if (c.at.y.cth < COIN_PRIV_FLAT || o.worst2 > b->w2_max)
         o.worst2 = (double)INFINITY;
     coin_priv_settle(&o.from, &o.from.at);
     o.span = c.at.pose.t - begin;

@@ -10,6 +10,10 @@
 /* A period that amplifies rounding by more is none. */
 #define WORST 1e9
 
+/* And a lean nearer to flat than 1/WORST is rounded by WORST times as much as
+ * the rates there can bear. */
+#define HIGHEST (COIN_PRIV_HALF_PI - 1 / WORST)
+
 /* Headings per period nearer to a multiple of 2 pi than this, in half turns:
  * the path drifts, since rounding cannot tell it from one. */
 #define STRAIGHT 1e-15
@@ -80,10 +84,10 @@ static void set_angles(const coin_priv_half *h, const coin_state *s, double a)
     coin_orbit *o = h->o;
     double *f = o->private_frame;
     const coin_priv_turn *A = &h->A, *B = &h->B;
-    const coin_priv_sc axis = coin_priv_sincos(s->phi + A->phi);
     const coin_priv_sc ph = coin_priv_sincos(s->phi);
-    o->heading_per_period = 2 * (B->phi - A->phi); /* (57) */
-    o->roll_per_period = 2 * (B->psi - A->psi);    /* (57) */
+    const coin_priv_sc by = coin_priv_sincos(A->phi); /* the sum may be lost */
+    o->heading_per_period = 2 * (B->phi - A->phi);    /* (57) */
+    o->roll_per_period = 2 * (B->psi - A->psi);       /* (57) */
     o->theta_min = A->theta < B->theta ? A->theta : B->theta;
     o->theta_max = A->theta < B->theta ? B->theta : A->theta;
     coin_priv_split(f + COIN_PRIV_HEADING, o->heading_per_period, 0);
@@ -93,8 +97,8 @@ static void set_angles(const coin_priv_half *h, const coin_state *s, double a)
     f[COIN_PRIV_PHI0 + 1] = A->phi;
     f[COIN_PRIV_PSI0] = s->psi;
     f[COIN_PRIV_PSI0 + 1] = A->psi;
-    f[COIN_PRIV_AXIS] = a * axis.c;
-    f[COIN_PRIV_AXIS + 1] = a * axis.s;
+    f[COIN_PRIV_AXIS] = a * (ph.c * by.c - ph.s * by.s);
+    f[COIN_PRIV_AXIS + 1] = a * (ph.s * by.c + ph.c * by.s);
     f[COIN_PRIV_PLACE] = s->z + a * (A->z * ph.c - A->x * ph.s);
     f[COIN_PRIV_PLACE + 1] = s->x + a * (A->x * ph.c + A->z * ph.s);
 }
@@ -278,6 +282,8 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
         return 1;
     }
     if (!coin_priv_half_solve(&h))
+        return 0;
+    if (!(fabs(h.A.theta) < HIGHEST && fabs(h.B.theta) < HIGHEST))
         return 0;
     const double half = (h.B.time - h.A.time) + (h.B.low - h.A.low);
     measure_from_A(&h);

@@ -104,6 +104,10 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
     if (o->period == 0)
         return steady_at(o, t, out);
     const double *f = o->private_frame, *T = f + COIN_PRIV_PERIOD;
+    const double pieces = f[COIN_PRIV_COUNT], before = f[COIN_PRIV_BACK];
+    if (!(pieces >= 1 && pieces <= COIN_PRIV_PIECES && before >= 0 &&
+          before < pieces))
+        return COIN_EARG;
     const double now = t * f[COIN_PRIV_RATE];
     const double periods = (now + f[COIN_PRIV_SINCE]) * f[COIN_PRIV_OVER];
     if (!(fabs(periods) < COIN_PRIV_ANGLE_MAX))
@@ -113,7 +117,7 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
     const double r = (((now - k * T[0]) - k * T[1]) + f[COIN_PRIV_SINCE]) +
                      (f[COIN_PRIV_SINCE + 1] - k * T[2]);
     const double side = r < 0 ? -1 : 1, since = side * r;
-    const int count = (int)f[COIN_PRIV_COUNT], back = (int)f[COIN_PRIV_BACK];
+    const int count = (int)pieces, back = (int)before;
     const int piece =
         coin_priv_piece(rank_of(o->private_edges, count, since), back, count);
     coin_priv_pair row[4];

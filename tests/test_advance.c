@@ -266,6 +266,25 @@ static void a_heading_out_of_range_ends_the_way(void **unused)
     }
 }
 
+/* Spinning upright each step is as long as any: 1.2 over the rate of
+ * coin_priv_sundman_tau(). */
+static void a_call_takes_2_20_steps_and_the_next_goes_on(void **unused)
+{
+    (void)unused;
+    const coin_params p = ring(0);
+    const double tol = 1e-2, wY = 1e4,
+                 way = 0x1p20 * 1.2 / sqrt(1.5 * wY * wY + 1);
+    coin_state s = {.wY = wY};
+    double reached, rest = way * 1.00001;
+    check_status(coin_advance(&s, &p, rest, tol, &reached), COIN_ESTEP);
+    check_near(reached, way, 1e-9 * way);
+    check_near(s.phi, wY * reached, tol * reached);
+    rest -= reached;
+    check_status(coin_advance(&s, &p, rest, tol, &reached), COIN_OK);
+    check(reached == rest);
+    check_near(s.phi, wY * way * 1.00001, tol * way);
+}
+
 static void the_usual_errors_touch_nothing(void **unused)
 {
     (void)unused;
@@ -331,6 +350,7 @@ int main(void)
         TEST(in_units_a_power_of_two_apart_every_bit_is_the_same),
         TEST(mirrored_or_backward_every_bit_is_the_same),
         TEST(a_heading_out_of_range_ends_the_way),
+        TEST(a_call_takes_2_20_steps_and_the_next_goes_on),
         TEST(the_usual_errors_touch_nothing),
         TEST(both_ends_of_tol_are_in),
     };

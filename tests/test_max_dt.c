@@ -91,6 +91,22 @@ static void a_coin_that_falls_flat_has_none(void **unused)
 }
 
 /* It may have no turning point, or none for long; then the limit decides. */
+/* Near flat the heading may turn faster than any rate of a state: steps refuse
+ * that, however short, and coin_advance() does not. */
+static void nor_has_one_faster_than_a_state_may_be(void **unused)
+{
+    (void)unused;
+    const coin_params p = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
+    coin_state s = {1.5707963267948939, 0, 0, 0, 0, 0, -1e123, 0};
+    const double W = 1e123 / cos(s.theta);
+    for (int32_t m = 0; m < 4; ++m)
+        check(coin_max_dt(&s, &p, m, 1e-3) == 0);
+    check_status(coin_run(&s, &p, COIN_RK4, 1e-6 / W, 1, NULL), COIN_ESTEP);
+    const coin_state slower = {s.theta, 0, 0, 0, 0, 0, -1e110, 0};
+    check_within(coin_max_dt(&slower, &p, COIN_RK4, 1e-3), 1e12 / W, 1e13 / W);
+    check_status(coin_advance(&s, &p, 1 / W, 1e-3, NULL), COIN_OK);
+}
+
 static void a_coin_at_rest_has_the_largest_step(void **unused)
 {
     (void)unused;
@@ -223,6 +239,7 @@ int main(void)
         TEST(a_larger_tol_allows_no_smaller_step),
         TEST(the_step_is_as_the_root_of_tol),
         TEST(a_coin_that_falls_flat_has_none),
+        TEST(nor_has_one_faster_than_a_state_may_be),
         TEST(a_coin_at_rest_has_the_largest_step),
         TEST(wherever_the_coin_is_it_is_the_same),
         TEST(in_units_a_power_of_two_apart_it_is_the_same),

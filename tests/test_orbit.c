@@ -204,8 +204,14 @@ static void near_a_separatrix_there_is_no_orbit(void **unused)
         last = o.conditioning;
         period = o.period;
     }
-    const coin_state near = {1e-12, 0, 0, 0, 0, 0, 0, 0.3};
-    refused(&near, &p);
+    /* Also where products of what is left of it would be 0. */
+    for (double lean = 1e-12; lean > 1e-310; lean /= 1e30) {
+        const coin_state rests = {lean, 0, 0, 0, 0, 0, 0, 0.3};
+        const coin_state moves = {0, 0, 0, 0, 0, lean, 0, 0.3};
+        check_note("a lean or rate of %g", lean);
+        refused(&rests, &p);
+        refused(&moves, &p);
+    }
     /* An unstable circle is one by its rounding alone, even if that is none. */
     for (double wZ = 0.2; wZ < 0.5; wZ += 0.003) {
         coin_state steady;
@@ -232,6 +238,32 @@ static void near_the_table_there_is_no_orbit(void **unused)
     refused(&s, &p);
     s.wY = s.wZ = 1e-2;
     check(orbit_of(&s, &p).period > 5);
+}
+
+/* Where 1e-9 rad is left, a lean as a double tells a ten-millionth of that. */
+static void next_to_the_table_no_swing_is_an_orbit(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    for (double far = 1.01e-3; far > 1e-11; far /= 10) {
+        coin_state s;
+        double lambda2;
+        check_status(coin_steady_circle(&s, &p, acos(-1) / 2 - far, 1, 1),
+                     COIN_OK);
+        check_status(coin_stability(&s, &p, &lambda2), COIN_OK);
+        s.wX = 1e-3 * far * sqrt(-lambda2);
+        check_note("%g from flat", far);
+        if (far < 1e-9) {
+            refused(&s, &p);
+            continue;
+        }
+        const double T = 2 * acos(-1) / sqrt(-lambda2);
+        check_near(orbit_of(&s, &p).period, T, 2e-6 * T);
+    }
+    /* Three doubles from flat, it falls to one and rises again. */
+    const coin_params hoop = {1, 1, 1, 0.5, 1, {0, 0, 0}};
+    const coin_state falls = {1.5707963267948959, 1, 7, 0, 0, 0, -1e-300, 1};
+    refused(&falls, &hoop);
 }
 
 /* --------------------------------------------------------- the annulus */
@@ -279,6 +311,22 @@ static void a_symmetric_wobble_drifts(void **unused)
         check_near(at.z, s.z + k * o.drift[1], bound);
     }
     check_near(atan2(o.drift[1], -o.drift[0]), 0.5, 0.2); /* the heading */
+}
+
+/* With a heading from which the turning point before lies out of range. */
+static void it_drifts_from_the_end_of_the_range_as_well(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double phi = 0x1p31;
+    const coin_state s = {0, phi, 0, 0, 0, 0.3, 0, 1};
+    const coin_state same = {0, 0, 0, 0, 0, 0.3, 0, 1};
+    const coin_orbit o = orbit_of(&s, &p), plain = orbit_of(&same, &p);
+    const double c = cos(phi), n = sin(phi);
+    const double *d = plain.drift, length = hypot(d[0], d[1]);
+    check(plain.period == o.period && length > 3);
+    check_near(o.drift[0], d[0] * c + d[1] * n, 8 * U * length);
+    check_near(o.drift[1], d[1] * c - d[0] * n, 8 * U * length);
 }
 
 /* Any other drifts where Dphi passes a multiple of 2 pi: here 0. */
@@ -329,8 +377,10 @@ int main(void)
         TEST(close_to_steady_the_period_is_that_of_small_swings),
         TEST(near_a_separatrix_there_is_no_orbit),
         TEST(near_the_table_there_is_no_orbit),
+        TEST(next_to_the_table_no_swing_is_an_orbit),
         TEST(the_path_fills_its_annulus),
         TEST(a_symmetric_wobble_drifts),
+        TEST(it_drifts_from_the_end_of_the_range_as_well),
         TEST(a_resonant_motion_drifts),
         TEST(its_size_is_as_promised),
     };

@@ -36,8 +36,8 @@ static coin_orbit random_orbit(struct random *r, coin_params *p, coin_state *s)
 }
 
 /* ---------------------------------------------------------- references */
-/* What the motion itself makes of a rounding of the start, and a tenth of the
- * pose's promise: found, a tenth of this bound. */
+/* What the motion makes of a rounding of the start, which it amplifies by amp,
+ * and 1e-14 for the orbit's own.  Found: at most a tenth of this. */
 static double bound_of(double amp)
 {
     return 4e-15 * amp + 1e-14;
@@ -300,6 +300,38 @@ static void what_it_cannot_tell_it_refuses(void **unused)
     check_status(coin_orbit_at(&o, 3, &out), COIN_ESTEP);
 }
 
+/* Whatever its bytes, an orbit is not read beyond its end. */
+static void bytes_that_are_no_orbit_do_no_harm(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    const coin_state wobbling = {0.1, 0, 0, 0, 0, 0, 0, 1};
+    const coin_orbit o = orbit_of(&wobbling, &p);
+    const double count = o.private_frame[1];
+    const double bad[][2] = {
+        {0, 0},      {-1, 0},        {25, 0},    {(double)NAN, 0},     {1e9, 0},
+        {count, -1}, {count, count}, {1e9, 1e9}, {count, (double)NAN},
+    };
+    coin_state out, before;
+    memset(&out, 0xa5, sizeof out);
+    before = out;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        coin_orbit other = o;
+        other.private_frame[1] = bad[i][0];
+        other.private_frame[2] = bad[i][1];
+        check_note("%g pieces, %g of them back", bad[i][0], bad[i][1]);
+        check_status(coin_orbit_at(&other, 1, &out), COIN_EARG);
+        check_same(&out, &before, sizeof out);
+    }
+    coin_orbit noise;
+    memset(&noise, 0xff, sizeof noise); /* all NaN */
+    check_status(coin_orbit_at(&noise, 1, &out), COIN_EARG);
+    noise.period = 0;
+    check_status(coin_orbit_at(&noise, 1, &out), COIN_ESTEP);
+    check_same(&out, &before, sizeof out);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -312,6 +344,7 @@ int main(void)
         TEST(reversed_motion_is_reversed_time),
         TEST(units_of_powers_of_two_change_no_bit),
         TEST(what_it_cannot_tell_it_refuses),
+        TEST(bytes_that_are_no_orbit_do_no_harm),
     };
     return RUN_TESTS(tests);
 }

@@ -8,6 +8,7 @@
 CALL(coin_selftest, ())
 CALL(coin_advance, (a[0].p, a[1].p, a[2].d, a[3].d, a[4].p))
 CALL(coin_max_dt, (a[0].p, a[1].p, a[2].i, a[3].d))
+CALL(coin_model_needed, (a[0].p, a[1].p, a[2].d, a[3].d))
 
 /* After an error on the way: somewhere between here and t, and sound. */
 static void judge_advance(const struct outcome *o)
@@ -46,6 +47,7 @@ const struct function fuzz_functions[] = {
     ROW(coin_advance, "SpTer", USUAL | LANDS, 0, LANDS, judge_advance, 0),
     ROW(coin_max_dt, "spie", 0, 0, 0, judge_max_dt, 1),
     ROW(coin_selftest, "", 0, 0, PLAIN),
+    ROW(coin_model_needed, "spTe", USUAL | LANDS, COIN_MODEL_STEPS, PLAIN),
 };
 
 END_OF_TABLE;

@@ -12,7 +12,6 @@ CALL(coin_steady_radii, (a[0].p, a[1].p, a[2].p, a[3].p))
 CALL(coin_steady_near, (a[0].p, a[1].p, a[2].p))
 CALL(coin_steady_at, (a[0].p, a[1].p, a[2].d, a[3].p))
 CALL(coin_wobble_at, (a[0].p, a[1].p, a[2].p, a[3].d, a[4].p))
-CALL(coin_model_needed, (a[0].p, a[1].p, a[2].d, a[3].d))
 CALL(coin_orbit_init, (a[0].p, a[1].p, a[2].p))
 CALL(coin_orbit_at, (a[0].p, a[1].d, a[2].p))
 CALL(coin_stability, (a[0].p, a[1].p, a[2].p))
@@ -82,8 +81,6 @@ const struct function fuzz_functions[] = {
     ROW(coin_steady_near, "spO", IS_STEADY, 0, 0, judge_near, 0),
     ROW(coin_steady_at, "spTO", IS_STEADY | BIT(COIN_ESTEP), 0, 0, judge_at, 0),
     ROW(coin_wobble_at, "spkTO", IS_STEADY | BIT(COIN_ESTEP), 0, PLAIN),
-    ROW(coin_model_needed, "spTe", USUAL | BIT(COIN_ESTEP) | BIT(COIN_EFLAT), 3,
-        PLAIN),
     ROW(coin_orbit_init, "Ysp", IS_STEADY, 0, PLAIN),
     ROW(coin_orbit_at, "yTV", BIT(COIN_EARG) | BIT(COIN_ESTEP), 0, PLAIN),
     ROW(coin_stability, "sp1", IS_STEADY, 0, 0, judge_is_steady, 0),

@@ -122,14 +122,18 @@ static void take_tol(struct bytes *b, const struct world *w, void *to)
     a->d = how < 240 ? ldexp(1, -(7 + how % 37)) : take_number(b);
 }
 
-/* The world's orbit, or that of a rolling coin if it has none. */
+/* The world's orbit, or that of a rolling coin if it has none; now and then
+ * with another number before the pieces. */
 static void take_orbit(struct bytes *b, const struct world *w, void *to)
 {
     const coin_params p = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
     const coin_state s = {0.1, 0, 0, 0, 0, 0, 0, 1};
-    (void)b;
     if (coin_orbit_init(to, &w->s, &w->p) != COIN_OK)
         demand(coin_orbit_init(to, &s, &p) == COIN_OK);
+    const size_t which = take_byte(b);
+    const double any = take_number(b);
+    if (which >= 192)
+        memcpy((char *)to + (which - 192) * sizeof any, &any, sizeof any);
 }
 
 /* Methods, branches: near 0, or anything. */

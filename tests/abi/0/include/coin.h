@@ -346,7 +346,8 @@ COIN_API int32_t coin_lean_run(coin_lean *l, const coin_params *p,
  * @param[out] reached  the time moved, t but for the errors below; may be null
  * @return COIN_OK; the usual errors; COIN_EARG also for tol out of range;
  *         COIN_ESTEP t not finite, or so long that a step changes nothing of
- *         it, or phi or psi leaves its range: s is then as at *reached;
+ *         it, or phi or psi leaves its range, or 2^20 steps were not enough: s
+ *         is then as at *reached, and after so many steps may go on from there;
  *         COIN_EFLAT the coin falls flat, nearer than 1e-30 rad: s is the last
  *         state that a double can hold before, *reached the time of impact.
  * Accuracy: below tol per unit for all of 2000 random states over 4 units
@@ -356,7 +357,8 @@ COIN_API int32_t coin_lean_run(coin_lean *l, const coin_params *p,
  * Cost: as |t|; about as 1/tol^(1/8) steps per unit, each 1.3 times one of
  *         COIN_RK8, and a pass at distance d costs ln(1/d) units more.  A coin
  *         that bounces near flat with little energy passes often, and one that
- *         turns fast takes a step for every radian or so. */
+ *         turns fast takes a step for every radian or so.  At most 2^20 steps,
+ *         some 0.2 s: 40,000 natural units at the least tol, as a rule. */
 COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
                               double tol, double *reached);
 
@@ -382,7 +384,8 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  * @param[out] o  the orbit
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if the motion has no
  *         well-defined period: too close to a separatrix (an unstable steady
- *         motion, say), to flat, or conditioning above 1e9.
+ *         motion, say) or to flat (never nearer than 1e-9 at a turning point),
+ *         or conditioning above 1e9.
  * A steady motion is an orbit too, of period 0.  A steady motion that is
  * unstable, and not upright to the bit, is none: its own rounding leads away.
  * Accuracy: period, heading and roll per period to 1e-15 of conditioning
@@ -392,10 +395,13 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
                                  const coin_params *p);
 
 /** The state at any time, forward or backward, without stepping.
+ * @param o         as coin_orbit_init() left it.  Other bytes do no harm, but
+ *                  only such as would be read beyond its end are recognized
  * @param t         the time since the state that the orbit was made from [T]
  * @param[out] out  the state
- * @return COIN_OK; COIN_EARG; COIN_ESTEP if t is not finite, 2^31 periods or
- *         more, or phi, psi, x or z leaves its range.
+ * @return COIN_OK; COIN_EARG, also for an orbit seen not to be one; COIN_ESTEP
+ *         if t is not finite, 2^31 periods or more, or theta, phi, psi, x or z
+ *         leaves its range.
  * Accuracy: 1e-14 radians and radii, and 1e-15 of conditioning more for each
  *         period since the start (test_orbit).
  * Cost: less than a textbook Runge-Kutta step, whatever t is. */
@@ -416,8 +422,9 @@ COIN_API int32_t coin_method_order(int32_t method);
  * @param tol  1e-13 to 1e-2: error per natural unit of time, in radians and
  *             radii [1]
  * @return dt > 0, never so large that a step would be COIN_COARSE; 0 if the
- *         coin falls flat; NaN on the usual errors, an unknown method and tol
- *         out of range.
+ *         coin falls flat, or W exceeds every angular velocity that
+ *         coin_state_check() lets pass, and no step would do; NaN on the usual
+ *         errors, an unknown method and tol out of range.
  * Accuracy: docs/accuracy.md says how often the error stays within tol.
  * Cost: that of a run of at most 40,000 steps; some hundreds as a rule. */
 COIN_API double coin_max_dt(const coin_state *s, const coin_params *p,
@@ -626,7 +633,8 @@ COIN_API double coin_critical_spin(const coin_params *p);
  *         orbit, or it is not known to be so accurate for so long.
  *         Negative: the usual errors; COIN_EARG also for tol not in range;
  *         COIN_ESTEP horizon not finite, or phi, psi, x or z leaves its range
- *         before; COIN_EFLAT the coin falls flat before.
+ *         before, or there is no orbit and coin_advance() does not go so far in
+ *         one call; COIN_EFLAT the coin falls flat before.
  * Accuracy: of 10,000 scenes none got a model that misses tol; how often a
  *         cheaper one would have done is in docs/models.md (test_model).
  * Cost: that of coin_orbit_init(), and of 320 looks at the orbit for each model
