@@ -301,7 +301,8 @@ repro-update: ## accept the hashes of this library as the pinned ones
 	+$(GATE) sh $(SRC)/tests/repro/hash.sh update
 
 # -------------------------------------------------------------- format, helpers
-C_FILES = $(foreach d,include lib lib/float tests tests/* docs/examples,\
+C_FILES = $(foreach d,include lib lib/float tests tests/* docs/examples \
+            docs/examples/*,\
             $(wildcard $(SRC)/$d/*.[ch]))
 
 .PHONY: format format-check clean help
