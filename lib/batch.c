@@ -16,10 +16,11 @@ struct rank {
 };
 
 /* Where coins stand and how high each has to stay: above it a step needs no
- * closer look.  2, which nothing is above, for one that does need it. */
+ * closer look.  2, which nothing is above, for one that does need it.  Whether
+ * most need none: to go abreast for fewer gains nothing. */
 static int line_up(const struct rank *r, coin_priv_moment *at, double *high)
 {
-    int some = 0;
+    int sure = 0;
     for (int k = 0; k < COIN_PRIV_LANES; ++k) {
         const coin_priv_run *run = &r->run[k];
         const coin_priv_carry *c = &run->c;
@@ -28,9 +29,9 @@ static int line_up(const struct rank *r, coin_priv_moment *at, double *high)
         if (!(c->at.y.cth > high[k]) ||
             !coin_priv_angles_hold(&c->at, c->psi.sum, COIN_PRIV_ROOM))
             high[k] = 2;
-        some |= high[k] < 2;
+        sure += high[k] < 2;
     }
-    return some;
+    return 2 * sure > COIN_PRIV_LANES;
 }
 
 /* Block by block from one settling to the next, as each would go alone.  Who
@@ -44,15 +45,15 @@ static void go(struct rank *r, uint64_t steps)
         const uint64_t left = steps - done;
         const uint64_t block =
             left < COIN_PRIV_SETTLE ? left : COIN_PRIV_SETTLE;
-        const int some = line_up(r, at, high);
-        if (some)
+        const int most = line_up(r, at, high);
+        if (most)
             r->step(at, sound, high, &r->run->b, r->run->dt, block);
         for (int k = 0; k < r->size; ++k) {
             coin_priv_run *run = &r->run[k];
             coin_priv_carry *c = &run->c;
             if (c->steps < done)
                 continue; /* it has failed */
-            if (!some || !sound[k]) {
+            if (!most || !sound[k]) {
                 coin_priv_run_on(run, block);
                 continue;
             }
