@@ -17,7 +17,7 @@ struct rank {
 
 /* Where coins stand and how high each has to stay: above it a step needs no
  * closer look.  2, which nothing is above, for one that does need it.  Whether
- * most need none: to go abreast for fewer gains nothing. */
+ * enough need none: to go abreast for a quarter of the places gains nothing. */
 static int line_up(const struct rank *r, coin_priv_moment *at, double *high)
 {
     int sure = 0;
@@ -29,9 +29,9 @@ static int line_up(const struct rank *r, coin_priv_moment *at, double *high)
         if (!(c->at.y.cth > high[k]) ||
             !coin_priv_angles_hold(&c->at, c->psi.sum, COIN_PRIV_ROOM))
             high[k] = 2;
-        sure += high[k] < 2;
+        sure += k < r->size && high[k] < 2;
     }
-    return 2 * sure > COIN_PRIV_LANES;
+    return sure > (COIN_PRIV_LANES + 2) / 4;
 }
 
 /* Block by block from one settling to the next, as each would go alone.  Who
@@ -45,15 +45,15 @@ static void go(struct rank *r, uint64_t steps)
         const uint64_t left = steps - done;
         const uint64_t block =
             left < COIN_PRIV_SETTLE ? left : COIN_PRIV_SETTLE;
-        const int most = line_up(r, at, high);
-        if (most)
+        const int enough = line_up(r, at, high);
+        if (enough)
             r->step(at, sound, high, &r->run->b, r->run->dt, block);
         for (int k = 0; k < r->size; ++k) {
             coin_priv_run *run = &r->run[k];
             coin_priv_carry *c = &run->c;
             if (c->steps < done)
                 continue; /* it has failed */
-            if (!most || !sound[k]) {
+            if (!enough || !sound[k]) {
                 coin_priv_run_on(run, block);
                 continue;
             }
@@ -91,7 +91,7 @@ static void dismiss(struct rank *r, coin_state *s, uint64_t steps,
 {
     for (int k = r->size; k < COIN_PRIV_LANES; ++k)
         r->run[k] = r->run[0];
-    if (r->step && r->size > 1 && r->run->dt != 0)
+    if (r->step && r->run->dt != 0)
         go(r, steps);
     else
         for (int k = 0; k < r->size; ++k)

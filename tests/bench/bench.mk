@@ -8,6 +8,7 @@
 #                   pictures and the tables of docs/accuracy.md, docs/limits.md
 #   make figures    pictures and tables from tests/bench/results as they are
 #   make atlas      the maps of docs/limits.md, not timed   (three minutes)
+#   make batch      many coins at once                       (two minutes)
 #   make longrun    ten million steps of everything          (half an hour)
 #
 # Library, textbook and peers are built twice, alike: portable and native.  A
@@ -49,6 +50,10 @@ $(BENCH_OUT)/$1 $(BENCH_OUT)/$1/lib:
 $(BENCH_OUT)/$1/lib/%.o: $(SRC)/lib/%.c $(O)/flags | $(BENCH_OUT)/$1/lib
 	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
 
+$(BENCH_OUT)/$1/lib/coinf_%.o: $(O)/float/coinf_%.c $(FLOAT_H) $(O)/flags | \
+    $(BENCH_OUT)/$1/lib
+	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
+
 $(BENCH_OUT)/$1/%.o: $(BENCH_SRC)/%.c $(O)/flags | $(BENCH_OUT)/$1
 	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
 
@@ -56,7 +61,8 @@ $(BENCH_OUT)/$1/textbook.o: $(BENCH_SRC)/textbook.c | $(BENCH_OUT)/$1
 	$$(PEER_CC) $(FLAGS_$1) -c -o $$@ $$<
 
 NEEDED_$1 := $$(SHARED_BY_BENCHES:%=$(BENCH_OUT)/$1/%.o) \
-             $$(patsubst $(SRC)/lib/%.c,$(BENCH_OUT)/$1/lib/%.o,$(SOURCES))
+             $$(patsubst $(SRC)/lib/%.c,$(BENCH_OUT)/$1/lib/%.o,$(SOURCES)) \
+             $(FLOAT_SOURCES:%=$(BENCH_OUT)/$1/lib/coinf_%.o)
 
 $$(BENCHES:%=$(BENCH_OUT)/$1/%): $(BENCH_OUT)/$1/%: $(BENCH_OUT)/$1/%.o \
     $$(NEEDED_$1)
@@ -73,7 +79,7 @@ $(foreach b,$(BUILDS),$(eval $(call bench_build,$b)))
 -include $(wildcard $(BENCH_OUT)/*/*.d $(BENCH_OUT)/*/lib/*.d)
 
 .PHONY: build-bench need-peers need-charts bench charts figures longrun costs \
-        atlas atlas-check
+        batch atlas atlas-check
 build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%))
 
 # A peer that is missing would make our curve look better than it is.
@@ -124,6 +130,7 @@ bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 	{ $(ABOUT); $(BENCH_OUT)/portable/bench_reliability \
 	    $(BENCH_OUT)/truth.csv; } >$(BENCH_OUT)/reliability.csv
 	$(COSTS)
+	$(BATCH)
 	$(PYTHON) $(BENCH_SRC)/summary.py $(BENCH_OUT)
 
 $(BENCH_OUT)/truth: $(BENCH_SRC)/peers/truth.cpp | need-peers
@@ -132,7 +139,7 @@ $(BENCH_OUT)/truth: $(BENCH_SRC)/peers/truth.cpp | need-peers
 charts: bench ## measure, and renew the charts
 	mkdir -p $(RESULTS)
 	$(MAP)
-	for t in steps accuracy best reliability costs atlas; do \
+	for t in steps accuracy best reliability costs batch atlas; do \
 	    cp $(BENCH_OUT)/$$t.csv $(RESULTS)/$$t.csv; done
 	$(DRAW)
 
@@ -155,6 +162,16 @@ atlas: $(MAPPED:%=$(BENCH_OUT)/portable/%) need-charts ## the maps of docs/limit
 atlas-check: $(BENCH_OUT)/portable/bench_accuracy # the maps' references, by another route
 	$< atlas references >$(BENCH_OUT)/references.csv
 	$(BENCH_SRC)/atlas_check.py <$(BENCH_OUT)/references.csv
+
+BATCH = { $(ABOUT); echo build,way,coins,ns_per_step,million_per_second; \
+          $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_batch $$b || exit 1; done; \
+          } >$(BENCH_OUT)/batch.csv
+
+batch: $(BUILDS:%=$(BENCH_OUT)/%/bench_batch) need-charts ## many coins at once: measure, and draw (2 minutes)
+	mkdir -p $(RESULTS)
+	$(BATCH)
+	cp $(BENCH_OUT)/batch.csv $(RESULTS)
+	$(DRAW)
 
 longrun: $(BENCH_OUT)/portable/bench_longrun ## what ten million steps do (half an hour)
 	mkdir -p $(RESULTS)

@@ -129,6 +129,27 @@ def costs():
                  [[v or "-" for v in r.values()] for r in rows])
 
 
+def batch():
+    """At a thousand coins; the limit is all operations at the best rate."""
+    took = {(r["build"], r["way"]): float(r["ns_per_step"])
+            for r in read("batch")
+            if r["coins"] == "1000" or r["way"] == "operation at best"}
+    operations = {r["method"]: sum(float(r[k]) for k in (
+        "additions", "products", "divisions")) for r in read("costs")
+        if r["additions"]}
+    def row(build, method):
+        abreast = took[build, method + " abreast"]
+        limit = operations[method] * took[build, "operation at best"]
+        return [build, method, f"{took[build, method + ' alone']:.1f}",
+                f"{abreast:.1f}",
+                f"{took[build, method + ' alone'] / abreast:.2f}",
+                f"{took[build, 'textbook rk4'] / abreast:.1f}",
+                f"{100 * limit / abreast:.0f} %"]
+    return table(["build", "method", "alone, ns", "abreast, ns",
+                  "alone / abreast", "textbook / abreast", "of the limit"],
+                 [row(b, m) for b in BUILDS for m in ("rk4", "rk8")])
+
+
 def reliability():
     head = ("method", "tol", "units", "coins", "skipped", "within tol",
             "within 3 tol", "within 10 tol", "median/tol", "worst/tol")
@@ -177,7 +198,7 @@ def atlas():
                         for m, o in of.items()])
 
 
-TABLES = {"atlas": atlas, "goals": goals, "steps": steps, "frames": frames,
+TABLES = {"atlas": atlas, "batch": batch, "goals": goals, "steps": steps, "frames": frames,
           "costs": costs, "reliability": reliability, "best": best, "longrun": longrun}
 for name in BUILDS:
     TABLES[f"ratios {name}"] = lambda b=name: ratios(b)

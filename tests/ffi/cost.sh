@@ -51,3 +51,4 @@ costs "Rust, State::run()$tab" "$work/rs"
 costs "Python, lib.coin_run()$tab" "$PYTHON" "$here/calls.py" call
 costs "Python, run()$tab" "$PYTHON" "$here/calls.py" run
 costs "Python, a step of sample()$tab" "$PYTHON" "$here/calls.py" sample
+costs "Python, a coin of run_batch()$tab" "$PYTHON" "$here/calls.py" batch

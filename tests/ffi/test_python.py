@@ -109,10 +109,26 @@ class Buffers(unittest.TestCase):
         with contextlib.redirect_stdout(io.StringIO()) as printed:
             made = runpy.run_path(folder / "launches.py")
         self.assertEqual(len(printed.getvalue().splitlines()), 13)
-        for lean, path in zip(made["leans"], made["paths"]):
+        for k, lean in enumerate(made["leans"]):
             s = rc.State(theta=lean, wZ=40)
-            rc.run(s, made["quarter"], rc.RK8, 1 / 960, 8 * 240)
-            self.assertEqual(path[-1].tobytes(), bytes(s))
+            for frame in made["frames"]:
+                self.assertEqual(frame[k].tobytes(), bytes(s))
+                rc.run(s, made["quarter"], rc.RK8, 1 / 960, 8)
+
+    def test_a_batch_tells_of_each_coin_and_raises_if_it_touched_none(self):
+        p, s = quarter()
+        coins = numpy.zeros((3, 8))
+        coins[:] = numpy.frombuffer(s)
+        coins[1, 0] = 2
+        self.assertEqual(list(rc.run_batch(coins, p, rc.RK4, 1e-3, 9)),
+                         [0, rc.ESTATE, 0])
+        self.assertEqual(list(rc.run_batch(coins, p, rc.RK4, 1e-2, 1)),
+                         [rc.COARSE, rc.ESTATE, rc.COARSE])
+        before = coins.tobytes()
+        for bad, method in ((p, 99), (rc.Params(), rc.RK4)):
+            self.assertRaises(rc.Error, rc.run_batch, coins, bad, method,
+                              1e-3, 9)
+        self.assertEqual(coins.tobytes(), before)
 
     def test_any_writable_buffer_will_do_and_no_other(self):
         numbers = array.array("d", [0.1] * 16)

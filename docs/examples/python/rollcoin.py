@@ -305,6 +305,20 @@ def sample(start, p, method, dt, steps_per_sample, out):
     return path
 
 
+def run_batch(coins, p, method, dt, steps):
+    """Moves all of coins, a buffer as states() takes it, by steps of dt;
+    returns what run() would say of each, an array of c_int32.  Raises only if
+    it touched none: a coin that failed is where its last good step left it."""
+    coins = states(coins)
+    status = (c_int32 * len(coins))()
+    try:
+        lib.coin_batch_run(coins, len(coins), p, method, dt, steps, status)
+    except Error as error:
+        if error.status in (EARG, EPARAMS):
+            raise
+    return status
+
+
 def states(buffer):
     """The memory of a writable buffer as an array of State, without a copy:
     of a numpy array of dtype State, or of float64 with 8 columns, of an

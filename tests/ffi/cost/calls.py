@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """As many steps as the second argument says, in the way that the first says:
 "call", one call each; "run", one call of this module's run() each; "sample", a
-state for each step, all in one call."""
+state for each step, all in one call; "batch", a step of each of so many coins,
+all in one call."""
 import sys
 
 import rollcoin as rc
@@ -16,5 +17,7 @@ if way == "call":
 elif way == "run":
     for _ in range(n):
         rc.run(s, p, rc.RK4, 1e-3, 1)
+elif way == "batch":
+    rc.run_batch(bytearray(bytes(s) * n), p, rc.RK4, 1e-3, 1)
 else:
     rc.sample(s, p, rc.RK4, 1e-3, 1, n)
