@@ -9,6 +9,7 @@
 #   make figures    pictures and tables from tests/bench/results as they are
 #   make atlas      the maps of docs/limits.md, not timed   (three minutes)
 #   make batch      many coins at once                       (two minutes)
+#   make orbits     an orbit beside steps, part of charts    (two minutes)
 #   make longrun    ten million steps of everything          (half an hour)
 #
 # Library, textbook and peers are built twice, alike: portable and native.  A
@@ -29,6 +30,7 @@ LIBS_cvode   := -lsundials_cvode -lsundials_nvecserial \
                 -lsundials_sunnonlinsolfixedpoint
 LIBS_ode     := -lode -lstdc++
 LIBS_mujoco  := -lmujoco
+LIBS_orbit   := $(LIBS_gsl)
 
 BENCH_SEES = -I$(SRC)/include -I$(SRC)/lib -I$(BENCH_SRC) $(MAPS) \
              -D_POSIX_C_SOURCE=200809L \
@@ -79,7 +81,7 @@ $(foreach b,$(BUILDS),$(eval $(call bench_build,$b)))
 -include $(wildcard $(BENCH_OUT)/*/*.d $(BENCH_OUT)/*/lib/*.d)
 
 .PHONY: build-bench need-peers need-charts bench charts figures longrun costs \
-        batch atlas atlas-check
+        batch atlas atlas-check orbits
 build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%))
 
 # A peer that is missing would make our curve look better than it is.
@@ -136,9 +138,10 @@ bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 $(BENCH_OUT)/truth: $(BENCH_SRC)/peers/truth.cpp | need-peers
 	$(PEER_CXX) -O2 -o $@ $<
 
-charts: bench ## measure, and renew the charts
+charts: bench $(BENCH_OUT)/portable/peer_orbit ## measure, and renew the charts
 	mkdir -p $(RESULTS)
 	$(MAP)
+	$(ORBITS)
 	for t in steps accuracy best reliability costs batch atlas; do \
 	    cp $(BENCH_OUT)/$$t.csv $(RESULTS)/$$t.csv; done
 	$(DRAW)
@@ -171,6 +174,16 @@ batch: $(BUILDS:%=$(BENCH_OUT)/%/bench_batch) need-charts ## many coins at once:
 	mkdir -p $(RESULTS)
 	$(BATCH)
 	cp $(BENCH_OUT)/batch.csv $(RESULTS)
+	$(DRAW)
+
+# Solved once, or stepped: what n frames cost, and how the phases of steppers
+# err against an orbit's.
+ORBITS  = for what in costs phase; do { $(ABOUT); \
+              $(BENCH_OUT)/portable/peer_orbit $$what || exit 1; \
+              } >$(RESULTS)/orbit_$$what.csv || exit 1; done
+
+orbits: $(BENCH_OUT)/portable/peer_orbit need-charts ## an orbit beside steps (two minutes)
+	$(ORBITS)
 	$(DRAW)
 
 longrun: $(BENCH_OUT)/portable/bench_longrun ## what ten million steps do (half an hour)
