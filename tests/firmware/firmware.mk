@@ -166,8 +166,28 @@ $(FW_OUT)/m0/late.txt: $(FW_OUT)/m0/watchdog.elf
 	timeout 60 $(RUN_m0) $< -icount shift=6,sleep=off </dev/null >$@ 2>&1
 	test "$$(head -1 $@)" = '1 rounds: late'
 
-.PHONY: firmware cross
-cross: $(CROSS:%=$(FW_OUT)/%/same) ## equal hashes from other processors, and wasm
+# ---------------------------------------------------------------- what it takes
+# A program of all that an entry reaches, and nothing else.
+FW_ENTRIES := coinf_step coinf_run coinf_check coin_step coin_run
+define fw_reach
+$(FW_OUT)/$1/reach_%: $(call FW_OBJ,$1) $(BOARD)/board.ld
+	$$(call FW_LINK,$1) -Wl,-e,$$* $$(MEMORY_$1) -T $(BOARD)/board.ld -o $$@ \
+	    $$(filter %.o,$$^) $$(FW_LIBS)
+endef
+$(foreach m,$(BOARDS),$(eval $(call fw_reach,$m)))
 
+FW_NEEDS   := $(foreach m,$(BOARDS),$(FW_OUT)/$m/counts.txt \
+                $(FW_ENTRIES:%=$(FW_OUT)/$m/reach_%))
+FW_FIGURES := $(PYTHON) $(FW)/figures.py $(FW_OUT) $(SRC)/docs/embedding.md \
+              '$(notdir $(basename $(SOURCES) $(FLOAT_C)))' \
+              $(foreach m,$(BOARDS),$m=$(if $(filter rv%,$m),riscv64-unknown-elf-,arm-none-eabi-))
+
+.PHONY: firmware firmware-update cross
 firmware: $(BOARDS:%=$(FW_OUT)/%/same) $(BOARDS:%=$(FW_OUT)/%/as-host) \
-          $(BOARDS:%=$(FW_OUT)/%/counts.txt) $(FW_OUT)/m0/late.txt
+          $(FW_OUT)/m0/late.txt $(FW_NEEDS) ## equal hashes without an operating system
+	$(FW_FIGURES)
+
+firmware-update: $(FW_NEEDS) ## write docs/embedding.md's tables
+	$(FW_FIGURES) --update
+
+cross: $(CROSS:%=$(FW_OUT)/%/same) ## equal hashes from other processors, and wasm

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""The deepest stack below a function, from the graph of calls.
+
+The frames and calls of what gcc compiled here are its own word
+(-fcallgraph-info=su); those of libgcc and libm, which come compiled, are read
+off their instructions in a program that holds them.
+"""
+import re
+import subprocess
+
+NODE = re.compile(r'node: { title: "([^"]*)" label: "[^"]*?'
+                  r'(?:\\n(\d+) bytes \((\w+)\))?"')
+EDGE = re.compile(r'edge: { sourcename: "([^"]*)" targetname: "([^"]*)"')
+
+# Who calls through a pointer, and what that may point at.
+INDIRECT = re.compile(r"(^|:)(coinf?_run|coin_step|coin_sample|run_to)$")
+STEPPER = re.compile(r"coinf?_priv_(rk4|rk8|symplectic\d)$")
+
+LABEL = re.compile(r"^([0-9a-f]+) <(.*)>:$")
+CODE = re.compile(r"^ *([0-9a-f]+):\t(\S+)(?:\t(.*?))?(?:\s[@;#]\s.*)?$")
+TARGET = re.compile(r"\b([0-9a-f]+) <")
+ENDS = re.compile(r"^(b|b\.n|b\.w|bx|j|ret|jr|pc)$")
+
+
+def registers(text):
+    """How many registers a list such as {r4-r7, lr} or {d8, d9} holds."""
+    count = 0
+    for part in text.strip("{} ").split(","):
+        ends = [int(n) for n in re.findall(r"[a-z]+(\d+)", part)]
+        count += ends[1] - ends[0] + 1 if len(ends) == 2 else 1
+    return count
+
+
+def pushed(name, args):
+    """Bytes by which an instruction of Thumb or RISC-V lowers the stack."""
+    if name.startswith(("push", "vpush", "stmdb")) and (
+            name[0] != "s" or args.startswith("sp!")):
+        wide = 8 if "{d" in args else 4
+        return wide * registers(args[args.index("{"):])
+    at = re.match(r"sp, (?:sp, )?#(\d+)", args)
+    if name.startswith("sub") and at:
+        return int(at[1])
+    at = re.search(r"\[sp, #-(\d+)\]!", args)
+    if at:
+        return int(at[1])
+    at = re.match(r"sp,sp,-(\d+)", args)
+    return int(at[1]) if name.startswith(("add", "c.add")) and at else 0
+
+
+class Program:
+    """The functions of a linked program: frame and calls of each."""
+
+    def __init__(self, prefix, elf):
+        run = lambda *a: subprocess.run(  # noqa: E731
+            [prefix + a[0], *a[1:], elf], check=True, text=True,
+            capture_output=True).stdout
+        self.address = {}
+        for line in run("nm").splitlines():
+            at, kind, name = line.split(None, 2)
+            if kind in "TtWw":
+                self.address[name] = int(at, 16) & ~1
+        self.frame, self.calls, self.start = {}, {}, []
+        self.pointers = set()
+        here = last = None
+        for line in run("objdump", "-d", "--no-show-raw-insn").splitlines():
+            label, code = LABEL.match(line), CODE.match(line)
+            if label and not label[2].startswith((".", "$")):
+                at = int(label[1], 16)
+                if last and not ENDS.match(last):
+                    self.calls[here].add(at)  # falls through
+                here, last = at, None
+                self.frame[at], self.calls[at] = 0, set()
+                self.start.append(at)
+            elif code and here is not None and code[2] != "nop":
+                args = (code[3] or "").strip()
+                self.read(here, code[2], args)
+                last = "pc" if "pc}" in args else code[2]
+
+    def read(self, here, name, args):
+        if name in ("blx", "jalr") and "lr" not in args:
+            self.pointers.add(here)
+        self.frame[here] += pushed(name, args)
+        target = TARGET.search(args)
+        if target:
+            self.calls[here].add(int(target[1], 16))
+
+    def within(self, at):
+        return max(s for s in self.start if s <= at)
+
+    def depth(self, name, path=()):
+        """Of a function of a compiled library."""
+        here = self.within(self.address[name] if isinstance(name, str)
+                           else name)
+        if here in path or here in self.pointers:
+            raise SystemExit(f"stack: {here:x} calls itself or any other")
+        below = {self.within(c) for c in self.calls[here]} - {here}
+        names = {a: n for n, a in self.address.items()}
+        saves = [c for c in below if "riscv_save" in names.get(c, "")]
+        rest = [self.depth(c, path + (here,)) for c in below - set(saves)
+                if "riscv_restore" not in names.get(c, "")]
+        return (self.frame[here] + sum(self.frame[c] for c in saves)
+                + max(rest, default=0))
+
+
+def graph(files):
+    """{function: (bytes, calls)} of gcc's .ci files."""
+    found = {}
+    for file in files:
+        text = file.read_text()
+        for title, size, kind in NODE.findall(text):
+            if size:
+                if kind != "static":
+                    raise SystemExit(f"stack: {title} takes no fixed room")
+                found[title] = (int(size), set())
+        for source, target in EDGE.findall(text):
+            found[source][1].add(target)
+    return found
+
+
+def deepest(functions, program, name, path=()):
+    """(bytes, the way down) from a function, its own frame included."""
+    if name in path:
+        raise SystemExit(f"stack: {name} calls itself")
+    if name not in functions:
+        return program.depth(name), (name,)
+    size, calls = functions[name]
+    if "__indirect_call" in calls:
+        if not INDIRECT.search(name):
+            raise SystemExit(f"stack: {name} calls through a pointer")
+        calls = calls - {"__indirect_call"} | {
+            n for n in program.address if STEPPER.search(n)
+            and n.startswith("coinf") == ("coinf" in name)}
+    below = [deepest(functions, program, c, path + (name,)) for c in calls]
+    most, way = max(below, default=(0, ()))
+    return size + most, (name.rsplit(":")[-1],) + way
