@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Prints a hash of every bit of many motions: the reference scenes, a coin that
  * nearly falls flat and one that does, by each method, 2000 steps of 0.02
- * natural units of time; the same by lean runs, by coin_advance() forward and
- * back, and the steps that coin_max_dt() chooses; the orbit; and the runs in
- * single precision.  The same on every platform and compiler, whatever the size
- * or order of bytes: it takes the bits of each double from the lowest to the
- * highest.
+ * natural units of time; the same by lean runs, a few steps of some in batches,
+ * by coin_advance() forward and back, and the steps that coin_max_dt() chooses;
+ * the orbit; and the runs in single precision.  The same on every platform and
+ * compiler, whatever the size or order of bytes: it takes the bits of each
+ * double from the lowest to the highest.
  *
  * A processor that is emulated, or has no unit for doubles, or little memory,
  * takes a part, line by line the same: every SCENE_STRIDE-th scene;
@@ -129,6 +129,27 @@ static uint64_t hash_lean(const scene *a, int32_t method)
     return hash_doubles(hash_u64(h, steps), &l, sizeof l / sizeof(double));
 }
 
+/* Coins that lean ever more, in a batch: long enough to settle sums, and so
+ * many that vectors are filled, and one is not. */
+static uint64_t hash_batch(const scene *a, int32_t method)
+{
+    enum { COINS = 5 };
+    const start b = start_of(a);
+    coin_state s[COINS];
+    int32_t status[COINS];
+    uint64_t h = FNV_OFFSET;
+    int i;
+    for (i = 0; i < COINS; ++i) {
+        s[i] = b.s;
+        s[i].theta += 0.1 * i;
+    }
+    h = hash_status(
+        h, coin_batch_run(s, COINS, &b.p, method, 0.02 * b.unit, 99, status));
+    for (i = 0; i < COINS; ++i)
+        h = hash_state(hash_status(h, status[i]), &s[i]);
+    return h;
+}
+
 #ifndef WITHOUT_MAX_DT
 /* The steps that a method should take. */
 static uint64_t hash_max_dt(const scene *a, int32_t method)
@@ -237,6 +258,8 @@ static uint64_t print_scene(uint64_t all, const scene *a)
         all = print(all, hash_run(a, m), words);
         words[1] = "lean";
         all = print(all, hash_lean(a, m), words);
+        words[1] = "batch";
+        all = print(all, hash_batch(a, m), words);
 #ifndef WITHOUT_MAX_DT
         words[1] = "max_dt";
         all = print(all, hash_max_dt(a, m), words);
