@@ -21,6 +21,7 @@ BUILDS = ("portable", "native")
 SCENES = ("wobble", "generic", "tumble", "ring", "quarter", "nearflat")
 ERRORS = (1e-3, 1e-6, 1e-9, 1e-12)
 OURS = ("rk4", "rk8", "coin_advance")
+SYMPLECTIC = ("symplectic2", "symplectic4")
 TEXTBOOK = "textbook RK4"
 
 # What the ratio to the textbook is to be: error, scenes, by build.
@@ -44,8 +45,7 @@ def table(head, rows):
 
 
 GOOD = [r for r in read("accuracy") if r["status"] == "ok"]
-PEERS = {r["method"] for r in GOOD} - {*OURS, TEXTBOOK, "symplectic2",
-                                       "symplectic4"}
+PEERS = {r["method"] for r in GOOD} - {*OURS, TEXTBOOK, *SYMPLECTIC}
 
 
 def cheapest(build, scene, methods, error):
@@ -198,8 +198,51 @@ def atlas():
                         for m, o in of.items()])
 
 
-TABLES = {"atlas": atlas, "batch": batch, "goals": goals, "steps": steps, "frames": frames,
-          "costs": costs, "reliability": reliability, "best": best, "longrun": longrun}
+def silent(key):
+    """What became of random runs, by method or family."""
+    of = {}
+    for r in read("silent"):
+        for name in (r[key], "all"):
+            sums = of.setdefault(name, dict.fromkeys(r, 0))
+            for k in r:
+                if k not in ("method", "family", "closest"):
+                    sums[k] += int(r[k])
+    of["all"] = of.pop("all", {})
+    head = (key, "runs", "right", "nothing stated", "warned, right",
+            "warned, wrong", "refused, right", "refused, wrong",
+            "**wrong and silent**")
+    return table(head, [
+        [name, r["runs"], r["right"], r["orbit_right"] + r["unstated"],
+         r["flagged_right"], r["flagged_wrong"], r["refused_right"],
+         r["refused_wrong"], f"**{r['silent']}**"]
+        for name, r in of.items() if r])
+
+
+def silent_steps(column, methods):
+    """What comes of steps without limits, by method and |dt| W."""
+    rows = [r for r in read("silent_steps") if float(r["dtW"]) > 0.02]
+    cell = {(r["method"], r["dtW"]): float(r[column]) for r in rows}
+    return table(["abs(dt) W up to", *methods],
+                 [[size, *("lost" if cell[m, size] > 1e3 else
+                           f"{cell[m, size]:.1g}" for m in methods)]
+                  for size in dict.fromkeys(r["dtW"] for r in rows)])
+
+
+def silent_truth():
+    return table(["family", "runs", "worst error, the motion's amplification "
+                  "taken out", "of what is allowed for"],
+                 [[r["family"], r["runs"], r["worst_error_before_amplification"],
+                   r["worst_share"]] for r in read("silent_truth")])
+
+
+TABLES = {"atlas": atlas, "batch": batch, "goals": goals, "steps": steps,
+          "frames": frames, "costs": costs, "reliability": reliability, "best": best,
+          "longrun": longrun,
+          "silent steps": lambda: silent_steps("worst", OURS[:2] + SYMPLECTIC),
+          "silent pairs": lambda: silent_steps("astray", OURS[:2]),
+          "silent methods": lambda: silent("method"),
+          "silent families": lambda: silent("family"),
+          "silent truth": silent_truth}
 for name in BUILDS:
     TABLES[f"ratios {name}"] = lambda b=name: ratios(b)
     TABLES[f"peers {name}"] = lambda b=name: peers(b)

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+#
+# Whether a wrong answer ever comes without a word: included by the Makefile.
+#
+#   make silent     1.05 million random runs and what became of them; renews
+#                   tests/bench/results and the tables of docs/limits.md
+#
+# The seeds by which claims and limits were set are not those that judge.
+
+LIMITS_SRC := $(SRC)/tests/limits
+LIMITS_OUT  = $(O)/limits
+STEPS_RUNS  = 3001 300000
+JUDGE_RUNS  = 20261125 1050000
+TRUTH_RUNS  = 5001 600
+
+$(LIMITS_OUT):
+	mkdir -p $@
+
+$(LIMITS_OUT)/silent: $(LIMITS_SRC)/silent.c $(TEST_EXTRA) $(LIB_A) \
+                      | $(LIMITS_OUT) need-cmocka
+	$(CC_TEST) $(CMOCKA) $(DEPENDS) -o $@ $< $(LDFLAGS) $(TEST_EXTRA) \
+	    $(LIB_A) $(CMOCKA_LIBS) -lm
+
+$(LIMITS_OUT)/truth: $(LIMITS_SRC)/truth.cpp | $(LIMITS_OUT)
+	$(CXX) -w -O2 -std=c++17 -ffp-contract=off -o $@ $< -lquadmath
+
+-include $(LIMITS_OUT)/silent.d
+
+.PHONY: silent
+silent: $(LIMITS_OUT)/silent $(LIMITS_OUT)/truth ## count silent wrong answers in 1.05 million runs (half an hour)
+	{ echo '# seed and runs: $(STEPS_RUNS)'; \
+	    $< steps $(STEPS_RUNS); } >$(LIMITS_OUT)/silent_steps.csv
+	$< truth $(TRUTH_RUNS) >$(LIMITS_OUT)/starts.csv
+	{ echo '# seed and runs: $(TRUTH_RUNS)'; $(LIMITS_OUT)/truth \
+	    <$(LIMITS_OUT)/starts.csv; } >$(LIMITS_OUT)/silent_truth.csv
+	{ echo '# seed and runs: $(JUDGE_RUNS)'; \
+	    $< judge $(JUDGE_RUNS); } >$(LIMITS_OUT)/silent.csv
+	cp $(LIMITS_OUT)/silent*.csv $(RESULTS)
+	$(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(SRC)/docs/limits.md

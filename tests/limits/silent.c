@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: MIT */
+/* Whether a wrong answer ever comes without a word: random runs, counted by
+ * what became of them.
+ *     silent judge SEED RUNS   by the public functions, against the claims
+ *     silent steps SEED RUNS   without limits: what a step of each size adds
+ *     silent truth SEED RUNS   where coins begin, and end by coin_advance() */
+#include "judge.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MOST_STEPS 1e4
+#define MOST_TURN 200.0 /* radians: what the truth costs goes by it */
+
+/* ------------------------------------------------------------- judging -- */
+
+static struct counts {
+    unsigned long runs, of[STUDY_OUTCOMES];
+    unsigned long blind; /* wrong, with an energy as after fine steps */
+    unsigned long loud;  /* right, with another energy */
+    double closest;      /* the most of what is stated that a right run used,
+                            its amplification counted */
+} counts[STUDY_METHODS][STUDY_FAMILIES];
+
+static void count(struct counts *c, enum study_outcome outcome,
+                  const struct study_measure *m,
+                  const struct study_claim *claim)
+{
+    const double stated = claim->share * m->sum + m->rounding;
+    const double fine = claim->share * m->fine + m->rounding;
+    ++c->runs;
+    ++c->of[outcome];
+    if (outcome == STUDY_RIGHT && m->amplified > 1)
+        c->closest = fmax(c->closest, m->error / (m->amplified * stated));
+    if (outcome == STUDY_RIGHT)
+        c->loud += m->energy > stated;
+    if (outcome == STUDY_SILENT || outcome == STUDY_FLAGGED_WRONG)
+        c->blind += m->finished && m->energy <= fine;
+}
+
+static void tell(const struct study_run *r, uint64_t seed, uint64_t number,
+                 const struct study_measure *m)
+{
+    fprintf(stderr,
+            "silent: seed %" PRIu64 " run %" PRIu64 ", %s, %s: error %.3g, "
+            "sum %.3g, amplified %.3g, rounding %.3g, energy %.3g\n",
+            seed, number, study_methods[r->method], study_families[r->family],
+            m->error, m->sum, m->amplified, m->rounding, m->energy);
+}
+
+static int judge(uint64_t seed, uint64_t runs)
+{
+    int silent = 0;
+    for (uint64_t i = 0; i < runs; ++i) {
+        const struct study_run r = study_draw(seed, i, MOST_STEPS, MOST_TURN);
+        struct study_measure m;
+        const enum study_outcome outcome = study_judge(&r, &m);
+        count(&counts[r.method][r.family], outcome, &m,
+              &study_claims[r.method]);
+        if (outcome == STUDY_SILENT) {
+            tell(&r, seed, i, &m);
+            silent = 1;
+        }
+    }
+    puts("method,family,runs,right,orbit_right,unstated,silent,flagged_right,"
+         "flagged_wrong,refused_right,refused_wrong,energy_blind,energy_loud,"
+         "closest");
+    for (int k = 0; k < STUDY_METHODS; ++k)
+        for (int f = 0; f < STUDY_FAMILIES; ++f) {
+            const struct counts *c = &counts[k][f];
+            printf("%s,%s,%lu", study_methods[k], study_families[f], c->runs);
+            for (int o = 0; o < STUDY_OUTCOMES; ++o)
+                printf(",%lu", c->of[o]);
+            printf(",%lu,%lu,%.2g\n", c->blind, c->loud, c->closest);
+        }
+    return silent;
+}
+
+/* ------------------------------------------------------- what steps add -- */
+
+/* Half octaves of |dt| W, with 1.2 between two of them. */
+enum { BINS = 24, AT_1_2 = 20 };
+
+static double upper(int bin)
+{
+    return 1.2 * exp2((bin - AT_1_2) / 2.0);
+}
+
+static struct bin {
+    unsigned long runs, failed;
+    double worst, energy; /* over (|dt| W)^(order + 1) */
+    double astray;        /* the heading's pair, of RK4 and RK8 */
+} bins[4][BINS];
+
+static struct bin *bin_of(int method, double dtW)
+{
+    const double at = AT_1_2 - floor(2 * log2(1.2 / dtW));
+    return at >= 0 && at < BINS ? &bins[method][(int)at] : NULL;
+}
+
+static void note(struct bin *b, const struct study_measure *m)
+{
+    const double rounding = m->amplified * m->rounding;
+    const double over = (m->error - rounding) / (m->amplified * m->sum);
+    ++b->runs;
+    b->worst = fmax(b->worst, over);
+    b->energy = fmax(b->energy, (m->energy - m->rounding) / m->sum);
+}
+
+static int steps(uint64_t seed, uint64_t runs)
+{
+    for (uint64_t i = 0; i < runs; ++i) {
+        const struct study_run r = study_draw(seed, i, MOST_STEPS, MOST_TURN);
+        if (r.method > STUDY_SYMPLECTIC4)
+            continue;
+        struct study_claim least = study_claims[r.method];
+        least.share /= 100;
+        const struct study_measure m = study_measure(&r, &least);
+        struct bin *b = bin_of((int)r.method, m.fastest);
+        if (b)
+            b->astray = fmax(b->astray, m.astray);
+        if (b && m.finished)
+            note(b, &m);
+        else if (b)
+            ++b->failed;
+    }
+    puts("method,dtW,runs,failed,worst,energy,a_step,astray");
+    for (int k = 0; k < 4; ++k)
+        for (int i = 0; i < BINS; ++i) {
+            const struct bin *b = &bins[k][i];
+            printf("%s,%.3g,%lu,%lu,%.2g,%.2g,%.2g,%.1g\n", coin_method_name(k),
+                   upper(i), b->runs, b->failed, b->worst, b->energy,
+                   b->worst * pow(upper(i), coin_method_order(k) + 1),
+                   b->astray);
+        }
+    return 0;
+}
+
+/* --------------------------------------------------------- for the truth -- */
+
+static void print_state(const coin_state *s)
+{
+    printf(",%a,%a,%a,%a,%a,%a,%a,%a", s->theta, s->phi, s->psi, s->x, s->z,
+           s->wX, s->wY, s->wZ);
+}
+
+/* Whole runs that coin_advance() makes, one in so many, of so few radians that
+ * a solver in 113 bits ends. */
+static int truth(uint64_t seed, uint64_t runs)
+{
+    puts("M,a,g,IX,IZ,t,start,,,,,,,,end,,,,,,,,family,amplified,rounding");
+    for (uint64_t i = 0; i < runs; ++i) {
+        struct study_run r = study_draw(seed, i, MOST_STEPS, 10);
+        struct study_claim none = {0, 0};
+        r.method = STUDY_ADVANCE;
+        r.tol = 1e-13;
+        const struct study_measure m = study_measure(&r, &none);
+        if (!m.finished)
+            continue;
+        printf("%a,%a,%a,%a,%a,%a", r.p.mass, r.p.radius, r.p.gravity,
+               r.p.inertia_X, r.p.inertia_Z, r.dt * (double)r.steps);
+        print_state(&r.s);
+        print_state(&m.truth);
+        printf(",%s,%g,%g\n", study_families[r.family], m.amplified,
+               m.rounding);
+    }
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    static const struct {
+        const char *name;
+        int (*make)(uint64_t seed, uint64_t runs);
+    } modes[] = {{"judge", judge}, {"steps", steps}, {"truth", truth}};
+    for (int i = 0; argc == 4 && i < 3; ++i)
+        if (strcmp(argv[1], modes[i].name) == 0)
+            return modes[i].make(strtoull(argv[2], NULL, 10),
+                                 strtoull(argv[3], NULL, 10));
+    fputs("usage: silent judge|steps|truth SEED RUNS\n", stderr);
+    return 2;
+}

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/* No answer is wrong without a word: random runs by every method, each held
+ * against what docs/limits.md states.  `make silent` counts a million. */
+#include "limits/judge.h"
+
+/* Seed of none of the runs by which claims and limits were set. */
+#define SEED 2026
+
+enum { RUNS = 2000, MOST_STEPS = 300, MOST_TURN = 10 };
+
+static struct {
+    struct study_run run;
+    struct study_measure m;
+    enum study_outcome outcome;
+} runs[RUNS];
+
+static int make_runs(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < RUNS; ++i) {
+        check_note("run %d of seed %d", i, SEED);
+        runs[i].run = study_draw(SEED, (uint64_t)i, MOST_STEPS, MOST_TURN);
+        runs[i].outcome = study_judge(&runs[i].run, &runs[i].m);
+    }
+    return 0;
+}
+
+static void no_run_is_wrong_without_a_word(void **unused)
+{
+    (void)unused;
+    int of[STUDY_OUTCOMES] = {0};
+    for (int i = 0; i < RUNS; ++i) {
+        check_note("run %d of seed %d: %s, %s", i, SEED,
+                   study_methods[runs[i].run.method],
+                   study_families[runs[i].run.family]);
+        check(runs[i].outcome != STUDY_SILENT);
+        ++of[runs[i].outcome];
+    }
+    check(of[STUDY_RIGHT] > RUNS / 2);
+    check(of[STUDY_FLAGGED_RIGHT] + of[STUDY_FLAGGED_WRONG] > RUNS / 40);
+    check(of[STUDY_REFUSED_RIGHT] + of[STUDY_REFUSED_WRONG] > RUNS / 5);
+    /* Few runs are so unstable, or so long, that nothing is stated. */
+    check(of[STUDY_ORBIT_RIGHT] + of[STUDY_UNSTATED] < RUNS / 50);
+}
+
+/* Most of what is refused would have been wrong. */
+static void few_steps_are_refused_for_nothing(void **unused)
+{
+    (void)unused;
+    int right = 0, wrong = 0;
+    for (int i = 0; i < RUNS; ++i) {
+        right += runs[i].outcome == STUDY_REFUSED_RIGHT;
+        wrong += runs[i].outcome == STUDY_REFUSED_WRONG;
+    }
+    check_within((double)right / (right + wrong), 0, 0.15);
+}
+
+/* A claim so lax that nothing could break it shows here: runs of each method
+ * use 3 to 30 % of it, where rounding is less. */
+static void no_claim_is_lax(void **unused)
+{
+    (void)unused;
+    double used[STUDY_METHODS] = {0};
+    for (int i = 0; i < RUNS; ++i) {
+        const struct study_measure *m = &runs[i].m;
+        const enum study_method k = runs[i].run.method;
+        const double stated = study_claims[k].share * m->sum;
+        if (runs[i].outcome == STUDY_RIGHT && stated > m->rounding)
+            used[k] = fmax(used[k], m->error / (m->amplified * stated));
+    }
+    for (int k = 0; k < STUDY_METHODS; ++k) {
+        check_note("%s", study_methods[k]);
+        check_within(used[k], 0.03, 1);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(no_run_is_wrong_without_a_word),
+        TEST(few_steps_are_refused_for_nothing),
+        TEST(no_claim_is_lax),
+    };
+    return cmocka_run_group_tests_name(__FILE__, tests, make_runs, NULL);
+}
