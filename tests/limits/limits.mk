@@ -4,6 +4,7 @@
 #
 #   make silent     1.05 million random runs and what became of them; renews
 #                   tests/bench/results and the tables of docs/limits.md
+#   make endurance  1e9 steps against closed forms
 #
 # The seeds by which claims and limits were set are not those that judge.
 
@@ -16,17 +17,22 @@ TRUTH_RUNS  = 5001 600
 $(LIMITS_OUT):
 	mkdir -p $@
 
-$(LIMITS_OUT)/silent: $(LIMITS_SRC)/silent.c $(TEST_EXTRA) $(LIB_A) \
-                      | $(LIMITS_OUT) need-cmocka
+LIMITS_PROGS = $(LIMITS_OUT)/silent $(LIMITS_OUT)/endurance
+$(LIMITS_PROGS): $(LIMITS_OUT)/%: $(LIMITS_SRC)/%.c $(TEST_EXTRA) $(LIB_A) \
+                 | $(LIMITS_OUT) need-cmocka
 	$(CC_TEST) $(CMOCKA) $(DEPENDS) -o $@ $< $(LDFLAGS) $(TEST_EXTRA) \
 	    $(LIB_A) $(CMOCKA_LIBS) -lm
 
 $(LIMITS_OUT)/truth: $(LIMITS_SRC)/truth.cpp | $(LIMITS_OUT)
 	$(CXX) -w -O2 -std=c++17 -ffp-contract=off -o $@ $< -lquadmath
 
--include $(LIMITS_OUT)/silent.d
+-include $(LIMITS_PROGS:=.d)
 
-.PHONY: silent
+.PHONY: silent endurance endurance-roll endurance-circle
+endurance: endurance-roll endurance-circle ## 1e9 steps twice, against closed forms (40 s each)
+endurance-roll endurance-circle: endurance-%: $(LIMITS_OUT)/endurance
+	$< $*
+
 silent: $(LIMITS_OUT)/silent $(LIMITS_OUT)/truth ## count silent wrong answers in 1.05 million runs (half an hour)
 	{ echo '# seed and runs: $(STEPS_RUNS)'; \
 	    $< steps $(STEPS_RUNS); } >$(LIMITS_OUT)/silent_steps.csv
