@@ -236,8 +236,8 @@ def silent_truth():
 
 
 TABLES = {"atlas": atlas, "batch": batch, "goals": goals, "steps": steps,
-          "frames": frames, "costs": costs, "reliability": reliability, "best": best,
-          "longrun": longrun,
+          "frames": frames, "costs": costs, "reliability": reliability,
+          "best": best, "longrun": longrun,
           "silent steps": lambda: silent_steps("worst", OURS[:2] + SYMPLECTIC),
           "silent pairs": lambda: silent_steps("astray", OURS[:2]),
           "silent methods": lambda: silent("method"),
