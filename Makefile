@@ -283,8 +283,8 @@ coverage: ## every line and branch of lib/ runs, or the missing are listed
 	$(COVERED) --fail-under-line 100; lines=$$?; \
 	$(COVERED) --fail-under-branch 100 --branches && test $$lines = 0
 
-mutants: ## break the library in many ways: the tests must notice each
-	$(PYTHON) $(SRC)/tests/mutants/mutants.py $(SRC) $(O)/mutants
+mutants: ## break the library in many ways (MUTANTS='rk4.c run.c': in these files): the tests must notice each
+	$(PYTHON) $(SRC)/tests/mutants/mutants.py $(SRC) $(O)/mutants $(MUTANTS)
 
 lint: all header-check ## style, layers, citations, symbols, static analysis
 	+$(GATE) sh $(SRC)/tests/lint/lint.sh

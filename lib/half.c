@@ -12,12 +12,9 @@
 #define LEFT_OUT 1e-17
 
 /* The longest step, over the fastest rate W of (47): from one turning point to
- * the next there are pi/2 of it at least. */
+ * the next there are pi/2 of it at least.  With little spin a series does not
+ * see the table and leads past it, to where no turning point may lie. */
 #define LONGEST 1.2
-
-/* And over the rate at which the table comes nearer: with little spin a series
- * does not see it, and no step may lead past it. */
-#define NEARER 0.5
 
 /* A turning point farther than this part of a step gets a piece of its own:
  * the terms that are kept reach half a step, and at 0.6 err by 4e-16. */
@@ -45,8 +42,7 @@ static double reach_of(const coin_priv_half *h)
     const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
     const double W2 =
         (wX * wX + wY * wY) / (c * c) + wZ * wZ + h->g_a; /* (47) */
-    const double free = LONGEST / sqrt(W2), fall = NEARER * c / fabs(wX);
-    const double most = free < fall ? free : fall;
+    const double most = LONGEST / sqrt(W2);
     const double reach = sqrt(sqrt(sqrt(sqrt(sqrt(LEFT_OUT / last)))));
     return reach < most ? reach : most;
 }

@@ -7,6 +7,11 @@
 #include <math.h>
 #include <string.h>
 
+#define OF COIN_PRIV_OF
+#define ADD coin_priv_pair_add
+#define LOAD coin_priv_pair_load
+#define BOTH coin_priv_pair_both
+
 /* A period that amplifies rounding by more is none. */
 #define WORST 1e9
 
@@ -17,6 +22,10 @@
 /* Headings per period nearer to a multiple of 2 pi than this, in half turns:
  * the path drifts, since rounding cannot tell it from one. */
 #define STRAIGHT 1e-15
+
+/* Parts of a piece, of which none has two extremes of the distance: with four,
+ * the radii of 6000 coins are right to 5e-12, with two 6 are wrong. */
+#define LOOKS 5
 
 /* ------------------------------------------------------------- the frame -- */
 /* Measures times, angles and path of all pieces from A, in A's frame. */
@@ -111,23 +120,28 @@ struct sight {
     double distance, rate;
 };
 
-/* From a piece, at a time after its centre. */
+/* From a piece, at a time after its centre: E(t^2) + t O(t^2) and its slope. */
 static struct sight look(const coin_orbit *o, int piece, double t,
                          double center)
 {
-    double z = 0, x = 0, dz = 0, dx = 0;
-    const double *first = coin_priv_term(o, piece, 0);
-    const double *term = coin_priv_term(o, piece + 1, 0);
+    const double *first = coin_priv_term(o, piece, 0) + COIN_PRIV_Z;
+    const double *term = first + COIN_PRIV_TERMS * COIN_PRIV_ROWS;
+    const coin_priv_pair u = BOTH(t * t);
+    coin_priv_pair E = BOTH(0), O = E, dE = E, dO = E;
     while (term != first) {
-        term -= COIN_PRIV_ROWS;
-        dz = dz * t + z;
-        dx = dx * t + x;
-        z = z * t + term[COIN_PRIV_Z];
-        x = x * t + term[COIN_PRIV_X];
+        term -= 2 * COIN_PRIV_ROWS;
+        dE = ADD(E, dE, u);
+        dO = ADD(O, dO, u);
+        E = ADD(LOAD(term), E, u);
+        O = ADD(LOAD(term + COIN_PRIV_ROWS), O, u);
     }
+    const coin_priv_pair at = ADD(E, O, BOTH(t));
+    const coin_priv_pair d =
+        ADD(ADD(O, dE, BOTH(2 * t)), dO, BOTH(2 * (t * t)));
+    const double z = OF(at, 0) - center, x = OF(at, 1);
     const struct sight sight = {
-        coin_priv_hypot(z - center, x),
-        (z - center) * dz + x * dx,
+        coin_priv_hypot(z, x),
+        z * OF(d, 0) + x * OF(d, 1),
     };
     return sight;
 }
@@ -164,23 +178,27 @@ static struct sight look_along(coin_orbit *o, int piece, double from,
 }
 
 /* Center and radii in the frame of A.  A and B are extremes themselves; what
- * is looked at begins a little after A and ends before B, where the rate's
- * sign is more than rounding. */
+ * is looked at begins and ends a part of a piece aside, where the rate's sign
+ * is more than rounding.  An extreme nearer to them differs by 1e-12. */
 static void set_annulus(const coin_priv_half *h, double center, double half)
 {
     coin_orbit *o = h->o;
-    const double aside = half / 256;
     const double *t = o->private_centers, *edge = o->private_edges;
-    const int last = coin_priv_piece(h->count - 1, h->back, h->count);
+    const int end = h->count - 1;
+    const int last = coin_priv_piece(end, h->back, h->count);
+    const double begin = edge[1] / 1024; /* there are two pieces at least */
+    const double stop = half - (half - edge[end]) / 1024;
+    const int first = coin_priv_piece(0, h->back, h->count);
+    struct sight seen = look(o, first, begin - t[first], center);
     o->radius_min = o->radius_max = fabs(center);
     widen(o, look(o, last, half - t[last], center).distance);
-    for (int rank = 0; rank < h->count; ++rank) {
+    for (int rank = 0; rank <= end; ++rank) {
         const int n = coin_priv_piece(rank, h->back, h->count);
-        const double from = rank > 0 ? edge[rank] : aside;
-        const double to = rank + 1 < h->count ? edge[rank + 1] : half - aside;
-        struct sight seen = look(o, n, from - t[n], center);
-        seen = look_along(o, n, from - t[n], seen, 0, center);
-        look_along(o, n, 0, seen, to - t[n], center);
+        const double from = (rank > 0 ? edge[rank] : begin) - t[n];
+        const double to = (rank < end ? edge[rank + 1] : stop) - t[n];
+        for (int k = 0; k < LOOKS; ++k)
+            seen = look_along(o, n, from + (to - from) * k / LOOKS, seen,
+                              from + (to - from) * (k + 1) / LOOKS, center);
     }
 }
 
@@ -241,8 +259,8 @@ static double conditioning(const coin_priv_half *h, double half)
 static int is_steady(const coin_priv_half *h)
 {
     const coin_priv_point *p = h->now.at;
-    const double wX = COIN_PRIV_OF(p[0].row[1], 1), L = h->bend[0];
-    const double dwX = COIN_PRIV_OF(p[1].row[1], 1);
+    const double wX = OF(p[0].row[1], 1), L = h->bend[0];
+    const double dwX = OF(p[1].row[1], 1);
     const double rest = 4 * DBL_EPSILON * L;
     return L < 0 ? wX * wX * -L + dwX * dwX <= rest * rest
                  : wX == 0 && dwX == 0;
@@ -251,8 +269,8 @@ static int is_steady(const coin_priv_half *h)
 static void set_steady(const coin_priv_half *h, const coin_state *s, double a)
 {
     const coin_priv_point *p = h->now.at;
-    const double heading = COIN_PRIV_OF(p[1].row[0], 1) * h->rate;
-    const double roll = COIN_PRIV_OF(p[1].row[1], 0) * h->rate;
+    const double heading = OF(p[1].row[0], 1) * h->rate;
+    const double roll = OF(p[1].row[1], 0) * h->rate;
     const double R = s->wZ == 0 ? 0 : a * s->wZ / heading; /* (43) */
     const int drifts = heading == 0 && s->wZ != 0;
     const coin_priv_sc ph = coin_priv_sincos(s->phi);

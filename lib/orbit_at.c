@@ -27,8 +27,8 @@ static inline int rank_of(const double *edge, int count, double t)
  * chains of dependences that run side by side. */
 static inline void piece_at(coin_priv_pair row[4], const double *term, double t)
 {
-    const coin_priv_pair t1 = coin_priv_pair_of(t, t);
-    const coin_priv_pair t2 = coin_priv_pair_of(t * t, t * t);
+    const coin_priv_pair t1 = coin_priv_pair_both(t);
+    const coin_priv_pair t2 = coin_priv_pair_both(t * t);
     const double *p = term + COIN_PRIV_ROWS * (COIN_PRIV_TERMS - 2);
     coin_priv_pair e0 = LOAD(p), e1 = LOAD(p + 2);
     coin_priv_pair e2 = LOAD(p + 4), e3 = LOAD(p + 6);
@@ -65,8 +65,9 @@ static inline void carry(coin_state *at, const double *f, double k, double z,
                          double x)
 {
     const double *b = f + COIN_PRIV_TURN;
-    const double two = 2 * coin_priv_round(k * b[0] / 2);
-    const double half_turns = ((k * b[0] - two) + k * b[1]) + k * b[2];
+    /* Half a turn more would change both signs, and no product. */
+    const double whole = coin_priv_round(k * b[0]);
+    const double half_turns = ((k * b[0] - whole) + k * b[1]) + k * b[2];
     const coin_priv_sc kb =
         coin_priv_sincos(2 * COIN_PRIV_HALF_PI * half_turns);
     const double c = kb.c * kb.c - kb.s * kb.s, s = 2 * kb.c * kb.s;
@@ -91,7 +92,7 @@ static int32_t steady_at(const coin_orbit *o, double t, coin_state *out)
         s[COIN_PRIV_X],     s[COIN_PRIV_Z],   0,
         s[COIN_PRIV_WY],    s[COIN_PRIV_WZ],
     };
-    if (t - t != 0 || coin_priv_steady_move(&at, &rates, t) != COIN_OK)
+    if (coin_priv_steady_move(&at, &rates, t) != COIN_OK)
         return COIN_ESTEP;
     *out = at;
     return COIN_OK;
@@ -105,8 +106,7 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
         return steady_at(o, t, out);
     const double *f = o->private_frame, *T = f + COIN_PRIV_PERIOD;
     const double pieces = f[COIN_PRIV_COUNT], before = f[COIN_PRIV_BACK];
-    if (!(pieces >= 1 && pieces <= COIN_PRIV_PIECES && before >= 0 &&
-          before < pieces))
+    if (!(before >= 0 && before < pieces && pieces <= COIN_PRIV_PIECES))
         return COIN_EARG;
     const double now = t * f[COIN_PRIV_RATE];
     const double periods = (now + f[COIN_PRIV_SINCE]) * f[COIN_PRIV_OVER];

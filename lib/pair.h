@@ -49,4 +49,9 @@ COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_of(double a, double b)
     return p;
 }
 
+COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_both(double a)
+{
+    return coin_priv_pair_of(a, a);
+}
+
 #endif

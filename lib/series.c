@@ -7,16 +7,11 @@
 
 #define OF COIN_PRIV_OF
 #define ADD coin_priv_pair_add
-
-/* Both of a pair alike. */
-static inline coin_priv_pair both(double a)
-{
-    return coin_priv_pair_of(a, a);
-}
+#define BOTH coin_priv_pair_both
 
 static inline coin_priv_pair times(coin_priv_pair a, double by)
 {
-    return ADD(both(0), a, both(by));
+    return ADD(BOTH(0), a, BOTH(by));
 }
 
 /* 1/n, n up to the order. */
@@ -47,7 +42,7 @@ static void lean_power(coin_priv_series *s, struct factors *f,
     const double wX = OF(p->row[1], 1);
     const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
     const int is_first = k == 0;
-    coin_priv_pair thr = both(0), thX = both(0), vYX = both(0);
+    coin_priv_pair thr = BOTH(0), thX = BOTH(0), vYX = BOTH(0);
     double uY = 0;
     for (int j = 1; j < k; ++j) {
         thr = ADD(thr, f->th[j], f->r[k - j]);
@@ -56,13 +51,13 @@ static void lean_power(coin_priv_series *s, struct factors *f,
         uY += f->u[j] * OF(f->vY[k - j], 1);
     }
     f->th[k] = p->th;
-    f->wX[k] = both(wX);
-    f->wZ[k] = both(wZ);
+    f->wX[k] = BOTH(wX);
+    f->wZ[k] = BOTH(wZ);
     if (!is_first)
         thr = ADD(thr, f->th[k], f->r[0]);
     const double r = (wY - OF(thr, 0)) * f->over;       /* (18) */
     const double rs = OF(thr, 1) + OF(f->th[0], 1) * r; /* wY tan theta */
-    f->r[k] = both(r);
+    f->r[k] = BOTH(r);
     f->u[k] = law->KJ * wZ + law->XJ * rs;
     f->vY[k] = coin_priv_pair_of(rs + law->k1 * wZ, wY);
     thX = ADD(thX, f->th[0], f->wX[k]);
@@ -73,7 +68,7 @@ static void lean_power(coin_priv_series *s, struct factors *f,
         vYX = ADD(vYX, f->vY[k], f->wX[0]);
         uY += f->u[k] * OF(f->vY[0], 1);
     }
-    f->g[k] = both(OF(thX, 0));
+    f->g[k] = BOTH(OF(thX, 0));
     const double by = over_n[k + 1];
     coin_priv_point *next = &s->at[k + 1];
     const double dwX = law->GJ * OF(p->th, 1) - uY; /* (14) */
@@ -90,7 +85,7 @@ static void lean_power(coin_priv_series *s, struct factors *f,
 static void path_power(coin_priv_series *s, struct factors *f, int k)
 {
     const coin_priv_point *p = &s->at[k];
-    coin_priv_pair phr = both(0), phg = phr, phZ = phr;
+    coin_priv_pair phr = BOTH(0), phg = phr, phZ = phr;
     f->ph[k] = p->ph;
     for (int j = 0; j <= k; ++j) {
         phr = ADD(phr, f->ph[j], f->r[k - j]);
@@ -119,15 +114,15 @@ void coin_priv_series_fill(coin_priv_series *s, const coin_priv_law *law)
 
 coin_priv_pair coin_priv_series_path(const coin_priv_series *s, double t)
 {
-    coin_priv_pair sum = both(0);
+    coin_priv_pair sum = BOTH(0);
     for (int k = COIN_PRIV_TERMS; k-- > 0;)
-        sum = ADD(s->at[k].row[COIN_PRIV_PATH], sum, both(t));
+        sum = ADD(s->at[k].row[COIN_PRIV_PATH], sum, BOTH(t));
     return sum;
 }
 
 coin_priv_point coin_priv_series_at(const coin_priv_series *s, double t)
 {
-    const coin_priv_pair by = both(t);
+    const coin_priv_pair by = BOTH(t);
     const coin_priv_point *p = &s->at[COIN_PRIV_ORDER];
     coin_priv_pair angles = p->row[0];
     coin_priv_pair roll = p->row[1];

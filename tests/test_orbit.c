@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
 #include "support/methods.h"
+#include "support/orbits.h"
 #include "support/random.h"
 #include "support/scene.h"
 #include "support/steadies.h"
@@ -9,32 +10,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static coin_orbit orbit_of(const coin_state *s, const coin_params *p)
-{
-    coin_orbit o;
-    check_status(coin_orbit_init(&o, s, p), COIN_OK);
-    return o;
-}
-
 static coin_params disc(void)
 {
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
     return p;
-}
-
-/* A random coin that has an orbit: one in a hundred comes too near to flat. */
-static coin_orbit random_orbit(struct random *r, coin_params *p, coin_state *s)
-{
-    coin_orbit o;
-    for (int tries = 0; tries < 10; ++tries) {
-        *p = random_coin(r);
-        *s = random_state(r, p, 1);
-        if (coin_orbit_init(&o, s, p) == COIN_OK)
-            return o;
-    }
-    check(0);
-    return o;
 }
 
 /* --------------------------------------------------------- the reference */
@@ -274,9 +254,11 @@ static void the_path_fills_its_annulus(void **unused)
     (void)unused;
     struct random r = random_begin(71);
     for (int i = 0; i < 40; ++i) {
-        coin_params p;
-        coin_state s;
-        const coin_orbit o = random_orbit(&r, &p, &s);
+        coin_params p = disc();
+        /* Comes nearest to the centre soon after a turning point. */
+        coin_state s = {-0.3256, 0, 0, 0, 0, 0, 0.31, 0.0413};
+        const coin_orbit o =
+            i == 0 ? orbit_of(&s, &p) : random_orbit(&r, &p, &s);
         double low = (double)INFINITY, high = 0;
         for (int k = 0; k < 2000; ++k) {
             coin_state at;

@@ -1,38 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
 #include "support/methods.h"
+#include "support/orbits.h"
 #include "support/random.h"
 #include "support/scene.h"
 
+#include "orbit.h"
+
 #include <math.h>
 #include <string.h>
-
-static coin_orbit orbit_of(const coin_state *s, const coin_params *p)
-{
-    coin_orbit o;
-    check_status(coin_orbit_init(&o, s, p), COIN_OK);
-    return o;
-}
 
 static coin_state at(const coin_orbit *o, double t)
 {
     coin_state s;
     check_status(coin_orbit_at(o, t, &s), COIN_OK);
     return s;
-}
-
-/* A random coin that has an orbit: one in a hundred comes too near to flat. */
-static coin_orbit random_orbit(struct random *r, coin_params *p, coin_state *s)
-{
-    coin_orbit o;
-    for (int tries = 0; tries < 10; ++tries) {
-        *p = random_coin(r);
-        *s = random_state(r, p, 1);
-        if (coin_orbit_init(&o, s, p) == COIN_OK)
-            return o;
-    }
-    check(0);
-    return o;
 }
 
 /* ---------------------------------------------------------- references */
@@ -293,7 +275,15 @@ static void what_it_cannot_tell_it_refuses(void **unused)
         check_same(&out, &before, sizeof out);
         check_status(coin_orbit_at(&o, 2e9, &out), COIN_OK);
     }
-    coin_state s = wobbling, out; /* psi leaves its range within a period */
+    /* 2^31 periods are too many even if no angle would leave its range. */
+    coin_orbit still = orbit_of(&wobbling, &p);
+    memset(still.private_frame + COIN_PRIV_HEADING, 0, 6 * sizeof(double));
+    coin_state out;
+    check_status(coin_orbit_at(&still, 0x1.fffp30 * still.period, &out),
+                 COIN_OK);
+    check_status(coin_orbit_at(&still, 0x1.001p31 * still.period, &out),
+                 COIN_ESTEP);
+    coin_state s = wobbling; /* psi leaves its range within a period */
     s.psi = 2147483646.0;
     const coin_orbit o = orbit_of(&s, &p);
     check_status(coin_orbit_at(&o, 1, &out), COIN_OK);
@@ -332,6 +322,64 @@ static void bytes_that_are_no_orbit_do_no_harm(void **unused)
     check_same(&out, &before, sizeof out);
 }
 
+/* ------------------------------------------------------------ its parts */
+/* Begun at a turning point, before and after are mirrors to the bit. */
+static void a_turning_point_is_a_mirror(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(86);
+    for (int i = 0; i < 50; ++i) {
+        coin_params p;
+        coin_state s;
+        random_orbit(&r, &p, &s);
+        s.wX = s.phi = s.psi = s.x = s.z = 0;
+        coin_orbit o;
+        if (coin_orbit_init(&o, &s, &p) != COIN_OK)
+            continue;
+        check(o.theta_min == s.theta || o.theta_max == s.theta);
+        for (int k = 0; k < 20; ++k) {
+            const double t = random_between(&r, 0, 0.49) * o.period;
+            const coin_state one = at(&o, t), other = at(&o, -t);
+            check(one.theta == other.theta && one.wX == -other.wX);
+            check(one.wY == other.wY && one.wZ == other.wZ);
+            check(one.phi == -other.phi && one.psi == -other.psi);
+        }
+    }
+}
+
+/* All that goes with the number of periods is in parts: that number, below
+ * 2^31, times one of the first two is exact. */
+static void products_with_a_number_of_periods_are_exact(void **unused)
+{
+    (void)unused;
+    const int of[] = {COIN_PRIV_PERIOD, COIN_PRIV_HEADING, COIN_PRIV_ROLL,
+                      COIN_PRIV_TURN};
+    const double k = 0x1p31 - 1;
+    struct random r = random_begin(87);
+    for (int i = 0; i < 50; ++i) {
+        coin_params p;
+        coin_state s;
+        const coin_orbit o = random_orbit(&r, &p, &s);
+        for (int n = 0; n < 4; ++n)
+            for (int m = 0; m < 2; ++m) {
+                const double part = o.private_frame[of[n] + m];
+                check(fma(k, part, -(k * part)) == 0);
+            }
+        /* In turns: what they leave of the heading, in units of 2 pi in two
+         * parts, subtracted exactly but for the last terms. */
+        const double *turn = o.private_frame + COIN_PRIV_TURN;
+        const double high = 2 * COIN_PRIV_HALF_PI,
+                     low = 2 * COIN_PRIV_HALF_PI_LOW;
+        const double H = o.heading_per_period;
+        const double whole = round(H / (2 * high));
+        double rest = fma(-2 * high, whole, H);
+        for (int m = 0; m < 3; ++m)
+            rest = fma(-2 * high, turn[m], rest);
+        rest -= 2 * low * (whole + turn[0]);
+        check_near(rest, 0, 1e-20 * (1 + fabs(H)));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -345,6 +393,8 @@ int main(void)
         TEST(units_of_powers_of_two_change_no_bit),
         TEST(what_it_cannot_tell_it_refuses),
         TEST(bytes_that_are_no_orbit_do_no_harm),
+        TEST(a_turning_point_is_a_mirror),
+        TEST(products_with_a_number_of_periods_are_exact),
     };
     return RUN_TESTS(tests);
 }

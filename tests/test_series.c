@@ -119,12 +119,31 @@ static void the_order_is_that_of_its_highest_power(void **unused)
     }
 }
 
+/* Upright and rolling, a small wX obeys wX'' = lambda^2 wX: each power is that
+ * of a sine or cosine.  The next terms are smaller by 1e-60, times 3^32. */
+static void a_small_swing_has_the_powers_of_a_sine(void **unused)
+{
+    (void)unused;
+    const coin_params p = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
+    const coin_state s = {1e-30, 0, 0, 0, 0, 1e-30, 0, 1.7};
+    const coin_priv_law law = law_of(&p);
+    const coin_priv_series y = series_of(&s, &p);
+    const double lambda2 = law.GJ - law.KJ * law.k1 * s.wZ * s.wZ;
+    for (int k = 0; k + 2 <= COIN_PRIV_ORDER; ++k) {
+        const double want =
+            lambda2 * OF(y.at[k].row[1], 1) / ((k + 1) * (k + 2));
+        check_note("power %d", k + 2);
+        check_near(OF(y.at[k + 2].row[1], 1), want, 64 * U * fabs(want));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(the_first_power_is_the_rate),
         TEST(the_series_follows_the_motion),
         TEST(the_order_is_that_of_its_highest_power),
+        TEST(a_small_swing_has_the_powers_of_a_sine),
     };
     return RUN_TESTS(tests);
 }

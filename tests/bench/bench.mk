@@ -178,7 +178,7 @@ batch: $(BUILDS:%=$(BENCH_OUT)/%/bench_batch) need-charts ## many coins at once:
 
 # Solved once, or stepped: what n frames cost, and how the phases of steppers
 # err against an orbit's.
-ORBITS  = for what in costs phase; do { $(ABOUT); \
+ORBITS  = for what in costs ratios phase; do { $(ABOUT); \
               $(BENCH_OUT)/portable/peer_orbit $$what || exit 1; \
               } >$(RESULTS)/orbit_$$what.csv || exit 1; done
 

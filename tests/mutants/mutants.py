@@ -9,7 +9,7 @@ bit and so hide what the others miss.  A mutant that no test notices fails the
 gate; so does one that does not compile, a text that does not occur just once,
 and a source without a mutant.
 
-    mutants.py SRC WORK
+    mutants.py SRC WORK [FILE...]     those of the named files of lib/ only
 """
 import concurrent.futures
 import os
@@ -101,11 +101,14 @@ class Copy:
             path.write_text(text)
 
 
-def main(src, work):
+def main(src, work, files):
     mutants = read_table(src / "tests/mutants/mutants.txt")
     wrong = list(complaints(src / "lib", mutants))
+    wrong += [f"{file}: no mutant" for file in
+              sorted(set(files) - {file for file, _, _ in mutants})]
     if wrong:
         sys.exit("\n".join(wrong))
+    mutants = [m for m in mutants if not files or m[0] in files]
     shutil.rmtree(work, ignore_errors=True)
     os.environ.pop("MAKEFLAGS", None)  # the flags of the make that runs this
     copies = queue.SimpleQueue()
@@ -130,4 +133,5 @@ def main(src, work):
     sys.exit(killed != len(mutants))
 
 
-main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]).absolute())
+main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]).absolute(),
+     sys.argv[3:])

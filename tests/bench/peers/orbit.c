@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* An orbit beside steps, on scene generic, whose natural unit of time is 1.
+/* An orbit beside steps; but for the ratios on scene generic, whose natural
+ * unit of time is 1.
  *     peer_orbit costs    of n frames in a time T, each way to WANTED
+ *     peer_orbit ratios   to a textbook step, of one query and of init
  *     peer_orbit phase    of each stepper, long after, against the orbit */
 #include "../clock.h"
 #include "../movers.h"
@@ -162,7 +164,7 @@ static double cost_of(const struct way *w, double t, double setting, double n)
 static double cost_of_init(void)
 {
     double least = INFINITY;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 8; ++i) {
         const double begin = clock_ns();
         coin_orbit_init(&orbit, &c.row[0].s, &c.p);
         least = fmin(least, clock_ns() - begin);
@@ -187,6 +189,34 @@ static void costs(void)
             }
             fflush(stdout);
         }
+    }
+}
+
+/* Of 256 queries at random times up to 100 units, and of as many steps, in
+ * turns; and of coin_orbit_init(). */
+static void ratios(void)
+{
+    static const char *const names[] = {
+        "wobble", "generic",  "tumble",   "nearflat", "flat3",
+        "ring",   "ring_b05", "negative", "quarter",  "si_washer",
+    };
+    puts("scene,textbook_ns,query,init");
+    for (unsigned k = 0; k < sizeof names / sizeof *names; ++k) {
+        double query = INFINITY, step = INFINITY, init = INFINITY;
+        scene_load(&c, names[k], 20);
+        for (int again = 0; again < 4000; ++again) {
+            coin_state s = c.row[0].s, at;
+            init = fmin(init, again % 16 == 0 ? cost_of_init() : init);
+            const double begin = clock_ns();
+            for (int i = 0; i < 256; ++i)
+                coin_orbit_at(&orbit, i * 149 % 256 * c.unit / 2.56, &at);
+            const double middle = clock_ns();
+            textbook_run(&s, &c.p, 1e-3 * c.unit, 256);
+            step = fmin(step, (clock_ns() - middle) / 256);
+            query = fmin(query, (middle - begin) / 256);
+        }
+        printf("%s,%.4g,%.3g,%.4g\n", names[k], step, query / step,
+               init / step);
     }
 }
 
@@ -244,6 +274,8 @@ int main(int argc, char **argv)
         return 1;
     if (argc > 1 && strcmp(argv[1], "phase") == 0)
         phases();
+    else if (argc > 1 && strcmp(argv[1], "ratios") == 0)
+        ratios();
     else
         costs();
     return 0;
