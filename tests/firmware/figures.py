@@ -26,6 +26,7 @@ MOST = {("m4f", "instructions", "coinf_step"): 1400,
 WORKS = {"coinf_step": "float_steps", "coinf_run": "float_run",
          "coinf_check": "float_checks",
          "coin_step": "double_steps", "coin_run": "double_run"}
+UNWANTED = {"malloc", "_malloc_r", "free", "_sbrk", "__errno", "printf"}
 BLOCK = re.compile(r"(<!-- firmware -->\n).*?(<!-- end -->)", re.S)
 
 
@@ -47,6 +48,9 @@ def stacks(folder, prefix, counted):
     functions = stack.graph(sorted(folder.glob("*.ci")))
     for entry, work in WORKS.items():
         program = stack.Program(prefix, str(folder / f"reach_{entry}"))
+        unwanted = program.address.keys() & UNWANTED
+        if unwanted:
+            sys.exit(f"figures: {folder.name}: {entry} brings {unwanted}")
         most, way = stack.deepest(functions, program, entry)
         own = next(b for name, (b, _) in functions.items()
                    if name.endswith(":" + work))

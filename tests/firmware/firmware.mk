@@ -186,6 +186,7 @@ FW_FIGURES := $(PYTHON) $(FW)/figures.py $(FW_OUT) $(SRC)/docs/embedding.md \
 firmware: $(BOARDS:%=$(FW_OUT)/%/same) $(BOARDS:%=$(FW_OUT)/%/as-host) \
           $(FW_OUT)/m0/late.txt $(FW_NEEDS) ## equal hashes without an operating system
 	$(FW_FIGURES)
+	+$(GATE) sh $(FW)/guide.sh
 
 firmware-update: $(FW_NEEDS) ## write docs/embedding.md's tables
 	$(FW_FIGURES) --update
