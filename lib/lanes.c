@@ -25,6 +25,7 @@ COIN_PRIV_INLINE coin_lanes coin_lanes_lesser(coin_lanes a, coin_lanes b)
  * for each double: the same operations in the same order, so that each coin
  * gets the bits that it gets alone. */
 #if defined(__clang__)
+#pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wkeyword-macro"
 #endif
 #define double coin_lanes
@@ -69,6 +70,9 @@ COIN_PRIV_INLINE coin_lanes coin_lanes_lesser(coin_lanes a, coin_lanes b)
 #undef coin_priv_pose_plus
 #undef coin_priv_rk4_slopes
 #undef coin_priv_rk4_step
+#if defined(__clang__)
+#pragma clang diagnostic pop
+#endif
 
 enum { NUMBERS = sizeof(coin_priv_moment) / sizeof(double) };
 

@@ -106,7 +106,7 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
         return steady_at(o, t, out);
     const double *f = o->private_frame, *T = f + COIN_PRIV_PERIOD;
     const double pieces = f[COIN_PRIV_COUNT], before = f[COIN_PRIV_BACK];
-    if (!(before >= 0 && before < pieces && pieces <= COIN_PRIV_PIECES))
+    if (!(before >= 0 && before < pieces && pieces <= (int)COIN_PRIV_PIECES))
         return COIN_EARG;
     const double now = t * f[COIN_PRIV_RATE];
     const double periods = (now + f[COIN_PRIV_SINCE]) * f[COIN_PRIV_OVER];

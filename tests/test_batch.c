@@ -9,7 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST = 2 * COIN_PRIV_LANES + 1 };
+/* The library may be built for wider vectors than this file. */
+enum { WIDEST = 8, MOST = 2 * WIDEST + 1 };
 
 /* A batch and what it has to become. */
 struct trial {
@@ -97,11 +98,11 @@ static int stays_above(double high, int32_t method, double wX, double *cth)
     const coin_params p = disc();
     const coin_state s = {.theta = 0.5, .wX = wX};
     coin_priv_body b;
-    coin_priv_moment at[COIN_PRIV_LANES];
-    double highs[COIN_PRIV_LANES];
-    int sound[COIN_PRIV_LANES];
+    coin_priv_moment at[WIDEST];
+    double highs[WIDEST];
+    int sound[WIDEST];
     check_status(coin_priv_body_of(&b, &p), COIN_OK);
-    for (int k = 0; k < COIN_PRIV_LANES; ++k) {
+    for (int k = 0; k < WIDEST; ++k) {
         at[k] = coin_priv_carry_of(&s).at;
         highs[k] = high;
     }
