@@ -96,6 +96,7 @@ gives "a symbol dropped" "changed: symbols types client;"
 fresh
 edit include/coin.h 's/size_t count/uint32_t count/'
 edit lib/run.c 's/size_t count/uint32_t count/'
+edit lib/batch.c 's/size_t count/uint32_t count/'
 build
 gives "an argument of another type" "changed: functions types;"
 
