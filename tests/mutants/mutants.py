@@ -59,23 +59,31 @@ class Copy:
         self.src, self.out = root / "src", root / "out"
         shutil.copytree(src, self.src, ignore=shutil.ignore_patterns(
             ".git", "build", "__pycache__"))
-        errors = self.build() or self.failing_test("")
+        errors = self.build() or self.failing_test(self.all_tests())
         if errors:
             sys.exit(f"mutants: the unbroken library fails\n{errors}")
 
-    def build(self):
+    def build(self, target="build-tests"):
         """What the compiler complains of."""
-        make = ["make", "-s", "-C", self.src, f"O={self.out}", "build-tests",
+        make = ["make", "-s", "-C", self.src, f"O={self.out}", target,
                 "CFLAGS=-O1 -w"]
         run = subprocess.run(make, capture_output=True, text=True)
         return run.stderr if run.returncode else ""
 
-    def failing_test(self, file):
-        """The name of the first test that fails, if one does."""
+    def own_test(self, file):
+        """The test program that is named after a source, if there is one."""
         own = "test_" + re.split("[/.]", file)[0]
-        tests = sorted(
-            (t for t in self.out.glob("tests/test_*") if not t.suffix),
-            key=lambda t: (t.name != own, t.name == "test_selftest", t.name))
+        is_there = (self.src / f"tests/{own}.c").exists()
+        return [self.out / "tests" / own] if is_there else []
+
+    def all_tests(self):
+        tests = [t for t in self.out.glob("tests/test_*") if not t.suffix]
+        if not tests:
+            sys.exit("mutants: no test program")
+        return sorted(tests, key=lambda t: (t.name == "test_selftest", t.name))
+
+    def failing_test(self, tests):
+        """The name of the first test that fails, if one does."""
         for test in tests:
             try:
                 run = subprocess.run([test], capture_output=True,
@@ -84,7 +92,7 @@ class Copy:
                 return f"{test.name} (endless)"
             if run.returncode:
                 return test.name
-        return "" if tests else "no test program"
+        return ""
 
     def judge(self, mutant):
         """(what became of a mutant, the test that noticed)."""
@@ -93,9 +101,14 @@ class Copy:
         text = path.read_text()
         path.write_text(text.replace(old, new))
         try:
-            if self.build():
+            own = self.own_test(file)
+            if any(self.build(test) for test in own):
                 return "ERROR", "does not compile"
-            killer = self.failing_test(file)
+            killer = self.failing_test(own)
+            if not killer:
+                if self.build():
+                    return "ERROR", "does not compile"
+                killer = self.failing_test(self.all_tests())
             return ("killed", killer) if killer else ("SURVIVED", "")
         finally:
             path.write_text(text)
