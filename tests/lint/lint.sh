@@ -16,6 +16,7 @@ run()
 
 run "the sources' sizes" python3 "$here/sizes.py" "$SRC"
 run "layers of lib/" python3 "$here/layers.py" "$SRC/lib"
+run "mutants' texts" python3 "$SRC/tests/mutants/mutants.py" "$SRC"
 run "citations" python3 "$here/citations.py" "$SRC"
 run "text" sh "$here/text.sh"
 run "public symbols" sh "$here/symbols.sh"

@@ -9,7 +9,8 @@ bit and so hide what the others miss.  A mutant that no test notices fails the
 gate; so does one that does not compile, a text that does not occur just once,
 and a source without a mutant.
 
-    mutants.py SRC WORK [FILE...]     those of the named files of lib/ only
+    mutants.py SRC                  the table alone is looked at: for lint
+    mutants.py SRC WORK [FILE...]   those of the named files of lib/ only
 """
 import concurrent.futures
 import os
@@ -114,14 +115,17 @@ class Copy:
             path.write_text(text)
 
 
-def main(src, work, files):
+def main(src, work=None, *files):
     mutants = read_table(src / "tests/mutants/mutants.txt")
     wrong = list(complaints(src / "lib", mutants))
     wrong += [f"{file}: no mutant" for file in
               sorted(set(files) - {file for file, _, _ in mutants})]
     if wrong:
         sys.exit("\n".join(wrong))
+    if not work:
+        return
     mutants = [m for m in mutants if not files or m[0] in files]
+    work = work.absolute()
     shutil.rmtree(work, ignore_errors=True)
     os.environ.pop("MAKEFLAGS", None)  # the flags of the make that runs this
     copies = queue.SimpleQueue()
@@ -146,5 +150,4 @@ def main(src, work, files):
     sys.exit(killed != len(mutants))
 
 
-main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]).absolute(),
-     sys.argv[3:])
+main(*map(pathlib.Path, sys.argv[1:3]), *sys.argv[3:])
