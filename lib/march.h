@@ -86,10 +86,10 @@ COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c,
         for (; done < block; ++done) {
             const double lowest = step(next, now, coefficients);
             const double low = coin_priv_lesser(lowest, next->y.cth);
-            sound = low > high ||
-                    (low > 0 && coin_priv_within(limits, g_a, &next->y));
-            if (!sound ||
-                (at_edge && !coin_priv_angles_hold(next, c->psi.sum, 0)))
+            if (COIN_PRIV_RARELY(!(low > high)) &&
+                !(low > 0 && coin_priv_within(limits, g_a, &next->y)))
+                break;
+            if (at_edge && !coin_priv_angles_hold(next, c->psi.sum, 0))
                 break;
             coin_priv_moment *const swapped = now;
             now = next;

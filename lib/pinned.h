@@ -28,11 +28,14 @@
                      "no-tree-loop-vectorize")
 #endif
 
-/* A step's parts become one piece of straight code, whatever their size. */
+/* A step's parts become one piece of straight code, whatever their size; what
+ * rarely holds is moved out of its way. */
 #if defined(__GNUC__)
 #define COIN_PRIV_INLINE static inline __attribute__((always_inline))
+#define COIN_PRIV_RARELY(condition) __builtin_expect(!!(condition), 0)
 #else
 #define COIN_PRIV_INLINE static inline
+#define COIN_PRIV_RARELY(condition) (condition)
 #endif
 
 #endif
