@@ -6,7 +6,7 @@
 
 /* Two numbers that the same operations go over: gcc and clang take them at
  * once, to the same bits. */
-#if defined(__GNUC__) && !defined(__TINYC__)
+#if defined(__GNUC__) && !defined(__TINYC__) && !defined(double)
 typedef double coin_priv_pair __attribute__((vector_size(16)));
 #define COIN_PRIV_OF(pair, i) (pair)[i]
 COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_add(coin_priv_pair sum,
