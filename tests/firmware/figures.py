@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: MIT
 """What the library takes of a processor, against the tables in the docs.
 
-    figures.py OUT DOCS NAME=PREFIX...           fails unless they agree
-    figures.py OUT DOCS NAME=PREFIX... --update  writes them
+    figures.py KIND OUT DOCS SOURCES NAME=PREFIX...           fails unless they
+    figures.py KIND OUT DOCS SOURCES NAME=PREFIX... --update  agree, writes them
 
-OUT/NAME holds what firmware.mk made for a board; PREFIX is of its binutils.
+KIND is firmware or cross: boards, whose programs are looked at as a whole, or
+systems, of whose programs it is the library's part.  OUT/NAME holds what
+firmware.mk made for a machine; PREFIX is of its binutils.
 """
 import pathlib
 import re
@@ -27,27 +29,21 @@ WORKS = {"coinf_step": "float_steps", "coinf_run": "float_run",
          "coinf_check": "float_checks",
          "coin_step": "double_steps", "coin_run": "double_run"}
 UNWANTED = {"malloc", "_malloc_r", "free", "_sbrk", "__errno", "printf"}
-BLOCK = re.compile(r"(<!-- firmware -->\n).*?(<!-- end -->)", re.S)
+HOLDS = {"firmware": stack.Program, "cross": stack.Part}
 
 
-def size(prefix, files, libraries=False):
-    """Bytes of code and constants.  Of data there are none, but what compiled
-    libraries bring: 8 bytes with picolibc's sqrt."""
+def size(prefix, files):
+    """Bytes of code and constants, which llvm-size calls data."""
     out = subprocess.run([prefix + "size", *map(str, files)], check=True,
                          text=True, capture_output=True).stdout
-    total = 0
-    for line in out.splitlines()[1:]:
-        text, data, bss, _, _, name = line.split()
-        if not libraries and (data, bss) != ("0", "0"):
-            sys.exit(f"figures: {name} holds {data} + {bss} bytes of data")
-        total += int(text)
-    return total
+    lines = [line.split() for line in out.splitlines()[1:]]
+    return sum(int(text) + int(data) for text, data, *_ in lines)
 
 
-def stacks(folder, prefix, counted):
+def stacks(holds, folder, prefix, counted):
     functions = stack.graph(sorted(folder.glob("*.ci")))
     for entry, work in WORKS.items():
-        program = stack.Program(prefix, str(folder / f"reach_{entry}"))
+        program = holds(prefix, str(folder / f"reach_{entry}"))
         unwanted = program.address.keys() & UNWANTED
         if unwanted:
             sys.exit(f"figures: {folder.name}: {entry} brings {unwanted}")
@@ -61,38 +57,38 @@ def stacks(folder, prefix, counted):
         yield entry, most
 
 
-def measured(folder, prefix, sources):
-    """{(kind, what): figure} of a board."""
-    counted = {}
-    for line in (folder / "counts.txt").read_text().splitlines():
-        name, *numbers = line.split()
-        counted[name] = [int(n) for n in numbers]
+def measured(holds, folder, prefix, sources):
+    """{(kind, what): figure} of a machine."""
     floats = [folder / f"{s}.o" for s in sources if s.startswith("coinf_")]
     doubles = [folder / f"{s}.o" for s in sources if s not in
                {f.stem for f in floats}]
     found = {("code", "all of coinf.h"): size(prefix, floats),
              ("code", "all of coin.h"): size(prefix, doubles)}
     for entry in WORKS:
-        found["code", entry] = size(
-            prefix, [folder / f"reach_{entry}"], libraries=True)
-    for entry, most in stacks(folder, prefix, counted):
-        found["stack", entry] = most
-    for name, (count, _) in counted.items():
-        found["instructions", name] = count
+        found["code", entry] = size(prefix, [folder / f"reach_{entry}"])
+    counts = folder / "counts.txt"
+    if counts.exists():
+        lines = [line.split() for line in counts.read_text().splitlines()]
+        counted = {name: [int(n) for n in numbers] for name, *numbers in lines}
+        for name, (count, _) in counted.items():
+            found["instructions", name] = count
+        for entry, most in stacks(holds, folder, prefix, counted):
+            found["stack", entry] = most
     return found
 
 
-def tables(boards):
+def tables(machines):
     text = ""
     for kind, title in (("instructions", "instructions per step"),
                         ("stack", "bytes of stack"), ("code", "bytes of code")):
-        columns = [w for k, w in next(iter(boards.values())) if k == kind]
+        columns = [w for k, w in next(iter(machines.values())) if k == kind]
         text += f"| {title} | " + " | ".join(
             c if " " in c else f"`{c}`" for c in columns) + " |\n"
         text += "| --- |" + " --- |" * len(columns) + "\n"
-        for name, found in boards.items():
-            text += f"| {name} | " + " | ".join(
-                str(found[kind, c]) for c in columns) + " |\n"
+        for name, found in machines.items():
+            if (kind, columns[0]) in found:
+                text += f"| {name} | " + " | ".join(
+                    str(found[kind, c]) for c in columns) + " |\n"
         text += "\n"
     return text
 
@@ -110,27 +106,26 @@ def disagree(now, stated):
                 yield f"measured {new}\n  stated {old}"
 
 
-def main(out, docs, sources, *rest):
-    boards = {}
-    for board in rest:
-        if board != "--update":
-            name, prefix = board.split("=")
-            boards[name] = measured(pathlib.Path(out, name), prefix,
-                                    sources.split())
-    wrong = [f"{b}: {n} {k} in {w}, {most} allowed"
-             for (b, k, w), most in MOST.items()
-             if (n := boards[b][k, w]) > most]
-    now, path = tables(boards), pathlib.Path(docs)
+def main(kind, out, docs, sources, *rest):
+    machines = {}
+    for machine in rest:
+        if machine != "--update":
+            name, prefix = machine.split("=")
+            machines[name] = measured(HOLDS[kind], pathlib.Path(out, name),
+                                      prefix, sources.split())
+    wrong = [f"{m}: {n} {k} in {w}, {most} allowed"
+             for (m, k, w), most in MOST.items()
+             if m in machines and (n := machines[m][k, w]) > most]
+    now, path = tables(machines), pathlib.Path(docs)
     print(now, end="")
     text = path.read_text()
-    block = BLOCK.search(text)
+    block = re.search(rf"(<!-- {kind} -->\n)(.*?)(<!-- end -->)", text, re.S)
     if not block:
-        sys.exit(f"{docs} has no table <!-- firmware -->")
+        sys.exit(f"{docs} has no table <!-- {kind} -->")
     if "--update" in rest:
-        path.write_text(BLOCK.sub(lambda m: m[1] + now + m[2], text))
+        path.write_text(text[:block.start(2)] + now + text[block.end(2):])
     else:
-        stated = block[0].split("\n", 1)[1].removesuffix(block[2])
-        wrong += disagree(now, stated)
+        wrong += disagree(now, block[2])
     sys.exit("\n".join(["figures:", *wrong]) if wrong else 0)
 
 

@@ -5,9 +5,10 @@
 #   make firmware           no operating system: start-up code, QEMU's boards
 #   make firmware-update    write what a step takes there into the docs
 #   make cross              Linux on other processors by qemu-user; wasm in node
+#   make cross-update       the same for these
 #
 # On each the program of `make repro` has to print the lines that it prints
-# here, the same hashes.
+# here, the same hashes; and what the library takes is what the docs say.
 
 FW      := $(SRC)/tests/firmware
 FW_OUT  := $(O)/firmware
@@ -82,8 +83,8 @@ FW_DADD = m3 m4f m33
 FW_C99   = -std=c99 -O2 -ffp-contract=off -Wall -Wextra -Werror \
            -I$(SRC)/include -I$(O)/float -I$(BOARD)
 FW_CC    = $(CC_$1) $(FW_C99) -fno-math-errno $(if $(filter $1,wasm32),,\
-           -fno-tree-vectorize) $(if $(filter $1,$(BOARDS)),-ffunction-sections \
-           -fdata-sections -fcallgraph-info=su) $(DEPENDS)
+           -fno-tree-vectorize -fcallgraph-info=su) -ffunction-sections \
+           -fdata-sections -fno-asynchronous-unwind-tables $(DEPENDS)
 FW_LINK  = $(CC_$1) -nostdlib -Wl,--gc-sections $(if $(filter m%,$1),$(FW_SQRT))
 FW_LIBS  = -Wl,--start-group -lm -lc -lgcc -Wl,--end-group
 FW_OBJ   = $(patsubst %,$(FW_OUT)/$1/%.o,\
@@ -92,10 +93,11 @@ FW_START = $(FW_OUT)/$1/$(if $(filter rv%,$1),riscv,cortex_m).o
 
 # What every machine compiles, and how it is held against this one.
 define fw_machine
-$(FW_OUT)/$1/%.o: $(SRC)/lib/%.c $(O)/flags | $(FW_OUT)/$1
+$(FW_OUT)/$1/%.o: $(SRC)/lib/%.c $(O)/flags $(FW)/firmware.mk | $(FW_OUT)/$1
 	$$(call FW_CC,$1) -c -o $$@ $$<
 
-$(FW_OUT)/$1/%.o: $(O)/float/%.c $(FLOAT_H) $(O)/flags | $(FW_OUT)/$1
+$(FW_OUT)/$1/%.o: $(O)/float/%.c $(FLOAT_H) $(O)/flags \
+                 $(FW)/firmware.mk | $(FW_OUT)/$1
 	$$(call FW_CC,$1) -c -o $$@ $$<
 
 $(FW_OUT)/$1/hash.o: $(SRC)/tests/repro/hash.c | $(FW_OUT)/$1
@@ -138,7 +140,7 @@ $(foreach m,$(BOARDS),$(eval $(call fw_board,$m)))
 # An orbit takes 70 KiB; wasm-ld gives 64 unless told.
 FW_STACK := -Wl,-z,stack-size=131072
 define fw_cross
-$(FW_OUT)/$1/hash.elf: $(FW_OUT)/$1/hash.o $(call FW_OBJ,$1)
+$(FW_OUT)/$1/%.elf: $(FW_OUT)/$1/%.o $(call FW_OBJ,$1)
 	$$(CC_$1) $(if $(filter wasm32,$1),$(FW_STACK),-static) -o $$@ $$^ -lm
 endef
 $(foreach m,$(CROSS),$(eval $(call fw_cross,$m)))
@@ -167,8 +169,21 @@ $(FW_OUT)/m0/late.txt: $(FW_OUT)/m0/watchdog.elf
 	test "$$(head -1 $@)" = '1 rounds: late'
 
 # ---------------------------------------------------------------- what it takes
-# A program of all that an entry reaches, and nothing else.
 FW_ENTRIES := coinf_step coinf_run coinf_check coin_step coin_run
+FW_TOOLS    = $(if $(filter wasm32,$1),llvm-,$(patsubst \
+                %gcc,%,$(firstword $(CC_$1))))
+
+# The objects themselves: what they need, and that they hold no writable data.
+define fw_objects
+$(FW_OUT)/$1/objects: $(call FW_OBJ,$1) $(SRC)/tests/lint/objects.sh
+	TOOLS=$$(call FW_TOOLS,$1) OUT=$(FW_OUT)/$1 \
+	    LIBGCC=$$$$($$(CC_$1) -print-libgcc-file-name) \
+	    sh $(SRC)/tests/lint/objects.sh $1 $$(filter %.o,$$^)
+	touch $$@
+endef
+$(foreach m,$(BOARDS) $(CROSS),$(eval $(call fw_objects,$m)))
+
+# A program of all that an entry reaches, and nothing else.
 define fw_reach
 $(FW_OUT)/$1/reach_%: $(call FW_OBJ,$1) $(BOARD)/board.ld
 	$$(call FW_LINK,$1) -Wl,-e,$$* $$(MEMORY_$1) -T $(BOARD)/board.ld -o $$@ \
@@ -176,19 +191,39 @@ $(FW_OUT)/$1/reach_%: $(call FW_OBJ,$1) $(BOARD)/board.ld
 endef
 $(foreach m,$(BOARDS),$(eval $(call fw_reach,$m)))
 
-FW_NEEDS   := $(foreach m,$(BOARDS),$(FW_OUT)/$m/counts.txt \
-                $(FW_ENTRIES:%=$(FW_OUT)/$m/reach_%))
-FW_FIGURES := $(PYTHON) $(FW)/figures.py $(FW_OUT) $(SRC)/docs/embedding.md \
-              '$(notdir $(basename $(SOURCES) $(FLOAT_C)))' \
-              $(foreach m,$(BOARDS),$m=$(if $(filter rv%,$m),riscv64-unknown-elf-,arm-none-eabi-))
+# Of Linux, what an entry reaches in the library; and a program that is counted
+# from outside.  No one counts for wasm, nor knows where its frames will lie.
+define fw_part_of
+$(FW_OUT)/$1/reach_%: $(call FW_OBJ,$1)
+	$$(CC_$1) -nostdlib -Wl,--gc-sections -Wl,-e,$$* \
+	    $(if $(filter wasm32,$1),-Xlinker --allow-undefined,-r) -o $$@ $$^
 
-.PHONY: firmware firmware-update cross
+$(FW_OUT)/$1/does.o: $(FW)/does.c | $(FW_OUT)/$1
+	$$(call FW_CC,$1) -c -o $$@ $$<
+
+$(FW_OUT)/$1/counts.txt: $(FW_OUT)/$1/does.elf $(FW)/count.sh
+	sh $(FW)/count.sh $$(RUN_$1) $$< $(FW_ENTRIES) >$$@
+endef
+$(foreach m,$(CROSS),$(eval $(call fw_part_of,$m)))
+
+fw_needs    = $(foreach m,$1,$(FW_OUT)/$m/objects \
+                $(FW_ENTRIES:%=$(FW_OUT)/$m/reach_%) \
+                $(if $(filter wasm32,$m),,$(FW_OUT)/$m/counts.txt))
+fw_figures  = $(PYTHON) $(FW)/figures.py $1 $(FW_OUT) $(SRC)/docs/embedding.md \
+              '$(notdir $(basename $(SOURCES) $(FLOAT_C)))' \
+              $(foreach m,$2,$m=$(call FW_TOOLS,$m))
+
+.PHONY: firmware firmware-update cross cross-update
 firmware: $(BOARDS:%=$(FW_OUT)/%/same) $(BOARDS:%=$(FW_OUT)/%/as-host) \
-          $(FW_OUT)/m0/late.txt $(FW_NEEDS) ## equal hashes without an operating system
-	$(FW_FIGURES)
+          $(FW_OUT)/m0/late.txt $(call fw_needs,$(BOARDS)) ## equal hashes without an operating system
+	$(call fw_figures,firmware,$(BOARDS))
 	+$(GATE) sh $(FW)/guide.sh
 
-firmware-update: $(FW_NEEDS) ## write docs/embedding.md's tables
-	$(FW_FIGURES) --update
+firmware-update: $(call fw_needs,$(BOARDS)) ## write docs/embedding.md's tables
+	$(call fw_figures,firmware,$(BOARDS)) --update
 
-cross: $(CROSS:%=$(FW_OUT)/%/same) ## equal hashes from other processors, and wasm
+cross: $(CROSS:%=$(FW_OUT)/%/same) $(call fw_needs,$(CROSS)) ## equal hashes from other processors, and wasm
+	$(call fw_figures,cross,$(CROSS))
+
+cross-update: $(call fw_needs,$(CROSS)) ## write docs/embedding.md's tables of them
+	$(call fw_figures,cross,$(CROSS)) --update

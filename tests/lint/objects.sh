@@ -2,34 +2,63 @@
 # SPDX-License-Identifier: MIT
 # The library needs nothing but a few functions of libm, and holds no writable
 # data.
-# From `make lint`: OUT.
+#   objects.sh                 what `make lint` built: OUT
+#   objects.sh NAME OBJECT...  those of another processor: TOOLS, the prefix of
+#                              its binutils, OUT, and LIBGCC, which may help
 set -eu
 allowed="log logf sqrt sqrtf memcpy memset"
+tools=${TOOLS-}
 work=$OUT/lint
 status=0
 mkdir -p "$work"
 
-for kind in static shared; do
-    nm --defined-only "$OUT/$kind"/*.o | sed -n 's/.* [A-Z] //p' |
+# What the linker makes, not the C library.
+linkers='^(_GLOBAL_OFFSET_TABLE_|\.TOC\.|__stack_pointer)$'
+
+defined() { "${tools}nm" --defined-only "$@" 2>"$work/errors" |
+                sed -n 's/.* [A-Za-z] //p'; }
+
+# Sections that are written to, even if only by the dynamic linker; for wasm
+# only llvm-readobj knows them by name.
+writable()
+{
+    if test "$tools" = llvm-; then
+        llvm-readobj --sections "$@" |
+            awk '$1 == "Size:" && n ~ /^\.t?(data|bss)/ {sum += $2}
+                {n = $1 == "Name:" ? $2 : ""} END {print sum + 0}'
+    else
+        "${tools}size" -A "$@" | awk '
+            $1 ~ /^\.t?(data|bss)/ || $1 == "COMMON" {n += $2} END {print n+0}'
+    fi
+}
+
+# look NAME OBJECT...
+look()
+{
+    name=$1
+    shift
+    test $# -gt 20 || { echo "$name: $# objects"; status=1; }
+    { defined "$@"; test -z "${LIBGCC-}" || defined "$LIBGCC"; } |
         LC_ALL=C sort -u >"$work/defined"
-    nm -u "$OUT/$kind"/*.o | sed -n 's/^ *U //p' |
-        grep -v '^_GLOBAL_OFFSET_TABLE_$' | LC_ALL=C sort -u |
-        LC_ALL=C comm -23 - "$work/defined" >"$work/needed"
-    echo "$kind objects need:" $(cat "$work/needed")
-    for name in $(cat "$work/needed"); do
+    "${tools}nm" -u "$@" | sed -n 's/^ *U //p' | grep -Ev "$linkers" |
+        LC_ALL=C sort -u | LC_ALL=C comm -23 - "$work/defined" >"$work/needed"
+    test -s "$work/needed" || { echo "$name: needs nothing?"; status=1; }
+    for symbol in $(cat "$work/needed"); do
         case " $allowed " in
-        *" $name "*) ;;
-        *) echo "$kind: $name is not allowed"; status=1 ;;
+        *" $symbol "*) ;;
+        *) echo "$name: $symbol is not allowed"; status=1 ;;
         esac
     done
+    bytes=$(writable "$@")
+    test "$bytes" = 0 || status=1
+    echo "$name objects need" $(cat "$work/needed"), \
+        "and hold $bytes bytes of writable data"
+}
 
-    # Sections that are written to, even if only by the dynamic linker.
-    writable=$(size -A "$OUT/$kind"/*.o |
-        awk '$1 ~ /^\.t?(data|bss)/ || $1 == "COMMON" {n += $2} END {print n+0}')
-    text=$(size -A "$OUT/$kind"/*.o |
-        awk '$1 ~ /^\.(text|rodata)/ {n += $2} END {print n+0}')
-    echo "$kind objects hold $text bytes of code and constants," \
-        "$writable of writable data"
-    test "$writable" = 0 && test "$text" != 0 || status=1
-done
+if test $# -gt 0; then
+    look "$@"
+else
+    look static "$OUT"/static/*.o
+    look shared "$OUT"/shared/*.o
+fi
 exit $status
