@@ -4,6 +4,7 @@
 #include "lanes.h"
 #include "march.h"
 #include "method.h"
+#include "outcome.h"
 #include "run.h"
 #include "state.h"
 
@@ -66,28 +67,10 @@ static void go(struct rank *r, uint64_t steps)
     }
 }
 
-/* What became of a batch: the first coin that failed, and all warnings. */
-struct outcome {
-    size_t first;
-    int32_t error, warnings;
-};
-
-static void note(struct outcome *o, int32_t *status, size_t index, int32_t code)
-{
-    if (status)
-        status[index] = code;
-    if (code > 0)
-        o->warnings |= code;
-    if (code < 0 && (o->error == COIN_OK || index < o->first)) {
-        o->error = code;
-        o->first = index;
-    }
-}
-
 /* Moves the coins in line, and empties it.  Places that nobody took go along
  * with the first. */
 static void dismiss(struct rank *r, coin_state *s, uint64_t steps,
-                    int32_t *status, struct outcome *o)
+                    int32_t *status, coin_priv_outcome *o)
 {
     for (int k = r->size; k < COIN_PRIV_LANES; ++k)
         r->run[k] = r->run[0];
@@ -98,7 +81,8 @@ static void dismiss(struct rank *r, coin_state *s, uint64_t steps,
             coin_priv_run_on(&r->run[k], steps);
     for (int k = 0; k < r->size; ++k) {
         const size_t i = r->index[k];
-        note(o, status, i, coin_priv_run_close(&r->run[k], steps, &s[i], NULL));
+        coin_priv_note(o, status, i,
+                       coin_priv_run_close(&r->run[k], steps, &s[i], NULL));
     }
     r->size = 0;
 }
@@ -108,7 +92,7 @@ int32_t coin_batch_run(coin_state *s, size_t count, const coin_params *p,
                        int32_t *status)
 {
     struct rank r;
-    struct outcome o = {0, COIN_OK, COIN_OK};
+    coin_priv_outcome o = {0, COIN_OK, COIN_OK};
     const int32_t params = coin_params_check(p);
     if (!s || !coin_priv_method_known(method))
         return COIN_EARG;
@@ -123,7 +107,7 @@ int32_t coin_batch_run(coin_state *s, size_t count, const coin_params *p,
             r.run[r.size].step = coin_priv_method_stepper(method);
             r.index[r.size++] = i;
         } else {
-            note(&o, status, i, code);
+            coin_priv_note(&o, status, i, code);
         }
         if (r.size == COIN_PRIV_LANES)
             dismiss(&r, s, steps, status, &o);

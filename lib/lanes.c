@@ -10,10 +10,10 @@
 #include "lanes.h"
 #include "number.h"
 
-#if COIN_PRIV_LANES > 1
+#if COIN_PRIV_WIDTH
 
-typedef double coin_lanes __attribute__((vector_size(8 * COIN_PRIV_LANES)));
-typedef int64_t lanes_mask __attribute__((vector_size(8 * COIN_PRIV_LANES)));
+typedef double coin_lanes __attribute__((vector_size(COIN_PRIV_WIDTH)));
+typedef int64_t lanes_mask __attribute__((vector_size(COIN_PRIV_WIDTH)));
 
 COIN_PRIV_INLINE coin_lanes coin_lanes_lesser(coin_lanes a, coin_lanes b)
 {

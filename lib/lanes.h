@@ -4,18 +4,9 @@
 #define ROLLCOIN_LANES_H
 
 #include "stepper.h"
+#include "width.h"
 
-#if !defined(__GNUC__) || defined(__TINYC__) || defined(double)
-#define COIN_PRIV_LANES 1
-#elif defined(__AVX512F__)
-#define COIN_PRIV_LANES 8
-#elif defined(__AVX__)
-#define COIN_PRIV_LANES 4
-#elif defined(__SSE2__) || defined(__aarch64__) || defined(__VSX__)
-#define COIN_PRIV_LANES 2
-#else
-#define COIN_PRIV_LANES 1
-#endif
+#define COIN_PRIV_LANES (COIN_PRIV_WIDTH ? COIN_PRIV_WIDTH / 8 : 1)
 
 /* n steps of dt of COIN_PRIV_LANES coins, without a guard: sound[k] says
  * whether each stage of coin k was above high[k], and NaN is not. */

@@ -5,41 +5,17 @@
 
 #include <stdint.h>
 
-/* sin(x + y), |x + y| <= pi/4, |y| <= ulp(x). */
-static double sine(double x, double y)
-{
-    const double z = x * x;
-    const double p = COIN_PRIV_SINE(z);
-    return x + (x * z * p + y * (1.0 - 0.5 * z));
-}
-
-/* cos(x + y), likewise; 1 - z/2 is summed with its rounding error. */
-static double cosine(double x, double y)
-{
-    const double z = x * x;
-    const double p = COIN_PRIV_COSINE(z);
-    const double w = 1.0 - 0.5 * z;
-    return w + (((1.0 - w) - 0.5 * z) + (z * z * p - x * y));
-}
-
 coin_priv_sc coin_priv_sincos(double x)
 {
     coin_priv_sc r = {NAN, NAN};
     /* Also stops NaN, whose conversion to an integer is undefined. */
     if (!(fabs(x) <= COIN_PRIV_ANGLE_MAX))
         return r;
-    /* x = n pi/2 + (hi + lo), Cody and Waite; t is exact. */
-    const double n =
-        (x * (1.0 / COIN_PRIV_HALF_PI) + COIN_PRIV_ROUNDER) - COIN_PRIV_ROUNDER;
-    const double t = (x - n * COIN_PRIV_P1) - n * COIN_PRIV_P2;
-    const double r3 = t - n * COIN_PRIV_P3;
-    const double hi = r3 - n * COIN_PRIV_P4;
-    const double lo =
-        ((r3 - hi) - n * COIN_PRIV_P4) + ((t - r3) - n * COIN_PRIV_P3);
-    const double s = sine(hi, lo), c = cosine(hi, lo);
+    double n;
+    const coin_priv_sc rest = coin_priv_sincos_rest(&n, x);
     const int32_t quarter = (int32_t)n & 3;
-    r.s = quarter & 1 ? c : s;
-    r.c = quarter & 1 ? s : c;
+    r.s = quarter & 1 ? rest.c : rest.s;
+    r.c = quarter & 1 ? rest.s : rest.c;
     r.s = quarter & 2 ? -r.s : r.s;
     r.c = (quarter + 1) & 2 ? -r.c : r.c;
     return r;

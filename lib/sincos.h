@@ -2,13 +2,9 @@
 #ifndef ROLLCOIN_SINCOS_H
 #define ROLLCOIN_SINCOS_H
 
-#include "precision.h"
+#include "sine.h"
 
 #include <math.h>
-
-typedef struct coin_priv_sc {
-    double s, c;
-} coin_priv_sc;
 
 /* Sine and cosine of x, |x| <= COIN_PRIV_ANGLE_MAX; beyond, infinite or NaN:
  * both NaN.  Accuracy: 1 ulp for |x| <= 2^20, near multiples of pi/2 too

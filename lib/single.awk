@@ -176,7 +176,8 @@ function note_macro(line)
     sub(/^# *define /, "", line)
     match(line, /^[A-Za-z_0-9]+/)
     line = substr(line, 1, RLENGTH)
-    if (in_public(line) || line == "double") # lanes.c makes a vector of it
+    # lanes.c makes vectors of numbers, and a function of them from fabsf.
+    if (in_public(line) || line ~ /^(double|float|fabsf)$/)
         return
     local[line] = 1
     if (sub(/[0-9]+$/, "", line))

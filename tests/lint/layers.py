@@ -13,12 +13,13 @@ import re
 import sys
 
 FLOORS = [
-    [{"pinned", "precision"}],
-    [{"sincos"}, {"motion", "number"}, {"version"}, {"status"}, {"pair"}],
+    [{"pinned", "precision", "width"}],
+    [{"sincos", "sine"}, {"motion", "number"}, {"version"}, {"status"},
+     {"pair"}, {"outcome"}],
     [{"params", "state"}, {"frame"}],
     [{"stage"}, {"legendre"}],
-    [{"stepper", "carry", "march", "rk4", "dop8", "rk8", "lanes", "symplectic",
-      "sundman", "advance"},
+    [{"stepper", "change", "carry", "march", "rk4", "dop8", "rk8", "lanes",
+      "symplectic", "sundman", "advance"},
      {"energy"}, {"integrals"}, {"reaction"}, {"pose"}, {"rates"},
      {"steady", "steady_at", "steady_near"}],
     [{"run", "batch", "method", "check", "max_dt"}, {"stability"}, {"wobble"},
