@@ -28,7 +28,7 @@ const char *mover_name(enum mover_kind kind)
 mover mover_at(enum mover_kind kind, const coin_state *s, const coin_params *p,
                double h)
 {
-    mover m = {.kind = kind, .p = *p, .s = *s, .h = h};
+    mover m = {.kind = kind, .p = *p, .s = *s, .h = h, .start = *s};
     if (coin_priv_check(s, p, &m.b) == COIN_OK)
         m.c = coin_priv_carry_of(s);
     return m;
@@ -50,13 +50,12 @@ static int go_lean(mover *m, unsigned long n)
  * that one sees of the phase. */
 static int go_sundman(mover *m, unsigned long n)
 {
-    const coin_state start = m->s;
     for (; n > 0; --n)
         if (!coin_priv_sundman_step(&m->c, &m->b, m->h))
             return 1;
     m->t += m->c.at.pose.t;
     m->c.at.pose.t = 0;
-    m->s = coin_priv_state_of(&m->c, &m->b, &start);
+    m->s = coin_priv_state_of(&m->c, &m->b, &m->start);
     return 0;
 }
 

@@ -21,11 +21,12 @@ enum mover_kind {
 typedef struct mover {
     enum mover_kind kind;
     coin_params p;
-    coin_state s;      /* where the coin is */
-    double h;          /* the step, in t, or in tau of MOVER_SUNDMAN */
-    long double t;     /* since the start */
-    coin_priv_body b;  /* of MOVER_SUNDMAN, with what it carries from */
-    coin_priv_carry c; /* call to call */
+    coin_state s;     /* where the coin is */
+    double h;         /* the step, in t, or in tau of MOVER_SUNDMAN */
+    long double t;    /* since the start */
+    coin_state start; /* of MOVER_SUNDMAN, with its body and what it */
+    coin_priv_body b; /* carries from call to call */
+    coin_priv_carry c;
 } mover;
 
 const char *mover_name(enum mover_kind kind);
