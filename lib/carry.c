@@ -19,39 +19,29 @@ coin_priv_carry coin_priv_carry_of(const coin_state *s)
     return c;
 }
 
-/* phi from the pair that the steps turned; pose.phi is within half a turn of
- * it, and tells which. */
-static double heading(const coin_priv_moment *at)
+double coin_priv_heading(const coin_priv_stage *y, double phi)
 {
-    const double sph = at->y.sph, cph = at->y.cph;
-    const coin_priv_sc by = coin_priv_sincos(at->pose.phi);
+    const double sph = y->sph, cph = y->cph;
+    const coin_priv_sc by = coin_priv_sincos(phi);
     /* A coarse step leaves the pair's norm a little off 1. */
     const double norm = sqrt(sph * sph + cph * cph);
     const coin_priv_sc ahead = {
         (sph * by.c - cph * by.s) / norm,
         (cph * by.c + sph * by.s) / norm,
     };
-    return at->pose.phi + coin_priv_angle(ahead);
+    return phi + coin_priv_angle(ahead);
 }
 
 void coin_priv_settle(coin_priv_carry *c, coin_priv_moment *at)
 {
-    at->pose.phi = heading(at);
+    at->pose.phi = coin_priv_heading(&at->y, at->pose.phi);
     coin_priv_add(&c->psi, at->pose.psi);
     coin_priv_add(&c->x, at->pose.x);
     coin_priv_add(&c->z, at->pose.z);
     at->pose.psi = at->pose.x = at->pose.z = 0;
 }
 
-/* A sum with the part that is not in it yet. */
-static double total(coin_priv_sum so_far, double part)
-{
-    coin_priv_add(&so_far, part);
-    return so_far.sum;
-}
-
-/* A lean below pi/2 for a pair with c > 0, however small c is. */
-static double lean_of(double sth, double cth)
+double coin_priv_lean(double sth, double cth)
 {
     const coin_priv_sc pair = {sth, cth};
     const double theta = coin_priv_angle(pair);
@@ -66,12 +56,14 @@ coin_state coin_priv_state_of(const coin_priv_carry *c, const coin_priv_body *b,
         return *start;
     const coin_priv_stage *y = &c->at.y;
     const coin_priv_pose *pose = &c->at.pose;
-    const double dx = total(c->x, pose->x) + y->sth * y->sph; /* (21) */
-    const double dz = total(c->z, pose->z) + y->sth * y->cph; /* (21) */
+    const double dx =
+        coin_priv_total(c->x, pose->x) + y->sth * y->sph; /* (21) */
+    const double dz =
+        coin_priv_total(c->z, pose->z) + y->sth * y->cph; /* (21) */
     const coin_state s = {
-        lean_of(y->sth, y->cth),
-        heading(&c->at),
-        total(c->psi, pose->psi),
+        coin_priv_lean(y->sth, y->cth),
+        coin_priv_heading(y, pose->phi),
+        coin_priv_total(c->psi, pose->psi),
         start->x + b->a * dx,
         start->z + b->a * dz,
         y->wX,

@@ -2,6 +2,7 @@
 #include "pinned.h"
 
 #include "method.h"
+#include "number.h"
 
 /* No pointers in the table: they would need relocation, and with it writable
  * data in the shared library. */
@@ -45,6 +46,20 @@ double coin_priv_method_coarse(int32_t method)
 double coin_priv_method_most(int32_t method)
 {
     return methods[method].most;
+}
+
+coin_priv_limits coin_priv_limits_of(const coin_priv_body *b, int32_t method,
+                                     double dt)
+{
+    const double coarse = methods[method].coarse / dt;
+    const double most = methods[method].most / dt;
+    const double most2 = coin_priv_lesser(most * most, b->w2_max);
+    const coin_priv_limits limits = {
+        coin_priv_lesser(coarse * coarse, most2),
+        most2,
+        COIN_OK,
+    };
+    return limits;
 }
 
 const char *coin_method_name(int32_t method)

@@ -14,4 +14,8 @@ coin_priv_stepper *coin_priv_method_stepper(int32_t method);
 double coin_priv_method_coarse(int32_t method);
 double coin_priv_method_most(int32_t method);
 
+/* The limits of a run by steps of dt. */
+coin_priv_limits coin_priv_limits_of(const coin_priv_body *b, int32_t method,
+                                     double dt);
+
 #endif

@@ -5,33 +5,31 @@
 #include "params.h"
 #include "precision.h"
 
-/* A body's numbers, by name and in a row. */
-union body {
-    coin_priv_body of;
-    double number[sizeof(coin_priv_body) / sizeof(double)];
-};
-
 int32_t coin_priv_body_of(coin_priv_body *b, const coin_params *p)
 {
     const double M = p->mass, a = p->radius, g = p->gravity;
     const double IX = p->inertia_X, IZ = p->inertia_Z;
     const double m = M * a * a, J = IX + m, K = IZ + m, Mga = M * g * a;
-    const union body body = {{M, a, IX, IZ, m, J, K, M * g, Mga, g / a, K / J,
-                              IX / J, Mga / J, IZ / IX, m / K,
-                              COIN_PRIV_W2_MAX / (1 + a + M * a + J + K)}};
-    const double roll2 = Mga / K / body.of.k1; /* critical, squared: (45) */
+    const coin_priv_body body = {
+        M,       a,       IX,    IZ,
+        m,       J,       K,     M * g,
+        Mga,     g / a,   K / J, IX / J,
+        Mga / J, IZ / IX, m / K, COIN_PRIV_W2_MAX / (1 + a + M * a + J + K),
+    };
+    *b = body;
+    const double *const numbers = (const double *)b;
+    const double roll2 = Mga / K / b->k1; /* critical, squared: (45) */
     double least = coin_priv_lesser(coin_priv_lesser(g, M * a), roll2);
     double sum = g + M * a + roll2;
-    for (size_t i = 0; i < sizeof body / sizeof(double); ++i) {
-        least = coin_priv_lesser(body.number[i], least);
-        sum += body.number[i];
+    for (size_t i = 0; i < sizeof *b / sizeof *numbers; ++i) {
+        least = coin_priv_lesser(numbers[i], least);
+        sum += numbers[i];
     }
     /* A comparison with NaN, which the sum hands on, is false. */
     if (!(least >= COIN_PRIV_LEAST && sum <= COIN_PRIV_MOST) ||
         !(IZ <= 2 * IX * (1 + COIN_PRIV_INERTIA_SLACK)) ||
         p->reserved[0] != 0 || p->reserved[1] != 0 || p->reserved[2] != 0)
         return COIN_EPARAMS;
-    *b = body.of;
     return COIN_OK;
 }
 

@@ -32,9 +32,11 @@
  * rarely holds is moved out of its way. */
 #if defined(__GNUC__)
 #define COIN_PRIV_INLINE static inline __attribute__((always_inline))
+#define COIN_PRIV_APART static __attribute__((noinline))
 #define COIN_PRIV_RARELY(condition) __builtin_expect(!!(condition), 0)
 #else
 #define COIN_PRIV_INLINE static inline
+#define COIN_PRIV_APART static
 #define COIN_PRIV_RARELY(condition) (condition)
 #endif
 

@@ -2,7 +2,6 @@
 #include "pinned.h"
 
 #include "method.h"
-#include "number.h"
 #include "run.h"
 #include "state.h"
 
@@ -20,11 +19,7 @@ int32_t coin_priv_run_open(coin_priv_run *r, const coin_state *s,
         return COIN_ESTEP;
     r->start = *s;
     r->c = coin_priv_carry_of(s);
-    const double most = coin_priv_method_most(method) / dt;
-    const double coarse = coin_priv_method_coarse(method) / dt;
-    r->limits.most2 = coin_priv_lesser(most * most, r->b.w2_max);
-    r->limits.coarse2 = coin_priv_lesser(coarse * coarse, r->limits.most2);
-    r->limits.warnings = COIN_OK;
+    r->limits = coin_priv_limits_of(&r->b, method, dt);
     r->dt = dt;
     return COIN_OK;
 }
@@ -67,18 +62,6 @@ int32_t coin_run(coin_state *s, const coin_params *p, int32_t method, double dt,
     r.step = coin_priv_method_stepper(method);
     coin_priv_run_on(&r, steps);
     return coin_priv_run_close(&r, steps, s, done);
-}
-
-/* Names its stepper: a program that calls no coin_run() links no other. */
-int32_t coin_step(coin_state *s, const coin_params *p, double dt)
-{
-    coin_priv_run r;
-    const int32_t status = coin_priv_run_open(&r, s, p, COIN_RK4, dt);
-    if (status != COIN_OK)
-        return status;
-    r.step = coin_priv_rk4;
-    coin_priv_run_on(&r, 1);
-    return coin_priv_run_close(&r, 1, s, NULL);
 }
 
 int32_t coin_sample(const coin_state *start, const coin_params *p,

@@ -25,6 +25,12 @@ coin_priv_carry coin_priv_carry_of(const coin_state *s);
 coin_state coin_priv_state_of(const coin_priv_carry *c, const coin_priv_body *b,
                               const coin_state *start);
 
+/* theta of its pair: below pi/2 for cos theta > 0, however small. */
+double coin_priv_lean(double sth, double cth);
+
+/* phi of its pair in *y, of whose values phi is within half a turn. */
+double coin_priv_heading(const coin_priv_stage *y, double phi);
+
 /* Adds a part, by Knuth's exact sum. */
 static inline void coin_priv_add(coin_priv_sum *to, double part)
 {
@@ -32,6 +38,13 @@ static inline void coin_priv_add(coin_priv_sum *to, double part)
     const double of_y = sum - to->sum;
     to->low = (to->sum - (sum - of_y)) + (y - of_y);
     to->sum = sum;
+}
+
+/* A sum with a part that is not in it yet. */
+static inline double coin_priv_total(coin_priv_sum so_far, double part)
+{
+    coin_priv_add(&so_far, part);
+    return so_far.sum;
 }
 
 /* To be done every COIN_PRIV_SETTLE steps, counted from the start of the run,

@@ -14,7 +14,7 @@ NODE = re.compile(r'node: { title: "([^"]*)" label: "[^"]*?'
 EDGE = re.compile(r'edge: { sourcename: "([^"]*)" targetname: "([^"]*)"')
 
 # Who calls through a pointer, and what that may point at.
-INDIRECT = re.compile(r"(^|:)(coinf?_run|coin_step|coin_sample|run_to)$")
+INDIRECT = re.compile(r"(^|:)(coinf?_run|coin_sample|run_to)$")
 STEPPER = re.compile(r"coinf?_priv_(rk4|rk8|symplectic\d)$")
 
 LABEL = re.compile(r"^([0-9a-f]+) <(.*)>:$")

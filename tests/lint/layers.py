@@ -22,7 +22,7 @@ FLOORS = [
       "symplectic", "sundman", "advance"},
      {"energy"}, {"integrals"}, {"reaction"}, {"pose"}, {"rates"},
      {"steady", "steady_at", "steady_near"}],
-    [{"run", "batch", "method", "check", "max_dt"}, {"stability"}, {"wobble"},
+    [{"run", "step", "batch", "method", "check", "max_dt"}, {"stability"}, {"wobble"},
      {"orbit", "orbit_at", "half", "series"}],
     [{"selftest"}, {"model"}],
 ]

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: MIT */
+/* A step by itself against a run of one step, to the bit. */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/random.h"
+#include "support/vast.h"
+
+#include <math.h>
+
+/* Both from *s; what they say. */
+static int32_t check_step(const coin_state *s, const coin_params *p, double dt)
+{
+    coin_state one = *s, other = *s;
+    const int32_t said = coin_run(&other, p, COIN_RK4, dt, 1, NULL);
+    check_status(coin_step(&one, p, dt), said);
+    check_same(&one, &other, sizeof one);
+    return said;
+}
+
+/* How many steps were done, were coarse and were refused. */
+struct tally {
+    int well, warned, failed;
+};
+
+static void count(struct tally *of, int32_t said)
+{
+    of->well += said == COIN_OK;
+    of->warned += said > 0;
+    of->failed += said == COIN_ESTEP;
+}
+
+/* |dt| W evenly over the limits and beyond: 0.35 and 1.2. */
+static void from_anywhere_it_is_a_run_of_one(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(51);
+    struct tally of = {0, 0, 0};
+    for (int i = 0; i < 20000; ++i) {
+        const coin_params p = random_coin(&r);
+        coin_state s = random_state(&r, &p, i % 2 ? 1.57 : 1.0);
+        const double dtW = random_between(&r, -1.4, 1.4);
+        count(&of, check_step(&s, &p, dtW / fastest_rate(&s, &p)));
+    }
+    check(of.well > 2000 && of.warned > 2000 && of.failed > 2000);
+}
+
+/* Toward the table, so fast that stages are below it. */
+static void over_the_edge_it_is_a_run_of_one(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(52);
+    const coin_params p = disc();
+    struct tally of = {0, 0, 0};
+    for (int i = 0; i < 5000; ++i) {
+        const double off = pow(10, random_between(&r, -9, -1));
+        const coin_state s = {
+            .theta = 1.5707963267948966 - off,
+            .wX = random_between(&r, 0, 2),
+            .wY = off * random_between(&r, -1, 1),
+        };
+        count(&of, check_step(&s, &p, random_between(&r, 0, 1.5) * off));
+    }
+    check(of.well > 500 && of.warned > 500 && of.failed > 500);
+}
+
+static void where_angles_end_it_is_a_run_of_one(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(53);
+    const coin_params p = disc();
+    struct tally of = {0, 0, 0};
+    for (int i = 0; i < 1000; ++i) {
+        coin_state s = {.theta = 0.5, .wY = 1.5, .wZ = 2};
+        const double end = 2147483648.0 - random_between(&r, 0, 0.2);
+        *(i % 2 ? &s.phi : &s.psi) = end;
+        count(&of, check_step(&s, &p, random_between(&r, -0.1, 0.1)));
+    }
+    check(of.well > 100 && of.failed > 100);
+}
+
+/* A coarse step's sum of rates and the angle of its pair end apart: one may be
+ * in range where the other is not. */
+static void just_where_angles_end_it_is_a_run_of_one(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(54);
+    struct tally of = {0, 0, 0};
+    for (int i = 0; i < 3000; ++i) {
+        const coin_params p = random_coin(&r);
+        coin_state s = random_state(&r, &p, 1), there = s;
+        const double dt = random_between(&r, 0.5, 1.1) / fastest_rate(&s, &p);
+        if (coin_step(&there, &p, dt) < 0)
+            continue;
+        const double turned = there.phi - s.phi;
+        const double end = 2147483648.0 + random_between(&r, -1e-4, 1e-4);
+        s.phi = (turned < 0 ? -end : end) - turned;
+        count(&of, check_step(&s, &p, dt));
+    }
+    check(of.warned > 500 && of.failed > 500);
+}
+
+static void where_the_table_ends_it_is_a_run_of_one(void **unused)
+{
+    (void)unused;
+    const double headings[] = {0, 1.5707963267948966, 3.141592653589793, -1};
+    for (size_t i = 0; i < sizeof headings / sizeof *headings; ++i) {
+        coin_params p;
+        double dt;
+        coin_state s = vast_coin(&p, headings[i], &dt);
+        for (int k = 0; k < 14; ++k) {
+            check_step(&s, &p, dt);
+            coin_step(&s, &p, dt);
+        }
+    }
+}
+
+/* At rest, along an axis or mirrored, where terms are zeros of either sign. */
+static void of_zeros_it_keeps_the_signs_of_a_run_of_one(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    for (unsigned i = 0; i < 1u << 8; ++i) {
+        const double zero[] = {0, -0.0}, rate[] = {0.5, -0.5};
+        const coin_state s = {
+            .theta = zero[i & 1],
+            .phi = zero[i >> 1 & 1],
+            .psi = zero[i >> 2 & 1],
+            .x = zero[i >> 3 & 1],
+            .z = zero[i >> 3 & 1],
+            .wX = zero[i >> 4 & 1],
+            .wY = (i & 128 ? rate : zero)[i >> 5 & 1],
+            .wZ = zero[i >> 6 & 1],
+        };
+        check_note("signs %x", i);
+        check_status(check_step(&s, &p, 0.1), COIN_OK);
+        check_status(check_step(&s, &p, -0.1), COIN_OK);
+        check_status(check_step(&s, &p, 0), COIN_OK);
+    }
+}
+
+static void a_bad_argument_has_the_status_of_a_run_of_one(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc(), massless = {0, 1, 1, 1, 1, {0, 0, 0}};
+    const coin_state s = {.theta = 0.5, .wY = 1}, flat = {.theta = 1.6};
+    coin_state none;
+    check_status(check_step(&s, &massless, 0.1), COIN_EPARAMS);
+    check_status(check_step(&flat, &p, 0.1), COIN_ESTATE);
+    check_status(check_step(&s, &p, (double)NAN), COIN_ESTEP);
+    check_status(check_step(&s, &p, (double)INFINITY), COIN_ESTEP);
+    check_status(coin_step(NULL, &p, 0.1), COIN_EARG);
+    none = s;
+    check_status(coin_step(&none, NULL, 0.1), COIN_EARG);
+    check_same(&none, &s, sizeof s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(from_anywhere_it_is_a_run_of_one),
+        TEST(over_the_edge_it_is_a_run_of_one),
+        TEST(where_angles_end_it_is_a_run_of_one),
+        TEST(just_where_angles_end_it_is_a_run_of_one),
+        TEST(where_the_table_ends_it_is_a_run_of_one),
+        TEST(of_zeros_it_keeps_the_signs_of_a_run_of_one),
+        TEST(a_bad_argument_has_the_status_of_a_run_of_one),
+    };
+    return RUN_TESTS(tests);
+}
