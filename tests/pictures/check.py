@@ -5,79 +5,17 @@
     check.py FRESH KEPT      folders of CSV files: computed now, and kept
 
 The programs of docs/examples move a coin; nothing is moved here.  The formulas
-are those of docs/physics.md for M = a = g = 1, written once more, its series
-summed plainly.  Tolerances are the last digit printed, or stand with what is
-left out.
+are those of docs/physics.md, written once more (forms.py).  Tolerances are the
+last digit printed, or stand with what is left out.
 """
 import itertools
 import math
 import pathlib
 import sys
 
-PI = math.pi
-
-
-class Body:
-    def __init__(self, inner):
-        self.IX = (1 + inner**2)/4
-        self.IZ = 2*self.IX
-        self.J, self.K = 1 + self.IX, 1 + self.IZ
-        self.k1, self.k2 = self.IZ/self.IX, 1/self.K
-
-
-DISC = Body(0)
-
-
-def series(u, first, shift, kap):
-    """(34), even or odd: Pe, Po (shift -1), We, Wo (shift 1)."""
-    term = total = u**first
-    for n in itertools.count(first, 2):
-        term *= u*u*(n*(n + shift) + kap)/((n + 1)*(n + 2))
-        total += term
-        if abs(term) < 1e-17*abs(total) or term == 0:
-            return total
-
-
-def on_leaf(b, theta, KY, KZ):
-    """wY and wZ where a motion with these integrals leans by theta."""
-    u, kap = math.sin(theta), b.k1*b.k2
-    p = KY*series(u, 0, -1, kap) + b.k1*KZ*series(u, 1, -1, kap)
-    wZ = KZ*series(u, 0, 1, kap) + b.k2*KY*series(u, 1, 1, kap)
-    return p/math.cos(theta), wZ
-
-
-def potential(b, theta, KY, KZ):
-    wY, wZ = on_leaf(b, theta, KY, KZ)
-    return (b.IX*wY**2 + b.K*wZ**2)/2 + math.cos(theta)          # (48)
-
-
-def slope(b, theta, KY, KZ):
-    wY, wZ = on_leaf(b, theta, KY, KZ)
-    return (b.K*wY*wZ + b.IX*wY**2*math.tan(theta)
-            - math.sin(theta))                                   # (39)
-
-
-def lambda2(b, theta, wY, wZ):
-    t = math.tan(theta)
-    return (math.cos(theta) - (b.IX*(1 + 3*t*t) + 1)*wY**2
-            - (3*b.IZ + 1)*t*wY*wZ - b.k1*b.K*wZ**2)/b.J         # (44)
-
-
-def slow_circle(b, theta, wZ):
-    """wY of the slow circle: (41), theta > 0, wZ > 0."""
-    s, t = math.sin(theta), math.tan(theta)
-    return 2*s/(b.K*wZ + math.sqrt((b.K*wZ)**2 + 4*b.IX*s*t))
-
-
-def near(name, got, want, bound):
-    global checks
-    checks += 1
-    if not abs(got - want) <= bound:
-        sys.exit(f"{name}: {got} is not {want} within {bound:.1e}")
-
-
-checks = 0
-
+from forms import (DISC, PI, Body, lambda2, near, on_leaf, potential, slope,
+                   slow_circle)
+from sweep import sweep
 
 def table(path):
     """Blocks of rows: the first column a name, the others numbers."""
@@ -245,4 +183,5 @@ for check in (rosettes, potentials, bifurcation, precession, nearly_flat):
     name = {"potentials": "potential"}.get(check.__name__, check.__name__)
     check(table(fresh / f"{name}.csv"))
     same(fresh / f"{name}.csv", kept / f"{name}.csv")
-print(f"{checks} numbers behind the pictures hold")
+sweep((fresh / "sweep.ppm").read_bytes())
+print(f"{near.checks} numbers behind the pictures hold")
