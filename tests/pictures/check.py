@@ -8,14 +8,16 @@ The programs of docs/examples move a coin; nothing is moved here.  The formulas
 are those of docs/physics.md, written once more (forms.py).  Tolerances are the
 last digit printed, or stand with what is left out.
 """
+import cmath
 import itertools
 import math
 import pathlib
 import sys
 
-from forms import (DISC, PI, Body, lambda2, near, on_leaf, potential, slope,
-                   slow_circle)
+from forms import (DISC, PI, Body, Leaf, Pairs, height_of, lambda2, near,
+                   on_leaf, pair, potential, slope, slow_circle)
 from sweep import sweep
+
 
 def table(path):
     """Blocks of rows: the first column a name, the others numbers."""
@@ -27,14 +29,63 @@ def table(path):
             for block in rows if block]
 
 
+# Inner radius, theta, wZ, the wY between which the angle is met, and it.
+FLOWERS = ((0, 0.5, 0.8, -0.6, -0.3, 4, 7, 7), (1, 0.2, 0.8, -1, -0.3, 3, 8, 8),
+           (0, 0.9, 0.3, 1, 1.5, 9, 8, 8), (0, 0.9, 0.8, -0.3, 0.3, 3, 5, 5),
+           (0, 0.2, 0.3, 1, 1.5, 4, 3, 3), (1, 0.9, 0.3, 1, 1.5, 1, 1, 9))
+
+
+def dropped(b, pairs, theta, wY, wZ):
+    """The swing of a coin let go: its leaf, both ends, its energy."""
+    leaf, y = Leaf.through(b, pairs, theta, wY, wZ), height_of(theta)
+    E = leaf.potential(y)
+    side = -1 if slope(b, theta, leaf.KY, leaf.KZ) > 0 else 1
+    return leaf, y, leaf.end(y, E, side), E
+
+
+def half_petal(inner, theta, wZ, low, high, turns, petals):
+    """The path of the contact, as z + i x, over half a period whose heading
+    turns by half of turns/petals of a circle; right to 1e-5."""
+    b = Body(inner)
+    pairs = Pairs(b)
+
+    def excess(wY):
+        leaf, *swing = dropped(b, pairs, theta, wY, wZ)
+        return leaf.turn(*swing) - 2*PI*turns/petals
+    below = excess(low)
+    for _ in range(30):
+        middle = (low + high)/2
+        if excess(middle)*below > 0:
+            low = middle
+        else:
+            high = middle
+    leaf, *swing = dropped(b, pairs, theta, low, wZ)
+    path, phi = [complex(-math.sin(theta), 0)], 0
+    for dphi, dpsi in leaf.way(*swing, 400):
+        path.append(path[-1] - 1j*dpsi*cmath.exp(1j*(phi + dphi/2)))  # (22)
+        phi += dphi
+    return path
+
+
+def apart(point, path):
+    """How far a point is from a path of straight pieces."""
+    def from_piece(a, b):
+        along = ((point - a)/(b - a)).real if a != b else 0
+        return abs(point - a - min(max(along, 0), 1)*(b - a))
+    return min(map(from_piece, path, path[1:]))
+
+
 def rosettes(blocks):
     digit = 0.5e-4
-    for block, (turns, petals, drawn) in zip(blocks, (
-            (4, 7, 7), (3, 8, 8), (9, 8, 8), (3, 5, 5), (4, 3, 3),
-            (1, 1, 9)), strict=True):
+    for block, (*start, turns, petals, drawn) in zip(blocks, FLOWERS,
+                                                     strict=True):
         path = [complex(z, x) for _, x, z in block]
         n = (len(path) - 1)//drawn
         near("rosette, points", len(path), n*drawn + 1, 0)
+        half = half_petal(*start, turns, petals)
+        near("rosette, half a petal", abs(path[n//2] - half[-1]), 0, 2*digit)
+        for point in path[:n//2 + 1]:
+            near("rosette, shape", apart(point, half), 0, 2*digit)
         turn = complex(math.cos(2*PI*turns/petals),
                        math.sin(2*PI*turns/petals))
         step = path[n] - path[0]
@@ -44,7 +95,6 @@ def rosettes(blocks):
                 0, 6*digit)
         near("rosette, end", abs(path[-1] - path[0]),
              abs(step)*drawn if petals == 1 else 0, 30*digit)
-        near("rosette, size", max(abs(z - path[0]) for z in path) > 1, 1, 0)
 
 
 def potentials(blocks):
@@ -83,6 +133,8 @@ def bifurcation(blocks):
                 at = theta + off
                 L = lambda2(b, at, slow_circle(b, at, wZ), wZ)
                 near("window", L*side > 0, 1, 0)
+        near("window, from", edge[0][1], 0, 1e-5)
+        near("window, to", edge[-1][1], 1/math.sqrt(b.k1*b.K), 1e-5)  # (45)
         (_, wZ, theta), = tip
         # The summit is flat: the lean is right to the square of wZ's error.
         near("tip", math.tan(theta)**2, tip_of(b), 2e-9)
@@ -133,13 +185,15 @@ PE, PO = 2.1406983534237, 1.4690645964526                # Pe(1), Po(1): disc
 
 def precession(blocks):
     near("precession, blocks", len(blocks), 8, 0)
+    pairs = Pairs(DISC)
     for small, nods in zip(blocks[::2], blocks[1::2]):
         (_, KY, KZ, _, turn), = small
         near("small nods", abs(turn), abs(small_nods(KY, KZ)), 1e-8)
-        # The turn is even in the swing, so linear in the energy.
-        first, second = nods[0], nods[40]
-        near("small nods", (first[4] - turn)/(second[4] - turn),
-             first[3]/second[3], 0.02)
+        leaf, y = Leaf(DISC, pairs, KY, KZ), height_of(steady_lean(KY, KZ))
+        for _, _, _, more, nod in nods[::4]:
+            E = leaf.potential(y) + more
+            near("nods", nod, leaf.turn(leaf.end(y, E, -1),
+                                        leaf.end(y, E, 1), E), 1e-6)
         p_up, p_down = KY*PE + 2*KZ*PO, KY*PE - 2*KZ*PO
         passes = math.copysign(1, p_up) + math.copysign(1, p_down)
         limit = passes*PI*math.sqrt(5)
@@ -155,8 +209,13 @@ def nearly_flat(blocks):
     for inner, block in zip((0, 0.5, 1), blocks, strict=True):
         b = Body(inner)
         limit = PI*math.sqrt(b.J/b.IX)                           # (51)
+        pairs = Pairs(b)
         for name, spin, d, turn in block:
             near("nearly flat", float(name), inner, 0)
+            leaf, *swing = dropped(b, pairs, 0.3, spin, spin)
+            # The spin has seven digits, and d is as the spin.
+            near("distance", 2*math.atan(math.exp(-swing[1])), d, 1e-6*d)
+            near("turn", turn, leaf.turn(*swing), 1e-6)
             if d > 1e-3:
                 continue
             E = (b.IX + b.K)*spin**2/2 + math.cos(0.3)
@@ -178,10 +237,19 @@ def same(fresh, kept):
                 near(f"{kept}: {v}", v == w, 1, 0)
 
 
+def two_routes():
+    pairs = Pairs(DISC)
+    for theta in (0.1, 0.7, -1.3, 1.5):
+        for got, want in zip(pairs.at(height_of(theta)), pair(DISC, theta)):
+            near("pairs", got, want, 1e-10)
+
+
+two_routes()
 fresh, kept = map(pathlib.Path, sys.argv[1:])
 for check in (rosettes, potentials, bifurcation, precession, nearly_flat):
     name = {"potentials": "potential"}.get(check.__name__, check.__name__)
     check(table(fresh / f"{name}.csv"))
+    check(table(kept / f"{name}.csv"))
     same(fresh / f"{name}.csv", kept / f"{name}.csv")
 sweep((fresh / "sweep.ppm").read_bytes())
 print(f"{near.checks} numbers behind the pictures hold")

@@ -8,7 +8,7 @@ is reached: so who falls, when, and how far the others nod.
 import bisect
 import math
 
-from forms import DISC, PI, near, pair, rates
+from forms import DISC, PI, Pairs, height_of, integrals, near, rates
 
 # What sweep.c says of itself: the spin, the rate beyond which a step is coarse
 # and a coin counts as fallen, the calls and their time, the two scales.
@@ -18,8 +18,10 @@ RED = (60, 10, 0), (150, 50, 0), (213, 94, 0), (255, 210, 170)
 
 # Leans that grow as ln tan: near the table by 0.5 % of the height each.  What
 # comes nearer than the last, 2.3 degrees, has fallen.
-LEANS = [math.asin(math.tanh(k*0.005)) for k in range(-780, 781)]
-PAIRS = []
+HEIGHTS = [k*0.005 for k in range(-780, 781)]
+LEANS = [math.asin(math.tanh(y)) for y in HEIGHTS]
+PAIRS = Pairs(DISC)
+HERE = [PAIRS.at(y) for y in HEIGHTS]
 
 
 def colour(scale, part):
@@ -39,18 +41,6 @@ def meanings():
                     for k in range(1, CALLS + 1)}
 
 
-def mirrored(of):
-    Pe, Po, We, Wo = of
-    return Pe, -Po, We, -Wo
-
-
-def integrals(theta, wY, wZ, of):
-    Pe, Po, We, Wo = of
-    p, k1, k2 = wY*math.cos(theta), DISC.k1, DISC.k2
-    det = Pe*We - k1*k2*Po*Wo
-    return (We*p - k1*Po*wZ)/det, (Pe*wZ - k2*Wo*p)/det
-
-
 def push(theta, wY, wZ):
     return (DISC.K*wY*wZ + DISC.IX*wY**2*math.tan(theta)
             - math.sin(theta))                                   # (39)
@@ -62,7 +52,7 @@ class Swing:
     it.  The time of a piece is as if V were straight in it, as at the ends."""
 
     def __init__(self, theta, wY, wZ, of):
-        K = integrals(theta, wY, wZ, of)
+        K = integrals(of, wY*math.cos(theta), wZ, DISC)
         self.height = self.potential(theta, wY, wZ)
         self.fastest, self.fell, self.until = 0, math.inf, 0
         self.end, self.left = theta, 0
@@ -70,7 +60,7 @@ class Swing:
         here = bisect.bisect(LEANS, theta)
         for k in (range(here - 1, -1, -1) if push(theta, wY, wZ) > 0
                   else range(here, len(LEANS))):
-            if not self.go(LEANS[k], *rates(DISC, LEANS[k], PAIRS[k], *K)):
+            if not self.go(LEANS[k], *rates(DISC, LEANS[k], HERE[k], *K)):
                 return
         self.fell = min(self.fell, self.until)
 
@@ -102,12 +92,10 @@ class Swing:
 def sweep(picture):
     side = math.isqrt(len(picture)//3)
     pixels = picture[-3*side*side:]
-    PAIRS[:] = [pair(DISC, theta) for theta in LEANS[len(LEANS)//2:]]
-    PAIRS[:0] = [mirrored(of) for of in PAIRS[:0:-1]]
     says, unsure = meanings(), 0
     for column in range(side):
         theta = PI*((column + 0.5)/side - 0.5)
-        of = pair(DISC, theta)
+        of = PAIRS.at(height_of(theta))
         for row in range(side):
             turn = 2*PI*(0.5 - (row + 0.5)/side)
             at = 3*(row*side + column)
