@@ -133,6 +133,21 @@ COIN_API int32_t coinf_lean_run(coinf_lean *l, const coinf_params *p,
                                 int32_t method, float dt, uint64_t steps,
                                 uint64_t *done);
 
+/** coinf_run() for many coins of one body, as many abreast as the processor's
+ * vectors hold floats: each gets the bits that coinf_run() gives it.
+ * @param[in,out] s    [count] states
+ * @param count        how many; 0 is OK
+ * @param method       COIN_RK4, which goes abreast, or COIN_SYMPLECTIC2; any
+ *                     other is COIN_EARG
+ * @param[out] status  [count] what coinf_run() returns for each; may be null
+ * @return COIN_EARG, COIN_EPARAMS: nothing was touched; else the status of the
+ *         first coin that failed, else all warnings together.  A coin that
+ *         failed is where its last good step left it, and the others go on.
+ * Cost: docs/accuracy.md; the coins may be of all kinds. */
+COIN_API int32_t coinf_batch_run(coinf_state *s, size_t count,
+                                 const coinf_params *p, int32_t method,
+                                 float dt, uint64_t steps, int32_t *status);
+
 /* ---------------------------------------------------------- observables -- */
 
 /** As coin_energy(). */

@@ -3,11 +3,11 @@
 # The library in single precision, coinf.h: included by the Makefile.  Its
 # sources are made from those of lib/ by float.awk; where lib/float has one of
 # the same name, from that.
-FLOAT_SOURCES := carry check energy integrals legendre params \
+FLOAT_SOURCES := batch carry check energy integrals lanes legendre params \
                  pose rates reaction rk4 run selftest sincos state symplectic
-FLOAT_HEADERS := carry change frame legendre method motion number \
-                 params pinned precision reaction rk4 sincos \
-                 sine stage state stepper
+FLOAT_HEADERS := carry change frame lanes legendre method motion number \
+                 outcome params pinned precision reaction rk4 run sincos \
+                 sine stage state stepper width
 FLOAT_C       := $(FLOAT_SOURCES:%=$(O)/float/coinf_%.c)
 FLOAT_H       := $(FLOAT_HEADERS:%=$(O)/float/coinf_%.h)
 STATIC        += $(FLOAT_SOURCES:%=$(O)/static/coinf_%.o)

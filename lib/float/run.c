@@ -2,6 +2,7 @@
 #include "pinned.h"
 
 #include "method.h"
+#include "run.h"
 #include "state.h"
 
 /* What to add to KJ so that it is K/(M g a) = (a + I_Z/(M a))/g times GJ.  The
@@ -17,9 +18,8 @@ static float balance(const coinf_priv_field *f, const coinf_priv_body *b,
            (coinf_priv_residue(f->GJ, ratio) + f->GJ * ratio_low);
 }
 
-/* Checks everything, then computes what the steps share. */
-static int32_t prepare(coinf_priv_plan *plan, const coinf_state *s,
-                       const coinf_params *p, int32_t method, float dt)
+int32_t coinf_priv_prepare(coinf_priv_plan *plan, const coinf_state *s,
+                           const coinf_params *p, int32_t method, float dt)
 {
     coinf_priv_body b;
     const int32_t status = coinf_priv_method_known(method)
@@ -56,7 +56,7 @@ int32_t coinf_run(coinf_state *s, const coinf_params *p, int32_t method,
                   float dt, uint64_t steps, uint64_t *done)
 {
     coinf_priv_plan plan;
-    const int32_t status = prepare(&plan, s, p, method, dt);
+    const int32_t status = coinf_priv_prepare(&plan, s, p, method, dt);
     if (status != COIN_OK)
         return status;
     coinf_priv_stepper *const stepper =
@@ -72,7 +72,7 @@ int32_t coinf_run(coinf_state *s, const coinf_params *p, int32_t method,
 int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt)
 {
     coinf_priv_plan plan;
-    const int32_t status = prepare(&plan, s, p, COIN_RK4, dt);
+    const int32_t status = coinf_priv_prepare(&plan, s, p, COIN_RK4, dt);
     if (status != COIN_OK || dt == 0)
         return status;
     return step(s, &plan, coinf_priv_rk4) ? plan.warnings : COIN_ESTEP;

@@ -183,30 +183,70 @@ static uint64_t hash_advance(const scene *a)
     return h;
 }
 
+/* A scene in single precision. */
+typedef struct start_float {
+    coinf_params p;
+    coinf_state s;
+    float dt;
+} start_float;
+
+static start_float start_float_of(const scene *a)
+{
+    start_float b = {{0, 0, 0, 0, 0, {0, 0, 0}},
+                     {0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0, 0, 0, 0, 0}},
+                     0};
+    coinf_params_ring(&b.p, (float)a->mass, (float)a->radius,
+                      (float)a->inner_radius, (float)a->gravity);
+    b.s.theta = (float)a->theta;
+    b.s.wX = (float)a->wX;
+    b.s.wY = (float)a->wY;
+    b.s.wZ = (float)a->wZ;
+    b.dt = (float)(0.02 * sqrt(a->radius / a->gravity));
+    return b;
+}
+
+static uint64_t hash_state_float(uint64_t h, const coinf_state *s)
+{
+    uint32_t bits[sizeof *s / sizeof(uint32_t)];
+    size_t i;
+    memcpy(bits, s, sizeof bits);
+    for (i = 0; i < sizeof bits / sizeof *bits; ++i)
+        h = hash_u64(h, bits[i]);
+    return h;
+}
+
 /* The same runs in single precision, in two parts. */
 static uint64_t hash_float(const scene *a, int32_t method)
 {
-    coinf_state s = {0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0, 0, 0, 0, 0}};
-    const float dt = (float)(0.02 * sqrt(a->radius / a->gravity));
+    start_float b = start_float_of(a);
     uint64_t steps = 0, h = FNV_OFFSET;
-    uint32_t bits[sizeof s / sizeof(uint32_t)];
-    coinf_params p;
     int part;
-    size_t i;
-
-    coinf_params_ring(&p, (float)a->mass, (float)a->radius,
-                      (float)a->inner_radius, (float)a->gravity);
-    s.theta = (float)a->theta;
-    s.wX = (float)a->wX;
-    s.wY = (float)a->wY;
-    s.wZ = (float)a->wZ;
     for (part = 0; part < 2; ++part) {
-        h = hash_status(h, coinf_run(&s, &p, method, dt, STEPS / 2, &steps));
-        h = hash_u64(h, steps);
-        memcpy(bits, &s, sizeof bits);
-        for (i = 0; i < sizeof bits / sizeof *bits; ++i)
-            h = hash_u64(h, bits[i]);
+        h = hash_status(h,
+                        coinf_run(&b.s, &b.p, method, b.dt, STEPS / 2, &steps));
+        h = hash_state_float(hash_u64(h, steps), &b.s);
     }
+    return h;
+}
+
+/* Coins that lean ever more, so many that the widest vectors are filled. */
+static uint64_t hash_batch_float(const scene *a, int32_t method)
+{
+    enum { COINS = 17 };
+    const start_float b = start_float_of(a);
+    coinf_state s[COINS];
+    int32_t status[COINS];
+    uint64_t h = FNV_OFFSET;
+    int i;
+    for (i = 0; i < COINS; ++i) {
+        s[i] = b.s;
+        s[i].theta += 0.05f * (float)i;
+        status[i] = 0; /* of an unknown method it stays */
+    }
+    h = hash_status(h,
+                    coinf_batch_run(s, COINS, &b.p, method, b.dt, 50, status));
+    for (i = 0; i < COINS; ++i)
+        h = hash_state_float(hash_status(h, status[i]), &s[i]);
     return h;
 }
 
@@ -266,6 +306,8 @@ static uint64_t print_scene(uint64_t all, const scene *a)
 #endif
         words[1] = "float";
         all = print(all, hash_float(a, m), words);
+        words[1] = "batch_float";
+        all = print(all, hash_batch_float(a, m), words);
     }
     {
         const char *words[] = {"coin", "advance", a->name};

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+#include "pinned.h"
+
+#include "lanes.h"
+#include "method.h"
+#include "outcome.h"
+#include "run.h"
+
+/* Coins that go abreast, and what they share. */
+struct rank {
+    coinf_priv_plan plan;
+    coinf_priv_abreast *run; /* null if each goes alone */
+    size_t index[COINF_PRIV_LANES];
+    int size;
+};
+
+/* Moves the coins in line, and empties it. */
+static void dismiss(struct rank *r, coinf_state *s, uint64_t steps,
+                    int32_t *status, coinf_priv_outcome *o)
+{
+    coinf_state *coin[COINF_PRIV_LANES];
+    int32_t code[COINF_PRIV_LANES];
+    for (int k = 0; k < r->size; ++k)
+        coin[k] = &s[r->index[k]];
+    r->run(coin, code, r->size, &r->plan, steps);
+    for (int k = 0; k < r->size; ++k)
+        coinf_priv_note(o, status, r->index[k], code[k]);
+    r->size = 0;
+}
+
+int32_t coinf_batch_run(coinf_state *s, size_t count, const coinf_params *p,
+                        int32_t method, float dt, uint64_t steps,
+                        int32_t *status)
+{
+    struct rank r;
+    coinf_priv_outcome o = {0, COIN_OK, COIN_OK};
+    const int32_t params = coinf_params_check(p);
+    if (!s || !coinf_priv_method_known(method))
+        return COIN_EARG;
+    if (params != COIN_OK)
+        return params;
+    r.size = 0;
+    r.run = dt != 0 ? coinf_priv_method_abreast(method) : NULL;
+    for (size_t i = 0; i < count; ++i) {
+        const int32_t code =
+            r.run ? coinf_priv_prepare(&r.plan, &s[i], p, method, dt)
+                  : coinf_run(&s[i], p, method, dt, steps, NULL);
+        if (r.run && code == COIN_OK)
+            r.index[r.size++] = i;
+        else
+            coinf_priv_note(&o, status, i, code);
+        if (r.size == COINF_PRIV_LANES)
+            dismiss(&r, s, steps, status, &o);
+    }
+    if (r.size > 0)
+        dismiss(&r, s, steps, status, &o);
+    return o.error != COIN_OK ? o.error : o.warnings;
+}
