@@ -3,15 +3,18 @@
 """What the benchmarks came to, as tables in Markdown.
 
     summary.py FOLDER [PAGE]...
+    summary.py FOLDER PAGE... --check
 
 FOLDER holds accuracy.csv, steps.csv, ...; what is between the lines
 <!-- NAME --> and <!-- end --> of a PAGE becomes the table of that name, if it is
-one of those made here.
+one of those made here.  With --check nothing is written: a PAGE whose tables
+are others fails.
 
 A ratio compares the cheapest settings that reach an error, each cost taken
 relative to a textbook step timed in the same moments.
 """
 import csv
+import math
 import pathlib
 import re
 import sys
@@ -235,7 +238,67 @@ def silent_truth():
                    r["worst_share"]] for r in read("silent_truth")])
 
 
-TABLES = {"atlas": atlas, "batch": batch, "goals": goals, "steps": steps,
+WAYS = ("rk8", "coin_advance", "rk4", TEXTBOOK, "GSL rk8pd")
+
+
+def digits(x, n=2):
+    return f"{float(f'{x:.{n}g}'):g}"
+
+
+def time_of(ns):
+    for unit, size in (("s", 1e9), ("ms", 1e6), ("us", 1e3), ("ns", 1)):
+        if ns >= size:
+            return f"{digits(ns / size)} {unit}"
+
+
+def pays_from(orbit, way):
+    """The n at which what n frames cost is the same, {n: cost}: straight in
+    the logarithms between two n."""
+    before = None
+    for n in orbit:
+        excess = math.log(orbit[n] / way[n])
+        if excess <= 0 and before is None:
+            return 0
+        if excess <= 0:
+            share = before[1] / (before[1] - excess)
+            return before[0] * (n / before[0])**share
+        before = n, excess
+    return math.inf
+
+
+def orbit():
+    """What one frame costs by each way, and from how many on an orbit, which
+    costs the same whatever T, is cheaper; or how many times it is for one."""
+    cost = {}
+    for r in read("orbit_costs"):
+        of = cost.setdefault((r["way"], float(r["T"])), {})
+        of[float(r["n"])] = float(r["ns"])
+    def cell(T, way):
+        ns, orbit = cost.get((way, T)), cost["orbit", T]
+        if not ns:
+            return "-"
+        n = pays_from(orbit, ns)
+        return f"{time_of(ns[1])}: " + (
+            f"{digits(ns[1] / orbit[1])} times" if n == 0
+            else f"from {digits(n, 1)} on")
+    rows = [[f"{T:.0f}", time_of(cost["orbit", T][1]),
+             *(cell(T, w) for w in WAYS)]
+            for w, T in cost if w == TEXTBOOK]
+    most = max(cost["orbit", 100])
+    rows.append([f"100, {digits(most)} frames",
+                 f"{time_of(cost['orbit', 100][most] / most)} each",
+                 *(f"{digits(cost[w, 100][most] / cost['orbit', 100][most])}"
+                   " times" for w in WAYS)])
+    return table(["T, units", "orbit", *WAYS], rows)
+
+
+def orbit_ratios():
+    return table(["scene", "query", "init"],
+                 [[r["scene"], f"{float(r['query']):.2f}",
+                   f"{float(r['init']):.0f}"] for r in read("orbit_ratios")])
+
+
+TABLES = {"orbit": orbit, "orbit ratios": orbit_ratios, "atlas": atlas, "batch": batch, "goals": goals, "steps": steps,
           "frames": frames, "costs": costs, "reliability": reliability,
           "best": best, "longrun": longrun,
           "silent steps": lambda: silent_steps("worst", OURS[:2] + SYMPLECTIC),
@@ -253,12 +316,17 @@ def main():
         for name, make in TABLES.items():
             print(f"\n{name}\n\n{make()}")
         return
-    for page in map(pathlib.Path, sys.argv[2:]):
-        text = re.sub(r"(<!-- ([\w ]+) -->\n).*?(<!-- end -->)",
-                      lambda m: m[1] + TABLES[m[2]]() + "\n" + m[3]
-                      if m[2] in TABLES else m[0],
-                      page.read_text(), flags=re.S)
-        page.write_text(text)
+    pages = [pathlib.Path(a) for a in sys.argv[2:] if a != "--check"]
+    for page in pages:
+        old = page.read_text()
+        new = re.sub(r"(<!-- ([\w ]+) -->\n).*?(<!-- end -->)",
+                     lambda m: m[1] + TABLES[m[2]]() + "\n" + m[3]
+                     if m[2] in TABLES else m[0], old, flags=re.S)
+        if "--check" not in sys.argv:
+            page.write_text(new)
+        elif new != old:
+            wrong = set(old.splitlines()) - set(new.splitlines())
+            sys.exit("\n".join([f"{page}: not what {FOLDER} says:", *wrong]))
 
 
 main()

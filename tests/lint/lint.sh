@@ -18,6 +18,8 @@ run "the sources' sizes" python3 "$here/sizes.py" "$SRC"
 run "layers of lib/" python3 "$here/layers.py" "$SRC/lib"
 run "mutants' texts" python3 "$SRC/tests/mutants/mutants.py" "$SRC"
 run "citations" python3 "$here/citations.py" "$SRC"
+run "tables of measurements" python3 "$SRC/tests/bench/summary.py" \
+    "$SRC/tests/bench/results" "$SRC/docs/accuracy.md" "$SRC/docs/limits.md" --check
 run "text" sh "$here/text.sh"
 run "public symbols" sh "$here/symbols.sh"
 run "coinf.h beside coin.h" sh "$here/twins.sh"
