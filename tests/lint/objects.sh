@@ -18,17 +18,20 @@ linkers='^(_GLOBAL_OFFSET_TABLE_|\.TOC\.|__stack_pointer)$'
 defined() { "${tools}nm" --defined-only "$@" 2>"$work/errors" |
                 sed -n 's/.* [A-Za-z] //p'; }
 
-# Sections that are written to, even if only by the dynamic linker; for wasm
-# only llvm-readobj knows them by name.
-writable()
+# Bytes of code and constants, and of sections that are written to, even if
+# only by the dynamic linker; for wasm llvm-readobj knows these by name.
+holds()
 {
     if test "$tools" = llvm-; then
-        llvm-readobj --sections "$@" |
-            awk '$1 == "Size:" && n ~ /^\.t?(data|bss)/ {sum += $2}
-                {n = $1 == "Name:" ? $2 : ""} END {print sum + 0}'
+        llvm-readobj --sections "$@" | awk '
+            $1 == "Size:" && n ~ /^\.t?(data|bss)/ {w += $2}
+            $1 == "Size:" && (n ~ /^\.rodata/ || code) {r += $2}
+            {n = $1 == "Name:" ? $2 : ""; code = /Type: CODE/}
+            END {print r + 0, w + 0}'
     else
         "${tools}size" -A "$@" | awk '
-            $1 ~ /^\.t?(data|bss)/ || $1 == "COMMON" {n += $2} END {print n+0}'
+            $1 ~ /^\.t?(data|bss)/ || $1 == "COMMON" {w += $2}
+            $1 ~ /^\.(text|rodata)/ {r += $2} END {print r + 0, w + 0}'
     fi
 }
 
@@ -49,10 +52,10 @@ look()
         *) echo "$name: $symbol is not allowed"; status=1 ;;
         esac
     done
-    bytes=$(writable "$@")
-    test "$bytes" = 0 || status=1
-    echo "$name objects need" $(cat "$work/needed"), \
-        "and hold $bytes bytes of writable data"
+    set -- $(holds "$@")
+    test "$1" != 0 && test "$2" = 0 || status=1
+    echo "$name objects need" $(cat "$work/needed"), "hold $1 bytes of code" \
+        "and constants, $2 of writable data"
 }
 
 if test $# -gt 0; then
