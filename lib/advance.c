@@ -51,14 +51,15 @@ int coin_priv_sundman_step(coin_priv_carry *c, const coin_priv_body *b,
                            double tau)
 {
     const coin_priv_field f = coin_priv_field_of(b, tau);
-    coin_priv_moment next = c->at;
+    coin_priv_moment next;
+    coin_priv_copy(&next, &c->at, sizeof next);
     const double lowest = dop8_step(&next, &c->at, &f);
     if (!(lowest > 0 && next.y.cth > 0) ||
         !coin_priv_angles_hold(&next, c->psi.sum, 0))
         return 0;
     if (++c->steps % COIN_PRIV_SETTLE == 0)
         coin_priv_settle(c, &next);
-    c->at = next;
+    coin_priv_copy(&c->at, &next, sizeof next);
     return 1;
 }
 
@@ -148,7 +149,8 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
         return status;
     if (!(fabs(t) * sqrt(b.g_a) <= TOO_LONG))
         return COIN_ESTEP;
-    coin_priv_carry c = coin_priv_carry_of(s);
+    coin_priv_carry c;
+    coin_priv_carry_begin(&c, s);
     coin_priv_sum rem = {t, 0};
     status = approach(&c, &b, stride_of(tol), &rem);
     if (status == COIN_OK)
@@ -157,7 +159,7 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
     /* A path so long that x or z overflowed counts as none, as in a run. */
     const int lost = coin_priv_check_members(&end) != COIN_OK;
     if (!lost)
-        *s = end;
+        coin_priv_copy(s, &end, sizeof end);
     if (reached)
         *reached = lost ? 0 : t - rem.sum;
     return lost ? COIN_ESTEP : status;

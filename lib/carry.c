@@ -3,20 +3,17 @@
 
 #include "stepper.h"
 
-coin_priv_carry coin_priv_carry_of(const coin_state *s)
+void coin_priv_carry_begin(coin_priv_carry *c, const coin_state *s)
 {
-    const coin_priv_pose pose = {s->phi, 0, 0, 0, 0};
-    coin_priv_carry c = {
-        {coin_priv_stage_of(s), pose, s->theta, 0, 0},
+    const coin_priv_stage y = coin_priv_stage_of(s);
+    const coin_priv_carry begun = {
+        {y, {s->phi, 0, 0, 0, 0}, s->theta, s->wY * y.cth, 0},
         {s->psi, 0},
-        {0, 0},
-        {0, 0},
+        {-y.sth * y.sph, 0}, /* (21) */
+        {-y.sth * y.cph, 0}, /* (21) */
         0,
     };
-    c.at.p = s->wY * c.at.y.cth;
-    c.x.sum = -c.at.y.sth * c.at.y.sph; /* (21) */
-    c.z.sum = -c.at.y.sth * c.at.y.cph; /* (21) */
-    return c;
+    *c = begun;
 }
 
 double coin_priv_heading(const coin_priv_stage *y, double phi)

@@ -73,7 +73,9 @@ COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c,
                                       coin_priv_step *step,
                                       const void *coefficients)
 {
-    coin_priv_moment one = c->at, other = c->at, *now = &one, *next = &other;
+    coin_priv_moment one, other, *now = &one, *next = &other;
+    coin_priv_copy(now, &c->at, sizeof one);
+    coin_priv_copy(next, &c->at, sizeof one);
     const double g_a = b->g_a;
     int sound = n == 0 || coin_priv_within(limits, g_a, &now->y);
     while (sound && n > 0) {
@@ -101,7 +103,7 @@ COIN_PRIV_INLINE void coin_priv_march(coin_priv_carry *c,
         if (done == room)
             coin_priv_settle(c, now);
     }
-    c->at = *now;
+    coin_priv_copy(&c->at, now, sizeof one);
 }
 
 #endif

@@ -130,7 +130,8 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
         return NAN;
     /* From where the pose has room, whatever it is. */
     const coin_state lean = {s->theta, 0, 0, 0, 0, s->wX, s->wY, s->wZ};
-    const coin_priv_carry start = coin_priv_carry_of(&lean);
+    coin_priv_carry start;
+    coin_priv_carry_begin(&start, &lean);
     const double worst2 = look_ahead(start, &b, 0).worst2;
     const struct outlook o = look_ahead(start, &b, worst2 / 16);
     const double most = PEAK * coin_priv_method_coarse(method) / sqrt(worst2);

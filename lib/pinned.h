@@ -26,6 +26,8 @@
 #elif defined(__GNUC__) && !defined(__TINYC__)
 #pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize",               \
                      "no-tree-loop-vectorize")
+/* Nor is a loop that copies, coin_priv_copy(), to become a memcpy(). */
+#pragma GCC optimize("no-tree-loop-distribute-patterns")
 #endif
 
 /* A step's parts become one piece of straight code, whatever their size; what

@@ -2,6 +2,7 @@
 #include "pinned.h"
 
 #include "method.h"
+#include "number.h"
 #include "run.h"
 #include "state.h"
 
@@ -18,7 +19,7 @@ int32_t coin_priv_run_open(coin_priv_run *r, const coin_state *s,
     if (!(dt - dt == 0))
         return COIN_ESTEP;
     r->start = *s;
-    r->c = coin_priv_carry_of(s);
+    coin_priv_carry_begin(&r->c, s);
     r->limits = coin_priv_limits_of(&r->b, method, dt);
     r->dt = dt;
     return COIN_OK;
@@ -44,7 +45,7 @@ int32_t coin_priv_run_close(const coin_priv_run *r, uint64_t steps,
     const coin_state end = coin_priv_run_state(r);
     uint64_t n = r->dt == 0 ? steps : r->c.steps;
     if (coin_priv_check_members(&end) == COIN_OK)
-        *s = end;
+        coin_priv_copy(s, &end, sizeof end);
     else
         n = 0; /* a path so long that x or z overflowed */
     if (done)
@@ -80,7 +81,7 @@ int32_t coin_sample(const coin_state *start, const coin_params *p,
         const coin_state sample = coin_priv_run_state(&r);
         if (coin_priv_check_members(&sample) != COIN_OK)
             break;
-        out[k] = sample;
+        coin_priv_copy(&out[k], &sample, sizeof sample);
     }
     if (done)
         *done = k;

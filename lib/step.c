@@ -135,7 +135,7 @@ COIN_PRIV_APART int32_t end(coin_state *s, const struct step *k, double a)
     /* A heading out of range is NaN by now. */
     if (coin_priv_check_members(&next) != COIN_OK)
         return COIN_ESTEP;
-    *s = next;
+    coin_priv_copy(s, &next, sizeof next);
     return k->limits.warnings;
 }
 

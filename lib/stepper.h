@@ -18,7 +18,8 @@ typedef struct coin_priv_carry {
     uint64_t steps;          /* since the run began */
 } coin_priv_carry;
 
-coin_priv_carry coin_priv_carry_of(const coin_state *s);
+/* A run from a state on. */
+void coin_priv_carry_begin(coin_priv_carry *c, const coin_state *s);
 
 /* Where a run from *start has come to.  A run of no steps is where it began,
  * to the bit. */

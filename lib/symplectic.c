@@ -124,7 +124,7 @@ COIN_PRIV_INLINE double verlet_step(coin_priv_moment *next,
                                     const void *coefficients)
 {
     const struct split *k = (const struct split *)coefficients;
-    *next = *c;
+    coin_priv_copy(next, c, sizeof *c);
     kick(next, k->b, k->h / 2);
     if (!drift(next, k->b, k->h))
         return 0;
@@ -138,7 +138,7 @@ COIN_PRIV_INLINE double chin_step(coin_priv_moment *next,
                                   const void *coefficients)
 {
     const struct split *k = (const struct split *)coefficients;
-    *next = *c;
+    coin_priv_copy(next, c, sizeof *c);
     kick(next, k->b, k->h / 6);
     if (!drift(next, k->b, k->h / 2))
         return 0;

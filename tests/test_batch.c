@@ -103,7 +103,9 @@ static int stays_above(double high, int32_t method, double wX, double *cth)
     int sound[WIDEST];
     check_status(coin_priv_body_of(&b, &p), COIN_OK);
     for (int k = 0; k < WIDEST; ++k) {
-        at[k] = coin_priv_carry_of(&s).at;
+        coin_priv_carry c;
+        coin_priv_carry_begin(&c, &s);
+        at[k] = c.at;
         highs[k] = high;
     }
     coin_priv_method_abreast(method)(at, sound, highs, &b, 0.1, 1);

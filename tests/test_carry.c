@@ -28,7 +28,8 @@ static void a_run_of_no_steps_is_where_it_began(void **unused)
     const coin_params p = disc();
     const coin_priv_body b = body_of(&p);
     const coin_state s = {0.5, -0.0, 2e9, 1e300, -0.0, 0.1, -0.0, 1.2};
-    const coin_priv_carry c = coin_priv_carry_of(&s);
+    coin_priv_carry c;
+    coin_priv_carry_begin(&c, &s);
     const coin_state same = coin_priv_state_of(&c, &b, &s);
     check_same(&same, &s, sizeof s);
 }
@@ -44,7 +45,8 @@ static void the_state_carried_is_the_state(void **unused)
         const coin_priv_body b = body_of(&p);
         coin_state s = random_state(&r, &p, HALF_PI);
         s.phi *= pow(10, random_between(&r, 0, 5));
-        coin_priv_carry c = coin_priv_carry_of(&s);
+        coin_priv_carry c;
+        coin_priv_carry_begin(&c, &s);
         c.steps = 1;
         for (int settled = 0; settled < 2; ++settled) {
             const coin_state t = coin_priv_state_of(&c, &b, &s);
@@ -70,7 +72,8 @@ static void a_lean_at_the_table_is_the_last_before_it(void **unused)
     const coin_state start = {.theta = 0.3};
     for (int side = -1; side <= 1; side += 2)
         for (double cth = 1e-3; cth > 1e-300; cth /= 10) {
-            coin_priv_carry c = coin_priv_carry_of(&start);
+            coin_priv_carry c;
+            coin_priv_carry_begin(&c, &start);
             c.steps = 1;
             c.at.y.sth = side * sqrt(1 - cth * cth);
             c.at.y.cth = cth;
@@ -166,7 +169,8 @@ static void the_sum_tells_the_turn_at_the_largest_step(void **unused)
     for (int32_t method = 0; method < METHODS; ++method) {
         coin_state s;
         check_status(coin_steady_upright_spin(&s, &p, 1000), COIN_OK);
-        coin_priv_carry c = coin_priv_carry_of(&s);
+        coin_priv_carry c;
+        coin_priv_carry_begin(&c, &s);
         coin_priv_limits any = {(double)INFINITY, b.w2_max, COIN_OK};
         const double dt = coin_priv_method_most(method) / 1000;
         coin_priv_method_stepper(method)(&c, &b, &any, dt, 1);

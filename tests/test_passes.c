@@ -88,7 +88,9 @@ static void a_sundman_step_is_sound_or_not_done(void **unused)
         const coin_state s = random_state(&r, &p, 1.57);
         coin_priv_body b;
         check_status(coin_priv_body_of(&b, &p), COIN_OK);
-        coin_priv_carry c = coin_priv_carry_of(&s), before = c;
+        coin_priv_carry c;
+        coin_priv_carry_begin(&c, &s);
+        const coin_priv_carry before = c;
         if (coin_priv_sundman_step(&c, &b, random_between(&r, -6, 6))) {
             check(c.at.y.cth > 0 && c.steps == 1);
             ++done;

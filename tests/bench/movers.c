@@ -30,7 +30,7 @@ mover mover_at(enum mover_kind kind, const coin_state *s, const coin_params *p,
 {
     mover m = {.kind = kind, .p = *p, .s = *s, .h = h, .start = *s};
     if (coin_priv_check(s, p, &m.b) == COIN_OK)
-        m.c = coin_priv_carry_of(s);
+        coin_priv_carry_begin(&m.c, s);
     return m;
 }
 

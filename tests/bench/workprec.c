@@ -182,7 +182,7 @@ static double quiet_textbook(const scene *c)
 
 /* Down the ladder until it ends, or takes too long, or gets no better: so many
  * rungs that do not go below the best are the floor of rounding. */
-#define IDLE 6
+#define IDLE 12
 
 static void walk(const char *build, const scene *c, const solver *v,
                  double *quiet)

@@ -264,7 +264,8 @@ static struct study_measure study_measure(const struct study_run *r,
     struct study_measure m = {.end = r->s, .truth = r->s, .amplified = 1};
     struct walk w = {.r = r, .claim = claim, .m = &m};
     check_status(coin_priv_check(&r->s, &r->p, &w.b), COIN_OK);
-    w.c = w.fastest = coin_priv_carry_of(&r->s);
+    coin_priv_carry_begin(&w.c, &r->s);
+    w.fastest = w.c;
     m.finished =
         (r->method == STUDY_ADVANCE ? walk_time : walk_steps)(&w) &&
         coin_advance(&m.truth, &r->p, whole(r), TRUTH, NULL) == COIN_OK;
