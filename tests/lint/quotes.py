@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Figures that a page takes from the table of another are that table's.
+
+    quotes.py ROOT
+
+The tables are written, or held, by what measures them.  A figure has to be what
+stands there, rounded to the digits that it has.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(sys.argv[1])
+
+
+def cells(page, name, title=""):
+    """{row: {column: text}} of the table, of that title if there are several
+    between <!-- NAME --> and <!-- end -->; a build is half of a row's name."""
+    text = (ROOT / "docs" / page).read_text()
+    block = re.search(rf"<!-- {name} -->\n(.*?)<!-- end -->", text, re.S)[1]
+    table = next(t for t in block.split("\n\n") if title in t.split("\n")[0])
+    head, _, *rows = [[c.strip(" `*") for c in line.strip("|").split("|")]
+                      for line in table.strip().split("\n")]
+    named = 2 if head[0] == "build" else 1
+    return {" ".join(row[:named]): dict(zip(head, row)) for row in rows}
+
+
+def figure(table, row, column):
+    return float(table[row][column].replace(",", ""))
+
+
+COSTS = cells("accuracy.md", "costs")
+BATCH = cells("accuracy.md", "batch")
+RUNS = cells("limits.md", "silent methods")
+COUNT = cells("embedding.md", "firmware", "instructions")
+STACK = cells("embedding.md", "firmware", "stack")
+
+
+def ns(method):
+    return figure(COSTS, method, "ns")
+
+
+def abreast(build):
+    return figure(BATCH, build + " rk4", "abreast, ns")
+
+
+def share(build):
+    return abreast(build) / figure(BATCH, build + " rk4", "alone, ns")
+
+
+def count(board, *calls):
+    return sum(figure(COUNT, board, call) for call in calls)
+
+
+# A page, what stands there with its figures as groups, and what they are.
+QUOTES = (
+    ("README.md", r"([\d.]+) times faster, (\d+) instructions",
+     ns("textbook RK4") / ns("rk4"), figure(COSTS, "rk4", "instructions")),
+    ("README.md", r"as fast, (\d+) instructions",
+     figure(COSTS, "rk8", "instructions")),
+    ("README.md", r"\| ([\d.]+), with AVX-512 ([\d.]+)",
+     share("portable"), share("native")),
+    ("docs/guide.md", r"of RK4 takes (\d+) ns with the two",
+     abreast("portable")),
+    ("docs/guide.md", r"([\d.]+) ns with the eight", abreast("native")),
+    ("README.md", r"\| 0 of ([\d,]+) \|", figure(RUNS, "all", "runs")),
+    ("README.md", r"Cortex-M4F \| (\d+) instructions, (\d+) bytes",
+     count("m4f", "coinf_step"), figure(STACK, "m4f", "coinf_step")),
+    ("docs/design.md", r"(\d+) ns where the textbook's takes (\d+)",
+     ns("rk4"), ns("textbook RK4")),
+    ("docs/limits.md", r"Of ([\d,]+) random runs",
+     figure(RUNS, "all", "runs")),
+    ("docs/guide.md", r"`coinf_step` takes (\d+) instructions",
+     count("m4f", "coinf_step")),
+    ("docs/guide.md", r"which checks once, (\d+)\.", count("m4f", "coinf_run")),
+    ("docs/guide.md", r"and its check are (\d+) instructions",
+     count("m4f", "coinf_step", "coinf_check")),
+    ("docs/embedding.md", r"takes a Cortex-M4F (\d+) times",
+     count("m4f", "coin_step") / count("m4f", "coinf_step")),
+    ("docs/embedding.md", r"spends (\d+) us .*?`coinf_step` and (\d+) in",
+     count("m4f", "coinf_step") / 64, count("m4f", "coinf_check") / 64),
+    ("docs/embedding.md", r"at 48 MHz takes ([\d.]+) ms",
+     count("m0", "coinf_step") / 48e3),
+    ("docs/embedding.md", r"of the (\d+) instructions of rv64",
+     count("rv64", "coinf_run")),
+)
+
+wrong = []
+for page, pattern, *truths in QUOTES:
+    text = re.sub(r"\s+", " ", (ROOT / page).read_text())
+    found = re.findall(pattern, text)
+    if len(found) != 1:
+        wrong.append(f"{page}: {len(found)} times {pattern}")
+        continue
+    groups = found[0] if isinstance(found[0], tuple) else found
+    for said, truth in zip(groups, truths, strict=True):
+        digits = len(said.partition(".")[2])
+        if abs(float(said.replace(",", "")) - truth) > 0.5001 * 10**-digits:
+            wrong.append(f"{page}: {said} for {truth:g} in {pattern}")
+print(f"{len(QUOTES)} quotes of tables")
+sys.exit("\n".join(wrong) if wrong else 0)
