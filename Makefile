@@ -319,4 +319,4 @@ clean: ## remove the products
 
 help: ## this list
 	sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' \
-	    $(filter-out %.d,$(MAKEFILE_LIST)) | expand -t 16
+	    $(filter-out %.d,$(MAKEFILE_LIST)) | expand -t 18

@@ -214,8 +214,8 @@ fw_figures  = $(PYTHON) $(FW)/figures.py $1 $(FW_OUT) $(SRC)/docs/embedding.md \
               $(foreach m,$2,$m=$(call FW_TOOLS,$m))
 
 .PHONY: firmware firmware-update cross cross-update
-firmware: $(BOARDS:%=$(FW_OUT)/%/same) $(BOARDS:%=$(FW_OUT)/%/as-host) \
-          $(FW_OUT)/m0/late.txt $(call fw_needs,$(BOARDS)) ## equal hashes without an operating system
+firmware: $(BOARDS:%=$(FW_OUT)/%/same) $(BOARDS:%=$(FW_OUT)/%/as-host)
+firmware: $(FW_OUT)/m0/late.txt $(call fw_needs,$(BOARDS)) ## equal hashes without an operating system
 	$(call fw_figures,firmware,$(BOARDS))
 	+$(GATE) sh $(FW)/guide.sh
 
