@@ -51,8 +51,8 @@ double coin_priv_method_most(int32_t method)
 coin_priv_limits coin_priv_limits_of(const coin_priv_body *b, int32_t method,
                                      double dt)
 {
-    const double coarse = methods[method].coarse / dt;
-    const double most = methods[method].most / dt;
+    const double coarse = coin_priv_method_coarse(method) / dt;
+    const double most = coin_priv_method_most(method) / dt;
     const double most2 = coin_priv_lesser(most * most, b->w2_max);
     const coin_priv_limits limits = {
         coin_priv_lesser(coarse * coarse, most2),

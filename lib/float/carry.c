@@ -3,8 +3,8 @@
 
 #include "stepper.h"
 
-#define COINF_PRIV_PART
-#define COINF_PRIV_TRUTH int
+#define PART
+#define TRUTH int
 #include "carry.h"
 
 int coinf_priv_land(coinf_state *s, coinf_state *next,

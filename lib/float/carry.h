@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What is the same for one coin and for many abreast: lib/float/carry.c defines
- * COINF_PRIV_PART, what each of its functions begins with, and
- * COINF_PRIV_TRUTH, what a comparison gives; so does lib/float/lanes.c, with a
+ * PART, what each of its functions begins with, and
+ * TRUTH, what a comparison gives; so does lib/float/lanes.c, with a
  * vector for each float. */
 
 /* A float as two of 12 bits. */
@@ -17,22 +17,21 @@ static inline struct halves split(float a)
 }
 
 /* Dekker's product. */
-COINF_PRIV_PART float coinf_priv_residue(float a, float b)
+PART float coinf_priv_residue(float a, float b)
 {
     const struct halves x = split(a), y = split(b);
     const float off = x.high * y.high - a * b;
     return ((off + x.high * y.low) + x.low * y.high) + x.low * y.low;
 }
 
-COINF_PRIV_PART coinf_priv_sc coinf_priv_pair(float angle, float low)
+PART coinf_priv_sc coinf_priv_pair(float angle, float low)
 {
     const coinf_priv_sc of = coinf_priv_sincos(angle);
     const coinf_priv_sc pair = {of.s + of.c * low, of.c - of.s * low};
     return pair;
 }
 
-COINF_PRIV_PART void coinf_priv_stage_at(coinf_priv_stage *y,
-                                         const coinf_state *s)
+PART void coinf_priv_stage_at(coinf_priv_stage *y, const coinf_state *s)
 {
     const coinf_priv_sc th = coinf_priv_pair(s->theta, s->low[0]);
     y->sth = th.s;
@@ -61,8 +60,7 @@ static void take_turns_off(float *angle, float *low)
 }
 
 /* Whether a step may end here; with NaN none may. */
-static inline COINF_PRIV_TRUTH holds(const coinf_state *s,
-                                     const coinf_priv_plan *plan)
+static inline TRUTH holds(const coinf_state *s, const coinf_priv_plan *plan)
 {
     const float wX = s->wX, wY = s->wY, wZ = s->wZ;
     const float pose =

@@ -96,8 +96,8 @@ COINF_PRIV_INLINE coinf_lanes_sc coinf_lanes_sincos(coinf_lanes x)
     return r;
 }
 
-#define COINF_PRIV_PART COINF_PRIV_INLINE
-#define COINF_PRIV_TRUTH lanes_int
+#define PART COINF_PRIV_INLINE
+#define TRUTH lanes_int
 #include "carry.h"
 #include "rk4.h"
 #undef float
