@@ -18,6 +18,12 @@ int32_t coin_priv_check_members(const coin_state *s)
     return good ? COIN_OK : COIN_ESTATE;
 }
 
+int32_t coin_priv_check_state(const coin_state *s, const coin_priv_body *b)
+{
+    const double w2 = s->wX * s->wX + s->wY * s->wY + s->wZ * s->wZ;
+    return w2 <= b->w2_max ? coin_priv_check_members(s) : COIN_ESTATE;
+}
+
 int32_t coin_priv_check(const coin_state *s, const coin_params *p,
                         coin_priv_body *b)
 {
@@ -25,8 +31,7 @@ int32_t coin_priv_check(const coin_state *s, const coin_params *p,
         return COIN_EARG;
     if (coin_priv_body_of(b, p) != COIN_OK)
         return COIN_EPARAMS;
-    const double w2 = s->wX * s->wX + s->wY * s->wY + s->wZ * s->wZ;
-    return w2 <= b->w2_max ? coin_priv_check_members(s) : COIN_ESTATE;
+    return coin_priv_check_state(s, b);
 }
 
 int32_t coin_state_check(const coin_state *s, const coin_params *p)

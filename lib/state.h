@@ -10,6 +10,9 @@
 int32_t coin_priv_check(const coin_state *s, const coin_params *p,
                         coin_priv_body *b);
 
+/* The last of them, of a body that is known. */
+int32_t coin_priv_check_state(const coin_state *s, const coin_priv_body *b);
+
 /* What can be said without parameters: COIN_OK or COIN_ESTATE.  s is not null.
  */
 int32_t coin_priv_check_members(const coin_state *s);

@@ -5,6 +5,7 @@
 #include "method.h"
 #include "outcome.h"
 #include "run.h"
+#include "state.h"
 
 /* Coins that go abreast, and what they share. */
 struct rank {
@@ -32,19 +33,24 @@ int32_t coinf_batch_run(coinf_state *s, size_t count, const coinf_params *p,
                         int32_t method, float dt, uint64_t steps,
                         int32_t *status)
 {
+    const coinf_state rest = {0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0, 0, 0, 0, 0}};
     struct rank r;
+    coinf_priv_body b;
     coinf_priv_outcome o = {0, COIN_OK, COIN_OK};
-    const int32_t params = coinf_params_check(p);
-    if (!s || !coinf_priv_method_known(method))
+    /* What the steps share is that of any coin, so of one at rest. */
+    const int32_t shared = coinf_priv_prepare(&r.plan, &rest, p, method, dt);
+    if (!s)
         return COIN_EARG;
-    if (params != COIN_OK)
-        return params;
+    if (shared != COIN_OK && shared != COIN_ESTEP)
+        return shared;
+    coinf_priv_body_of(&b, p);
     r.size = 0;
-    r.run = dt != 0 ? coinf_priv_method_abreast(method) : NULL;
+    r.run =
+        shared == COIN_OK && dt != 0 ? coinf_priv_method_abreast(method) : NULL;
     for (size_t i = 0; i < count; ++i) {
-        const int32_t code =
-            r.run ? coinf_priv_prepare(&r.plan, &s[i], p, method, dt)
-                  : coinf_run(&s[i], p, method, dt, steps, NULL);
+        const int32_t code = r.run
+                                 ? coinf_priv_check_state(&s[i], &b)
+                                 : coinf_run(&s[i], p, method, dt, steps, NULL);
         if (r.run && code == COIN_OK)
             r.index[r.size++] = i;
         else
