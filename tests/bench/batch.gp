@@ -32,20 +32,22 @@ array shown[2] = ["portable", "native"]
 do for [i = 1:2] {
     build = shown[i]
     unset label
-    set title sprintf("%s: %d doubles abreast", build, lanes(build)) \
-        offset 0,-0.4
+    set title sprintf("%s: %d doubles or %d floats abreast", build, \
+        lanes(build), 2 * lanes(build)) offset 0,-0.4
     set lmargin at screen i == 1 ? 0.085 : 0.565
     set rmargin at screen i == 1 ? 0.49 : 0.97
     set ylabel i == 1 ? "million steps of a coin per second" : "" offset 1.2,0
     rk4 = best(build) / operations("rk4")
     rk8 = best(build) / operations("rk8")
-    eval(say("rk4 abreast", 30, rk4 * 0.75, colour[2]))
+    eval(say("rk4 abreast", i == 1 ? 30 : 1e3, i == 1 ? 39 : 98, colour[2]))
     eval(say("rk4 alone", 3e3, 31, colour[2]))
     eval(say("rk8 abreast", 3e4, rk8 * (i == 1 ? 0.73 : 0.6), colour[3]))
     eval(say("rk8 alone", i == 1 ? 1.5 : 200, i == 1 ? 5.9 : 9.2, colour[3]))
     eval(say("textbook", i == 1 ? 2e3 : 1.4e5, i == 1 ? 8.3 : 5.5, colour[1]))
     eval(say(i == 1 ? "rk4 of floats, alone" : "floats", \
         i == 1 ? 1.5 : 1.4e5, i == 1 ? 14 : 6.9, colour[4]))
+    eval(say("rk4 of floats", i == 1 ? 2e4 : 1e3, i == 1 ? 39 : 78, \
+        colour[4]))
     eval(say("all operations at the best rate", 1.5, rk4 * 1.12, 0x606060))
     plot rk4 with lines dt 3 lw 1.2 lc rgb colour[2], \
          rk8 with lines dt 3 lw 1.2 lc rgb colour[3], \
@@ -54,6 +56,7 @@ do for [i = 1:2] {
          rows(build, "rk4 abreast") using 1:3 with linespoints ls 2, \
          rows(build, "rk8 alone") using 1:3 with linespoints ls 3 lw 1.1, \
          rows(build, "rk8 abreast") using 1:3 with linespoints ls 3, \
-         rows(build, "rk4 of floats") using 1:3 with linespoints ls 4 lw 1.1
+         rows(build, "rk4 of floats") using 1:3 with linespoints ls 4 lw 1.1, \
+         rows(build, "rk4 of floats abreast") using 1:3 with linespoints ls 4
 }
 unset multiplot

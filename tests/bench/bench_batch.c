@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What a step of a coin costs among many: coin_batch_run() against coin_run()
- * in a loop, in the same windows, beside what its operations must take.
- *     bench_batch BUILD            CSV
- *     bench_batch BUILD COINS      of that many coins alone */
+ * in a loop, and the same of floats, in the same windows, beside what its
+ * operations must take. bench_batch BUILD            CSV bench_batch BUILD
+ * COINS      of that many coins alone */
 #include "clock.h"
 #include "lanes.h"
 #include "textbook.h"
@@ -76,6 +76,11 @@ static void go_single(int32_t method, size_t count)
         coinf_run(&single[i], &pf, method, 0.05f, STEPS, NULL);
 }
 
+static void go_single_abreast(int32_t method, size_t count)
+{
+    coinf_batch_run(single, count, &pf, method, 0.05f, STEPS, NULL);
+}
+
 /* Up to how many coins: beyond, what each does alone takes minutes. */
 static const struct way {
     const char *name;
@@ -90,8 +95,12 @@ static const struct way {
     {"rk8 alone", COIN_RK8, go_alone, &alike, MOST / 10},
     {"rk8 abreast", COIN_RK8, go_abreast, &alike, MOST},
     {"rk4 of floats", COIN_RK4, go_single, &alike, MOST / 10},
+    {"rk4 of floats abreast", COIN_RK4, go_single_abreast, &alike, MOST},
     {"rk4 alone of any", COIN_RK4, go_alone, &mixed, MOST / 100},
     {"rk4 abreast of any", COIN_RK4, go_abreast, &mixed, MOST / 100},
+    {"rk4 of floats of any", COIN_RK4, go_single, &mixed, MOST / 100},
+    {"rk4 of floats abreast of any", COIN_RK4, go_single_abreast, &mixed,
+     MOST / 100},
 };
 
 enum { WAYS = sizeof ways / sizeof *ways };
@@ -103,7 +112,8 @@ static double window(const struct way *way, size_t count, double tare)
     for (size_t i = 0; i < count; ++i) {
         const coin_state *s = &now[i];
         const coinf_state of = {
-            (float)s->theta, 0, 0, 0, 0, 0, (float)s->wY, (float)s->wZ, {0},
+            (float)s->theta, 0,   0, 0, 0, (float)s->wX, (float)s->wY,
+            (float)s->wZ,    {0},
         };
         single[i] = of;
     }
