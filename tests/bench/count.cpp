@@ -29,7 +29,8 @@ static coin_state sundman(uint64_t n)
 {
     coin_priv_body b;
     coin_priv_check(&generic, &disc, &b);
-    coin_priv_carry c = coin_priv_carry_of(&generic);
+    coin_priv_carry c;
+    coin_priv_carry_begin(&c, &generic);
     for (; n > 0; --n)
         coin_priv_sundman_step(&c, &b, 0.05);
     return coin_priv_state_of(&c, &b, &generic);
