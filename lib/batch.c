@@ -25,7 +25,7 @@ static int line_up(const struct rank *r, coin_priv_moment *at, double *high)
     for (int k = 0; k < COIN_PRIV_LANES; ++k) {
         const coin_priv_run *run = &r->run[k];
         const coin_priv_carry *c = &run->c;
-        at[k] = c->at;
+        coin_priv_copy(&at[k], &c->at, sizeof c->at);
         high[k] = coin_priv_high(&run->b, run->limits.coarse2, &c->at.y);
         if (!(c->at.y.cth > high[k]) ||
             !coin_priv_angles_hold(&c->at, c->psi.sum, COIN_PRIV_ROOM))
@@ -58,7 +58,7 @@ static void go(struct rank *r, uint64_t steps)
                 coin_priv_run_on(run, block);
                 continue;
             }
-            c->at = at[k];
+            coin_priv_copy(&c->at, &at[k], sizeof c->at);
             c->steps += block;
             if (block == COIN_PRIV_SETTLE)
                 coin_priv_settle(c, &c->at);

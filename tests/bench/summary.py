@@ -47,17 +47,26 @@ def table(head, rows):
     return "\n".join("| " + " | ".join(map(str, l)) + " |" for l in lines)
 
 
-GOOD = [r for r in read("accuracy") if r["status"] == "ok"]
+RUNGS = read("accuracy")
+GOOD = [r for r in RUNGS if r["status"] == "ok"]
 PEERS = {r["method"] for r in GOOD} - {*OURS, TEXTBOOK, *SYMPLECTIC}
+
+
+def reaches(rung, finer, error):
+    """Whether an error is reached, and by the next finer setting too: by one
+    alone it is where two terms of an error happen to cancel."""
+    return all(r["status"] == "ok" and float(r["error"]) <= error
+               for r in (rung, finer))
 
 
 def cheapest(build, scene, methods, error):
     """Cost in textbook steps per unit of time, and whose."""
     return min(((float(r["ns_per_unit"]) / float(r["textbook_ns"]), r["method"])
-                for r in GOOD
-                if r["build"] == build and r["scene"] == scene
-                and r["method"] in methods and float(r["error"]) <= error),
-               default=None)
+                for r, finer in zip(RUNGS, RUNGS[1:])
+                if r["build"] == finer["build"] == build
+                and r["scene"] == finer["scene"] == scene
+                and r["method"] == finer["method"] and r["method"] in methods
+                and reaches(r, finer, error)), default=None)
 
 
 def ratio(build, scene, others, error):
@@ -276,6 +285,8 @@ def orbit():
     for r in read("orbit_costs"):
         of = cost.setdefault((r["way"], float(r["T"])), {})
         of[float(r["n"])] = float(r["ns"])
+    if not cost:
+        return "not measured"
     def cell(T, way):
         ns, orbit = cost.get((way, T)), cost["orbit", T]
         if not ns:
@@ -301,8 +312,9 @@ def orbit_ratios():
                    f"{float(r['init']):.0f}"] for r in read("orbit_ratios")])
 
 
-TABLES = {"orbit": orbit, "orbit ratios": orbit_ratios, "atlas": atlas, "batch": batch, "goals": goals, "steps": steps,
-          "frames": frames, "costs": costs, "reliability": reliability,
+TABLES = {"orbit": orbit, "orbit ratios": orbit_ratios, "atlas": atlas,
+          "batch": batch, "goals": goals, "steps": steps, "frames": frames,
+          "costs": costs, "reliability": reliability,
           "best": best, "longrun": longrun,
           "silent steps": lambda: silent_steps("worst", OURS[:2] + SYMPLECTIC),
           "silent pairs": lambda: silent_steps("astray", OURS[:2]),
