@@ -19,13 +19,13 @@ struct rank {
 /* Where coins stand and how high each has to stay: above it a step needs no
  * closer look.  2, which nothing is above, for one that does need it.  Whether
  * enough need none: to go abreast for a quarter of the places gains nothing. */
-static int line_up(const struct rank *r, coin_priv_moment *at, double *high)
+static int line_up(struct rank *r, coin_priv_moment **at, double *high)
 {
     int sure = 0;
     for (int k = 0; k < COIN_PRIV_LANES; ++k) {
-        const coin_priv_run *run = &r->run[k];
-        const coin_priv_carry *c = &run->c;
-        coin_priv_copy(&at[k], &c->at, sizeof c->at);
+        coin_priv_run *run = &r->run[k];
+        coin_priv_carry *c = &run->c;
+        at[k] = &c->at;
         high[k] = coin_priv_high(&run->b, run->limits.coarse2, &c->at.y);
         if (!(c->at.y.cth > high[k]) ||
             !coin_priv_angles_hold(&c->at, c->psi.sum, COIN_PRIV_ROOM))
@@ -39,7 +39,7 @@ static int line_up(const struct rank *r, coin_priv_moment *at, double *high)
  * did not stay high goes the block again, alone. */
 static void go(struct rank *r, uint64_t steps)
 {
-    coin_priv_moment at[COIN_PRIV_LANES];
+    coin_priv_moment *at[COIN_PRIV_LANES];
     double high[COIN_PRIV_LANES];
     int sound[COIN_PRIV_LANES];
     for (uint64_t done = 0; done < steps;) {
@@ -58,7 +58,6 @@ static void go(struct rank *r, uint64_t steps)
                 coin_priv_run_on(run, block);
                 continue;
             }
-            coin_priv_copy(&c->at, &at[k], sizeof c->at);
             c->steps += block;
             if (block == COIN_PRIV_SETTLE)
                 coin_priv_settle(c, &c->at);

@@ -98,18 +98,19 @@ static int stays_above(double high, int32_t method, double wX, double *cth)
     const coin_params p = disc();
     const coin_state s = {.theta = 0.5, .wX = wX};
     coin_priv_body b;
-    coin_priv_moment at[WIDEST];
+    coin_priv_carry c;
+    coin_priv_moment each[WIDEST], *at[WIDEST];
     double highs[WIDEST];
     int sound[WIDEST];
     check_status(coin_priv_body_of(&b, &p), COIN_OK);
     for (int k = 0; k < WIDEST; ++k) {
-        coin_priv_carry c;
         coin_priv_carry_begin(&c, &s);
-        at[k] = c.at;
+        each[k] = c.at;
+        at[k] = &each[k];
         highs[k] = high;
     }
     coin_priv_method_abreast(method)(at, sound, highs, &b, 0.1, 1);
-    *cth = at[0].y.cth;
+    *cth = each[0].y.cth;
     return sound[0];
 }
 
@@ -127,6 +128,7 @@ static void who_is_above_is_above_at_every_stage(void **unused)
         check(stays_above(0.8, method, 1, &end));
         check(stays_above(nextafter(end, 0), method, 1, &end));
         check(!stays_above(end, method, 1, &end));
+        check_near(end, cos(0.5), 2 * U); /* and is where it was */
         check(stays_above(cos(0.5) - 1e-3, method, -1, &end));
         check(end > cos(0.5) + 0.03);
         check(!stays_above(cos(0.5) + 0.03, method, -1, &end));
