@@ -55,7 +55,8 @@ PINNED := -ffp-contract=off -fno-tree-vectorize
 CC_USER  = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS)
 CC_LIB   = $(CC_USER) -std=c99 $(PINNED) $(MAPS) -fvisibility=hidden \
            -I$(SRC)/include
-CC_TEST  = $(CC_USER) -std=c11 $(PINNED) $(MAPS) -I$(SRC)/include -I$(SRC)/lib \
+CC_TEST  = $(CC_USER) -std=c11 $(PINNED) $(MAPS) -I$(SRC)/include \
+           $(addprefix -I,$(sort $(dir $(SOURCES)))) \
            -I$(SRC)/tests/support $(TEST_SEES)
 DEPENDS  = -MMD -MP -MT $@ -MF $(abspath $@).d
 
@@ -74,24 +75,26 @@ endif
 .PHONY: force
 
 # -------------------------------------------------------------------- libraries
-SOURCES := $(wildcard $(SRC)/lib/*.c)
-STATIC  := $(SOURCES:$(SRC)/lib/%.c=$(O)/static/%.o)
-SHARED  := $(SOURCES:$(SRC)/lib/%.c=$(O)/shared/%.o)
+SOURCES := $(wildcard $(SRC)/lib/*/*.c)
+STATIC  := $(patsubst %.c,$(O)/static/%.o,$(notdir $(SOURCES)))
+SHARED  := $(patsubst %.c,$(O)/shared/%.o,$(notdir $(SOURCES)))
 LIB_A   := $(O)/librollcoin.a
 LIB_SO  := $(O)/librollcoin.so
 SONAME  := librollcoin.so.$(SOVERSION)
 REAL_SO := librollcoin.so.$(VERSION)
-EXPORTS := $(SRC)/lib/rollcoin.map
-include $(SRC)/lib/float/float.mk
+EXPORTS := $(SRC)/lib/about/rollcoin.map
+
+# Objects lie in one folder: no two sources have one name.
+vpath %.c $(sort $(dir $(SOURCES)))
 
 .PHONY: all
 all: $(LIB_A) $(LIB_SO) $(O)/rollcoin.pc ## the static and the shared library
 
-$(O)/static/%.o: $(SRC)/lib/%.c $(O)/flags | $(O)/static
+$(O)/static/%.o: %.c $(O)/flags | $(O)/static
 	echo "CC  $(@F)"
 	cd $(SRC) && $(CC_LIB) $(DEPENDS) -c -o $(abspath $@) $<
 
-$(O)/shared/%.o: $(SRC)/lib/%.c $(O)/flags | $(O)/shared
+$(O)/shared/%.o: %.c $(O)/flags | $(O)/shared
 	echo "CC  $(@F) (shared)"
 	cd $(SRC) && $(CC_LIB) -fPIC $(DEPENDS) -c -o $(abspath $@) $<
 
@@ -112,20 +115,14 @@ $(LIB_SO): $(O)/$(SONAME)
 
 # All of it as one header, for a project or firmware that takes files in.
 SINGLE       := $(O)/single/coin.h
-SINGLE_TREE  := $(O)/single/tree
 
 .PHONY: single
 single: $(SINGLE) ## build/single/coin.h, the library as one header
 
-$(SINGLE): $(SRC)/LICENSE $(SRC)/lib/single.awk $(FLOAT_C) $(FLOAT_H) \
-           $(wildcard $(SRC)/include/*.h $(SRC)/lib/*.[ch]) | $(O)/single
-	rm -rf $(SINGLE_TREE)
-	mkdir -p $(SINGLE_TREE)/include $(SINGLE_TREE)/lib
-	cp $(SRC)/LICENSE $(SINGLE_TREE)
-	cp $(SRC)/include/*.h $(SINGLE_TREE)/include
-	cp $(SRC)/lib/*.[ch] $(FLOAT_C) $(FLOAT_H) $(SINGLE_TREE)/lib
-	cd $(SINGLE_TREE) && export LC_ALL=C && awk -f $(SRC)/lib/single.awk \
-	    LICENSE include/*.h lib/*.c >$(abspath $@)
+$(SINGLE): $(SRC)/LICENSE $(SRC)/lib/float/single.awk \
+           $(wildcard $(SRC)/include/*.h $(SRC)/lib/*/*.[ch]) | $(O)/single
+	cd $(SRC) && export LC_ALL=C && awk -f lib/float/single.awk \
+	    LICENSE include/*.h lib/*/*.c >$(abspath $@)
 	echo '#include "coin.h" /* which holds coinf.h */' >$(O)/single/coinf.h
 
 # Folders below the prefix are written relative to it, so that pkg-config can
@@ -301,7 +298,7 @@ repro-update: ## accept the hashes of this library as the pinned ones
 	+$(GATE) sh $(SRC)/tests/repro/hash.sh update
 
 # -------------------------------------------------------------- format, helpers
-C_FILES = $(foreach d,include lib lib/float tests tests/* docs/examples \
+C_FILES = $(foreach d,include lib/* tests tests/* docs/examples \
             docs/examples/*,\
             $(wildcard $(SRC)/$d/*.[ch]))
 

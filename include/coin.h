@@ -92,14 +92,6 @@ typedef struct coin_state {
     double wZ;    /**< omega_Z [1/T] */
 } coin_state;
 
-/** What drives everything: a coin for scenes that draw no path. */
-typedef struct coin_lean {
-    double theta; /**< lean, -pi/2 < theta < pi/2 [rad] */
-    double wX;    /**< omega_X = d(theta)/dt [1/T] */
-    double wY;    /**< omega_Y [1/T] */
-    double wZ;    /**< omega_Z [1/T] */
-} coin_lean;
-
 /** The force of the table on the coin. */
 typedef struct coin_force {
     double R[3];     /**< in the table frame x, y, z [M L/T^2] */
@@ -330,15 +322,6 @@ COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
                              int32_t method, double dt,
                              uint64_t steps_per_sample, size_t count,
                              coin_state *out, size_t *done);
-
-/** coin_run() for a scene that draws no path: the same equations, the same
- * steps, the pose left out.
- * @param[in,out] l  theta, wX, wY, wZ
- * @param method     COIN_RK4 or COIN_RK8; any other is COIN_EARG
- * @return as coin_run(), with the bits that coin_run() gives these members. */
-COIN_API int32_t coin_lean_run(coin_lean *l, const coin_params *p,
-                               int32_t method, double dt, uint64_t steps,
-                               uint64_t *done);
 
 /** Moves a coin by any time, to a stated accuracy, however near to flat it
  * passes: order 8 in Sundman's time, Eq. (32), with a step chosen from the

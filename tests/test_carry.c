@@ -5,8 +5,8 @@
 #include "support/methods.h"
 #include "support/random.h"
 
-#include "method.h"
-#include "stepper.h"
+#include "methods.h"
+#include "run.h"
 
 #include <math.h>
 
@@ -172,7 +172,7 @@ static void the_sum_tells_the_turn_at_the_largest_step(void **unused)
         coin_priv_carry c;
         coin_priv_carry_begin(&c, &s);
         coin_priv_limits any = {(double)INFINITY, b.w2_max, COIN_OK};
-        const double dt = coin_priv_method_most(method) / 1000;
+        const double dt = coin_priv_refusal_limit(method) / 1000;
         coin_priv_method_stepper(method)(&c, &b, &any, dt, 1);
         check(c.steps == 1);
         const double pair = atan2(c.at.y.sph, c.at.y.cph);
@@ -190,7 +190,7 @@ static void coarse_turns_are_counted_alike_in_one_run_and_in_many(void **unused)
         coin_state one, many;
         check_status(coin_steady_upright_spin(&one, &p, 1000), COIN_OK);
         many = one;
-        const double dt = 0.999 * coin_priv_method_most(method) / 1000;
+        const double dt = 0.999 * coin_priv_refusal_limit(method) / 1000;
         check_status(coin_run(&one, &p, method, dt, 1000, NULL), COIN_COARSE);
         for (int i = 0; i < 1000; ++i)
             check_status(coin_run(&many, &p, method, dt, 1, NULL), COIN_COARSE);
@@ -255,7 +255,7 @@ static void the_warning_is_that_of_the_largest_rate(void **unused)
         const coin_params p = random_coin(&r);
         const coin_state s = random_state(&r, &p, 1.5);
         const int32_t method = i % METHODS;
-        const double limit = coin_priv_method_coarse(method);
+        const double limit = coin_priv_coarse_limit(method);
         const double dt = limit / fastest_rate(&s, &p) *
                           pow(10, random_between(&r, -0.7, 0.01));
         const int32_t status =

@@ -7,7 +7,7 @@
 #include "support/random.h"
 #include "support/spread.h"
 
-#include "method.h"
+#include "methods.h"
 
 #include <math.h>
 
@@ -223,7 +223,7 @@ static void fine_steps_in_many_calls_are_those_in_one(void **unused)
 {
     (void)unused;
     for (int32_t method = 0; method < METHODS; ++method) {
-        const double limit = coin_priv_method_coarse(method);
+        const double limit = coin_priv_coarse_limit(method);
         const double dtW = method == COIN_RK4 ? 0.2 : limit;
         const struct spread off = cut_spread(method, dtW, 0.1, 0);
         check_within(off.median, 0.02, 1);

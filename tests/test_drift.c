@@ -6,8 +6,8 @@
 #include "support/table.h"
 
 #include "legendre.h"
-#include "method.h"
-#include "params.h"
+#include "methods.h"
+#include "body.h"
 
 #include <math.h>
 
@@ -105,7 +105,7 @@ static void no_step_of_full_accuracy_is_refused(void **unused)
         const double side = s.theta < 0 ? -1 : 1;
         s.theta = side * (1.5707963 - pow(10, random_between(&r, -7, 0)));
         for (int32_t k = COIN_SYMPLECTIC2; k <= COIN_SYMPLECTIC4; ++k) {
-            const double most = coin_priv_method_coarse(k);
+            const double most = coin_priv_coarse_limit(k);
             double dt = (i % 2 ? most : -most) / fastest_rate(&s, &p);
             coin_state end = s;
             check_status(coin_advance(&end, &p, dt, 1e-9, NULL), COIN_OK);

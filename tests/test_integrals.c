@@ -5,7 +5,7 @@
 #include "support/random.h"
 
 #include "legendre.h"
-#include "sincos.h"
+#include "angles.h"
 
 #include <math.h>
 

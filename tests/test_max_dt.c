@@ -4,7 +4,7 @@
 #include "support/methods.h"
 #include "support/random.h"
 
-#include "method.h"
+#include "methods.h"
 
 #include <float.h>
 #include <math.h>
@@ -114,7 +114,7 @@ static void a_coin_at_rest_has_the_largest_step(void **unused)
     const coin_state rest = {.theta = 0};
     for (int32_t method = 0; method < METHODS; ++method)
         check_within(coin_max_dt(&rest, &p, method, 1e-6) /
-                         coin_priv_method_coarse(method),
+                         coin_priv_coarse_limit(method),
                      0.9, 1);
 }
 

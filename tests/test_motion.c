@@ -4,7 +4,7 @@
 #include "support/observable.h"
 #include "support/random.h"
 
-#include "stage.h"
+#include "equations.h"
 
 #include <math.h>
 
@@ -77,7 +77,7 @@ struct slopes {
     coin_state s, rates;
     double h;
     coin_priv_body b;
-    coin_priv_stage y, d;
+    coin_priv_variables y, d;
 };
 
 static struct slopes random_slopes(struct random *r)
@@ -88,8 +88,8 @@ static struct slopes random_slopes(struct random *r)
     k.h = natural_time(&p) * random_between(r, -1, 1);
     check_status(coin_priv_body_of(&k.b, &p), COIN_OK);
     const coin_priv_field f = coin_priv_field_of(&k.b, k.h);
-    k.y = coin_priv_stage_of(&k.s);
-    k.d = coin_priv_motion(&f, &k.y);
+    k.y = coin_priv_variables_of(&k.s);
+    k.d = coin_priv_rates(&f, &k.y);
     check_status(coin_rates(&k.s, &p, &k.rates), COIN_OK);
     return k;
 }

@@ -9,21 +9,21 @@
 #include <math.h>
 
 /* coin_advance() once more, with its equations counted: twelve are a step. */
-#include "stage.h"
+#include "equations.h"
 
 static unsigned long equations;
 
-static coin_priv_stage counted(const coin_priv_field *f,
-                               const coin_priv_stage *y)
+static coin_priv_variables counted(const coin_priv_field *f,
+                               const coin_priv_variables *y)
 {
     ++equations;
-    return coin_priv_sundman(f, y);
+    return coin_priv_sundman_rates(f, y);
 }
 
 int32_t counted_advance(coin_state *s, const coin_params *p, double t,
                         double tol, double *reached);
 
-#define coin_priv_sundman(f, y) counted(f, y)
+#define coin_priv_sundman_rates(f, y) counted(f, y)
 #define coin_priv_sundman_tau counted_tau
 #define coin_priv_sundman_step counted_step
 #define coin_advance counted_advance
@@ -69,7 +69,7 @@ static void landing_takes_a_step_or_two(void **unused)
         const coin_state s = random_state(&r, &p, 1.5);
         coin_priv_body b;
         check_status(coin_priv_body_of(&b, &p), COIN_OK);
-        const coin_priv_stage y = coin_priv_stage_of(&s);
+        const coin_priv_variables y = coin_priv_variables_of(&s);
         const double tau = coin_priv_sundman_tau(&b, &y, LONGEST);
         const double t = random_between(&r, -1, 1) * tau * y.cth;
         sum += floor(steps_of(s, &p, t, 1e-2));

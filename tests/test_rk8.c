@@ -9,14 +9,14 @@
 
 /* The step of lib/dop8.h, given slopes that are no motion but show which
  * coefficient goes where. */
-#include "stepper.h"
+#include "run.h"
 #define FIELD probe_slopes
 #define DRIFT probe_path
 #define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
-static coin_priv_stage probe_slopes(const coin_priv_field *f,
-                                    const coin_priv_stage *y);
+static coin_priv_variables probe_slopes(const coin_priv_field *f,
+                                    const coin_priv_variables *y);
 static coin_priv_pose probe_path(const coin_priv_field *f,
-                                 const coin_priv_stage *y);
+                                 const coin_priv_variables *y);
 #include "dop8.h"
 
 enum { STAGES = 12, ORDER = 8, MEMBERS = 8 };
@@ -53,19 +53,19 @@ static struct {
     double seen[STAGES][MEMBERS];
 } probe;
 
-static coin_priv_stage probe_slopes(const coin_priv_field *f,
-                                    const coin_priv_stage *y)
+static coin_priv_variables probe_slopes(const coin_priv_field *f,
+                                    const coin_priv_variables *y)
 {
     const double at[MEMBERS] = {y->wX,  y->wY, y->wZ,  y->sth,
                                 y->cth, y->q,  y->sph, y->cph};
     const double d = probe.stage == probe.shown ? f->h : 0;
-    const coin_priv_stage slopes = {d, d, d, d, d, d, 0, d, d};
+    const coin_priv_variables slopes = {d, d, d, d, d, d, 0, d, d};
     memcpy(probe.seen[probe.stage++], at, sizeof at);
     return slopes;
 }
 
 static coin_priv_pose probe_path(const coin_priv_field *f,
-                                 const coin_priv_stage *y)
+                                 const coin_priv_variables *y)
 {
     (void)y;
     const double d = probe.stage - 1 == probe.shown ? f->h : 0;

@@ -7,7 +7,7 @@
 #include "support/methods.h"
 
 #include "legendre.h"
-#include "params.h"
+#include "body.h"
 
 #include <math.h>
 

@@ -3,7 +3,7 @@
 #include "support/random.h"
 #include "support/table.h"
 
-#include "sincos.h"
+#include "angles.h"
 
 #include <math.h>
 

@@ -5,14 +5,14 @@
 #include "support/observable.h"
 #include "support/random.h"
 
-#include "stage.h"
+#include "equations.h"
 
 #include <math.h>
 
 struct forms {
     struct parts size;
     double h, cth;
-    coin_priv_stage time, sundman;
+    coin_priv_variables time, sundman;
     coin_priv_pose time_path, sundman_path;
 };
 
@@ -27,11 +27,11 @@ static struct forms random_forms(struct random *r)
     f.cth = cos(s.theta);
     check_status(coin_priv_body_of(&b, &p), COIN_OK);
     const coin_priv_field field = coin_priv_field_of(&b, f.h);
-    const coin_priv_stage y = coin_priv_stage_of(&s);
-    f.time = coin_priv_motion(&field, &y);
-    f.sundman = coin_priv_sundman(&field, &y);
-    f.time_path = coin_priv_drift(&field, &y);
-    f.sundman_path = coin_priv_sundman_drift(&field, &y);
+    const coin_priv_variables y = coin_priv_variables_of(&s);
+    f.time = coin_priv_rates(&field, &y);
+    f.sundman = coin_priv_sundman_rates(&field, &y);
+    f.time_path = coin_priv_pose_rates(&field, &y);
+    f.sundman_path = coin_priv_sundman_pose_rates(&field, &y);
     return f;
 }
 
@@ -46,7 +46,7 @@ static void the_equations_are_those_in_time_times_cos_theta(void **unused)
         const struct forms f = random_forms(&r);
         const struct parts *k = &f.size;
         const double hc = f.h * f.cth, bound = BOUND * hc;
-        const coin_priv_stage *a = &f.time, *b = &f.sundman;
+        const coin_priv_variables *a = &f.time, *b = &f.sundman;
         check_near(b->wX, f.cth * a->wX, bound * k->dwX);
         check_near(b->wY, f.cth * a->wY,
                    bound * k->wX * (k->wY * k->tth + k->IZ / k->IX * k->wZ));

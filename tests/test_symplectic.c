@@ -4,7 +4,7 @@
 #include "support/random.h"
 
 #include "legendre.h"
-#include "params.h"
+#include "body.h"
 
 #include <math.h>
 

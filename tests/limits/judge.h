@@ -179,7 +179,7 @@ static double power(double x, int n)
 /* One step; 0 if it fails. */
 static int stride(struct walk *w, coin_priv_stepper *step)
 {
-    const double coarse = coin_priv_method_coarse(stepping(w->r));
+    const double coarse = coin_priv_coarse_limit(stepping(w->r));
     const int factors = w->claim->order + 1;
     coin_priv_limits any = {(double)INFINITY, w->b.w2_max, COIN_OK};
     const uint64_t before = w->c.steps;

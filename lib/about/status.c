@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include <coin.h>
+
+/* Rows of characters, not pointers: those would need relocation, and with it
+ * writable data in the shared library. */
+static const char errors[][56] = {
+    "done",
+    "parameters out of range",
+    "state out of range",
+    "the step is beyond the method, or not finite",
+    "bad argument: null, unknown method or branch, tolerance",
+    "no such steady motion",
+    "the coin falls flat",
+    "this build does not give the pinned bits",
+};
+
+static const char warnings[][56] = {
+    "unknown status",
+    "done, but a real coin would slip",
+    "done, but a real coin would lift off",
+    "done, several warnings: COIN_SLIPS + COIN_LIFTS",
+    "done, but the step is coarse",
+    "done, several warnings: COIN_SLIPS + COIN_COARSE",
+    "done, several warnings: COIN_LIFTS + COIN_COARSE",
+    "done, several warnings: SLIPS + LIFTS + COARSE",
+    "done, but the coin is nearly flat",
+    "done, several warnings: COIN_SLIPS + COIN_NEARLY_FLAT",
+    "done, several warnings: COIN_LIFTS + COIN_NEARLY_FLAT",
+    "done, several warnings: SLIPS + LIFTS + NEARLY_FLAT",
+    "done, several warnings: COIN_COARSE + COIN_NEARLY_FLAT",
+    "done, several warnings: SLIPS + COARSE + NEARLY_FLAT",
+    "done, several warnings: LIFTS + COARSE + NEARLY_FLAT",
+    "done, all warnings",
+};
+
+const char *coin_status_string(int32_t status)
+{
+    if (status <= 0 && status >= COIN_EBUILD)
+        return errors[-status];
+    return warnings[status > 0 && status < 16 ? status : 0];
+}

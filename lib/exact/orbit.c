@@ -1,0 +1,328 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "half.h"
+#include "../motion/angles.h"
+
+#include <math.h>
+#include <string.h>
+
+#define OF COIN_PRIV_OF
+#define ADD coin_priv_pair_add
+#define LOAD coin_priv_pair_load
+#define BOTH coin_priv_pair_both
+
+/* A period that amplifies rounding by more is none. */
+#define WORST 1e9
+
+/* And a lean nearer to flat than 1/WORST is rounded by WORST times as much as
+ * the rates there can bear. */
+#define HIGHEST (COIN_PRIV_HALF_PI - 1 / WORST)
+
+/* Headings per period nearer to a multiple of 2 pi than this, in half turns:
+ * the path drifts, since rounding cannot tell it from one. */
+#define STRAIGHT 1e-15
+
+/* Parts of a piece, of which none has two extremes of the distance: with four,
+ * the radii of 6000 coins are right to 5e-12, with two 6 are wrong. */
+#define LOOKS 5
+
+/* ------------------------------------------------------------- the frame -- */
+/* Measures times, angles and path of all pieces from A, in A's frame. */
+static void measure_from_A(const coin_priv_half *h)
+{
+    coin_orbit *o = h->o;
+    const coin_priv_turn *A = &h->A;
+    const coin_priv_sc ph = coin_priv_sincos(A->phi);
+    double *term = o->private_terms;
+    for (int n = 0; n < h->count; ++n) {
+        o->private_centers[n] = (o->private_centers[n] - A->time) - A->low;
+        term[COIN_PRIV_PHI] -= A->phi;
+        term[COIN_PRIV_PSI] -= A->psi;
+        term[COIN_PRIV_Z] -= A->z;
+        term[COIN_PRIV_X] -= A->x;
+        for (int k = 0; k < COIN_PRIV_TERMS; ++k, term += COIN_PRIV_ROWS) {
+            const double z = term[COIN_PRIV_Z], x = term[COIN_PRIV_X];
+            term[COIN_PRIV_Z] = z * ph.c + x * ph.s;
+            term[COIN_PRIV_X] = x * ph.c - z * ph.s;
+        }
+    }
+}
+
+/* An angle in turns, to the nearest whole one, in three parts: the products of
+ * its parts and those of 1/(2 pi), of which all but the last are exact. */
+static void turns_of(double part[3], double angle)
+{
+    double a[3], b[3];
+    coin_priv_split(a, angle, 0);
+    coin_priv_split(b, 0.15915494309189535, -9.839338337591067e-18);
+    const double first = a[0] * b[0] - coin_priv_round(a[0] * b[0]);
+    coin_priv_split(part, first,
+                    (a[0] * b[1] + a[1] * b[0]) +
+                        (a[0] * b[2] + a[1] * b[1] + a[2] * b[0]));
+}
+
+static void set_times(const coin_priv_half *h)
+{
+    coin_orbit *o = h->o;
+    double *f = o->private_frame;
+    const coin_priv_turn *A = &h->A, *B = &h->B;
+    const double sum = B->time - A->time, of_B = sum + A->time;
+    const double low =
+        ((B->time - of_B) - (A->time - (of_B - sum))) + (B->low - A->low);
+    f[COIN_PRIV_RATE] = h->rate;
+    f[COIN_PRIV_COUNT] = h->count;
+    f[COIN_PRIV_BACK] = h->back;
+    f[COIN_PRIV_SINCE] = -A->time;
+    f[COIN_PRIV_SINCE + 1] = -A->low;
+    f[COIN_PRIV_OVER] = 0.5 / sum;
+    coin_priv_split(f + COIN_PRIV_PERIOD, 2 * sum, 2 * low);
+    o->period = 2 * sum / h->rate; /* (55) */
+    for (int rank = 0; rank < h->count; ++rank) {
+        const int n = coin_priv_piece(rank, h->back, h->count);
+        const int last = coin_priv_piece(rank - 1, h->back, h->count);
+        o->private_edges[rank] =
+            rank == 0        ? 0
+            : rank > h->back ? o->private_centers[n] + h->joint[n]
+                             : o->private_centers[last] + h->joint[last];
+    }
+}
+
+static void set_angles(const coin_priv_half *h, const coin_state *s, double a)
+{
+    coin_orbit *o = h->o;
+    double *f = o->private_frame;
+    const coin_priv_turn *A = &h->A, *B = &h->B;
+    const coin_priv_sc ph = coin_priv_sincos(s->phi);
+    const coin_priv_sc by = coin_priv_sincos(A->phi); /* the sum may be lost */
+    o->heading_per_period = 2 * (B->phi - A->phi);    /* (57) */
+    o->roll_per_period = 2 * (B->psi - A->psi);       /* (57) */
+    o->theta_min = A->theta < B->theta ? A->theta : B->theta;
+    o->theta_max = A->theta < B->theta ? B->theta : A->theta;
+    coin_priv_split(f + COIN_PRIV_HEADING, o->heading_per_period, 0);
+    coin_priv_split(f + COIN_PRIV_ROLL, o->roll_per_period, 0);
+    turns_of(f + COIN_PRIV_TURN, o->heading_per_period);
+    f[COIN_PRIV_PHI0] = s->phi;
+    f[COIN_PRIV_PHI0 + 1] = A->phi;
+    f[COIN_PRIV_PSI0] = s->psi;
+    f[COIN_PRIV_PSI0 + 1] = A->psi;
+    f[COIN_PRIV_AXIS] = a * (ph.c * by.c - ph.s * by.s);
+    f[COIN_PRIV_AXIS + 1] = a * (ph.s * by.c + ph.c * by.s);
+    f[COIN_PRIV_PLACE] = s->z + a * (A->z * ph.c - A->x * ph.s);
+    f[COIN_PRIV_PLACE + 1] = s->x + a * (A->x * ph.c + A->z * ph.s);
+}
+
+/* ------------------------------------------------------------ the annulus --
+ */
+/* The path seen from the annulus' centre, on A's axis: its distance, and half
+ * the rate of that squared. */
+struct sight {
+    double distance, rate;
+};
+
+/* From a piece, at a time after its centre: E(t^2) + t O(t^2) and its slope. */
+static struct sight look(const coin_orbit *o, int piece, double t,
+                         double center)
+{
+    const double *first = coin_priv_term(o, piece, 0) + COIN_PRIV_Z;
+    const double *term = first + COIN_PRIV_TERMS * COIN_PRIV_ROWS;
+    const coin_priv_pair u = BOTH(t * t);
+    coin_priv_pair E = BOTH(0), O = E, dE = E, dO = E;
+    while (term != first) {
+        term -= 2 * COIN_PRIV_ROWS;
+        dE = ADD(E, dE, u);
+        dO = ADD(O, dO, u);
+        E = ADD(LOAD(term), E, u);
+        O = ADD(LOAD(term + COIN_PRIV_ROWS), O, u);
+    }
+    const coin_priv_pair at = ADD(E, O, BOTH(t));
+    const coin_priv_pair d =
+        ADD(ADD(O, dE, BOTH(2 * t)), dO, BOTH(2 * (t * t)));
+    const double z = OF(at, 0) - center, x = OF(at, 1);
+    const struct sight sight = {
+        coin_priv_hypot(z, x),
+        z * OF(d, 0) + x * OF(d, 1),
+    };
+    return sight;
+}
+
+static void widen(coin_orbit *o, double distance)
+{
+    if (distance < o->radius_min)
+        o->radius_min = distance;
+    if (distance > o->radius_max)
+        o->radius_max = distance;
+}
+
+/* Widens the annulus by what a piece does from one time, seen so, to another:
+ * where the rate changes its sign, by the secant with halved weights. */
+static struct sight look_along(coin_orbit *o, int piece, double from,
+                               struct sight seen, double to, double center)
+{
+    const struct sight end = look(o, piece, to, center);
+    double low = from, high = to, at_low = seen.rate, at_high = end.rate;
+    for (int i = 0; i < 8 && at_low * at_high < 0; ++i) {
+        const double mid = (low * at_high - high * at_low) / (at_high - at_low);
+        const struct sight middle = look(o, piece, mid, center);
+        widen(o, middle.distance);
+        if (middle.rate * at_high > 0) {
+            at_low /= 2;
+        } else {
+            low = high;
+            at_low = at_high;
+        }
+        high = mid;
+        at_high = middle.rate;
+    }
+    return end;
+}
+
+/* Center and radii in the frame of A.  A and B are extremes themselves; what
+ * is looked at begins and ends a part of a piece aside, where the rate's sign
+ * is more than rounding.  An extreme nearer to them differs by 1e-12. */
+static void set_annulus(const coin_priv_half *h, double center, double half)
+{
+    coin_orbit *o = h->o;
+    const double *t = o->private_centers, *edge = o->private_edges;
+    const int end = h->count - 1;
+    const int last = coin_priv_piece(end, h->back, h->count);
+    const double begin = edge[1] / 1024; /* there are two pieces at least */
+    const double stop = half - (half - edge[end]) / 1024;
+    const int first = coin_priv_piece(0, h->back, h->count);
+    struct sight seen = look(o, first, begin - t[first], center);
+    o->radius_min = o->radius_max = fabs(center);
+    widen(o, look(o, last, half - t[last], center).distance);
+    for (int rank = 0; rank <= end; ++rank) {
+        const int n = coin_priv_piece(rank, h->back, h->count);
+        const double from = (rank > 0 ? edge[rank] : begin) - t[n];
+        const double to = (rank < end ? edge[rank + 1] : stop) - t[n];
+        for (int k = 0; k < LOOKS; ++k)
+            seen = look_along(o, n, from + (to - from) * k / LOOKS, seen,
+                              from + (to - from) * (k + 1) / LOOKS, center);
+    }
+}
+
+static void set_path(const coin_priv_half *h, double a, double half)
+{
+    coin_orbit *o = h->o;
+    double *f = o->private_frame;
+    const double *turn = f + COIN_PRIV_TURN;
+    const double cA = f[COIN_PRIV_AXIS], sA = f[COIN_PRIV_AXIS + 1];
+    const coin_priv_sc ph = coin_priv_sincos(h->A.phi);
+    const double dz = h->B.z - h->A.z, dx = h->B.x - h->A.x;
+    const double z = dz * ph.c + dx * ph.s, x = dx * ph.c - dz * ph.s;
+    const double b = 2 * COIN_PRIV_HALF_PI * (turn[0] + (turn[1] + turn[2]));
+    const coin_priv_sc by = coin_priv_sincos(b);
+    const double L = 2 * (x * by.c - z * by.s); /* (58) */
+    f[COIN_PRIV_SWING] = b == 0 ? 0 : L / by.s; /* (58) */
+    f[COIN_PRIV_DRIFT] = b == 0 ? L : 0;
+    if (fabs(b) < STRAIGHT) {
+        o->center[0] = o->center[1] = (double)NAN;
+        o->radius_min = o->radius_max = (double)NAN;
+        o->drift[0] = L * cA;
+        o->drift[1] = -L * sA;
+        return;
+    }
+    const double center = z - x * by.c / by.s; /* (58) */
+    set_annulus(h, center, half);
+    o->radius_min *= a;
+    o->radius_max *= a;
+    o->center[0] = f[COIN_PRIV_PLACE + 1] + center * sA;
+    o->center[1] = f[COIN_PRIV_PLACE] + center * cA;
+}
+
+/* ------------------------------------------------------------- the motion --
+ */
+/* By how much a change of theta at A changes wX a period later: the linear
+ * motion beside this one, each piece as if its lambda^2 were constant. */
+static double conditioning(const coin_priv_half *h, double half)
+{
+    const coin_orbit *o = h->o;
+    double x = 1, v = 0, t = 0;
+    for (int rank = 0; rank < h->count; ++rank) {
+        const double end =
+            rank + 1 < h->count ? o->private_edges[rank + 1] : half;
+        const double d = end - t;
+        const int n = coin_priv_piece(rank, h->back, h->count);
+        const double y = h->bend[n] * d * d;
+        const double C = 1 + y / 2 * (1 + y / 12 * (1 + y / 30));
+        const double S = d * (1 + y / 6 * (1 + y / 20 * (1 + y / 42)));
+        const double next = x * C + v * S;
+        v = v * C + x * h->bend[n] * S;
+        x = next;
+        t = end;
+    }
+    return 1 + 2 * fabs(x * v);
+}
+
+/* Whether the lean does not swing, or if stable no more than it is rounded. */
+static int is_steady(const coin_priv_half *h)
+{
+    const coin_priv_point *p = h->now.at;
+    const double wX = OF(p[0].row[1], 1), L = h->bend[0];
+    const double dwX = OF(p[1].row[1], 1);
+    const double rest = 4 * DBL_EPSILON * L;
+    return L < 0 ? wX * wX * -L + dwX * dwX <= rest * rest
+                 : wX == 0 && dwX == 0;
+}
+
+static void set_steady(const coin_priv_half *h, const coin_state *s, double a)
+{
+    const coin_priv_point *p = h->now.at;
+    const double heading = OF(p[1].row[0], 1) * h->rate;
+    const double roll = OF(p[1].row[1], 0) * h->rate;
+    const double R = s->wZ == 0 ? 0 : a * s->wZ / heading; /* (43) */
+    const int drifts = heading == 0 && s->wZ != 0;
+    const coin_priv_sc ph = coin_priv_sincos(s->phi);
+    coin_orbit *o = h->o;
+    const double start[COIN_PRIV_ROWS] = {s->theta, s->phi, s->psi, 0,
+                                          s->wY,    s->wZ,  s->z,   s->x};
+    o->theta_min = o->theta_max = s->theta;
+    o->center[0] = drifts ? (double)NAN : s->x + R * ph.s;
+    o->center[1] = drifts ? (double)NAN : s->z + R * ph.c;
+    o->radius_min = o->radius_max = drifts ? (double)NAN : fabs(R);
+    o->private_frame[COIN_PRIV_STEADY_HEADING] = heading;
+    o->private_frame[COIN_PRIV_STEADY_ROLL] = roll;
+    o->private_frame[COIN_PRIV_STEADY_SPEED] = a * s->wZ;
+    memcpy(o->private_terms, start, sizeof start);
+}
+
+static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
+{
+    coin_priv_half h;
+    o->conditioning = 1;
+    coin_priv_half_begin(&h, o, s, b);
+    if (is_steady(&h)) {
+        /* Unstable and not upright, it is so by its rounding alone. */
+        if (!(h.bend[0] < 0) && s->theta != 0)
+            return 0;
+        set_steady(&h, s, b->a);
+        return 1;
+    }
+    if (!coin_priv_half_solve(&h))
+        return 0;
+    if (!(fabs(h.A.theta) < HIGHEST && fabs(h.B.theta) < HIGHEST))
+        return 0;
+    const double half = (h.B.time - h.A.time) + (h.B.low - h.A.low);
+    measure_from_A(&h);
+    set_times(&h);
+    set_angles(&h, s, b->a);
+    set_path(&h, b->a, half);
+    o->conditioning = conditioning(&h, half);
+    return o->conditioning < WORST;
+}
+
+int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
+                        const coin_params *p)
+{
+    coin_priv_body b;
+    const int32_t status = o ? coin_priv_check(s, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    coin_orbit made;
+    memset(&made, 0, sizeof made);
+    if (!solve(&made, s, &b))
+        return COIN_EDOMAIN;
+    *o = made;
+    return COIN_OK;
+}

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "steady.h"
+
+#include <math.h>
+
+int32_t coin_stability(const coin_state *s, const coin_params *p,
+                       double *lambda2)
+{
+    coin_priv_body b;
+    coin_priv_sc th;
+    const int32_t status =
+        lambda2 ? coin_priv_check_steady(s, p, &b, &th) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const double wY = s->wY, wZ = s->wZ;
+    const double IX = b.IX, IZ = b.IZ, m = b.m, K = b.K;
+    const double tth = th.s / th.c;
+    /* clang-format off */
+    const double L = b.Mga * th.c                             /* (44) */
+                   - (IX * (1 + 3 * (tth * tth)) + m) * wY * wY
+                   - (3 * IZ + m) * tth * wY * wZ
+                   - b.k1 * K * wZ * wZ;
+    /* clang-format on */
+    *lambda2 = L / b.J;
+    return COIN_OK;
+}
+
+double coin_critical_roll(const coin_params *p)
+{
+    coin_priv_body b;
+    if (!p || coin_priv_check_body(&b, p) != COIN_OK)
+        return NAN;
+    return sqrt(b.Mga / b.K / b.k1); /* (45) */
+}
+
+double coin_critical_spin(const coin_params *p)
+{
+    coin_priv_body b;
+    if (!p || coin_priv_check_body(&b, p) != COIN_OK)
+        return NAN;
+    return sqrt(b.GJ); /* (46) */
+}

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "steady.h"
+
+#include <math.h>
+
+/* How far from steady a state may be and still count: far above the rounding
+ * of a long run, far below what anyone would call a wobble. */
+#define STEADY 1e-9
+
+static double larger(double a, double b)
+{
+    return fabs(a) > fabs(b) ? fabs(a) : fabs(b);
+}
+
+int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
+                               coin_priv_body *b, coin_priv_sc *th)
+{
+    const int32_t status = coin_priv_check(s, p, b);
+    if (status != COIN_OK)
+        return status;
+    *th = coin_priv_sincos(s->theta);
+    const double wX = s->wX, wY = s->wY, wZ = s->wZ;
+    /* clang-format off */
+    const double roll = b->K * wZ * wY;                 /* (39) */
+    const double turn = b->IX * wY * wY * th->s / th->c; /* (39) */
+    const double fall = b->Mga * th->s;                 /* (39) */
+    /* clang-format on */
+    const double rate = larger(larger(wY, wZ), sqrt(b->g_a));
+    const double torque = larger(larger(roll, turn), b->Mga);
+    const int balanced = (fabs(wX) <= STEADY * rate) &
+                         (fabs(roll + turn - fall) <= STEADY * torque);
+    return balanced ? COIN_OK : COIN_EDOMAIN;
+}
+
+/* Writes a steady state if it is one: with moments of inertia 1e200 apart a
+ * rate may lie beyond all doubles (test_steady). */
+static int32_t steady(coin_state *s, const coin_params *p, double theta,
+                      double wY, double wZ)
+{
+    const coin_state made = {theta, 0, 0, 0, 0, 0, wY, wZ};
+    coin_priv_body b;
+    coin_priv_sc th;
+    const int32_t status =
+        s ? coin_priv_check_steady(&made, p, &b, &th) : COIN_EARG;
+    if (status == COIN_OK)
+        *s = made;
+    return status;
+}
+
+int32_t coin_steady_roll(coin_state *s, const coin_params *p, double wZ)
+{
+    return steady(s, p, 0, 0, wZ);
+}
+
+int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p, double wY)
+{
+    return steady(s, p, 0, wY, 0);
+}
+
+int32_t coin_steady_spin(coin_state *s, const coin_params *p, double theta)
+{
+    coin_priv_body b;
+    /* Upright at rest at this lean: settles every error but the spin's own. */
+    const coin_state rest = {theta, 0, 0, 0, 0, 0, 0, 0};
+    const int32_t status = s ? coin_priv_check(&rest, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const double cth = coin_priv_sincos(theta).c;
+    return steady(s, p, theta, sqrt(b.Mga / b.IX * cth), 0); /* (42) */
+}
+
+int32_t coin_steady_circle(coin_state *s, const coin_params *p, double theta,
+                           double wZ, int32_t branch)
+{
+    coin_priv_body b;
+    const coin_state asked = {theta, 0, 0, 0, 0, 0, 0, wZ};
+    int32_t status = s && (branch == 1 || branch == -1)
+                         ? coin_priv_check(&asked, p, &b)
+                         : COIN_EARG;
+    if (status == COIN_OK && theta == 0)
+        status = COIN_EDOMAIN;
+    if (status != COIN_OK)
+        return status;
+    /* A wY^2 + wZ wY - G = 0: Eq. (39) over K; root^2 = wZ^2 + 4 A G. */
+    const coin_priv_sc th = coin_priv_sincos(theta);
+    const double A = b.IX / b.K * (th.s / th.c), G = b.Mga / b.K * th.s;
+    const double rest = sqrt(b.IX / b.K * (b.Mga / b.K) / th.c);
+    const double root = coin_priv_hypot(wZ, 2 * th.s * rest);
+    /* The root q/A, where nothing cancels, is f- unless wZ < 0. */
+    const double q = -(wZ + (wZ < 0 ? -root : root)) / 2; /* (40) */
+    const int large = (branch < 0) == !(wZ < 0);
+    return steady(s, p, theta, large ? q / A : -G / q, wZ); /* (41) */
+}
+
+int32_t coin_steady_radii(const coin_state *s, const coin_params *p,
+                          double *center, double *contact)
+{
+    coin_priv_body b;
+    coin_priv_sc th;
+    const int32_t status =
+        center && contact ? coin_priv_check_steady(s, p, &b, &th) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const double wY = s->wY, wZ = s->wZ;
+    const int straight = wY == 0;
+    *center =
+        straight ? (double)INFINITY : b.a * fabs(wZ * th.c / wY); /* (43) */
+    *contact = straight ? (double)INFINITY
+                        : b.a * fabs(wZ * th.c / wY + th.s); /* (43) */
+    return COIN_OK;
+}

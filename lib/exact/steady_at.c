@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "steady.h"
+
+/* sin(h)/h. */
+static double sinc(double h)
+{
+    return h == 0 ? 1 : coin_priv_sincos(h).s / h;
+}
+
+int32_t coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
+                              double t)
+{
+    const double half = rates->heading * t / 2;       /* (56) */
+    const double way = rates->speed * t * sinc(half); /* (56) */
+    const coin_priv_sc along = coin_priv_sincos(s->phi + half);
+    coin_state at = *s;
+    at.wX = 0;
+    at.phi += 2 * half;        /* (56) */
+    at.psi += rates->roll * t; /* (56) */
+    at.x -= way * along.c;     /* (56) */
+    at.z += way * along.s;     /* (56) */
+    if (coin_priv_check_members(&at) != COIN_OK)
+        return COIN_ESTEP;
+    *s = at;
+    return COIN_OK;
+}
+
+int32_t coin_steady_at(const coin_state *s, const coin_params *p, double t,
+                       coin_state *out)
+{
+    coin_priv_body b;
+    coin_priv_sc th;
+    int32_t status = out ? coin_priv_check_steady(s, p, &b, &th) : COIN_EARG;
+    if (status == COIN_OK || status == COIN_EDOMAIN)
+        status = t - t == 0 ? status : COIN_ESTEP;
+    if (status != COIN_OK)
+        return status;
+    const coin_priv_steady rates = {
+        s->wY / th.c,                  /* (18) */
+        s->wZ + s->wY * (th.s / th.c), /* (19) */
+        b.a * s->wZ,
+    };
+    coin_state at = *s;
+    status = coin_priv_steady_move(&at, &rates, t);
+    if (status == COIN_OK)
+        *out = at;
+    return status;
+}

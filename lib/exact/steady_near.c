@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "../motion/legendre.h"
+#include "../motion/angles.h"
+#include "steady.h"
+
+#include <math.h>
+
+/* A place on the potential V(theta) of a state's integrals, Eq. (48). */
+struct place {
+    double theta;
+    coin_priv_sc at;   /* sine and cosine of theta */
+    double p, wY, wZ;  /* the linear pair, p = wY cos theta */
+    double push, bend; /* d(wX)/dt = -V'/J, and its slope along theta */
+};
+
+/* The longest and the shortest step of the search, in cos theta.  The series
+ * of (34) reaches twice as far as the longest; two extrema nearer to each
+ * other than the shortest may both be missed. */
+#define LONG_STEP 0.04
+#define SHORT_STEP 0.0005
+
+/* Nearer to flat than this no steady motion is looked for: theta could not
+ * tell it from its neighbours to the 1e-9 that steady means. */
+#define FLAT 1e-6
+
+static void look(struct place *o, const coin_priv_body *b)
+{
+    const double wY = o->wY = o->p / o->at.c, wZ = o->wZ;
+    const double tth = o->at.s / o->at.c;
+    const double dwY = wY * tth + b->k1 * wZ; /* (15) over wX */
+    const double dwZ = b->k2 * wY;            /* (16) over wX */
+    /* clang-format off */
+    o->push = b->GJ * o->at.s - wY * (b->KJ * wZ + b->XJ * wY * tth); /* (14) */
+    o->bend = b->GJ * o->at.c - b->KJ * (dwY * wZ + wY * dwZ)         /* (44) */
+            - b->XJ * wY * (2 * dwY * tth + wY * (1 + tth * tth));
+    /* clang-format on */
+}
+
+/* Signs are multiplied, not numbers whose product may underflow. */
+static int sign_of(double x)
+{
+    return (x > 0) - (x < 0);
+}
+
+/* Moves along the potential, by at most 2 LONG_STEP cos theta. */
+static void move(struct place *o, const coin_priv_body *b, double theta)
+{
+    const double half = (theta - o->theta) / 2;
+    const double c = coin_priv_sincos(o->theta + half).c;
+    const double e = 2 * c * coin_priv_sincos(half).s; /* of sin theta */
+    coin_priv_legendre_shift(&o->p, &o->wZ, b->k1, b->k2, o->at.s,
+                             o->at.c * o->at.c, e); /* (34) */
+    o->theta = theta;
+    o->at = coin_priv_sincos(theta);
+    look(o, b);
+}
+
+/* Newton's way to the extremum between *o and end, the signs of whose push
+ * differ; halving keeps it there. */
+static void settle(struct place *o, const coin_priv_body *b, double end)
+{
+    double low = o->theta, high = end;
+    const int sign = sign_of(o->push);
+    for (int i = 0; i < 60; ++i) {
+        double next = o->theta - o->push / o->bend;
+        if (!((next - low) * (next - high) < 0))
+            next = low + (high - low) / 2;
+        const double step = next - o->theta;
+        if (fabs(step) <= DBL_EPSILON / 2 * fabs(next))
+            return;
+        move(o, b, next);
+        if (sign_of(o->push) * sign > 0)
+            low = next;
+        else
+            high = next;
+    }
+}
+
+/* A step that passes an extremum near by, but not a second one behind it. */
+static double step_of(const struct place *o)
+{
+    const double guess = 1.5 * fabs(o->push / o->bend);
+    const double most = LONG_STEP * o->at.c, least = SHORT_STEP * o->at.c;
+    return !(guess < most) ? most : guess < least ? least : guess;
+}
+
+/* Goes to the first extremum on one side of *o, but no farther than most; 0 if
+ * there is none. */
+static int find(struct place *o, const coin_priv_body *b, double side,
+                double most)
+{
+    const double start = o->theta;
+    while (o->at.c > FLAT && fabs(o->theta - start) <= most) {
+        const struct place last = *o;
+        move(o, b, o->theta + side * step_of(o));
+        if (sign_of(o->push) * sign_of(last.push) <= 0) {
+            const double end = o->theta;
+            *o = last;
+            settle(o, b, end);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* The nearest extremum to either side; 0 if there is none. */
+static int nearest(struct place *o, const coin_priv_body *b)
+{
+    struct place up = *o, down = *o;
+    if (o->push == 0)
+        return 1;
+    const int above = find(&up, b, 1, 4);
+    const double to_up = above ? fabs(up.theta - o->theta) : 4;
+    const int below = find(&down, b, -1, to_up);
+    const double to_down = below ? fabs(down.theta - o->theta) : 4;
+    *o = to_down < to_up ? down : up;
+    return above || below;
+}
+
+/* The rates nearest to those of *o that balance (39) at this lean: what push is
+ * left is the rounding of theta, to which fast coins are steep.  Newton's way
+ * in the plane of both; at rates of 1e16 the second step still counts.  Slow
+ * coins would have to change, and are not steep. */
+static void balance(struct place *o, const coin_priv_body *b)
+{
+    const double tth = o->at.s / o->at.c;
+    for (int i = 0; i < 3; ++i) {
+        const double by_wY = b->KJ * o->wZ + 2 * b->XJ * o->wY * tth;
+        const double by_wZ = b->KJ * o->wY;
+        const double slope = coin_priv_hypot(by_wY, by_wZ);
+        if (!(fabs(o->push) < slope * coin_priv_hypot(o->wY, o->wZ)))
+            return;
+        o->p += o->push / slope * (by_wY / slope) * o->at.c;
+        o->wZ += o->push / slope * (by_wZ / slope);
+        look(o, b);
+    }
+}
+
+int32_t coin_steady_near(const coin_state *s, const coin_params *p,
+                         coin_state *out)
+{
+    coin_priv_body b;
+    const int32_t status = out ? coin_priv_check(s, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const coin_priv_sc at = coin_priv_sincos(s->theta);
+    struct place o = {s->theta, at, s->wY * at.c, s->wY, s->wZ, 0, 0};
+    look(&o, &b);
+    if (!nearest(&o, &b))
+        return COIN_EDOMAIN;
+    balance(&o, &b);
+    coin_state near = *s;
+    near.theta = o.theta;
+    near.wX = 0;
+    near.wY = o.wY;
+    near.wZ = o.wZ;
+    /* Bodies with moments of inertia 1e80 apart may defeat the search. */
+    coin_priv_sc th;
+    if (coin_priv_check_steady(&near, p, &b, &th) != COIN_OK)
+        return COIN_EDOMAIN;
+    *out = near;
+    return COIN_OK;
+}

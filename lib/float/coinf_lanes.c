@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: MIT */
+#include "batch_float.h"
+
+#include <string.h>
+
+#if COIN_PRIV_WIDTH
+
+#define COIN_PRIV_ABREAST
+#include "../motion/number.t.h"
+
+#include "../motion/angles.t.h"
+
+#include "../motion/equations.t.h"
+
+#include "step.t.h"
+#undef COIN_PRIV_ABREAST
+#include "../motion/kind.h"
+
+typedef coinf_lanes_whole mask;
+
+enum { NUMBERS = sizeof(coinf_state) / sizeof(float) };
+
+COIN_PRIV_INLINE int any(mask m)
+{
+    uint64_t part[COIN_PRIV_WIDTH / 8], all = 0;
+    memcpy(part, &m, sizeof part);
+    for (size_t i = 0; i < sizeof part / sizeof *part; ++i)
+        all |= part[i];
+    return all != 0;
+}
+
+/* From a struct of floats for each coin to one of vectors, and back.  Places
+ * that nobody took go along with the first. */
+static void load(coinf_lanes_state *to, coinf_state *const *coin, int count)
+{
+    float *number = (float *)to;
+    for (int i = 0; i < NUMBERS; ++i)
+        for (int k = 0; k < COINF_PRIV_LANES; ++k)
+            *number++ = ((const float *)coin[k < count ? k : 0])[i];
+}
+
+static void store(coinf_state *const *coin, int count,
+                    const coinf_lanes_state *from)
+{
+    for (int k = 0; k < count; ++k)
+        for (int i = 0; i < NUMBERS; ++i)
+            ((float *)coin[k])[i] =
+                ((const float *)from)[i * COINF_PRIV_LANES + k];
+}
+
+static coinf_lanes_plan plan_of(const coinf_priv_plan *p)
+{
+    const coinf_lanes none = {0};
+    const coinf_lanes_plan of_all = {
+        {none + p->f.h, none + p->f.GJ, none + p->f.KJ, none + p->f.XJ,
+         none + p->f.k1, none + p->f.k2},
+        none + p->KJ_low,
+        none + p->a,
+        none + p->g_a,
+        none + p->k1,
+        none + p->k2,
+        none + p->coarse2,
+        none + p->most2,
+    };
+    return of_all;
+}
+
+/* Takes whole turns off where there are any.  To take none off is not nothing:
+ * the addition may round a remainder of half a digit anew. */
+static void turn_back(coinf_lanes *angle, coinf_lanes *low)
+{
+    const mask far = coinf_lanes_magnitude(*angle) > 2 * COIN_PRIV_HALF_PI;
+    coinf_lanes near = *angle, near_low = *low;
+    coinf_lanes_reduce(&near, &near_low);
+    *angle = coinf_lanes_choose(far, near, *angle);
+    *low = coinf_lanes_choose(far, near_low, *low);
+}
+
+/* Of each number that of *next where mask is all ones, of *s where it is 0. */
+static void keep(coinf_lanes_state *next, mask mask,
+                 const coinf_lanes_state *s)
+{
+    for (int i = 0; i < NUMBERS; ++i)
+        ((coinf_lanes *)next)[i] =
+            coinf_lanes_choose(mask, ((coinf_lanes *)next)[i], ((const coinf_lanes *)s)[i]);
+}
+
+/* Vector by vector: what the compiler makes of an assignment may be narrower,
+ * and a wide load then waits for two stores. */
+static void copy(coinf_lanes_state *to, const coinf_lanes_state *from)
+{
+    for (int i = 0; i < NUMBERS; ++i)
+        ((coinf_lanes *)to)[i] = ((const coinf_lanes *)from)[i];
+}
+
+/* What steps are for each coin: all ones or 0. */
+struct verdict {
+    mask sound, coarse; /* the last one; any so far */
+};
+
+/* One step of each coin; 0 if it would be sound for none.  A coin whose step
+ * would not be sound stays where it is, and so will at the next. */
+static int step(coinf_lanes_state *s, struct verdict *of,
+                const coinf_lanes_plan *plan)
+{
+    coinf_lanes_variables last;
+    coinf_lanes_state next;
+    coinf_lanes_slope first, rest;
+    const coinf_lanes_variables y = coinf_lanes_variables_at(s);
+    coinf_lanes_slopes(&first, &rest, &last, plan, &y);
+    copy(&next, s);
+    coinf_lanes_change(&next, &first, &rest);
+    const coinf_lanes begin = coinf_lanes_rate2(plan->g_a, &y);
+    const coinf_lanes end = coinf_lanes_rate2(plan->g_a, &last);
+    of->coarse |= ~((begin <= plan->coarse2) & (end <= plan->coarse2));
+    of->sound =
+        (begin <= plan->most2) & (end <= plan->most2) & coinf_lanes_holds(&next, plan);
+    const mask turned =
+        (coinf_lanes_magnitude(next.phi) > 2 * COIN_PRIV_HALF_PI) | (coinf_lanes_magnitude(next.psi) > 2 * COIN_PRIV_HALF_PI);
+    if (COIN_PRIV_RARELY(any(~of->sound | turned))) {
+        turn_back(&next.phi, &next.low[1]);
+        turn_back(&next.psi, &next.low[2]);
+        keep(&next, of->sound, s);
+    }
+    copy(s, &next);
+    return any(of->sound);
+}
+
+static void rk4(coinf_state *const *coin, int32_t *status, int count,
+                        const coinf_priv_plan *plan, uint64_t n)
+{
+    const coinf_lanes_plan of_all = plan_of(plan);
+    const mask none = {0};
+    struct verdict of = {~none, none};
+    coinf_lanes_state s;
+    load(&s, coin, count);
+    while (n > 0 && step(&s, &of, &of_all))
+        --n;
+    store(coin, count, &s);
+    for (int k = 0; k < count; ++k)
+        status[k] = !of.sound[k] ? COIN_ESTEP : of.coarse[k] & COIN_COARSE;
+}
+
+coinf_priv_lanes_run *coinf_priv_lanes_run_of(int32_t method)
+{
+    return method == COIN_RK4 ? rk4 : NULL;
+}
+
+#else
+
+coinf_priv_lanes_run *coinf_priv_lanes_run_of(int32_t method)
+{
+    (void)method;
+    return NULL;
+}
+
+#endif

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+#include "step.h"
+
+int32_t coinf_run(coinf_state *s, const coinf_params *p, int32_t method,
+                  float dt, uint64_t steps, uint64_t *done)
+{
+    coinf_priv_plan plan;
+    int32_t warnings = COIN_OK;
+    const int32_t status = coinf_priv_plan_of(&plan, s, p, method, dt);
+    if (status != COIN_OK)
+        return status;
+    coinf_priv_method *const one =
+        method == COIN_RK4 ? coinf_priv_rk4 : coinf_priv_symplectic2;
+    uint64_t n = dt == 0 ? steps : 0;
+    while (n < steps && coinf_priv_step(s, &warnings, &plan, one))
+        ++n;
+    if (done)
+        *done = n;
+    return n < steps ? COIN_ESTEP : warnings;
+}

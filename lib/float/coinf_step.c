@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+#include "step.h"
+
+/* A last stage that is too fast is near the table, long before one could be
+ * below. */
+int coinf_priv_rk4(coinf_state *s, int32_t *warnings,
+                   const coinf_priv_plan *plan, const coinf_priv_variables *y)
+{
+    coinf_priv_slope first, rest;
+    coinf_priv_variables last;
+    coinf_priv_slopes(&first, &rest, &last, plan, y);
+    if (!coinf_priv_rate_holds(warnings, plan, &last))
+        return 0;
+    coinf_state next = *s;
+    coinf_priv_change(&next, &first, &rest);
+    return coinf_priv_end_step(s, &next, plan);
+}
+
+int coinf_priv_end_step(coinf_state *s, coinf_state *next,
+                        const coinf_priv_plan *plan)
+{
+    if (!coinf_priv_holds(next, plan))
+        return 0;
+    if (fabsf(next->phi) > 2 * COIN_PRIV_HALF_PI)
+        coinf_priv_reduce(&next->phi, &next->low[1]);
+    if (fabsf(next->psi) > 2 * COIN_PRIV_HALF_PI)
+        coinf_priv_reduce(&next->psi, &next->low[2]);
+    *s = *next;
+    return 1;
+}
+
+/* What to add to KJ so that it is K/(M g a) = (a + I_Z/(M a))/g times GJ.  The
+ * two hold each other in balance in a steady motion: an error of their ratio
+ * turns the heading steadily, an error of both does not. */
+static float balance(const coinf_priv_field *f, const coinf_priv_body *b,
+                     float g)
+{
+    const float sum = b->a + b->IZ / (b->M * b->a), ratio = sum / g;
+    const float ratio_low =
+        ((sum - ratio * g) - coinf_priv_residue(ratio, g)) / g;
+    return (f->GJ * ratio - f->KJ) +
+           (coinf_priv_residue(f->GJ, ratio) + f->GJ * ratio_low);
+}
+
+int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
+                           const coinf_params *p, int32_t method, float dt)
+{
+    coinf_priv_body b;
+    const int32_t status = coinf_priv_method_is_known(method)
+                               ? coinf_priv_check(s, p, &b)
+                               : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    if (!(fabsf(dt) <= COIN_PRIV_LARGEST))
+        return COIN_ESTEP;
+    const coinf_priv_limits limits = coinf_priv_limits_of(&b, method, dt);
+    plan->f = coinf_priv_field_of(&b, dt);
+    plan->a = b.a;
+    plan->g_a = b.g_a;
+    plan->k1 = b.k1;
+    plan->k2 = b.k2;
+    plan->most2 = limits.most2;
+    plan->coarse2 = limits.coarse2;
+    plan->KJ_low = balance(&plan->f, &b, p->gravity);
+    return COIN_OK;
+}
+
+int coinf_priv_step(coinf_state *s, int32_t *warnings,
+                    const coinf_priv_plan *plan, coinf_priv_method *method)
+{
+    const coinf_priv_variables y = coinf_priv_variables_at(s);
+    return coinf_priv_rate_holds(warnings, plan, &y) &&
+           method(s, warnings, plan, &y);
+}
+
+int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt)
+{
+    coinf_priv_plan plan;
+    int32_t warnings = COIN_OK;
+    const int32_t status = coinf_priv_plan_of(&plan, s, p, COIN_RK4, dt);
+    if (status != COIN_OK || dt == 0)
+        return status;
+    return coinf_priv_step(s, &warnings, &plan, coinf_priv_rk4) ? warnings
+                                                                : COIN_ESTEP;
+}

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+#include "step.h"
+
+#include "../motion/legendre.h"
+
+/* Kick, drift, kick as in lib/step/symplectic.c, in changes. */
+
+/* Rates along a drift times h, and their own rates times h^2; x, z are of the
+ * point of contact, in radii. */
+struct rates {
+    float phi, psi, x, z, dphi, dpsi, dx, dz;
+};
+
+static struct rates rates_of(const coinf_priv_field *f,
+                             const coinf_priv_variables *y)
+{
+    const coinf_priv_pose v = coinf_priv_pose_rates(f, y);
+    const float hwX = f->h * y->wX, hwY = f->h * y->wY, tth = y->tth;
+    const float slope_wY = hwY * tth + f->k1 * y->wZ; /* (15) */
+    struct rates r = {v.phi, v.psi, v.x, v.z, 0, 0, 0, 0};
+    r.dphi = hwX * y->q * (slope_wY + hwY * tth);
+    r.dpsi = hwX * (f->k2 * y->wY + slope_wY * tth + hwY * (1 + tth * tth));
+    r.dx = v.psi * v.phi * y->sph - r.dpsi * y->cph; /* (22) */
+    r.dz = v.psi * v.phi * y->cph + r.dpsi * y->sph; /* (22) */
+    return r;
+}
+
+/* What a step adds, from rates and their rates at both ends: Hermite's rule. */
+static float hermite(float f0, float f1, float df0, float df1)
+{
+    return (f0 + f1) / 2 + (df0 - df1) / 12;
+}
+
+static void half_kick(coinf_state *s, const coinf_priv_plan *plan,
+                      coinf_priv_variables *y)
+{
+    const float hdwX =
+        coinf_priv_rates(&plan->f, y).wX + coinf_priv_fall_low(plan, y);
+    coinf_priv_add(&s->wX, &s->low[5], hdwX / 2, 0); /* (50) */
+    y->wX = s->wX;
+}
+
+/* From theta's old pair in *y to its new one: wY and wZ follow.  0 if that is
+ * beyond the series. */
+static int shift(coinf_state *s, const coinf_priv_plan *plan,
+                 coinf_priv_variables *y)
+{
+    const coinf_priv_sc th = coinf_priv_pair(s->theta, s->low[0]);
+    const float e = th.s - y->sth, c2 = y->cth * y->cth;
+    float dp, dwZ;
+    if (!(fabsf(e) * (1 + fabsf(y->sth)) <= COIN_PRIV_SERIES_REACH * c2))
+        return 0;
+    coinf_priv_legendre_change(&dp, &dwZ, y->wY * y->cth, y->wZ, plan->k1,
+                               plan->k2, y->sth, c2, e); /* (49) */
+    coinf_priv_add(&s->wY, &s->low[6], (dp - y->wY * (th.c - y->cth)) / th.c,
+                   0);
+    coinf_priv_add(&s->wZ, &s->low[7], dwZ, 0);
+    y->wY = s->wY;
+    y->wZ = s->wZ;
+    y->sth = th.s;
+    y->cth = th.c;
+    y->q = 1 / th.c;
+    y->tth = th.s / th.c;
+    return 1;
+}
+
+/* The drift of a step, after theta: the rates first, then the pose by them. */
+static int drift(coinf_state *s, const coinf_priv_plan *plan,
+                 coinf_priv_variables *y)
+{
+    const coinf_priv_variables y0 = *y;
+    const struct rates r0 = rates_of(&plan->f, &y0);
+    coinf_priv_add(&s->theta, &s->low[0], plan->f.h * y->wX, 0); /* (17) */
+    if (!shift(s, plan, y))
+        return 0;
+    struct rates r1 = rates_of(&plan->f, y);
+    coinf_priv_add(&s->phi, &s->low[1],
+                   hermite(r0.phi, r1.phi, r0.dphi, r1.dphi), 0);
+    coinf_priv_add(&s->psi, &s->low[2],
+                   hermite(r0.psi, r1.psi, r0.dpsi, r1.dpsi), 0);
+    const coinf_priv_sc ph = coinf_priv_pair(s->phi, s->low[1]);
+    y->sph = ph.s;
+    y->cph = ph.c;
+    r1 = rates_of(&plan->f, y);
+    const float x = y->sth * y->sph - y0.sth * y0.sph; /* (21) */
+    const float z = y->sth * y->cph - y0.sth * y0.cph; /* (21) */
+    coinf_priv_add(&s->x, &s->low[3],
+                   plan->a * (hermite(r0.x, r1.x, r0.dx, r1.dx) + x), 0);
+    coinf_priv_add(&s->z, &s->low[4],
+                   plan->a * (hermite(r0.z, r1.z, r0.dz, r1.dz) + z), 0);
+    return 1;
+}
+
+int coinf_priv_symplectic2(coinf_state *s, int32_t *warnings,
+                           const coinf_priv_plan *plan,
+                           const coinf_priv_variables *y0)
+{
+    coinf_state next = *s;
+    coinf_priv_variables y = *y0;
+    half_kick(&next, plan, &y);
+    if (!drift(&next, plan, &y))
+        return 0;
+    half_kick(&next, plan, &y);
+    return coinf_priv_rate_holds(warnings, plan, &y) && coinf_priv_end_step(s, &next, plan);
+}

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/* A step in single precision.
+ *
+ * Each addition to a float loses up to 6e-8 of it, and a firmware loop adds
+ * thousands of steps.  So a state keeps what its sums left out, a step computes
+ * changes instead of values, and takes its sines and cosines anew from the
+ * angles: a run of n steps is n runs of one step, to the bit. */
+#ifndef ROLLCOIN_FLOAT_STEP_H
+#define ROLLCOIN_FLOAT_STEP_H
+
+#include "floats.h"
+
+#include "../motion/methods.h"
+#include "../motion/state.h"
+
+#include "step.t.h"
+
+/* Checks everything, then computes what the steps share. */
+int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
+                           const coinf_params *p, int32_t method, float dt);
+
+/* One step of *s, whose variables are *y; 0 if it would not be sound, and *s is
+ * then untouched.  *warnings becomes COIN_COARSE if the step was. */
+typedef int coinf_priv_method(coinf_state *s, int32_t *warnings,
+                              const coinf_priv_plan *plan,
+                              const coinf_priv_variables *y);
+
+coinf_priv_method coinf_priv_rk4, coinf_priv_symplectic2;
+
+/* Whether W is within the limit; notes if it is beyond that of full accuracy.
+ * NaN is not. */
+COIN_PRIV_INLINE int coinf_priv_rate_holds(int32_t *warnings,
+                                           const coinf_priv_plan *plan,
+                                           const coinf_priv_variables *y)
+{
+    const float rate2 = coinf_priv_rate2(plan->g_a, y);
+    if (!(rate2 <= plan->coarse2))
+        *warnings = COIN_COARSE;
+    return rate2 <= plan->most2;
+}
+
+/* One step of *s; 0 if it would not be sound. */
+int coinf_priv_step(coinf_state *s, int32_t *warnings,
+                    const coinf_priv_plan *plan, coinf_priv_method *method);
+
+/* Ends a step: *s becomes *next, its heading and roll within half a turn, if
+ * that is a sound state. */
+int coinf_priv_end_step(coinf_state *s, coinf_state *next,
+                        const coinf_priv_plan *plan);
+
+#endif

@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: MIT */
+/* A step in single precision: what it adds to a state, and how. */
+#include "floats.h"
+
+#include "../motion/equations.h"
+
+#include "../motion/kind.h"
+
+/* Of one coin, functions that take little stack; of coins side by side, parts
+ * of one piece of code. */
+#undef PART
+#ifdef COIN_PRIV_ABREAST
+#define PART COIN_PRIV_INLINE
+#else
+#define PART COIN_PRIV_APART
+#endif
+
+/* A state, whose numbers are in the order of coinf_state: what theta, phi, psi,
+ * x, z, wX, wY, wZ left out is low[0] to low[7]. */
+#ifdef COIN_PRIV_ABREAST
+typedef struct coinf_lanes_state {
+    real theta, phi, psi, x, z, wX, wY, wZ, low[8];
+} coinf_lanes_state;
+#else
+typedef coinf_state coinf_priv_state;
+#endif
+
+/* What the steps of a run share: the equations of motion times dt, and the
+ * limits on W^2, Eq. (47), where a step begins and ends. */
+typedef struct PRIV(plan) {
+    PRIV(field) f;
+    real KJ_low; /* (KJ + KJ_low)/GJ is K/(M g a), beyond a float's digits */
+    real a, g_a, k1, k2;
+    real coarse2, most2; /* coarse2 <= most2 */
+} PRIV(plan);
+
+/* ------------------------------------------------------ compensated sums -- */
+
+/* Adds a part, and a small one that its digits could not hold, to a sum and
+ * what that has left out so far. */
+COIN_PRIV_INLINE void PRIV(add)(real *sum, real *low, real part, real small)
+{
+    const real large = *sum + part, of_part = large - *sum;
+    const real off = (*sum - (large - of_part)) + (part - of_part);
+    const real rest = (*low + small) + off;
+    *sum = large + rest;
+    *low = rest - (*sum - large);
+}
+
+/* A float as two of 12 bits. */
+typedef struct PRIV(halves) {
+    real high, low;
+} PRIV(halves);
+
+COIN_PRIV_INLINE PRIV(halves) PRIV(split)(real a)
+{
+    const real t = K(4097) * a, high = t - (t - a); /* 4097 = 2^12 + 1 */
+    const PRIV(halves) h = {high, a - high};
+    return h;
+}
+
+/* What the rounding of a b leaves out, to the bit: Dekker's product. */
+PART real PRIV(residue)(real a, real b)
+{
+    const PRIV(halves) x = PRIV(split)(a), y = PRIV(split)(b);
+    const real off = x.high * y.high - a * b;
+    return ((off + x.high * y.low) + x.low * y.high) + x.low * y.low;
+}
+
+/* ---------------------------------------------------------------- angles -- */
+
+/* Sine and cosine of an angle and its remainder. */
+PART PRIV(sc) PRIV(pair)(real angle, real low)
+{
+    const PRIV(sc) of = PRIV(sine_cosine)(angle);
+    const PRIV(sc) pair = {of.s + of.c * low, of.c - of.s * low};
+    return pair;
+}
+
+/* A state as the equations read it. */
+PART PRIV(variables) PRIV(variables_at)(const PRIV(state) * s)
+{
+    const PRIV(sc) th = PRIV(pair)(s->theta, s->low[0]);
+    const PRIV(sc) ph = PRIV(pair)(s->phi, s->low[1]);
+    const real q = K(1) / th.c;
+    const PRIV(variables) y = {
+        s->wX, s->wY, s->wZ, th.s, th.c, q, th.s * q, ph.s, ph.c,
+    };
+    return y;
+}
+
+/* Takes whole turns off an angle, by the parts of pi/2. */
+PART void PRIV(reduce)(real *angle, real *low)
+{
+    const real turns = (*angle * (K(0.25) / COIN_PRIV_HALF_PI) +
+                        COIN_PRIV_ROUNDER) - COIN_PRIV_ROUNDER;
+    const real none = {0};
+    PRIV(add)(angle, low, turns * (-4 * COIN_PRIV_P1), none);
+    PRIV(add)(angle, low, turns * (-4 * COIN_PRIV_P2), none);
+    PRIV(add)(angle, low, turns * (-4 * COIN_PRIV_P3), none);
+}
+
+/* ---------------------------------------------------------------- slopes -- */
+
+/* h d/dt of a state's members, or a part of their change. */
+typedef struct PRIV(slope) {
+    real theta, phi, psi, x, z, wX, wY, wZ;
+} PRIV(slope);
+
+/* h d(wX)/dt, Eq. (14), beyond what the equations of motion make of it. */
+COIN_PRIV_INLINE real PRIV(fall_low)(const PRIV(plan) * plan,
+                                     const PRIV(variables) * y)
+{
+    return -(plan->KJ_low * y->wZ * y->wY);
+}
+
+/* The slope at a stage; *d is that of its variables.  psi' = wZ + phi' sin
+ * theta: what is known of phi' beyond its digits serves psi' too. */
+COIN_PRIV_INLINE PRIV(slope) PRIV(slope_at)(PRIV(variables) * d,
+                                            const PRIV(plan) * plan,
+                                            const PRIV(variables) * y)
+{
+    const PRIV(field) *f = &plan->f;
+    const real phi = PRIV(pose_rates)(f, y).phi;
+    real v[3];
+    PRIV(velocity_of)(v, f->h * plan->a, y);
+    *d = PRIV(rates)(f, y);
+    const PRIV(slope) of = {
+        f->h * y->wX,                /* (17) */
+        phi,                         /* (18) */
+        f->h * y->wZ + phi * y->sth, /* (19) */
+        v[0],
+        v[2],
+        d->wX,
+        d->wY,
+        d->wZ,
+    };
+    return of;
+}
+
+/* rest + w (of - first). */
+COIN_PRIV_INLINE void PRIV(gather)(PRIV(slope) * rest, scalar w,
+                                   const PRIV(slope) * of,
+                                   const PRIV(slope) * first)
+{
+    rest->theta += w * (of->theta - first->theta);
+    rest->phi += w * (of->phi - first->phi);
+    rest->psi += w * (of->psi - first->psi);
+    rest->x += w * (of->x - first->x);
+    rest->z += w * (of->z - first->z);
+    rest->wX += w * (of->wX - first->wX);
+    rest->wY += w * (of->wY - first->wY);
+    rest->wZ += w * (of->wZ - first->wZ);
+}
+
+/* What the first slope's rounding left out, where it is the same in each step
+ * of a steady motion and adds up. */
+COIN_PRIV_INLINE PRIV(slope) PRIV(left_out)(const PRIV(slope) * first,
+                                            const PRIV(plan) * plan,
+                                            const PRIV(variables) * y)
+{
+    const real h = plan->f.h, cth = y->cth;
+    const real off =
+        PRIV(residue)(h, y->wY) - PRIV(residue)(first->phi, cth);
+    const real phi = y->q * ((h * y->wY - first->phi * cth) + off); /* (18) */
+    const real fall = PRIV(fall_low)(plan, y), none = {0};
+    const PRIV(slope) low = {
+        none, phi, phi * y->sth, none, none, fall, none, none,
+    };
+    return low;
+}
+
+/* The classical Runge-Kutta step, as the first slope and the rest of the
+ * change: ((f2 - f1) + (f3 - f1))/3 + (f4 - f1)/6.  Rounding a weight to a
+ * float then costs a part of the rest only; in a steady motion it would add up.
+ * *last is the last stage, which stands for the end of the step. */
+COIN_PRIV_INLINE void PRIV(slopes)(PRIV(slope) * first, PRIV(slope) * rest,
+                                   PRIV(variables) * last,
+                                   const PRIV(plan) * plan,
+                                   const PRIV(variables) * y1)
+{
+    static const scalar reach[] = {K(0.5), K(0.5), 1};
+    static const scalar weight[] = {K(1.0 / 3), K(1.0 / 3), K(1.0 / 6)};
+    PRIV(variables) d;
+    *first = PRIV(slope_at)(&d, plan, y1);
+    *rest = PRIV(left_out)(first, plan, y1);
+    for (int i = 0; i < 3; ++i) {
+        *last = PRIV(variables_plus)(y1, reach[i], &d);
+        const PRIV(slope) of = PRIV(slope_at)(&d, plan, last);
+        PRIV(gather)(rest, weight[i], &of, first);
+    }
+}
+
+/* Adds the change of a step to a state. */
+COIN_PRIV_INLINE void PRIV(change)(PRIV(state) * s, const PRIV(slope) * first,
+                                   const PRIV(slope) * rest)
+{
+    PRIV(add)(&s->theta, &s->low[0], first->theta, rest->theta);
+    PRIV(add)(&s->phi, &s->low[1], first->phi, rest->phi);
+    PRIV(add)(&s->psi, &s->low[2], first->psi, rest->psi);
+    PRIV(add)(&s->x, &s->low[3], first->x, rest->x);
+    PRIV(add)(&s->z, &s->low[4], first->z, rest->z);
+    PRIV(add)(&s->wX, &s->low[5], first->wX, rest->wX);
+    PRIV(add)(&s->wY, &s->low[6], first->wY, rest->wY);
+    PRIV(add)(&s->wZ, &s->low[7], first->wZ, rest->wZ);
+}
+
+/* Whether a step may end here: all ones or 0, and 0 for NaN. */
+COIN_PRIV_INLINE whole PRIV(holds)(const PRIV(state) * s,
+                                   const PRIV(plan) * plan)
+{
+    const real wX = s->wX, wY = s->wY, wZ = s->wZ;
+    const real pose = PRIV(magnitude)(s->phi) + PRIV(magnitude)(s->psi) +
+                      PRIV(magnitude)(s->x) + PRIV(magnitude)(s->z);
+    return PRIV(truth)((PRIV(magnitude)(s->theta) < COIN_PRIV_HALF_PI) &
+                       (pose <= COIN_PRIV_LARGEST) &
+                       (wX * wX + wY * wY + wZ * wZ <= plan->most2));
+}

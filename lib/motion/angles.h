@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef ROLLCOIN_ANGLES_H
+#define ROLLCOIN_ANGLES_H
+
+#include "number.h"
+
+/* One double uses vectors of two, where there are vectors. */
+#if COIN_PRIV_WIDTH && !defined(COIN_PRIV_FLOAT)
+#define COIN_PRIV_PAIR
+#include "number.t.h"
+
+#include "angles.t.h"
+#undef COIN_PRIV_PAIR
+#endif
+
+#include "angles.t.h"
+
+/* sine_cosine() out of line, for sources that call it often. */
+PRIV(sc) PRIV(sincos)(real x);
+
+/* The angle in [-pi, pi] whose sine and cosine are a pair of unit norm.
+ * Accuracy: 2^-52 for angles up to pi/2 (test_sincos); NaN for NaN. */
+real PRIV(angle)(PRIV(sc) of);
+
+/* sqrt(a^2 + b^2) without overflow or underflow on the way. */
+static inline real PRIV(hypot)(real a, real b)
+{
+    const real x = FABS(a), y = FABS(b);
+    const real large = x > y ? x : y, small = x > y ? y : x;
+    const real ratio = large > 0 ? small / large : 0;
+    return large * SQRT(1 + ratio * ratio);
+}
+
+#endif

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef ROLLCOIN_BODY_H
+#define ROLLCOIN_BODY_H
+
+#include "number.h"
+
+#include <coin.h>
+
+/* What the formulas read of a body, in the letters of docs/physics.md:
+ * m = M a^2, J = I_X + m, K = I_Z + m. */
+typedef struct PRIV(body) {
+    real M, a, IX, IZ;
+    real m, J, K;
+    real Mg, Mga;
+    real g_a;    /* g/a: 1 over the natural unit of time squared */
+    real KJ, XJ; /* K/J, I_X/J */
+    real GJ;     /* M g a/J */
+    real k1, k2; /* I_Z/I_X, m/K */
+    real w2_max; /* with |omega|^2 up to this nothing overflows */
+} PRIV(body);
+
+/* All but w2_max, unchecked. */
+COIN_PRIV_INLINE PRIV(body) PRIV(body_of)(const COIN(params) * p)
+{
+    const real M = p->mass, a = p->radius, g = p->gravity;
+    const real IX = p->inertia_X, IZ = p->inertia_Z;
+    const real m = M * a * a, J = IX + m, K = IZ + m, Mga = M * g * a;
+    const real over_J = 1 / J;
+    const PRIV(body) b = {
+        M,   a,     IX,         IZ,          m,            J,       K,     M * g,
+        Mga, g / a, K * over_J, IX * over_J, Mga * over_J, IZ / IX, m / K, 0,
+    };
+    return b;
+}
+
+/* What the constants of a body leave of the range of numbers. */
+COIN_PRIV_INLINE real PRIV(w2_max)(const PRIV(body) * b)
+{
+    return COIN_PRIV_W2_MAX / (1 + b->a + b->M * b->a + b->J + b->K);
+}
+
+/* How far the bits of x lie above those of the least number that an ordinary
+ * body has; as unsigned integers, the bits of positive numbers are in order. */
+COIN_PRIV_INLINE unsigned_whole PRIV(above_least)(real x)
+{
+    return (unsigned_whole)PRIV(bits)(x) -
+           (unsigned_whole)PRIV(bits)(COIN_PRIV_ORDINARY_LEAST);
+}
+
+/* Whether nothing more need be computed to know that p is a body: its numbers
+ * lie where products of a few of them can be trusted. */
+COIN_PRIV_INLINE int PRIV(is_ordinary_body)(const COIN(params) * p)
+{
+    const unsigned_whole span = PRIV(above_least)(COIN_PRIV_ORDINARY_MOST);
+    const unsigned_whole reserved =
+        (unsigned_whole)(PRIV(bits)(p->reserved[0]) |
+                         PRIV(bits)(p->reserved[1]) |
+                         PRIV(bits)(p->reserved[2]));
+    return (PRIV(above_least)(p->mass) < span) &
+           (PRIV(above_least)(p->radius) < span) &
+           (PRIV(above_least)(p->gravity) < span) &
+           (PRIV(above_least)(p->inertia_X) < span) &
+           (PRIV(above_least)(p->inertia_Z) < span) &
+           (p->inertia_Z <= 2 * p->inertia_X) & (reserved == 0);
+}
+
+/* COIN_OK and *b, or COIN_EPARAMS if p is no body, or one whose products leave
+ * the range COIN_PRIV_LEAST to COIN_PRIV_MOST.  p is not null. */
+int32_t PRIV(check_any_body)(PRIV(body) * b, const COIN(params) * p);
+
+/* The same, without a division more than *b needs if the body is ordinary. */
+COIN_PRIV_INLINE int32_t PRIV(check_body)(PRIV(body) * b,
+                                          const COIN(params) * p)
+{
+    if (COIN_PRIV_RARELY(!PRIV(is_ordinary_body)(p)))
+        return PRIV(check_any_body)(b, p);
+    *b = PRIV(body_of)(p);
+    b->w2_max =
+        COIN_PRIV_ORDINARY_W2 > 0 ? COIN_PRIV_ORDINARY_W2 : PRIV(w2_max)(b);
+    return COIN_OK;
+}
+
+#endif

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT */
+/* The equations of motion: their one home.
+ *
+ * The sines and cosines of lean and heading are variables like the angular
+ * velocity, so that no stage of a step calls a function or divides.  The pose
+ * is a quadrature: no equation reads it. */
+#include "angles.h"
+
+#include "kind.h"
+
+/* The variables that the equations read. */
+typedef struct PRIV(variables) {
+    real wX, wY, wZ;
+    real sth, cth, q, tth; /* sin theta, cos theta, 1/cos theta, tan theta */
+    real sph, cph;         /* sin phi, cos phi: for the path alone */
+} PRIV(variables);
+
+/* The variables that the equations change and do not read.  x and z are of the
+ * point of contact, in radii; t is the time, used in Sundman's form alone. */
+typedef struct PRIV(pose) {
+    real theta, phi, psi, x, z, t;
+} PRIV(pose);
+
+/* The coefficients of the equations of motion, times h but for XJ. */
+typedef struct PRIV(field) {
+    real h, GJ, KJ, XJ, k1, k2;
+} PRIV(field);
+
+/* h d/dt of the variables.  Factors are grouped so that no product waits for
+ * long: a step takes as long as its longest chain of dependences. */
+COIN_PRIV_INLINE PRIV(variables)
+PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
+{
+    const real wX = y->wX, wY = y->wY, wZ = y->wZ;
+    const real sth = y->sth, cth = y->cth, q = y->q;
+    const real hwX = f->h * wX, hwY = f->h * wY; /* (17): d theta = hwX */
+    const real hwYtan = hwY * y->tth;
+    const real dph = hwY * q; /* (18) */
+    const real none = {0};
+    PRIV(variables) d;
+    /* clang-format off */
+    d.wX = f->GJ * sth - ((f->KJ * wZ) * wY + (f->XJ * wY) * hwYtan); /* (14) */
+    d.wY = wX * (hwYtan + f->k1 * wZ);                       /* (15) */
+    d.wZ = f->k2 * wX * wY;                                  /* (16) */
+    d.sth = cth * hwX;                                       /* (31) */
+    d.cth = -(sth * hwX);                                    /* (31) */
+    d.q = q * q * (sth * hwX);                               /* (31) */
+    d.tth = none; /* q sin theta, no variable of its own */
+    d.sph = dph * y->cph;                                    /* (31) */
+    d.cph = -(dph * y->sph);                                 /* (31) */
+    /* clang-format on */
+    return d;
+}
+
+/* h d/dt of the pose.  The point of contact moves along the heading, where
+ * the centre's path has two terms. */
+COIN_PRIV_INLINE PRIV(pose)
+PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+{
+    const real hwY = f->h * y->wY;
+    const real dps = f->h * y->wZ + hwY * y->tth; /* (19) */
+    const real none = {0};
+    PRIV(pose) d;
+    d.theta = f->h * y->wX; /* (17) */
+    d.phi = hwY * y->q;     /* (18) */
+    d.psi = dps;
+    d.x = -(dps * y->cph); /* (22) */
+    d.z = dps * y->sph;    /* (22) */
+    d.t = none;
+    return d;
+}
+
+/* Sundman's form: h d/dtau of the variables, with dt = cos theta dtau.  All of it is
+ * the field above times cos theta: a cubic polynomial of variables that the
+ * energy bounds, regular down to the table.  q and tan theta have no part. */
+COIN_PRIV_INLINE PRIV(variables)
+PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+{
+    const real wX = y->wX, wY = y->wY, wZ = y->wZ;
+    const real sth = y->sth, cth = y->cth;
+    const real cwX = cth * wX, cwZ = cth * wZ;
+    const real hwY = f->h * wY, hcwX = f->h * cwX;
+    const real hwYsin = hwY * sth, none = {0};
+    PRIV(variables) d;
+    /* clang-format off */
+    d.wX = (f->GJ * sth) * cth
+         - ((f->KJ * wY) * cwZ + (f->XJ * wY) * hwYsin);     /* (32) */
+    d.wY = wX * (hwYsin + f->k1 * cwZ);                      /* (32) */
+    d.wZ = (f->k2 * wY) * cwX;                               /* (32) */
+    d.sth = cth * hcwX;                                      /* (32) */
+    d.cth = -(sth * hcwX);                                   /* (32) */
+    d.q = none;
+    d.tth = none;
+    d.sph = hwY * y->cph;                                    /* (32) */
+    d.cph = -(hwY * y->sph);                                 /* (32) */
+    /* clang-format on */
+    return d;
+}
+
+/* h d/dtau of the pose and of the time. */
+COIN_PRIV_INLINE PRIV(pose)
+PRIV(sundman_pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+{
+    const real hwY = f->h * y->wY;
+    const real dps = f->h * (y->cth * y->wZ) + hwY * y->sth; /* (32) */
+    const real none = {0};
+    PRIV(pose) d;
+    d.theta = none; /* the pair holds it, down to the table */
+    d.phi = hwY;    /* (32) */
+    d.psi = dps;
+    d.x = -(dps * y->cph); /* (32) */
+    d.z = dps * y->sph;    /* (32) */
+    d.t = f->h * y->cth;   /* (32) */
+    return d;
+}
+
+/* Brings the pairs that a step in tau moved back to the unit circle, and q and
+ * tth to theirs.  The step leaves e = 1 - s^2 - c^2 of its own order; of three
+ * terms of (1 - e)^(-1/2) there remains 5/16 e^3, below rounding. */
+COIN_PRIV_INLINE void PRIV(normalize)(PRIV(variables) * y)
+{
+    const real q = K(1) / y->cth;
+    const real lean = K(1) - (y->sth * y->sth + y->cth * y->cth);
+    const real turn = K(1) - (y->sph * y->sph + y->cph * y->cph);
+    const real longer = K(0.5) + K(0.375) * lean;
+    const real gain = turn * (K(0.5) + K(0.375) * turn);
+    y->tth = y->sth * q;
+    y->sth += (y->sth * lean) * longer;
+    y->cth += (y->cth * lean) * longer;
+    y->q = q - (q * lean) * (K(0.5) + K(0.125) * lean);
+    y->sph += y->sph * gain;
+    y->cph += y->cph * gain;
+}
+
+/* a + w b, member by member. */
+COIN_PRIV_INLINE PRIV(variables)
+PRIV(variables_plus)(const PRIV(variables) * a, scalar w,
+                     const PRIV(variables) * b)
+{
+    const real sth = a->sth + w * b->sth, q = a->q + w * b->q;
+    const PRIV(variables) r = {
+        a->wX + w * b->wX,
+        a->wY + w * b->wY,
+        a->wZ + w * b->wZ,
+        sth,
+        a->cth + w * b->cth,
+        q,
+        q * sth,
+        a->sph + w * b->sph,
+        a->cph + w * b->cph,
+    };
+    return r;
+}
+
+/* The velocity of the centre along x, y, z: a (-wZ e_X + wX e_Z). */
+COIN_PRIV_INLINE void PRIV(velocity_of)(real v[3], real a,
+                                        const PRIV(variables) * y)
+{
+    const real g = y->cth * y->wX;
+    v[0] = a * (g * y->sph - y->wZ * y->cph); /* (20) */
+    v[1] = -a * (y->wX * y->sth);             /* (20) */
+    v[2] = a * (g * y->cph + y->wZ * y->sph); /* (20) */
+}
+
+/* W^2, the square of the fastest rate: of turning, heading and falling. */
+COIN_PRIV_INLINE real PRIV(rate2)(real g_a, const PRIV(variables) * y)
+{
+    const real wX = y->wX, wY = y->wY, wZ = y->wZ, q = y->q;
+    return (wX * wX + wY * wY) * (q * q) + (wZ * wZ + g_a * q); /* (47) */
+}

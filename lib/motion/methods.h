@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* How far a step of each method may go: |dt| W, with W of Eq. (47), beyond
+ * which a step is COIN_COARSE, and beyond which it is refused. */
+#ifndef ROLLCOIN_METHODS_H
+#define ROLLCOIN_METHODS_H
+
+#include "body.h"
+
+/* Whether there is such a method: what the others require.  Floats have RK4
+ * and the symplectic method of order 2. */
+COIN_PRIV_INLINE int PRIV(method_is_known)(int32_t method)
+{
+#ifdef COIN_PRIV_FLOAT
+    return method == COIN_RK4 || method == COIN_SYMPLECTIC2;
+#else
+    return method >= COIN_RK4 && method <= COIN_SYMPLECTIC4;
+#endif
+}
+
+COIN_PRIV_INLINE real PRIV(coarse_limit)(int32_t method)
+{
+    return method == COIN_RK4           ? K(0.35)
+           : method == COIN_RK8         ? K(1)
+           : method == COIN_SYMPLECTIC2 ? K(0.08)
+                                        : K(0.16);
+}
+
+COIN_PRIV_INLINE real PRIV(refusal_limit)(int32_t method)
+{
+    return method == COIN_RK4 || method == COIN_RK8 ? K(1.2)
+           : method == COIN_SYMPLECTIC2             ? K(1)
+                                                    : K(1.4);
+}
+
+/* Limits of W^2 in a run: COIN_COARSE beyond coarse2, COIN_ESTEP beyond most2,
+ * both compared where each step begins and ends. */
+typedef struct PRIV(limits) {
+    real coarse2, most2; /* coarse2 <= most2 */
+    int32_t warnings;    /* COIN_COARSE once a step was */
+} PRIV(limits);
+
+/* Those of steps dt, which is finite. */
+COIN_PRIV_INLINE PRIV(limits)
+PRIV(limits_of)(const PRIV(body) * b, int32_t method, real dt)
+{
+    const real most = PRIV(refusal_limit)(method);
+    const real coarse = PRIV(coarse_limit)(method);
+    const real size = FABS(dt);
+    /* A shorter step than the least, whose W could overflow, is limited as if
+     * it were that long; one longer than the largest allows no W. */
+    const real kept = size < COIN_PRIV_DT_LEAST  ? COIN_PRIV_DT_LEAST
+                      : size > COIN_PRIV_DT_MOST ? COIN_PRIV_DT_MOST
+                                                 : size;
+    const real over = 1 / (kept * kept);
+    const real most2 = PRIV(lesser)(most * most * over, b->w2_max);
+    const PRIV(limits) limits = {
+        PRIV(lesser)(coarse * coarse * over, most2),
+        most2,
+        COIN_OK,
+    };
+    return limits;
+}
+
+/* Whether W^2 is within the limit; notes if it is beyond that of full accuracy.
+ * NaN is not. */
+COIN_PRIV_INLINE int PRIV(rate2_holds)(PRIV(limits) * limits, real rate2)
+{
+    if (rate2 <= limits->coarse2)
+        return 1;
+    limits->warnings = COIN_COARSE;
+    return rate2 <= limits->most2;
+}
+
+#endif

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/* One bit pattern on every platform: included first by every source.
+ *
+ * The Makefile passes -ffp-contract=off; these guards serve whoever compiles
+ * the sources with flags of their own.  What no guard here can see (clang with
+ * an explicit -ffp-contract=fast) coin_selftest() reports at run time. */
+#ifndef ROLLCOIN_PINNED_H
+#define ROLLCOIN_PINNED_H
+
+#include <float.h>
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) ||                 \
+    defined(__RECIPROCAL_MATH__)
+#error "librollcoin needs IEEE arithmetic as written: no fast-math, no -Ofast"
+#endif
+
+/* 16 is 0 with _Float16 kept apart too, as gcc says for AVX512-FP16. */
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
+#error "librollcoin needs FLT_EVAL_METHOD 0: on i386 -msse2 -mfpmath=sse"
+#endif
+
+/* A fused multiply-add rounds once where two operations round twice.  gcc 12's
+ * vectorizer fuses a b - c, d e + f in pairs even with contraction off. */
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__) && !defined(__TINYC__)
+#pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize",               \
+                     "no-tree-loop-vectorize")
+/* Nor is a loop that copies, coin_priv_copy(), to become a memcpy(). */
+#pragma GCC optimize("no-tree-loop-distribute-patterns")
+#endif
+
+/* A step's parts become one piece of straight code, whatever their size; what
+ * rarely holds is moved out of its way.  On a microcontroller, or with
+ * COIN_PRIV_SMALL defined, the parts that are marked COIN_PRIV_PART stay
+ * functions: each gives its stack back before the next begins. */
+#if defined(__GNUC__)
+#define COIN_PRIV_INLINE static inline __attribute__((always_inline))
+#define COIN_PRIV_APART static __attribute__((noinline, unused))
+#define COIN_PRIV_RARELY(condition) __builtin_expect(!!(condition), 0)
+#else
+#define COIN_PRIV_INLINE static inline
+#define COIN_PRIV_APART static
+#define COIN_PRIV_RARELY(condition) (condition)
+#endif
+
+#if defined(__thumb__) && !defined(__linux__)
+#define COIN_PRIV_SMALL
+#endif
+#ifdef COIN_PRIV_SMALL
+#define COIN_PRIV_PART COIN_PRIV_APART
+#else
+#define COIN_PRIV_PART COIN_PRIV_INLINE
+#endif
+
+#endif

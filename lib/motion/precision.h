@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: MIT */
+/* Constants that depend on the width of a number. */
+#ifndef ROLLCOIN_PRECISION_H
+#define ROLLCOIN_PRECISION_H
+
+#include "kind.h"
+
+#include <coin.h>
+#include <float.h>
+#include <math.h>
+
+#ifdef COIN_PRIV_FLOAT
+#include <coinf.h>
+
+/* ---------------------------------------------------------------- angles -- */
+
+/* Beyond this the product of a number of quarter turns and a part of pi/2
+ * would round; a state's own angles stay within half a turn. */
+#define COIN_PRIV_ANGLE_MAX 4096.0f
+
+/* The float nearest to pi/2, which lies 4.4e-8 above it, and the rest. */
+#define COIN_PRIV_HALF_PI 1.57079637f
+#define COIN_PRIV_HALF_PI_LOW -4.37113900e-8f
+
+/* pi/2 = P1 + P2 + P3 + P4: three parts of 12 bits, so that n times a part is
+ * exact for |n| < 2^12, and a rest. */
+#define COIN_PRIV_P1 1.5703125f
+#define COIN_PRIV_P2 4.83751297e-4f
+#define COIN_PRIV_P3 7.54953362e-8f
+#define COIN_PRIV_P4 2.56334407e-12f
+
+/* Adding and subtracting 1.5 2^23 rounds to the nearest integer, which the last
+ * bits of the sum hold. */
+#define COIN_PRIV_ROUNDER 12582912.0f
+
+/* The bit of the sign, and all others. */
+#define COIN_PRIV_SIGN INT32_MIN
+#define COIN_PRIV_ALL_BUT_SIGN INT32_MAX
+
+#define COIN_PRIV_LARGEST FLT_MAX
+#define COIN_PRIV_EPSILON FLT_EPSILON
+
+/* (sin(x)/x - 1)/z with z = x^2 and |x| <= pi/4: the Taylor polynomial to
+ * x^9, whose next term is 2e-9. */
+#define COIN_PRIV_SINE(z)                                                     \
+    (-1.0f / 6 + z * (1.0f / 120 + z * (-1.0f / 5040 + z * (1.0f / 362880))))
+
+/* (cos(x) - 1 + z/2)/z^2, likewise to x^10. */
+#define COIN_PRIV_COSINE(z)                                                   \
+    (1.0f / 24 + z * (-1.0f / 720 + z * (1.0f / 40320 + z * (-1.0f / 3628800))))
+
+/* For |d| up to this, d^7/5040 of sin d and d^6/720 of cos d are rounding. */
+#define COIN_PRIV_LITTLE_TURN 0.05f
+
+/* ---------------------------------------------------------------- limits -- */
+
+/* Numbers in here can be multiplied by each other's ratios, and by the 1/cos
+ * of the flattest lean, and stay normal: 1e-30 and 1e30 leave 2^26. */
+#define COIN_PRIV_LEAST 1e-30f
+#define COIN_PRIV_MOST 1e30f
+
+/* That over the largest 1/cos^2 theta: below 1e16 for every |theta| < pi/2
+ * that a float and its remainder hold. */
+#define COIN_PRIV_W2_MAX 1e14f
+
+/* A body whose five numbers lie between these keeps the limits above, whatever
+ * their ratios: the longest quotients, M g a/J and m/K, take three factors of
+ * the least over one of the most, 2^-84/2^15.  No |omega|^2 is known to suit
+ * all of them. */
+#define COIN_PRIV_ORDINARY_LEAST 0x1p-28f
+#define COIN_PRIV_ORDINARY_MOST 0x1p14f
+#define COIN_PRIV_ORDINARY_W2 0
+
+/* Steps whose squares are normal numbers.  W is at least sqrt(g/a), so a
+ * longer one than the most is refused for every body that is allowed. */
+#define COIN_PRIV_DT_LEAST 1e-18f
+#define COIN_PRIV_DT_MOST 1e18f
+
+/* I_Z may be this part larger than 2 I_X, for the rounding of both. */
+#define COIN_PRIV_INERTIA_SLACK 1e-6f
+
+/* Whether the remainders that a state keeps are in range: those of the angles
+ * are below 2^-22 within half a turn, and stages take them to first order. */
+#define COIN_PRIV_LOW_HOLDS(s) coinf_priv_low_holds((s)->low)
+static inline int coinf_priv_low_holds(const float low[8])
+{
+    const float angles = fabsf(low[0]) + fabsf(low[1]) + fabsf(low[2]);
+    const float others = fabsf(low[3]) + fabsf(low[4]) + fabsf(low[5]) +
+                         fabsf(low[6]) + fabsf(low[7]);
+    return angles <= 1.0f / 1048576 && others <= FLT_MAX;
+}
+
+/* What a state's initializer ends with: the remainders of exact members. */
+#define COIN_PRIV_NO_LOW                                                      \
+    ,                                                                          \
+    {                                                                          \
+        0, 0, 0, 0, 0, 0, 0, 0                                                 \
+    }
+
+/* ---------------------------------------------------------------- series -- */
+
+/* Terms below this part of their sum no longer change it. */
+#define COIN_PRIV_NEGLIGIBLE 1e-9f
+
+/* Terms that the drift's series takes: its ratio is at most 0.18. */
+#define COIN_PRIV_SERIES_TERMS 11
+
+#else
+
+/* ---------------------------------------------------------------- angles -- */
+
+/* Beyond this an angle's own rounding (2^-22) is a visible turn. */
+#define COIN_PRIV_ANGLE_MAX 2147483648.0
+
+/* The double nearest to pi/2, which lies 6.1e-17 below it, and the rest. */
+#define COIN_PRIV_HALF_PI 1.5707963267948966
+#define COIN_PRIV_HALF_PI_LOW 6.123233995736766e-17
+
+/* pi/2 = P1 + P2 + P3 + P4: three parts of 22 bits, so that n times a part is
+ * exact for |n| < 2^31, and a rest. */
+#define COIN_PRIV_P1 1.570796012878418
+#define COIN_PRIV_P2 3.139164164167596e-07
+#define COIN_PRIV_P3 6.223371969669989e-14
+#define COIN_PRIV_P4 2.0222662487959506e-21
+
+/* Adding and subtracting 1.5 2^52 rounds to the nearest integer, which the last
+ * bits of the sum hold. */
+#define COIN_PRIV_ROUNDER 6755399441055744.0
+
+/* The bit of the sign, and all others. */
+#define COIN_PRIV_SIGN INT64_MIN
+#define COIN_PRIV_ALL_BUT_SIGN INT64_MAX
+
+#define COIN_PRIV_LARGEST DBL_MAX
+#define COIN_PRIV_EPSILON DBL_EPSILON
+
+/* A polynomial of degree 7 in z whose terms are added in pairs, so that fewer
+ * of them wait for each other. */
+#define COIN_PRIV_POLYNOMIAL(z, c0, c1, c2, c3, c4, c5, c6, c7)                \
+    (((c0 + z * c1) + (z * z) * (c2 + z * c3)) +                               \
+     (z * z) * (z * z) * ((c4 + z * c5) + (z * z) * (c6 + z * c7)))
+
+/* The coefficients of (sin(x)/x - 1)/z, z = x^2, and of (cos(x) - 1 + z/2)/z^2
+ * for |x| <= pi/4: Taylor's to x^17 and x^16, whose next terms are 1e-19. */
+#define COIN_PRIV_SINE_AND_COSINE(of)                                          \
+    of(-1.0 / 6, 1.0 / 24), of(1.0 / 120, -1.0 / 720),                         \
+        of(-1.0 / 5040, 1.0 / 40320), of(1.0 / 362880, -1.0 / 3628800),        \
+        of(-1.0 / 39916800, 1.0 / 479001600),                                  \
+        of(1.0 / 6227020800.0, -1.0 / 87178291200.0),                          \
+        of(-1.0 / 1307674368000.0, 1.0 / 20922789888000.0),                    \
+        of(1.0 / 355687428096000.0, 0.0)
+#define COIN_PRIV_FIRST(sine, cosine) (sine)
+#define COIN_PRIV_SECOND(sine, cosine) (cosine)
+#define COIN_PRIV_EVALUATE(z, ...) COIN_PRIV_POLYNOMIAL(z, __VA_ARGS__)
+#define COIN_PRIV_SINE(z)                                                      \
+    COIN_PRIV_EVALUATE(z, COIN_PRIV_SINE_AND_COSINE(COIN_PRIV_FIRST))
+#define COIN_PRIV_COSINE(z)                                                    \
+    COIN_PRIV_EVALUATE(z, COIN_PRIV_SINE_AND_COSINE(COIN_PRIV_SECOND))
+
+/* For |d| up to this, d^7/5040 of sin d and d^6/720 of cos d are rounding. */
+#define COIN_PRIV_LITTLE_TURN 0.006
+
+/* ---------------------------------------------------------------- limits -- */
+
+/* Numbers in here can be multiplied by each other's ratios, and by the 1/cos
+ * of the flattest lean, and stay normal: 1e-300 and 1e300 leave 2^26. */
+#define COIN_PRIV_LEAST 1e-300
+#define COIN_PRIV_MOST 1e300
+
+/* That over the largest 1/cos^2 theta: below 1e32 for every |theta| < pi/2
+ * that a double holds. */
+#define COIN_PRIV_W2_MAX (COIN_PRIV_MOST / 1e32)
+
+/* A body whose five numbers lie between these keeps the limits above, whatever
+ * their ratios: no formula takes more than six factors of them.  With J and K
+ * below 2^242 the last is less than what COIN_PRIV_W2_MAX leaves. */
+#define COIN_PRIV_ORDINARY_LEAST 0x1p-80
+#define COIN_PRIV_ORDINARY_MOST 0x1p80
+#define COIN_PRIV_ORDINARY_W2 1e190
+
+/* Steps whose squares are normal numbers.  W is at least sqrt(g/a), so a
+ * longer one than the most is refused for every body that is allowed. */
+#define COIN_PRIV_DT_LEAST 1e-153
+#define COIN_PRIV_DT_MOST 1e153
+
+/* I_Z may be this part larger than 2 I_X, for the rounding of both. */
+#define COIN_PRIV_INERTIA_SLACK 1e-12
+
+/* Whether the remainders that a state keeps are in range: a double's keeps
+ * none. */
+#define COIN_PRIV_LOW_HOLDS(s) 1
+
+/* What a state's initializer ends with: the remainders of exact members. */
+#define COIN_PRIV_NO_LOW
+
+/* ---------------------------------------------------------------- series -- */
+
+/* Terms below this part of their sum no longer change it. */
+#define COIN_PRIV_NEGLIGIBLE 1e-17
+
+/* Terms that the drift's series takes: its ratio is at most 0.18. */
+#define COIN_PRIV_SERIES_TERMS 22
+
+#endif
+
+#endif

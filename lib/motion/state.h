@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef ROLLCOIN_STATE_H
+#define ROLLCOIN_STATE_H
+
+#include "body.h"
+
+/* Lean, heading, roll and path alone; a comparison with NaN is false. */
+COIN_PRIV_INLINE int PRIV(pose_holds)(const COIN(state) * s)
+{
+    return FABS(s->theta) < COIN_PRIV_HALF_PI &&
+           FABS(s->phi) <= COIN_PRIV_ANGLE_MAX &&
+           FABS(s->psi) <= COIN_PRIV_ANGLE_MAX &&
+           FABS(s->x) <= COIN_PRIV_LARGEST &&
+           FABS(s->z) <= COIN_PRIV_LARGEST && COIN_PRIV_LOW_HOLDS(s);
+}
+
+/* What can be said without parameters: COIN_OK or COIN_ESTATE.  s is not null.
+ */
+COIN_PRIV_INLINE int32_t PRIV(check_members)(const COIN(state) * s)
+{
+    const int good = PRIV(pose_holds)(s) && FABS(s->wX) <= COIN_PRIV_LARGEST &&
+                     FABS(s->wY) <= COIN_PRIV_LARGEST &&
+                     FABS(s->wZ) <= COIN_PRIV_LARGEST;
+    return good ? COIN_OK : COIN_ESTATE;
+}
+
+/* A state of a body that is known: no energy, force or rate of it overflows
+ * after COIN_OK. */
+COIN_PRIV_INLINE int32_t PRIV(check_state)(const COIN(state) * s,
+                                           const PRIV(body) * b)
+{
+    const real wX = s->wX, wY = s->wY, wZ = s->wZ;
+    const int good =
+        wX * wX + wY * wY + wZ * wZ <= b->w2_max && PRIV(pose_holds)(s);
+    return good ? COIN_OK : COIN_ESTATE;
+}
+
+/* The checks that nearly every public function begins with: COIN_EARG,
+ * COIN_EPARAMS, COIN_ESTATE in this order.  After COIN_OK *b holds the body.
+ * Inline, for functions that take no longer than their checks. */
+COIN_PRIV_INLINE int32_t PRIV(check_here)(const COIN(state) * s,
+                                          const COIN(params) * p,
+                                          PRIV(body) * b)
+{
+    if (!s || !p)
+        return COIN_EARG;
+    const int32_t status = PRIV(check_body)(b, p);
+    return status == COIN_OK ? PRIV(check_state)(s, b) : status;
+}
+
+/* The same out of line. */
+int32_t PRIV(check)(const COIN(state) * s, const COIN(params) * p,
+                    PRIV(body) * b);
+
+/* Copies a state number by number.  The wider moves that an assignment is made
+ * of wait until what was just written has left the processor's store buffer:
+ * 10 ns each. */
+COIN_PRIV_INLINE void PRIV(copy_state)(COIN(state) * to,
+                                       const COIN(state) * from)
+{
+    real *const numbers = (real *)to;
+#pragma GCC unroll 16
+    for (size_t i = 0; i < sizeof *to / sizeof *numbers; ++i)
+        numbers[i] = ((const real *)from)[i];
+}
+
+#endif

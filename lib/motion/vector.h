@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+/* The processor's vectors, where the compiler takes them as arithmetic. */
+#ifndef ROLLCOIN_VECTOR_H
+#define ROLLCOIN_VECTOR_H
+
+#include "pinned.h"
+
+#include <stdint.h>
+
+/* Bytes of the processor's vectors, 0 if it has none. */
+#if !defined(__GNUC__) || defined(__TINYC__)
+#define COIN_PRIV_WIDTH 0
+#elif defined(__AVX512F__)
+#define COIN_PRIV_WIDTH 64
+#elif defined(__AVX__)
+#define COIN_PRIV_WIDTH 32
+#elif defined(__SSE2__) || defined(__aarch64__) || defined(__VSX__)
+#define COIN_PRIV_WIDTH 16
+#else
+#define COIN_PRIV_WIDTH 0
+#endif
+
+/* Doubles and floats that a vector holds, 1 if there are none. */
+#define COIN_PRIV_LANES (COIN_PRIV_WIDTH ? COIN_PRIV_WIDTH / 8 : 1)
+#define COINF_PRIV_LANES (COIN_PRIV_WIDTH ? COIN_PRIV_WIDTH / 4 : 1)
+
+#if COIN_PRIV_WIDTH
+#define COIN_PRIV_VECTOR(bytes) __attribute__((vector_size(bytes)))
+typedef double coin_pair COIN_PRIV_VECTOR(16);
+typedef int64_t coin_pair_whole COIN_PRIV_VECTOR(16);
+COIN_PRIV_INLINE coin_pair coin_pair_of(double a, double b)
+{
+    const coin_pair both = {a, b};
+    return both;
+}
+typedef double coin_lanes COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
+typedef int64_t coin_lanes_whole COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
+typedef float coinf_lanes COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
+typedef int32_t coinf_lanes_whole COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
+/* The lesser of two where the processor has an instruction for it. */
+#if defined(__SSE2__) && COIN_PRIV_WIDTH == 16
+#define COIN_PRIV_LESSER(a, b) __builtin_ia32_minpd(a, b)
+#elif defined(__AVX__) && COIN_PRIV_WIDTH == 32
+#define COIN_PRIV_LESSER(a, b) __builtin_ia32_minpd256(a, b)
+#endif
+#endif
+
+#endif

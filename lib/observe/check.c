@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/methods.h"
+#include "reaction.h"
+#include "../motion/state.h"
+
+#define NEARLY_FLAT K(0.01)
+
+int32_t COIN(check)(const COIN(state) *s, const COIN(params) *p, int32_t method,
+                   real dt, real mu)
+{
+    PRIV(body) b;
+    const int32_t status = PRIV(method_is_known)(method) && mu >= 0
+                               ? PRIV(check_here)(s, p, &b)
+                               : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    if (!(FABS(dt) <= COIN_PRIV_LARGEST))
+        return COIN_ESTEP;
+    const PRIV(variables) y = PRIV(variables_of)(s);
+    const COIN(force) f = PRIV(reaction)(&b, &y);
+    const real W = SQRT(PRIV(rate2)(b.g_a, &y)); /* (47) */
+    int32_t bits = 0;
+    if (!(f.normal > 0))
+        bits |= COIN_LIFTS;
+    else if (f.friction > mu * f.normal)
+        bits |= COIN_SLIPS;
+    if (FABS(dt) * W > PRIV(coarse_limit)(method))
+        bits |= COIN_COARSE;
+    if (y.cth < NEARLY_FLAT)
+        bits |= COIN_NEARLY_FLAT;
+    return bits;
+}

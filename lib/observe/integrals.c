@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/legendre.h"
+#include "../motion/angles.h"
+#include "../motion/state.h"
+
+/* The power series needs ever more terms as |u| -> 1, the flat one as |u| ->
+ * 0; at 0.7 they take 50 and 20, and both are good to 1e-15. */
+#define CENTRAL_MAX K(0.7)
+
+/* The pair p, wZ carried from u = sin theta to u = 0. */
+static void from_central(real K[2], const PRIV(body) *b, real u,
+                         real p, real wZ)
+{
+    const PRIV(central) c = PRIV(legendre_central)(b->k1 * b->k2, u);
+    K[0] = c.We * p - b->k1 * c.Po * wZ; /* (35) */
+    K[1] = c.Pe * wZ - b->k2 * c.Wo * p; /* (35) */
+}
+
+/* The same from close to the table, theta > 0, through the flat solutions;
+ * delta = pi/2 - theta. */
+static void from_flat(real K[2], const PRIV(body) *b, real delta,
+                      real p, real wZ)
+{
+    const real half = PRIV(sincos)(delta / 2).s;
+    const real kap = b->k1 * b->k2, k2 = b->k2;
+    const PRIV(flat) f = PRIV(legendre_flat)(kap, half * half);
+    const PRIV(flat) upright = PRIV(legendre_flat)(kap, K(0.5));
+    const real al = (k2 * p * f.S - wZ * f.PS) / 2; /* (38) */
+    const real be = (wZ * f.PR - k2 * p * f.R) / 2; /* (38) */
+    K[0] = (al * upright.PR + be * upright.PS) / k2;  /* (38) */
+    K[1] = al * upright.R + be * upright.S;           /* (38) */
+}
+
+int32_t COIN(integrals)(const COIN(state) *s, const COIN(params) *p, real K[2])
+{
+    PRIV(body) b;
+    const int32_t status = K ? PRIV(check)(s, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const PRIV(sc) th = PRIV(sincos)(s->theta);
+    const real pY = s->wY * th.c;
+    if (FABS(th.s) <= CENTRAL_MAX) {
+        from_central(K, &b, th.s, pY, s->wZ);
+        return COIN_OK;
+    }
+    /* Mirrored, (theta, wZ) -> -(theta, wZ), a lean to the other side is this
+     * one; never 1 - sin theta, which cancels. */
+    const real delta =
+        (COIN_PRIV_HALF_PI - FABS(s->theta)) + COIN_PRIV_HALF_PI_LOW;
+    const real side = th.s > 0 ? 1 : -1;
+    from_flat(K, &b, delta, pY, side * s->wZ);
+    K[1] = side * K[1];
+    return COIN_OK;
+}

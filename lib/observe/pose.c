@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/equations.h"
+#include "../motion/state.h"
+
+int32_t COIN(center)(const COIN(state) *s, const COIN(params) *p, real r[3])
+{
+    PRIV(body) b;
+    const int32_t status = r ? PRIV(check)(s, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    r[0] = s->x;
+    r[1] = b.a * PRIV(sincos)(s->theta).c;
+    r[2] = s->z;
+    return COIN_OK;
+}
+
+int32_t COIN(velocity)(const COIN(state) *s, const COIN(params) *p, real v[3])
+{
+    PRIV(body) b;
+    const int32_t status = v ? PRIV(check)(s, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const PRIV(variables) y = PRIV(variables_of)(s);
+    PRIV(velocity_of)(v, b.a, &y);
+    return COIN_OK;
+}
+
+int32_t COIN(contact)(const COIN(state) *s, const COIN(params) *p, real r[3],
+                     real v[3])
+{
+    PRIV(body) b;
+    const int32_t status = r && v ? PRIV(check)(s, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const PRIV(field) field = PRIV(field_of)(&b, 1);
+    const PRIV(variables) y = PRIV(variables_of)(s);
+    const real a_dpsi = b.a * PRIV(pose_rates)(&field, &y).psi;
+    r[0] = s->x - b.a * y.sth * y.sph; /* (21) */
+    r[1] = 0;
+    r[2] = s->z - b.a * y.sth * y.cph; /* (21) */
+    v[0] = -a_dpsi * y.cph;            /* (22) */
+    v[1] = 0;
+    v[2] = a_dpsi * y.sph; /* (22) */
+    return COIN_OK;
+}
+
+int32_t COIN(axes)(const COIN(state) *s, real R[9])
+{
+    if (!s || !R)
+        return COIN_EARG;
+    if (PRIV(check_members)(s) != COIN_OK)
+        return COIN_ESTATE;
+    const PRIV(variables) f = PRIV(variables_of)(s);
+    PRIV(axes)(&f, R);
+    return COIN_OK;
+}
+
+int32_t COIN(angular_velocity)(const COIN(state) *s, real omega[3])
+{
+    real R[9];
+    const int32_t status = omega ? COIN(axes)(s, R) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    real w[3];
+    int good = 1;
+    for (int i = 0; i < 3; ++i) {
+        w[i] = s->wX * R[i] + s->wY * R[3 + i] + s->wZ * R[6 + i]; /* (7) */
+        good &= w[i] - w[i] == 0;
+    }
+    if (!good)
+        return COIN_ESTATE;
+    for (int i = 0; i < 3; ++i)
+        omega[i] = w[i];
+    return COIN_OK;
+}
+
+int32_t COIN(quaternion)(const COIN(state) *s, real q[4])
+{
+    if (!s || !q)
+        return COIN_EARG;
+    if (PRIV(check_members)(s) != COIN_OK)
+        return COIN_ESTATE;
+    const PRIV(sc) ph = PRIV(sincos)(s->phi / 2);
+    const PRIV(sc) th = PRIV(sincos)(s->theta / 2);
+    const PRIV(sc) ps = PRIV(sincos)(s->psi / 2);
+    /* clang-format off */
+    q[0] = ph.c * th.c * ps.c + ph.s * th.s * ps.s; /* (30) */
+    q[1] = ph.c * th.s * ps.c + ph.s * th.c * ps.s; /* (30) */
+    q[2] = ph.s * th.c * ps.c - ph.c * th.s * ps.s; /* (30) */
+    q[3] = ph.c * th.c * ps.s - ph.s * th.s * ps.c; /* (30) */
+    /* clang-format on */
+    return COIN_OK;
+}
+
+/* An angle between -2 pi and 2 pi, brought to (-pi, pi]. */
+static real principal(real angle)
+{
+    const real turn = 4 * COIN_PRIV_HALF_PI;
+    if (angle > turn / 2)
+        return angle - turn;
+    return angle <= -turn / 2 ? angle + turn : angle;
+}
+
+/* The angle of (s, c), whatever its norm; NaN if that is 0 or not finite. */
+static real angle_of(real s, real c)
+{
+    const real norm = PRIV(hypot)(s, c);
+    const PRIV(sc) unit = {s / norm, c / norm};
+    return PRIV(angle)(unit);
+}
+
+/* The angles of a rotation, from the two half sums of Eq. (30): both stay
+ * sharp where the coin is nearly flat and phi, psi are not.  NaN if q is 0 or
+ * not finite. */
+static void angles_of(COIN(state) *s, const real q[4])
+{
+    real largest = 0, u[4];
+    for (int i = 0; i < 4; ++i)
+        largest = FABS(q[i]) > largest ? FABS(q[i]) : largest;
+    for (int i = 0; i < 4; ++i)
+        u[i] = q[i] / largest; /* no overflow below, any norm */
+    /* (cos, sin) of (phi - psi)/2 times C2 + S2, of (phi + psi)/2 times C2 - S2
+     */
+    const real Ac = u[0] + u[1], As = u[2] - u[3];
+    const real Bc = u[0] - u[1], Bs = u[2] + u[3];
+    const real A = PRIV(hypot)(As, Ac), B = PRIV(hypot)(Bs, Bc);
+    const real sine = 2 * (u[0] * u[1] - u[2] * u[3]), cosine = A * B;
+    s->theta = angle_of(sine, cosine); /* (30) */
+    const real minus = angle_of(As, Ac), plus = angle_of(Bs, Bc);
+    s->phi = principal(plus + minus); /* (30) */
+    s->psi = principal(plus - minus); /* (30) */
+}
+
+int32_t COIN(state_from_motion)(COIN(state) *s, const COIN(params) *p,
+                               const real q[4], const real omega[3],
+                               real x, real z)
+{
+    PRIV(body) b;
+    COIN(state) made = {0, 0, 0, x, z, 0, 0, 0 COIN_PRIV_NO_LOW};
+    if (!s || !p || !q || !omega)
+        return COIN_EARG;
+    if (PRIV(check_body)(&b, p) != COIN_OK)
+        return COIN_EPARAMS;
+    angles_of(&made, q);
+    real R[9];
+    const PRIV(variables) f = PRIV(variables_of)(&made);
+    PRIV(axes)(&f, R);
+    made.wX = omega[0] * R[0] + omega[1] * R[1] + omega[2] * R[2]; /* (7) */
+    made.wY = omega[0] * R[3] + omega[1] * R[4] + omega[2] * R[5]; /* (7) */
+    made.wZ = omega[0] * R[6] + omega[1] * R[7] + omega[2] * R[8]; /* (7) */
+    const int32_t status = PRIV(check)(&made, p, &b);
+    if (status == COIN_OK)
+        *s = made;
+    return status;
+}

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+#include "batch.h"
+
+#include "lanes.h"
+
+/* Coins that wait for each other, to go side by side. */
+struct group {
+    coin_state *where[COIN_PRIV_LANES];
+    int size;
+};
+
+/* Fewer coins than a quarter of the lanes go one by one. */
+enum { ENOUGH = (COIN_PRIV_LANES + 2) / 4 + 1 };
+
+static void run_group(struct group *g, coin_priv_lanes_run *run,
+                      const coin_params *p, const coin_priv_body *b,
+                      int32_t method, double dt, uint64_t steps,
+                      int32_t *code)
+{
+    coin_state spare[COIN_PRIV_LANES];
+    if (!run || g->size < ENOUGH) {
+        for (int k = 0; k < g->size; ++k)
+            code[k] = coin_run(g->where[k], p, method, dt, steps, NULL);
+        return;
+    }
+    for (int k = g->size; k < COIN_PRIV_LANES; ++k) {
+        spare[k] = *g->where[0];
+        g->where[k] = &spare[k];
+    }
+    run(g->where, code, p, b, dt, steps);
+}
+
+int32_t coin_batch_run(coin_state *s, size_t count, const coin_params *p,
+                       int32_t method, double dt, uint64_t steps,
+                       int32_t *status)
+{
+    coin_priv_body b;
+    coin_priv_batch_result r = {0, COIN_OK, COIN_OK};
+    struct group g;
+    int32_t code[COIN_PRIV_LANES];
+    if (!s || !p || !coin_priv_method_is_known(method))
+        return COIN_EARG;
+    if (coin_priv_check_body(&b, p) != COIN_OK)
+        return COIN_EPARAMS;
+    coin_priv_lanes_run *const run = fabs(dt) <= COIN_PRIV_LARGEST && dt != 0
+                                         ? coin_priv_lanes_run_of(method)
+                                         : NULL;
+    for (size_t i = 0; i < count; i += COIN_PRIV_LANES) {
+        const size_t left = count - i;
+        g.size = left < COIN_PRIV_LANES ? (int)left : COIN_PRIV_LANES;
+        for (int k = 0; k < g.size; ++k)
+            g.where[k] = &s[i + (size_t)k];
+        run_group(&g, run, p, &b, method, dt, steps, code);
+        for (int k = 0; k < g.size; ++k)
+            coin_priv_note(&r, status, i + (size_t)k, code[k]);
+    }
+    return r.error != COIN_OK ? r.error : r.warnings;
+}

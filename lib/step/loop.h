@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT */
+/* The loop around a step of fixed dt, and its guard. */
+#ifndef ROLLCOIN_LOOP_H
+#define ROLLCOIN_LOOP_H
+
+#include "../motion/methods.h"
+
+#include "progress.h"
+
+/* A run by steps of dt. */
+typedef struct coin_priv_run {
+    coin_state start;
+    coin_priv_body b;
+    coin_priv_limits limits;
+    double dt;
+    coin_priv_progress g;
+    uint64_t steps; /* done so far */
+} coin_priv_run;
+
+/* From *s, whose body r->b is. */
+COIN_PRIV_INLINE void coin_priv_run_from(coin_priv_run *r, const coin_state *s,
+                                         int32_t method, double dt)
+{
+    const coin_priv_variables y = coin_priv_variables_of(s);
+    coin_priv_copy_state(&r->start, s);
+    r->limits = coin_priv_limits_of(&r->b, method, dt);
+    r->dt = dt;
+    coin_priv_progress_begin(&r->g, &y, s->theta, s->phi, s->psi);
+    r->steps = 0;
+}
+
+/* One step from *y by a method's coefficients: where it leads, and the variables
+ * there.  end->least_cth is 0 if the method does not reach so far. */
+typedef void coin_priv_step(coin_priv_step_end *end, coin_priv_variables *next,
+                            const coin_priv_variables *y,
+                            const void *coefficients);
+
+/* A turn, of lean or heading, beyond which no step is accepted: a step that
+ * turns so far has missed what happens on the way. */
+#define COIN_PRIV_TURN_MAX 1.5
+
+/* Whether phi and psi are in the range of coin_state_check(), and so far within
+ * it as margin.  NaN is not. */
+COIN_PRIV_INLINE int coin_priv_angles_hold(const coin_priv_progress *g,
+                                           const coin_priv_pose *added,
+                                           double margin)
+{
+    const double most = COIN_PRIV_ANGLE_MAX - margin;
+    return fabs(g->phi.sum + added->phi) <= most &&
+           fabs(g->psi.sum + added->psi) <= most;
+}
+
+/* Several times what a block of steps can turn phi or psi by, 2 rad each. */
+#define COIN_PRIV_BLOCK_TURN 256.0
+
+/* The cos theta above which W^2, Eq. (47), is below coarse2 whatever the rates,
+ * so that most steps need no closer look: the energy bounds wX^2 + wY^2 by
+ * 2 E/I_X and wZ^2 by 2 E/K, so that with q = 1/cos theta
+ *     W^2 <= 2 E/I_X q^2 + g/a q + 2 E/K.
+ * A quarter is added to E for what it may err until the end of the block; at
+ * the limit a step errs by less than 1e-3 of it.  2 if no cos theta will do. */
+COIN_PRIV_INLINE double coin_priv_safe_cosine(const coin_priv_body *b,
+                                              double coarse2,
+                                              const coin_priv_variables *y)
+{
+    const double wX = y->wX, wY = y->wY, wZ = y->wZ;
+    const double T2 = b->J * wX * wX + b->IX * wY * wY + b->K * wZ * wZ;
+    const double E2 = 1.25 * (T2 + 2 * b->Mga * y->cth); /* (23) */
+    const double left = coarse2 - E2 / b->K, g_a = b->g_a;
+    if (!(left > 0))
+        return 2;
+    return (g_a + sqrt(g_a * g_a + 4 * left * (E2 / b->IX))) / (2 * left);
+}
+
+/* A step that may not be safe: whether it is sound all the same. */
+COIN_PRIV_INLINE int coin_priv_step_holds(coin_priv_limits *limits, double g_a,
+                                          const coin_priv_step_end *end,
+                                          const coin_priv_variables *next)
+{
+    return end->least_cth > 0 && next->cth > 0 &&
+           fabs(end->adds.theta) <= COIN_PRIV_TURN_MAX &&
+           fabs(end->adds.phi) <= COIN_PRIV_TURN_MAX &&
+           coin_priv_rate2_holds(limits, coin_priv_rate2(g_a, next));
+}
+
+/* Up to n steps of a run.  It ends early where a step would not be sound, and
+ * is then as the last good step left it.  The inner loop calls nothing: a call
+ * would cost every step its registers. */
+COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
+                                      coin_priv_step *step,
+                                      const void *coefficients)
+{
+    coin_priv_progress *const g = &r->g;
+    coin_priv_variables y = g->y, next;
+    coin_priv_pose added = g->added, sum;
+    coin_priv_step_end end;
+    const double g_a = r->b.g_a;
+    int sound =
+        n == 0 || coin_priv_rate2_holds(&r->limits, coin_priv_rate2(g_a, &y));
+    while (sound && n > 0) {
+        const uint64_t rest = COIN_PRIV_BLOCK - r->steps % COIN_PRIV_BLOCK;
+        const uint64_t block = n < rest ? n : rest;
+        /* For one step the closer look is cheaper. */
+        const double safe =
+            n > 1 ? coin_priv_safe_cosine(&r->b, r->limits.coarse2, &y) : 2;
+        const int at_edge =
+            !coin_priv_angles_hold(g, &added, COIN_PRIV_BLOCK_TURN);
+        uint64_t done = 0;
+        for (; done < block; ++done) {
+            step(&end, &next, &y, coefficients);
+            const double low = coin_priv_lesser(end.least_cth, next.cth);
+            if (COIN_PRIV_RARELY(!(low > safe)) &&
+                !coin_priv_step_holds(&r->limits, g_a, &end, &next))
+                break;
+            sum = coin_priv_pose_plus(&added, 1, &end.adds);
+            if (at_edge && !coin_priv_angles_hold(g, &sum, 0))
+                break;
+            added = sum;
+            y = next;
+        }
+        sound = done == block;
+        r->steps += done;
+        n -= done;
+        g->y = y;
+        g->added = added;
+        if (done == rest) {
+            coin_priv_end_block(g);
+            y = g->y;
+            added = g->added;
+        }
+    }
+}
+
+/* Up to n steps by each method. */
+typedef void coin_priv_method(coin_priv_run *r, uint64_t n);
+coin_priv_method coin_priv_rk4, coin_priv_rk8;
+coin_priv_method coin_priv_symplectic2, coin_priv_symplectic4;
+
+#endif

@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "sundman.h"
+
+/* The largest error of a step usually comes once in a period of theta.  So the
+ * motion is followed through one period, first by coarse steps, which find its
+ * length, its largest W and where that is.  Then the method itself runs with dt
+ * beside dt/2; the difference of the states that they report estimates the
+ * error of dt. */
+
+/* The look ahead covers two turning points of theta and at least this many
+ * natural units: where nutation and heading have nearly one period, the error
+ * of the path grows as t^2 over many of them. */
+#define LOOK_TIME_MIN 4.0
+
+/* It ends after so many where turning points are late or missing. */
+#define LOOK_TIME_MAX 20.0
+
+/* The largest numbers of steps of a look ahead and of a trial, and of states
+ * that a trial compares. */
+#define LOOK_STEPS 400
+#define TRIAL_STEPS 4096
+#define COMPARED 128
+
+/* The part of tol that a trial may use: errors grow from period to period, and
+ * the error of the path grows as the square of time. */
+#define MARGIN 0.125
+
+/* The steps of a look ahead may miss the peak of W by 2 %. */
+#define PEAK 0.97
+
+/* Differences below this are rounding. */
+#define ROUNDING 1e-14
+
+struct outlook {
+    coin_priv_run from; /* where the trial begins */
+    double span;          /* the time looked at from there */
+    double worst2;        /* the largest W^2 in it; infinite if no step will do:
+                             it ends flat, or W is beyond what a step takes */
+};
+
+static int seen_enough(int turns, double units)
+{
+    return units >= LOOK_TIME_MAX || (turns >= 2 && units >= LOOK_TIME_MIN);
+}
+
+/* Looks ahead from r; the trial begins where W^2 first reaches enough. */
+static struct outlook look_ahead(coin_priv_run r, double enough)
+{
+    const double g_a = r.b.g_a;
+    struct outlook o = {r, 0, coin_priv_rate2(g_a, &r.g.y)};
+    int turns = 0, found = o.worst2 >= enough;
+    double begin = 0, units = 0;
+    for (int i = 0; i < LOOK_STEPS && !seen_enough(turns, units); ++i) {
+        const double wX = r.g.y.wX;
+        const double tau = coin_priv_sundman_tau(&r.b, &r.g.y, 0.5);
+        coin_priv_sundman_step(&r, tau); /* one that fails changes nothing */
+        const double W2 = coin_priv_rate2(g_a, &r.g.y);
+        if (!found) {
+            o.from = r;
+            begin = r.g.added.t;
+            found = W2 >= enough;
+        }
+        o.worst2 = W2 > o.worst2 ? W2 : o.worst2;
+        turns += wX * r.g.y.wX < 0;
+        units = r.g.added.t * sqrt(g_a);
+    }
+    if (r.g.y.cth < COIN_PRIV_FLAT || o.worst2 > r.b.w2_max)
+        o.worst2 = (double)INFINITY;
+    coin_priv_read_lean(&o.from.g);
+    o.span = r.g.added.t - begin;
+    return o;
+}
+
+static double larger(double a, double b)
+{
+    return fabs(a) > b ? fabs(a) : b;
+}
+
+/* The distance of the poses that two runs from one start report, in radians
+ * and radii. */
+static double apart(const coin_priv_run *c, const coin_priv_run *d)
+{
+    const coin_priv_pose s = coin_priv_pose_of(&c->g, 1);
+    const coin_priv_pose r = coin_priv_pose_of(&d->g, 1);
+    double e = larger(s.theta - r.theta, 0);
+    e = larger(s.phi - r.phi, e);
+    e = larger(s.psi - r.psi, e);
+    e = larger(s.x - r.x, e);
+    return larger(s.z - r.z, e);
+}
+
+/* The error per natural unit of time that steps of dt make over the span, or
+ * infinity if they do not get through it.  A span below a natural unit counts
+ * in full: the error goes on growing after it. */
+static double trial(const struct outlook *o, int32_t method, double dt)
+{
+    coin_priv_run c = o->from, d = o->from;
+    const double all = ceil(o->span / dt), rate = sqrt(c.b.g_a);
+    const uint64_t n = all < TRIAL_STEPS ? (uint64_t)all : TRIAL_STEPS;
+    const uint64_t block = n / COMPARED + 1;
+    const double least = coin_priv_lesser((double)n * dt * rate, 1);
+    double error = 0;
+    c.limits.coarse2 = d.limits.coarse2 = (double)INFINITY;
+    c.limits.most2 = d.limits.most2 = c.b.w2_max;
+    c.steps = d.steps = 0;
+    c.dt = dt;
+    d.dt = dt / 2;
+    for (uint64_t i = block; i < n + block; i += block) {
+        if (coin_priv_run_on(&c, method, block) < block ||
+            coin_priv_run_on(&d, method, 2 * block) < 2 * block)
+            return (double)INFINITY;
+        const double t = (double)i * dt * rate;
+        error = larger(apart(&c, &d) / (t > least ? t : least), error);
+    }
+    return error;
+}
+
+/* x^(1/order), order a power of two. */
+static double root(double x, int32_t order)
+{
+    for (; order > 1; order /= 2)
+        x = sqrt(x);
+    return x;
+}
+
+double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
+                   double tol)
+{
+    coin_priv_body b;
+    if (!coin_priv_method_is_known(method) || !(tol >= 1e-13 && tol <= 1e-2) ||
+        coin_priv_check(s, p, &b) != COIN_OK)
+        return NAN;
+    /* From phi = psi = 0, so that the range of angles cannot end the trial. */
+    const coin_state lean = {s->theta, 0, 0, 0, 0, s->wX, s->wY, s->wZ};
+    coin_priv_run start;
+    start.b = b;
+    coin_priv_run_from(&start, &lean, method, 0);
+    const double worst2 = look_ahead(start, 0).worst2;
+    const struct outlook o = look_ahead(start, worst2 / 16);
+    const double most = PEAK * coin_priv_coarse_limit(method) / sqrt(worst2);
+    const int32_t order = coin_method_order(method);
+    double dt = most;
+    /* Three trials, each where the last one points: far from the dt in question
+     * the error is no power of it.  None is so short that it does not see the
+     * span, or so fine that the error is lost in rounding. */
+    for (int i = 0; i < 3; ++i) {
+        const double seen = larger(o.span / TRIAL_STEPS, dt);
+        const double tried = seen < most ? seen : most;
+        const double error = trial(&o, method, tried);
+        const double wanted = tol * MARGIN / larger(error, ROUNDING);
+        const double factor = root(wanted, order);
+        dt = tried * (factor > 4 ? 4 : factor > 0 ? factor : 0.125);
+    }
+    return dt < most ? dt : most;
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/* The classical Runge-Kutta method. */
+#include "../motion/equations.h"
+
+#include "progress.h"
+
+#include "../motion/kind.h"
+
+/* The coefficients for a step h: times h/2, h and h/6. */
+typedef struct PRIV(rk4_fields) {
+    PRIV(field) half, full, sixth;
+} PRIV(rk4_fields);
+
+/* theta's pair at the end of a step, if |late| <= COIN_PRIV_LITTLE_TURN.  Most
+ * of the turn is known from the first stage on, so that its sine and cosine are
+ * there when the last stage is: the next step waits for them. */
+typedef struct PRIV(rk4_lean) {
+    PRIV(sc) th;
+    real late;
+} PRIV(rk4_lean);
+
+/* The slopes are times h/2, h/2, h and h/6, so that the classical sum is
+ * (d1 + 2 d2 + d3)/3 + d4, and nothing but the last addition waits for the last
+ * slope. */
+COIN_PRIV_INLINE PRIV(step_end)
+PRIV(rk4_end)(PRIV(rk4_lean) * lean_after, const PRIV(variables) * y1,
+              const PRIV(rk4_fields) * k)
+{
+    PRIV(variables) sum = PRIV(rates)(&k->half, y1), d;
+    PRIV(pose) path = PRIV(pose_rates)(&k->half, y1), v;
+    PRIV(variables) y = PRIV(variables_plus)(y1, 1, &sum);
+    const PRIV(sc) lean = {y1->sth, y1->cth};
+    const real early = k->full.h * y.wX;
+    const PRIV(sc) near = PRIV(turned)(lean, early);
+    real least = y.cth;
+
+    d = PRIV(rates)(&k->half, &y);
+    v = PRIV(pose_rates)(&k->half, &y);
+    y = PRIV(variables_plus)(y1, 1, &d);
+    sum = PRIV(variables_plus)(&sum, 2, &d);
+    path = PRIV(pose_plus)(&path, 2, &v);
+    least = PRIV(lesser)(least, y.cth);
+
+    d = PRIV(rates)(&k->full, &y);
+    v = PRIV(pose_rates)(&k->full, &y);
+    y = PRIV(variables_plus)(y1, 1, &d);
+    sum = PRIV(variables_plus)(&sum, 1, &d);
+    path = PRIV(pose_plus)(&path, 1, &v);
+    least = PRIV(lesser)(least, y.cth);
+
+    d = PRIV(rates)(&k->sixth, &y);
+    v = PRIV(pose_rates)(&k->sixth, &y);
+    y = PRIV(variables_plus)(y1, K(1.0 / 3), &sum);
+    const PRIV(pose) adds = PRIV(pose_plus)(&v, K(1.0 / 3), &path);
+    const PRIV(step_end) end = {
+        y.wX + d.wX, y.wY + d.wY, y.wZ + d.wZ, adds, least,
+    };
+    lean_after->late = adds.theta - early;
+    lean_after->th = PRIV(turned_a_little)(near, lean_after->late);
+    return end;
+}

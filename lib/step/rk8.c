@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "loop.h"
+#include "rk8.t.h"
+
+COIN_PRIV_INLINE void step(coin_priv_step_end *end, coin_priv_variables *next,
+                           const coin_priv_variables *y, const void *field)
+{
+    coin_priv_variables sums;
+    end->least_cth = rk8_sums(&sums, &end->adds, y,
+                              (const coin_priv_field *)field);
+    end->wX = sums.wX;
+    end->wY = sums.wY;
+    end->wZ = sums.wZ;
+    *next = coin_priv_variables_after(y, end);
+}
+
+void coin_priv_rk8(coin_priv_run *r, uint64_t n)
+{
+    const coin_priv_field f = coin_priv_field_of(&r->b, r->dt);
+    coin_priv_steps(r, n, step, &f);
+}

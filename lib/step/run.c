@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "run.h"
+
+int32_t coin_run(coin_state *s, const coin_params *p, int32_t method, double dt,
+                 uint64_t steps, uint64_t *done)
+{
+    coin_priv_run r;
+    const int32_t status = coin_priv_run_begin(&r, s, p, method, dt);
+    if (status != COIN_OK)
+        return status;
+    coin_priv_run_on(&r, method, steps);
+    return coin_priv_run_end(&r, steps, s, done);
+}
+
+int32_t coin_sample(const coin_state *start, const coin_params *p,
+                    int32_t method, double dt, uint64_t steps_per_sample,
+                    size_t count, coin_state *out, size_t *done)
+{
+    coin_priv_run r;
+    const uint64_t n = steps_per_sample;
+    const int32_t status =
+        out ? coin_priv_run_begin(&r, start, p, method, dt) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    size_t k = 0;
+    for (; k < count; ++k) {
+        if (k > 0 && coin_priv_run_on(&r, method, n) < n)
+            break;
+        const coin_state sample = coin_priv_run_state(&r);
+        if (!coin_priv_pose_holds(&sample))
+            break;
+        coin_priv_copy_state(&out[k], &sample);
+    }
+    if (done)
+        *done = k;
+    return k < count ? COIN_ESTEP : r.limits.warnings;
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "loop.h"
+#include "rk4.h"
+
+int32_t coin_step(coin_state *s, const coin_params *p, double dt)
+{
+    coin_priv_body b;
+    const int32_t status = coin_priv_check_here(s, p, &b);
+    if (status != COIN_OK)
+        return status;
+    if (!(fabs(dt) <= COIN_PRIV_LARGEST))
+        return COIN_ESTEP;
+    if (dt == 0)
+        return COIN_OK;
+    const coin_priv_variables y = coin_priv_variables_of(s);
+    coin_priv_limits limits = coin_priv_limits_of(&b, COIN_RK4, dt);
+    if (!coin_priv_rate2_holds(&limits, coin_priv_rate2(b.g_a, &y)))
+        return COIN_ESTEP;
+    const coin_priv_rk4_fields k = coin_priv_rk4_fields_of(&b, dt);
+    coin_priv_rk4_lean unused;
+    const coin_priv_step_end end = coin_priv_rk4_end(&unused, &y, &k);
+    const coin_priv_variables next = coin_priv_variables_after(&y, &end);
+    const coin_priv_pose *const adds = &end.adds;
+    const double dx = (adds->x - y.sth * y.sph) + next.sth * next.sph; /* (21) */
+    const double dz = (adds->z - y.sth * y.cph) + next.sth * next.cph; /* (21) */
+    const coin_state to = {
+        s->theta + adds->theta, s->phi + adds->phi, s->psi + adds->psi,
+        s->x + b.a * dx, s->z + b.a * dz, end.wX, end.wY, end.wZ,
+    };
+    if (!coin_priv_step_holds(&limits, b.g_a, &end, &next) ||
+        !coin_priv_pose_holds(&to))
+        return COIN_ESTEP;
+    *s = to;
+    return limits.warnings;
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/* Steps in Sundman's time tau, dt = cos theta dtau. */
+#ifndef ROLLCOIN_SUNDMAN_H
+#define ROLLCOIN_SUNDMAN_H
+
+#include "run.h"
+
+/* A coin that comes nearer to flat than this lies flat: its pass would be over
+ * in no time that a double can tell. */
+#define COIN_PRIV_FLAT 1e-30
+
+/* The step in tau of the given stride from here: about 1 for a coarse look at
+ * the motion, less for accuracy (advance.c). */
+double coin_priv_sundman_tau(const coin_priv_body *b,
+                             const coin_priv_variables *y, double stride);
+
+/* One step of order 8 in tau; adds the time it takes to r->g.added.t.  0, and
+ * *r untouched, if it would not be sound.  theta is in its pair alone until
+ * coin_priv_read_lean(). */
+int coin_priv_sundman_step(coin_priv_run *r, double tau);
+
+/* Ends a step in tau that was accepted: y are the variables at its end, adds
+ * what it adds to the pose.  0, and *r untouched, if phi or psi leave their
+ * range. */
+int coin_priv_sundman_accept(coin_priv_run *r, const coin_priv_variables *y,
+                             const coin_priv_pose *adds);
+
+/* Takes theta from its pair, after steps in tau and before a step in t. */
+void coin_priv_read_lean(coin_priv_progress *g);
+
+#endif

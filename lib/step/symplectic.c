@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "../motion/legendre.h"
+
+#include "loop.h"
+
+/* The two parts of the motion that can each be solved exactly: a kick changes
+ * wX alone, a drift everything else with wX held.  Along a drift wY cos theta
+ * and wZ follow theta by the linear pair, Eq. (33), so that K_Y and K_Z are
+ * kept, and on their level set kick and drift are the exact flows of V(theta)
+ * and P^2/(2J), Eq. (48): the composition is symplectic there. */
+
+/* A step under way: the variables, what was added to the pose, and whether
+ * every drift so far could be done. */
+struct part {
+    coin_priv_variables y;
+    coin_priv_pose adds;
+    int sound;
+};
+
+/* What a step needs: the body, and the equations for h = 1. */
+struct split {
+    const coin_priv_body *b;
+    coin_priv_field f;
+    double h;
+};
+
+COIN_PRIV_INLINE void kick(struct part *c, const struct split *k, double h)
+{
+    c->y.wX += h * coin_priv_rates(&k->f, &c->y).wX; /* (50) */
+}
+
+/* Chin's kick: F + h^2/24 F dF/dtheta instead of F, over 2/3 h. */
+COIN_PRIV_INLINE void modified_kick(struct part *c, const struct split *k)
+{
+    const coin_priv_variables *y = &c->y;
+    const coin_priv_body *b = k->b;
+    const double h = k->h, F = coin_priv_rates(&k->f, y).wX;
+    const double dF = coin_priv_fall_slope(b, y); /* (44) */
+    c->y.wX += 2.0 / 3 * h * F * (1 + h * h / 24 * dF); /* (50) */
+}
+
+/* The integral of f over h from values and slopes at both ends: Hermite's
+ * rule, symmetric and of order 4. */
+COIN_PRIV_INLINE double hermite(double h, double f0, double f1, double df0,
+                                double df1)
+{
+    return h / 2 * (f0 + f1) + h * h / 12 * (df0 - df1);
+}
+
+/* Takes wY and wZ along from the lean of *y0 to that of *y; 0 if that is
+ * beyond the series. */
+COIN_PRIV_INLINE int shift(coin_priv_variables *y,
+                           const coin_priv_variables *y0,
+                           const coin_priv_body *b)
+{
+    const double e = y->sth - y0->sth, c2 = y0->cth * y0->cth;
+    double dp, dwZ;
+    if (!(fabs(e) * (1 + fabs(y0->sth)) <= COIN_PRIV_SERIES_REACH * c2))
+        return 0;
+    coin_priv_legendre_change(&dp, &dwZ, y0->wY * y0->cth, y0->wZ, b->k1, b->k2,
+                              y0->sth, c2, e); /* (49) */
+    /* In this form no lean change is no change of wY, to the bit. */
+    y->wY = y0->wY + (dp - y0->wY * (y->cth - y0->cth)) * y->q;
+    y->wZ = y0->wZ + dwZ;
+    return 1;
+}
+
+/* Moves *c by a drift of h. */
+COIN_PRIV_INLINE void drift(struct part *c, const struct split *k, double h)
+{
+    const coin_priv_variables y0 = c->y;
+    const double turn = h * y0.wX; /* (17) */
+    coin_priv_variables *const y = &c->y;
+    const coin_priv_sc lean = {y0.sth, y0.cth}, heading = {y0.sph, y0.cph};
+    const coin_priv_sc th = coin_priv_turned(lean, turn);
+    y->sth = th.s;
+    y->cth = th.c;
+    y->q = 1 / th.c;
+    y->tth = th.s * y->q;
+    c->sound &= fabs(turn) <= COIN_PRIV_TURN_MAX && th.c > 0 &&
+                shift(y, &y0, k->b);
+    const coin_priv_pose v0 = coin_priv_pose_rates(&k->f, &y0);
+    coin_priv_pose v1 = coin_priv_pose_rates(&k->f, y);
+    const coin_priv_drift_slopes s0 = coin_priv_drift_slopes_of(k->b, &y0);
+    const coin_priv_drift_slopes s1 = coin_priv_drift_slopes_of(k->b, y);
+    const double dph = hermite(h, v0.phi, v1.phi, s0.phi, s1.phi);
+    const coin_priv_sc ph = coin_priv_turned(heading, dph);
+    y->sph = ph.s;
+    y->cph = ph.c;
+    v1 = coin_priv_pose_rates(&k->f, y);
+    c->adds.theta += turn;
+    c->adds.phi += dph;
+    c->adds.psi += hermite(h, v0.psi, v1.psi, s0.psi, s1.psi);
+    c->adds.x += hermite(h, v0.x, v1.x, /* (22) */
+                         v0.psi * v0.phi * y0.sph - s0.psi * y0.cph,
+                         v1.psi * v1.phi * y->sph - s1.psi * y->cph);
+    c->adds.z += hermite(h, v0.z, v1.z, /* (22) */
+                         v0.psi * v0.phi * y0.cph + s0.psi * y0.sph,
+                         v1.psi * v1.phi * y->cph + s1.psi * y->sph);
+}
+
+COIN_PRIV_INLINE struct part begin(const coin_priv_variables *y)
+{
+    const struct part c = {*y, {0, 0, 0, 0, 0, 0}, 1};
+    return c;
+}
+
+COIN_PRIV_INLINE void end_at(coin_priv_step_end *end, coin_priv_variables *next,
+                             const struct part *c)
+{
+    *next = c->y;
+    end->wX = c->y.wX;
+    end->wY = c->y.wY;
+    end->wZ = c->y.wZ;
+    end->adds = c->adds;
+    end->least_cth = c->sound ? c->y.cth : 0;
+}
+
+/* Stoermer-Verlet: V/2 T V/2. */
+COIN_PRIV_INLINE void verlet(coin_priv_step_end *end, coin_priv_variables *next,
+                             const coin_priv_variables *y, const void *split)
+{
+    const struct split *k = (const struct split *)split;
+    struct part c = begin(y);
+    kick(&c, k, k->h / 2);
+    drift(&c, k, k->h);
+    kick(&c, k, k->h / 2);
+    end_at(end, next, &c);
+}
+
+/* Chin's 4A: V/6 T/2 2V'/3 T/2 V/6, all steps forward. */
+COIN_PRIV_INLINE void chin(coin_priv_step_end *end, coin_priv_variables *next,
+                           const coin_priv_variables *y, const void *split)
+{
+    const struct split *k = (const struct split *)split;
+    struct part c = begin(y);
+    kick(&c, k, k->h / 6);
+    drift(&c, k, k->h / 2);
+    modified_kick(&c, k);
+    drift(&c, k, k->h / 2);
+    kick(&c, k, k->h / 6);
+    end_at(end, next, &c);
+}
+
+static struct split split_of(const coin_priv_run *r)
+{
+    const struct split k = {&r->b, coin_priv_field_of(&r->b, 1), r->dt};
+    return k;
+}
+
+void coin_priv_symplectic2(coin_priv_run *r, uint64_t n)
+{
+    const struct split k = split_of(r);
+    coin_priv_steps(r, n, verlet, &k);
+}
+
+void coin_priv_symplectic4(coin_priv_run *r, uint64_t n)
+{
+    const struct split k = split_of(r);
+    coin_priv_steps(r, n, chin, &k);
+}
