@@ -257,7 +257,7 @@ COIN_API int32_t coin_state_check(const coin_state *s, const coin_params *p);
  * @return COIN_OK; the usual errors: COIN_ESTATE if q or omega is not finite,
  *         q is 0, or the coin lies flat.
  * Accuracy: 8 u in each angle for a unit q; near flat phi and psi are each as
- * uncertain as u/cos(theta), their sum or difference is not (test_pose). */
+ * uncertain as u/cos(theta), their sum or difference is not (test_state). */
 COIN_API int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
                                         const double q[4],
                                         const double omega[3], double x,
@@ -579,7 +579,8 @@ COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
  * @param[out] out  the state at t
  * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or phi, psi, x
  *         or z leaves its range; COIN_EDOMAIN as coin_steady_radii().
- * Accuracy: 4 u of the angles turned, and as much of the path (test_steady_at).
+ * Accuracy: 4 u of the angles turned, and as much of the path; then phi, psi, x
+ *         and z are rounded, as large as they are (test_steady_at).
  * Cost: three sines and cosines. */
 COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
                                 double t, coin_state *out);
@@ -604,13 +605,18 @@ COIN_API int32_t coin_stability(const coin_state *s, const coin_params *p,
  * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or what is
  *         computed is not a state: an unstable lean has grown to the table, or
  *         phi or psi leave their range; COIN_EDOMAIN steady as in
- *         coin_steady_radii() is not steady, or the steady motion next to
- *         start leans more than 0.1 from it (as it may near lambda^2 = 0,
- *         where nothing linear holds the coin).
- * Accuracy: with A the largest difference in natural units from both steady
- *         motions, an error of order A^2 in all members, which grows as t;
- *         where the lean grows as exp(lambda t), A is what it has grown to
- *         (test_wobble).  docs/models.md has figures.
+ *         coin_steady_radii() is not steady, or the wobble is not small: the
+ *         steady motion with the integrals of start leans more than 0.1 from
+ *         steady, or what the linear law leaves out of the acceleration of the
+ *         lean could displace it by half of its reach within t.  Reach is how
+ *         far the lean goes from that steady motion, and this one's lean from
+ *         that of steady, added.
+ * Accuracy: the coin stays in the potential's well: the lean is never off by
+ *         more than three times its reach (test_wobble_wells).  With A the
+ *         largest difference in natural units from both steady motions, an
+ *         error of order A^2 in all members, which grows as t; where the lean
+ *         grows as exp(lambda t), A is what it has grown to (test_wobble).
+ *         docs/models.md has figures.
  * Cost: that of ten sines and cosines, whatever t. */
 COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
                                 const coin_state *start, double t,
