@@ -30,14 +30,20 @@
  * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
  * coin_params_check() and COIN_ESTATE as coin_state_check().
  *
- * PROMISES. No allocation, no global state, no output, no errno, no change of
- * the floating-point environment: every function is reentrant and bounded in
- * time and stack.  What moves a state gives the same bits on every platform
- * and compiler (see coin_selftest()).
+ * PROMISES. No allocation, no global state, no output, no errno: every function
+ * is reentrant and bounded in time and stack.  What moves a state gives the
+ * same bits on every platform and compiler (see coin_selftest()).
+ *
+ * FLOATING POINT. No function changes the rounding mode or the traps.  A call
+ * that does not return COIN_EARG, COIN_EPARAMS, COIN_ESTATE or COIN_ESTEP, or
+ * NaN, raises neither division by zero nor invalid nor overflow, so that it may
+ * be made with these trapped (test_traps).  Inexact and underflow may be
+ * raised.
  *
  * ACCURACY. "u" is 2^-53 = 1.1e-16.  "8 u of the terms" bounds an error by 8 u
  * times the sum of the absolute values of the formula's terms, theta taken as
- * the exact double that it is.
+ * the exact double that it is.  Bounds hold as long as none of the terms, and
+ * no product in them, is below the normal doubles (2e-308).
  */
 #ifndef ROLLCOIN_COIN_H
 #define ROLLCOIN_COIN_H
@@ -234,9 +240,11 @@ COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
 /** Whether the parameters can be computed with.
  * @return COIN_OK; COIN_EARG null; COIN_EPARAMS if a member is not finite or
  *         not positive, a reserved member is not 0, I_Z > 2 I_X (beyond a
- *         relative 1e-12: no body has that), or M a^2, M g a, g/a, a ratio of
- *         inertias or the square of a critical rate leaves the range of normal
- *         doubles. */
+ *         relative 1e-12: no body has that), or of these numbers, in the units
+ *         of p, one is below 1e-300 or the sum is above 1e300: M, a, g, I_X,
+ * I_Z, M a, M g, M a^2, M g a, g/a; with J = I_X + M a^2, K = I_Z + M a^2 the
+ *         ratios I_Z/I_X, M a^2/K, I_X/J, K/J, M g a/J; the square of
+ *         coin_critical_roll(). */
 COIN_API int32_t coin_params_check(const coin_params *p);
 
 /* ---------------------------------------------------------------- state -- */

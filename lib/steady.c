@@ -95,6 +95,8 @@ int32_t coin_steady_circle(coin_state *s, const coin_params *p, double theta,
     /* The root q/A, where nothing cancels, is f- unless wZ < 0. */
     const double q = -(wZ + (wZ < 0 ? -root : root)) / 2; /* (40) */
     const int large = (branch < 0) == !(wZ < 0);
+    if (q == 0) /* wZ and theta are lost among the smallest doubles */
+        return COIN_EDOMAIN;
     return steady(s, p, theta, large ? q / A : -G / q, wZ); /* (41) */
 }
 
