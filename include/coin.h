@@ -147,12 +147,18 @@ enum {
     COIN_OK = 0,       /**< done */
     COIN_EPARAMS = -1, /**< parameters out of range: coin_params_check() */
     COIN_ESTATE = -2,  /**< state out of range: coin_state_check() */
-    COIN_ESTEP = -3,   /**< dt not finite, or beyond what the method can do
-                            from this state, or the coin would cross the
-                            table: a smaller dt may do */
+    COIN_ESTEP = -3,   /**< a step or a time that is not finite; or too long for
+                            this motion: a step that the method cannot do from
+                            this state, or that would cross the table: shorten
+                            dt, or call coin_advance(); a time in which phi,
+                            psi, x or z leaves its range: take whole turns off,
+                            or begin anew; more steps than one coin_advance()
+                            takes: call it again */
     COIN_EARG = -4,    /**< null pointer, unknown method or branch, bad
                             tolerance, mu < 0 */
-    COIN_EDOMAIN = -5, /**< no such steady state, or the state is not steady */
+    COIN_EDOMAIN = -5, /**< no such steady motion, or the state is not steady,
+                            or too far from it for a small wobble, or its
+                            motion has no well-defined period */
     COIN_EFLAT = -6,   /**< the coin falls flat within the time asked */
     COIN_EBUILD = -7   /**< this build does not give the pinned bits:
                             coin_selftest() */
