@@ -457,12 +457,12 @@ COIN_API double coin_max_dt(const coin_state *s, const coin_params *p,
 COIN_API double coin_energy(const coin_state *s, const coin_params *p);
 
 /** The two linear integrals, constant along every motion: wY and wZ carried
- * along the orbit to theta = 0.  Eq. (35), and Eq. (38) near flat.
+ * along the orbit to theta = 0.  Eq. (35), after Eq. (38) near flat.
  * @param[out] K  [2] K_Y, K_Z [1/T]
  * @return COIN_OK; the usual errors.
- * Accuracy: 16 u of the terms at every |theta| < pi/2 (test_integrals).  Near
- * flat the terms grow as ln(1/cos theta).  Uses log of libm for |sin theta| >
- * 0.7: the last bit may differ between platforms. */
+ * Accuracy: 12 u of the terms of Eq. (35) at every |theta| < pi/2
+ * (test_integrals).  Near flat the terms grow as ln(1/cos theta).  Uses log of
+ * libm for |sin theta| > 0.7: the last bit may differ between platforms. */
 COIN_API int32_t coin_integrals(const coin_state *s, const coin_params *p,
                                 double K[2]);
 

@@ -10,12 +10,15 @@
  * All terms have one sign: nothing cancels. */
 static double power_series(double kap, double u, double n0, double shift)
 {
-    double term = n0 > 0 ? u : 1, sum = term;
+    const double u2 = u * u;
+    double term = n0 > 0 ? u : 1, sum = term, low = 0;
     for (double n = n0; fabs(term) > COIN_PRIV_NEGLIGIBLE * fabs(sum); n += 2) {
-        term *= u * u * (n * (n + shift) + kap) / ((n + 1) * (n + 2));
-        sum += term;
+        term *= u2 * ((n * (n + shift) + kap) / ((n + 1) * (n + 2)));
+        const double next = sum + term;
+        low += term - (next - sum); /* what the sum rounds off, exactly */
+        sum = next;
     }
-    return sum;
+    return sum + low;
 }
 
 coin_priv_central coin_priv_legendre_central(double kap, double u)
@@ -31,10 +34,10 @@ coin_priv_central coin_priv_legendre_central(double kap, double u)
 
 /* R = sum r_n v^n and S = R ln v + sum s_n v^n, with their derivatives times
  * v; s_n is written without a division by kap, which may be small.  (36) */
-coin_priv_flat coin_priv_legendre_flat(double kap, double v)
+coin_priv_flat coin_priv_legendre_flat(double kap, double v, double ln_v)
 {
     double r = 1, s = 0; /* r_n v^n, s_n v^n */
-    double R = 1, vdR = 0, s_sum = 0, vds_sum = 0;
+    double r_sum = 0, vdR = 0, s_sum = 0, vds_sum = 0;
     /* (n + 1) v^n bounds the terms of every sum, whatever kap. */
     double power = 1;
     for (double n = 0; (n + 1) * power > COIN_PRIV_NEGLIGIBLE; ++n) {
@@ -43,16 +46,15 @@ coin_priv_flat coin_priv_legendre_flat(double kap, double v)
         const double odd = (2 * n + 1) / ((n + 1) * (n + 1));
         s = v * (rho * s + r * (odd - 2 * rho / (n + 1)));
         r = v * (rho * r);
-        R += r;
+        r_sum += r;
         vdR += (n + 1) * r;
         s_sum += s;
         vds_sum += (n + 1) * s;
     }
-    const double ln_v = log(v);
     coin_priv_flat f;
-    f.R = R;
-    f.S = R * ln_v + s_sum;
-    f.PR = -2 * (1 - v) * vdR;                        /* (37) */
-    f.PS = -2 * (1 - v) * (R + vdR * ln_v + vds_sum); /* (37) */
+    f.R = 1 + r_sum;
+    f.S = f.R * ln_v + s_sum;
+    f.PR = -2 * (1 - v) * vdR;                                  /* (37) */
+    f.PS = -2 * (1 - v) * (1 + (r_sum + vdR * ln_v + vds_sum)); /* (37) */
     return f;
 }

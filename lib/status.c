@@ -5,12 +5,11 @@
 
 /* Rows of characters, not pointers: those would need relocation, and with it
  * writable data in the shared library. */
-static const char errors[][80] = {
+static const char errors[][72] = {
     "done",
     "parameters out of range",
     "state out of range",
-    "dt or t not finite, or too long for this motion: "
-    "shorten it, or coin_advance()",
+    "dt or t not finite, or too long: shorten it, or call coin_advance()",
     "bad argument: null, unknown method or branch, tolerance",
     "not a steady motion, not a small wobble, or not an orbit",
     "the coin falls flat",
