@@ -154,8 +154,8 @@ int32_t coin_priv_steady_near(const coin_state *s, const coin_priv_body *b,
     near.wZ = o.wZ;
     /* Bodies with moments of inertia 1e80 apart may defeat the search. */
     coin_priv_sc th;
-    if (coin_priv_check_state(&near, b) != COIN_OK ||
-        coin_priv_balanced(&near, b, &th) != COIN_OK)
+    const int32_t unbalanced = coin_priv_balanced(&near, b, &th);
+    if ((coin_priv_check_state(&near, b) | unbalanced) != COIN_OK)
         return COIN_EDOMAIN;
     *out = near;
     return COIN_OK;

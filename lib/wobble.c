@@ -136,7 +136,7 @@ static void expand(struct leaf *f, const coin_priv_body *b, double theta,
     double u[TERMS];
     f->wY[0] = wY;
     f->wZ[0] = wZ;
-    for (int k = 0; k < TERMS; ++k) {
+    for (int k = 0;; ++k) {
         double TT = k == 0, wYT = 0, wYu = 0;
         for (int j = 0; j <= k; ++j) {
             TT += T[j] * T[k - j];
@@ -194,14 +194,25 @@ static double reach_of(const coin_priv_wobble *w, double x, double leant)
     return fabs(w->apart) + (within < ever ? within : ever);
 }
 
-/* Whether the linear law can stand for the full equations: what it leaves out
- * displaces the lean by at most DISPLACED of its reach.  An acceleration of d
- * displaces it by d t^2/2 at first, and by 2 d/|lambda^2| in the long run. */
-static int is_small(const coin_priv_wobble *w, double x, double reach)
+/* What the linear law leaves out of the acceleration at that reach. */
+static double left_out_at(const coin_priv_wobble *w, double reach)
 {
     const double d = sum_at(w->left_out, reach / w->cth) - w->rounding;
+    return d > 0 ? d : 0;
+}
+
+/* Whether the linear law can stand for the full equations: what it leaves out
+ * displaces the lean by at most DISPLACED of its reach.  An acceleration of d
+ * displaces it by d t^2/2 at first, and by 2 d/|lambda^2| in the long run; an
+ * unstable lean also grows from what displaced it at the beginning. */
+static int is_small(const coin_priv_wobble *w, double x, double reach,
+                    double grown)
+{
+    const double first = fabs(w->apart) + fabs(w->Y) + fabs(w->v);
+    const double begun = w->L > 0 ? grown * left_out_at(w, first) : 0;
     const double time2 = x * x < 4 ? x * x / 2 : 2; /* in 1/|lambda^2| */
-    return d * time2 <= DISPLACED * fabs(w->L) * reach;
+    return begun + time2 * left_out_at(w, reach) <=
+           DISPLACED * fabs(w->L) * reach;
 }
 
 /* The integral of psi' exp(i (phi - phi0)) over t, to first order in the lean
@@ -286,7 +297,7 @@ int32_t coin_priv_wobble_at(const coin_priv_wobble *w, const coin_priv_body *b,
     const coin_state then = wobble(w, &g, leant, t);
     if (coin_priv_check_state(&then, b) != COIN_OK)
         return COIN_ESTEP;
-    if (!is_small(w, x, reach_of(w, x, leant)))
+    if (!is_small(w, x, reach_of(w, x, leant), g.c1))
         return COIN_EDOMAIN;
     *out = then;
     return COIN_OK;
