@@ -30,14 +30,20 @@
  * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
  * coin_params_check() and COIN_ESTATE as coin_state_check().
  *
- * PROMISES. No allocation, no global state, no output, no errno, no change of
- * the floating-point environment: every function is reentrant and bounded in
- * time and stack.  What moves a state gives the same bits on every platform
- * and compiler (see coin_selftest()).
+ * PROMISES. No allocation, no global state, no output, no errno: every function
+ * is reentrant and bounded in time and stack.  What moves a state gives the
+ * same bits on every platform and compiler (see coin_selftest()).
+ *
+ * FLOATING POINT. No function changes the rounding mode or the traps.  A call
+ * that does not return COIN_EARG, COIN_EPARAMS, COIN_ESTATE or COIN_ESTEP, or
+ * NaN, raises neither division by zero nor invalid nor overflow, so that it may
+ * be made with these trapped (test_traps).  Inexact and underflow may be
+ * raised.
  *
  * ACCURACY. "u" is 2^-53 = 1.1e-16.  "8 u of the terms" bounds an error by 8 u
  * times the sum of the absolute values of the formula's terms, theta taken as
- * the exact double that it is.
+ * the exact double that it is.  Bounds hold as long as none of the terms, and
+ * no product in them, is below the normal doubles (2e-308).
  */
 #ifndef ROLLCOIN_COIN_H
 #define ROLLCOIN_COIN_H
@@ -133,12 +139,18 @@ enum {
     COIN_OK = 0,       /**< done */
     COIN_EPARAMS = -1, /**< parameters out of range: coin_params_check() */
     COIN_ESTATE = -2,  /**< state out of range: coin_state_check() */
-    COIN_ESTEP = -3,   /**< dt not finite, or beyond what the method can do
-                            from this state, or the coin would cross the
-                            table: a smaller dt may do */
+    COIN_ESTEP = -3,   /**< a step or a time that is not finite; or too long for
+                            this motion: a step that the method cannot do from
+                            this state, or that would cross the table: shorten
+                            dt, or call coin_advance(); a time in which phi,
+                            psi, x or z leaves its range: take whole turns off,
+                            or begin anew; more steps than one coin_advance()
+                            takes: call it again */
     COIN_EARG = -4,    /**< null pointer, unknown method or branch, bad
                             tolerance, mu < 0 */
-    COIN_EDOMAIN = -5, /**< no such steady state, or the state is not steady */
+    COIN_EDOMAIN = -5, /**< no such steady motion, or the state is not steady,
+                            or too far from it for a small wobble, or its
+                            motion has no well-defined period */
     COIN_EFLAT = -6,   /**< the coin falls flat within the time asked */
     COIN_EBUILD = -7   /**< this build does not give the pinned bits:
                             coin_selftest() */
@@ -226,9 +238,11 @@ COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
 /** Whether the parameters can be computed with.
  * @return COIN_OK; COIN_EARG null; COIN_EPARAMS if a member is not finite or
  *         not positive, a reserved member is not 0, I_Z > 2 I_X (beyond a
- *         relative 1e-12: no body has that), or M a^2, M g a, g/a, a ratio of
- *         inertias or the square of a critical rate leaves the range of normal
- *         doubles. */
+ *         relative 1e-12: no body has that), or of these numbers, in the units
+ *         of p, one is below 1e-300 or the sum is above 1e300: M, a, g, I_X,
+ * I_Z, M a, M g, M a^2, M g a, g/a; with J = I_X + M a^2, K = I_Z + M a^2 the
+ *         ratios I_Z/I_X, M a^2/K, I_X/J, K/J, M g a/J; the square of
+ *         coin_critical_roll(). */
 COIN_API int32_t coin_params_check(const coin_params *p);
 
 /* ---------------------------------------------------------------- state -- */
@@ -249,7 +263,7 @@ COIN_API int32_t coin_state_check(const coin_state *s, const coin_params *p);
  * @return COIN_OK; the usual errors: COIN_ESTATE if q or omega is not finite,
  *         q is 0, or the coin lies flat.
  * Accuracy: 8 u in each angle for a unit q; near flat phi and psi are each as
- * uncertain as u/cos(theta), their sum or difference is not (test_pose). */
+ * uncertain as u/cos(theta), their sum or difference is not (test_state). */
 COIN_API int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
                                         const double q[4],
                                         const double omega[3], double x,
@@ -426,12 +440,12 @@ COIN_API double coin_max_dt(const coin_state *s, const coin_params *p,
 COIN_API double coin_energy(const coin_state *s, const coin_params *p);
 
 /** The two linear integrals, constant along every motion: wY and wZ carried
- * along the orbit to theta = 0.  Eq. (35), and Eq. (38) near flat.
+ * along the orbit to theta = 0.  Eq. (35), after Eq. (38) near flat.
  * @param[out] K  [2] K_Y, K_Z [1/T]
  * @return COIN_OK; the usual errors.
- * Accuracy: 16 u of the terms at every |theta| < pi/2 (test_integrals).  Near
- * flat the terms grow as ln(1/cos theta).  Uses log of libm for |sin theta| >
- * 0.7: the last bit may differ between platforms. */
+ * Accuracy: 12 u of the terms of Eq. (35) at every |theta| < pi/2
+ * (test_integrals).  Near flat the terms grow as ln(1/cos theta).  Uses log of
+ * libm for |sin theta| > 0.7: the last bit may differ between platforms. */
 COIN_API int32_t coin_integrals(const coin_state *s, const coin_params *p,
                                 double K[2]);
 
@@ -562,7 +576,8 @@ COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
  * @param[out] out  the state at t
  * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or phi, psi, x
  *         or z leaves its range; COIN_EDOMAIN as coin_steady_radii().
- * Accuracy: 4 u of the angles turned, and as much of the path (test_steady_at).
+ * Accuracy: 4 u of the angles turned, and as much of the path; then phi, psi, x
+ *         and z are rounded, as large as they are (test_steady_at).
  * Cost: three sines and cosines. */
 COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
                                 double t, coin_state *out);
@@ -587,13 +602,18 @@ COIN_API int32_t coin_stability(const coin_state *s, const coin_params *p,
  * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or what is
  *         computed is not a state: an unstable lean has grown to the table, or
  *         phi or psi leave their range; COIN_EDOMAIN steady as in
- *         coin_steady_radii() is not steady, or the steady motion next to
- *         start leans more than 0.1 from it (as it may near lambda^2 = 0,
- *         where nothing linear holds the coin).
- * Accuracy: with A the largest difference in natural units from both steady
- *         motions, an error of order A^2 in all members, which grows as t;
- *         where the lean grows as exp(lambda t), A is what it has grown to
- *         (test_wobble).  docs/models.md has figures.
+ *         coin_steady_radii() is not steady, or the wobble is not small: the
+ *         steady motion with the integrals of start leans more than 0.1 from
+ *         steady, or what the linear law leaves out of the acceleration of the
+ *         lean could displace it by half of its reach within t.  Reach is how
+ *         far the lean goes from that steady motion, and this one's lean from
+ *         that of steady, added.
+ * Accuracy: the coin stays in the potential's well: the lean is never off by
+ *         more than three times its reach (test_wobble_wells).  With A the
+ *         largest difference in natural units from both steady motions, an
+ *         error of order A^2 in all members, which grows as t; where the lean
+ *         grows as exp(lambda t), A is what it has grown to (test_wobble).
+ *         docs/models.md has figures.
  * Cost: that of ten sines and cosines, whatever t. */
 COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
                                 const coin_state *start, double t,

@@ -59,8 +59,9 @@ static void the_power_series_is_the_reference_s(void **unused)
 static void flat_row(const struct table *t, size_t i, double v)
 {
     const double kap = kappa(t, i);
-    const coin_priv_flat f = coin_priv_legendre_flat(kap, v);
-    const coin_priv_flat m = coin_priv_legendre_flat(kap * (1 + MOVED), v);
+    const coin_priv_flat f = coin_priv_legendre_flat(kap, v, log(v));
+    const coin_priv_flat m =
+        coin_priv_legendre_flat(kap * (1 + MOVED), v, log(v));
     const double R = table_at(t, i, "R"), S = table_at(t, i, "S");
     const double PR = table_at(t, i, "PR"), PS = table_at(t, i, "PS");
     const double ln = log(v);
@@ -100,7 +101,7 @@ static void both_wronskians_hold_for_every_body_and_lean(void **unused)
         const double u = random_between(&r, -0.7, 0.7);
         const double v = 0.5 * pow(10, -random_between(&r, 0, 31));
         const coin_priv_central c = coin_priv_legendre_central(kap, u);
-        const coin_priv_flat f = coin_priv_legendre_flat(kap, v);
+        const coin_priv_flat f = coin_priv_legendre_flat(kap, v, log(v));
         check_note("kap = %.17g, u = %.17g, v = %.17g", kap, u, v);
         /* Two factors each within 1e-15 of its terms, and the rounding of the
          * product and the sum. */
@@ -121,8 +122,8 @@ static void the_series_continue_each_other(void **unused)
         const double kap = random_between(&r, 0.05, 2);
         const double u = random_between(&r, 0.3, 0.7);
         const coin_priv_central c = coin_priv_legendre_central(kap, u);
-        const coin_priv_flat f = coin_priv_legendre_flat(kap, (1 - u) / 2);
-        const coin_priv_flat up = coin_priv_legendre_flat(kap, 0.5);
+        const coin_priv_flat f = coin_priv_legendre_flat(kap, (1 - u) / 2, 0);
+        const coin_priv_flat up = coin_priv_legendre_flat(kap, 0.5, 0);
         const double even = up.R * c.We, odd = up.PR * c.Wo;
         check_note("kap = %.17g, u = %.17g", kap, u);
         check_near(f.R, even + odd, 4 * CLAIMED * (even - odd));

@@ -109,6 +109,16 @@ static void the_hole_lies_within_the_coin(void **unused)
     check_status(coin_params_ring(&p, 2, 4, -0.0, 8), COIN_OK);
 }
 
+static void a_null_pointer_is_noticed_before_anything_else(void **unused)
+{
+    (void)unused;
+    check_status(coin_params_ring(NULL, 2, 4, -1, 8), COIN_EARG);
+    check_status(coin_params_ring(NULL, -2, 4, 5, 8), COIN_EARG);
+    check_status(coin_params_disc(NULL, NAN, 4, 8), COIN_EARG);
+    check_status(coin_params_body(NULL, 2, 4, 8, 0, 0), COIN_EARG);
+    check_status(coin_params_check(NULL), COIN_EARG);
+}
+
 /* M, a, g whose products or quotients no double holds. */
 static void products_must_not_leave_the_range_of_doubles(void **unused)
 {
@@ -126,6 +136,35 @@ static void products_must_not_leave_the_range_of_doubles(void **unused)
         const double *b = bad[i];
         check_note("M = %g, a = %g, g = %g", b[0], b[1], b[2]);
         check_status(coin_params_disc(&p, b[0], b[1], b[2]), COIN_EPARAMS);
+    }
+}
+
+/* One number is at the edge each time, and all others are inside. */
+static void numbers_reach_from_1e_300_to_1e300(void **unused)
+{
+    (void)unused;
+    const struct {
+        const char *number;
+        double mass, radius, gravity, IX, IZ;
+        int32_t want;
+    } cases[] = {
+        {"M", 1.01e-300, 1, 1, 1e-300, 1.1e-300, COIN_OK},
+        {"M", 0.99e-300, 1, 1, 1e-300, 1.1e-300, COIN_EPARAMS},
+        {"I_Z", 1, 1, 1, 1e-200, 1.01e-300, COIN_OK},
+        {"I_Z", 1, 1, 1, 1e-200, 0.99e-300, COIN_EPARAMS},
+        {"M g a/J", 1, 1e100, 1.01e-200, 1e150, 5e149, COIN_OK},
+        {"M g a/J", 1, 1e100, 0.99e-200, 1e150, 5e149, COIN_EPARAMS},
+        {"M g a", 1e200, 0.98, 1e100, 1e200, 1e200, COIN_EPARAMS},
+        {"M g a + M g", 1e200, 0.4, 0.7e100, 1e199, 1e199, COIN_OK},
+        {"M g a + M g", 1e200, 0.4, 0.8e100, 1e199, 1e199, COIN_EPARAMS},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        coin_params p;
+        check_note("%s, case %zu", cases[i].number, i);
+        check_status(coin_params_body(&p, cases[i].mass, cases[i].radius,
+                                      cases[i].gravity, cases[i].IX,
+                                      cases[i].IZ),
+                     cases[i].want);
     }
 }
 
@@ -179,6 +218,8 @@ int main(void)
         TEST(every_reserved_member_must_be_zero),
         TEST(axial_inertia_is_at_most_twice_the_diametral),
         TEST(the_hole_lies_within_the_coin),
+        TEST(a_null_pointer_is_noticed_before_anything_else),
+        TEST(numbers_reach_from_1e_300_to_1e300),
         TEST(products_must_not_leave_the_range_of_doubles),
         TEST(ratios_of_inertias_must_not_either),
         TEST(every_sensible_scale_is_accepted),

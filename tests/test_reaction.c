@@ -131,6 +131,19 @@ static void steady_motions_press_with_their_weight(void **unused)
     }
 }
 
+/* Upright and falling at sqrt(g/a), nothing holds the coin down: N and F are 0
+ * to the bit, and no friction is enough. */
+static void a_coin_that_does_not_press_needs_infinite_friction(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    const coin_state s = {0, 0.3, 0, 0, 0, 1, 0, 0};
+    const coin_force f = force_on(&s, &p);
+    check(f.normal == 0 && f.friction == 0);
+    check(f.ratio == (double)INFINITY);
+}
+
 /* The squares in sqrt(R_x^2 + R_z^2) must not leave the range of doubles where
  * the force does not. */
 static void friction_scales_with_any_mass(void **unused)
@@ -158,6 +171,7 @@ int main(void)
         TEST(its_parts_belong_together),
         TEST(a_fall_from_upright_lifts_the_disc_off_between_60_and_80_degrees),
         TEST(steady_motions_press_with_their_weight),
+        TEST(a_coin_that_does_not_press_needs_infinite_friction),
         TEST(friction_scales_with_any_mass),
     };
     return RUN_TESTS(tests);

@@ -224,6 +224,43 @@ static void angles_come_out_within_half_a_turn(void **unused)
     }
 }
 
+/* Found by a search that climbs towards the largest error; the angles by mpmath
+ * from the exact q. */
+static void the_worst_rotations_known_are_good_to_8_u(void **unused)
+{
+    (void)unused;
+    const struct {
+        double q[4], theta, phi, psi;
+    } worst[] = {
+        {{-0x1.4f66089cf32bbp-1, -0x1.206505ba14ca2p-3, -0x1.7bdc9f6cba2f2p-1,
+          -0x1.92fc449d9f294p-6},
+         0.14854120505947643325,
+         1.71338658142720444638,
+         0.246344495936044248029},
+        {{-0x1.4722f5445fd7dp-2, -0x1.3b38e92a052f3p-1, -0x1.0e606f3205113p-1,
+          0x1.f5ae21f221ce4p-2},
+         1.14524192068360315477,
+         -2.4419118413697220055,
+         2.18567619227628810471},
+        {{-0x1.b8b1fa443e2d4p-5, -0x1.2ccfa7b5e35f8p-1, -0x1.40a626ed31897p-1,
+          0x1.04ecf8f4f5d44p-1},
+         0.777542200781631202525,
+         -2.29994565716341632786,
+         1.86960710646458777305},
+    };
+    const coin_params p = disc();
+    const double omega[3] = {0, 0, 0};
+    for (size_t i = 0; i < sizeof worst / sizeof *worst; ++i) {
+        coin_state s;
+        check_note("case %zu", i);
+        check_status(coin_state_from_motion(&s, &p, worst[i].q, omega, 0, 0),
+                     COIN_OK);
+        check_terms(s.theta, worst[i].theta, 8, 1);
+        check_terms(s.phi, worst[i].phi, 8, 1);
+        check_terms(s.psi, worst[i].psi, 8, 1);
+    }
+}
+
 /* Half a turn exactly: every sign of the quaternion gives +pi, never -pi. */
 static void half_a_turn_is_positive(void **unused)
 {
@@ -318,6 +355,7 @@ int main(void)
         TEST(a_state_survives_the_way_through_an_engine),
         TEST(the_norm_of_the_quaternion_does_not_matter),
         TEST(angles_come_out_within_half_a_turn),
+        TEST(the_worst_rotations_known_are_good_to_8_u),
         TEST(half_a_turn_is_positive),
         TEST(no_rotation_is_upright),
         TEST(a_motion_without_a_state_is_refused),

@@ -73,6 +73,30 @@ static void a_huge_circle_begins_straight(void **unused)
     check_near(end.z, s.wY * 50, 1e-12 * s.wY * 50);
 }
 
+/* The heading is added to what is turned as angles, not as numbers: a start
+ * turned by a thousand million radians loses none of its path.  The turn is
+ * that of the table's frame; both its sine and cosine by libm. */
+static void a_huge_heading_costs_the_path_nothing(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(26);
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    for (int i = 0; i < 300; ++i) {
+        coin_state s = circle(&p, random_between(&r, 0.1, 1.4),
+                              random_between(&r, 0.3, 2), 1);
+        const double t = random_between(&r, -3, 3);
+        const coin_state plain = at(&s, &p, t);
+        s.phi = random_between(&r, -2e9, 2e9);
+        const coin_state far = at(&s, &p, t);
+        const double c = cos(s.phi), d = sin(s.phi);
+        const double turned = 1 + fabs(t) * s.wY / cos(s.theta);
+        const double bound = 4 * U * fabs(s.wZ * t) * (1 + turned);
+        check_near(far.x, c * plain.x + d * plain.z, bound);
+        check_near(far.z, c * plain.z - d * plain.x, bound);
+    }
+}
+
 /* There and back, and in two parts. */
 static void times_add_up(void **unused)
 {
@@ -119,6 +143,7 @@ int main(void)
         TEST(a_steady_motion_is_where_the_reference_is),
         TEST(straight_rolling_is_a_straight_line),
         TEST(a_huge_circle_begins_straight),
+        TEST(a_huge_heading_costs_the_path_nothing),
         TEST(times_add_up),
         TEST(what_is_not_steady_or_leaves_its_range_is_refused),
     };

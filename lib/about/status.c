@@ -5,13 +5,13 @@
 
 /* Rows of characters, not pointers: those would need relocation, and with it
  * writable data in the shared library. */
-static const char errors[][56] = {
+static const char errors[][72] = {
     "done",
     "parameters out of range",
     "state out of range",
-    "the step is beyond the method, or not finite",
+    "dt or t not finite, or too long: shorten it, or call coin_advance()",
     "bad argument: null, unknown method or branch, tolerance",
-    "no such steady motion",
+    "not a steady motion, not a small wobble, or not an orbit",
     "the coin falls flat",
     "this build does not give the pinned bits",
 };

@@ -5,6 +5,22 @@
 
 #include <math.h>
 
+/* wY tan theta comes first: near the table I_X tan^2 theta alone can overflow
+ * (test_stability). */
+double coin_priv_stability(const coin_state *s, const coin_priv_body *b,
+                           const coin_priv_sc *th)
+{
+    const double wY = s->wY, wZ = s->wZ, wYT = wY * (th->s / th->c);
+    const double IX = b->IX, IZ = b->IZ, m = b->m;
+    /* clang-format off */
+    const double L = b->Mga * th->c                           /* (44) */
+                   - IX * (wY * wY + 3 * (wYT * wYT)) - m * (wY * wY)
+                   - (3 * IZ + m) * (wYT * wZ)
+                   - b->k1 * b->K * (wZ * wZ);
+    /* clang-format on */
+    return L / b->J;
+}
+
 int32_t coin_stability(const coin_state *s, const coin_params *p,
                        double *lambda2)
 {
@@ -12,19 +28,9 @@ int32_t coin_stability(const coin_state *s, const coin_params *p,
     coin_priv_sc th;
     const int32_t status =
         lambda2 ? coin_priv_check_steady(s, p, &b, &th) : COIN_EARG;
-    if (status != COIN_OK)
-        return status;
-    const double wY = s->wY, wZ = s->wZ;
-    const double IX = b.IX, IZ = b.IZ, m = b.m, K = b.K;
-    const double tth = th.s / th.c;
-    /* clang-format off */
-    const double L = b.Mga * th.c                             /* (44) */
-                   - (IX * (1 + 3 * (tth * tth)) + m) * wY * wY
-                   - (3 * IZ + m) * tth * wY * wZ
-                   - b.k1 * K * wZ * wZ;
-    /* clang-format on */
-    *lambda2 = L / b.J;
-    return COIN_OK;
+    if (status == COIN_OK)
+        *lambda2 = coin_priv_stability(s, &b, &th);
+    return status;
 }
 
 double coin_critical_roll(const coin_params *p)

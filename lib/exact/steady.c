@@ -14,12 +14,9 @@ static double larger(double a, double b)
     return fabs(a) > fabs(b) ? fabs(a) : fabs(b);
 }
 
-int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
-                               coin_priv_body *b, coin_priv_sc *th)
+int32_t coin_priv_balanced(const coin_state *s, const coin_priv_body *b,
+                           coin_priv_sc *th)
 {
-    const int32_t status = coin_priv_check(s, p, b);
-    if (status != COIN_OK)
-        return status;
     *th = coin_priv_sincos(s->theta);
     const double wX = s->wX, wY = s->wY, wZ = s->wZ;
     /* clang-format off */
@@ -32,6 +29,13 @@ int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
     const int balanced = (fabs(wX) <= STEADY * rate) &
                          (fabs(roll + turn - fall) <= STEADY * torque);
     return balanced ? COIN_OK : COIN_EDOMAIN;
+}
+
+int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
+                               coin_priv_body *b, coin_priv_sc *th)
+{
+    const int32_t status = coin_priv_check(s, p, b);
+    return status == COIN_OK ? coin_priv_balanced(s, b, th) : status;
 }
 
 /* Writes a steady state if it is one: with moments of inertia 1e200 apart a
@@ -91,6 +95,8 @@ int32_t coin_steady_circle(coin_state *s, const coin_params *p, double theta,
     /* The root q/A, where nothing cancels, is f- unless wZ < 0. */
     const double q = -(wZ + (wZ < 0 ? -root : root)) / 2; /* (40) */
     const int large = (branch < 0) == !(wZ < 0);
+    if (q == 0) /* wZ and theta are lost among the smallest doubles */
+        return COIN_EDOMAIN;
     return steady(s, p, theta, large ? q / A : -G / q, wZ); /* (41) */
 }
 

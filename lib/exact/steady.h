@@ -5,10 +5,24 @@
 #include "../motion/equations.h"
 #include "../motion/state.h"
 
+/* COIN_OK, or COIN_EDOMAIN unless the motion is steady, and sine and cosine of
+ * its lean.  s has passed coin_priv_check_state(). */
+int32_t coin_priv_balanced(const coin_state *s, const coin_priv_body *b,
+                           coin_priv_sc *th);
+
 /* The usual checks, then COIN_EDOMAIN unless the motion is steady.  After
  * COIN_OK *b and *th hold the body and sine and cosine of the lean. */
 int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
                                coin_priv_body *b, coin_priv_sc *th);
+
+/* lambda^2 of a steady motion that coin_priv_check_steady() has passed. */
+double coin_priv_stability(const coin_state *s, const coin_priv_body *b,
+                           const coin_priv_sc *th);
+
+/* coin_steady_near() of a state that has passed coin_priv_check_state():
+ * COIN_OK, or COIN_EDOMAIN and *out untouched. */
+int32_t coin_priv_steady_near(const coin_state *s, const coin_priv_body *b,
+                              coin_state *out);
 
 /* The constant rates of a steady motion: d(phi)/dt, d(psi)/dt, and the centre's
  * speed along its path. */

@@ -3,24 +3,21 @@
 
 #include "steady.h"
 
-/* sin(h)/h. */
-static double sinc(double h)
-{
-    return h == 0 ? 1 : coin_priv_sincos(h).s / h;
-}
-
 int32_t coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
                               double t)
 {
-    const double half = rates->heading * t / 2;       /* (56) */
-    const double way = rates->speed * t * sinc(half); /* (56) */
-    const coin_priv_sc along = coin_priv_sincos(s->phi + half);
+    const double half = rates->heading * t / 2; /* (56) */
+    const coin_priv_sc h = coin_priv_sincos(half),
+                       ph = coin_priv_sincos(s->phi);
+    const double sinc = half == 0 ? 1 : h.s / half;
+    const double way = rates->speed * t * sinc; /* (56) */
     coin_state at = *s;
     at.wX = 0;
     at.phi += 2 * half;        /* (56) */
     at.psi += rates->roll * t; /* (56) */
-    at.x -= way * along.c;     /* (56) */
-    at.z += way * along.s;     /* (56) */
+    /* Along phi + half, a sum that would round as a large phi does. */
+    at.x -= way * (ph.c * h.c - ph.s * h.s); /* (56) */
+    at.z += way * (ph.s * h.c + ph.c * h.s); /* (56) */
     if (coin_priv_check_members(&at) != COIN_OK)
         return COIN_ESTEP;
     *s = at;

@@ -138,19 +138,15 @@ static void balance(struct place *o, const coin_priv_body *b)
     }
 }
 
-int32_t coin_steady_near(const coin_state *s, const coin_params *p,
-                         coin_state *out)
+int32_t coin_priv_steady_near(const coin_state *s, const coin_priv_body *b,
+                              coin_state *out)
 {
-    coin_priv_body b;
-    const int32_t status = out ? coin_priv_check(s, p, &b) : COIN_EARG;
-    if (status != COIN_OK)
-        return status;
     const coin_priv_sc at = coin_priv_sincos(s->theta);
     struct place o = {s->theta, at, s->wY * at.c, s->wY, s->wZ, 0, 0};
-    look(&o, &b);
-    if (!nearest(&o, &b))
+    look(&o, b);
+    if (!nearest(&o, b))
         return COIN_EDOMAIN;
-    balance(&o, &b);
+    balance(&o, b);
     coin_state near = *s;
     near.theta = o.theta;
     near.wX = 0;
@@ -158,8 +154,17 @@ int32_t coin_steady_near(const coin_state *s, const coin_params *p,
     near.wZ = o.wZ;
     /* Bodies with moments of inertia 1e80 apart may defeat the search. */
     coin_priv_sc th;
-    if (coin_priv_check_steady(&near, p, &b, &th) != COIN_OK)
+    const int32_t unbalanced = coin_priv_balanced(&near, b, &th);
+    if ((coin_priv_check_state(&near, b) | unbalanced) != COIN_OK)
         return COIN_EDOMAIN;
     *out = near;
     return COIN_OK;
+}
+
+int32_t coin_steady_near(const coin_state *s, const coin_params *p,
+                         coin_state *out)
+{
+    coin_priv_body b;
+    const int32_t status = out ? coin_priv_check(s, p, &b) : COIN_EARG;
+    return status == COIN_OK ? coin_priv_steady_near(s, &b, out) : status;
 }

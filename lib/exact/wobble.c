@@ -3,6 +3,8 @@
 
 #include "../motion/angles.h"
 #include "../motion/state.h"
+#include "steady.h"
+#include "wobble.h"
 
 #include <math.h>
 
@@ -14,19 +16,23 @@
 /* No wobble is small about a steady motion that is further off [rad]. */
 #define NEIGHBOUR 0.1
 
-/* A steady motion and its neighbour on the leaf of the start, which leans by
- * `apart` more; how all answers to a lean y away from the neighbour. */
-struct response {
-    double L, apart;   /* lambda^2 */
-    double wY, wZ;     /* d(wY)/dy, d(wZ)/dy */
-    double phi, psi;   /* d(phi')/dy, d(psi')/dy */
-    double dphi, dpsi; /* phi', psi' of the neighbour */
-};
+/* The part of its own size by which the lean may be displaced by the
+ * acceleration that the linear law leaves out.  A force that differs by less
+ * than half of this from the linear one, at every lean that is reached, has no
+ * barrier there: the coin stays in the well of its steady motion. */
+#define DISPLACED 0.5
 
-/* S'' = L S with S = 0, S' = 1 at first; C = S'; C2 = (C - 1)/L, its integral.
- */
+/* Rounding of the acceleration and of lambda^2, in parts of the terms. */
+#define ROUNDING (128 * (DBL_EPSILON / 2))
+
+/* exp(700) is near to the largest double. */
+#define GROWTH_MAX 700.0
+
+enum { TERMS = COIN_PRIV_WOBBLE_TERMS };
+
+/* sin x and cos x - 1, or sinh x and cosh x - 1. */
 struct swing {
-    double S, C, C2;
+    double s, c1;
 };
 
 struct phasor {
@@ -40,13 +46,10 @@ static struct phasor times(struct phasor a, struct phasor b)
     return ab;
 }
 
-/* sinh(x) and cosh(x) - 1, by their series and doubling; NaN where they are
- * near to overflow. */
-static struct phasor growth(double x)
+/* sinh(x) and cosh(x) - 1, by their series and doubling; |x| <= GROWTH_MAX. */
+static struct swing growth(double x)
 {
     int doublings = 0;
-    if (!(fabs(x) < 700))
-        x = (double)NAN;
     for (; fabs(x) > 0.5; x /= 2)
         ++doublings;
     double odd = x, even = x * x / 2, sh = odd, ch1 = even;
@@ -61,24 +64,16 @@ static struct phasor growth(double x)
         sh *= 2 * (1 + ch1);
         ch1 = twice;
     }
-    const struct phasor both = {sh, ch1};
+    const struct swing both = {sh, ch1};
     return both;
 }
 
-static struct swing swing_of(double L, double t)
+static struct swing swing_of(double L, double x)
 {
-    const double rate = sqrt(fabs(L));
-    struct swing w;
-    if (L < 0) {
-        const coin_priv_sc half = coin_priv_sincos(rate * t / 2);
-        w.S = 2 * half.s * half.c / rate;
-        w.C2 = 2 * half.s * half.s / -L;
-    } else {
-        const struct phasor g = growth(rate * t);
-        w.S = g.re / rate;
-        w.C2 = g.im / L;
-    }
-    w.C = 1 + L * w.C2;
+    if (L > 0)
+        return growth(x);
+    const coin_priv_sc half = coin_priv_sincos(x / 2);
+    const struct swing w = {2 * half.s * half.c, -2 * half.s * half.s};
     return w;
 }
 
@@ -91,59 +86,152 @@ static struct phasor mean_exp(double x, double y)
         return one;
     }
     const coin_priv_sc half = coin_priv_sincos(y / 2);
-    const struct phasor still = {0, 0};
-    const struct phasor g = x == 0 ? still : growth(x); /* often */
-    const double grown = g.re + g.im, back = 2 * half.s * half.s;
+    const struct swing still = {0, 0};
+    const struct swing g = x == 0 ? still : growth(x); /* often */
+    const double grown = g.s + g.c1, back = 2 * half.s * half.s;
     const struct phasor change = {grown * (1 - back) - back,
                                   (1 + grown) * 2 * half.s * half.c};
     const struct phasor over = {x / norm2, -y / norm2};
     return times(change, over);
 }
 
-/* The terms of Eq. (44) and their like, at the steady motion. */
-static struct response respond(const coin_state *steady,
-                               const coin_state *start, const coin_priv_body *b,
-                               double lambda2)
+/* The steady motion next to the start, and how all rates answer to a lean y
+ * away from it: the terms of Eq. (44) and their like, at the steady motion.  F
+ * is what is left of (39): the motion given need not be steady to the bit. */
+static void respond(coin_priv_wobble *w, const coin_state *steady,
+                    const coin_priv_body *b, const coin_priv_sc *th)
 {
-    const coin_priv_sc th = coin_priv_sincos(steady->theta);
-    const double wY = steady->wY, wZ = steady->wZ, T = th.s / th.c;
-    const double lean = start->theta - steady->theta;
+    const double wY = steady->wY, wZ = steady->wZ, T = th->s / th->c;
+    const double lean = w->start.theta - steady->theta;
     const double FY = -b->KJ * wZ - 2 * b->XJ * wY * T;
     const double FZ = -b->KJ * wY;
-    struct response r;
-    r.L = fabs(lambda2) < CRITICAL * b->g_a ? -CRITICAL * b->g_a : lambda2;
+    const double F = b->GJ * th->s - (b->KJ * wZ + b->XJ * wY * T) * wY;
     /* clang-format off */
-    r.wY = wY * T + b->k1 * wZ;                             /* (60) */
-    r.wZ = b->k2 * wY;                                      /* (60) */
-    const double nY = start->wY - wY - r.wY * lean;         /* (60) */
-    const double nZ = start->wZ - wZ - r.wZ * lean;         /* (60) */
-    r.apart = -(FY * nY + FZ * nZ) / r.L;                   /* (60) */
-    r.phi = (wY * T + r.wY) / th.c;                         /* (62) */
-    r.psi = r.wZ + r.wY * T + wY / (th.c * th.c);           /* (62) */
-    r.dphi = (wY + nY) / th.c + r.phi * r.apart;            /* (62) */
-    r.dpsi = wZ + nZ + (wY + nY) * T + r.psi * r.apart;     /* (62) */
+    w->wY = wY * T + b->k1 * wZ;                            /* (60) */
+    w->wZ = b->k2 * wY;                                     /* (60) */
+    const double nY = w->start.wY - wY - w->wY * lean;      /* (60) */
+    const double nZ = w->start.wZ - wZ - w->wZ * lean;      /* (60) */
+    w->apart = -(F + FY * nY + FZ * nZ) / w->L;             /* (60) */
+    w->phi = (wY * T + w->wY) / th->c;                      /* (62) */
+    w->psi = w->wZ + w->wY * T + wY / (th->c * th->c);      /* (62) */
+    w->dphi = (wY + nY) / th->c + w->phi * w->apart;        /* (62) */
+    w->dpsi = wZ + nZ + (wY + nY) * T + w->psi * w->apart;  /* (62) */
     /* clang-format on */
-    return r;
+    w->Y = lean - w->apart;
+}
+
+/* What the equations of motion make of a leaf about one of its leans: rates
+ * and the lean's acceleration as powers of (theta - lean)/cos(lean), which
+ * keeps the coefficients of one size down to the table. */
+struct leaf {
+    double wY[TERMS], wZ[TERMS], dwX[TERMS];
+    double size; /* of the terms of dwX[0] */
+};
+
+static void expand(struct leaf *f, const coin_priv_body *b, double theta,
+                   double wY, double wZ)
+{
+    const coin_priv_sc th = coin_priv_sincos(theta);
+    double s[TERMS] = {th.s}, c[TERMS] = {th.c}, T[TERMS] = {th.s / th.c};
+    double u[TERMS];
+    f->wY[0] = wY;
+    f->wZ[0] = wZ;
+    for (int k = 0;; ++k) {
+        double TT = k == 0, wYT = 0, wYu = 0;
+        for (int j = 0; j <= k; ++j) {
+            TT += T[j] * T[k - j];
+            wYT += f->wY[j] * T[k - j];
+        }
+        u[k] = b->KJ * f->wZ[k] + b->XJ * wYT;
+        for (int j = 0; j <= k; ++j)
+            wYu += f->wY[j] * u[k - j];
+        f->dwX[k] = b->GJ * s[k] - wYu; /* (14) */
+        if (k + 1 == TERMS)
+            break;
+        const double h = th.c / (k + 1);
+        s[k + 1] = h * c[k];
+        c[k + 1] = -h * s[k];
+        T[k + 1] = h * TT;
+        f->wY[k + 1] = h * (wYT + b->k1 * f->wZ[k]); /* (15) over wX */
+        f->wZ[k + 1] = h * (b->k2 * f->wY[k]);       /* (16) over wX */
+    }
+    f->size = fabs(b->GJ * th.s) + fabs(wY * b->KJ * wZ) +
+              fabs(b->XJ * wY * wY * T[0]);
+}
+
+static double sum_at(const double terms[TERMS], double x)
+{
+    double sum = 0;
+    for (int k = TERMS; k-- > 0;)
+        sum = sum * x + terms[k];
+    return sum;
+}
+
+/* What the linear law leaves out of the acceleration, about the neighbour. */
+static void leave_out(coin_priv_wobble *w, const coin_priv_body *b)
+{
+    const double from = coin_priv_sincos(w->start.theta).c;
+    const double neighbour = w->start.theta - w->Y;
+    struct leaf f;
+    expand(&f, b, w->start.theta, w->start.wY, w->start.wZ);
+    const double wY = sum_at(f.wY, -w->Y / from);
+    const double wZ = sum_at(f.wZ, -w->Y / from);
+    expand(&f, b, neighbour, wY, wZ);
+    w->cth = coin_priv_sincos(neighbour).c;
+    w->rounding = ROUNDING * f.size;
+    for (int k = 0; k < TERMS; ++k)
+        w->left_out[k] = fabs(k == 1 ? f.dwX[1] - w->L * w->cth : f.dwX[k]);
+}
+
+/* The furthest from the neighbour that the lean comes within t, and the
+ * neighbour's own distance from the steady motion. */
+static double reach_of(const coin_priv_wobble *w, double x, double leant)
+{
+    const double Y = fabs(w->Y), end = fabs(w->Y + leant);
+    if (w->L > 0)
+        return fabs(w->apart) + (end > Y ? end : Y);
+    const double within = Y + fabs(w->v * x), ever = coin_priv_hypot(Y, w->v);
+    return fabs(w->apart) + (within < ever ? within : ever);
+}
+
+/* What the linear law leaves out of the acceleration at that reach. */
+static double left_out_at(const coin_priv_wobble *w, double reach)
+{
+    const double d = sum_at(w->left_out, reach / w->cth) - w->rounding;
+    return d > 0 ? d : 0;
+}
+
+/* Whether the linear law can stand for the full equations: what it leaves out
+ * displaces the lean by at most DISPLACED of its reach.  An acceleration of d
+ * displaces it by d t^2/2 at first, and by 2 d/|lambda^2| in the long run; an
+ * unstable lean also grows from what displaced it at the beginning. */
+static int is_small(const coin_priv_wobble *w, double x, double reach,
+                    double grown)
+{
+    const double first = fabs(w->apart) + fabs(w->Y) + fabs(w->v);
+    const double begun = w->L > 0 ? grown * left_out_at(w, first) : 0;
+    const double time2 = x * x < 4 ? x * x / 2 : 2; /* in 1/|lambda^2| */
+    return begun + time2 * left_out_at(w, reach) <=
+           DISPLACED * fabs(w->L) * reach;
 }
 
 /* The integral of psi' exp(i (phi - phi0)) over t, to first order in the lean
  * Y and its rate V: three exponentials. */
-static struct phasor rolled(const struct response *r, double Y, double V,
-                            double t)
+static struct phasor rolled(const coin_priv_wobble *w, double t)
 {
-    const double rate = sqrt(fabs(r->L)), angle = r->dphi * t;
-    const double sway = r->dpsi * r->phi;
-    const struct phasor still = {r->dpsi, -sway * V / r->L};
+    const double angle = w->dphi * t, x = w->rate * t;
+    const double sway = w->dpsi * w->phi / w->rate;
+    const struct phasor still = {w->dpsi,
+                                 w->L < 0 ? sway * w->v : -sway * w->v};
     struct phasor sum = times(still, mean_exp(0, angle));
     for (double side = -1; side <= 1; side += 2) {
-        const double v = side * V / rate, k = side * sway / rate;
-        const struct phasor waves = {Y / 2, -v / 2}, grows = {(Y + v) / 2, 0};
-        const struct phasor swung = {r->psi + k, 0}, swerved = {r->psi, k};
+        const double v = side * w->v, k = side * sway;
+        const struct phasor waves = {w->Y / 2, -v / 2};
+        const struct phasor grows = {(w->Y + v) / 2, 0};
+        const struct phasor swung = {w->psi + k, 0}, swerved = {w->psi, k};
         const struct phasor part =
-            r->L < 0 ? times(times(waves, swung),
-                             mean_exp(0, angle + side * rate * t))
-                     : times(times(grows, swerved),
-                             mean_exp(side * rate * t, angle));
+            w->L < 0 ? times(times(waves, swung), mean_exp(0, angle + side * x))
+                     : times(times(grows, swerved), mean_exp(side * x, angle));
         sum.re += part.re;
         sum.im += part.im;
     }
@@ -151,57 +239,86 @@ static struct phasor rolled(const struct response *r, double Y, double V,
     return whole;
 }
 
-static coin_state wobble(const struct response *r, const coin_state *start,
-                         double Y, double a, double t)
+static coin_state wobble(const coin_priv_wobble *w, const struct swing *g,
+                         double leant, double t)
 {
-    const double V = start->wX;
-    const struct swing w = swing_of(r->L, t);
-    const double swung = Y * w.S + V * w.C2;
-    const double leant = r->L * Y * w.C2 + V * w.S;
-    const struct phasor path = rolled(r, Y, V, t);
+    const coin_state *const start = &w->start;
+    const double a = w->a, Y = w->Y, v = w->v, sign = w->L < 0 ? -1 : 1;
+    const double swung = (Y * g->s + sign * v * g->c1) / w->rate;
+    const struct phasor path = rolled(w, t);
     const coin_priv_sc turn = coin_priv_sincos(start->phi);
     const struct phasor heading = {turn.c, turn.s};
     const struct phasor way = times(heading, path);
     const double from = a * coin_priv_sincos(start->theta).s;
-    coin_state s;
+    coin_state s = *start;
     /* clang-format off */
-    s.theta = start->theta + leant;                   /* (61) */
-    s.wX = r->L * Y * w.S + V * w.C;                  /* (61) */
-    s.wY = start->wY + r->wY * leant;                 /* (60) */
-    s.wZ = start->wZ + r->wZ * leant;                 /* (60) */
-    s.phi = start->phi + (r->dphi * t + r->phi * swung); /* (62) */
-    s.psi = start->psi + (r->dpsi * t + r->psi * swung); /* (62) */
+    s.theta = start->theta + leant;                              /* (61) */
+    s.wX = start->wX + w->rate * (sign * Y * g->s + v * g->c1);  /* (61) */
+    s.wY = start->wY + w->wY * leant;                            /* (60) */
+    s.wZ = start->wZ + w->wZ * leant;                            /* (60) */
+    s.phi = start->phi + (w->dphi * t + w->phi * swung);         /* (62) */
+    s.psi = start->psi + (w->dpsi * t + w->psi * swung);         /* (62) */
     const coin_priv_sc ph = coin_priv_sincos(s.phi);
     const double to = a * coin_priv_sincos(s.theta).s;
-    s.x = start->x - a * way.re + (to * ph.s - from * turn.s); /* (63) */
-    s.z = start->z + a * way.im + (to * ph.c - from * turn.c); /* (63) */
+    s.x = start->x - a * way.re + (to * ph.s - from * turn.s);   /* (63) */
+    s.z = start->z + a * way.im + (to * ph.c - from * turn.c);   /* (63) */
     /* clang-format on */
     return s;
+}
+
+int32_t coin_priv_wobble_begin(coin_priv_wobble *w, const coin_state *steady,
+                               const coin_state *start, const coin_priv_body *b,
+                               const coin_priv_sc *th)
+{
+    const double L = coin_priv_stability(steady, b, th);
+    const double critical = CRITICAL * b->g_a;
+    w->start = *start;
+    w->a = b->a;
+    w->L = fabs(L) < critical ? -critical : L;
+    w->rate = sqrt(fabs(w->L));
+    respond(w, steady, b, th);
+    w->v = start->wX / w->rate;
+    if (!(fabs(w->apart) <= NEIGHBOUR) ||
+        !(fabs(start->theta - w->Y) < COIN_PRIV_HALF_PI))
+        return COIN_EDOMAIN;
+    leave_out(w, b);
+    return COIN_OK;
+}
+
+int32_t coin_priv_wobble_at(const coin_priv_wobble *w, const coin_priv_body *b,
+                            double t, coin_state *out)
+{
+    const double most = w->L > 0 ? GROWTH_MAX : COIN_PRIV_ANGLE_MAX;
+    if (!(fabs(t) <= most / w->rate))
+        return COIN_ESTEP;
+    const double x = w->rate * t;
+    const struct swing g = swing_of(w->L, x);
+    const double leant = w->Y * g.c1 + w->v * g.s;
+    const coin_state then = wobble(w, &g, leant, t);
+    if (coin_priv_check_state(&then, b) != COIN_OK)
+        return COIN_ESTEP;
+    if (!is_small(w, x, reach_of(w, x, leant), g.c1))
+        return COIN_EDOMAIN;
+    *out = then;
+    return COIN_OK;
 }
 
 int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
                        const coin_state *start, double t, coin_state *out)
 {
     coin_priv_body b;
-    double lambda2;
+    coin_priv_sc th;
+    coin_priv_wobble w;
     if (!out || !start)
         return COIN_EARG;
-    const int32_t settled = coin_stability(steady, p, &lambda2);
-    if (settled != COIN_OK && settled != COIN_EDOMAIN)
-        return settled;
-    if (coin_priv_check(start, p, &b) != COIN_OK)
+    int32_t status = coin_priv_check_steady(steady, p, &b, &th);
+    if (status != COIN_OK && status != COIN_EDOMAIN)
+        return status;
+    if (coin_priv_check_state(start, &b) != COIN_OK)
         return COIN_ESTATE;
     if (!(t - t == 0))
         return COIN_ESTEP;
-    if (settled != COIN_OK)
-        return settled;
-    const struct response r = respond(steady, start, &b, lambda2);
-    if (!(fabs(r.apart) <= NEIGHBOUR))
-        return COIN_EDOMAIN;
-    const double Y = start->theta - steady->theta - r.apart;
-    const coin_state then = wobble(&r, start, Y, b.a, t);
-    if (coin_state_check(&then, p) != COIN_OK)
-        return COIN_ESTEP;
-    *out = then;
-    return COIN_OK;
+    if (status == COIN_OK)
+        status = coin_priv_wobble_begin(&w, steady, start, &b, &th);
+    return status == COIN_OK ? coin_priv_wobble_at(&w, &b, t, out) : status;
 }

@@ -24,10 +24,11 @@ typedef struct PRIV(flat) {
 PRIV(central) PRIV(legendre_central)(real kap, real u);
 
 /* The series about the flat coin, v = (1 - |u|)/2 = sin^2(delta/2) with delta
- * = pi/2 - |theta|.  Pre: 0 < v <= 1/2.  Accuracy: 1e-15 of the terms, 5e-15 at
- * v = 1/2, down to v = 1e-32 (test_legendre).  Cost: at most 65 terms, and a
- * logarithm. */
-PRIV(flat) PRIV(legendre_flat)(real kap, real v);
+ * = pi/2 - |theta|.  ln_v is ln v, to which the same constant may be added
+ * wherever one pair of solutions is used: S then is another solution.
+ * Pre: 0 < v <= 1/2.  Accuracy: 1e-15 of the terms, 5e-15 at v = 1/2, down to
+ * v = 1e-32 (test_legendre).  Cost: at most 65 terms. */
+PRIV(flat) PRIV(legendre_flat)(real kap, real v, real ln_v);
 
 /* The pair carried from u to u + e by its power series about u.  (34)
  * Pre: |e| (1 + |u|) <= COIN_PRIV_SERIES_REACH c2, c2 = 1 - u^2, which makes

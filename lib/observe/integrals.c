@@ -4,7 +4,7 @@
 #include "../motion/state.h"
 
 /* The power series needs ever more terms as |u| -> 1, the flat one as |u| ->
- * 0; at 0.7 they take 50 and 20, and both are good to 1e-15. */
+ * 0; at 0.7 they take 50 and 20. */
 #define CENTRAL_MAX K(0.7)
 
 /* The pair p, wZ carried from u = sin theta to u = 0. */
@@ -16,19 +16,20 @@ static void from_central(real K[2], const PRIV(body) *b, real u,
     K[1] = c.Pe * wZ - b->k2 * c.Wo * p; /* (35) */
 }
 
-/* The same from close to the table, theta > 0, through the flat solutions;
- * delta = pi/2 - theta. */
+/* The same from close to the table, theta > 0: the flat solutions lead to
+ * where the central ones begin.  delta = pi/2 - theta. */
 static void from_flat(real K[2], const PRIV(body) *b, real delta,
                       real p, real wZ)
 {
-    const real half = PRIV(sincos)(delta / 2).s;
-    const real kap = b->k1 * b->k2, k2 = b->k2;
-    const PRIV(flat) f = PRIV(legendre_flat)(kap, half * half);
-    const PRIV(flat) upright = PRIV(legendre_flat)(kap, K(0.5));
+    const real half = PRIV(sincos)(delta / 2).s, v = half * half;
+    const real kap = b->k1 * b->k2, k2 = b->k2, v_m = (1 - CENTRAL_MAX) / 2;
+    /* ln v - ln v_m: nothing cancels where v is near to v_m. */
+    const PRIV(flat) f = PRIV(legendre_flat)(kap, v, LOG(v / v_m));
+    const PRIV(flat) m = PRIV(legendre_flat)(kap, v_m, 0);
     const real al = (k2 * p * f.S - wZ * f.PS) / 2; /* (38) */
     const real be = (wZ * f.PR - k2 * p * f.R) / 2; /* (38) */
-    K[0] = (al * upright.PR + be * upright.PS) / k2;  /* (38) */
-    K[1] = al * upright.R + be * upright.S;           /* (38) */
+    from_central(K, b, CENTRAL_MAX, (al * m.PR + be * m.PS) / k2,
+                 al * m.R + be * m.S); /* (38) */
 }
 
 int32_t COIN(integrals)(const COIN(state) *s, const COIN(params) *p, real K[2])

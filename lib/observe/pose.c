@@ -92,15 +92,6 @@ int32_t COIN(quaternion)(const COIN(state) *s, real q[4])
     return COIN_OK;
 }
 
-/* An angle between -2 pi and 2 pi, brought to (-pi, pi]. */
-static real principal(real angle)
-{
-    const real turn = 4 * COIN_PRIV_HALF_PI;
-    if (angle > turn / 2)
-        return angle - turn;
-    return angle <= -turn / 2 ? angle + turn : angle;
-}
-
 /* The angle of (s, c), whatever its norm; NaN if that is 0 or not finite. */
 static real angle_of(real s, real c)
 {
@@ -109,26 +100,28 @@ static real angle_of(real s, real c)
     return PRIV(angle)(unit);
 }
 
-/* The angles of a rotation, from the two half sums of Eq. (30): both stay
- * sharp where the coin is nearly flat and phi, psi are not.  NaN if q is 0 or
- * not finite. */
+/* Squares and products of numbers up to here neither overflow nor underflow. */
+#define NORM_MAX (1 / (DBL_EPSILON * DBL_EPSILON))
+
+/* The angles of a rotation, by Eq. (30).  With C2, S2 the cosine and sine of
+ * theta/2, A is C2 + S2 times the cosine and sine of (phi - psi)/2, and B is
+ * C2 - S2 times those of (phi + psi)/2: both stay exact where the coin is
+ * nearly flat and phi, psi are not.  NaN if q is 0 or not finite. */
 static void angles_of(COIN(state) *s, const real q[4])
 {
     real largest = 0, u[4];
     for (int i = 0; i < 4; ++i)
         largest = FABS(q[i]) > largest ? FABS(q[i]) : largest;
+    const int is_ordinary = largest < NORM_MAX && largest > 1 / NORM_MAX;
     for (int i = 0; i < 4; ++i)
-        u[i] = q[i] / largest; /* no overflow below, any norm */
-    /* (cos, sin) of (phi - psi)/2 times C2 + S2, of (phi + psi)/2 times C2 - S2
-     */
+        u[i] = q[i] / (is_ordinary ? 1 : largest);
     const real Ac = u[0] + u[1], As = u[2] - u[3];
     const real Bc = u[0] - u[1], Bs = u[2] + u[3];
     const real A = PRIV(hypot)(As, Ac), B = PRIV(hypot)(Bs, Bc);
-    const real sine = 2 * (u[0] * u[1] - u[2] * u[3]), cosine = A * B;
-    s->theta = angle_of(sine, cosine); /* (30) */
-    const real minus = angle_of(As, Ac), plus = angle_of(Bs, Bc);
-    s->phi = principal(plus + minus); /* (30) */
-    s->psi = principal(plus - minus); /* (30) */
+    const real sine = 2 * (u[0] * u[1] - u[2] * u[3]);
+    s->theta = angle_of(sine, A * B);                        /* (30) */
+    s->phi = angle_of(Bs * Ac + Bc * As, Bc * Ac - Bs * As); /* (30) */
+    s->psi = angle_of(Bs * Ac - Bc * As, Bc * Ac + Bs * As); /* (30) */
 }
 
 int32_t COIN(state_from_motion)(COIN(state) *s, const COIN(params) *p,

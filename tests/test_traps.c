@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: MIT */
+/* The functions of coin.h with floating-point exceptions trapped. */
+#include "support/check.h"
+#include "support/traps.h"
+
+#include <math.h>
+
+static coin_state out;
+static coin_params made;
+static double v[16];
+
+/* Functions that return no status succeed. */
+static int32_t done(double value)
+{
+    v[0] = value;
+    return COIN_OK;
+}
+
+static coin_state *copy(const coin_state *s)
+{
+    out = *s;
+    return &out;
+}
+
+/* ----------------------------------------------------- constants, parameters
+ */
+CALL(coin_version, done(coin_version()))
+CALL(coin_version_string, done(coin_version_string()[0]))
+CALL(coin_status_string, done(coin_status_string(-3)[0]))
+CALL(coin_sizeof_state, done(coin_sizeof_state()))
+CALL(coin_sizeof_params, done(coin_sizeof_params()))
+CALL(coin_sizeof_orbit, done(coin_sizeof_orbit()))
+CALL(coin_params_disc,
+     coin_params_disc(&made, c->p.mass, c->p.radius, c->p.gravity))
+CALL(coin_params_ring, coin_params_ring(&made, c->p.mass, c->p.radius,
+                                        c->p.radius / 2, c->p.gravity))
+CALL(coin_params_body,
+     coin_params_body(&made, c->p.mass, c->p.radius, c->p.gravity,
+                      c->p.inertia_X, c->p.inertia_Z))
+CALL(coin_params_check, coin_params_check(&c->p))
+CALL(coin_method_name, done(coin_method_name(1)[0]))
+CALL(coin_method_order, done(coin_method_order(1)))
+CALL(coin_critical_roll, done(coin_critical_roll(&c->p)))
+CALL(coin_critical_spin, done(coin_critical_spin(&c->p)))
+
+/* Once is enough. */
+static int32_t call_coin_selftest(const struct trap_case *c)
+{
+    return c->s.theta == 0 ? coin_selftest() : COIN_OK;
+}
+
+/* --------------------------------------------------------------- observables
+ */
+CALL(coin_state_check, coin_state_check(&c->s, &c->p))
+CALL(coin_angular_velocity, coin_angular_velocity(&c->s, v))
+CALL(coin_energy, isnan(coin_energy(&c->s, &c->p)) ? COIN_ESTATE : COIN_OK)
+CALL(coin_integrals, coin_integrals(&c->s, &c->p, v))
+CALL(coin_rates, coin_rates(&c->s, &c->p, &out))
+CALL(coin_center, coin_center(&c->s, &c->p, v))
+CALL(coin_velocity, coin_velocity(&c->s, &c->p, v))
+CALL(coin_contact, coin_contact(&c->s, &c->p, v, v + 3))
+CALL(coin_axes, coin_axes(&c->s, v))
+CALL(coin_quaternion, coin_quaternion(&c->s, v))
+
+static int32_t call_coin_reaction(const struct trap_case *c)
+{
+    coin_force force;
+    return coin_reaction(&c->s, &c->p, &force);
+}
+
+static int32_t call_coin_check(const struct trap_case *c)
+{
+    return coin_check(&c->s, &c->p, COIN_RK8, c->dt, c->mu);
+}
+
+/* There and back; and of quaternions of any norm. */
+static int32_t call_coin_state_from_motion(const struct trap_case *c)
+{
+    double q[4], omega[3];
+    if (coin_quaternion(&c->s, q) != COIN_OK ||
+        coin_angular_velocity(&c->s, omega) != COIN_OK)
+        return COIN_ESTATE;
+    for (int i = 0; i < 4; ++i)
+        q[i] *= c->mu > 0 ? 1 : 1e200;
+    return coin_state_from_motion(&out, &c->p, q, omega, c->s.x, c->s.z);
+}
+
+/* ------------------------------------------------------------------- movers */
+
+CALL(coin_advance, coin_advance(copy(&c->s), &c->p, c->t, 1e-6, NULL))
+
+/* ----------------------------------------------------------- steady motions */
+CALL(coin_steady_roll, coin_steady_roll(&out, &c->p, c->s.wZ))
+CALL(coin_steady_spin, coin_steady_spin(&out, &c->p, c->s.theta))
+CALL(coin_steady_upright_spin, coin_steady_upright_spin(&out, &c->p, c->s.wY))
+CALL(coin_steady_circle,
+     coin_steady_circle(&out, &c->p, c->s.theta, c->s.wZ, c->dt > 0 ? 1 : -1))
+CALL(coin_steady_near, coin_steady_near(&c->s, &c->p, &out))
+
+/* A steady motion next to the state, if there is one. */
+static coin_state steady(const struct trap_case *c)
+{
+    coin_state s = c->s;
+    if (coin_steady_circle(&s, &c->p, s.theta, s.wZ, 1) != COIN_OK)
+        coin_steady_near(&c->s, &c->p, &s);
+    return s;
+}
+
+static int32_t call_coin_steady_radii(const struct trap_case *c)
+{
+    const coin_state s = steady(c);
+    return coin_steady_radii(&s, &c->p, &v[0], &v[1]);
+}
+
+static int32_t call_coin_steady_at(const struct trap_case *c)
+{
+    const coin_state s = steady(c);
+    return coin_steady_at(&s, &c->p, c->t, &out);
+}
+
+static int32_t call_coin_stability(const struct trap_case *c)
+{
+    const coin_state s = steady(c);
+    return coin_stability(&s, &c->p, v);
+}
+
+static int32_t call_coin_wobble_at(const struct trap_case *c)
+{
+    const coin_state s = steady(c);
+    return coin_wobble_at(&s, &c->p, &c->s, c->t, &out);
+}
+
+static const struct trap_function all[] = {
+    ROW(coin_version),
+    ROW(coin_version_string),
+    ROW(coin_status_string),
+    ROW(coin_sizeof_state),
+    ROW(coin_sizeof_params),
+    ROW(coin_sizeof_orbit),
+    ROW(coin_selftest),
+    ROW(coin_params_disc),
+    ROW(coin_params_ring),
+    ROW(coin_params_body),
+    ROW(coin_params_check),
+    ROW(coin_state_check),
+    ROW(coin_state_from_motion),
+    ROW(coin_angular_velocity),
+    ROW(coin_advance),
+    ROW(coin_method_name),
+    ROW(coin_method_order),
+    ROW(coin_energy),
+    ROW(coin_integrals),
+    ROW(coin_reaction),
+    ROW(coin_rates),
+    ROW(coin_center),
+    ROW(coin_velocity),
+    ROW(coin_contact),
+    ROW(coin_axes),
+    ROW(coin_quaternion),
+    ROW(coin_check),
+    ROW(coin_steady_roll),
+    ROW(coin_steady_spin),
+    ROW(coin_steady_upright_spin),
+    ROW(coin_steady_circle),
+    ROW(coin_steady_radii),
+    ROW(coin_steady_near),
+    ROW(coin_steady_at),
+    ROW(coin_stability),
+    ROW(coin_wobble_at),
+    ROW(coin_critical_roll),
+    ROW(coin_critical_spin),
+};
+
+static void no_call_that_succeeds_traps(void **unused)
+{
+    (void)unused;
+    traps_run(all, sizeof all / sizeof *all);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(no_call_that_succeeds_traps),
+    };
+    return RUN_TESTS(tests);
+}
