@@ -2,26 +2,34 @@
 #include "pinned.h"
 
 #include "method.h"
+#include "number.h"
 #include "state.h"
 #include "sundman.h"
 
 #include <math.h>
 
-/* What decides a step is the worst that the motion has ahead, and that comes
- * once a period of theta.  So the coin is sent ahead through one period, first
- * at a coarse stride to see how long that is, how fast it gets and where, then
- * with the method itself at dt beside dt/2, whose difference is dt's error. */
+/* The largest error of a step usually comes once in a period of theta.  So the
+ * motion is followed through one period, first by coarse steps, which find its
+ * length, its largest W and where that is.  Then the method itself runs with dt
+ * beside dt/2; the difference of the states that they report estimates the
+ * error of dt. */
 
-/* A period is two turning points; for motions that have none, or are slow to
- * reach them, so many natural units of time do. */
-#define LONG_ENOUGH 20.0
+/* The look ahead covers two turning points of theta and at least this many
+ * natural units: where nutation and heading have nearly one period, the error
+ * of the path grows as t^2 over many of them. */
+#define LOOK_TIME_MIN 4.0
 
-/* Steps that a look ahead may take, and a trial. */
-#define PATIENCE 400
+/* It ends after so many where turning points are late or missing. */
+#define LOOK_TIME_MAX 20.0
+
+/* The largest numbers of steps of a look ahead and of a trial, and of states
+ * that a trial compares. */
+#define LOOK_STEPS 400
 #define TRIAL_STEPS 4096
+#define COMPARED 128
 
-/* What of tol the trial may use: later periods may be worse than the first,
- * and a path bends away from another as the square of time. */
+/* The part of tol that a trial may use: errors grow from period to period, and
+ * the error of the path grows as the square of time. */
 #define MARGIN 0.125
 
 /* The steps of a look ahead may miss the peak of W by 2 %. */
@@ -37,14 +45,19 @@ struct outlook {
                              it ends flat, or W is beyond what a step takes */
 };
 
+static int seen_enough(int turns, double units)
+{
+    return units >= LOOK_TIME_MAX || (turns >= 2 && units >= LOOK_TIME_MIN);
+}
+
 /* Looks ahead from c; the trial begins where W^2 first reaches enough. */
 static struct outlook look_ahead(coin_priv_carry c, const coin_priv_body *b,
                                  double enough)
 {
     struct outlook o = {c, 0, coin_priv_rate2(b->g_a, &c.at.y)};
     int turns = 0, found = o.worst2 >= enough;
-    double begin = 0;
-    for (int i = 0; i < PATIENCE && turns < 2; ++i) {
+    double begin = 0, units = 0;
+    for (int i = 0; i < LOOK_STEPS && !seen_enough(turns, units); ++i) {
         const double wX = c.at.y.wX;
         const double tau = coin_priv_sundman_tau(b, &c.at.y, 0.5);
         coin_priv_sundman_step(&c, b, tau); /* one that fails changes nothing */
@@ -59,8 +72,7 @@ static struct outlook look_ahead(coin_priv_carry c, const coin_priv_body *b,
         }
         o.worst2 = W2 > o.worst2 ? W2 : o.worst2;
         turns += wX * c.at.y.wX < 0;
-        if (c.at.pose.t * sqrt(b->g_a) > LONG_ENOUGH)
-            break;
+        units = c.at.pose.t * sqrt(b->g_a);
     }
     if (c.at.y.cth < COIN_PRIV_FLAT || o.worst2 > b->w2_max)
         o.worst2 = (double)INFINITY;
@@ -74,41 +86,42 @@ static double larger(double a, double b)
     return fabs(a) > b ? fabs(a) : b;
 }
 
-/* The difference of two sums with their parts. */
-static double between(coin_priv_sum a, double part_a, coin_priv_sum b,
-                      double part_b)
+/* The distance of the poses that two runs from one start report, in radians
+ * and radii. */
+static double apart(const coin_priv_carry *c, const coin_priv_carry *d,
+                    const coin_priv_body *b)
 {
-    return (a.sum - b.sum) + (part_a - part_b);
-}
-
-/* How far apart two runs from one start are, in radians and radii. */
-static double apart(const coin_priv_carry *c, const coin_priv_carry *d)
-{
-    double e = 0;
-    e = larger(c->at.y.sth * d->at.y.cth - c->at.y.cth * d->at.y.sth, e);
-    e = larger(c->at.pose.phi - d->at.pose.phi, e);
-    e = larger(between(c->psi, c->at.pose.psi, d->psi, d->at.pose.psi), e);
-    e = larger(between(c->x, c->at.pose.x, d->x, d->at.pose.x), e);
-    return larger(between(c->z, c->at.pose.z, d->z, d->at.pose.z), e);
+    static const coin_state origin = {0, 0, 0, 0, 0, 0, 0, 0};
+    const coin_state s = coin_priv_state_of(c, b, &origin);
+    const coin_state r = coin_priv_state_of(d, b, &origin);
+    double e = larger(s.theta - r.theta, 0);
+    e = larger(s.phi - r.phi, e);
+    e = larger(s.psi - r.psi, e);
+    e = larger((s.x - r.x) / b->a, e);
+    return larger((s.z - r.z) / b->a, e);
 }
 
 /* The error per natural unit of time that steps of dt make over the span, or
- * infinity if they do not get through it. */
-static double trial(const coin_priv_carry *start, const coin_priv_body *b,
-                    int32_t method, double dt, double span)
+ * infinity if they do not get through it.  A span below a natural unit counts
+ * in full: the error goes on growing after it. */
+static double trial(const struct outlook *o, const coin_priv_body *b,
+                    int32_t method, double dt)
 {
     coin_priv_stepper *const step = coin_priv_method_stepper(method);
     coin_priv_limits any = {(double)INFINITY, b->w2_max, COIN_OK};
-    coin_priv_carry c = *start, d = *start;
-    const double unit = 1 / sqrt(b->g_a);
+    coin_priv_carry c = o->from, d = o->from;
+    const double all = ceil(o->span / dt), rate = sqrt(b->g_a);
+    const uint64_t n = all < TRIAL_STEPS ? (uint64_t)all : TRIAL_STEPS;
+    const uint64_t block = n / COMPARED + 1;
+    const double least = coin_priv_lesser((double)n * dt * rate, 1);
     double error = 0;
-    for (uint64_t i = 1; i <= TRIAL_STEPS && (double)(i - 1) * dt < span; ++i) {
-        step(&c, b, &any, dt, 1);
-        step(&d, b, &any, dt / 2, 2);
-        if (c.steps + d.steps < 2 * start->steps + 3 * i)
+    for (uint64_t i = block; i < n + block; i += block) {
+        step(&c, b, &any, dt, block);
+        step(&d, b, &any, dt / 2, 2 * block);
+        if (c.steps + d.steps < 2 * o->from.steps + 3 * i)
             return (double)INFINITY;
-        const double t = (double)i * dt / unit;
-        error = larger(apart(&c, &d) / (t > 1 ? t : 1), error);
+        const double t = (double)i * dt * rate;
+        error = larger(apart(&c, &d, b) / (t > least ? t : least), error);
     }
     return error;
 }
@@ -128,7 +141,7 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
     if (!coin_priv_method_known(method) || !(tol >= 1e-13 && tol <= 1e-2) ||
         coin_priv_check(s, p, &b) != COIN_OK)
         return NAN;
-    /* From where the pose has room, whatever it is. */
+    /* From phi = psi = 0, so that the range of angles cannot end the trial. */
     const coin_state lean = {s->theta, 0, 0, 0, 0, s->wX, s->wY, s->wZ};
     coin_priv_carry start;
     coin_priv_carry_begin(&start, &lean);
@@ -143,7 +156,7 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
     for (int i = 0; i < 3; ++i) {
         const double seen = larger(o.span / TRIAL_STEPS, dt);
         const double tried = seen < most ? seen : most;
-        const double error = trial(&o.from, &b, method, tried, o.span);
+        const double error = trial(&o, &b, method, tried);
         const double wanted = tol * MARGIN / larger(error, ROUNDING);
         const double factor = root(wanted, order);
         dt = tried * (factor > 4 ? 4 : factor > 0 ? factor : 0.125);
