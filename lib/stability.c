@@ -5,6 +5,21 @@
 
 #include <math.h>
 
+double coin_priv_lambda2(const coin_state *s, const coin_priv_body *b,
+                         const coin_priv_sc *th)
+{
+    const double wY = s->wY, wZ = s->wZ;
+    const double IX = b->IX, IZ = b->IZ, m = b->m, K = b->K;
+    const double tth = th->s / th->c;
+    /* clang-format off */
+    const double L = b->Mga * th->c                            /* (44) */
+                   - (IX * (1 + 3 * (tth * tth)) + m) * wY * wY
+                   - (3 * IZ + m) * tth * wY * wZ
+                   - b->k1 * K * wZ * wZ;
+    /* clang-format on */
+    return L / b->J;
+}
+
 int32_t coin_stability(const coin_state *s, const coin_params *p,
                        double *lambda2)
 {
@@ -12,19 +27,9 @@ int32_t coin_stability(const coin_state *s, const coin_params *p,
     coin_priv_sc th;
     const int32_t status =
         lambda2 ? coin_priv_check_steady(s, p, &b, &th) : COIN_EARG;
-    if (status != COIN_OK)
-        return status;
-    const double wY = s->wY, wZ = s->wZ;
-    const double IX = b.IX, IZ = b.IZ, m = b.m, K = b.K;
-    const double tth = th.s / th.c;
-    /* clang-format off */
-    const double L = b.Mga * th.c                             /* (44) */
-                   - (IX * (1 + 3 * (tth * tth)) + m) * wY * wY
-                   - (3 * IZ + m) * tth * wY * wZ
-                   - b.k1 * K * wZ * wZ;
-    /* clang-format on */
-    *lambda2 = L / b.J;
-    return COIN_OK;
+    if (status == COIN_OK)
+        *lambda2 = coin_priv_lambda2(s, &b, &th);
+    return status;
 }
 
 double coin_critical_roll(const coin_params *p)

@@ -14,6 +14,21 @@ static double larger(double a, double b)
     return fabs(a) > fabs(b) ? fabs(a) : fabs(b);
 }
 
+int coin_priv_is_steady(const coin_state *s, const coin_priv_body *b,
+                        const coin_priv_sc *th)
+{
+    const double wX = s->wX, wY = s->wY, wZ = s->wZ;
+    /* clang-format off */
+    const double roll = b->K * wZ * wY;                   /* (39) */
+    const double turn = b->IX * wY * wY * th->s / th->c;  /* (39) */
+    const double fall = b->Mga * th->s;                   /* (39) */
+    /* clang-format on */
+    const double rate = larger(larger(wY, wZ), sqrt(b->g_a));
+    const double torque = larger(larger(roll, turn), b->Mga);
+    return (fabs(wX) <= STEADY * rate) &
+           (fabs(roll + turn - fall) <= STEADY * torque);
+}
+
 int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
                                coin_priv_body *b, coin_priv_sc *th)
 {
@@ -21,17 +36,7 @@ int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
     if (status != COIN_OK)
         return status;
     *th = coin_priv_sincos(s->theta);
-    const double wX = s->wX, wY = s->wY, wZ = s->wZ;
-    /* clang-format off */
-    const double roll = b->K * wZ * wY;                 /* (39) */
-    const double turn = b->IX * wY * wY * th->s / th->c; /* (39) */
-    const double fall = b->Mga * th->s;                 /* (39) */
-    /* clang-format on */
-    const double rate = larger(larger(wY, wZ), sqrt(b->g_a));
-    const double torque = larger(larger(roll, turn), b->Mga);
-    const int balanced = (fabs(wX) <= STEADY * rate) &
-                         (fabs(roll + turn - fall) <= STEADY * torque);
-    return balanced ? COIN_OK : COIN_EDOMAIN;
+    return coin_priv_is_steady(s, b, th) ? COIN_OK : COIN_EDOMAIN;
 }
 
 /* Writes a steady state if it is one: with moments of inertia 1e200 apart a

@@ -10,11 +10,28 @@
 int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
                                coin_priv_body *b, coin_priv_sc *th);
 
+/* Whether the motion of a sound state is steady; th: of its lean. */
+int coin_priv_is_steady(const coin_state *s, const coin_priv_body *b,
+                        const coin_priv_sc *th);
+
+/* lambda^2 of a steady motion, Eq. (44). */
+double coin_priv_lambda2(const coin_state *s, const coin_priv_body *b,
+                         const coin_priv_sc *th);
+
+/* As coin_steady_near() of a sound state, but no farther than `most` from its
+ * lean; COIN_EDOMAIN if there is none. */
+int32_t coin_priv_steady_near(const coin_state *s, const coin_priv_body *b,
+                              double most, coin_state *out);
+
 /* The constant rates of a steady motion: d(phi)/dt, d(psi)/dt, and the centre's
  * speed along its path. */
 typedef struct coin_priv_steady {
     double heading, roll, speed;
 } coin_priv_steady;
+
+coin_priv_steady coin_priv_steady_rates(const coin_state *s,
+                                        const coin_priv_body *b,
+                                        const coin_priv_sc *th);
 
 /* Moves a steady state by any time; COIN_ESTEP, and *s untouched, if that
  * leads out of range. */

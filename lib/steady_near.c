@@ -105,16 +105,16 @@ static int find(struct place *o, const coin_priv_body *b, double side,
     return 0;
 }
 
-/* The nearest extremum to either side; 0 if there is none. */
-static int nearest(struct place *o, const coin_priv_body *b)
+/* The nearest extremum to either side within `most`; 0 if there is none. */
+static int nearest(struct place *o, const coin_priv_body *b, double most)
 {
     struct place up = *o, down = *o;
     if (o->push == 0)
         return 1;
-    const int above = find(&up, b, 1, 4);
-    const double to_up = above ? fabs(up.theta - o->theta) : 4;
+    const int above = find(&up, b, 1, most);
+    const double to_up = above ? fabs(up.theta - o->theta) : most;
     const int below = find(&down, b, -1, to_up);
-    const double to_down = below ? fabs(down.theta - o->theta) : 4;
+    const double to_down = below ? fabs(down.theta - o->theta) : HUGE_VAL;
     *o = to_down < to_up ? down : up;
     return above || below;
 }
@@ -138,6 +138,29 @@ static void balance(struct place *o, const coin_priv_body *b)
     }
 }
 
+int32_t coin_priv_steady_near(const coin_state *s, const coin_priv_body *b,
+                              double most, coin_state *out)
+{
+    const coin_priv_sc at = coin_priv_sincos(s->theta);
+    struct place o = {s->theta, at, s->wY * at.c, s->wY, s->wZ, 0, 0};
+    look(&o, b);
+    if (!nearest(&o, b, most))
+        return COIN_EDOMAIN;
+    balance(&o, b);
+    coin_state near = *s;
+    near.theta = o.theta;
+    near.wX = 0;
+    near.wY = o.wY;
+    near.wZ = o.wZ;
+    /* Bodies with moments of inertia 1e80 apart may defeat the search. */
+    const coin_priv_sc th = coin_priv_sincos(near.theta);
+    if (coin_priv_check_state(&near, b) != COIN_OK ||
+        !coin_priv_is_steady(&near, b, &th))
+        return COIN_EDOMAIN;
+    *out = near;
+    return COIN_OK;
+}
+
 int32_t coin_steady_near(const coin_state *s, const coin_params *p,
                          coin_state *out)
 {
@@ -145,21 +168,5 @@ int32_t coin_steady_near(const coin_state *s, const coin_params *p,
     const int32_t status = out ? coin_priv_check(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    const coin_priv_sc at = coin_priv_sincos(s->theta);
-    struct place o = {s->theta, at, s->wY * at.c, s->wY, s->wZ, 0, 0};
-    look(&o, &b);
-    if (!nearest(&o, &b))
-        return COIN_EDOMAIN;
-    balance(&o, &b);
-    coin_state near = *s;
-    near.theta = o.theta;
-    near.wX = 0;
-    near.wY = o.wY;
-    near.wZ = o.wZ;
-    /* Bodies with moments of inertia 1e80 apart may defeat the search. */
-    coin_priv_sc th;
-    if (coin_priv_check_steady(&near, p, &b, &th) != COIN_OK)
-        return COIN_EDOMAIN;
-    *out = near;
-    return COIN_OK;
+    return coin_priv_steady_near(s, &b, 4, out);
 }

@@ -3,6 +3,8 @@
 
 #include "sincos.h"
 #include "state.h"
+#include "steady.h"
+#include "wobble.h"
 
 #include <math.h>
 
@@ -13,15 +15,6 @@
 
 /* No wobble is small about a steady motion that is further off [rad]. */
 #define NEIGHBOUR 0.1
-
-/* A steady motion and its neighbour on the leaf of the start, which leans by
- * `apart` more; how all answers to a lean y away from the neighbour. */
-struct response {
-    double L, apart;   /* lambda^2 */
-    double wY, wZ;     /* d(wY)/dy, d(wZ)/dy */
-    double phi, psi;   /* d(phi')/dy, d(psi')/dy */
-    double dphi, dpsi; /* phi', psi' of the neighbour */
-};
 
 /* S'' = L S with S = 0, S' = 1 at first; C = S'; C2 = (C - 1)/L, its integral.
  */
@@ -101,16 +94,16 @@ static struct phasor mean_exp(double x, double y)
 }
 
 /* The terms of Eq. (44) and their like, at the steady motion. */
-static struct response respond(const coin_state *steady,
-                               const coin_state *start, const coin_priv_body *b,
-                               double lambda2)
+static coin_priv_wobble respond(const coin_state *steady,
+                                const coin_state *start,
+                                const coin_priv_body *b, double lambda2)
 {
     const coin_priv_sc th = coin_priv_sincos(steady->theta);
     const double wY = steady->wY, wZ = steady->wZ, T = th.s / th.c;
     const double lean = start->theta - steady->theta;
     const double FY = -b->KJ * wZ - 2 * b->XJ * wY * T;
     const double FZ = -b->KJ * wY;
-    struct response r;
+    coin_priv_wobble r;
     r.L = fabs(lambda2) < CRITICAL * b->g_a ? -CRITICAL * b->g_a : lambda2;
     /* clang-format off */
     r.wY = wY * T + b->k1 * wZ;                             /* (60) */
@@ -128,7 +121,7 @@ static struct response respond(const coin_state *steady,
 
 /* The integral of psi' exp(i (phi - phi0)) over t, to first order in the lean
  * Y and its rate V: three exponentials. */
-static struct phasor rolled(const struct response *r, double Y, double V,
+static struct phasor rolled(const coin_priv_wobble *r, double Y, double V,
                             double t)
 {
     const double rate = sqrt(fabs(r->L)), angle = r->dphi * t;
@@ -151,10 +144,10 @@ static struct phasor rolled(const struct response *r, double Y, double V,
     return whole;
 }
 
-static coin_state wobble(const struct response *r, const coin_state *start,
-                         double Y, double a, double t)
+static coin_state wobble(const coin_priv_wobble *r, const coin_state *start,
+                         double a, double t)
 {
-    const double V = start->wX;
+    const double Y = r->Y, V = start->wX;
     const struct swing w = swing_of(r->L, t);
     const double swung = Y * w.S + V * w.C2;
     const double leant = r->L * Y * w.C2 + V * w.S;
@@ -179,29 +172,46 @@ static coin_state wobble(const struct response *r, const coin_state *start,
     return s;
 }
 
+int32_t coin_priv_wobble_begin(coin_priv_wobble *w, const coin_state *steady,
+                               const coin_state *start, const coin_priv_body *b,
+                               double lambda2)
+{
+    const coin_priv_wobble r = respond(steady, start, b, lambda2);
+    *w = r;
+    w->Y = start->theta - steady->theta - r.apart;
+    return fabs(r.apart) <= NEIGHBOUR ? COIN_OK : COIN_EDOMAIN;
+}
+
+int32_t coin_priv_wobble_move(const coin_priv_wobble *w,
+                              const coin_state *start, const coin_priv_body *b,
+                              double t, coin_state *out)
+{
+    const coin_state then = wobble(w, start, b->a, t);
+    if (coin_priv_check_state(&then, b) != COIN_OK)
+        return COIN_ESTEP;
+    *out = then;
+    return COIN_OK;
+}
+
 int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
                        const coin_state *start, double t, coin_state *out)
 {
     coin_priv_body b;
-    double lambda2;
+    coin_priv_sc th;
+    coin_priv_wobble w;
     if (!out || !start)
         return COIN_EARG;
-    const int32_t settled = coin_stability(steady, p, &lambda2);
+    const int32_t settled = coin_priv_check_steady(steady, p, &b, &th);
     if (settled != COIN_OK && settled != COIN_EDOMAIN)
         return settled;
-    if (coin_priv_check(start, p, &b) != COIN_OK)
+    if (coin_priv_check_state(start, &b) != COIN_OK)
         return COIN_ESTATE;
     if (!(t - t == 0))
         return COIN_ESTEP;
     if (settled != COIN_OK)
         return settled;
-    const struct response r = respond(steady, start, &b, lambda2);
-    if (!(fabs(r.apart) <= NEIGHBOUR))
+    const double lambda2 = coin_priv_lambda2(steady, &b, &th);
+    if (coin_priv_wobble_begin(&w, steady, start, &b, lambda2) != COIN_OK)
         return COIN_EDOMAIN;
-    const double Y = start->theta - steady->theta - r.apart;
-    const coin_state then = wobble(&r, start, Y, b.a, t);
-    if (coin_state_check(&then, p) != COIN_OK)
-        return COIN_ESTEP;
-    *out = then;
-    return COIN_OK;
+    return coin_priv_wobble_move(&w, start, &b, t, out);
 }

@@ -251,8 +251,8 @@ static void what_comes_within_20_units_is_seen(void **unused)
     for (int32_t m = 0; m < METHODS; ++m) {
         const double dt = coin_max_dt(&s, &p, m, 1e-2);
         coin_state end = s;
-        check_status(
-            coin_run(&end, &p, m, dt, (uint64_t)ceil(20 / dt), NULL), COIN_OK);
+        check_status(coin_run(&end, &p, m, dt, (uint64_t)ceil(20 / dt), NULL),
+                     COIN_OK);
     }
 }
 
