@@ -114,8 +114,8 @@ static int nearest(struct place *o, const coin_priv_body *b, double most)
     const int above = find(&up, b, 1, most);
     const double to_up = above ? fabs(up.theta - o->theta) : most;
     const int below = find(&down, b, -1, to_up);
-    const double to_down = below ? fabs(down.theta - o->theta) : HUGE_VAL;
-    *o = to_down < to_up ? down : up;
+    const double to_down = fabs(down.theta - o->theta);
+    *o = below && !(above && to_up <= to_down) ? down : up;
     return above || below;
 }
 
