@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
 #include "support/coins.h"
+#include "support/fine.h"
 #include "support/methods.h"
 #include "support/random.h"
 #include "support/table.h"
@@ -241,6 +242,44 @@ static void spins_nearly_upright_err_by_at_most_twice_tol(void **unused)
     }
 }
 
+/* It turns once in 0.03 units, so that the look ahead ends long before one. */
+static void a_fast_spin_errs_by_at_most_twice_tol_in_a_unit(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state start = {.theta = 0.2, .wX = 5, .wY = 200, .wZ = 10};
+    struct fine f = fine_begin(&start, &p);
+    const coin_state end = fine_at(&f, 1);
+    for (int32_t m = 0; m < METHODS; ++m) {
+        const double tol = tol_of[m] / 10;
+        const double n = ceil(1 / coin_max_dt(&start, &p, m, tol));
+        coin_state s = start;
+        check_note("method %d, %g steps", (int)m, n);
+        check_status(coin_run(&s, &p, m, 1 / n, (uint64_t)n, NULL), COIN_OK);
+        check_within(path_apart(&s, &end, &p), 0, 2 * tol);
+    }
+}
+
+/* A hoop that nutates nearly as often as it turns: the path's error grows as
+ * t^2 for ten periods. */
+static void nor_does_one_whose_path_bends_away_in_ten(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_ring(&p, 1, 1, 1, 1), COIN_OK);
+    const coin_state start = {
+        .theta = 0.0663, .wX = -0.404, .wY = 9.053, .wZ = -0.436};
+    struct fine f = fine_begin(&start, &p);
+    const coin_state end = fine_at(&f, 10);
+    for (int32_t m = 0; m < METHODS; ++m) {
+        const double n = ceil(10 / coin_max_dt(&start, &p, m, tol_of[m]));
+        coin_state s = start;
+        check_note("method %d, %g steps", (int)m, n);
+        check_status(coin_run(&s, &p, m, 10 / n, (uint64_t)n, NULL), COIN_OK);
+        check_within(path_apart(&s, &end, &p), 0, 10 * 2 * tol_of[m]);
+    }
+}
+
 /* It leans out of a roll that is unstable, and is fastest after 16 units: a
  * step that suits the first ten is then coarse. */
 static void what_comes_within_20_units_is_seen(void **unused)
@@ -308,6 +347,8 @@ int main(void)
         TEST(in_units_a_power_of_two_apart_it_is_the_same),
         TEST(the_error_stays_within_tol_and_would_not_for_four_times_the_step),
         TEST(spins_nearly_upright_err_by_at_most_twice_tol),
+        TEST(a_fast_spin_errs_by_at_most_twice_tol_in_a_unit),
+        TEST(nor_does_one_whose_path_bends_away_in_ten),
         TEST(what_comes_within_20_units_is_seen),
         TEST(no_step_of_that_size_is_coarse),
         TEST(bad_arguments_give_nan),
