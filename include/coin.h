@@ -644,9 +644,9 @@ COIN_API double coin_critical_spin(const coin_params *p);
  *         COIN_ESTEP horizon not finite, or phi, psi, x or z leaves its range
  *         before; COIN_EFLAT the coin falls flat before, and within the steps
  *         that are taken.
- * Accuracy: of 10,000 scenes, and of 20,000 on unstable circles, none got a
- *         model that misses tol; how often a cheaper one would have done is in
- *         docs/models.md (test_model).
+ * Accuracy: of 10,000 scenes none got a model that misses tol, and of 20,000
+ *         on unstable circles none a steady motion or wobble that does; how
+ *         often a cheaper one would have done is in docs/models.md (test_model).
  * Cost: that of coin_orbit_init(), and of up to 128 looks at the orbit for each
  *         model that is nearly good enough: 70 to 230 textbook Runge-Kutta
  *         steps.  Where there is no orbit, up to 64 natural units are stepped,
