@@ -646,12 +646,12 @@ COIN_API double coin_critical_spin(const coin_params *p);
  *         that are taken.
  * Accuracy: of 10,000 scenes none got a model that misses tol, and of 20,000
  *         on unstable circles none a steady motion or wobble that does; how
- *         often a cheaper one would have done is in docs/models.md (test_model).
- * Cost: that of coin_orbit_init(), and of up to 128 looks at the orbit for each
- *         model that is nearly good enough: 70 to 230 textbook Runge-Kutta
- *         steps.  Where there is no orbit, up to 64 natural units are stepped,
- *         by 8192 steps at most: 1,400 textbook steps as a rule, 8,500 at most.
- *         So ask once for a scene, not for a frame, and not at all where the
+ *         often a cheaper one would have done is in docs/models.md
+ * (test_model). Cost: that of coin_orbit_init(), and of up to 128 looks at the
+ * orbit for each model that is nearly good enough: 70 to 230 textbook
+ * Runge-Kutta steps.  Where there is no orbit, up to 64 natural units are
+ * stepped, by 8192 steps at most: 1,400 textbook steps as a rule, 8,500 at
+ * most. So ask once for a scene, not for a frame, and not at all where the
  *         answer would save fewer steps.  Some 77 KiB of stack. */
 COIN_API int32_t coin_model_needed(const coin_state *s, const coin_params *p,
                                    double horizon, double tol);

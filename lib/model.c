@@ -85,7 +85,7 @@ static int keeps(const struct scene *scene, int32_t model, double t,
         model == COIN_MODEL_STEADY
             ? coin_priv_steady_move(&said, &scene->rates, t)
             : coin_priv_wobble_move(&scene->wobble, scene->start, b, t, &said);
-    return status == COIN_OK && apart(is, &said, b->a) <= KEPT * scene->tol;
+    return (status == COIN_OK) & (apart(is, &said, b->a) <= KEPT * scene->tol);
 }
 
 /* Whether the full motion is known next to the steady one: next to an unstable
@@ -100,14 +100,14 @@ static int is_known(const struct scene *scene)
     const double terms =
         b->GJ * fabs(sth) + b->KJ * fabs(steady->wY * steady->wZ);
     coin_priv_wobble off = scene->wobble;
-    coin_state is, may;
+    coin_state is = *steady, may = *steady;
     off.Y += ROUNDED * terms / off.L;
-    return scene->swings &&
-           coin_priv_wobble_move(&scene->wobble, scene->start, b,
-                                 scene->horizon, &is) == COIN_OK &&
-           coin_priv_wobble_move(&off, scene->start, b, scene->horizon, &may) ==
-               COIN_OK &&
-           apart(&is, &may, b->a) <= OWN * scene->tol;
+    const int32_t failed =
+        coin_priv_wobble_move(&scene->wobble, scene->start, b, scene->horizon,
+                              &is) |
+        coin_priv_wobble_move(&off, scene->start, b, scene->horizon, &may);
+    return scene->swings & (failed == COIN_OK) &
+           (apart(&is, &may, b->a) <= OWN * scene->tol);
 }
 
 /* --------------------------------------------------------- with an orbit -- */
@@ -129,8 +129,9 @@ static int fits(const struct scene *scene, int32_t model, const coin_orbit *o)
 {
     for (int k = 0; k < AT_THE_END + EVERYWHERE; ++k) {
         const double t = time_of(k, scene->horizon, o->period);
-        coin_state is;
-        if (coin_orbit_at(o, t, &is) != COIN_OK || !keeps(scene, model, t, &is))
+        coin_state is = *scene->start;
+        const int32_t status = coin_orbit_at(o, t, &is);
+        if ((status != COIN_OK) | !keeps(scene, model, t, &is))
             return 0;
     }
     return 1;
@@ -184,19 +185,18 @@ static int32_t follow(const struct scene *scene, int good[2])
     coin_priv_carry c;
     coin_priv_sum t = {0, 0};
     coin_state now = *scene->start;
-    double next = 0;
+    double compared = 0;
     coin_priv_carry_begin(&c, &now);
     for (;;) {
         const double passed = fabs(t.sum);
-        if (passed >= next || passed >= all) {
+        if (passed >= all * (compared / EVERYWHERE)) {
             now = coin_priv_state_of(&c, b, scene->start);
             for (int32_t k = COIN_MODEL_STEADY; k <= COIN_MODEL_WOBBLE; ++k)
                 good[k] = good[k] && keeps(scene, k, t.sum, &now);
-            next += all / EVERYWHERE;
+            ++compared;
         }
         if (passed >= all)
-            return coin_priv_check_members(&now) == COIN_OK ? COIN_OK
-                                                            : COIN_ESTEP;
+            return COIN_OK;
         if (c.at.y.cth < COIN_PRIV_FLAT)
             return COIN_EFLAT;
         if (c.steps == STEPS_MAX)

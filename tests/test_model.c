@@ -70,6 +70,17 @@ static void steps_that_rest_are_no_proof_of_rest(void **unused)
     check_within(named_error(&scene, COIN_MODEL_STEADY, 60), 0, 1e-6);
 }
 
+/* From here coin_orbit_init() may find two turning points of rounding. */
+static void nor_is_a_swing_of_rounding(void **unused)
+{
+    (void)unused;
+    const coin_state s = {
+        0x1.2b2b35156f79p-4, 0, 0, 0, 0, 0, 0x1.46e8ae0f04f6cp-2,
+        0x1.301e493b7c7d3p-3};
+    check_within(coin_model_needed(&s, &disc, 63, 0.1), COIN_MODEL_ORBIT,
+                 COIN_MODEL_STEPS);
+}
+
 /* It rattles next to the table with a period of 1e-3 units. */
 static void what_takes_too_many_steps_is_given_up(void **unused)
 {
@@ -195,6 +206,9 @@ static void bad_horizons_and_tolerances_are_refused(void **unused)
     check_status(coin_model_needed(&s, &disc, -INFINITY, 1e-3), COIN_ESTEP);
     check_status(coin_model_needed(&s, &disc, 1e15, 1e-3), COIN_ESTEP);
     check_status(coin_model_needed(NULL, &disc, 1, 0), COIN_EARG);
+    coin_state far = circle(0.15, 0.5);
+    far.phi = 0x1p31;
+    check_status(coin_model_needed(&far, &disc, 10, 1e-3), COIN_ESTEP);
 }
 
 static void a_fall_on_the_face_is_reported(void **unused)
@@ -223,6 +237,7 @@ int main(void)
         TEST(it_never_names_a_model_that_misses),
         TEST(next_to_an_unstable_circle_none_misses),
         TEST(steps_that_rest_are_no_proof_of_rest),
+        TEST(nor_is_a_swing_of_rounding),
         TEST(what_takes_too_many_steps_is_given_up),
         TEST(half_of_the_tolerance_is_for_what_it_does_not_see),
         TEST(a_steady_motion_is_steady_for_long),
