@@ -131,7 +131,7 @@ static int fits(const struct scene *scene, int32_t model, const coin_orbit *o)
         const double t = time_of(k, scene->horizon, o->period);
         coin_state is = *scene->start;
         const int32_t status = coin_orbit_at(o, t, &is);
-        if ((status != COIN_OK) | !keeps(scene, model, t, &is))
+        if ((status != COIN_OK) | (keeps(scene, model, t, &is) == 0))
             return 0;
     }
     return 1;

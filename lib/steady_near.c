@@ -155,7 +155,7 @@ int32_t coin_priv_steady_near(const coin_state *s, const coin_priv_body *b,
     /* Bodies with moments of inertia 1e80 apart may defeat the search. */
     const coin_priv_sc th = coin_priv_sincos(near.theta);
     if ((coin_priv_check_state(&near, b) != COIN_OK) |
-        !coin_priv_is_steady(&near, b, &th))
+        (coin_priv_is_steady(&near, b, &th) == 0))
         return COIN_EDOMAIN;
     *out = near;
     return COIN_OK;

@@ -111,6 +111,7 @@ static coin_priv_wobble respond(const coin_state *steady,
     const double nY = start->wY - wY - r.wY * lean;         /* (60) */
     const double nZ = start->wZ - wZ - r.wZ * lean;         /* (60) */
     r.apart = -(FY * nY + FZ * nZ) / r.L;                   /* (60) */
+    r.Y = lean - r.apart;
     r.phi = (wY * T + r.wY) / th.c;                         /* (62) */
     r.psi = r.wZ + r.wY * T + wY / (th.c * th.c);           /* (62) */
     r.dphi = (wY + nY) / th.c + r.phi * r.apart;            /* (62) */
@@ -176,10 +177,8 @@ int32_t coin_priv_wobble_begin(coin_priv_wobble *w, const coin_state *steady,
                                const coin_state *start, const coin_priv_body *b,
                                double lambda2)
 {
-    const coin_priv_wobble r = respond(steady, start, b, lambda2);
-    *w = r;
-    w->Y = start->theta - steady->theta - r.apart;
-    return fabs(r.apart) <= NEIGHBOUR ? COIN_OK : COIN_EDOMAIN;
+    *w = respond(steady, start, b, lambda2);
+    return fabs(w->apart) <= NEIGHBOUR ? COIN_OK : COIN_EDOMAIN;
 }
 
 int32_t coin_priv_wobble_move(const coin_priv_wobble *w,
