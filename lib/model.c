@@ -34,7 +34,7 @@
 
 /* Rounding of the acceleration next to a steady motion, in parts of its terms:
  * 128 u. */
-#define ROUNDED 0x1p-46
+#define ROUNDED (64 * DBL_EPSILON)
 
 /* A scene, and the steady motion next to its start. */
 struct scene {
