@@ -1,51 +1,66 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "../motion/state.h"
+#include "../step/sundman.h"
 
-#include <math.h>
+#include "steady.h"
+#include "wobble.h"
 
-/* A model is compared with the full one at so many times all over the horizon,
- * and at so many in its last two periods. */
-#define EVERYWHERE 256
-#define AT_THE_END 64
+/* A model is compared with the orbit at so many times in the last two periods
+ * of the horizon, and at so many all over it. */
+#define AT_THE_END 32
+#define EVERYWHERE 96
 
-/* It fits a bound if it keeps to this part of it there; the rest is for the
- * times between, and for the orbit's own error. */
+/* A model must keep to this part of the tolerance where it is compared; the
+ * rest is for the times between. */
 #define KEPT 0.5
+
+/* The part of the tolerance that the error of the full motion may take. */
 #define OWN 0.25
 
-/* Where there is no orbit, the motion is stepped no further than this, in
- * natural units: it is unstable, and by then no cheaper model is left. */
-#define STEPPED 64.0
+/* Where there is no orbit, the motion is stepped no further than this many
+ * natural units, and by no more than this many steps: it is unstable or next
+ * to the table, and by then no cheaper model is left. */
+#define TIME_MAX 64.0
+#define STEPS_MAX 8192
 
-/* The full model: its orbit, or else the state at the last time asked for. */
-struct truth {
-    const coin_params *p;
-    coin_orbit orbit;
-    int solved;
-    coin_state now;
-    double t;
+/* A steady motion whose lean is farther off than this is not looked for: to
+ * swing so far is no small swing. */
+#define NEAR 0.5
+
+/* The stride of these steps: that of coin_advance() at its least tol. */
+#define STRIDE 0.0759
+
+/* Rounding of the acceleration next to a steady motion, in parts of its terms:
+ * 128 u. */
+#define ROUNDED (64 * DBL_EPSILON)
+
+/* A scene, and the steady motion next to its start. */
+struct scene {
+    coin_priv_body b;
+    const coin_state *start;
+    double horizon, tol;
+    int near, swings;  /* whether there is one; whether a wobble about it is */
+    coin_state steady; /* with its constant rates and lambda^2 */
+    coin_priv_steady rates;
+    double lambda2;
+    coin_priv_wobble wobble;
 };
 
-static int32_t truth_at(struct truth *full, double t, coin_state *out)
+/* Looks for the steady motion, within `most` of the start's lean. */
+static void find_steady(struct scene *scene, double most)
 {
-    if (full->solved)
-        return coin_orbit_at(&full->orbit, t, out);
-    const int32_t status =
-        coin_advance(&full->now, full->p, t - full->t, 1e-13, 0);
-    full->t = t;
-    *out = full->now;
-    return status;
-}
-
-static int32_t model_at(int32_t model, const coin_state *steady,
-                        const coin_params *p, const coin_state *start, double t,
-                        coin_state *out)
-{
-    return model == COIN_MODEL_STEADY
-               ? coin_steady_at(steady, p, t, out)
-               : coin_wobble_at(steady, p, start, t, out);
+    const coin_priv_body *b = &scene->b;
+    coin_state *steady = &scene->steady;
+    scene->near = scene->swings = 0;
+    if (coin_priv_steady_near(scene->start, b, most, steady) != COIN_OK)
+        return;
+    const coin_priv_sc th = coin_priv_sincos(steady->theta);
+    scene->near = 1;
+    scene->rates = coin_priv_steady_rates(steady, b, &th);
+    scene->lambda2 = coin_priv_stability(steady, b, &th);
+    scene->swings = coin_priv_wobble_begin(&scene->wobble, steady, scene->start,
+                                           b, &th) == COIN_OK;
 }
 
 /* The largest difference of two poses, in radians and radii. */
@@ -55,103 +70,173 @@ static double apart(const coin_state *s, const coin_state *r, double a)
                          (s->x - r->x) / a, (s->z - r->z) / a};
     double most = 0;
     for (int i = 0; i < 5; ++i)
-        most = fabs(d[i]) > most ? fabs(d[i]) : most;
+        most = fabs(d[i]) <= most ? most : fabs(d[i]);
     return most;
 }
 
-/* When to look for the k-th time: all over in steps that no period divides,
- * then at the end. */
-static double look_at(int k, double horizon, double period)
+/* Whether a model has the state `is` at t, to within what it must keep to. */
+static int keeps(const struct scene *scene, int32_t model, double t,
+                 const coin_state *is)
 {
-    const double golden = 0.6180339887498949 * k;
-    const double swings = fabs(period) + fabs(period), all = fabs(horizon);
-    const double end = swings < all ? swings : all;
-    const double left = (EVERYWHERE + AT_THE_END - 1 - k) * end / AT_THE_END;
-    if (k >= EVERYWHERE)
-        return horizon < 0 ? horizon + left : horizon - left;
-    return horizon * (k + (golden - (int)golden)) / EVERYWHERE;
+    const coin_priv_body *b = &scene->b;
+    coin_state said = scene->steady;
+    const int32_t status =
+        model == COIN_MODEL_STEADY
+            ? coin_priv_steady_move(&said, &scene->rates, t)
+            : coin_priv_wobble_at(&scene->wobble, b, t, &said);
+    return (status == COIN_OK) & (apart(is, &said, b->a) <= KEPT * scene->tol);
 }
 
-/* Whether a model keeps the pose within bound. */
-static int fits(int32_t model, const coin_state *steady,
-                const coin_state *start, struct truth *full, double horizon,
-                double bound)
+/* Whether the full motion is known next to the steady one: next to an unstable
+ * one, steps may rest where the coin itself leaves, since rounding moves the
+ * place of rest.  The wobble tells how far that is apart at the end. */
+static int is_known(const struct scene *scene)
 {
-    const double a = full->p->radius;
-    full->now = *start;
-    full->t = 0;
-    for (int k = 0; k < EVERYWHERE + AT_THE_END; ++k) {
-        const double t = look_at(k, horizon, full->orbit.period);
-        coin_state is, said;
-        const int32_t failed =
-            truth_at(full, t, &is) |
-            model_at(model, steady, full->p, start, t, &said);
-        if (failed || !(apart(&is, &said, a) <= bound))
+    const coin_priv_body *b = &scene->b;
+    const coin_state *steady = &scene->steady;
+    const double sth = coin_priv_sincos(steady->theta).s;
+    /* Of Eq. (14), whose terms balance. */
+    const double terms =
+        b->GJ * fabs(sth) + b->KJ * fabs(steady->wY * steady->wZ);
+    coin_priv_wobble off = scene->wobble;
+    coin_state is = *steady, may = *steady;
+    off.Y += ROUNDED * terms / off.L;
+    const int32_t failed =
+        coin_priv_wobble_at(&scene->wobble, b, scene->horizon, &is) |
+        coin_priv_wobble_at(&off, b, scene->horizon, &may);
+    return scene->swings & (failed == COIN_OK) &
+           (apart(&is, &may, b->a) <= OWN * scene->tol);
+}
+
+/* --------------------------------------------------------- with an orbit -- */
+/* The k-th time of comparison: at first in the last two periods, then all over
+ * the horizon in steps that no period divides. */
+static double time_of(int k, double horizon, double period)
+{
+    const double two = 2 * fabs(period), all = fabs(horizon);
+    const double end = two < all ? two : all;
+    if (k < AT_THE_END) {
+        const double left = k * end / AT_THE_END;
+        return horizon < 0 ? horizon + left : horizon - left;
+    }
+    const double golden = 0.6180339887498949 * k;
+    return horizon * (k - AT_THE_END + (golden - (int)golden)) / EVERYWHERE;
+}
+
+static int fits(const struct scene *scene, int32_t model, const coin_orbit *o)
+{
+    for (int k = 0; k < AT_THE_END + EVERYWHERE; ++k) {
+        const double t = time_of(k, scene->horizon, o->period);
+        coin_state is = *scene->start;
+        const int32_t status = coin_orbit_at(o, t, &is);
+        if ((status != COIN_OK) | (keeps(scene, model, t, &is) == 0))
             return 0;
     }
     return 1;
 }
 
-/* What rounding may do to the orbit over the horizon, in radians and radii:
- * ten times what coin_orbit_at() states, for the heading and what it leads
- * round the path, and the rounding of angles of many turns. */
-static double own_error(const coin_orbit *o, const coin_state *start,
-                        const coin_state *end, double a, double horizon)
+/* The error of the orbit over the horizon, in radians and radii: ten times what
+ * coin_orbit_at() states, for the heading and what it leads round the path, and
+ * the rounding of angles of many turns. */
+static double own_error(const struct scene *scene, const coin_orbit *o,
+                        const coin_state *end)
 {
-    const double turned = fabs(end->phi - start->phi);
-    const double rolled = fabs(end->psi - start->psi);
-    const double periods = o->period > 0 ? fabs(horizon) / o->period : 0;
-    const double reach = o->radius_max > 0 ? o->radius_max / a : rolled;
+    const double turned = fabs(end->phi - scene->start->phi);
+    const double rolled = fabs(end->psi - scene->start->psi);
+    const double periods = o->period > 0 ? fabs(scene->horizon) / o->period : 0;
+    const double reach =
+        o->radius_max > 0 ? o->radius_max / scene->b.a : rolled;
     const double heading =
         1e-13 + 1e-15 * turned + 1e-14 * o->conditioning * periods;
     return heading * (1 + reach) + 1e-15 * rolled;
 }
 
-/* The full motion as far as the horizon, and there: the usual statuses, or
- * COIN_MODEL_STEPS if nothing more can be said. */
-static int32_t solve(struct truth *full, const coin_state *start,
-                     double horizon, double tol)
+static int32_t judge_by_orbit(struct scene *scene, const coin_orbit *o)
 {
-    const coin_params *p = full->p;
-    const double unit = sqrt(p->radius / p->gravity);
     coin_state end;
-    full->now = *start;
-    full->t = 0;
-    full->solved = coin_orbit_init(&full->orbit, start, p) == COIN_OK;
-    if (!full->solved && !(fabs(horizon) <= STEPPED * unit))
-        return COIN_MODEL_STEPS;
-    const int32_t status = truth_at(full, horizon, &end);
+    const double theta = scene->start->theta;
+    const double up = o->theta_max - theta, down = theta - o->theta_min;
+    const int32_t status = coin_orbit_at(o, scene->horizon, &end);
     if (status != COIN_OK)
         return status;
-    if (!full->solved)
-        full->orbit.period = 0;
-    else if (!(own_error(&full->orbit, start, &end, p->radius, horizon) <=
-               OWN * tol))
+    if (!(own_error(scene, o, &end) <= OWN * scene->tol))
         return COIN_MODEL_STEPS;
-    return COIN_OK;
+    /* Between its turning points the potential has a minimum. */
+    const double most = up > down ? up : down;
+    find_steady(scene, most < NEAR ? most : NEAR);
+    if (scene->near && (scene->lambda2 < 0 || is_known(scene))) {
+        if (fits(scene, COIN_MODEL_STEADY, o))
+            return COIN_MODEL_STEADY;
+        if (scene->swings && fits(scene, COIN_MODEL_WOBBLE, o))
+            return COIN_MODEL_WOBBLE;
+    }
+    return COIN_MODEL_ORBIT;
+}
+
+/* -------------------------------------------------------------- by steps -- */
+/* Steps over the horizon, and clears good[] of a model once it is off.
+ * COIN_MODEL_STEPS if these are too many steps, and the usual statuses. */
+static int32_t follow(const struct scene *scene, int good[2])
+{
+    const double all = fabs(scene->horizon), side = scene->horizon < 0 ? -1 : 1;
+    coin_priv_run r;
+    coin_priv_sum t = {0, 0};
+    double compared = 0;
+    r.b = scene->b;
+    coin_priv_run_from(&r, scene->start, COIN_RK4, 0);
+    for (;;) {
+        const double passed = fabs(t.sum);
+        if (passed >= all * (compared / EVERYWHERE)) {
+            coin_priv_read_lean(&r.g);
+            const coin_state now = coin_priv_run_state(&r);
+            for (int32_t k = COIN_MODEL_STEADY; k <= COIN_MODEL_WOBBLE; ++k)
+                good[k] = good[k] && keeps(scene, k, t.sum, &now);
+            ++compared;
+        }
+        if (passed >= all)
+            return COIN_OK;
+        if (r.g.y.cth < COIN_PRIV_FLAT)
+            return COIN_EFLAT;
+        if (r.steps == STEPS_MAX)
+            return COIN_MODEL_STEPS;
+        r.g.added.t = 0;
+        const double tau = coin_priv_sundman_tau(&r.b, &r.g.y, STRIDE);
+        if (!coin_priv_sundman_step(&r, side * tau))
+            return COIN_ESTEP;
+        coin_priv_add(&t, r.g.added.t);
+    }
+}
+
+static int32_t judge_by_steps(struct scene *scene)
+{
+    if (!(fabs(scene->horizon) * sqrt(scene->b.g_a) <= TIME_MAX))
+        return COIN_MODEL_STEPS;
+    find_steady(scene, NEAR);
+    const int known = scene->near && is_known(scene);
+    int good[2] = {known, known};
+    const int32_t status = follow(scene, good);
+    return status != COIN_OK         ? status
+           : good[COIN_MODEL_STEADY] ? COIN_MODEL_STEADY
+           : good[COIN_MODEL_WOBBLE] ? COIN_MODEL_WOBBLE
+                                     : COIN_MODEL_STEPS;
 }
 
 int32_t coin_model_needed(const coin_state *s, const coin_params *p,
                           double horizon, double tol)
 {
-    struct truth full;
-    coin_state steady;
-    int32_t status = coin_state_check(s, p);
+    struct scene scene;
+    coin_orbit orbit;
+    int32_t status = coin_priv_check(s, p, &scene.b);
     if (status == COIN_EARG || !(tol > 0 && tol < (double)INFINITY))
         return COIN_EARG;
     if (status == COIN_OK && !(horizon - horizon == 0))
         status = COIN_ESTEP;
     if (status != COIN_OK)
         return status;
-    full.p = p;
-    status = solve(&full, s, horizon, tol);
-    if (status != COIN_OK)
-        return status;
-    if (coin_steady_near(s, p, &steady) == COIN_OK) {
-        if (fits(COIN_MODEL_STEADY, &steady, s, &full, horizon, KEPT * tol))
-            return COIN_MODEL_STEADY;
-        if (fits(COIN_MODEL_WOBBLE, &steady, s, &full, horizon, KEPT * tol))
-            return COIN_MODEL_WOBBLE;
-    }
-    return full.solved ? COIN_MODEL_ORBIT : COIN_MODEL_STEPS;
+    scene.start = s;
+    scene.horizon = horizon;
+    scene.tol = tol;
+    return coin_orbit_init(&orbit, s, p) == COIN_OK
+               ? judge_by_orbit(&scene, &orbit)
+               : judge_by_steps(&scene);
 }

@@ -19,16 +19,21 @@ int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
 double coin_priv_stability(const coin_state *s, const coin_priv_body *b,
                            const coin_priv_sc *th);
 
-/* coin_steady_near() of a state that has passed coin_priv_check_state():
- * COIN_OK, or COIN_EDOMAIN and *out untouched. */
+/* coin_steady_near() of a state that has passed coin_priv_check_state(), no
+ * farther than `most` from its lean: COIN_OK, or COIN_EDOMAIN and *out
+ * untouched. */
 int32_t coin_priv_steady_near(const coin_state *s, const coin_priv_body *b,
-                              coin_state *out);
+                              double most, coin_state *out);
 
 /* The constant rates of a steady motion: d(phi)/dt, d(psi)/dt, and the centre's
  * speed along its path. */
 typedef struct coin_priv_steady {
     double heading, roll, speed;
 } coin_priv_steady;
+
+coin_priv_steady coin_priv_steady_rates(const coin_state *s,
+                                        const coin_priv_body *b,
+                                        const coin_priv_sc *th);
 
 /* Moves a steady state by any time; COIN_ESTEP, and *s untouched, if that
  * leads out of range. */

@@ -3,6 +3,18 @@
 
 #include "steady.h"
 
+coin_priv_steady coin_priv_steady_rates(const coin_state *s,
+                                        const coin_priv_body *b,
+                                        const coin_priv_sc *th)
+{
+    const coin_priv_steady rates = {
+        s->wY / th->c,                   /* (18) */
+        s->wZ + s->wY * (th->s / th->c), /* (19) */
+        b->a * s->wZ,
+    };
+    return rates;
+}
+
 int32_t coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
                               double t)
 {
@@ -34,11 +46,7 @@ int32_t coin_steady_at(const coin_state *s, const coin_params *p, double t,
         status = t - t == 0 ? status : COIN_ESTEP;
     if (status != COIN_OK)
         return status;
-    const coin_priv_steady rates = {
-        s->wY / th.c,                  /* (18) */
-        s->wZ + s->wY * (th.s / th.c), /* (19) */
-        b.a * s->wZ,
-    };
+    const coin_priv_steady rates = coin_priv_steady_rates(s, &b, &th);
     coin_state at = *s;
     status = coin_priv_steady_move(&at, &rates, t);
     if (status == COIN_OK)

@@ -105,17 +105,20 @@ static int find(struct place *o, const coin_priv_body *b, double side,
     return 0;
 }
 
-/* The nearest extremum to either side; 0 if there is none. */
-static int nearest(struct place *o, const coin_priv_body *b)
+/* Farther than from one side of the table to the other. */
+#define FARTHEST 4.0
+
+/* The nearest extremum to either side within `most`; 0 if there is none. */
+static int nearest(struct place *o, const coin_priv_body *b, double most)
 {
     struct place up = *o, down = *o;
     if (o->push == 0)
         return 1;
-    const int above = find(&up, b, 1, 4);
-    const double to_up = above ? fabs(up.theta - o->theta) : 4;
+    const int above = find(&up, b, 1, most);
+    const double to_up = above ? fabs(up.theta - o->theta) : most;
     const int below = find(&down, b, -1, to_up);
-    const double to_down = below ? fabs(down.theta - o->theta) : 4;
-    *o = to_down < to_up ? down : up;
+    const double to_down = fabs(down.theta - o->theta);
+    *o = below && !(above && to_up <= to_down) ? down : up;
     return above || below;
 }
 
@@ -139,12 +142,12 @@ static void balance(struct place *o, const coin_priv_body *b)
 }
 
 int32_t coin_priv_steady_near(const coin_state *s, const coin_priv_body *b,
-                              coin_state *out)
+                              double most, coin_state *out)
 {
     const coin_priv_sc at = coin_priv_sincos(s->theta);
     struct place o = {s->theta, at, s->wY * at.c, s->wY, s->wZ, 0, 0};
     look(&o, b);
-    if (!nearest(&o, b))
+    if (!nearest(&o, b, most))
         return COIN_EDOMAIN;
     balance(&o, b);
     coin_state near = *s;
@@ -166,5 +169,5 @@ int32_t coin_steady_near(const coin_state *s, const coin_params *p,
 {
     coin_priv_body b;
     const int32_t status = out ? coin_priv_check(s, p, &b) : COIN_EARG;
-    return status == COIN_OK ? coin_priv_steady_near(s, &b, out) : status;
+    return status == COIN_OK ? coin_priv_steady_near(s, &b, FARTHEST, out) : status;
 }

@@ -129,8 +129,10 @@ bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 	        exit 1; done; done; } >$(BENCH_OUT)/accuracy.csv
 	{ $(ABOUT); $(BENCH_OUT)/portable/bench_best; } >$(BENCH_OUT)/best.csv
 	$(BENCH_OUT)/truth >$(BENCH_OUT)/truth.csv
+	$(BENCH_OUT)/truth spins >$(BENCH_OUT)/spins.csv
 	{ $(ABOUT); $(BENCH_OUT)/portable/bench_reliability \
-	    $(BENCH_OUT)/truth.csv; } >$(BENCH_OUT)/reliability.csv
+	    $(BENCH_OUT)/truth.csv $(BENCH_OUT)/spins.csv; \
+	    } >$(BENCH_OUT)/reliability.csv
 	$(COSTS)
 	$(BATCH)
 	$(PYTHON) $(BENCH_SRC)/summary.py $(BENCH_OUT)

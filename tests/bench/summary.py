@@ -166,7 +166,7 @@ def batch():
 
 
 def reliability():
-    head = ("method", "tol", "units", "coins", "skipped", "within tol",
+    head = ("scenes", "method", "tol", "units", "coins", "skipped", "within tol",
             "within 3 tol", "within 10 tol", "median/tol", "worst/tol")
     return table(head, [[v for k, v in r.items() if k != "refused"]
                         for r in read("reliability")])

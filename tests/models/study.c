@@ -2,13 +2,13 @@
 /* The ladder of models over many random scenes, as CSV.
  *
  *     study choice 10000   what coin_model_needed() names, and if it holds
+ *     study unstable 20000 the same on unstable circles, by a finer truth
  *     study errors         of the models, against the distance from steady
  *     study costs          of one answer of each, over a textbook RK4 step */
 #include "support/check.h"
 #include "support/rungs.h"
 
 #include "costs.h"
-#include "fine.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -19,7 +19,7 @@ enum { LOOKS = 600, SAMPLES = 100 };
 
 struct tally {
     int named[4], missed, cheaper[4], refused;
-    int doubted;  /* judged by fine_error(), the steps being no better */
+    int doubted;  /* judged by named_error(), the steps being no better */
     double gain;  /* the most that the orbit's error then was of theirs */
     double worst; /* error of the named rung over its tolerance */
 };
@@ -37,7 +37,7 @@ static void count(struct tally *n, const struct rung_scene *scene,
         double error = found->error[rung];
         if (rung == COIN_MODEL_ORBIT && !(error <= scene->tol)) {
             ++n->doubted;
-            const double finer = fine_error(scene, LOOKS);
+            const double finer = named_error(scene, COIN_MODEL_ORBIT, LOOKS);
             n->gain = fmax(n->gain, finer / error);
             error = finer;
         }
@@ -74,6 +74,33 @@ static int study_choice(int scenes)
         missed += n.missed;
     }
     return missed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
+/* Of each model: how often it was named and missed, and its largest error over
+ * the tolerance. */
+static int study_unstable(int scenes)
+{
+    struct random r = random_begin(2028);
+    int named[4] = {0, 0, 0, 0}, missed[4] = {0, 0, 0, 0}, misses = 0;
+    double worst[4] = {0, 0, 0, 0};
+    for (int k = 0; k < scenes; ++k) {
+        const struct rung_scene scene = random_scene(&r, UNSTABLE, 0);
+        const int32_t rung = coin_model_needed(&scene.start, &scene.params,
+                                               scene.horizon, scene.tol);
+        check_within(rung, COIN_MODEL_STEADY, COIN_MODEL_STEPS);
+        ++named[rung];
+        if (rung == COIN_MODEL_STEPS)
+            continue;
+        const double error = named_error(&scene, rung, LOOKS / 10) / scene.tol;
+        missed[rung] += !(error <= 1);
+        worst[rung] = fmax(worst[rung], error);
+    }
+    printf("model,named,missed,worst_error_over_tol\n");
+    for (int rung = 0; rung < 4; ++rung) {
+        printf("%d,%d,%d,%.3g\n", rung, named[rung], missed[rung], worst[rung]);
+        misses += missed[rung];
+    }
+    return misses ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
 static int by_size(const void *a, const void *b)
@@ -131,10 +158,13 @@ int main(int argc, char **argv)
 {
     if (argc == 3 && strcmp(argv[1], "choice") == 0)
         return study_choice(atoi(argv[2]));
+    if (argc == 3 && strcmp(argv[1], "unstable") == 0)
+        return study_unstable(atoi(argv[2]));
     if (argc == 2 && strcmp(argv[1], "errors") == 0)
         return study_errors();
     if (argc == 2 && strcmp(argv[1], "costs") == 0)
         return study_costs();
-    fprintf(stderr, "usage: study choice SCENES | errors | costs\n");
+    fprintf(stderr,
+            "usage: study choice SCENES | unstable SCENES | errors | costs\n");
     return EXIT_FAILURE;
 }

@@ -2,6 +2,7 @@
 #include "rungs.h"
 
 #include "check.h"
+#include "fine.h"
 #include "methods.h"
 
 #include <math.h>
@@ -77,18 +78,46 @@ static coin_state random_start(struct random *r, const coin_params *p, int kind)
     return s;
 }
 
+/* Half of the circles exactly as coin_steady_circle() gives them.  Rounding of
+ * 1e-15 grows to the tolerance in 0.5 to 1.2 times the horizon. */
+static void begin_unstable(struct rung_scene *scene, struct random *r)
+{
+    const coin_params *p = &scene->params;
+    const double unit = natural_time(p);
+    double L = -1;
+    while (!(L > 0)) {
+        const double lean = random_power(r, 1e-3, 0.34) * random_sign(r);
+        const double wZ = random_power(r, 0.01, 0.6) * random_sign(r) / unit;
+        check_status(coin_steady_circle(&scene->start, p, lean, wZ,
+                                        random_sign(r) > 0 ? 1 : -1),
+                     COIN_OK);
+        check_status(coin_stability(&scene->start, p, &L), COIN_OK);
+    }
+    if (random_sign(r) > 0)
+        push(r, p, &scene->start, random_power(r, 1e-17, 1e-6));
+    scene->tol = random_power(r, 1e-7, 0.1);
+    scene->horizon = random_sign(r) * random_between(r, 0.5, 1.2) *
+                     log(scene->tol / 1e-15) / sqrt(L);
+}
+
 struct rung_scene random_scene(struct random *r, int kind, double longest)
 {
     struct rung_scene scene;
     scene.params = random_coin(r);
-    const coin_state s = random_start(r, &scene.params, kind);
-    scene.start = s;
-    scene.horizon = random_power(r, 0.1, longest) * random_sign(r) *
-                    natural_time(&scene.params);
-    scene.tol = random_power(r, 1e-7, 0.1);
+    if (kind == UNSTABLE) {
+        begin_unstable(&scene, r);
+    } else {
+        scene.start = random_start(r, &scene.params, kind);
+        scene.horizon = random_power(r, 0.1, longest) * random_sign(r) *
+                        natural_time(&scene.params);
+        scene.tol = random_power(r, 1e-7, 0.1);
+    }
+    const coin_state *s = &scene.start;
     check_note("%s, horizon %g, tol %g, start %a %a %a %a, seed %llu",
-               kinds_of_scenes[kind], scene.horizon, scene.tol, s.theta, s.wX,
-               s.wY, s.wZ, (unsigned long long)r->seed);
+               kind == UNSTABLE ? "on an unstable circle"
+                                : kinds_of_scenes[kind],
+               scene.horizon, scene.tol, s->theta, s->wX, s->wY, s->wZ,
+               (unsigned long long)r->seed);
     return scene;
 }
 
@@ -133,4 +162,26 @@ struct rungs climb(const struct rung_scene *scene, struct random *r, int looks)
     }
     free(orbit);
     return found;
+}
+
+double named_error(const struct rung_scene *scene, int32_t named, int looks)
+{
+    const coin_params *p = &scene->params;
+    coin_orbit *orbit = malloc(sizeof *orbit);
+    coin_state steady = scene->start;
+    double most = 0;
+    if (named == COIN_MODEL_ORBIT)
+        check_status(coin_orbit_init(orbit, &scene->start, p), COIN_OK);
+    else
+        check_status(coin_steady_near(&scene->start, p, &steady), COIN_OK);
+    struct fine f = fine_begin(&scene->start, p);
+    for (int k = 1; k <= looks; ++k) {
+        const double t = scene->horizon * k / looks;
+        const coin_state is = fine_at(&f, t);
+        coin_state said;
+        check_status(answer(named, scene, &steady, orbit, t, &said), COIN_OK);
+        most = fmax(most, path_apart(&is, &said, p));
+    }
+    free(orbit);
+    return most;
 }

@@ -12,7 +12,10 @@ enum {
     GENERIC,
     SEPARATRIX,  /* on its way from an unstable steady motion */
     NEARLY_FLAT, /* falls, with a spin of 1e-8 to 0.1 */
-    KINDS_OF_SCENES
+    KINDS_OF_SCENES,
+    UNSTABLE = KINDS_OF_SCENES /* on an unstable circle, or up to 1e-6 off it,
+                                  for as long as rounding takes to grow to the
+                                  tolerance: not among the kinds */
 };
 extern const char *const kinds_of_scenes[KINDS_OF_SCENES];
 
@@ -33,5 +36,9 @@ struct rungs {
     double error[COIN_MODEL_STEPS]; /* of steady, wobble, orbit */
 };
 struct rungs climb(const struct rung_scene *scene, struct random *r, int looks);
+
+/* The same against a truth in long double, for the rung that is named and at
+ * so many times. */
+double named_error(const struct rung_scene *scene, int32_t named, int looks);
 
 #endif
