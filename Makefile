@@ -231,7 +231,7 @@ include $(wildcard $(SRC)/tests/*/*.mk)
 # In a git tree a release holds the tracked files and carries the date of the
 # last commit; in an unpacked release it holds the same folders, and its files
 # keep that date.  distcheck proves the two ways equal.
-TARBALL := $(O)/rollcoin-$(VERSION).tar.gz
+TARBALL := $(O)/rollcoin-$(VERSION).tar.xz
 FILES    = cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
            .clang-format .gitignore CHANGELOG.md LICENSE Makefile README.md \
            docs include lib pkgconfig tests -type f \
@@ -240,14 +240,14 @@ EPOCH    = $(or $(SOURCE_DATE_EPOCH),$(shell cd $(SRC) && if test -e .git; \
            then git log -1 --format=%ct; else stat -c %Y Makefile; fi))
 
 .PHONY: dist distcheck installcheck
-dist: | $(O) ## rollcoin-VERSION.tar.gz, the same bytes everywhere
+dist: | $(O) ## rollcoin-VERSION.tar.xz, the same bytes everywhere
 	$(FILES) >$(abspath $(O))/files
 	LC_ALL=C sort -o $(O)/files $(O)/files
-	tar -C $(SRC) -cf $(TARBALL:.gz=) --no-recursion -T $(O)/files \
+	tar -C $(SRC) -cf $(TARBALL:.xz=) --no-recursion -T $(O)/files \
 	    --format=ustar --mtime=@$(EPOCH) --owner=0 --group=0 \
 	    --numeric-owner --mode=u=rwX,go=rX \
 	    --transform='flags=r;s,^,rollcoin-$(VERSION)/,'
-	gzip -9nf $(TARBALL:.gz=)
+	xz -9ef -T1 $(TARBALL:.xz=)
 
 # What gates are told: this Makefile, and where to work.
 GATE  = MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' SRC='$(SRC)' \

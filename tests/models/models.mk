@@ -25,5 +25,6 @@ models-figures: need-gnuplot
 	gnuplot -e "style='$(SRC)/tests/bench/style.gpi'" \
 	    -e "from='$(SRC)/tests/bench/results'" \
 	    -e "to='$(SRC)/docs/figures'" $(MODELS_SRC)/models.gp
+	$(SLIM)
 
 figures: models-figures
