@@ -202,10 +202,17 @@ CMOCKA_LIBS = $(shell $(PKG_CONFIG) --libs cmocka)
 # What runs a test: nothing, or valgrind.
 TEST_RUNNER ?=
 
+# Each test writes to a file, so that make -j runs several at once: to .log, or
+# to .failed.
+TEST_LOGS = $(TEST_PROGS:%=%.log)
+$(TEST_LOGS): %.log: % force
+	$(TEST_RUNNER) $< >$@ 2>&1 && rm -f $<.failed || mv $@ $<.failed
+
 .PHONY: check build-tests need-cmocka
-check: build-tests ## run the tests, or those that TESTS names
-	failed=; for t in $(TEST_PROGS); do \
-	    $(TEST_RUNNER) $$t || failed="$$failed $${t##*/}"; done; \
+check: $(TEST_LOGS) ## run the tests, or those that TESTS names
+	failed=; for t in $(TEST_PROGS); do if test -e $$t.failed; \
+	    then cat $$t.failed; failed="$$failed $${t##*/}"; \
+	    else cat $$t.log; fi; done; \
 	set -- $(TEST_PROGS); test $$# -gt 0 || failed=" no test program"; \
 	test -z "$$failed" || { echo "FAILED:$$failed"; exit 1; }; \
 	echo "all $$# test programs passed"
