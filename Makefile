@@ -270,8 +270,31 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 	+$(GATE) TARBALL=$(abspath $(TARBALL)) sh $(SRC)/tests/install/dist.sh
 
 # ------------------------------------------------------------------------ gates
-# A gate whose tool is missing fails.
-.PHONY: sanitize valgrind coverage lint header-check repro repro-update
+# A gate whose tool is missing fails.  Three tiers, the quick gates first; each
+# tier begins with those before it.
+GATES_COMMIT  := check format-check lint-quick
+GATES_PUSH    := header-check examples demo-check float-check installcheck \
+                 lanes abi pictures-check bindings single-check distcheck \
+                 lint sanitize coverage
+GATES_RELEASE := bound tsan abi-seeds bindings-seeds endurance fuzz msan \
+                 repro valgrind cross firmware mutants
+GATES = $(GATES_COMMIT) $(GATES_PUSH) $(GATES_RELEASE)
+EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done
+
+.PHONY: before-commit before-push before-release list-gates
+before-commit: ## the gates of a commit: under a minute
+	+$(call EACH,$(GATES_COMMIT))
+
+before-push: before-commit ## those and the gates of a push: some minutes
+	+$(call EACH,$(GATES_PUSH))
+
+before-release: before-push ## every gate: half an hour
+	+$(call EACH,$(GATES_RELEASE))
+
+list-gates: # their names, for .ci/run
+	echo $(GATES)
+
+.PHONY: sanitize valgrind coverage lint lint-quick header-check repro repro-update
 SANITIZE := -O1 -g -fsanitize=address,undefined,float-cast-overflow \
             -fno-sanitize-recover=all
 sanitize: ## the tests under the address and undefined-behaviour sanitizers
@@ -294,6 +317,9 @@ coverage: ## every line and branch of lib/ runs, or the missing are listed
 
 lint: all header-check ## style, layers, citations, symbols, static analysis
 	+$(GATE) sh $(SRC)/tests/lint/lint.sh
+
+lint-quick: all ## lint without the static analysis
+	+$(GATE) sh $(SRC)/tests/lint/lint.sh quick
 
 header-check: ## coin.h in every dialect of C and C++
 	sh $(SRC)/tests/lint/header.sh $(SRC)/include
@@ -324,5 +350,15 @@ clean: ## remove the products
 	rm -rf $(O)
 
 help: ## this list
-	sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' \
-	    $(filter-out %.d,$(MAKEFILE_LIST)) | expand -t 18
+	list() { for target; do sed -n "s/^$$target:.*## \(.*\)/  $$target\t\1/p" \
+	    $(HELP_FROM); done | expand -t 18; }; \
+	echo 'Before a commit, under a minute: make before-commit'; \
+	list $(GATES_COMMIT); \
+	echo 'Before a push, some minutes: make before-push, which adds'; \
+	list $(GATES_PUSH); \
+	echo 'Before a release, half an hour: make before-release, which adds'; \
+	list $(GATES_RELEASE); \
+	echo 'Products, measurements and updates'; \
+	list $(filter-out $(GATES),$(HELP_TARGETS))
+HELP_FROM    = $(filter-out %.d,$(MAKEFILE_LIST))
+HELP_TARGETS = $(shell sed -n 's/^\([a-z-]*\):.*\#\# .*/\1/p' $(HELP_FROM))

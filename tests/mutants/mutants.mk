@@ -6,7 +6,7 @@
 #   make mutants MUTANTS='rk4.c run.c'  those of these files
 
 .PHONY: mutants
-mutants: ## break the library in many ways (MUTANTS='rk4.c run.c': in these files): the tests must notice each
+mutants: ## break the library in many ways: the tests must notice each
 	$(PYTHON) $(SRC)/tests/mutants/mutants.py $(SRC) $(O)/mutants $(MUTANTS)
 
 # What mutants.py links all tests to once: a mutant changes this file alone,
