@@ -276,7 +276,7 @@ GATES_COMMIT  := check format-check lint-quick
 GATES_PUSH    := header-check examples demo-check float-check installcheck \
                  lanes abi pictures-check bindings single-check distcheck \
                  lint sanitize coverage
-GATES_RELEASE := bound tsan abi-seeds bindings-seeds endurance fuzz msan \
+GATES_RELEASE := results-check bound tsan abi-seeds bindings-seeds endurance fuzz msan \
                  repro valgrind cross firmware mutants
 GATES = $(GATES_COMMIT) $(GATES_PUSH) $(GATES_RELEASE)
 EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done

@@ -13,10 +13,10 @@ $(MODELS_OUT)/study: $(wildcard $(MODELS_SRC)/*.[ch]) $(TEST_EXTRA) $(LIB_A) \
 	$(CC_TEST) -I$(SRC)/tests -I$(MODELS_SRC) $(CMOCKA) $(LDFLAGS) -o $@ \
 	    $(MODELS_BY) $(LIB_A) $(CMOCKA_LIBS) -lm
 
-models: $(MODELS_OUT)/study need-gnuplot ## 10,000 scenes and their models, and the errors of each (3 minutes)
-	$< choice 10000 >$(MODELS_OUT)/models_choice.csv
-	$< errors >$(MODELS_OUT)/models_errors.csv
-	$< costs >$(MODELS_OUT)/models_costs.csv
+models: $(MODELS_OUT)/study need-gnuplot need-bits ## 10,000 scenes and their models, and the errors of each (3 minutes)
+	{ $(BITS); $< choice 10000; } >$(MODELS_OUT)/models_choice.csv
+	{ $(BITS); $< errors; } >$(MODELS_OUT)/models_errors.csv
+	{ $(BITS); $< costs; } >$(MODELS_OUT)/models_costs.csv
 	mkdir -p $(SRC)/tests/bench/results
 	cp $(MODELS_OUT)/*.csv $(SRC)/tests/bench/results
 	+$(AGAIN) models-figures
