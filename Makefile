@@ -274,10 +274,10 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 # tier begins with those before it.
 GATES_COMMIT  := check format-check lint-quick
 GATES_PUSH    := header-check examples demo-check float-check installcheck \
-                 lanes abi pictures-check bindings single-check distcheck \
-                 lint sanitize coverage
-GATES_RELEASE := results-check bound tsan abi-seeds bindings-seeds endurance fuzz msan \
-                 repro valgrind cross firmware mutants
+                 lanes abi pictures-check bindings distcheck lint sanitize \
+                 coverage
+GATES_RELEASE := results-check bound tsan abi-seeds bindings-seeds endurance \
+                 fuzz msan repro valgrind single-check cross firmware mutants
 GATES = $(GATES_COMMIT) $(GATES_PUSH) $(GATES_RELEASE)
 EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done
 
