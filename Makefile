@@ -51,10 +51,10 @@ WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
           -Wwrite-strings
 MAPS   := -ffile-prefix-map=$(SRC)=.
 PINNED := -ffp-contract=off -fno-tree-vectorize
+HIDDEN := -fvisibility=hidden
 
 CC_USER  = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS)
-CC_LIB   = $(CC_USER) -std=c99 $(PINNED) $(MAPS) -fvisibility=hidden \
-           -I$(SRC)/include
+CC_LIB   = $(CC_USER) -std=c99 $(PINNED) $(MAPS) $(HIDDEN) -I$(SRC)/include
 CC_TEST  = $(CC_USER) -std=c11 $(PINNED) $(MAPS) -I$(SRC)/include \
            $(addprefix -I,$(sort $(dir $(SOURCES)))) \
            -I$(SRC)/tests/support $(TEST_SEES)
@@ -199,10 +199,17 @@ CMOCKA_LIBS = $(shell $(PKG_CONFIG) --libs cmocka)
 # What runs a test: nothing, or valgrind.
 TEST_RUNNER ?=
 
+# Each test writes to a file, so that make -j runs several at once: to .log, or
+# to .failed.
+TEST_LOGS = $(TEST_PROGS:%=%.log)
+$(TEST_LOGS): %.log: % force
+	$(TEST_RUNNER) $< >$@ 2>&1 && rm -f $<.failed || mv $@ $<.failed
+
 .PHONY: check build-tests need-cmocka
-check: build-tests ## run the tests, or those that TESTS names
-	failed=; for t in $(TEST_PROGS); do \
-	    $(TEST_RUNNER) $$t || failed="$$failed $${t##*/}"; done; \
+check: $(TEST_LOGS) ## run the tests, or those that TESTS names
+	failed=; for t in $(TEST_PROGS); do if test -e $$t.failed; \
+	    then cat $$t.failed; failed="$$failed $${t##*/}"; \
+	    else cat $$t.log; fi; done; \
 	set -- $(TEST_PROGS); test $$# -gt 0 || failed=" no test program"; \
 	test -z "$$failed" || { echo "FAILED:$$failed"; exit 1; }; \
 	echo "all $$# test programs passed"
@@ -213,7 +220,9 @@ $(O)/tests/%.o: $(SRC)/tests/%.c $(O)/flags | $(O)/tests/support need-cmocka
 	echo "CC  $(@F)"
 	$(CC_TEST) $(CMOCKA) $(DEPENDS) -c -o $@ $<
 
-$(O)/tests/test_%: $(O)/tests/test_%.o $(TEST_EXTRA) $(LIB_A)
+# The library that the tests are linked to: one file, or nothing here.
+TESTED = $(LIB_A)
+$(O)/tests/test_%: $(O)/tests/test_%.o $(TEST_EXTRA) $(TESTED)
 	$(CC_TEST) $(LDFLAGS) -o $@ $^ $(CMOCKA_LIBS) -lm
 
 need-cmocka:
@@ -228,7 +237,7 @@ include $(wildcard $(SRC)/tests/*/*.mk)
 # In a git tree a release holds the tracked files and carries the date of the
 # last commit; in an unpacked release it holds the same folders, and its files
 # keep that date.  distcheck proves the two ways equal.
-TARBALL := $(O)/rollcoin-$(VERSION).tar.gz
+TARBALL := $(O)/rollcoin-$(VERSION).tar.xz
 FILES    = cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
            .clang-format .gitignore CHANGELOG.md LICENSE Makefile README.md \
            docs include lib pkgconfig tests -type f \
@@ -237,14 +246,14 @@ EPOCH    = $(or $(SOURCE_DATE_EPOCH),$(shell cd $(SRC) && if test -e .git; \
            then git log -1 --format=%ct; else stat -c %Y Makefile; fi))
 
 .PHONY: dist distcheck installcheck
-dist: | $(O) ## rollcoin-VERSION.tar.gz, the same bytes everywhere
+dist: | $(O) ## rollcoin-VERSION.tar.xz, the same bytes everywhere
 	$(FILES) >$(abspath $(O))/files
 	LC_ALL=C sort -o $(O)/files $(O)/files
-	tar -C $(SRC) -cf $(TARBALL:.gz=) --no-recursion -T $(O)/files \
+	tar -C $(SRC) -cf $(TARBALL:.xz=) --no-recursion -T $(O)/files \
 	    --format=ustar --mtime=@$(EPOCH) --owner=0 --group=0 \
 	    --numeric-owner --mode=u=rwX,go=rX \
 	    --transform='flags=r;s,^,rollcoin-$(VERSION)/,'
-	gzip -9nf $(TARBALL:.gz=)
+	xz -9ef -T1 $(TARBALL:.xz=)
 
 # What gates are told: this Makefile, and where to work.
 GATE  = MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' SRC='$(SRC)' \
@@ -258,8 +267,31 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 	+$(GATE) TARBALL=$(abspath $(TARBALL)) sh $(SRC)/tests/install/dist.sh
 
 # ------------------------------------------------------------------------ gates
-# A gate whose tool is missing fails.
-.PHONY: sanitize valgrind coverage mutants lint header-check repro repro-update
+# A gate whose tool is missing fails.  Three tiers, the quick gates first; each
+# tier begins with those before it.
+GATES_COMMIT  := check format-check lint-quick
+GATES_PUSH    := header-check examples demo-check float-check installcheck \
+                 lanes abi pictures-check bindings distcheck lint sanitize \
+                 coverage
+GATES_RELEASE := results-check bound tsan abi-seeds bindings-seeds endurance \
+                 fuzz msan repro valgrind single-check cross firmware mutants
+GATES = $(GATES_COMMIT) $(GATES_PUSH) $(GATES_RELEASE)
+EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done
+
+.PHONY: before-commit before-push before-release list-gates
+before-commit: ## the gates of a commit: under a minute
+	+$(call EACH,$(GATES_COMMIT))
+
+before-push: before-commit ## those and the gates of a push: some minutes
+	+$(call EACH,$(GATES_PUSH))
+
+before-release: before-push ## every gate: half an hour
+	+$(call EACH,$(GATES_RELEASE))
+
+list-gates: # their names, for .ci/run
+	echo $(GATES)
+
+.PHONY: sanitize valgrind coverage lint lint-quick header-check repro repro-update
 SANITIZE := -O1 -g -fsanitize=address,undefined,float-cast-overflow \
             -fno-sanitize-recover=all
 sanitize: ## the tests under the address and undefined-behaviour sanitizers
@@ -280,11 +312,11 @@ coverage: ## every line and branch of lib/ runs, or the missing are listed
 	$(COVERED) --fail-under-line 100; lines=$$?; \
 	$(COVERED) --fail-under-branch 100 --branches && test $$lines = 0
 
-mutants: ## break the library in many ways (MUTANTS='rk4.c run.c': in these files): the tests must notice each
-	$(PYTHON) $(SRC)/tests/mutants/mutants.py $(SRC) $(O)/mutants $(MUTANTS)
-
 lint: all header-check ## style, layers, citations, symbols, static analysis
 	+$(GATE) sh $(SRC)/tests/lint/lint.sh
+
+lint-quick: all ## lint without the static analysis
+	+$(GATE) sh $(SRC)/tests/lint/lint.sh quick
 
 header-check: ## coin.h in every dialect of C and C++
 	sh $(SRC)/tests/lint/header.sh $(SRC)/include
@@ -315,5 +347,15 @@ clean: ## remove the products
 	rm -rf $(O)
 
 help: ## this list
-	sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' \
-	    $(filter-out %.d,$(MAKEFILE_LIST)) | expand -t 18
+	list() { for target; do sed -n "s/^$$target:.*## \(.*\)/  $$target\t\1/p" \
+	    $(HELP_FROM); done | expand -t 18; }; \
+	echo 'Before a commit, under a minute: make before-commit'; \
+	list $(GATES_COMMIT); \
+	echo 'Before a push, some minutes: make before-push, which adds'; \
+	list $(GATES_PUSH); \
+	echo 'Before a release, half an hour: make before-release, which adds'; \
+	list $(GATES_RELEASE); \
+	echo 'Products, measurements and updates'; \
+	list $(filter-out $(GATES),$(HELP_TARGETS))
+HELP_FROM    = $(filter-out %.d,$(MAKEFILE_LIST))
+HELP_TARGETS = $(shell sed -n 's/^\([a-z-]*\):.*\#\# .*/\1/p' $(HELP_FROM))

@@ -277,6 +277,8 @@ static void bad_arguments_touch_nothing(void **unused)
     wrong.mass = -1;
     check_status(coinf_batch_run(NULL, 0, &body, COIN_RK4, 0.1f, 5, status),
                  COIN_EARG);
+    check_status(coinf_batch_run(NULL, 3, &wrong, COIN_RK4, 0.1f, 5, status),
+                 COIN_EARG);
     check_status(coinf_batch_run(s, 3, NULL, COIN_RK4, 0.1f, 5, status),
                  COIN_EARG);
     check_status(coinf_batch_run(s, 3, &wrong, COIN_RK8, 0.1f, 5, status),

@@ -10,6 +10,8 @@ floor_ring = 66; floor_quarter = 73; floor_nearflat = 27
 titles = "wobble generic tumble ring quarter nearflat"
 set logscale xy
 set xrange [4e-21:30]
+unset mxtics
+unset mytics
 set xtics 1e-15,1e3,1 format "10^{%T}" offset 0,0.3
 set ytics format "10^{%T}" offset 0.5,0
 set margins 7, 0.5, 2, 1.4
@@ -49,7 +51,9 @@ do for [measure in "ns slopes"] {
             lc rgb "#A0A0A0"
         set label 2 "order 4" at 1.6e-13,foot*6.5 font ",10" tc rgb "#808080"
         set label 3 "8" at 7e-14,foot*1.7 font ",10" tc rgb "#808080"
-        plot for [i=1:13] stem.".dat" index i-1 using 1:2 \
+        plot for [i=1:11] stem.".dat" index i-1 using 1:2 \
+                 with lines ls i, \
+             for [i=12:13] stem.".dat" index i-1 using 1:2 \
                  with linespoints ls i, \
              stem.".labels" using (1e-15):1:2:(colour[int($3)]) \
                  with labels right noenhanced font ",10" textcolor rgb variable, \

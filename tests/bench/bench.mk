@@ -80,8 +80,8 @@ $(foreach b,$(BUILDS),$(eval $(call bench_build,$b)))
 
 -include $(wildcard $(BENCH_OUT)/*/*.d $(BENCH_OUT)/*/lib/*.d)
 
-.PHONY: build-bench need-peers need-charts bench charts figures longrun costs \
-        batch atlas atlas-check orbits
+.PHONY: build-bench need-peers need-charts need-bits results-check bench \
+        charts figures longrun costs batch atlas atlas-check orbits
 build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%))
 
 # A peer that is missing would make our curve look better than it is.
@@ -98,21 +98,32 @@ need-charts:
 	    >/dev/null || { echo "the charts need $$tool: sudo apt-get" \
 	    "install gnuplot-nox valgrind python3" >&2; exit 1; }; done
 
+# A CSV says which bits made it: those that are pinned, and that are so.
+BITS = sh $(BENCH_SRC)/bits.sh $(SRC)
+need-bits: $(O)/tests/test_selftest $(O)/tests/test_float
+	for test in $^; do $$test >$(O)/bits.log 2>&1 || \
+	    { cat $(O)/bits.log; exit 1; }; done
+
+results-check: ## the kept measurements are of the bits that the code has
+	$(BITS) $(RESULTS)
+
 DRAW = for py in curves atlas; do $(PYTHON) $(BENCH_SRC)/$$py.py $(RESULTS) \
            $(BENCH_OUT)/curves || exit 1; done && \
        $(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(SRC)/docs/accuracy.md \
            $(SRC)/docs/limits.md && \
        for f in $(BENCH_SRC)/*.gp; do gnuplot -e "from='$(BENCH_OUT)/curves'" \
            -e "results='$(RESULTS)'" -e "to='$(SRC)/docs/figures'" $$f || \
-           exit 1; done
+           exit 1; done && $(SLIM)
+SLIM = $(PYTHON) $(BENCH_SRC)/slim.py $(SRC)/docs/figures/*.svg
 COSTS = { $(ABOUT); $(PYTHON) $(BENCH_SRC)/costs.py $(BENCH_OUT); } \
         >$(BENCH_OUT)/costs.csv
 ABOUT = CC='$(CC)' CXX='$(CXX)' sh $(BENCH_SRC)/about.sh \
         'portable: $(FLAGS_portable) $(PLAIN)' \
-        'native: $(FLAGS_native) $(PLAIN)' 'library: $(PINNED) besides'
+        'native: $(FLAGS_native) $(PLAIN)' 'library: $(PINNED) besides'; $(BITS)
 EACH_BUILD = for b in $(BUILDS); do
 
-TIMED = build-bench need-charts $(BENCH_OUT)/truth $(BENCH_OUT)/count \
+TIMED = build-bench need-charts need-bits $(BENCH_OUT)/truth \
+        $(BENCH_OUT)/count \
         $(foreach b,$(BUILDS),$(PEERS:%=$(BENCH_OUT)/$b/peer_%))
 
 # One after the other, whatever -j says: they are timed.
@@ -158,7 +169,7 @@ MAP     = { $(ABOUT); echo family,method,x,outcomes; for p in $(MAPPED); do \
               $(BENCH_OUT)/portable/$$p atlas || exit 1; done; \
               } >$(BENCH_OUT)/atlas.csv
 
-atlas: $(MAPPED:%=$(BENCH_OUT)/portable/%) need-charts ## the maps of docs/limits.md (3 minutes)
+atlas: $(MAPPED:%=$(BENCH_OUT)/portable/%) need-charts need-bits ## the maps of docs/limits.md (3 minutes)
 	mkdir -p $(RESULTS)
 	$(MAP)
 	cp $(BENCH_OUT)/atlas.csv $(RESULTS)
@@ -172,7 +183,7 @@ BATCH = { $(ABOUT); echo build,way,coins,ns_per_step,million_per_second; \
           $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_batch $$b || exit 1; done; \
           } >$(BENCH_OUT)/batch.csv
 
-batch: $(BUILDS:%=$(BENCH_OUT)/%/bench_batch) need-charts ## many coins at once: measure, and draw (2 minutes)
+batch: $(BUILDS:%=$(BENCH_OUT)/%/bench_batch) need-charts need-bits ## many coins at once: measure, and draw (2 minutes)
 	mkdir -p $(RESULTS)
 	$(BATCH)
 	cp $(BENCH_OUT)/batch.csv $(RESULTS)
@@ -184,11 +195,11 @@ ORBITS  = for what in costs ratios phase; do { $(ABOUT); \
               $(BENCH_OUT)/portable/peer_orbit $$what || exit 1; \
               } >$(RESULTS)/orbit_$$what.csv || exit 1; done
 
-orbits: $(BENCH_OUT)/portable/peer_orbit need-charts ## an orbit beside steps (two minutes)
+orbits: $(BENCH_OUT)/portable/peer_orbit need-charts need-bits ## an orbit beside steps (two minutes)
 	$(ORBITS)
 	$(DRAW)
 
-longrun: $(BENCH_OUT)/portable/bench_longrun ## what ten million steps do (half an hour)
+longrun: $(BENCH_OUT)/portable/bench_longrun need-bits ## what ten million steps do (half an hour)
 	mkdir -p $(RESULTS)
 	{ $(ABOUT); $<; } >$(BENCH_OUT)/longrun.csv
 	{ $(ABOUT); $< damping; } >$(BENCH_OUT)/damping.csv

@@ -23,10 +23,16 @@ METHODS = ("textbook RK4", "rk4", "rk8", "coin_advance", "symplectic2",
 LABELS = {"odeint rkf78 fixed": "rkf78 fixed", "odeint rkf78": "rkf78",
           "odeint dopri5": "dopri5", "ODE rim contact": "ODE",
           "MuJoCo ellipsoid": "MuJoCo", "CVODE Adams": "CVODE"}
-# The axes, which accuracy.gp draws: decades of cost in a panel, and how many
-# of them a line of text takes.
+# The axes, which accuracy.gp draws: decades of cost and of error in a panel,
+# and which part of its height a line of text takes.
 DECADES = {"ns": (1.7, 8), "slopes": (0, 6)}
+ERROR_DECADES = 22
 LINE = 0.052
+
+# Points drawn are at least these parts of a panel apart: a line then bends
+# within two pixels of where it should, and the marks of failures stay apart.
+LINE_GAP = 0.013
+MARK_GAP = 0.03
 
 # Lines of style.gpi for the methods of the long runs.
 COLOURS = {"rk4": 2, "rk8": 3, "rk8 in tau": 4, "symplectic2": 5,
@@ -51,6 +57,22 @@ def front(points):
     return kept
 
 
+def thinned(points, gap, decades):
+    """The points (error, cost) without those nearer than gap to the last one
+    kept; the ends stay."""
+    kept = points[:1]
+    for error, cost in points[1:-1]:
+        across = math.log10(error / kept[-1][0]) / ERROR_DECADES
+        up = math.log10(cost / kept[-1][1]) / decades
+        if math.hypot(across, up) >= gap:
+            kept.append((error, cost))
+    return kept + points[1:][-1:]
+
+
+def block(points):
+    return "\n".join(f"{x:g} {y:g}" for x, y in points) or "nan nan"
+
+
 def spread(labels, low, high):
     """Moves labels (y, text), y in decades, apart, and keeps their order."""
     gap = LINE * (high - low)
@@ -69,7 +91,8 @@ def spread(labels, low, high):
 
 def panel(scene, data, column, measure):
     low, high = DECADES[measure]
-    blocks, labels, failures = [], [], []
+    decades = high - low
+    lines, labels, failures = [], [], []
     for k, method in enumerate(METHODS, 1):
         mine = [r for r in data if r["method"] == method]
         good = [(number(r["error"]), number(r[column])) for r in mine
@@ -80,16 +103,17 @@ def panel(scene, data, column, measure):
                          for r in mine if r["status"] == "ok"),
                         default=math.nan)
         scale = per_slope if measure == "ns" else 1
-        failures += [(number(r["slopes_per_unit"]) * scale, k) for r in mine
-                     if r["status"] != "ok"]
+        failed = sorted((1, number(r["slopes_per_unit"]) * scale) for r in mine
+                        if r["status"] != "ok")
+        failures += [(cost, k) for _, cost in thinned(failed, MARK_GAP, decades)]
         line = front(good)
-        blocks.append("\n".join(f"{e:g} {c:g}" for e, c in line) or "nan nan")
+        lines.append(block(thinned(line, LINE_GAP, decades)))
         if line:
             error, cost = line[-1]
             labels.append((math.log10(cost), LABELS.get(method, method), k,
                            error, cost))
     stem = OUT / f"{measure}_{scene}"
-    stem.with_suffix(".dat").write_text("\n\n\n".join(blocks) + "\n")
+    stem.with_suffix(".dat").write_text("\n\n\n".join(lines) + "\n")
     stem.with_suffix(".failed").write_text(
         "".join(f"{c:g} {k}\n" for c, k in failures) or "nan 1\n")
     stem.with_suffix(".labels").write_text("".join(
@@ -103,8 +127,7 @@ def chart(name, data, low, high, scale=math.log10, back=lambda v: 10 ** v):
     blocks, labels = [], []
     for (method, h), points in data.items():
         points = [(t, y) for t, y in points if y > 0]
-        blocks.append("\n".join(f"{t:g} {y:g}" for t, y in points) or
-                      "nan nan")
+        blocks.append(block(points))
         if points:
             t, y = points[-1]
             labels.append((scale(y), f"{method}, {h}", COLOURS[method], t, y))

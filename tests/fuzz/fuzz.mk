@@ -9,7 +9,8 @@
 #   make fuzz-corpus                the least inputs that reach as much, anew
 #
 # fuzz_NAME.c is a target: a table of functions.  What it finds stays in
-# build/fuzz; `build/fuzz/fuzz_steps FILE` runs one input again.
+# build/fuzz; `build/fuzz/fuzz_steps FILE` runs one input again.  The kept
+# inputs are in corpus.txt, and unpacked to build/fuzz/corpus.
 
 FUZZ_SRC     := $(SRC)/tests/fuzz
 FUZZ_OUT      = $(O)/fuzz
@@ -44,6 +45,9 @@ $(FUZZ_OUT)/%.o: $(FUZZ_SRC)/%.c | $(FUZZ_OUT) need-fuzzer
 $(FUZZ_OUT)/fuzz_%: $(FUZZ_OUT)/fuzz_%.o $(FUZZ_BOTH) $(FUZZ_LIB)
 	$(FUZZ_CC) -fsanitize=fuzzer -o $@ $^ -lm
 
+FUZZ_KEPT   = $(FUZZ_OUT)/corpus
+FUZZ_CORPUS = $(PYTHON) $(FUZZ_SRC)/corpus.py
+
 .PHONY: need-fuzzer build-fuzz fuzz fuzz-corpus fuzz-named
 need-fuzzer:
 	echo 'int LLVMFuzzerTestOneInput(void) {return 0;}' | \
@@ -57,13 +61,16 @@ fuzz-named: # every public function is in a target
 	sh $(FUZZ_SRC)/named.sh $(SRC)
 
 fuzz: fuzz-named build-fuzz ## call every function with any bytes (a minute)
-	sh $(FUZZ_SRC)/run.sh $(FUZZ_SRC)/corpus $(FUZZ_OUT) \
+	$(FUZZ_CORPUS) unpack $(FUZZ_SRC)/corpus.txt $(FUZZ_KEPT)
+	sh $(FUZZ_SRC)/run.sh $(FUZZ_KEPT) $(FUZZ_OUT) \
 	    $(FUZZ_SECONDS) $(FUZZ_TARGETS)
 
 fuzz-corpus: build-fuzz
+	$(FUZZ_CORPUS) unpack $(FUZZ_SRC)/corpus.txt $(FUZZ_KEPT)
 	for t in $(FUZZ_TARGETS); do new=$(FUZZ_OUT)/least/$$t; \
-	    kept=$(FUZZ_SRC)/corpus/$$t; rm -rf $$new; \
+	    kept=$(FUZZ_KEPT)/$$t; rm -rf $$new; \
 	    mkdir -p $$new $$kept $(FUZZ_OUT)/found/$$t; \
 	    $(FUZZ_OUT)/fuzz_$$t -set_cover_merge=1 -use_counters=0 $$new $$kept \
 	        $(FUZZ_OUT)/found/$$t 2>$(FUZZ_OUT)/$$t.merge || exit 1; \
 	    rm -rf $$kept; cp -r $$new $$kept; done
+	$(FUZZ_CORPUS) pack $(FUZZ_SRC)/corpus.txt $(FUZZ_KEPT)

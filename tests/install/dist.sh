@@ -5,12 +5,17 @@
 # From `make distcheck`: MAKE OUT VERSION TARBALL.
 set -eu
 work=$OUT/distcheck
+most=1000000 # bytes of a release
 src=$work/rollcoin-$VERSION
+
+size=$(wc -c <"$TARBALL")
+test "$size" -le $most ||
+    { echo "distcheck: $size bytes, at most $most" >&2; exit 1; }
 
 test ! -d "$work" || chmod -R u+w "$work"
 rm -rf "$work"
 mkdir -p "$work/out"
-tar -xzf "$TARBALL" -C "$work"
+tar -xJf "$TARBALL" -C "$work"
 chmod -R a-w "$src"
 touch "$work/unpacked"
 
@@ -19,7 +24,7 @@ run="$MAKE --no-print-directory -f $src/Makefile O=build"
 $run all check installcheck
 $run examples demo >demo.txt
 $run dist
-cmp "$TARBALL" "build/rollcoin-$VERSION.tar.gz"
+cmp "$TARBALL" "build/rollcoin-$VERSION.tar.xz"
 
 # Root may write to what is read-only, so ask what was.
 written=$(find "$src" -newer "$work/unpacked")

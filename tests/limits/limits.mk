@@ -33,13 +33,13 @@ endurance: endurance-roll endurance-circle ## 1e9 steps twice, against closed fo
 endurance-roll endurance-circle: endurance-%: $(LIMITS_OUT)/endurance
 	$< $*
 
-silent: $(LIMITS_OUT)/silent $(LIMITS_OUT)/truth ## count silent wrong answers in 1.05 million runs (half an hour)
-	{ echo '# seed and runs: $(STEPS_RUNS)'; \
+silent: $(LIMITS_OUT)/silent $(LIMITS_OUT)/truth need-bits ## count silent wrong answers in 1.05 million runs (half an hour)
+	{ $(BITS); echo '# seed and runs: $(STEPS_RUNS)'; \
 	    $< steps $(STEPS_RUNS); } >$(LIMITS_OUT)/silent_steps.csv
 	$< truth $(TRUTH_RUNS) >$(LIMITS_OUT)/starts.csv
-	{ echo '# seed and runs: $(TRUTH_RUNS)'; $(LIMITS_OUT)/truth \
+	{ $(BITS); echo '# seed and runs: $(TRUTH_RUNS)'; $(LIMITS_OUT)/truth \
 	    <$(LIMITS_OUT)/starts.csv; } >$(LIMITS_OUT)/silent_truth.csv
-	{ echo '# seed and runs: $(JUDGE_RUNS)'; \
+	{ $(BITS); echo '# seed and runs: $(JUDGE_RUNS)'; \
 	    $< judge $(JUDGE_RUNS); } >$(LIMITS_OUT)/silent.csv
 	cp $(LIMITS_OUT)/silent*.csv $(RESULTS)
 	$(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(SRC)/docs/limits.md

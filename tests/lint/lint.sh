@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Runs every lint; fails at the end if one did.
+# Runs every lint, or those that take a moment; fails at the end if one did.
+#     lint.sh [quick]
 # From `make lint`: MAKE CC SRC OUT.
 set -eu
 here=$SRC/tests/lint
@@ -20,12 +21,14 @@ run "mutants' texts" python3 "$SRC/tests/mutants/mutants.py" "$SRC"
 run "citations" python3 "$here/citations.py" "$SRC"
 run "tables of measurements" python3 "$SRC/tests/bench/summary.py" \
     "$SRC/tests/bench/results" "$SRC/docs/accuracy.md" "$SRC/docs/limits.md" --check
+run "bits of the measurements" sh "$SRC/tests/bench/bits.sh" "$SRC" \
+    "$SRC/tests/bench/results" warn
 run "quotes of tables" python3 "$here/quotes.py" "$SRC"
 run "text" sh "$here/text.sh"
 run "public symbols" sh "$here/symbols.sh"
 run "coinf.h beside coin.h" sh "$here/twins.sh"
 run "what the objects need and hold" sh "$here/objects.sh"
-run "static analysis" sh "$here/analyse.sh"
+test "${1-}" = quick || run "static analysis" sh "$here/analyse.sh"
 
 test -z "$failed" || { echo "lint: FAILED:${failed#;}" >&2; exit 1; }
 echo "lint: clean"

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # The library needs nothing but a few functions of libm, and holds no writable
 # data.
-#   objects.sh                 what `make lint` built: OUT
+#   objects.sh                 what `make lint` built: SRC OUT
 #   objects.sh NAME OBJECT...  those of another processor: TOOLS, the prefix of
 #                              its binutils, OUT, and LIBGCC, which may help
 set -eu
@@ -58,10 +58,23 @@ look()
         "and constants, $2 of writable data"
 }
 
+# README.md says how many kB of code and constants the library has at most: with
+# a tenth to spare it says nothing.
+quoted()
+{
+    most=$(sed -n 's/.*| less than \([0-9]*\) kB, in a program.*/\1/p' \
+        "$SRC/README.md")
+    set -- $(holds "$@")
+    test -n "$most" && test "$1" -lt $((most * 1000)) &&
+        test "$1" -gt $((most * 900)) ||
+        { echo "README.md: less than $most kB for $1 bytes"; status=1; }
+}
+
 if test $# -gt 0; then
     look "$@"
 else
     look static "$OUT"/static/*.o
     look shared "$OUT"/shared/*.o
+    quoted "$OUT"/static/*.o
 fi
 exit $status

@@ -3,11 +3,15 @@
 """Breaks the library in the ways of mutants.txt: the tests must notice each.
 
 Two copies of the sources take turns.  For each mutant one text is replaced,
-what depends on it is rebuilt, and the tests run until one fails: first the
-test named after the file, last test_selftest, which would see any change of a
-bit and so hide what the others miss.  A mutant that no test notices fails the
-gate; so does one that does not compile, a text that does not occur just once,
-and a source without a mutant.
+what depends on it is rebuilt, and the tests run until one fails.  First come
+the tests that are named after the file, then those that noticed other mutants
+of it, then the rest, the quick ones first; last test_selftest, which would see
+any change of a bit and so hide what the others miss.  A mutant that no test
+notices fails the gate; so does one that does not compile, a text that does not
+occur just once, and a source without a mutant.
+
+A file is named by its path below lib/, or by as much of the end of that path
+as no other file has.
 
     mutants.py SRC                  the table alone is looked at: for lint
     mutants.py SRC WORK [FILE...]   those of the named files of lib/ only
@@ -20,9 +24,15 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 
 PARALLEL = 2
 SECONDS = 30  # for one test program; a loop that a mutant made endless ends
+OTHERS = {".awk", ".map", ".md", ".mk"}  # files of lib/ that no compiler reads
+
+# What the runs so far have taught: the tests' times, and for each file the
+# tests that noticed a mutant.
+SECONDS_OF, NOTICED = {}, {}
 
 
 def read_table(path):
@@ -39,61 +49,97 @@ def read_table(path):
     return mutants
 
 
+def sources(lib):
+    """The paths below lib of all files that could have a function."""
+    return sorted(str(f.relative_to(lib)) for f in lib.rglob("*")
+                  if f.suffix not in OTHERS and f.is_file())
+
+
+def found(name, paths):
+    """The path that a name stands for; without just one, the name."""
+    if name in paths:
+        return name
+    ends = [path for path in paths if path.endswith("/" + name)]
+    return ends[0] if len(ends) == 1 else name
+
+
 def complaints(lib, mutants):
     """What is wrong with the table itself."""
+    paths = sources(lib)
     for file, old, new in mutants:
+        if file not in paths:
+            yield f"{file}: no such file in lib/, or several"
+            continue
         count = (lib / file).read_text().count(old)
         if count != 1:
             yield f"{file}: '{old}' occurs {count} times, not once"
         if old == new:
             yield f"{file}: '{old}' is not changed"
-    code = {str(f.relative_to(lib)) for f in lib.rglob("*.[ch]")
-            if re.search(r"^{$", f.read_text(), re.M)}  # has a function
+    code = {path for path in paths
+            if re.search(r"^{$", (lib / path).read_text(), re.M)}
     for file in sorted(code - {file for file, _, _ in mutants}):
         yield f"{file}: no mutant"
 
 
 class Copy:
-    """A copy of the sources with a build of its own."""
+    """A copy of the sources with a build of its own.  All tests are linked to
+    one shared library, so that a mutant costs one link."""
 
     def __init__(self, src, root):
         self.src, self.out = root / "src", root / "out"
         shutil.copytree(src, self.src, ignore=shutil.ignore_patterns(
             ".git", "build", "__pycache__"))
-        errors = self.build() or self.failing_test(self.all_tests())
+        self.library = self.out / "mutant.so"
+        errors = self.build()
         if errors:
             sys.exit(f"mutants: the unbroken library fails\n{errors}")
 
-    def build(self, target="build-tests"):
-        """What the compiler complains of."""
-        make = ["make", "-s", "-C", self.src, f"O={self.out}", target,
-                "CFLAGS=-O1 -w"]
-        run = subprocess.run(make, capture_output=True, text=True)
+    def build(self, *tests):
+        """Builds the library, then these tests, or all; what the compiler
+        complains of."""
+        run = subprocess.run(
+            ["make", "-s", "-C", self.src, f"O={self.out}", self.library,
+             self.out / "librollcoin.a", *(tests or ["build-tests"]),
+             "CFLAGS=-O1 -w", "HIDDEN=-fPIC", "TESTED=",
+             f"CMOCKA_LIBS=-lcmocka {self.library}"],
+            capture_output=True, text=True)
         return run.stderr if run.returncode else ""
 
-    def own_test(self, file):
-        """The test program that is named after a source, if there is one."""
-        own = "test_" + re.split("[/.]", file)[0]
-        is_there = (self.src / f"tests/{own}.c").exists()
-        return [self.out / "tests" / own] if is_there else []
+    def own_tests(self, file):
+        """The test programs named after a source or its folder: of
+        float/run.c, test_float_run, test_run and test_float."""
+        *_, folder, stem = ["", *pathlib.Path(file).with_suffix("").parts]
+        names = (f"test_{folder}_{stem}", f"test_{stem}", f"test_{folder}")
+        return [self.out / "tests" / name for name in names
+                if (self.src / f"tests/{name}.c").exists()]
 
     def all_tests(self):
         tests = [t for t in self.out.glob("tests/test_*") if not t.suffix]
         if not tests:
             sys.exit("mutants: no test program")
-        return sorted(tests, key=lambda t: (t.name == "test_selftest", t.name))
+        return sorted(tests)
 
     def failing_test(self, tests):
         """The name of the first test that fails, if one does."""
         for test in tests:
             try:
+                start = time.monotonic()
                 run = subprocess.run([test], capture_output=True,
                                      cwd=self.out, timeout=SECONDS)
+                SECONDS_OF[test.name] = time.monotonic() - start
             except subprocess.TimeoutExpired:
                 return f"{test.name} (endless)"
             if run.returncode:
                 return test.name
         return ""
+
+    def likely_first(self, file):
+        """All tests, in the order to try them in for a mutant of a file."""
+        def rank(test):
+            return (test.name == "test_selftest",
+                    test.name not in NOTICED.get(file, ()),
+                    SECONDS_OF.get(test.name, 0))
+        return sorted(self.all_tests(), key=rank)
 
     def judge(self, mutant):
         """(what became of a mutant, the test that noticed)."""
@@ -102,22 +148,26 @@ class Copy:
         text = path.read_text()
         path.write_text(text.replace(old, new))
         try:
-            own = self.own_test(file)
-            if any(self.build(test) for test in own):
+            own = self.own_tests(file)
+            if own and self.build(*own):
                 return "ERROR", "does not compile"
             killer = self.failing_test(own)
             if not killer:
                 if self.build():
                     return "ERROR", "does not compile"
-                killer = self.failing_test(self.all_tests())
+                killer = self.failing_test(self.likely_first(file))
+                NOTICED.setdefault(file, set()).add(killer.split(" ")[0])
             return ("killed", killer) if killer else ("SURVIVED", "")
         finally:
             path.write_text(text)
 
 
 def main(src, work=None, *files):
-    mutants = read_table(src / "tests/mutants/mutants.txt")
-    wrong = list(complaints(src / "lib", mutants))
+    lib = src / "lib"
+    mutants = [(found(file, sources(lib)), old, new) for file, old, new
+               in read_table(src / "tests/mutants/mutants.txt")]
+    files = [found(file, sources(lib)) for file in files]
+    wrong = list(complaints(lib, mutants))
     wrong += [f"{file}: no mutant" for file in
               sorted(set(files) - {file for file, _, _ in mutants})]
     if wrong:
@@ -142,6 +192,9 @@ def main(src, work=None, *files):
         for copy in pool.map(lambda i: Copy(src, work / f"copy{i}"),
                              range(PARALLEL)):
             copies.put(copy)
+        failing = copy.failing_test(copy.all_tests())
+        if failing:
+            sys.exit(f"mutants: the unbroken library fails {failing}")
         for (file, old, new), (fate, by) in zip(mutants,
                                                 pool.map(judge, mutants)):
             print(f"{fate:8}  {file:13} {by:24} {old}  =>  {new}", flush=True)

@@ -18,6 +18,7 @@ pictures: $(PICTURES:%=$(PICTURES_OUT)/%.csv) need-gnuplot ## compute and draw w
 	for f in $(PICTURES); do gnuplot -e "from='$(PICTURES_OUT)'" \
 	    -e "style='$(SRC)/tests/bench/style.gpi'" \
 	    -e "to='$(SRC)/docs/figures'" $(PICTURES_SRC)/$$f.gp || exit 1; done
+	$(SLIM)
 
 figures: pictures
 

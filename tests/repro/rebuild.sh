@@ -13,8 +13,8 @@ mkdir -p "$work/one" "$work/another/deep/folder"
 unset MAKEFLAGS # of the make that runs this
 make="$MAKE --no-print-directory"
 $make -f "$SRC/Makefile" "O=$work" dist
-tar -xzf "$work/$name.tar.gz" -C "$work/one"
-tar -xzf "$work/$name.tar.gz" -C "$work/another/deep/folder"
+tar -xJf "$work/$name.tar.xz" -C "$work/one"
+tar -xJf "$work/$name.tar.xz" -C "$work/another/deep/folder"
 
 for cc in gcc clang; do
     $make -C "$work/one/$name" O=$cc CC=$cc -j8 all dist single >/dev/null
@@ -24,7 +24,7 @@ for cc in gcc clang; do
         $make -f "deep/folder/$name/Makefile" "O=$out" CC=$cc -j1 all dist \
             single >/dev/null
     )
-    for file in librollcoin.a "librollcoin.so.$VERSION" "$name.tar.gz" \
+    for file in librollcoin.a "librollcoin.so.$VERSION" "$name.tar.xz" \
         single/coin.h; do
         cmp "$work/one/$name/$cc/$file" "$out/$file"
         echo "same bytes  $cc $file"

@@ -58,16 +58,24 @@ for file in "$SRC"/tests/support/*.c; do
     eval $CC -std=c11 -w -O1 -I"$here" "$SEES" $CMOCKA -c "$file" \
         -o "$work/inside/$(basename "$file" .c).o"
 done
-set --
-for program in $PROGS; do
-    file=$SRC/tests/$(basename "$program").c
+# inside PROGRAM: a test with the code in its own file.
+inside()
+{
+    file=$SRC/tests/$(basename "$1").c
     # shellcheck disable=SC2086
     eval $CC -std=c99 -w -O0 -D_POSIX_C_SOURCE=200809L -DCOIN_IMPLEMENTATION -include "$SINGLE" \
         -I"$here" -I"$SRC/lib" -I"$SRC/tests/support" "$SEES" $CMOCKA "$file" \
-        "$work/inside/*.o" -o "$work/inside/$(basename "$program")" \
-        $CMOCKA_LIBS -lm || fail "$(basename "$file") with the code inside"
+        "$work/inside/*.o" -o "$work/inside/$(basename "$1")" $CMOCKA_LIBS -lm
+}
+# As many at once as there are processors; one that fails leaves no program to
+# run.
+set --
+for program in $PROGS; do
+    inside "$program" &
     set -- "$@" "$work/inside/$(basename "$program")"
+    test $(($# % $(nproc))) != 0 || wait
 done
+wait
 passes "each with the code inside, $CC -std=c99" "$@"
 
 # -------------------------------------------------- tests, by a file of its own

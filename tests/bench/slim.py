@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Takes out of gnuplot's drawings what a reader does not see: empty groups,
+attributes that are the default or the group's, and digits of a pixel after the
+first.
+
+    slim.py DRAWING.svg...
+
+A second pass changes nothing.  Drawings of other programs stay as they are.
+"""
+import pathlib
+import re
+import sys
+
+DEFAULTS = ' stroke-linecap="butt" stroke-linejoin="miter"'
+
+
+def hexadecimal(colour):
+    return "#" + "".join(f"{int(part):02X}" for part in colour.groups())
+
+
+def slim(text):
+    text = text.replace(DEFAULTS, "")
+    text = re.sub(r'<tspan font-family="sans" +', "<tspan ", text)
+    text = re.sub(r"rgb\( *(\d+), *(\d+), *(\d+)\)", hexadecimal, text)
+    text = re.sub(r"(\d+\.\d)\d+(?=[ ,)])", r"\1", text)
+    count = 1
+    while count:
+        text, count = re.subn(r"<g [^>]*>\s*</g>\n?", "", text)
+    return re.sub(r" +'/>", "'/>", text)
+
+
+for drawing in map(pathlib.Path, sys.argv[1:]):
+    drawn = drawing.read_text()
+    if "Produced by GNUPLOT" in drawn:
+        drawing.write_text(slim(drawn))
