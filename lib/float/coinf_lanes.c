@@ -76,13 +76,13 @@ static void turn_back(coinf_lanes *angle, coinf_lanes *low)
     *low = coinf_lanes_choose(far, near_low, *low);
 }
 
-/* Of each number that of *next where mask is all ones, of *s where it is 0. */
-static void keep(coinf_lanes_state *next, mask mask,
+/* Of each number that of *next where to_be_taken is all ones, of *s where it is 0. */
+static void keep(coinf_lanes_state *next, mask to_be_taken,
                  const coinf_lanes_state *s)
 {
     for (int i = 0; i < NUMBERS; ++i)
         ((coinf_lanes *)next)[i] =
-            coinf_lanes_choose(mask, ((coinf_lanes *)next)[i], ((const coinf_lanes *)s)[i]);
+            coinf_lanes_choose(to_be_taken, ((coinf_lanes *)next)[i], ((const coinf_lanes *)s)[i]);
 }
 
 /* Vector by vector: what the compiler makes of an assignment may be narrower,
