@@ -102,7 +102,7 @@ static int stays_above(double high, int32_t method, double wX, double *cth)
     coin_priv_moment each[WIDEST], *at[WIDEST];
     double highs[WIDEST];
     int sound[WIDEST];
-    check_status(coin_priv_body_of(&b, &p), COIN_OK);
+    check_status(coin_priv_check_body(&b, &p), COIN_OK);
     for (int k = 0; k < WIDEST; ++k) {
         coin_priv_carry_begin(&c, &s);
         each[k] = c.at;

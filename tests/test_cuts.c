@@ -261,26 +261,6 @@ static void coarser_tolerances_are_kept_in_many_calls_too(void **unused)
     }
 }
 
-/* A lean run knows nothing of the path, so a cut costs it the same. */
-static void lean_runs_are_cut_to_the_bits_of_full_ones(void **unused)
-{
-    (void)unused;
-    struct random r = random_begin(142);
-    for (int i = 0; i < 100; ++i) {
-        const coin_params p = random_coin(&r);
-        const int32_t method = i % 2 ? COIN_RK8 : COIN_RK4;
-        coin_state s = random_motion(&r, &p, 1.0 / 32, 66);
-        coin_lean l = {s.theta, s.wX, s.wY, s.wZ};
-        const double dt = natural_time(&p) / 32;
-        for (uint64_t n = 1; n <= 11; ++n) {
-            check_status(coin_run(&s, &p, method, dt, n, NULL), COIN_OK);
-            check_status(coin_lean_run(&l, &p, method, dt, n, NULL), COIN_OK);
-            const coin_lean want = {s.theta, s.wX, s.wY, s.wZ};
-            check_same(&l, &want, sizeof l);
-        }
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -290,7 +270,6 @@ int main(void)
         TEST(at_its_limit_a_cut_costs_rk4_more),
         TEST(advance_in_many_calls_is_advance_in_one),
         TEST(coarser_tolerances_are_kept_in_many_calls_too),
-        TEST(lean_runs_are_cut_to_the_bits_of_full_ones),
     };
     return RUN_TESTS(tests);
 }
