@@ -29,7 +29,7 @@ typedef struct PRIV(field) {
 /* h d/dt of the variables.  Factors are grouped so that no product waits for
  * long: a step takes as long as its longest chain of dependences. */
 COIN_PRIV_INLINE PRIV(variables)
-PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth, q = y->q;
@@ -55,7 +55,7 @@ PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
 /* h d/dt of the pose.  The point of contact moves along the heading, where
  * the centre's path has two terms. */
 COIN_PRIV_INLINE PRIV(pose)
-PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real hwY = f->h * y->wY;
     const real dps = f->h * y->wZ + hwY * y->tth; /* (19) */
@@ -70,11 +70,12 @@ PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
     return d;
 }
 
-/* Sundman's form: h d/dtau of the variables, with dt = cos theta dtau.  All of it is
- * the field above times cos theta: a cubic polynomial of variables that the
- * energy bounds, regular down to the table.  q and tan theta have no part. */
+/* Sundman's form: h d/dtau of the variables, with dt = cos theta dtau.  All of
+ * it is the field above times cos theta: a cubic polynomial of variables that
+ * the energy bounds, regular down to the table.  q and tan theta have no part.
+ */
 COIN_PRIV_INLINE PRIV(variables)
-PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth;
@@ -99,7 +100,7 @@ PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 
 /* h d/dtau of the pose and of the time. */
 COIN_PRIV_INLINE PRIV(pose)
-PRIV(sundman_pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(sundman_pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real hwY = f->h * y->wY;
     const real dps = f->h * (y->cth * y->wZ) + hwY * y->sth; /* (32) */
@@ -134,8 +135,8 @@ COIN_PRIV_INLINE void PRIV(normalize)(PRIV(variables) * y)
 
 /* a + w b, member by member. */
 COIN_PRIV_INLINE PRIV(variables)
-PRIV(variables_plus)(const PRIV(variables) * a, scalar w,
-                     const PRIV(variables) * b)
+    PRIV(variables_plus)(const PRIV(variables) * a, scalar w,
+                         const PRIV(variables) * b)
 {
     const real sth = a->sth + w * b->sth, q = a->q + w * b->q;
     const PRIV(variables) r = {

@@ -37,7 +37,7 @@ COIN_PRIV_INLINE void modified_kick(struct part *c, const struct split *k)
     const coin_priv_variables *y = &c->y;
     const coin_priv_body *b = k->b;
     const double h = k->h, F = coin_priv_rates(&k->f, y).wX;
-    const double dF = coin_priv_fall_slope(b, y); /* (44) */
+    const double dF = coin_priv_fall_slope(b, y);       /* (44) */
     c->y.wX += 2.0 / 3 * h * F * (1 + h * h / 24 * dF); /* (50) */
 }
 
@@ -79,8 +79,8 @@ COIN_PRIV_INLINE void drift(struct part *c, const struct split *k, double h)
     y->cth = th.c;
     y->q = 1 / th.c;
     y->tth = th.s * y->q;
-    c->sound &= fabs(turn) <= COIN_PRIV_TURN_MAX && th.c > 0 &&
-                shift(y, &y0, k->b);
+    c->sound &=
+        fabs(turn) <= COIN_PRIV_TURN_MAX && th.c > 0 && shift(y, &y0, k->b);
     const coin_priv_pose v0 = coin_priv_pose_rates(&k->f, &y0);
     coin_priv_pose v1 = coin_priv_pose_rates(&k->f, y);
     const coin_priv_drift_slopes s0 = coin_priv_drift_slopes_of(k->b, &y0);
