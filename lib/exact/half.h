@@ -2,9 +2,9 @@
 #ifndef ROLLCOIN_HALF_H
 #define ROLLCOIN_HALF_H
 
+#include "../motion/state.h"
 #include "orbit.h"
 #include "series.h"
-#include "../motion/state.h"
 
 /* A turning point: the time since the start, in two parts, and what the way
  * from the start to it adds. */

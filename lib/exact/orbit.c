@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "half.h"
 #include "../motion/angles.h"
+#include "half.h"
 
 #include <math.h>
 #include <string.h>

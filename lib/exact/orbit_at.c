@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "orbit.h"
-#include "pair.h"
 #include "../motion/angles.h"
 #include "../motion/state.h"
+#include "orbit.h"
+#include "pair.h"
 #include "steady.h"
 
 #include <math.h>

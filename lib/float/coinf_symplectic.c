@@ -101,5 +101,6 @@ int coinf_priv_symplectic2(coinf_state *s, int32_t *warnings,
     if (!drift(&next, plan, &y))
         return 0;
     half_kick(&next, plan, &y);
-    return coinf_priv_rate_holds(warnings, plan, &y) && coinf_priv_end_step(s, &next, plan);
+    return coinf_priv_rate_holds(warnings, plan, &y) &&
+           coinf_priv_end_step(s, &next, plan);
 }

@@ -22,8 +22,8 @@ COIN_PRIV_INLINE PRIV(sc) PRIV(polynomials)(real z)
 {
 #if COIN_PRIV_BY_PAIRS
     const coin_pair zz = coin_pair_of(z, z);
-    const coin_pair p = COIN_PRIV_EVALUATE(
-        zz, COIN_PRIV_SINE_AND_COSINE(coin_pair_of));
+    const coin_pair p =
+        COIN_PRIV_EVALUATE(zz, COIN_PRIV_SINE_AND_COSINE(coin_pair_of));
     const PRIV(sc) r = {p[0], p[1]};
 #else
     const PRIV(sc) r = {COIN_PRIV_SINE(z), COIN_PRIV_COSINE(z)};

@@ -16,7 +16,8 @@ typedef struct PRIV(variables) {
 } PRIV(variables);
 
 /* The variables that the equations change and do not read.  x and z are of the
- * point of contact, in radii; t is the time, used in Sundman's form alone. */
+ * centre, in radii; in Sundman's form they are of the point of contact, and t
+ * is the time. */
 typedef struct PRIV(pose) {
     real theta, phi, psi, x, z, t;
 } PRIV(pose);
@@ -29,7 +30,7 @@ typedef struct PRIV(field) {
 /* h d/dt of the variables.  Factors are grouped so that no product waits for
  * long: a step takes as long as its longest chain of dependences. */
 COIN_PRIV_INLINE PRIV(variables)
-PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth, q = y->q;
@@ -52,29 +53,28 @@ PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
     return d;
 }
 
-/* h d/dt of the pose.  The point of contact moves along the heading, where
- * the centre's path has two terms. */
+/* h d/dt of the pose. */
 COIN_PRIV_INLINE PRIV(pose)
-PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
-    const real hwY = f->h * y->wY;
-    const real dps = f->h * y->wZ + hwY * y->tth; /* (19) */
-    const real none = {0};
+    const real hwX = f->h * y->wX, hwY = f->h * y->wY, hwZ = f->h * y->wZ;
+    const real along = y->cth * hwX, none = {0};
     PRIV(pose) d;
-    d.theta = f->h * y->wX; /* (17) */
-    d.phi = hwY * y->q;     /* (18) */
-    d.psi = dps;
-    d.x = -(dps * y->cph); /* (22) */
-    d.z = dps * y->sph;    /* (22) */
+    d.theta = hwX;                           /* (17) */
+    d.phi = hwY * y->q;                      /* (18) */
+    d.psi = hwZ + hwY * y->tth;              /* (19) */
+    d.x = along * y->sph - hwZ * y->cph;     /* (20) */
+    d.z = along * y->cph + hwZ * y->sph;     /* (20) */
     d.t = none;
     return d;
 }
 
-/* Sundman's form: h d/dtau of the variables, with dt = cos theta dtau.  All of it is
- * the field above times cos theta: a cubic polynomial of variables that the
- * energy bounds, regular down to the table.  q and tan theta have no part. */
+/* Sundman's form: h d/dtau of the variables, with dt = cos theta dtau.  All of
+ * it is the field above times cos theta: a cubic polynomial of variables that
+ * the energy bounds, regular down to the table.  q and tan theta have no part.
+ */
 COIN_PRIV_INLINE PRIV(variables)
-PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth;
@@ -97,9 +97,10 @@ PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
     return d;
 }
 
-/* h d/dtau of the pose and of the time. */
+/* h d/dtau of the pose and of the time.  The point of contact moves along the
+ * heading, where the centre's path has two terms of higher degree. */
 COIN_PRIV_INLINE PRIV(pose)
-PRIV(sundman_pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(sundman_pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real hwY = f->h * y->wY;
     const real dps = f->h * (y->cth * y->wZ) + hwY * y->sth; /* (32) */
@@ -134,8 +135,8 @@ COIN_PRIV_INLINE void PRIV(normalize)(PRIV(variables) * y)
 
 /* a + w b, member by member. */
 COIN_PRIV_INLINE PRIV(variables)
-PRIV(variables_plus)(const PRIV(variables) * a, scalar w,
-                     const PRIV(variables) * b)
+    PRIV(variables_plus)(const PRIV(variables) * a, scalar w,
+                         const PRIV(variables) * b)
 {
     const real sth = a->sth + w * b->sth, q = a->q + w * b->q;
     const PRIV(variables) r = {

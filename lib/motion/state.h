@@ -10,8 +10,8 @@ COIN_PRIV_INLINE int PRIV(pose_holds)(const COIN(state) * s)
     return FABS(s->theta) < COIN_PRIV_HALF_PI &&
            FABS(s->phi) <= COIN_PRIV_ANGLE_MAX &&
            FABS(s->psi) <= COIN_PRIV_ANGLE_MAX &&
-           FABS(s->x) <= COIN_PRIV_LARGEST &&
-           FABS(s->z) <= COIN_PRIV_LARGEST && COIN_PRIV_LOW_HOLDS(s);
+           FABS(s->x) <= COIN_PRIV_LARGEST && FABS(s->z) <= COIN_PRIV_LARGEST &&
+           COIN_PRIV_LOW_HOLDS(s);
 }
 
 /* What can be said without parameters: COIN_OK or COIN_ESTATE.  s is not null.

@@ -37,8 +37,8 @@ typedef struct PRIV(rk4_lean) {
  * (d1 + 2 d2 + d3)/3 + d4, and nothing but the last addition waits for the last
  * slope. */
 COIN_PRIV_INLINE PRIV(step_end)
-PRIV(rk4_end)(PRIV(rk4_lean) * lean_after, const PRIV(variables) * y1,
-              const PRIV(rk4_fields) * k)
+    PRIV(rk4_end)(PRIV(rk4_lean) * lean_after, const PRIV(variables) * y1,
+                  const PRIV(rk4_fields) * k)
 {
     PRIV(variables) sum = PRIV(rates)(&k->half, y1), d;
     PRIV(pose) path = PRIV(pose_rates)(&k->half, y1), v;

@@ -82,23 +82,27 @@ COIN_PRIV_INLINE void drift(struct part *c, const struct split *k, double h)
     c->sound &= fabs(turn) <= COIN_PRIV_TURN_MAX && y->cth > 0 &&
                 shift(y, &y0, by, k->b);
     const coin_priv_pose v0 = coin_priv_pose_rates(&k->f, &y0);
-    coin_priv_pose v1 = coin_priv_pose_rates(&k->f, y);
+    const coin_priv_pose v1 = coin_priv_pose_rates(&k->f, y);
     const coin_priv_drift_slopes s0 = coin_priv_drift_slopes_of(k->b, &y0);
     const coin_priv_drift_slopes s1 = coin_priv_drift_slopes_of(k->b, y);
     const double dph = hermite(h, v0.phi, v1.phi, s0.phi, s1.phi);
     const coin_priv_sc ph = coin_priv_turned(heading, dph);
     y->sph = ph.s;
     y->cph = ph.c;
-    v1 = coin_priv_pose_rates(&k->f, y);
     c->adds.theta += turn;
     c->adds.phi += dph;
     c->adds.psi += hermite(h, v0.psi, v1.psi, s0.psi, s1.psi);
-    c->adds.x += hermite(h, v0.x, v1.x, /* (22) */
-                         v0.psi * v0.phi * y0.sph - s0.psi * y0.cph,
-                         v1.psi * v1.phi * y->sph - s1.psi * y->cph);
-    c->adds.z += hermite(h, v0.z, v1.z, /* (22) */
-                         v0.psi * v0.phi * y0.cph + s0.psi * y0.sph,
-                         v1.psi * v1.phi * y->cph + s1.psi * y->sph);
+    /* The path of the point of contact, and from there to the centre. */
+    c->adds.x +=
+        hermite(h, -(v0.psi * y0.cph), -(v1.psi * y->cph), /* (22) */
+                v0.psi * v0.phi * y0.sph - s0.psi * y0.cph,
+                v1.psi * v1.phi * y->sph - s1.psi * y->cph) +
+        (y->sth * y->sph - y0.sth * y0.sph); /* (21) */
+    c->adds.z +=
+        hermite(h, v0.psi * y0.sph, v1.psi * y->sph, /* (22) */
+                v0.psi * v0.phi * y0.cph + s0.psi * y0.sph,
+                v1.psi * v1.phi * y->cph + s1.psi * y->sph) +
+        (y->sth * y->cph - y0.sth * y0.cph); /* (21) */
 }
 
 COIN_PRIV_INLINE struct part begin(const coin_priv_variables *y)
