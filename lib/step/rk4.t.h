@@ -11,8 +11,9 @@ typedef struct PRIV(rk4_fields) {
     PRIV(field) half, full, sixth;
 } PRIV(rk4_fields);
 
-/* A stage: the start and a slope.  The heading turns by what the slope adds to
- * it: as a variable it would lag by z^3/6 for a turn z, and the path with it. */
+/* A stage: the start and a slope.  As a variable, 1/cos theta would be off by
+ * tan^2 theta z^2 for a turn z, and the heading by z^3/6, and the path with it:
+ * so the one is divided, and the other turned. */
 COIN_PRIV_INLINE PRIV(variables) PRIV(stage)(const PRIV(variables) * y1,
                                              const PRIV(variables) * d,
                                              real turn)
@@ -22,6 +23,8 @@ COIN_PRIV_INLINE PRIV(variables) PRIV(stage)(const PRIV(variables) * y1,
     PRIV(variables) y = PRIV(variables_plus)(y1, 1, d);
     y.sph = ph.s;
     y.cph = ph.c;
+    y.q = K(1) / y.cth;
+    y.tth = y.q * y.sth;
     return y;
 }
 
