@@ -14,7 +14,7 @@
 namespace
 {
 /* A climb that has not risen for so many evaluations starts anew. */
-constexpr long PATIENCE = 400;
+constexpr long PATIENCE = 300;
 
 /* ----------------------------------------------------------------- chance */
 
@@ -68,36 +68,41 @@ scene made(const row &r, const genome &g)
     return s;
 }
 
-/* The quick truth errs by a thousandth of a double's rounding: what matters is
- * looked at again. */
+/* The quick truth errs by a thousandth of a double's rounding: the top of a
+ * climb, where it matters, is looked at again. */
 constexpr double MATTERS = 0.3;
-void confirm(const row &r, const scene &s, double quick, best *b)
+void confirm(const row &r, const best &top, best *b)
 {
-    const double ratio = quick > MATTERS ? r.exact(s, b->ratio) : quick;
+    if (!(top.ratio > b->ratio))
+        return;
+    const double ratio =
+        top.ratio > MATTERS ? r.exact(top.at, NO_CLAIM) : top.ratio;
     if (ratio > b->ratio)
-        *b = {ratio, s};
+        *b = {ratio, top.at};
 }
 
 best search(const row &r, long evaluations, uint64_t seed)
 {
     chance c = {seed};
-    best found;
+    best found, top;
     genome at = {};
-    double height = NO_CLAIM;
     long since = PATIENCE;
     for (long i = 0; i < evaluations; ++i) {
         const bool anew = since >= PATIENCE;
+        if (anew) {
+            confirm(r, top, &found);
+            top = best();
+        }
         const genome g = anew ? anywhere(&c) : beside(at, &c);
         const scene s = made(r, g);
-        const double ratio = r.quick(s, anew ? NO_CLAIM : height);
-        since = anew ? 0 : ratio > height ? 0 : since + 1;
-        if (anew || ratio >= height) {
-            height = ratio;
+        const double ratio = r.quick(s, top.ratio);
+        since = ratio > top.ratio ? 0 : since + 1;
+        if (anew || ratio >= top.ratio) {
+            top = {ratio, s};
             at = g;
         }
-        if (ratio > found.ratio)
-            confirm(r, s, ratio, &found);
     }
+    confirm(r, top, &found);
     return found;
 }
 

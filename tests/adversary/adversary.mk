@@ -34,17 +34,17 @@ $(ADV_OUT)/adversary: $(ADV_OBJ) $(LIB_A)
 	$(CXX) -o $@ $^ -lquadmath
 
 .PHONY: adversary adversary-replay adversary-update
-adversary: $(ADV_OUT)/adversary adversary-replay ## climb towards the largest unwarned error (EVALUATIONS=1000000: longer)
-	for part in 0 1; do \
-	    { $< search $(EVALUATIONS) $(ADV_SEED) $$part 2 $(FUNCTION) \
-	        >$(ADV_OUT)/$$part.csv; } & \
-	done; wait
+adversary: $(ADV_OUT)/adversary ## climb towards the largest unwarned error (EVALUATIONS=1000000: longer)
+	half() { $< search $(EVALUATIONS) $(ADV_SEED) $$1 2 $(FUNCTION) \
+	    >$(ADV_OUT)/$$1.csv || test $$? = 1; }; \
+	half 0 & half 1 && wait $$!
 	{ echo '# $(EVALUATIONS) evaluations, seed $(ADV_SEED)'; \
-	    echo 'function,evaluations,ratio,law,worst case'; \
+	    echo 'function,evaluations,ratio,law,case'; \
 	    cat $(ADV_OUT)/[01].csv; } >$(ADV_OUT)/adversary.csv
 	awk -F, '/^coin/ { printf "%-32s %8d  %-9s %s\n", $$1, $$2, $$3, $$4; \
 	    if (!($$3 <= 1)) { print "  " $$1 " " $$5; bad = 1 } } \
-	    END { exit bad }' $(ADV_OUT)/adversary.csv
+	    END { exit bad }' $(ADV_OUT)/adversary.csv; found=$$?; \
+	$< replay $(ADV_CASES) && exit $$found
 
 adversary-replay: $(ADV_OUT)/adversary ## the cases that searches found, each within its bound
 	$< replay $(ADV_CASES)

@@ -337,7 +337,7 @@ void add_observables(std::vector<row> *rows)
     ROW("axes", "4 u", axes, NO_EDGE);
     ROW("quaternion", "4 u", quaternion, NO_EDGE);
     ROW("angular_velocity", "8 u of the terms", angular_velocity, NO_EDGE);
-    ROW("state_from_motion", "8 u, over cos theta in phi and psi", from_motion,
+    ROW("state_from_motion", "8 u; over cos theta in phi and psi", from_motion,
         ROTATION);
     ROW("check", "8 u of the terms of each threshold", check, THRESHOLDS);
 }

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 template <class R> class path
 {
@@ -35,10 +36,10 @@ template <class R> class path
     bool follow(R t)
     {
         R left = t * w;
-        if (!(magnitude(left) * fastest() <= R(MOST_TURN)))
+        if (is_long(t))
             return false;
         for (int steps = 0; left != 0; ++steps) {
-            R h = R(0.6) / fastest();
+            R h = R(REACH) / fastest();
             h = magnitude(left) < h ? left : left < 0 ? -h : h;
             int halvings = 0;
             while (!step(h)) {
@@ -53,6 +54,12 @@ template <class R> class path
                 rebase(base * half_pi<R>() + y[0]);
         }
         return true;
+    }
+
+    /* Whether a truth would cost too much. */
+    bool is_long(R t) const
+    {
+        return !(magnitude(t * w) * fastest() <= R(MOST_TURN));
     }
 
     /* W of (47). */
@@ -108,10 +115,16 @@ template <class R> class path
         return (y[0] - o.y[0]) + (base - o.base) * half_pi<R>();
     }
 
-    static constexpr int MOST_TURN = 200; /* radians: what a truth costs */
+    static constexpr int MOST_TURN = 80; /* radians: what a truth costs */
 
   private:
-    static constexpr int MOST_STEPS = 400, COLUMNS = 11;
+    static constexpr int COLUMNS = 11;
+    /* Of a step: radians of the fastest rate, and the last correction that is
+     * none. */
+    static constexpr bool LONG = std::is_same_v<R, long double>;
+    static constexpr double REACH = LONG ? 0.6 : 0.3;
+    static constexpr double NONE = LONG ? 0x1p-58 : 1e-26;
+    static constexpr int MOST_STEPS = int(2 * MOST_TURN / REACH);
 
     R IX, IZ;
     vector y;
@@ -196,7 +209,7 @@ template <class R> class path
             }
             if (!(error < 1)) /* also NaN */
                 return false;
-            if (k >= 3 && error < 64 * precision<R>()) {
+            if (k >= 3 && error < R(NONE)) {
                 for (int i = 0; i < 8; ++i)
                     y[i] += table[0][i];
                 return cth(y[0]) > 0;

@@ -12,6 +12,9 @@
 constexpr double NO_CLAIM = -1;
 constexpr double BROKEN = std::numeric_limits<double>::infinity();
 
+/* Below this the motion's amplification, which is dear, is not taken out. */
+constexpr double UNAMPLIFIED = 0.3;
+
 /* Error over documented bound.  Not more than enough need be known: what is
  * dear to compute may be left out where the answer is below it already. */
 using judge = double (*)(const scene &s, double enough);

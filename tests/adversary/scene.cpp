@@ -30,7 +30,7 @@ int kind(double gene, int kinds)
 
 void choose_units(scene *s, const double *g, bool narrow)
 {
-    const double wide = narrow ? 4 : 6, extreme = narrow ? 8 : 70;
+    const double wide = narrow ? 4 : 6, extreme = narrow ? 8 : 95;
     const double units[][3] = {
         {1, 1, 1},
         {0.00567, 0.01213, 9.80665},
@@ -39,8 +39,8 @@ void choose_units(scene *s, const double *g, bool narrow)
         {power_of_ten(g[1], -wide, wide), power_of_ten(g[2], -wide, wide),
          power_of_ten(g[3], -wide, wide)},
         {power_of_ten(g[1], -extreme, extreme),
-         power_of_ten(g[2], -extreme / 2, extreme / 2),
-         power_of_ten(g[3], -extreme / 2, extreme / 2)},
+         power_of_ten(g[2], narrow ? -4 : -95, narrow ? 4 : 95),
+         power_of_ten(g[3], narrow ? -4 : -95, narrow ? 4 : 95)},
     };
     const int choice[] = {0, 0, 0, 0, 1, 2, 3, 4, 4, 5};
     const double *of = units[choice[kind(g[0], 10)]];

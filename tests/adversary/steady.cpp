@@ -140,9 +140,10 @@ template <class R> double near(const scene &s, double)
     const R most = larger(larger(magnitude(roll), magnitude(turn)), y.Mga);
     verdict<R> v;
     v.hold(roll + turn, y.Mga * y.s, R(1e-9) * most); /* (39) */
-    const R few = 256 * R(doubles::u), least = R(1e-300);
-    v.hold(KY1.value, KY.value, few * (KY.size + KY1.size) + least);
-    v.hold(KZ1.value, KZ.value, few * (KZ.size + KZ1.size) + least);
+    const R size = KY.size + KZ.size + KY1.size + KZ1.size;
+    const R few = 256 * R(doubles::u) * size + R(1e-300);
+    v.hold(KY1.value, KY.value, few);
+    v.hold(KZ1.value, KZ.value, few);
     v.equal(out.phi == start.phi && out.psi == start.psi && out.wX == 0);
     return v.worst;
 }
@@ -181,10 +182,21 @@ void wobble_edge(scene *s, const double *g)
     steady_edge(s, g);
     const double w = std::sqrt(s->g / s->a);
     for (int i = 0; i < 4; ++i)
-        s->q[i] = 0.05 * s->q[i] * (i == 0 ? 1 : w);
+        s->q[i] = (s->q[i] < 0 ? -1 : 1) * std::pow(10, 5 * g[24] - 6) *
+                  std::pow(10, -2 * g[26 + i]) * (i == 0 ? 1 : w);
 }
 
-/* 30 A^2 (1 + |t| W) where the lean does not grow. */
+/* How far the steady motion leans that a start wobbles about, (60). */
+template <class R> R to_neighbour(const moment<R> &y, R y1, R wY1, R wZ1)
+{
+    const R wY_y = y.wY * y.T + y.k1 * y.wZ, wZ_y = y.k2 * y.wY;
+    const R nY = wY1 - wY_y * y1, nZ = wZ1 - wZ_y * y1;
+    const R FY = -(y.K * y.wZ + 2 * y.IX * y.wY * y.T) / y.J;
+    const R FZ = -y.K * y.wY / y.J;
+    return -(FY * nY + FZ * nZ) / lambda2_of(y).value;
+}
+
+/* 30 A^2 (1 + |t| W) where the lean does not grow; A in parts of cos theta. */
 template <class R> double wobble(const scene &s, double)
 {
     const coin_params p = params_of<doubles>(s);
@@ -195,7 +207,7 @@ template <class R> double wobble(const scene &s, double)
     start.wY += s.q[2];
     start.wZ += s.q[3];
     const moment<R> y(p, steady);
-    const double limit = 500 * p.mass * p.radius * p.radius;
+    const double limit = p.mass * p.radius * p.radius;
     if (coin_wobble_at(&steady, &p, &start, s.t, &out) != COIN_OK ||
         !(p.inertia_X < limit) || !(lambda2_of(y).value < 0))
         return NO_CLAIM;
@@ -204,6 +216,7 @@ template <class R> double wobble(const scene &s, double)
     R A = magnitude(R(s.q[0])), off[8], worst = 0;
     for (int i = 1; i < 4; ++i)
         A = larger(A, magnitude(R(s.q[i])) / w);
+    A = larger(A, magnitude(to_neighbour(y, R(s.q[0]), R(s.q[2]), R(s.q[3])))) / y.c;
     if (magnitude(R(s.t)) * w * W > 1000 || !truth.follow(R(s.t)))
         return NO_CLAIM;
     truth.apart(out, W, off);
@@ -228,11 +241,11 @@ void add_steady(std::vector<row> *rows)
         STEADY(stability, "coin_stability", "16 u of the terms", 1,
                steady_edge),
         STEADY(critical, "coin_critical_roll_and_spin", "8 u", 1, nullptr),
-        STEADY(near, "coin_steady_near", "1e-9 of (39); 256 u of K", 20,
+        STEADY(near, "coin_steady_near", "1e-9 of (39); 256 u of K", 40,
                nullptr),
         STEADY(steady_at, "coin_steady_at", "4 u of the angles and path", 1,
                steady_edge),
-        STEADY(wobble, "coin_wobble_at", "30 A^2 (1 + abs(t) W)", 100,
+        STEADY(wobble, "coin_wobble_at", "30 A^2 (1 + abs(t) W)", 10,
                wobble_edge),
     };
     for (const row &r : made)
