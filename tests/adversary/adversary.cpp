@@ -28,7 +28,10 @@ struct chance {
         z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
         return double((z ^ (z >> 31)) >> 11) * 0x1p-53;
     }
-    int below(int n) { return int(next() * n); }
+    int below(int n)
+    {
+        return int(next() * n);
+    }
 };
 
 genome anywhere(chance *c)

@@ -38,14 +38,20 @@ struct doubles {
     using real = double;
     static constexpr double u = 0x1p-53, least = DBL_TRUE_MIN;
     TWINS(coin);
-    static double low(const state &, int) { return 0; }
+    static double low(const state &, int)
+    {
+        return 0;
+    }
 };
 
 struct floats {
     using real = float;
     static constexpr double u = 0x1p-24, least = FLT_TRUE_MIN;
     TWINS(coinf);
-    static double low(const state &s, int i) { return s.low[i]; }
+    static double low(const state &s, int i)
+    {
+        return s.low[i];
+    }
 };
 
 #endif

@@ -48,10 +48,9 @@ template <class R> double advance(const scene &s, double enough)
     if (bound >= 1)
         return NO_CLAIM;
     const double dear = larger(enough, UNAMPLIFIED);
-    return ratio <= dear
-               ? ratio
-               : larger(dear,
-                        ratio / growth(p, state_of<doubles>(s), s.t / 16, 16));
+    return ratio <= dear ? ratio
+                         : larger(dear, ratio / growth(p, state_of<doubles>(s),
+                                                       s.t / 16, 16));
 }
 
 /* ------------------------------------------------------------------ orbits */
@@ -163,7 +162,8 @@ void about_circles(scene *s, const double *g)
     s->tol = std::pow(10, 6 * g[24] - 7);
     if (g[28] > 0.7)
         return;
-    const double m = s->M * s->a * s->a, K = s->IZ + m, Mga = s->M * s->g * s->a;
+    const double m = s->M * s->a * s->a, K = s->IZ + m,
+                 Mga = s->M * s->g * s->a;
     const double w = std::sqrt(s->g / s->a);
     s->t = (g[22] < 0.5 ? 70 : -70) * g[23] / w;
     s->theta = 0.01 + 0.4 * g[8];
@@ -200,8 +200,8 @@ void add_motions(std::vector<row> *rows)
     const row made[] = {
         MOTION(advance, "coin_advance", "2 tol a radius of speed + rounding",
                200, horizon),
-        MOTION(orbit, "coin_orbit_at",
-               "1e-14 + 1e-15 conditioning a period", 40, about_circles),
+        MOTION(orbit, "coin_orbit_at", "1e-14 + 1e-15 conditioning a period",
+               40, about_circles),
         MOTION(model, "coin_model_needed", "tol", 10, about_circles),
         MOTION(max_dt, "coin_max_dt", "2 tol a natural unit", 50, spins),
     };

@@ -56,7 +56,8 @@ template <class T, class R> double reaction(const scene &s, double)
     if (T::reaction(&q.y, &q.p, &f) != COIN_OK)
         return NO_CLAIM;
     const table_force<R> want = force_of(q.at);
-    const R F = want.friction, allowed = 8 * (q.u * want.friction_size + q.least);
+    const R F = want.friction,
+            allowed = 8 * (q.u * want.friction_size + q.least);
     const R normal = 8 * (q.u * want.normal.size + q.least);
     const R N = want.normal.value;
     q.hold(f.R[0], want.Rx, 8);
@@ -128,8 +129,8 @@ template <class T, class R> double contact(const scene &s, double)
 template <class R> void frame_of(const moment<R> &y, R e[9])
 {
     const R rows[] = {
-        y.cph, 0,    -y.sph,      y.s * y.sph, y.c,
-        y.s * y.cph, y.c * y.sph, -y.s,        y.c * y.cph,
+        y.cph,       0,           -y.sph, y.s * y.sph, y.c,
+        y.s * y.cph, y.c * y.sph, -y.s,   y.c * y.cph,
     }; /* (7) */
     for (int i = 0; i < 9; ++i)
         e[i] = rows[i];
@@ -286,7 +287,8 @@ template <class T, class R> double check(const scene &s, double)
     const R limit = R(typename T::real(LIMITS[method]));
     const R dtW = magnitude(R(dt)) * fastest(q.at);
     bit<R>(&q.v, bits & COIN_COARSE, dtW - limit, few * limit);
-    bit<R>(&q.v, bits & COIN_NEARLY_FLAT, R(real(0.01)) - q.at.c, few * R(0.01));
+    bit<R>(&q.v, bits & COIN_NEARLY_FLAT, R(real(0.01)) - q.at.c,
+           few * R(0.01));
     return q.v.worst;
 }
 
@@ -316,7 +318,8 @@ template <class T, class R> double params_ring(const scene &s, double)
 
 #define ROW(name, law, function, edge)                                         \
     rows->push_back({"coin_" name, law, 1, false, edge(doubles),               \
-                     function<doubles, long double>, function<doubles, quad>}); \
+                     function<doubles, long double>,                           \
+                     function<doubles, quad>});                                \
     rows->push_back({"coinf_" name, law, 1, true, edge(floats),                \
                      function<floats, long double>, function<floats, quad>})
 #define NO_EDGE(T) nullptr

@@ -69,7 +69,10 @@ template <class R> class path
         return root((y[5] * y[5] + y[6] * y[6]) / (c * c) + y[7] * y[7] +
                     1 / c);
     }
-    R cos_theta() const { return cth(y[0]); }
+    R cos_theta() const
+    {
+        return cth(y[0]);
+    }
 
     /* Energy over M a^2 g/a. */
     R energy() const
@@ -85,11 +88,9 @@ template <class R> class path
     template <class S> void apart(const S &s, R w1, R off[8]) const
     {
         const double at[] = {s.phi, s.psi, s.x, s.z, s.wX, s.wY, s.wZ};
-        off[0] = base == 0 ? R(s.theta) - y[0]
-                           : from_flat(R(s.theta)) - y[0];
+        off[0] = base == 0 ? R(s.theta) - y[0] : from_flat(R(s.theta)) - y[0];
         for (int i = 0; i < 4; ++i)
-            off[1 + i] =
-                R(at[i]) / (i < 2 ? R(1) : a) - pose0[i] - y[1 + i];
+            off[1 + i] = R(at[i]) / (i < 2 ? R(1) : a) - pose0[i] - y[1 + i];
         for (int i = 4; i < 7; ++i)
             off[1 + i] = (R(at[i]) / w - y[1 + i]) / w1;
     }
@@ -98,10 +99,14 @@ template <class R> class path
     void nudge(int which, R size)
     {
         const R c = cth(y[0]);
-        y[which == 0 ? 0 : 4 + which] += size * c * (which == 0 ? 1 : fastest());
+        y[which == 0 ? 0 : 4 + which] +=
+            size * c * (which == 0 ? 1 : fastest());
     }
 
-    const vector &at() const { return y; }
+    const vector &at() const
+    {
+        return y;
+    }
     /* The largest of 1, the angles and the place in radii. */
     R largest_of_pose() const
     {
@@ -151,8 +156,14 @@ template <class R> class path
         }
     }
 
-    R sth(R e) const { return base == 0 ? sine(e) : base * cosine(e); }
-    R cth(R e) const { return base == 0 ? cosine(e) : -base * sine(e); }
+    R sth(R e) const
+    {
+        return base == 0 ? sine(e) : base * cosine(e);
+    }
+    R cth(R e) const
+    {
+        return base == 0 ? cosine(e) : -base * sine(e);
+    }
 
     /* At y + v. */
     void rates(const vector &v, vector &d) const
@@ -161,14 +172,14 @@ template <class R> class path
         const R st = sine(v[1]), ct = cosine(v[1]);
         const R sph = sph0 * ct + cph0 * st, cph = cph0 * ct - sph0 * st;
         const R wX = y[5] + v[5], wY = y[6] + v[6], wZ = y[7] + v[7];
-        d[0] = wX;                                                   /* (17) */
-        d[1] = wY / c;                                               /* (18) */
-        d[2] = wZ + wY * T;                                          /* (19) */
-        d[3] = -wZ * cph + wX * c * sph;                             /* (20) */
-        d[4] = wZ * sph + wX * c * cph;                              /* (20) */
+        d[0] = wX;                       /* (17) */
+        d[1] = wY / c;                   /* (18) */
+        d[2] = wZ + wY * T;              /* (19) */
+        d[3] = -wZ * cph + wX * c * sph; /* (20) */
+        d[4] = wZ * sph + wX * c * cph;  /* (20) */
         d[5] = (-(1 + IZ) * wY * wZ - IX * wY * wY * T + s) / (1 + IX);
-        d[6] = wX * wY * T + IZ / IX * wX * wZ;                      /* (15) */
-        d[7] = wX * wY / (1 + IZ);                                   /* (16) */
+        d[6] = wX * wY * T + IZ / IX * wX * wZ; /* (15) */
+        d[7] = wX * wY / (1 + IZ);              /* (16) */
     }
 
     /* The change in H by n substeps. */

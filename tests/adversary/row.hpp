@@ -21,12 +21,12 @@ using judge = double (*)(const scene &s, double enough);
 
 struct row {
     const char *function;
-    const char *law;      /* the documented bound, in words */
-    int share;            /* one evaluation in so many: what a truth costs */
-    bool narrow;          /* scenes within the range of floats */
+    const char *law; /* the documented bound, in words */
+    int share;       /* one evaluation in so many: what a truth costs */
+    bool narrow;     /* scenes within the range of floats */
     void (*edge)(scene *, const double *genes); /* leads to the row's own edge;
                                                    may be null */
-    judge quick, exact;   /* the truth in 64 and in 113 bits */
+    judge quick, exact; /* the truth in 64 and in 113 bits */
 };
 
 void add_observables(std::vector<row> *rows);
@@ -49,7 +49,10 @@ template <class R> struct verdict {
         worst = ratio > worst ? ratio : worst;
     }
 
-    void equal(bool same) { worst = same ? worst : BROKEN; }
+    void equal(bool same)
+    {
+        worst = same ? worst : BROKEN;
+    }
 };
 
 #endif

@@ -94,7 +94,8 @@ double lean(const double *g)
         return off < 0 ? -FLAT - off : FLAT - off;
     }
     case 7: /* where series change: sin theta = 0.7 */
-        return (g[2] < 0.5 ? -1 : 1) * (0.7753974966107530 + either(g[1], -16, -1));
+        return (g[2] < 0.5 ? -1 : 1) *
+               (0.7753974966107530 + either(g[1], -16, -1));
     case 8: /* where sines change, and cos theta = 0.01 */
         return (g[2] < 0.5 ? 1.5607961601207294 : 0.7853981633974483) +
                either(g[1], -16, -1);
@@ -106,12 +107,14 @@ double lean(const double *g)
 /* A circle at the lean of *s, off by a part. */
 void on_a_circle(scene *s, const double *g)
 {
-    const double m = s->M * s->a * s->a, K = s->IZ + m, Mga = s->M * s->g * s->a;
+    const double m = s->M * s->a * s->a, K = s->IZ + m,
+                 Mga = s->M * s->g * s->a;
     const double T = std::tan(s->theta), b = K * s->wZ;
     const double r =
         std::sqrt(b * b + 4 * s->IX * Mga * std::sin(s->theta) * T);
     const double q = -(b + (b < 0 ? -r : r)) / 2;
-    const double wY = g[0] < 0.3 ? q / (s->IX * T) : -Mga * std::sin(s->theta) / q;
+    const double wY =
+        g[0] < 0.3 ? q / (s->IX * T) : -Mga * std::sin(s->theta) / q;
     s->wY = std::isfinite(wY) ? wY * (1 + either(g[1], -18, 0)) : 0;
 }
 
@@ -180,9 +183,8 @@ scene scene_of(const genome &genes, bool narrow)
     s.x = s.a * either(g[20], -3, 2);
     s.z = s.a * either(g[21], -3, 2);
     const double c = std::cos(s.theta);
-    const double W =
-        std::sqrt((s.wX * s.wX + s.wY * s.wY) / (c * c) + s.wZ * s.wZ +
-                  s.g / (s.a * c));
+    const double W = std::sqrt((s.wX * s.wX + s.wY * s.wY) / (c * c) +
+                               s.wZ * s.wZ + s.g / (s.a * c));
     s.t = either(g[22], -3, 0.1) / W;
     s.steps = std::floor(power_of_ten(g[23], 0, 2));
     s.tol = power_of_ten(g[24], -13, -2);

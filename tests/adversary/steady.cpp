@@ -86,8 +86,8 @@ template <class R> double radii(const scene &s, double)
         return NO_CLAIM;
     const moment<R> y(p, made);
     const R u = R(doubles::u), least = R(doubles::least);
-    const R G = y.a * magnitude(y.wZ * y.c / y.wY);            /* (43) */
-    const R C = y.a * magnitude(y.wZ * y.c / y.wY + y.s);      /* (43) */
+    const R G = y.a * magnitude(y.wZ * y.c / y.wY);       /* (43) */
+    const R C = y.a * magnitude(y.wZ * y.c / y.wY + y.s); /* (43) */
     verdict<R> v;
     if (G < R(DBL_MAX)) {
         v.hold(R(center), G, 8 * (u * G + least));
@@ -161,7 +161,8 @@ template <class R> double steady_at(const scene &s, double)
     const R u4 = 4 * R(doubles::u), half = R(doubles::u);
     const R chord = -y.a * y.wZ * t * (h == 0 ? R(1) : sine(h) / h);
     const R psi = y.psi + (y.wZ + y.wY * y.T) * t;
-    const R x = y.x + chord * cosine(y.phi + h), z = y.z - chord * sine(y.phi + h);
+    const R x = y.x + chord * cosine(y.phi + h),
+            z = y.z - chord * sine(y.phi + h);
     const R rolled = (magnitude(y.wZ) + magnitude(y.wY * y.T)) * magnitude(t);
     const R path = y.a * magnitude(y.wZ * t) * (1 + magnitude(turn));
     verdict<R> v;
@@ -216,7 +217,8 @@ template <class R> double wobble(const scene &s, double)
     R A = magnitude(R(s.q[0])), off[8], worst = 0;
     for (int i = 1; i < 4; ++i)
         A = larger(A, magnitude(R(s.q[i])) / w);
-    A = larger(A, magnitude(to_neighbour(y, R(s.q[0]), R(s.q[2]), R(s.q[3])))) / y.c;
+    A = larger(A, magnitude(to_neighbour(y, R(s.q[0]), R(s.q[2]), R(s.q[3])))) /
+        y.c;
     if (magnitude(R(s.t)) * w * W > 1000 || !truth.follow(R(s.t)))
         return NO_CLAIM;
     truth.apart(out, W, off);

@@ -19,7 +19,6 @@ constexpr law LAWS[] = {{4, 0.1}, {8, 2e-4}, {2, 0.6}, {4, 0.04}};
  * most half of that. */
 constexpr double FAR = 1;
 
-
 /* The largest difference in radians, radii and parts of W. */
 template <class T, class R>
 R apart(const path<R> &truth, const typename T::state &s, R W)
@@ -56,7 +55,8 @@ double run_of(const scene &s, double enough, uint64_t steps)
         const R next = truth.fastest();
         W = larger(last, next);
         last = next;
-        sum += whole_power(magnitude(R(dt)) * truth.w * W, LAWS[METHOD].order + 1);
+        sum +=
+            whole_power(magnitude(R(dt)) * truth.w * W, LAWS[METHOD].order + 1);
     }
     const R flat = METHOD < 2 ? R(1) : 1 / least;
     const R rounding =
@@ -74,19 +74,22 @@ double run_of(const scene &s, double enough, uint64_t steps)
                : larger(dear, ratio / growth(p, state_of<T>(s), dt, steps));
 }
 
-template <class T, class R, int METHOD> double step(const scene &s, double enough)
+template <class T, class R, int METHOD>
+double step(const scene &s, double enough)
 {
     return run_of<T, R, METHOD>(s, enough, 1);
 }
 
-template <class T, class R, int METHOD> double run(const scene &s, double enough)
+template <class T, class R, int METHOD>
+double run(const scene &s, double enough)
 {
     return run_of<T, R, METHOD>(s, enough, uint64_t(s.steps));
 }
 
 /* ------------------------------------------------------------- equal bits */
 
-template <class T> bool same(const typename T::state &a, const typename T::state &b)
+template <class T>
+bool same(const typename T::state &a, const typename T::state &b)
 {
     return !std::memcmp(&a, &b, sizeof a);
 }
@@ -152,9 +155,8 @@ template <int METHOD> void near_the_limit(scene *s, const double *genes)
 {
     constexpr double limits[] = {0.35, 1, 0.08, 0.16};
     const double c = std::cos(s->theta);
-    const double W =
-        std::sqrt((s->wX * s->wX + s->wY * s->wY) / (c * c) + s->wZ * s->wZ +
-                  s->g / (s->a * c));
+    const double W = std::sqrt((s->wX * s->wX + s->wY * s->wY) / (c * c) +
+                               s->wZ * s->wZ + s->g / (s->a * c));
     const double part = genes[22] < 0.5 ? 2 * genes[22] : 2 * genes[22] - 1;
     const double size = limits[METHOD] * std::pow(10, -2 * part * part);
     s->t = (genes[22] < 0.5 ? size : -size) / W;

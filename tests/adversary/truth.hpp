@@ -12,7 +12,8 @@ template <class R> struct moment {
     R theta, phi, psi, x, z, wX, wY, wZ;
     R s, c, T, sph, cph;
 
-    template <class P, class S> moment(const P &p, const S &y)
+    template <class P, class S>
+    moment(const P &p, const S &y)
         : M(p.mass), a(p.radius), g(p.gravity), IX(p.inertia_X),
           IZ(p.inertia_Z), theta(y.theta), phi(y.phi), psi(y.psi), x(y.x),
           z(y.z), wX(y.wX), wY(y.wY), wZ(y.wZ)
@@ -51,9 +52,9 @@ template <class R> terms<R> dwX_of(const moment<R> &y)
 /* In the order of the members of a state. */
 template <class R> void rates_of(const moment<R> &y, terms<R> d[8])
 {
-    d[0].add(y.wX);                                            /* (17) */
-    d[1].add(y.wY / y.c);                                      /* (18) */
-    d[2].add(y.wZ).add(y.wY * y.T);                            /* (19) */
+    d[0].add(y.wX);                                              /* (17) */
+    d[1].add(y.wY / y.c);                                        /* (18) */
+    d[2].add(y.wZ).add(y.wY * y.T);                              /* (19) */
     d[3].add(-y.a * y.wZ * y.cph).add(y.a * y.wX * y.c * y.sph); /* (20) */
     d[4].add(y.a * y.wZ * y.sph).add(y.a * y.wX * y.c * y.cph);  /* (20) */
     d[5] = dwX_of(y);
@@ -75,7 +76,9 @@ template <class R> table_force<R> force_of(const moment<R> &y)
     h.add(-Ma * y.wX * y.wX * y.s)
         .add(dwX, Ma * y.c)
         .add(Ma * y.wY * y.wZ / y.c); /* (26) */
-    N.add(y.M * y.g).add(-Ma * y.wX * y.wX * y.c).add(dwX, -Ma * y.s); /* (27) */
+    N.add(y.M * y.g)
+        .add(-Ma * y.wX * y.wX * y.c)
+        .add(dwX, -Ma * y.s); /* (27) */
     table_force<R> f;
     f.Rx.add(e, y.cph).add(h, y.sph);  /* (28) */
     f.Rz.add(e, -y.sph).add(h, y.cph); /* (28) */
