@@ -15,9 +15,9 @@ struct law {
 };
 constexpr law LAWS[] = {{4, 0.1}, {8, 2e-4}, {2, 0.6}, {4, 0.04}};
 
-/* The law's bodies: I_X below M a^2.  One whose mass lies within the rim has at
- * most half of that. */
-constexpr double FAR = 1;
+/* The law's bodies: those whose mass lies within the rim, up to the hoop's
+ * I_X = M a^2/2 and its rounding. */
+constexpr double FAR = 0.500001;
 
 /* The largest difference in radians, radii and parts of W. */
 template <class T, class R>
