@@ -103,11 +103,7 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
     const coin_priv_pair psi = ROW_AT(rows, COIN_PRIV_PSI, tau);
     const coin_priv_pair z = ROW_AT(rows, COIN_PRIV_Z, tau);
     const coin_priv_pair x = ROW_AT(rows, COIN_PRIV_X, tau);
-    double quarter; /* -1, 0 or 1, since |theta| is below pi/2 */
-    const coin_priv_sc rest = coin_priv_sincos_rest(&quarter, OF(th, 0));
-    const double turned = quarter * quarter, not_turned = 1 - turned;
-    const double cth = not_turned * rest.c + turned * fabs(rest.s);
-    const double sth = not_turned * rest.s + quarter * rest.c;
+    const coin_priv_sc lean = coin_priv_sine_cosine(OF(th, 0));
     const double rate = f[COIN_PRIV_RATE];
     coin_state at = {
         OF(th, 0),
@@ -117,8 +113,8 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
         0,
         0,
         side * OF(th, 1) * rate,
-        OF(phi, 1) * cth * rate,                /* (18) */
-        (OF(psi, 1) - OF(phi, 1) * sth) * rate, /* (19) */
+        OF(phi, 1) * lean.c * rate,                /* (18) */
+        (OF(psi, 1) - OF(phi, 1) * lean.s) * rate, /* (19) */
     };
     carry(&at, f, k, OF(z, 0), side * OF(x, 0));
     if (coin_priv_check_members(&at) != COIN_OK)
