@@ -40,20 +40,23 @@ static void half_kick(coinf_state *s, const coinf_priv_plan *plan,
     y->wX = s->wX;
 }
 
-/* From theta's old pair in *y to its new one: wY and wZ follow.  0 if that is
- * beyond the series. */
+/* From theta's old pair in *y to its new one, a turn away: wY and wZ follow.  0
+ * if that is beyond the series.  What the turn adds to the pair is computed by
+ * itself: a difference of sines would cancel. */
 static int shift(coinf_state *s, const coinf_priv_plan *plan,
-                 coinf_priv_variables *y)
+                 coinf_priv_variables *y, float turn)
 {
+    const coinf_priv_sc lean = {y->sth, y->cth};
+    const coinf_priv_sc by = coinf_priv_turn_adds(lean, turn);
     const coinf_priv_sc th = coinf_priv_pair(s->theta, s->low[0]);
-    const float e = th.s - y->sth, c2 = y->cth * y->cth;
+    const float c2 = y->cth * y->cth;
     float dp, dwZ;
-    if (!(fabsf(e) * (1 + fabsf(y->sth)) <= COIN_PRIV_SERIES_REACH * c2))
+    if (!(fabsf(turn) <= COIN_PRIV_HALF_PI &&
+          fabsf(by.s) * (1 + fabsf(y->sth)) <= COIN_PRIV_SERIES_REACH * c2))
         return 0;
     coinf_priv_legendre_change(&dp, &dwZ, y->wY * y->cth, y->wZ, plan->k1,
-                               plan->k2, y->sth, c2, e); /* (49) */
-    coinf_priv_add(&s->wY, &s->low[6], (dp - y->wY * (th.c - y->cth)) / th.c,
-                   0);
+                               plan->k2, y->sth, c2, by.s); /* (49) */
+    coinf_priv_add(&s->wY, &s->low[6], (dp - y->wY * by.c) / th.c, 0);
     coinf_priv_add(&s->wZ, &s->low[7], dwZ, 0);
     y->wY = s->wY;
     y->wZ = s->wZ;
@@ -70,8 +73,9 @@ static int drift(coinf_state *s, const coinf_priv_plan *plan,
 {
     const coinf_priv_variables y0 = *y;
     const struct rates r0 = rates_of(&plan->f, &y0);
-    coinf_priv_add(&s->theta, &s->low[0], plan->f.h * y->wX, 0); /* (17) */
-    if (!shift(s, plan, y))
+    const float turn = plan->f.h * y->wX; /* (17) */
+    coinf_priv_add(&s->theta, &s->low[0], turn, 0);
+    if (!shift(s, plan, y, turn))
         return 0;
     struct rates r1 = rates_of(&plan->f, y);
     coinf_priv_add(&s->phi, &s->low[1],
