@@ -5,9 +5,9 @@
 #include "support/random.h"
 #include "support/table.h"
 
+#include "body.h"
 #include "legendre.h"
 #include "methods.h"
-#include "body.h"
 
 #include <math.h>
 

@@ -10,29 +10,36 @@
 #include <string.h>
 
 /* coin_advance() once more, with its equations counted: twelve are a step. */
-#include "equations.h"
+#include "sundman.h"
 
 static unsigned long equations;
 
 static coin_priv_variables counted(const coin_priv_field *f,
-                               const coin_priv_variables *y)
+                                   const coin_priv_variables *y)
 {
     ++equations;
     return coin_priv_sundman_rates(f, y);
 }
 
+double counted_tau(const coin_priv_body *b, const coin_priv_variables *y,
+                   double stride);
+int counted_accept(coin_priv_run *r, const coin_priv_variables *y,
+                   const coin_priv_pose *adds);
+int counted_step(coin_priv_run *r, double tau);
+void counted_read_lean(coin_priv_progress *g);
 int32_t counted_advance(coin_state *s, const coin_params *p, double t,
                         double tol, double *reached);
 
 #define coin_priv_sundman_rates(f, y) counted(f, y)
 #define coin_priv_sundman_tau counted_tau
+#define coin_priv_sundman_accept counted_accept
 #define coin_priv_sundman_step counted_step
+#define coin_priv_read_lean counted_read_lean
 #define coin_advance counted_advance
-#include "advance.c"
-#undef coin_priv_sundman_step
-#undef coin_advance
+#include "sundman.c"
 
-int coin_priv_sundman_step(coin_priv_run *r, double tau);
+#include "advance.c"
+#undef coin_advance
 
 #define HALF_PI 1.5707963267948966
 

@@ -169,8 +169,8 @@ static void pairs_and_angles_are_one_after_every_step(void **unused)
             if (coin_priv_run_on(&run, method, 1) == 0)
                 break;
             const coin_priv_progress *g = &run.g;
-            const long double theta = (long double)g->theta.sum +
-                                      g->theta.low + g->added.theta;
+            const long double theta =
+                (long double)g->theta.sum + g->theta.low + g->added.theta;
             const long double phi =
                 (long double)g->phi.sum + g->phi.low + g->added.phi;
             const int since = k % COIN_PRIV_BLOCK;

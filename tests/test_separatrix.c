@@ -6,8 +6,8 @@
 #include "support/coins.h"
 #include "support/methods.h"
 
-#include "legendre.h"
 #include "body.h"
+#include "legendre.h"
 
 #include <math.h>
 

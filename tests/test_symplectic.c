@@ -3,8 +3,8 @@
 #include "support/methods.h"
 #include "support/random.h"
 
-#include "legendre.h"
 #include "body.h"
+#include "legendre.h"
 
 #include <math.h>
 

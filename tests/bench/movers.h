@@ -19,9 +19,9 @@ enum mover_kind {
 typedef struct mover {
     enum mover_kind kind;
     coin_params p;
-    coin_state s;  /* where the coin is */
-    double h;      /* the step, in t, or in tau of MOVER_SUNDMAN */
-    long double t; /* since the start */
+    coin_state s;      /* where the coin is */
+    double h;          /* the step, in t, or in tau of MOVER_SUNDMAN */
+    long double t;     /* since the start */
     coin_priv_run run; /* of MOVER_SUNDMAN */
 } mover;
 
