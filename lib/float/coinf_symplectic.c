@@ -5,8 +5,8 @@
 
 /* Kick, drift, kick as in lib/step/symplectic.c, in changes. */
 
-/* Rates along a drift times h, and their own rates times h^2; x, z are of the
- * point of contact, in radii. */
+/* Rates along a drift times h, and their own rates times h^2; x, z are in
+ * radii. */
 struct rates {
     float phi, psi, x, z, dphi, dpsi, dx, dz;
 };
@@ -20,8 +20,10 @@ static struct rates rates_of(const coinf_priv_field *f,
     struct rates r = {v.phi, v.psi, v.x, v.z, 0, 0, 0, 0};
     r.dphi = hwX * y->q * (slope_wY + hwY * tth);
     r.dpsi = hwX * (f->k2 * y->wY + slope_wY * tth + hwY * (1 + tth * tth));
-    r.dx = v.psi * v.phi * y->sph - r.dpsi * y->cph; /* (22) */
-    r.dz = v.psi * v.phi * y->cph + r.dpsi * y->sph; /* (22) */
+    const float along = f->h * y->wZ * v.phi - y->sth * (hwX * hwX);
+    const float across = hwX * (hwY - f->k2 * y->wY);
+    r.dx = along * y->sph + across * y->cph;
+    r.dz = along * y->cph - across * y->sph;
     return r;
 }
 
@@ -86,12 +88,10 @@ static int drift(coinf_state *s, const coinf_priv_plan *plan,
     y->sph = ph.s;
     y->cph = ph.c;
     r1 = rates_of(&plan->f, y);
-    const float x = y->sth * y->sph - y0.sth * y0.sph; /* (21) */
-    const float z = y->sth * y->cph - y0.sth * y0.cph; /* (21) */
     coinf_priv_add(&s->x, &s->low[3],
-                   plan->a * (hermite(r0.x, r1.x, r0.dx, r1.dx) + x), 0);
+                   plan->a * hermite(r0.x, r1.x, r0.dx, r1.dx), 0);
     coinf_priv_add(&s->z, &s->low[4],
-                   plan->a * (hermite(r0.z, r1.z, r0.dz, r1.dz) + z), 0);
+                   plan->a * hermite(r0.z, r1.z, r0.dz, r1.dz), 0);
     return 1;
 }
 

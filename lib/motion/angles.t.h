@@ -87,7 +87,8 @@ COIN_PRIV_INLINE PRIV(sc) PRIV(turn_adds)(PRIV(sc) of, real d)
 }
 
 /* The sine and cosine of the angle turned.
- * Accuracy: 2 u of the pair's norm (test_angles). */
+ * Accuracy: 2 u of the pair's norm for |d| <= 1/2, 3 u for |d| <= 1, 5 u up to
+ * pi/2 (test_angles). */
 COIN_PRIV_INLINE PRIV(sc) PRIV(turned)(PRIV(sc) of, real d)
 {
     const PRIV(sc) by = PRIV(turn_adds)(of, d);

@@ -15,9 +15,8 @@ typedef struct PRIV(variables) {
     real sph, cph;         /* sin phi, cos phi: for the path alone */
 } PRIV(variables);
 
-/* The variables that the equations change and do not read.  x and z are of the
- * centre, in radii; in Sundman's form they are of the point of contact, and t
- * is the time. */
+/* The variables that the equations change and do not read.  x and z are in
+ * radii; t is the time, used in Sundman's form alone. */
 typedef struct PRIV(pose) {
     real theta, phi, psi, x, z, t;
 } PRIV(pose);
@@ -30,7 +29,7 @@ typedef struct PRIV(field) {
 /* h d/dt of the variables.  Factors are grouped so that no product waits for
  * long: a step takes as long as its longest chain of dependences. */
 COIN_PRIV_INLINE PRIV(variables)
-    PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
+PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth, q = y->q;
@@ -53,28 +52,36 @@ COIN_PRIV_INLINE PRIV(variables)
     return d;
 }
 
-/* h d/dt of the pose. */
+/* The velocity of the centre along x and z in radii, -wZ e_X + wX e_Z, times
+ * what wZ and wX cos theta are times. */
+COIN_PRIV_INLINE void PRIV(path_rates)(real *dx, real *dz, real wXcth, real wZ,
+                                       const PRIV(variables) * y)
+{
+    *dx = wXcth * y->sph - wZ * y->cph; /* (20) */
+    *dz = wXcth * y->cph + wZ * y->sph; /* (20) */
+}
+
+/* h d/dt of the pose.  The path is that of the centre: the point of contact may
+ * run round while the centre rests. */
 COIN_PRIV_INLINE PRIV(pose)
-    PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real hwX = f->h * y->wX, hwY = f->h * y->wY, hwZ = f->h * y->wZ;
-    const real along = y->cth * hwX, none = {0};
+    const real none = {0};
     PRIV(pose) d;
-    d.theta = hwX;                           /* (17) */
-    d.phi = hwY * y->q;                      /* (18) */
-    d.psi = hwZ + hwY * y->tth;              /* (19) */
-    d.x = along * y->sph - hwZ * y->cph;     /* (20) */
-    d.z = along * y->cph + hwZ * y->sph;     /* (20) */
+    d.theta = hwX;              /* (17) */
+    d.phi = hwY * y->q;         /* (18) */
+    d.psi = hwZ + hwY * y->tth; /* (19) */
+    PRIV(path_rates)(&d.x, &d.z, hwX * y->cth, hwZ, y);
     d.t = none;
     return d;
 }
 
-/* Sundman's form: h d/dtau of the variables, with dt = cos theta dtau.  All of
- * it is the field above times cos theta: a cubic polynomial of variables that
- * the energy bounds, regular down to the table.  q and tan theta have no part.
- */
+/* Sundman's form: h d/dtau of the variables, with dt = cos theta dtau.  All of it is
+ * the field above times cos theta: a cubic polynomial of variables that the
+ * energy bounds, regular down to the table.  q and tan theta have no part. */
 COIN_PRIV_INLINE PRIV(variables)
-    PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth;
@@ -97,21 +104,18 @@ COIN_PRIV_INLINE PRIV(variables)
     return d;
 }
 
-/* h d/dtau of the pose and of the time.  The point of contact moves along the
- * heading, where the centre's path has two terms of higher degree. */
+/* h d/dtau of the pose and of the time. */
 COIN_PRIV_INLINE PRIV(pose)
-    PRIV(sundman_pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+PRIV(sundman_pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
-    const real hwY = f->h * y->wY;
-    const real dps = f->h * (y->cth * y->wZ) + hwY * y->sth; /* (32) */
-    const real none = {0};
+    const real hwY = f->h * y->wY, hc = f->h * y->cth;
+    const real hcwZ = hc * y->wZ, none = {0};
     PRIV(pose) d;
-    d.theta = none; /* the pair holds it, down to the table */
-    d.phi = hwY;    /* (32) */
-    d.psi = dps;
-    d.x = -(dps * y->cph); /* (32) */
-    d.z = dps * y->sph;    /* (32) */
-    d.t = f->h * y->cth;   /* (32) */
+    d.theta = none;              /* the pair holds it, down to the table */
+    d.phi = hwY;                 /* (32) */
+    d.psi = hcwZ + hwY * y->sth; /* (32) */
+    PRIV(path_rates)(&d.x, &d.z, hc * (y->cth * y->wX), hcwZ, y);
+    d.t = hc; /* (32) */
     return d;
 }
 
@@ -135,8 +139,8 @@ COIN_PRIV_INLINE void PRIV(normalize)(PRIV(variables) * y)
 
 /* a + w b, member by member. */
 COIN_PRIV_INLINE PRIV(variables)
-    PRIV(variables_plus)(const PRIV(variables) * a, scalar w,
-                         const PRIV(variables) * b)
+PRIV(variables_plus)(const PRIV(variables) * a, scalar w,
+                     const PRIV(variables) * b)
 {
     const real sth = a->sth + w * b->sth, q = a->q + w * b->q;
     const PRIV(variables) r = {
@@ -157,10 +161,11 @@ COIN_PRIV_INLINE PRIV(variables)
 COIN_PRIV_INLINE void PRIV(velocity_of)(real v[3], real a,
                                         const PRIV(variables) * y)
 {
-    const real g = y->cth * y->wX;
-    v[0] = a * (g * y->sph - y->wZ * y->cph); /* (20) */
-    v[1] = -a * (y->wX * y->sth);             /* (20) */
-    v[2] = a * (g * y->cph + y->wZ * y->sph); /* (20) */
+    real dx, dz;
+    PRIV(path_rates)(&dx, &dz, y->cth * y->wX, y->wZ, y);
+    v[0] = a * dx;
+    v[1] = -a * (y->wX * y->sth); /* (20) */
+    v[2] = a * dz;
 }
 
 /* W^2, the square of the fastest rate: of turning, heading and falling. */

@@ -67,6 +67,22 @@ COIN_PRIV_INLINE int shift(coin_priv_variables *y,
     return 1;
 }
 
+/* d/dt of the centre's velocity, Eq. (20), along a drift: its parts at right
+ * angles to e_X and along it, in radii. */
+struct turn {
+    double along, across;
+};
+
+COIN_PRIV_INLINE struct turn turn_of(const coin_priv_body *b,
+                                     const coin_priv_variables *y, double dphi)
+{
+    const struct turn t = {
+        y->wZ * dphi - y->sth * (y->wX * y->wX),
+        y->wX * y->wY * (1 - b->k2),
+    };
+    return t;
+}
+
 /* Moves *c by a drift of h. */
 COIN_PRIV_INLINE void drift(struct part *c, const struct split *k, double h)
 {
@@ -82,27 +98,23 @@ COIN_PRIV_INLINE void drift(struct part *c, const struct split *k, double h)
     c->sound &= fabs(turn) <= COIN_PRIV_TURN_MAX && y->cth > 0 &&
                 shift(y, &y0, by, k->b);
     const coin_priv_pose v0 = coin_priv_pose_rates(&k->f, &y0);
-    const coin_priv_pose v1 = coin_priv_pose_rates(&k->f, y);
+    coin_priv_pose v1 = coin_priv_pose_rates(&k->f, y);
     const coin_priv_drift_slopes s0 = coin_priv_drift_slopes_of(k->b, &y0);
     const coin_priv_drift_slopes s1 = coin_priv_drift_slopes_of(k->b, y);
     const double dph = hermite(h, v0.phi, v1.phi, s0.phi, s1.phi);
     const coin_priv_sc ph = coin_priv_turned(heading, dph);
     y->sph = ph.s;
     y->cph = ph.c;
+    v1 = coin_priv_pose_rates(&k->f, y);
     c->adds.theta += turn;
     c->adds.phi += dph;
     c->adds.psi += hermite(h, v0.psi, v1.psi, s0.psi, s1.psi);
-    /* The path of the point of contact, and from there to the centre. */
-    c->adds.x +=
-        hermite(h, -(v0.psi * y0.cph), -(v1.psi * y->cph), /* (22) */
-                v0.psi * v0.phi * y0.sph - s0.psi * y0.cph,
-                v1.psi * v1.phi * y->sph - s1.psi * y->cph) +
-        (y->sth * y->sph - y0.sth * y0.sph); /* (21) */
-    c->adds.z +=
-        hermite(h, v0.psi * y0.sph, v1.psi * y->sph, /* (22) */
-                v0.psi * v0.phi * y0.cph + s0.psi * y0.sph,
-                v1.psi * v1.phi * y->cph + s1.psi * y->sph) +
-        (y->sth * y->cph - y0.sth * y0.cph); /* (21) */
+    const struct turn t0 = turn_of(k->b, &y0, v0.phi);
+    const struct turn t1 = turn_of(k->b, y, v1.phi);
+    c->adds.x += hermite(h, v0.x, v1.x, t0.along * y0.sph + t0.across * y0.cph,
+                         t1.along * y->sph + t1.across * y->cph);
+    c->adds.z += hermite(h, v0.z, v1.z, t0.along * y0.cph - t0.across * y0.sph,
+                         t1.along * y->cph - t1.across * y->sph);
 }
 
 COIN_PRIV_INLINE struct part begin(const coin_priv_variables *y)
