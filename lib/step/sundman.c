@@ -30,10 +30,7 @@ int coin_priv_sundman_accept(coin_priv_run *r, const coin_priv_variables *y,
                              const coin_priv_pose *adds)
 {
     coin_priv_progress *const g = &r->g;
-    const coin_priv_variables *const from = &g->y;
     coin_priv_pose added = coin_priv_pose_plus(&g->added, 1, adds);
-    added.x += y->sth * y->sph - from->sth * from->sph; /* (21) */
-    added.z += y->sth * y->cph - from->sth * from->cph; /* (21) */
     added.t = g->added.t + adds->t;
     if (!coin_priv_angles_hold(g, &added, 0))
         return 0;

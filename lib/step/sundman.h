@@ -20,8 +20,7 @@ double coin_priv_sundman_tau(const coin_priv_body *b,
 int coin_priv_sundman_step(coin_priv_run *r, double tau);
 
 /* Ends a step in tau that was accepted: y are the variables at its end, adds
- * what it adds to the pose, x
- * and z of the point of contact.  0, and *r untouched, if phi or psi leave their
+ * what it adds to the pose.  0, and *r untouched, if phi or psi leave their
  * range. */
 int coin_priv_sundman_accept(coin_priv_run *r, const coin_priv_variables *y,
                              const coin_priv_pose *adds);
