@@ -44,8 +44,15 @@ COIN_PRIV_INLINE int32_t PRIV(check_here)(const COIN(state) * s,
 {
     if (!s || !p)
         return COIN_EARG;
-    const int32_t status = PRIV(check_body)(b, p);
-    return status == COIN_OK ? PRIV(check_state)(s, b) : status;
+    int32_t status = PRIV(check_body)(b, p);
+    if (status != COIN_OK)
+        return status;
+    status = PRIV(check_state)(s, b);
+    if (COIN_PRIV_RARELY(status != COIN_OK)) {
+        PRIV(check_any_body)(b, p); /* has the exact limit of |omega|^2 */
+        status = PRIV(check_state)(s, b);
+    }
+    return status;
 }
 
 /* The same out of line. */
