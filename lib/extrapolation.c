@@ -107,9 +107,11 @@ COIN_PRIV_INLINE lanes all(double value)
 /* -------------------------------------------------------------- substeps -- */
 /* Adds 2h f(y). */
 COIN_PRIV_INLINE void add_slope(struct variables *to, const struct problem *p,
-                                const struct variables *y, lanes h2)
+                                const struct variables *y,
+                                const lanes *double_step)
 {
     const lanes X = y->X, Y = y->Y, sth = y->sth, cth = y->cth;
+    const lanes h2 = *double_step;
     const lanes hX = h2 * X, hY = h2 * Y, hcth = h2 * cth;
     const lanes m = cth * X, n = cth * y->Z, e = sth * Y;
     to->X = (to->X + (p->G * sth) * hcth) - hY * (p->KJ * n + p->XJ * e);
@@ -127,7 +129,7 @@ COIN_PRIV_INLINE void add_slope(struct variables *to, const struct problem *p,
 COIN_PRIV_INLINE void even_substep(struct columns *c, const struct problem *p)
 {
     const struct variables y = {EACH_VARIABLE(AT_EVEN)};
-    add_slope(&c->odd, p, &y, c->h2);
+    add_slope(&c->odd, p, &y, &c->h2);
 }
 
 /* Only the first `on` lanes go on.  The others stay where they ended. */
@@ -142,7 +144,7 @@ COIN_PRIV_INLINE void odd_substep(struct columns *c, const struct problem *p,
         dY = dY * mask;
         dcth = dcth * mask;
     }
-    add_slope(&c->even, p, &y, h2);
+    add_slope(&c->even, p, &y, &h2);
     const lanes dps = h2 * ((y.cth * y.Z) * p->Z + y.sth * y.Y);
     c->path.psi = c->path.psi + dps;
     c->path.x = c->path.x - dps * y.cph;
@@ -322,11 +324,11 @@ int coin_priv_extrapolate(coin_priv_carry *c, const coin_priv_body *b,
                           double tau)
 {
     const double unit = tau / 120;
-    const lanes none = {0};
+    const lanes none = {0}, one = none + 1;
     const struct problem p = problem_of(&c->at.y, b, unit);
     struct columns of[GROUPS];
     struct variables slope = {none, none, none, none, none, none, none};
-    add_slope(&slope, &p, &p.start, none + 1);
+    add_slope(&slope, &p, &p.start, &one);
     start_columns(of, &slope);
     all_substeps(of, &p);
     coin_priv_moment next;
