@@ -104,25 +104,20 @@ static int32_t land(coin_priv_carry *c, const coin_priv_body *b,
     return COIN_OK;
 }
 
-/* tol^(1/14) of tol^(1/16), which is x^(8/7): within 0.6 % for tol >= 1e-14. */
+/* tol^(1/14) of x = tol^(1/16): x^(8/7) within 0.6 % from tol = 1e-14 up. */
 static double root14(double x)
 {
     return (0.2127 * x + 0.8261) * x - 0.014;
 }
 
-/* A coin whose lean is slow beside its roll, K I_Z << J I_X, rolls that many
- * more radii in a step, and errs by as much more. */
-static struct reach reach_of(double tol, const coin_priv_body *b)
+static struct reach reach_of(double tol)
 {
-    const double slow2 = b->KJ * b->k1;
-    const double strict = slow2 < 1 ? sqrt(slow2) : 1;
-    const double r8 = sqrt(sqrt(sqrt(tol))), least = 0.1;
-    const double x = sqrt(sqrt(sqrt(sqrt(tol * strict))));
-    const double stride = STRIDE * root14(x > least ? x : least);
+    const double r8 = sqrt(sqrt(sqrt(tol))), r16 = sqrt(r8);
+    const double stride = STRIDE * root14(r16);
     const struct reach r = {
         stride < LONGEST ? stride : LONGEST,
         LAST_RK8 * r8,
-        LAST_RK4 * r8 * sqrt(r8),
+        LAST_RK4 * r8 * r16,
     };
     return r;
 }
@@ -140,7 +135,7 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
     coin_priv_carry c;
     coin_priv_carry_begin(&c, s);
     coin_priv_sum rem = {t, 0};
-    const struct reach r = reach_of(tol, &b);
+    const struct reach r = reach_of(tol);
     status = approach(&c, &b, &r, &rem);
     if (status == COIN_OK)
         status = land(&c, &b, &r, &rem);

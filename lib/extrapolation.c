@@ -90,9 +90,6 @@ static const double weight_of_sum[] = {
     15 * C16, 20 * C12, 24 * C10, 30 * C8, 40 * C6, 60 * C4, 120 * C2, 0,
 };
 
-/* 1 for lanes that go on, from 3 - on. */
-static const double on_lanes[] = {1, 1, 1, 0, 0, 0};
-
 COIN_PRIV_INLINE lanes load(const double *table, int group)
 {
     return *(const in_memory *)(table + group * LANES);
@@ -132,78 +129,94 @@ COIN_PRIV_INLINE void even_substep(struct columns *c, const struct problem *p)
     add_slope(&c->odd, p, &y, &c->h2);
 }
 
-/* Only the first `on` lanes go on.  The others stay where they ended. */
-COIN_PRIV_INLINE void odd_substep(struct columns *c, const struct problem *p,
-                                  int on)
+COIN_PRIV_INLINE void odd_slope(struct columns *c, const struct problem *p,
+                                const lanes *double_step, const lanes *dY,
+                                const lanes *dcth)
 {
     const struct variables y = {EACH_VARIABLE(AT_ODD)};
-    lanes h2 = c->h2, dY = c->odd.Y, dcth = c->odd.cth;
-    if (on < LANES) {
-        const lanes mask = load(on_lanes + 3 - on, 0);
-        h2 = h2 * mask;
-        dY = dY * mask;
-        dcth = dcth * mask;
-    }
-    add_slope(&c->even, p, &y, &h2);
+    const lanes h2 = *double_step;
+    add_slope(&c->even, p, &y, double_step);
     const lanes dps = h2 * ((y.cth * y.Z) * p->Z + y.sth * y.Y);
     c->path.psi = c->path.psi + dps;
     c->path.x = c->path.x - dps * y.cph;
     c->path.z = c->path.z + dps * y.sph;
-    c->path.dY = c->path.dY + dY;
-    c->path.dcth = c->path.dcth + dcth;
+    c->path.dY = c->path.dY + *dY;
+    c->path.dcth = c->path.dcth + *dcth;
 }
+
+COIN_PRIV_INLINE void odd_substep(struct columns *c, const struct problem *p)
+{
+    odd_slope(c, p, &c->h2, &c->odd.Y, &c->odd.cth);
+}
+
+#if LANES > 1
+/* Only the first `on` lanes go on.  The others stay where they ended. */
+COIN_PRIV_INLINE void odd_substep_of(struct columns *c, const struct problem *p,
+                                     int on)
+{
+    static const double on_lanes[] = {1, 1, 1, 0, 0, 0};
+    const lanes mask = load(on_lanes + 3 - on, 0), h2 = c->h2 * mask;
+    const lanes dY = c->odd.Y * mask, dcth = c->odd.cth * mask;
+    odd_slope(c, p, &h2, &dY, &dcth);
+}
+#endif
 
 /* ------------------------------------------------------------ the columns --
  */
-#define BOTH(g, k, on)                                                         \
+/* The substeps up to the odd one k, of group g.  Two groups take turns, so that
+ * one computes while the other waits for its sums. */
+#define UP_TO(k, g)                                                            \
     even_substep(&c[g], p);                                                    \
-    odd_substep(&c[g], p, on);
+    odd_substep(&c[g], p);
+#define UP_TO_OF(k, g, on)                                                     \
+    even_substep(&c[g], p);                                                    \
+    odd_substep_of(&c[g], p, on);
 
 #if LANES == 4
 COIN_PRIV_INLINE void all_substeps(struct columns *c, const struct problem *p)
 {
-    odd_substep(&c[0], p, 4);
-    odd_substep(&c[1], p, 4);
-    BOTH(0, 3, 4)
-    BOTH(1, 3, 2)
-    BOTH(0, 5, 4)
-    BOTH(1, 5, 1)
-    BOTH(0, 7, 4)
-    BOTH(0, 9, 3)
-    BOTH(0, 11, 2)
-    BOTH(0, 13, 1)
-    BOTH(0, 15, 1)
+    odd_substep(&c[0], p);
+    odd_substep(&c[1], p);
+    UP_TO(3, 0)
+    UP_TO_OF(3, 1, 2)
+    UP_TO(5, 0)
+    UP_TO_OF(5, 1, 1)
+    UP_TO(7, 0)
+    UP_TO_OF(9, 0, 3)
+    UP_TO_OF(11, 0, 2)
+    UP_TO_OF(13, 0, 1)
+    UP_TO_OF(15, 0, 1)
 }
 #elif LANES == 2
 COIN_PRIV_INLINE void all_substeps(struct columns *c, const struct problem *p)
 {
-    odd_substep(&c[0], p, 2);
-    odd_substep(&c[1], p, 2);
-    BOTH(0, 3, 2)
-    BOTH(1, 3, 2)
-    BOTH(0, 5, 2)
-    BOTH(1, 5, 2)
-    BOTH(0, 7, 2)
-    BOTH(1, 7, 2)
-    BOTH(0, 9, 2)
-    BOTH(1, 9, 1)
-    BOTH(0, 11, 2)
-    odd_substep(&c[2], p, 2);
-    BOTH(2, 3, 2)
-    BOTH(0, 13, 1)
-    BOTH(2, 5, 1)
-    BOTH(0, 15, 1)
-    odd_substep(&c[3], p, 2);
+    odd_substep(&c[0], p);
+    odd_substep(&c[1], p);
+    UP_TO(3, 0)
+    UP_TO(3, 1)
+    UP_TO(5, 0)
+    UP_TO(5, 1)
+    UP_TO(7, 0)
+    UP_TO(7, 1)
+    UP_TO(9, 0)
+    UP_TO_OF(9, 1, 1)
+    UP_TO(11, 0)
+    odd_substep(&c[2], p);
+    UP_TO(3, 2)
+    UP_TO_OF(13, 0, 1)
+    UP_TO_OF(5, 2, 1)
+    UP_TO_OF(15, 0, 1)
+    odd_substep(&c[3], p);
 }
 #else
-static const int half_substeps[] = {8, 6, 5, 4, 3, 2, 1, 1};
-
 static void all_substeps(struct columns *c, const struct problem *p)
 {
+    static const int half_substeps[] = {8, 6, 5, 4, 3, 2, 1, 1};
     for (int i = 0; i < COLUMNS; ++i) {
-        odd_substep(&c[i], p, 1);
+        odd_substep(&c[i], p);
         for (int k = 1; k < half_substeps[i]; ++k) {
-            BOTH(i, 2 * (COLUMNS - 1 - k) - 1, 1)
+            even_substep(&c[i], p);
+            odd_substep(&c[i], p);
         }
     }
 }

@@ -66,8 +66,7 @@ static void landing_takes_a_step_or_two(void **unused)
         coin_priv_body b;
         check_status(coin_priv_body_of(&b, &p), COIN_OK);
         const coin_priv_stage y = coin_priv_stage_of(&s);
-        const double tau =
-            coin_priv_sundman_tau(&b, &y, reach_of(tol, &b).stride);
+        const double tau = coin_priv_sundman_tau(&b, &y, reach_of(tol).stride);
         const double t = random_between(&r, -1, 1) * tau * y.cth;
         sum += steps_of(s, &p, t, tol);
     }

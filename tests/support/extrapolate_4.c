@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* lib/extrapolation.c with 4 lanes whatever the processor has. */
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 #define LANES 4

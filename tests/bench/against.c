@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* coin_advance() of these sources beside that of an older revision, linked in
  * with every name prefixed by old_ (tests/bench/against.sh).
- *     bench_against scenes        ratios at equal errors on the chart's scenes
- *     bench_against coins         ratios at equal tol over 300 random coins
- *     bench_against frames        short calls beside the textbook's step
+ *     against scenes        ratios at equal errors on the chart's scenes
+ *     against coins         ratios at equal tol over 300 random coins
+ *     against frames        short calls beside the textbook's step
  * A ratio above 1 says how many times faster these sources are. */
 #include "clock.h"
 #include "scene.h"
