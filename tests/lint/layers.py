@@ -19,7 +19,7 @@ FLOORS = [
     [{"params", "state"}, {"frame"}],
     [{"stage"}, {"legendre"}],
     [{"stepper", "change", "carry", "march", "rk4", "dop8", "rk8", "lanes",
-      "symplectic", "sundman", "advance"},
+      "symplectic", "sundman", "extrapolation", "advance"},
      {"energy"}, {"integrals"}, {"reaction"}, {"pose"}, {"rates"},
      {"steady", "steady_at", "steady_near"}],
     [{"run", "step", "batch", "method", "check", "max_dt"}, {"stability"}, {"wobble"},
