@@ -119,9 +119,9 @@ SINGLE       := $(O)/single/coin.h
 .PHONY: single
 single: $(SINGLE) ## build/single/coin.h, the library as one header
 
-$(SINGLE): $(SRC)/LICENSE $(SRC)/lib/float/single.awk \
+$(SINGLE): $(SRC)/LICENSE $(SRC)/lib/about/single.awk \
            $(wildcard $(SRC)/include/*.h $(SRC)/lib/*/*.[ch]) | $(O)/single
-	cd $(SRC) && export LC_ALL=C && awk -f lib/float/single.awk \
+	cd $(SRC) && export LC_ALL=C && awk -f lib/about/single.awk \
 	    LICENSE include/*.h lib/*/*.c >$(abspath $@)
 	echo '#include "coin.h" /* which holds coinf.h */' >$(O)/single/coinf.h
 

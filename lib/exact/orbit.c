@@ -235,7 +235,7 @@ static void set_path(const coin_priv_half *h, double a, double half)
  */
 /* By how much a change of theta at A changes wX a period later: the linear
  * motion beside this one, each piece as if its lambda^2 were constant. */
-static double conditioning(const coin_priv_half *h, double half)
+static double conditioning_of(const coin_priv_half *h, double half)
 {
     const coin_orbit *o = h->o;
     double x = 1, v = 0, t = 0;
@@ -308,7 +308,7 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
     set_times(&h);
     set_angles(&h, s, b->a);
     set_path(&h, b->a, half);
-    o->conditioning = conditioning(&h, half);
+    o->conditioning = conditioning_of(&h, half);
     return o->conditioning < WORST;
 }
 

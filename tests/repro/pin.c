@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Prints the hash that lib/about/selftest.c has to pin: runs that very source, with
- * a print in the place of its verdict. */
+/* Prints the hash that lib/about/selftest.c has to pin: runs that very source,
+ * with a print in the place of its verdict. */
 #include <coin.h>
 
 #include <inttypes.h>
