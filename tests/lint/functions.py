@@ -15,5 +15,5 @@ def functions(text):
             first -= 1
         head = " ".join(lines[first:open_at])
         name = re.search(r"(?:PRIV|COIN)\((\w+)\)\s*\(|(?!PRIV|COIN\()"
-                         r"\b(\w+)\s*\(", head)
+                         r"\b(\w+|operator\W+?)\s*\(", head)
         yield name[1] or name[2], first + 1, lines.index("}", open_at) + 1
