@@ -303,8 +303,7 @@ valgrind: ## the tests under valgrind
 
 # Unoptimised and unmapped: gcov then sees each branch as it is written, and
 # finds the sources.  Only what ran inside the library's own objects counts.
-COVERED = gcovr --root $(SRC) --filter '$(SRC)/lib/' \
-          --filter '$(abspath $(O))/coverage/float/' $(O)/coverage/static
+COVERED = gcovr --root $(SRC) --filter '$(SRC)/lib/' $(O)/coverage/static
 coverage: ## every line and branch of lib/ runs, or the missing are listed
 	rm -rf $(O)/coverage
 	+$(AGAIN) O=$(O)/coverage check MAPS= \
