@@ -101,7 +101,7 @@ static real angle_of(real s, real c)
 }
 
 /* Squares and products of numbers up to here neither overflow nor underflow. */
-#define NORM_MAX (1 / (DBL_EPSILON * DBL_EPSILON))
+#define NORM_MAX (1 / (COIN_PRIV_EPSILON * COIN_PRIV_EPSILON))
 
 /* The angles of a rotation, by Eq. (30).  With C2, S2 the cosine and sine of
  * theta/2, A is C2 + S2 times the cosine and sine of (phi - psi)/2, and B is
