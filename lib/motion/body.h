@@ -56,7 +56,7 @@ COIN_PRIV_INLINE int PRIV(is_ordinary_body)(const COIN(params) * p)
         (unsigned_whole)(PRIV(bits)(p->reserved[0]) |
                          PRIV(bits)(p->reserved[1]) |
                          PRIV(bits)(p->reserved[2]));
-    return (PRIV(above_least)(p->mass) < span) &
+    return (int)(PRIV(above_least)(p->mass) < span) &
            (PRIV(above_least)(p->radius) < span) &
            (PRIV(above_least)(p->gravity) < span) &
            (PRIV(above_least)(p->inertia_X) < span) &

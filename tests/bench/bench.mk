@@ -32,7 +32,8 @@ LIBS_ode     := -lode -lstdc++
 LIBS_mujoco  := -lmujoco
 LIBS_orbit   := $(LIBS_gsl)
 
-BENCH_SEES = -I$(SRC)/include -I$(SRC)/lib -I$(BENCH_SRC) $(MAPS) \
+BENCH_SEES = -I$(SRC)/include -I$(BENCH_SRC) $(MAPS) \
+             $(addprefix -I,$(sort $(dir $(SOURCES)))) \
              -D_POSIX_C_SOURCE=200809L \
              -DBENCH_DATA='"$(SRC)/tests/reference"'
 BENCH_CC   = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS) -std=c11 $(PINNED) \
@@ -49,11 +50,7 @@ define bench_build
 $(BENCH_OUT)/$1 $(BENCH_OUT)/$1/lib:
 	mkdir -p $$@
 
-$(BENCH_OUT)/$1/lib/%.o: $(SRC)/lib/%.c $(O)/flags | $(BENCH_OUT)/$1/lib
-	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
-
-$(BENCH_OUT)/$1/lib/coinf_%.o: $(O)/float/coinf_%.c $(FLOAT_H) $(O)/flags | \
-    $(BENCH_OUT)/$1/lib
+$(BENCH_OUT)/$1/lib/%.o: %.c $(O)/flags | $(BENCH_OUT)/$1/lib
 	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
 
 $(BENCH_OUT)/$1/%.o: $(BENCH_SRC)/%.c $(O)/flags | $(BENCH_OUT)/$1
@@ -63,8 +60,7 @@ $(BENCH_OUT)/$1/textbook.o: $(BENCH_SRC)/textbook.c | $(BENCH_OUT)/$1
 	$$(PEER_CC) $(FLAGS_$1) -c -o $$@ $$<
 
 NEEDED_$1 := $$(SHARED_BY_BENCHES:%=$(BENCH_OUT)/$1/%.o) \
-             $$(patsubst $(SRC)/lib/%.c,$(BENCH_OUT)/$1/lib/%.o,$(SOURCES)) \
-             $(FLOAT_SOURCES:%=$(BENCH_OUT)/$1/lib/coinf_%.o)
+             $$(patsubst %.c,$(BENCH_OUT)/$1/lib/%.o,$(notdir $(SOURCES)))
 
 $$(BENCHES:%=$(BENCH_OUT)/$1/%): $(BENCH_OUT)/$1/%: $(BENCH_OUT)/$1/%.o \
     $$(NEEDED_$1)
@@ -206,13 +202,14 @@ longrun: $(BENCH_OUT)/portable/bench_longrun need-bits ## what ten million steps
 	cp $(BENCH_OUT)/longrun.csv $(BENCH_OUT)/damping.csv $(RESULTS)
 
 # The library's sources once more, with a double that counts.
-COUNTED := $(patsubst $(SRC)/lib/%.c,$(BENCH_OUT)/counted/%.o,$(SOURCES))
+COUNTED := $(patsubst %.c,$(BENCH_OUT)/counted/%.o,\
+             $(notdir $(filter-out $(SRC)/lib/float/%,$(SOURCES))))
 
 $(BENCH_OUT)/counted:
 	mkdir -p $@
 
-$(BENCH_OUT)/counted/%.o: $(SRC)/lib/%.c $(BENCH_SRC)/arithmetic.h \
-                          $(wildcard $(SRC)/lib/*.h) | $(BENCH_OUT)/counted
+$(BENCH_OUT)/counted/%.o: %.c $(BENCH_SRC)/arithmetic.h \
+                          $(wildcard $(SRC)/lib/*/*.h) | $(BENCH_OUT)/counted
 	$(CXX) -std=c++20 -O1 -w -fpermissive -x c++ -I$(SRC)/include \
 	    -include $(BENCH_SRC)/arithmetic.h -c -o $@ $<
 

@@ -16,7 +16,7 @@ CORE_MOST=2560
 # compile LEVEL
 compile()
 {
-    for file in "$OUT"/float/*.c; do
+    for file in "$SRC"/lib/float/*.c; do
         # shellcheck disable=SC2086
         $ARM -mthumb -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard \
             $1 -std=c99 -ffp-contract=off -fno-tree-vectorize -fno-math-errno \

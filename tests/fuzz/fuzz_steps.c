@@ -8,7 +8,6 @@
 CALL(coin_step, (a[0].p, a[1].p, a[2].d))
 CALL(coin_run, (a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].p))
 CALL(coin_batch_run, (a[0].p, a[1].u, a[2].p, a[3].i, a[4].d, a[5].u, a[6].p))
-CALL(coin_lean_run, (a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].p))
 CALL(coin_sample,
      (a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].u, a[6].p, a[7].p))
 
@@ -74,22 +73,6 @@ static void judge_batch_run(const struct outcome *o)
     demand(same(status, o->left[6].p, sizeof status));
 }
 
-/* The same bits as those members of a whole run, where its path fits. */
-static void judge_lean_run(const struct outcome *o)
-{
-    const union argument *a = o->given;
-    const coin_state *w = &o->world->s;
-    coin_state s = {w->theta, 0, 0, 0, 0, w->wX, w->wY, w->wZ};
-    uint64_t done, again;
-    memcpy(&done, o->left[5].p, sizeof done);
-    done = progress(o, a[3].d, a[4].u, done);
-    if (done > 0 &&
-        coin_run(&s, &o->world->p, a[2].i, a[3].d, done, &again) < 0)
-        return;
-    const coin_lean l = {s.theta, s.wX, s.wY, s.wZ};
-    demand(same(&l, o->left[0].p, sizeof l));
-}
-
 /* Each sample has the bits of a run; those beyond are untouched. */
 static void judge_sample(const struct outcome *o)
 {
@@ -120,8 +103,6 @@ const struct function fuzz_functions[] = {
         BIT(COIN_ESTEP) | BIT(COIN_ESTATE), judge_batch_run, 0),
     ROW(coin_sample, "spitucAz", STEPS, COIN_COARSE, BIT(COIN_ESTEP),
         judge_sample, 0),
-    ROW(coin_lean_run, "Lpitun", STEPS, COIN_COARSE, BIT(COIN_ESTEP),
-        judge_lean_run, 0),
 };
 
 END_OF_TABLE;
