@@ -7,32 +7,39 @@
 #include "support/vast.h"
 
 #include <math.h>
+#include <string.h>
 
 /* coin_advance() once more, with its equations counted: twelve are a step. */
-#include "equations.h"
+#include "sundman.h"
 
 static unsigned long equations;
 
 static coin_priv_variables counted(const coin_priv_field *f,
-                               const coin_priv_variables *y)
+                                   const coin_priv_variables *y)
 {
     ++equations;
     return coin_priv_sundman_rates(f, y);
 }
 
+double counted_tau(const coin_priv_body *b, const coin_priv_variables *y,
+                   double stride);
+int counted_accept(coin_priv_run *r, const coin_priv_variables *y,
+                   const coin_priv_pose *adds);
+int counted_step(coin_priv_run *r, double tau);
+void counted_read_lean(coin_priv_progress *g);
 int32_t counted_advance(coin_state *s, const coin_params *p, double t,
                         double tol, double *reached);
 
 #define coin_priv_sundman_rates(f, y) counted(f, y)
 #define coin_priv_sundman_tau counted_tau
+#define coin_priv_sundman_accept counted_accept
 #define coin_priv_sundman_step counted_step
+#define coin_priv_read_lean counted_read_lean
 #define coin_advance counted_advance
-#include "advance.c"
-#undef coin_priv_sundman_step
-#undef coin_advance
+#include "sundman.c"
 
-int coin_priv_sundman_step(coin_priv_carry *c, const coin_priv_body *b,
-                           double tau);
+#include "advance.c"
+#undef coin_advance
 
 #define HALF_PI 1.5707963267948966
 
@@ -68,7 +75,7 @@ static void landing_takes_a_step_or_two(void **unused)
         const coin_params p = ring(random_between(&r, 0, 1));
         const coin_state s = random_state(&r, &p, 1.5);
         coin_priv_body b;
-        check_status(coin_priv_body_of(&b, &p), COIN_OK);
+        check_status(coin_priv_check_body(&b, &p), COIN_OK);
         const coin_priv_variables y = coin_priv_variables_of(&s);
         const double tau = coin_priv_sundman_tau(&b, &y, LONGEST);
         const double t = random_between(&r, -1, 1) * tau * y.cth;
@@ -86,16 +93,16 @@ static void a_sundman_step_is_sound_or_not_done(void **unused)
     for (int i = 0; i < 2000; ++i) {
         const coin_params p = ring(random_between(&r, 0, 1));
         const coin_state s = random_state(&r, &p, 1.57);
-        coin_priv_body b;
-        check_status(coin_priv_body_of(&b, &p), COIN_OK);
-        coin_priv_carry c;
-        coin_priv_carry_begin(&c, &s);
-        const coin_priv_carry before = c;
-        if (coin_priv_sundman_step(&c, &b, random_between(&r, -6, 6))) {
-            check(c.at.y.cth > 0 && c.steps == 1);
+        coin_priv_run run;
+        memset(&run, 0, sizeof run);
+        check_status(coin_priv_check_body(&run.b, &p), COIN_OK);
+        coin_priv_run_from(&run, &s, COIN_RK8, 0);
+        const coin_priv_run before = run;
+        if (coin_priv_sundman_step(&run, random_between(&r, -6, 6))) {
+            check(run.g.y.cth > 0 && run.steps == 1);
             ++done;
         } else {
-            check_same(&c, &before, sizeof c);
+            check_same(&run, &before, sizeof run);
             ++refused;
         }
     }
