@@ -95,11 +95,19 @@ static inline counted fabs(counted a)
     return {std::fabs(a.value), a.ready};
 }
 
+static inline counted ceil(counted a)
+{
+    return {std::ceil(a.value), a.ready};
+}
+
 static inline counted log(counted a)
 {
     return {std::log(a.value), a.ready};
 }
 
 #define double counted
+
+/* No vectors of them. */
+#undef __SSE2__
 
 #endif
