@@ -8,6 +8,7 @@
 #                   pictures and the tables of docs/accuracy.md, docs/limits.md
 #   make figures    pictures and tables from tests/bench/results as they are
 #   make atlas      the maps of docs/limits.md, not timed   (three minutes)
+#   make natural    the calls of a frame loop                (one minute)
 #   make batch      many coins at once                       (two minutes)
 #   make orbits     an orbit beside steps, part of charts    (two minutes)
 #   make longrun    ten million steps of everything          (half an hour)
@@ -77,7 +78,7 @@ $(foreach b,$(BUILDS),$(eval $(call bench_build,$b)))
 -include $(wildcard $(BENCH_OUT)/*/*.d $(BENCH_OUT)/*/lib/*.d)
 
 .PHONY: build-bench need-peers need-charts need-bits results-check bench \
-        charts figures longrun costs batch atlas atlas-check orbits
+        charts figures longrun costs batch atlas atlas-check orbits natural
 build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%))
 
 # A peer that is missing would make our curve look better than it is.
@@ -142,6 +143,7 @@ bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 	    } >$(BENCH_OUT)/reliability.csv
 	$(COSTS)
 	$(BATCH)
+	$(NATURAL)
 	$(PYTHON) $(BENCH_SRC)/summary.py $(BENCH_OUT)
 
 $(BENCH_OUT)/truth: $(BENCH_SRC)/peers/truth.cpp | need-peers
@@ -151,7 +153,7 @@ charts: bench $(BENCH_OUT)/portable/peer_orbit ## measure, and renew the charts
 	mkdir -p $(RESULTS)
 	$(MAP)
 	$(ORBITS)
-	for t in steps accuracy best reliability costs batch atlas; do \
+	for t in steps accuracy best reliability costs batch natural atlas; do \
 	    cp $(BENCH_OUT)/$$t.csv $(RESULTS)/$$t.csv; done
 	$(DRAW)
 
@@ -184,6 +186,15 @@ batch: $(BUILDS:%=$(BENCH_OUT)/%/bench_batch) need-charts need-bits ## many coin
 	$(BATCH)
 	cp $(BENCH_OUT)/batch.csv $(RESULTS)
 	$(DRAW)
+
+# What a frame loop calls.
+NATURAL = { $(ABOUT); $(PYTHON) $(BENCH_SRC)/natural.py $(BENCH_OUT) \
+            $(BUILDS) || exit 1; } >$(BENCH_OUT)/natural.csv
+
+natural: $(BUILDS:%=$(BENCH_OUT)/%/bench_calls) need-charts need-bits ## what the calls of a frame loop cost (one minute)
+	mkdir -p $(RESULTS)
+	$(NATURAL)
+	cp $(BENCH_OUT)/natural.csv $(RESULTS)
 
 # Solved once, or stepped: what n frames cost, and how the phases of steppers
 # err against an orbit's.
