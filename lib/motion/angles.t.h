@@ -73,7 +73,7 @@ COIN_PRIV_INLINE PRIV(sc) PRIV(sine_cosine)(real x)
 /* The sine and cosine of an angle become those of the angle plus d, |d| <=
  * pi/2, by sin d = 2 sin(d/2) cos(d/2) and 1 - cos d = 2 sin(d/2)^2.
  * Accuracy: 2 u of the pair's norm (test_angles). */
-COIN_PRIV_INLINE PRIV(sc) PRIV(turned)(PRIV(sc) of, real d)
+COIN_PRIV_PART PRIV(sc) PRIV(turned)(PRIV(sc) of, real d)
 {
     const real half = K(0.5) * d, z = half * half;
     const PRIV(sc) p = PRIV(polynomials)(z);
