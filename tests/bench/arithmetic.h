@@ -95,11 +95,6 @@ static inline counted fabs(counted a)
     return {std::fabs(a.value), a.ready};
 }
 
-static inline counted ceil(counted a)
-{
-    return {std::ceil(a.value), a.ready};
-}
-
 static inline counted log(counted a)
 {
     return {std::log(a.value), a.ready};

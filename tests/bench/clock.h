@@ -5,8 +5,8 @@
 #include <math.h>
 #include <time.h>
 
-/* Time [ns], of which the least of many windows counts.  Not this thread's: on
- * a virtual machine that clock jumps, and a window seems shorter than it was. */
+/* Time [ns], of which the least of many windows counts.  Not this thread's own
+ * time: on a virtual machine that clock jumps, and a window seems short. */
 static inline double clock_ns(void)
 {
     struct timespec t;
