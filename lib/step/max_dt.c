@@ -35,9 +35,9 @@
 
 struct outlook {
     coin_priv_run from; /* where the trial begins */
-    double span;          /* the time looked at from there */
-    double worst2;        /* the largest W^2 in it; infinite if no step will do:
-                             it ends flat, or W is beyond what a step takes */
+    double span;        /* the time looked at from there */
+    double worst2;      /* the largest W^2 in it; infinite if no step will do:
+                           it ends flat, or W is beyond what a step takes */
 };
 
 static int seen_enough(int turns, double units)
