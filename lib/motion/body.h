@@ -62,7 +62,7 @@ COIN_PRIV_INLINE int PRIV(is_ordinary_body)(const COIN(params) * p)
         (unsigned_whole)(PRIV(bits)(p->reserved[0]) |
                          PRIV(bits)(p->reserved[1]) |
                          PRIV(bits)(p->reserved[2]));
-    return (mass < span) & (radius < span) & (gravity < span) &
+    return (int)(mass < span) & (radius < span) & (gravity < span) &
            (inertia_X < span) & (inertia_Z < span) &
            (p->inertia_Z <= 2 * p->inertia_X) & (reserved == 0);
 }

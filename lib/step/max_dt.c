@@ -99,8 +99,9 @@ static double apart(const coin_priv_run *c, const coin_priv_run *d)
 static double trial(const struct outlook *o, int32_t method, double dt)
 {
     coin_priv_run c = o->from, d = o->from;
-    const double all = ceil(o->span / dt), rate = sqrt(c.b.g_a);
-    const uint64_t n = all < TRIAL_STEPS ? (uint64_t)all : TRIAL_STEPS;
+    const double all = o->span / dt, rate = sqrt(c.b.g_a);
+    const uint64_t down = all < TRIAL_STEPS ? (uint64_t)all : TRIAL_STEPS;
+    const uint64_t n = down + (all < TRIAL_STEPS && (double)down < all);
     const uint64_t block = n / COMPARED + 1;
     const double least = coin_priv_lesser((double)n * dt * rate, 1);
     double error = 0;
