@@ -188,7 +188,7 @@ static struct trial next_to(struct random *r, const struct trial *best)
     nudge(r, &t.s.wY);
     nudge(r, &t.s.wZ);
     nudge(r, &t.part);
-    t.part = copysign(fmin(fabs(t.part), 1), t.part);
+    t.part = copysign(fmin(fmax(fabs(t.part), 0.3), 1), t.part);
     return t;
 }
 
