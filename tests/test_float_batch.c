@@ -292,24 +292,6 @@ static void bad_arguments_touch_nothing(void **unused)
                  COIN_OK);
 }
 
-/* A batch ends with its last coin: 1e9 steps of two that fall after 270 would
- * take minutes. */
-static void a_batch_ends_where_its_last_coin_does(void **unused)
-{
-    (void)unused;
-    static struct trial t;
-    for (int k = 0; k < 2; ++k) {
-        memset(&t, 0, sizeof t);
-        t.p = body;
-        t.count = 2;
-        t.s[0].theta = 0.3f;
-        t.s[1].theta = -0.4f;
-        check_trial(&t, k ? COIN_RK4 : COIN_SYMPLECTIC2, 0.01f, 1000000000);
-        check_status(t.status[0], COIN_ESTEP);
-        check_status(t.status[1], COIN_ESTEP);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -323,7 +305,6 @@ int main(void)
         TEST(a_warning_is_of_the_coin_that_earned_it),
         TEST(no_time_and_no_steps_change_nothing),
         TEST(bad_arguments_touch_nothing),
-        TEST(a_batch_ends_where_its_last_coin_does),
     };
     return RUN_TESTS(tests);
 }
