@@ -50,19 +50,20 @@ COIN_PRIV_INLINE double hermite(double h, double f0, double f1, double df0,
 }
 
 /* Takes wY and wZ along from the lean of *y0 to that of *y; 0 if that is
- * beyond the series. */
+ * beyond the series.  Near the table a difference of sines would be rounding:
+ * *by is how much the pair changed. */
 COIN_PRIV_INLINE int shift(coin_priv_variables *y,
                            const coin_priv_variables *y0,
-                           const coin_priv_body *b)
+                           const coin_priv_sc *by, const coin_priv_body *b)
 {
-    const double e = y->sth - y0->sth, c2 = y0->cth * y0->cth;
+    const double e = by->s, c2 = y0->cth * y0->cth;
     double dp, dwZ;
     if (!(fabs(e) * (1 + fabs(y0->sth)) <= COIN_PRIV_SERIES_REACH * c2))
         return 0;
     coin_priv_legendre_change(&dp, &dwZ, y0->wY * y0->cth, y0->wZ, b->k1, b->k2,
                               y0->sth, c2, e); /* (49) */
     /* In this form no lean change is no change of wY, to the bit. */
-    y->wY = y0->wY + (dp - y0->wY * (y->cth - y0->cth)) * y->q;
+    y->wY = y0->wY + (dp - y0->wY * by->c) * y->q;
     y->wZ = y0->wZ + dwZ;
     return 1;
 }
@@ -90,13 +91,13 @@ COIN_PRIV_INLINE void drift(struct part *c, const struct split *k, double h)
     const double turn = h * y0.wX; /* (17) */
     coin_priv_variables *const y = &c->y;
     const coin_priv_sc lean = {y0.sth, y0.cth}, heading = {y0.sph, y0.cph};
-    const coin_priv_sc th = coin_priv_turned(lean, turn);
-    y->sth = th.s;
-    y->cth = th.c;
-    y->q = 1 / th.c;
-    y->tth = th.s * y->q;
-    c->sound &= fabs(turn) <= COIN_PRIV_TURN_MAX && th.c > 0 &&
-                shift(y, &y0, k->b);
+    const coin_priv_sc by = coin_priv_change_by_turn(lean, turn);
+    y->sth = lean.s + by.s;
+    y->cth = lean.c + by.c;
+    y->q = 1 / y->cth;
+    y->tth = y->sth * y->q;
+    c->sound &= fabs(turn) <= COIN_PRIV_TURN_MAX && y->cth > 0 &&
+                shift(y, &y0, &by, k->b);
     const coin_priv_pose v0 = coin_priv_pose_rates(&k->f, &y0);
     coin_priv_pose v1 = coin_priv_pose_rates(&k->f, y);
     const coin_priv_drift_slopes s0 = coin_priv_drift_slopes_of(k->b, &y0);
