@@ -22,10 +22,9 @@ enum { SIZES = 3, SPINS = 60 };
  * 0.01 (dt W)^4. */
 #define STEADY 1.5e-3
 
-/* In the textbook's errors.  Beyond MOST_AS_A_RULE is the path of some spins
- * alone, whose heading turns faster than all else: 3 in 100 of 1800 random
- * ones, by 2.03 at most. */
-#define MOST 2.1
+/* In the textbook's errors.  Beyond MOST_AS_A_RULE is the heading of some spins
+ * near the table alone: 8 of 1800 random ones, by 1.66 at most. */
+#define MOST 1.7
 #define MOST_AS_A_RULE 1.5
 
 static double tolerated(double dtW, double textbook, double most)
@@ -189,7 +188,7 @@ static void it_errs_like_the_textbook_s_on_spins(void **unused)
     printf("    %zu spins: %.3g of the textbook's error, at worst %.3g\n",
            r.count, s.median, s.worst);
     check(r.count >= 100);
-    check_within((double)r.good / r.all, 0.95, 1);
+    check_within((double)r.good / r.all, 0.99, 1);
     check_within(s.median, 0.9, 1.1);
 }
 
