@@ -1,6 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* A batch against coin_run() for each of its coins, to the bit. */
+/* lib/step/lanes.c once more, for its parts; it has a check() of its own. */
 #include "lanes.h"
+coin_priv_lanes_run *lanes_run_of(int32_t method);
+#define coin_priv_lanes_run_of lanes_run_of
+#include "lanes.c"
+#undef coin_priv_lanes_run_of
+
 #include "support/check.h"
 #include "support/coins.h"
 #include "support/methods.h"
@@ -77,7 +83,8 @@ static void each_coin_goes_as_it_would_alone(void **unused)
             const double longest = i % 3 == 0 ? 0.3 : 0.03;
             const double dt =
                 random_between(&r, -longest, longest) * natural_time(&t.p);
-            const uint64_t steps = (uint64_t)random_between(&r, 0, 200);
+            const uint64_t steps =
+                i % 5 == 0 ? 1 : (uint64_t)random_between(&r, 0, 200);
             check_note("method %d, batch %d, dt %g, steps %u", (int)method, i,
                        dt, (unsigned)steps);
             check_trial(&t, method, dt, steps);
@@ -91,48 +98,75 @@ static void each_coin_goes_as_it_would_alone(void **unused)
     check(failed > 50 && warned > 50 && well > 50);
 }
 
-/* One step by the method's vectors; whether the coin stayed above high, and
- * where it is then. */
-static int stays_above(double high, int32_t method, double wX, double *cth)
+/* --------------------------------------------------- what keeps a lane going
+ */
+#if COIN_PRIV_WIDTH
+/* A block of one step of dt = 0.1 of a coin in all lanes, with the limit on W^2
+ * for which no W is too large above the cosine `safe`; whether it was sound,
+ * and cos theta at its end. */
+static int block_is_sound(double safe, int32_t method, double wX, double w,
+                          double *cth)
 {
     const coin_params p = disc();
-    const coin_state s = {.theta = 0.5, .wX = wX};
+    coin_state s = {.theta = 0.5, .wX = wX, .wY = w, .wZ = w},
+               *where[COIN_PRIV_LANES];
     coin_priv_body b;
-    coin_priv_carry c;
-    coin_priv_moment each[WIDEST], *at[WIDEST];
-    double highs[WIDEST];
-    int sound[WIDEST];
-    check_status(coin_priv_body_of(&b, &p), COIN_OK);
-    for (int k = 0; k < WIDEST; ++k) {
-        coin_priv_carry_begin(&c, &s);
-        each[k] = c.at;
-        at[k] = &each[k];
-        highs[k] = high;
-    }
-    coin_priv_method_abreast(method)(at, sound, highs, &b, 0.1, 1);
-    *cth = each[0].y.cth;
-    return sound[0];
+    struct coins c;
+    check_status(coin_priv_check_body(&b, &p), COIN_OK);
+    const double E2 = 1.25 * 2 * coin_energy(&s, &p), q = 1 / safe;
+    const struct shared of = {
+        &p, &b, 0.1, E2 / b.IX * q * q + b.g_a * q + E2 / b.K, 2, method,
+    };
+    for (int k = 0; k < COIN_PRIV_LANES; ++k)
+        where[k] = &s;
+    load(&c, where);
+    begin(&c);
+    const coin_lanes_rk4_fields k = {
+        field_of(&b, 0.05),
+        field_of(&b, 0.1),
+        field_of(&b, 0.1 / 6),
+    };
+    const coin_lanes_field f = field_of(&b, 0.1);
+    const mask sound = method == COIN_RK4
+                           ? block_of_steps(&c, &of, 1, rk4_step, &k)
+                           : block_of_steps(&c, &of, 1, rk8_step, &f);
+    *cth = c.g.y.cth[0];
+    for (int n = 1; n < COIN_PRIV_LANES; ++n)
+        check(sound[n] == sound[0]);
+    return sound[0] != 0;
 }
 
-/* One that falls is lowest where its step ends, one that rises at the first
- * stage within. */
-static void who_is_above_is_above_at_every_stage(void **unused)
+/* The safe cosine of the lanes is known to 8 u: from just above the lowest
+ * cosine of a step on, it is not sound.  A coin that falls is lowest where its
+ * step ends; one that rises, where it begins; one that
+ * nods, at a stage within. */
+static void a_block_is_sound_above_the_safe_cosine_at_every_stage(void **unused)
 {
     (void)unused;
     double end;
-    check(!coin_priv_method_abreast(COIN_SYMPLECTIC2));
     for (int32_t method = COIN_RK4; method <= COIN_RK8; ++method) {
-        check(!coin_priv_method_abreast(method) == (COIN_PRIV_LANES == 1));
-        if (COIN_PRIV_LANES == 1)
-            continue;
-        check(stays_above(0.8, method, 1, &end));
-        check(stays_above(nextafter(end, 0), method, 1, &end));
-        check(!stays_above(end, method, 1, &end));
-        check_near(end, cos(0.5), 2 * U); /* and is where it was */
-        check(stays_above(cos(0.5) - 1e-3, method, -1, &end));
-        check(end > cos(0.5) + 0.03);
-        check(!stays_above(cos(0.5) + 0.03, method, -1, &end));
+        check_note("method %d", (int)method);
+        check(block_is_sound(0.5, method, 1, 0, &end));
+        check(block_is_sound(end * (1 - 16 * U), method, 1, 0, &end));
+        check(!block_is_sound(end * (1 + 16 * U), method, 1, 0, &end));
+        check_near(end, cos(0.6), 0.01);
+        const double begin = cos(0.5);
+        check(block_is_sound(begin * (1 - 16 * U), method, -1, 0, &end));
+        check(!block_is_sound(begin * (1 + 16 * U), method, -1, 0, &end));
+        check(end > begin + 0.03);
+        check(block_is_sound(begin - 0.01, method, 0.128, 1.5, &end));
+        check(end > begin - 0.0005);
+        check(!block_is_sound(begin - 0.0005, method, 0.128, 1.5, &end));
     }
+}
+#endif
+
+static void the_runge_kutta_methods_have_lanes_where_vectors_are(void **unused)
+{
+    (void)unused;
+    for (int32_t method = 0; method < METHODS; ++method)
+        check((coin_priv_lanes_run_of(method) != NULL) ==
+              (COIN_PRIV_LANES > 1 && method <= COIN_RK8));
 }
 
 /* The first error is that of the lowest index, though a coin that is no state
@@ -198,7 +232,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(each_coin_goes_as_it_would_alone),
-        TEST(who_is_above_is_above_at_every_stage),
+#if COIN_PRIV_WIDTH
+        TEST(a_block_is_sound_above_the_safe_cosine_at_every_stage),
+#endif
+        TEST(the_runge_kutta_methods_have_lanes_where_vectors_are),
         TEST(the_first_coin_that_failed_tells_the_status),
         TEST(no_time_and_no_steps_change_nothing),
         TEST(bad_arguments_touch_nothing),

@@ -5,9 +5,9 @@
 #include "support/random.h"
 #include "support/table.h"
 
+#include "body.h"
 #include "legendre.h"
 #include "methods.h"
-#include "body.h"
 
 #include <math.h>
 
@@ -50,7 +50,7 @@ static void a_drift_is_refused_where_its_series_ends(void **unused)
     coin_params p;
     coin_priv_body b;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    check_status(coin_priv_body_of(&b, &p), COIN_OK);
+    check_status(coin_priv_check_body(&b, &p), COIN_OK);
     const coin_state starts[] = {
         {.theta = 1.5, .phi = 1, .psi = 2, .x = 3, .z = 4, .wX = -2},
         {.theta = -1.57, .wX = 3},

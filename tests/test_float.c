@@ -211,25 +211,6 @@ static void a_run_is_so_many_steps_to_the_bit(void **unused)
     }
 }
 
-static void a_lean_run_has_the_bits_of_a_run(void **unused)
-{
-    (void)unused;
-    const struct start b = start_of("generic");
-    coinf_state s = b.s;
-    coinf_lean l = {s.theta, s.wX, s.wY, s.wZ, {0, 0, 0, 0}};
-    for (int i = 0; i < 3; ++i) {
-        uint64_t done;
-        check_status(coinf_run(&s, &b.p, COIN_RK4, 0.01f, 100, NULL), COIN_OK);
-        check_status(coinf_lean_run(&l, &b.p, COIN_RK4, 0.01f, 100, &done),
-                     COIN_OK);
-        check(done == 100);
-        check(l.theta == s.theta && l.wX == s.wX && l.wY == s.wY &&
-              l.wZ == s.wZ);
-        check(l.low[0] == s.low[0] && l.low[1] == s.low[5] &&
-              l.low[2] == s.low[6] && l.low[3] == s.low[7]);
-    }
-}
-
 static void heading_and_roll_stay_within_half_a_turn(void **unused)
 {
     (void)unused;
@@ -304,7 +285,6 @@ int main(void)
         TEST(the_order_is_the_method_s),
         TEST(the_symplectic_method_does_not_drift),
         TEST(a_run_is_so_many_steps_to_the_bit),
-        TEST(a_lean_run_has_the_bits_of_a_run),
         TEST(heading_and_roll_stay_within_half_a_turn),
         TEST(mirrored_and_reversed_motions_have_the_same_bits),
         TEST(this_build_gives_the_pinned_bits),

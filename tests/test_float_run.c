@@ -29,7 +29,6 @@ static void a_state_is_eight_floats_and_their_eight_remainders(void **unused)
     for (size_t i = 0; i < sizeof at / sizeof *at; ++i)
         check(at[i] == 4 * i);
     check(sizeof(coinf_state) == 64);
-    check(sizeof(coinf_lean) == 32 && offsetof(coinf_lean, low) == 16);
     check(sizeof(coinf_params) == 32 && offsetof(coinf_params, reserved) == 20);
     check(sizeof(coinf_force) == 24 && offsetof(coinf_force, ratio) == 20);
 }
@@ -60,15 +59,9 @@ static void null_pointers_and_unknown_methods_are_refused(void **unused)
 {
     (void)unused;
     const int32_t unknown[] = {-1, COIN_RK8, COIN_SYMPLECTIC4, 4, 1000};
-    coinf_lean l = {0.5f, 0, 0, 1, {0}};
     coinf_state s = good;
     check_status(coinf_step(NULL, &body, 0.01f), COIN_EARG);
     check_status(coinf_step(&s, NULL, 0.01f), COIN_EARG);
-    check_status(coinf_lean_run(NULL, &body, COIN_RK4, 0.01f, 1, NULL),
-                 COIN_EARG);
-    check_status(coinf_lean_run(&l, NULL, COIN_RK4, 0.01f, 1, NULL), COIN_EARG);
-    check_status(coinf_lean_run(&l, &body, COIN_SYMPLECTIC2, 0.01f, 1, NULL),
-                 COIN_EARG);
     for (size_t i = 0; i < sizeof unknown / sizeof *unknown; ++i) {
         check_note("method %d", (int)unknown[i]);
         check_status(coinf_run(&s, &body, unknown[i], 0.01f, 1, NULL),
@@ -166,16 +159,12 @@ static void no_step_and_no_time_change_nothing(void **unused)
     (void)unused;
     const coinf_state before = {0.5f, 4000, -0.0f, 3, 4, 1, 1, 1, {1e-9f}};
     coinf_state s = before;
-    coinf_lean l = {0.5f, 1, 1, 1, {1e-9f, 0, 0, 0}};
-    const coinf_lean lean = l;
     uint64_t done = 0;
     check_status(coinf_run(&s, &body, COIN_RK4, 0.1f, 0, NULL), COIN_OK);
     check_status(coinf_run(&s, &body, COIN_RK4, 0, 7, &done), COIN_OK);
     check(done == 7);
     check_status(coinf_step(&s, &body, -0.0f), COIN_OK);
-    check_status(coinf_lean_run(&l, &body, COIN_RK4, 0, 7, NULL), COIN_OK);
     check_same(&s, &before, sizeof s);
-    check_same(&l, &lean, sizeof l);
 }
 
 /* |dt| W at the start is units. */
@@ -337,26 +326,6 @@ static void a_fall_ends_above_the_table_with_its_progress(void **unused)
             }
 }
 
-static void a_lean_run_keeps_its_progress_too(void **unused)
-{
-    (void)unused;
-    coinf_lean l = {0.3f, 0, 0, 0, {0}};
-    coinf_state s = {0.3f, 0, 0, 0, 0, 0, 0, 0, {0}};
-    uint64_t done = 0;
-    check_status(coinf_lean_run(&l, &body, COIN_RK4, 0.01f, 1000, &done),
-                 COIN_ESTEP);
-    check(coinf_run(&s, &body, COIN_RK4, 0.01f, done, NULL) >= 0);
-    check(done > 200 && l.theta == s.theta && l.wX == s.wX);
-    const coinf_lean before = l;
-    check_status(coinf_lean_run(&l, &body, COIN_RK4, NAN, 1, NULL), COIN_ESTEP);
-    check_status(coinf_lean_run(&l, &body, COIN_RK4, 100, 1, NULL), COIN_ESTEP);
-    l.low[0] = NAN;
-    check_status(coinf_lean_run(&l, &body, COIN_RK4, 0.01f, 1, NULL),
-                 COIN_ESTATE);
-    l.low[0] = before.low[0];
-    check_same(&l, &before, sizeof l);
-}
-
 static void a_path_beyond_the_floats_is_refused(void **unused)
 {
     (void)unused;
@@ -393,7 +362,6 @@ int main(void)
         TEST(a_pass_is_coarse_where_a_step_begins_or_ends_so),
         TEST(a_step_through_the_table_is_refused),
         TEST(a_fall_ends_above_the_table_with_its_progress),
-        TEST(a_lean_run_keeps_its_progress_too),
         TEST(a_path_beyond_the_floats_is_refused),
     };
     return RUN_TESTS(tests);

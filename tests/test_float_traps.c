@@ -58,6 +58,30 @@ static int32_t call_coinf_state_from_motion(const struct trap_case *c)
     return coinf_state_from_motion(&out, &c->fp, q, omega, c->fs.x, c->fs.z);
 }
 
+/* --------------------------------------------------------------------- movers
+ */
+static int32_t call_coinf_step(const struct trap_case *c)
+{
+    out = c->fs;
+    return coinf_step(&out, &c->fp, c->fdt);
+}
+
+static int32_t run(const struct trap_case *c, int32_t method)
+{
+    out = c->fs;
+    return coinf_run(&out, &c->fp, method, c->fdt, 130, NULL);
+}
+CALL(coinf_run_rk4, run(c, COIN_RK4))
+CALL(coinf_run_symplectic2, run(c, COIN_SYMPLECTIC2))
+
+static int32_t call_coinf_batch_run(const struct trap_case *c)
+{
+    coinf_state s[40];
+    for (int i = 0; i < 40; ++i)
+        s[i] = c->fs;
+    return coinf_batch_run(s, 40, &c->fp, COIN_RK4, c->fdt, 70, NULL);
+}
+
 static const struct trap_function all[] = {
     ROW(coinf_selftest),
     ROW(coinf_params_disc),
@@ -67,6 +91,10 @@ static const struct trap_function all[] = {
     ROW(coinf_state_check),
     ROW(coinf_state_from_motion),
     ROW(coinf_angular_velocity),
+    ROW(coinf_step),
+    ROW(coinf_run_rk4),
+    ROW(coinf_run_symplectic2),
+    ROW(coinf_batch_run),
     ROW(coinf_energy),
     ROW(coinf_integrals),
     ROW(coinf_reaction),
@@ -85,10 +113,17 @@ static void no_call_that_succeeds_traps(void **unused)
     traps_run(all, sizeof all / sizeof *all);
 }
 
+static void every_function_is_called(void **unused)
+{
+    (void)unused;
+    traps_are_complete("coinf_", all, sizeof all / sizeof *all);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(no_call_that_succeeds_traps),
+        TEST(every_function_is_called),
     };
     return RUN_TESTS(tests);
 }

@@ -265,7 +265,7 @@ static void coarse_steps_lose_energy_or_only_the_phase(void **unused)
 {
     (void)unused;
     double range[2], later[2];
-    energy_range(COIN_RK4, 0.7, 4000, range);
+    energy_range(COIN_RK4, 0.73, 4000, range);
     check_within(range[0], -0.039, -0.036);
     check_within(range[1], 0, 1e-6);
     energy_range(COIN_RK8, 1.15, 4000, range);

@@ -86,7 +86,7 @@ static struct slopes random_slopes(struct random *r)
     const coin_params p = random_coin(r);
     k.s = random_state(r, &p, 1.57);
     k.h = natural_time(&p) * random_between(r, -1, 1);
-    check_status(coin_priv_body_of(&k.b, &p), COIN_OK);
+    check_status(coin_priv_check_body(&k.b, &p), COIN_OK);
     const coin_priv_field f = coin_priv_field_of(&k.b, k.h);
     k.y = coin_priv_variables_of(&k.s);
     k.d = coin_priv_rates(&f, &k.y);
@@ -139,7 +139,7 @@ static void w_is_the_fastest_of_the_rates(void **unused)
         const struct slopes k = random_slopes(&r);
         const double c = cos(k.s.theta), wX = k.s.wX, wY = k.s.wY;
         const double want =
-            (wX * wX + wY * wY) / (c * c) + k.s.wZ * k.s.wZ + k.b.g_a;
+            (wX * wX + wY * wY) / (c * c) + k.s.wZ * k.s.wZ + k.b.g_a / c;
         check_near(coin_priv_rate2(k.b.g_a, &k.y), want, 8 * U * want);
     }
 }

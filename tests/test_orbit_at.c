@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/methods.h"
 #include "support/orbits.h"
 #include "support/random.h"
@@ -18,13 +19,6 @@ static coin_state at(const coin_orbit *o, double t)
 }
 
 /* ---------------------------------------------------------- references */
-/* What the motion makes of a rounding of the start, which it amplifies by amp,
- * and 1e-14 for the orbit's own.  Found: at most a tenth of this. */
-static double bound_of(double amp)
-{
-    return 4e-15 * amp + 1e-14;
-}
-
 static void every_scene_is_where_the_reference_is(void **unused)
 {
     (void)unused;
@@ -33,27 +27,17 @@ static void every_scene_is_where_the_reference_is(void **unused)
         scene_load(&scene, scene_names[i]);
         const coin_state s = scene_state(&scene, 0);
         const coin_orbit o = orbit_of(&s, &scene.params);
+        double W = 0;
         for (size_t row = 0; row < scene.rows.rows; ++row) {
-            const coin_state now = at(&o, scene_at(&scene, row, "t"));
-            check_near(scene_error(&scene, row, &now), 0,
-                       bound_of(scene_at(&scene, row, "amp")));
+            const coin_state truth = scene_state(&scene, row);
+            W = fmax(W, fastest_rate(&truth, &scene.params));
+        }
+        for (size_t row = 0; row < scene.rows.rows; ++row) {
+            const coin_state want = scene_state(&scene, row);
+            check_note("%s, row %zu", scene.name, row);
+            check_pose(&o, scene_at(&scene, row, "t"), W, &want, &scene.params);
         }
     }
-}
-
-static coin_state random_row(const struct table *t, size_t row, int start)
-{
-    const coin_state s = {
-        table_at(t, row, start ? "theta0" : "theta"),
-        start ? 0 : table_at(t, row, "phi"),
-        start ? 0 : table_at(t, row, "psi"),
-        start ? 0 : table_at(t, row, "x"),
-        start ? 0 : table_at(t, row, "z"),
-        table_at(t, row, start ? "wX0" : "wX"),
-        table_at(t, row, start ? "wY0" : "wY"),
-        table_at(t, row, start ? "wZ0" : "wZ"),
-    };
-    return s;
 }
 
 static void random_coins_are_where_the_reference_is(void **unused)
@@ -63,18 +47,18 @@ static void random_coins_are_where_the_reference_is(void **unused)
     table_load(&t, "random.csv");
     check(t.rows == 100);
     for (size_t row = 0; row < t.rows; ++row) {
-        coin_params p;
-        check_status(coin_params_ring(&p, 1, 1, table_at(&t, row, "b"), 1),
-                     COIN_OK);
-        const coin_state s = random_row(&t, row, 1);
-        const coin_state want = random_row(&t, row, 0);
+        const coin_params p = ring(table_at(&t, row, "b"));
+        const coin_state s = start_in_row(&t, row);
+        const coin_state want = state_in_row(&t, row);
         const coin_orbit o = orbit_of(&s, &p);
+        const double W = fmax(fastest_rate(&s, &p), fastest_rate(&want, &p));
         const coin_state now = at(&o, 100);
-        const double bound = bound_of(table_at(&t, row, "amp"));
         check_note("random.csv, row %zu", row);
-        check_near(path_apart(&now, &want, &p), 0, bound);
+        check_pose(&o, 100, W, &want, &p);
         /* Rates change by up to W^2 where angles do by W: W is below 10. */
-        check_near(states_apart(&now, &want, &p), 0, 10 * bound);
+        check_near(now.wX, want.wX, 10 * orbit_error(&o, 100, W));
+        check_near(now.wY, want.wY, 10 * orbit_error(&o, 100, W));
+        check_near(now.wZ, want.wZ, 10 * orbit_error(&o, 100, W));
     }
 }
 
@@ -96,12 +80,7 @@ static void far_times_are_as_good_as_doubles_tell(void **unused)
         const coin_state s = scene_state(&scene, 0);
         const coin_orbit o = orbit_of(&s, &scene.params);
         const double when = table_at(&t, row, "t");
-        const coin_state want = {
-            table_at(&t, row, "theta"), table_at(&t, row, "phi"),
-            table_at(&t, row, "psi"),   table_at(&t, row, "x"),
-            table_at(&t, row, "z"),     table_at(&t, row, "wX"),
-            table_at(&t, row, "wY"),    table_at(&t, row, "wZ"),
-        };
+        const coin_state want = state_in_row(&t, row);
         const coin_state now = at(&o, when);
         const int near = fabs(when) < 2e3 * natural_time(&scene.params);
         check_note("%s at %g", scene.name, when);
@@ -167,11 +146,12 @@ static void pieces_join(void **unused)
         coin_params p;
         coin_state s;
         const coin_orbit o = random_orbit(&r, &p, &s);
-        const double unit = 1 / o.private_frame[0];
+        const double unit = 1 / o.private_frame[COIN_PRIV_RATE];
         const double step = 1e-9 * natural_time(&p);
-        const int count = (int)o.private_frame[1];
+        const int count = (int)o.private_frame[COIN_PRIV_COUNT];
         for (int n = 0; n < count; ++n, ++seen) {
-            const double t = (o.private_edges[n] - o.private_frame[3]) * unit;
+            const double t =
+                (o.private_edges[n] - o.private_frame[COIN_PRIV_SINCE]) * unit;
             const coin_state before = at(&o, t - step),
                              after = at(&o, t + step);
             coin_state rates;
@@ -298,9 +278,9 @@ static void bytes_that_are_no_orbit_do_no_harm(void **unused)
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
     const coin_state wobbling = {0.1, 0, 0, 0, 0, 0, 0, 1};
     const coin_orbit o = orbit_of(&wobbling, &p);
-    const double count = o.private_frame[1];
+    const double count = o.private_frame[COIN_PRIV_COUNT];
     const double bad[][2] = {
-        {0, 0},      {-1, 0},        {25, 0},    {(double)NAN, 0},     {1e9, 0},
+        {0, 0},      {-1, 0},        {45, 0},    {(double)NAN, 0},     {1e9, 0},
         {count, -1}, {count, count}, {1e9, 1e9}, {count, (double)NAN},
     };
     coin_state out, before;
@@ -308,8 +288,8 @@ static void bytes_that_are_no_orbit_do_no_harm(void **unused)
     before = out;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         coin_orbit other = o;
-        other.private_frame[1] = bad[i][0];
-        other.private_frame[2] = bad[i][1];
+        other.private_frame[COIN_PRIV_COUNT] = bad[i][0];
+        other.private_frame[COIN_PRIV_BACK] = bad[i][1];
         check_note("%g pieces, %g of them back", bad[i][0], bad[i][1]);
         check_status(coin_orbit_at(&other, 1, &out), COIN_EARG);
         check_same(&out, &before, sizeof out);
@@ -318,7 +298,19 @@ static void bytes_that_are_no_orbit_do_no_harm(void **unused)
     memset(&noise, 0xff, sizeof noise); /* all NaN */
     check_status(coin_orbit_at(&noise, 1, &out), COIN_EARG);
     noise.period = 0;
+    check_status(coin_orbit_at(&noise, 1, &out), COIN_EARG);
+    noise.private_frame[0] = o.private_frame[0];
     check_status(coin_orbit_at(&noise, 1, &out), COIN_ESTEP);
+    noise = o; /* edges that no count goes with */
+    memset(noise.private_edges, 0, sizeof noise.private_edges);
+    noise.private_frame[COIN_PRIV_COUNT] = 20;
+    noise.private_frame[COIN_PRIV_BACK] = 0;
+    noise.private_terms[19 * COIN_PRIV_PIECE] = 0.25; /* of the last one */
+    check(at(&noise, 1).theta == 0.25);
+    coin_orbit other = o; /* of another version */
+    other.private_frame[0] *= 2;
+    out = before;
+    check_status(coin_orbit_at(&other, 1, &out), COIN_EARG);
     check_same(&out, &before, sizeof out);
 }
 

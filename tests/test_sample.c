@@ -158,13 +158,13 @@ static void bad_arguments_touch_no_sample(void **unused)
         }
 }
 
-/* The spin's W is sqrt(4/cos 0.6 + 1) all along. */
+/* The spin's W is sqrt(5/cos 0.6) all along. */
 static void a_coarse_step_between_samples_is_said(void **unused)
 {
     (void)unused;
     coin_state start, out[3];
     check_status(coin_steady_spin(&start, &scene.params, 0.6), COIN_OK);
-    const double dt = 0.35 / sqrt(4 / cos(0.6) + 1);
+    const double dt = 0.35 / sqrt(5 / cos(0.6));
     for (int side = -1; side <= 1; side += 2)
         check_status(coin_sample(&start, &scene.params, COIN_RK4,
                                  dt * (1 + side * 1e-6), 5, 3, out, NULL),

@@ -32,6 +32,7 @@ static coin_priv_series series_of(const coin_state *s, const coin_params *p)
     at->th = coin_priv_pair_of(cos(s->theta), sin(s->theta));
     at->ph = coin_priv_pair_of(cos(s->phi), sin(s->phi));
     coin_priv_series_fill(&y, &law);
+    coin_priv_series_follow(&y);
     return y;
 }
 

@@ -65,9 +65,31 @@ static void a_rate_that_would_overflow_is_refused(void **unused)
 {
     (void)unused;
     for (size_t member = 5; member < 8; ++member) {
-        check_status(check_with(member, 1e100), COIN_OK);
+        check_status(check_with(member, 0.999e95), COIN_OK);
+        check_status(check_with(member, 1.001e95), COIN_ESTATE);
+        check_status(check_with(member, -1.001e95), COIN_ESTATE);
         check_status(check_with(member, 1e200), COIN_ESTATE);
-        check_status(check_with(member, -1e200), COIN_ESTATE);
+    }
+}
+
+/* A body outside 2^-80 to 2^80 may have rates as large as its own constants
+ * allow: |omega|^2 (1 + a + M a + J + K) up to 1e268. */
+static void a_body_that_is_not_ordinary_has_a_limit_of_its_own(void **unused)
+{
+    (void)unused;
+    const double sizes[] = {1e-30, 1e30, 1e60};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        const double a = sizes[i], m = a * a;
+        coin_params p;
+        check_status(coin_params_disc(&p, 1, a, 1), COIN_OK);
+        const double most = sqrt(1e268 / (1 + 2 * a + (1.25 + 1.5) * m));
+        for (int side = -1; side <= 1; side += 2) {
+            const coin_state in = {.theta = 0.5, .wZ = side * most * 0.999};
+            const coin_state out = {.theta = 0.5, .wZ = side * most * 1.001};
+            check_note("radius %g", a);
+            check_status(coin_state_check(&in, &p), COIN_OK);
+            check_status(coin_state_check(&out, &p), COIN_ESTATE);
+        }
     }
 }
 
@@ -350,6 +372,7 @@ int main(void)
         TEST(heading_and_roll_stay_below_2_to_the_31),
         TEST(the_path_may_be_as_long_as_a_double),
         TEST(a_rate_that_would_overflow_is_refused),
+        TEST(a_body_that_is_not_ordinary_has_a_limit_of_its_own),
         TEST(no_accepted_state_overflows),
         TEST(a_motion_gives_the_reference_s_state),
         TEST(a_state_survives_the_way_through_an_engine),

@@ -116,7 +116,7 @@ static void upright_motions_have_any_rate(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const double rates[] = {0, -3, 1e-300, 1e100};
+    const double rates[] = {0, -3, 1e-300, 1e94};
     for (size_t i = 0; i < 4; ++i) {
         const coin_state roll = {0, 0, 0, 0, 0, 0, 0, rates[i]};
         const coin_state spin = {0, 0, 0, 0, 0, 0, rates[i], 0};

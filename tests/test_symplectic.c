@@ -3,8 +3,8 @@
 #include "support/methods.h"
 #include "support/random.h"
 
-#include "legendre.h"
 #include "body.h"
+#include "legendre.h"
 
 #include <math.h>
 
@@ -59,8 +59,8 @@ static void symplectic4_is_of_order_4(void **unused)
     check_order(c, sizeof c / sizeof *c, COIN_SYMPLECTIC4);
 }
 
-/* Steady motion is a fixed point of kick and drift: only the path, of order
- * 4, errs. */
+/* Steady motion is a fixed point of kick and drift: only the path of a circle,
+ * of order 4, errs.  A spin has none. */
 static void steady_motions_stay_steady(void **unused)
 {
     (void)unused;
@@ -69,7 +69,11 @@ static void steady_motions_stay_steady(void **unused)
         for (int32_t method = COIN_SYMPLECTIC2; method < METHODS; ++method) {
             scene_load(&scene, names[i]);
             const size_t row = scene_row(&scene, 5);
-            check_within(measured_order(&scene, method, row, 32), 3.95, 4.05);
+            if (i == 0)
+                check_within(method_error(&scene, method, row, 32), 0, 3e-14);
+            else
+                check_within(measured_order(&scene, method, row, 32), 3.95,
+                             4.05);
             const coin_state start = scene_state(&scene, 0);
             coin_state s = start;
             check(coin_run(&s, &scene.params, method, 0.03, 10000, NULL) >= 0);
@@ -155,7 +159,7 @@ static double determinant(const coin_state *at, const coin_params *p,
                           int32_t method, double dt)
 {
     struct map m = {.p = *p, .method = method, .dt = dt};
-    check_status(coin_priv_body_of(&m.b, p), COIN_OK);
+    check_status(coin_priv_check_body(&m.b, p), COIN_OK);
     m.K = integrals_of(at, &m.b);
     const struct point by_theta = derivative(&m, at, 1, 0);
     const struct point by_wX = derivative(&m, at, 0, 1);

@@ -7,6 +7,7 @@
 
 static coin_state out;
 static coin_params made;
+static coin_orbit orbit;
 static double v[16];
 
 /* Functions that return no status succeed. */
@@ -86,8 +87,48 @@ static int32_t call_coin_state_from_motion(const struct trap_case *c)
 }
 
 /* ------------------------------------------------------------------- movers */
+static int32_t call_coin_step(const struct trap_case *c)
+{
+    return coin_step(copy(&c->s), &c->p, c->dt);
+}
+
+static int32_t run(const struct trap_case *c, int32_t method)
+{
+    return coin_run(copy(&c->s), &c->p, method, c->dt, 130, NULL);
+}
+CALL(coin_run_rk4, run(c, COIN_RK4))
+CALL(coin_run_rk8, run(c, COIN_RK8))
+CALL(coin_run_symplectic2, run(c, COIN_SYMPLECTIC2))
+CALL(coin_run_symplectic4, run(c, COIN_SYMPLECTIC4))
+
+static int32_t batch(const struct trap_case *c, int32_t method)
+{
+    coin_state s[20];
+    for (int i = 0; i < 20; ++i)
+        s[i] = c->s;
+    return coin_batch_run(s, 20, &c->p, method, c->dt, 70, NULL);
+}
+CALL(coin_batch_run_rk4, batch(c, COIN_RK4))
+CALL(coin_batch_run_rk8, batch(c, COIN_RK8))
+
+static int32_t call_coin_sample(const struct trap_case *c)
+{
+    coin_state s[3];
+    return coin_sample(&c->s, &c->p, COIN_RK4, c->dt, 5, 3, s, NULL);
+}
 
 CALL(coin_advance, coin_advance(copy(&c->s), &c->p, c->t, 1e-6, NULL))
+CALL(coin_orbit_init, coin_orbit_init(&orbit, &c->s, &c->p))
+
+static int32_t call_coin_orbit_at(const struct trap_case *c)
+{
+    const int32_t status = coin_orbit_init(&orbit, &c->s, &c->p);
+    return status == COIN_OK ? coin_orbit_at(&orbit, c->t, &out) : status;
+}
+
+CALL(coin_max_dt,
+     isnan(coin_max_dt(&c->s, &c->p, COIN_RK4, 1e-6)) ? COIN_ESTATE : COIN_OK)
+CALL(coin_model_needed, coin_model_needed(&c->s, &c->p, c->t, 1e-3))
 
 /* ----------------------------------------------------------- steady motions */
 CALL(coin_steady_roll, coin_steady_roll(&out, &c->p, c->s.wZ))
@@ -145,9 +186,20 @@ static const struct trap_function all[] = {
     ROW(coin_state_check),
     ROW(coin_state_from_motion),
     ROW(coin_angular_velocity),
+    ROW(coin_step),
+    ROW(coin_run_rk4),
+    ROW(coin_run_rk8),
+    ROW(coin_run_symplectic2),
+    ROW(coin_run_symplectic4),
+    ROW(coin_batch_run_rk4),
+    ROW(coin_batch_run_rk8),
+    ROW(coin_sample),
     ROW(coin_advance),
+    ROW(coin_orbit_init),
+    ROW(coin_orbit_at),
     ROW(coin_method_name),
     ROW(coin_method_order),
+    ROW(coin_max_dt),
     ROW(coin_energy),
     ROW(coin_integrals),
     ROW(coin_reaction),
@@ -169,6 +221,7 @@ static const struct trap_function all[] = {
     ROW(coin_wobble_at),
     ROW(coin_critical_roll),
     ROW(coin_critical_spin),
+    ROW(coin_model_needed),
 };
 
 static void no_call_that_succeeds_traps(void **unused)
@@ -177,10 +230,17 @@ static void no_call_that_succeeds_traps(void **unused)
     traps_run(all, sizeof all / sizeof *all);
 }
 
+static void every_function_is_called(void **unused)
+{
+    (void)unused;
+    traps_are_complete("coin_", all, sizeof all / sizeof *all);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(no_call_that_succeeds_traps),
+        TEST(every_function_is_called),
     };
     return RUN_TESTS(tests);
 }

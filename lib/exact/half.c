@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "half.h"
 #include "../motion/angles.h"
+#include "half.h"
 
 #include <math.h>
 
@@ -16,9 +16,13 @@
  * see the table and leads past it, to where no turning point may lie. */
 #define LONGEST 1.2
 
-/* A turning point farther than this part of a step gets a piece of its own:
- * the terms that are kept reach half a step, and at 0.6 err by 4e-16. */
-#define BEYOND 0.6
+/* How much farther than it reaches a series may be asked: its error is then
+ * 1.05^32 times as large. */
+#define BEYOND 1.05
+
+/* Faster than this, over the start's W, a motion is not followed: powers of
+ * its time would overflow. */
+#define FASTEST 1e8
 
 static double larger(double a, double b)
 {
@@ -30,25 +34,50 @@ static double wX_of(const coin_priv_point *p)
     return OF(p->row[1], 1);
 }
 
-/* How far the series reaches: where its last powers come down to LEFT_OUT. */
-static double reach_of(const coin_priv_half *h)
+static double W2_of(const coin_priv_half *h, const coin_priv_point *p)
 {
-    const coin_priv_point *p = h->now.at;
+    const double wX = wX_of(p), c = OF(p->th, 0);
+    const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
+    return (wX * wX + wY * wY) / (c * c) + wZ * wZ + h->g_a; /* (47) */
+}
+
+/* x to the power 1/COIN_PRIV_ORDER = 1/28 = 1/32 + 1/32/8 + 1/32/64 + ...,
+ * of which three terms change it by 3 % at most for x > 1e-190. */
+static double root_28(double x)
+{
+    double y = sqrt(sqrt(sqrt(sqrt(sqrt(x))))), product = y;
+    for (int i = 0; i < 2; ++i) {
+        y = sqrt(sqrt(sqrt(y)));
+        product *= y;
+    }
+    return product;
+}
+
+/* How far a series reaches: where its last powers come down to LEFT_OUT. */
+static double reach_of(const coin_priv_half *h, const coin_priv_series *s)
+{
+    const coin_priv_point *p = s->at;
     double last = 0;
     for (int k = COIN_PRIV_ORDER - 1; k <= COIN_PRIV_ORDER; ++k)
         for (int i = 0; i < COIN_PRIV_PATH; ++i)
             last = larger(larger(last, OF(p[k].row[i], 0)), OF(p[k].row[i], 1));
-    const double wX = wX_of(p), c = OF(p->th, 0);
-    const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
-    const double W2 =
-        (wX * wX + wY * wY) / (c * c) + wZ * wZ + h->g_a; /* (47) */
-    const double most = LONGEST / sqrt(W2);
-    const double reach = sqrt(sqrt(sqrt(sqrt(sqrt(LEFT_OUT / last)))));
-    return reach < most ? reach : most;
+    const double longest = LONGEST / sqrt(W2_of(h, p));
+    /* Its power below stays a number. */
+    const double most = longest < 1e10 ? longest : 1e10;
+    double power = 1;
+    for (int k = 0; k < COIN_PRIV_ORDER; ++k)
+        power *= most;
+    return last * power <= LEFT_OUT ? most : root_28(LEFT_OUT / last);
 }
 
-/* lambda^2 at a centre. */
-static double bend_of(const coin_priv_law *law, const coin_priv_point *p)
+double coin_priv_fall(const coin_priv_law *law, const coin_priv_point *p)
+{
+    const double s = OF(p->th, 1), tan = s / OF(p->th, 0);
+    const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
+    return law->GJ * s - (law->KJ * wZ + law->XJ * wY * tan) * wY; /* (14) */
+}
+
+double coin_priv_bend(const coin_priv_law *law, const coin_priv_point *p)
 {
     const double c = OF(p->th, 0), tan = OF(p->th, 1) / c;
     const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
@@ -58,42 +87,28 @@ static double bend_of(const coin_priv_law *law, const coin_priv_point *p)
            law->XJ * wY * (2 * dwY * tan + wY * (1 + tan * tan)); /* (44) */
 }
 
-/* The series about the point now.at[0], a time t after the start, becomes the
- * next piece. */
-static void add_piece(coin_priv_half *h, double t)
-{
-    const int n = h->count++;
-    const coin_priv_point *p = h->now.at;
-    double *term =
-        h->o->private_terms + COIN_PRIV_ROWS * COIN_PRIV_TERMS * (size_t)n;
-    coin_priv_series_fill(&h->now, &h->law);
-    h->o->private_centers[n] = t;
-    h->reach[n] = reach_of(h);
-    h->bend[n] = bend_of(&h->law, p);
-    for (int k = 0; k < COIN_PRIV_TERMS; ++k)
-        for (int i = 0; i < COIN_PRIV_ROWS; ++i)
-            *term++ = OF(p[k].row[i / 2], i % 2);
-}
-
 /* The root of wX between 0 and end, by Newton's steps, or halves where those
  * lead out of the bracket, which shrinks each time. */
-static double root(const coin_priv_half *h, double end)
+static double root(const coin_priv_series *s, double end, double toward)
 {
-    const coin_priv_point *p = h->now.at;
     double low = 0, high = end, t = end, step;
     do {
         double wX = 0, slope = 0;
         for (int k = COIN_PRIV_ORDER; k >= 0; --k) {
             slope = slope * t + wX;
-            wX = wX * t + wX_of(&p[k]);
+            wX = wX * t + wX_of(&s->at[k]);
         }
-        if (wX * h->toward > 0)
+        if (wX == 0)
+            return t;
+        if (wX * toward > 0)
             low = t;
         else
             high = t;
-        double next = t - wX / slope;
-        if (!((next - low) * (next - high) < 0))
-            next = low + (high - low) / 2;
+        double next = low + (high - low) / 2;
+        if (fabs(wX) < fabs(slope * (high - low))) {
+            const double newton = t - wX / slope;
+            next = (newton - low) * (newton - high) < 0 ? newton : next;
+        }
         step = next - t;
         t = next;
     } while (fabs(step) > DBL_EPSILON / 2 * fabs(end));
@@ -110,29 +125,81 @@ static void settle(coin_priv_point *p)
     p->ph = coin_priv_pair_of(ph.c, ph.s);
 }
 
-/* The piece after another: its centre lies at tau from that one's.  The path
- * goes on where the two meet, halfway in their reach. */
-static void go_on(coin_priv_half *h, int from, double tau)
+/* The point of a series a time t on begins another; 0 if it is too fast. */
+static int begin_at(const coin_priv_half *h, coin_priv_series *to,
+                    const coin_priv_series *from, double t)
 {
-    const double t = h->o->private_centers[from] + tau;
-    const double step = t - h->o->private_centers[from];
-    const coin_priv_series before = h->now;
-    coin_priv_point *p = h->now.at;
-    *p = coin_priv_series_at(&before, step);
+    const double most = FASTEST * FASTEST;
+    coin_priv_point *p = to->at;
+    *p = coin_priv_series_at(from, t);
     p->row[COIN_PRIV_PATH] = coin_priv_pair_of(0, 0);
     settle(p);
-    const int n = h->count;
-    add_piece(h, t);
-    const double joint = -step * (h->reach[n] / (h->reach[from] + h->reach[n]));
-    const coin_priv_pair a = coin_priv_series_path(&before, step + joint);
-    const coin_priv_pair b = coin_priv_series_path(&h->now, joint);
-    const double z = OF(a, 0) - OF(b, 0), x = OF(a, 1) - OF(b, 1);
-    double *term =
-        h->o->private_terms + COIN_PRIV_ROWS * COIN_PRIV_TERMS * (size_t)n;
-    p->row[COIN_PRIV_PATH] = coin_priv_pair_of(z, x);
-    term[COIN_PRIV_Z] = z;
-    term[COIN_PRIV_X] = x;
+    if (!(W2_of(h, p) < most))
+        return 0;
+    coin_priv_series_fill(to, &h->law);
+    return 1;
+}
+
+/* The series h->now, which other ones reach to from the piece before, becomes
+ * a piece: its path follows and joins on to that of a series before. */
+static void add_piece(coin_priv_half *h, double center, double joint,
+                      coin_priv_pair path)
+{
+    const int n = h->count++;
+    coin_priv_point *p = h->now.at;
+    coin_priv_series_follow(&h->now);
+    const coin_priv_pair here = coin_priv_series_path(&h->now, joint);
+    p->row[COIN_PRIV_PATH] =
+        coin_priv_pair_of(OF(path, 0) - OF(here, 0), OF(path, 1) - OF(here, 1));
+    h->o->private_centers[n] = center;
+    h->reach[n] = reach_of(h, &h->now);
     h->joint[n] = joint;
+    coin_priv_series_keep(&h->now, larger(h->reach[n], joint),
+                          h->o->private_terms + COIN_PRIV_PIECE * n);
+}
+
+static int turns_within(const coin_priv_half *h, const coin_priv_series *s,
+                        double t)
+{
+    const coin_priv_point p = coin_priv_series_at(s, t);
+    return !(wX_of(&p) * h->toward > 0);
+}
+
+/* How far beyond its end a piece's neighbour has its centre: that far back it
+ * must reach, though its reach may change along the way as it did before. */
+static double beyond(double reach, double at_end)
+{
+    return at_end < reach ? at_end * reach / (2 * reach - at_end) : at_end;
+}
+
+/* The piece after another, where that ends.  A series about the end leads to
+ * its centre, or is the piece if it reaches a turning point.  Returns 0 if
+ * there is no way on. */
+static int go_on(coin_priv_half *h, int from, double side)
+{
+    const double end = h->o->private_centers[from] + side * h->reach[from];
+    const double tau = end - h->o->private_centers[from];
+    const coin_priv_pair path = coin_priv_series_path(&h->now, tau);
+    coin_priv_series *between = &h->between;
+    if (h->count == COIN_PRIV_PIECES || !begin_at(h, between, &h->now, tau))
+        return 0;
+    const double reach = reach_of(h, between);
+    if (turns_within(h, between, side * reach)) {
+        h->now = *between;
+        add_piece(h, end, 0, path);
+        return 1;
+    }
+    double step = beyond(h->reach[from], reach), back = 0;
+    while (step > BEYOND * back) {
+        step = back > 0 ? back : step;
+        const double center = end + side * step;
+        if (!begin_at(h, &h->now, between, center - end))
+            return 0;
+        back = reach_of(h, &h->now);
+        step = fabs(center - end);
+    }
+    add_piece(h, end + side * step, -side * step, path);
+    return 1;
 }
 
 static coin_priv_turn turn_at(const coin_priv_half *h, int piece, double tau)
@@ -153,27 +220,17 @@ static coin_priv_turn turn_at(const coin_priv_half *h, int piece, double tau)
     return turn;
 }
 
-/* Adds pieces from the start to the turning point on one side; 0 if they are
- * too few. */
+/* Adds pieces from the start to the turning point on one side; 0 if there is
+ * none to be found. */
 static int walk(coin_priv_half *h, coin_priv_turn *turn, double side)
 {
-    int piece = 0, turned = 0;
-    while (!turned) {
-        const double step = side * h->reach[piece];
-        const coin_priv_point p = coin_priv_series_at(&h->now, step);
-        turned = !(wX_of(&p) * h->toward > 0);
-        const double tau = turned ? root(h, step) : step;
-        if (turned && fabs(tau) <= BEYOND * fabs(step)) {
-            *turn = turn_at(h, piece, tau);
-            return 1;
-        }
-        if (h->count == COIN_PRIV_PIECES)
+    int piece = 0;
+    while (!turns_within(h, &h->now, side * h->reach[piece])) {
+        if (!go_on(h, piece, side))
             return 0;
-        go_on(h, piece, tau);
         piece = h->count - 1;
     }
-    /* The centre is the root as rounded; by how much, wX tells. */
-    *turn = turn_at(h, piece, -wX_of(h->now.at) / wX_of(h->now.at + 1));
+    *turn = turn_at(h, piece, root(&h->now, side * h->reach[piece], h->toward));
     return 1;
 }
 
@@ -212,11 +269,12 @@ void coin_priv_half_begin(coin_priv_half *h, coin_orbit *o, const coin_state *s,
     p.th = coin_priv_pair_of(th.c, th.s);
     p.ph = coin_priv_pair_of(1, 0);
     h->now.at[0] = p;
-    add_piece(h, 0);
+    coin_priv_series_fill(&h->now, &h->law);
 }
 
 int coin_priv_half_solve(coin_priv_half *h)
 {
+    add_piece(h, 0, 0, coin_priv_pair_of(0, 0));
     const coin_priv_series start = h->now;
     const double wX = wX_of(start.at);
     h->toward = (wX != 0 ? wX : wX_of(start.at + 1)) < 0 ? -1 : 1;

@@ -2,9 +2,9 @@
 #ifndef ROLLCOIN_HALF_H
 #define ROLLCOIN_HALF_H
 
+#include "../motion/state.h"
 #include "orbit.h"
 #include "series.h"
-#include "../motion/state.h"
 
 /* A turning point: the time since the start, in two parts, and what the way
  * from the start to it adds. */
@@ -16,23 +16,27 @@ typedef struct coin_priv_turn {
 /* Half a period in the making: from A to B through the start, whose pose is
  * taken as 0. */
 typedef struct coin_priv_half {
-    coin_orbit *o;        /* gets the pieces */
-    coin_priv_law law;    /* in the orbit's unit of time, as g_a */
-    double g_a, rate;     /* 1 over that unit */
-    coin_priv_series now; /* about the latest centre */
+    coin_orbit *o;            /* gets the pieces */
+    coin_priv_law law;        /* in the orbit's unit of time, as g_a */
+    double g_a, rate;         /* 1 over that unit */
+    coin_priv_series now;     /* about the latest centre */
+    coin_priv_series between; /* about the end of a piece */
     int count, back;
     double toward;                  /* -1 or 1: of wX between A and B */
-    double reach[COIN_PRIV_PIECES]; /* of each piece's series */
-    double bend[COIN_PRIV_PIECES];  /* lambda^2 at its centre */
+    double reach[COIN_PRIV_PIECES]; /* of each piece to both sides */
     double joint[COIN_PRIV_PIECES]; /* from its centre to the piece before it */
     coin_priv_turn A, B;
 } coin_priv_half;
 
-/* The series about the start, in *h and as the first piece of *o. */
+/* d(wX)/dt and lambda^2 at a point. */
+double coin_priv_fall(const coin_priv_law *law, const coin_priv_point *p);
+double coin_priv_bend(const coin_priv_law *law, const coin_priv_point *p);
+
+/* The series about the start, in *h. */
 void coin_priv_half_begin(coin_priv_half *h, coin_orbit *o, const coin_state *s,
                           const coin_priv_body *b);
 
-/* The other pieces, and both turning points; 0 if there are too few pieces. */
+/* The pieces, and both turning points; 0 if there are too few pieces. */
 int coin_priv_half_solve(coin_priv_half *h);
 
 #endif

@@ -1,31 +1,28 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "half.h"
 #include "../motion/angles.h"
+#include "half.h"
 
 #include <math.h>
 #include <string.h>
 
 #define OF COIN_PRIV_OF
-#define ADD coin_priv_pair_add
-#define LOAD coin_priv_pair_load
-#define BOTH coin_priv_pair_both
 
 /* A period that amplifies rounding by more is none. */
-#define WORST 1e9
+#define WORST 1e12
 
 /* And a lean nearer to flat than 1/WORST is rounded by WORST times as much as
  * the rates there can bear. */
-#define HIGHEST (COIN_PRIV_HALF_PI - 1 / WORST)
+#define HIGHEST (COIN_PRIV_HALF_PI - 1e-9)
 
 /* Headings per period nearer to a multiple of 2 pi than this, in half turns:
  * the path drifts, since rounding cannot tell it from one. */
 #define STRAIGHT 1e-15
 
-/* Parts of a piece, of which none has two extremes of the distance: with four,
- * the radii of 6000 coins are right to 5e-12, with two 6 are wrong. */
-#define LOOKS 5
+/* Parts of a piece, of which none has two extremes of the distance: with two,
+ * the radii of 6000 coins are already those with 60, to rounding. */
+#define LOOKS 4
 
 /* ------------------------------------------------------------- the frame -- */
 /* Measures times, angles and path of all pieces from A, in A's frame. */
@@ -37,15 +34,18 @@ static void measure_from_A(const coin_priv_half *h)
     double *term = o->private_terms;
     for (int n = 0; n < h->count; ++n) {
         o->private_centers[n] = (o->private_centers[n] - A->time) - A->low;
-        term[COIN_PRIV_PHI] -= A->phi;
-        term[COIN_PRIV_PSI] -= A->psi;
-        term[COIN_PRIV_Z] -= A->z;
-        term[COIN_PRIV_X] -= A->x;
-        for (int k = 0; k < COIN_PRIV_TERMS; ++k, term += COIN_PRIV_ROWS) {
-            const double z = term[COIN_PRIV_Z], x = term[COIN_PRIV_X];
-            term[COIN_PRIV_Z] = z * ph.c + x * ph.s;
-            term[COIN_PRIV_X] = x * ph.c - z * ph.s;
+        double *z = term + COIN_PRIV_Z * COIN_PRIV_TERMS;
+        double *x = term + COIN_PRIV_X * COIN_PRIV_TERMS;
+        term[COIN_PRIV_PHI * COIN_PRIV_TERMS] -= A->phi;
+        term[COIN_PRIV_PSI * COIN_PRIV_TERMS] -= A->psi;
+        *z -= A->z;
+        *x -= A->x;
+        for (int k = 0; k < COIN_PRIV_TERMS; ++k) {
+            const double zk = z[k], xk = x[k];
+            z[k] = zk * ph.c + xk * ph.s;
+            x[k] = xk * ph.c - zk * ph.s;
         }
+        term += COIN_PRIV_PIECE;
     }
 }
 
@@ -78,6 +78,8 @@ static void set_times(const coin_priv_half *h)
     f[COIN_PRIV_OVER] = 0.5 / sum;
     coin_priv_split(f + COIN_PRIV_PERIOD, 2 * sum, 2 * low);
     o->period = 2 * sum / h->rate; /* (55) */
+    for (int rank = h->count; rank < COIN_PRIV_EDGES; ++rank)
+        o->private_edges[rank] = DBL_MAX;
     for (int rank = 0; rank < h->count; ++rank) {
         const int n = coin_priv_piece(rank, h->back, h->count);
         const int last = coin_priv_piece(rank - 1, h->back, h->count);
@@ -114,40 +116,32 @@ static void set_angles(const coin_priv_half *h, const coin_state *s, double a)
 
 /* ------------------------------------------------------------ the annulus --
  */
-/* The path seen from the annulus' centre, on A's axis: its distance, and half
- * the rate of that squared. */
+/* The path seen from the annulus' centre, on A's axis: where it is, and half
+ * the rate of its distance squared. */
 struct sight {
-    double distance, rate;
+    double z, x, rate;
 };
 
-/* From a piece, at a time after its centre: E(t^2) + t O(t^2) and its slope. */
+/* A row of a piece a time after its centre, and its derivative. */
+static coin_priv_pair row_at(const coin_orbit *o, int piece, int row, double t)
+{
+    return coin_priv_row_at(coin_priv_row(o, piece, row), t);
+}
+
+/* From a piece, at a time after its centre. */
 static struct sight look(const coin_orbit *o, int piece, double t,
                          double center)
 {
-    const double *first = coin_priv_term(o, piece, 0) + COIN_PRIV_Z;
-    const double *term = first + COIN_PRIV_TERMS * COIN_PRIV_ROWS;
-    const coin_priv_pair u = BOTH(t * t);
-    coin_priv_pair E = BOTH(0), O = E, dE = E, dO = E;
-    while (term != first) {
-        term -= 2 * COIN_PRIV_ROWS;
-        dE = ADD(E, dE, u);
-        dO = ADD(O, dO, u);
-        E = ADD(LOAD(term), E, u);
-        O = ADD(LOAD(term + COIN_PRIV_ROWS), O, u);
-    }
-    const coin_priv_pair at = ADD(E, O, BOTH(t));
-    const coin_priv_pair d =
-        ADD(ADD(O, dE, BOTH(2 * t)), dO, BOTH(2 * (t * t)));
-    const double z = OF(at, 0) - center, x = OF(at, 1);
-    const struct sight sight = {
-        coin_priv_hypot(z, x),
-        z * OF(d, 0) + x * OF(d, 1),
-    };
+    const coin_priv_pair z = row_at(o, piece, COIN_PRIV_Z, t);
+    const coin_priv_pair x = row_at(o, piece, COIN_PRIV_X, t);
+    struct sight sight = {OF(z, 0) - center, OF(x, 0), 0};
+    sight.rate = sight.z * OF(z, 1) + sight.x * OF(x, 1);
     return sight;
 }
 
-static void widen(coin_orbit *o, double distance)
+static void widen(coin_orbit *o, struct sight seen)
 {
+    const double distance = coin_priv_hypot(seen.z, seen.x);
     if (distance < o->radius_min)
         o->radius_min = distance;
     if (distance > o->radius_max)
@@ -164,7 +158,7 @@ static struct sight look_along(coin_orbit *o, int piece, double from,
     for (int i = 0; i < 8 && at_low * at_high < 0; ++i) {
         const double mid = (low * at_high - high * at_low) / (at_high - at_low);
         const struct sight middle = look(o, piece, mid, center);
-        widen(o, middle.distance);
+        widen(o, middle);
         if (middle.rate * at_high > 0) {
             at_low /= 2;
         } else {
@@ -186,12 +180,12 @@ static void set_annulus(const coin_priv_half *h, double center, double half)
     const double *t = o->private_centers, *edge = o->private_edges;
     const int end = h->count - 1;
     const int last = coin_priv_piece(end, h->back, h->count);
-    const double begin = edge[1] / 1024; /* there are two pieces at least */
+    const double begin = (end > 0 ? edge[1] : half) / 1024;
     const double stop = half - (half - edge[end]) / 1024;
     const int first = coin_priv_piece(0, h->back, h->count);
     struct sight seen = look(o, first, begin - t[first], center);
     o->radius_min = o->radius_max = fabs(center);
-    widen(o, look(o, last, half - t[last], center).distance);
+    widen(o, look(o, last, half - t[last], center));
     for (int rank = 0; rank <= end; ++rank) {
         const int n = coin_priv_piece(rank, h->back, h->count);
         const double from = (rank > 0 ? edge[rank] : begin) - t[n];
@@ -214,8 +208,9 @@ static void set_path(const coin_priv_half *h, double a, double half)
     const double b = 2 * COIN_PRIV_HALF_PI * (turn[0] + (turn[1] + turn[2]));
     const coin_priv_sc by = coin_priv_sincos(b);
     const double L = 2 * (x * by.c - z * by.s); /* (58) */
-    f[COIN_PRIV_SWING] = b == 0 ? 0 : L / by.s; /* (58) */
-    f[COIN_PRIV_DRIFT] = b == 0 ? L : 0;
+    const int straight = fabs(b) < STRAIGHT / COIN_PRIV_ANGLE_MAX;
+    f[COIN_PRIV_SWING] = straight ? 0 : L / by.s; /* (58) */
+    f[COIN_PRIV_DRIFT] = straight ? L : 0;
     if (fabs(b) < STRAIGHT) {
         o->center[0] = o->center[1] = (double)NAN;
         o->radius_min = o->radius_max = (double)NAN;
@@ -233,37 +228,80 @@ static void set_path(const coin_priv_half *h, double a, double half)
 
 /* ------------------------------------------------------------- the motion --
  */
-/* By how much a change of theta at A changes wX a period later: the linear
- * motion beside this one, each piece as if its lambda^2 were constant. */
+/* A piece's lean and rates a time after its centre. */
+static coin_priv_point lean_at(const coin_orbit *o, int piece, double t)
+{
+    const coin_priv_pair th = row_at(o, piece, COIN_PRIV_THETA, t);
+    const coin_priv_pair phi = row_at(o, piece, COIN_PRIV_PHI, t);
+    const coin_priv_pair psi = row_at(o, piece, COIN_PRIV_PSI, t);
+    const coin_priv_sc sc = coin_priv_sincos(OF(th, 0));
+    const double dphi = OF(phi, 1), dpsi = OF(psi, 1);
+    coin_priv_point p;
+    memset(&p, 0, sizeof p);
+    p.th = coin_priv_pair_of(sc.c, sc.s);
+    p.row[1] = coin_priv_pair_of(0, OF(th, 1));
+    p.row[2] = coin_priv_pair_of(dphi * sc.c, dpsi - dphi * sc.s); /* (18) */
+    return p;
+}
+
+/* -J/2 dT/dE is the integral of this from A to B, with any k: that of 1/wX^2
+ * less the change of its infinite parts.  With the frequency of a small swing
+ * for k it is small along all of one. */
+static double stretch(const coin_priv_law *law, const coin_priv_point *p,
+                      double k)
+{
+    const double kv = k * OF(p->row[1], 1), a = coin_priv_fall(law, p);
+    const double Q = a * a + kv * kv;
+    return (k * k + coin_priv_bend(law, p)) * (kv - a) * (kv + a) / (Q * Q);
+}
+
+/* 1 + J/2 |dT/dE| s^2/w with w^2 = 2E/J, and s the larger acceleration of theta
+ * at a turning point, w^2 at most. */
 static double conditioning_of(const coin_priv_half *h, double half)
 {
     const coin_orbit *o = h->o;
-    double x = 1, v = 0, t = 0;
+    const coin_priv_law *law = &h->law;
+    const int last = coin_priv_piece(h->count - 1, h->back, h->count);
+    const int first = coin_priv_piece(0, h->back, h->count);
+    const coin_priv_point A = lean_at(o, first, -o->private_centers[first]);
+    const coin_priv_point B = lean_at(o, last, half - o->private_centers[last]);
+    const double wY = OF(A.row[2], 0), wZ = OF(A.row[2], 1);
+    const double w2 = law->XJ * wY * wY + law->KJ * wZ * wZ +
+                      2 * law->GJ * OF(A.th, 0); /* (23) */
+    const double at_A = fabs(coin_priv_fall(law, &A));
+    const double at_B = fabs(coin_priv_fall(law, &B));
+    const double larger = at_A > at_B ? at_A : at_B;
+    const double s = larger < w2 ? larger : w2;
+    const double k = 2 * COIN_PRIV_HALF_PI / half;
+    double sum = 0;
     for (int rank = 0; rank < h->count; ++rank) {
-        const double end =
-            rank + 1 < h->count ? o->private_edges[rank + 1] : half;
-        const double d = end - t;
         const int n = coin_priv_piece(rank, h->back, h->count);
-        const double y = h->bend[n] * d * d;
-        const double C = 1 + y / 2 * (1 + y / 12 * (1 + y / 30));
-        const double S = d * (1 + y / 6 * (1 + y / 20 * (1 + y / 42)));
-        const double next = x * C + v * S;
-        v = v * C + x * h->bend[n] * S;
-        x = next;
-        t = end;
+        const double from = o->private_edges[rank];
+        const double to =
+            rank + 1 < h->count ? o->private_edges[rank + 1] : half;
+        const double mid = (from + to) / 2 - o->private_centers[n];
+        for (int i = -1; i < 2; ++i) { /* Gauss' three points */
+            const double at = mid + i * (0.7745966692414834 / 2) * (to - from);
+            const coin_priv_point p = lean_at(o, n, at);
+            sum += (to - from) * (i == 0 ? 8.0 / 18 : 5.0 / 18) *
+                   stretch(law, &p, k);
+        }
     }
-    return 1 + 2 * fabs(x * v);
+    return 1 + fabs(sum) * (s * s / sqrt(w2));
 }
 
-/* Whether the lean does not swing, or if stable no more than it is rounded. */
-static int is_steady(const coin_priv_half *h)
+/* Whether the lean does not swing, or no more than it is rounded, or its
+ * acceleration is no more than what rounding leaves of its terms. */
+static int is_steady(const coin_priv_half *h, double L)
 {
     const coin_priv_point *p = h->now.at;
-    const double wX = OF(p[0].row[1], 1), L = h->bend[0];
-    const double dwX = OF(p[1].row[1], 1);
-    const double rest = 4 * DBL_EPSILON * L;
-    return L < 0 ? wX * wX * -L + dwX * dwX <= rest * rest
-                 : wX == 0 && dwX == 0;
+    const double wX = OF(p->row[1], 1), dwX = coin_priv_fall(&h->law, p);
+    const double c = OF(p->th, 0), s = OF(p->th, 1);
+    const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
+    const double terms = h->law.GJ * fabs(s) + h->law.KJ * fabs(wY * wZ) +
+                         h->law.XJ * wY * wY * fabs(s) / c; /* (14) */
+    const double least = L < 0 && -L > terms ? -L : terms;
+    return fabs(wX) * sqrt(fabs(L)) + fabs(dwX) <= 4 * DBL_EPSILON * least;
 }
 
 static void set_steady(const coin_priv_half *h, const coin_state *s, double a)
@@ -271,12 +309,11 @@ static void set_steady(const coin_priv_half *h, const coin_state *s, double a)
     const coin_priv_point *p = h->now.at;
     const double heading = OF(p[1].row[0], 1) * h->rate;
     const double roll = OF(p[1].row[1], 0) * h->rate;
-    const double R = s->wZ == 0 ? 0 : a * s->wZ / heading; /* (43) */
-    const int drifts = heading == 0 && s->wZ != 0;
+    const int drifts = fabs(heading) < STRAIGHT * fabs(s->wZ);
+    const double R = s->wZ == 0 || drifts ? 0 : a * s->wZ / heading; /* (43) */
     const coin_priv_sc ph = coin_priv_sincos(s->phi);
     coin_orbit *o = h->o;
-    const double start[COIN_PRIV_ROWS] = {s->theta, s->phi, s->psi, 0,
-                                          s->wY,    s->wZ,  s->z,   s->x};
+    const double start[] = {s->theta, s->phi, s->psi, s->z, s->x, s->wY, s->wZ};
     o->theta_min = o->theta_max = s->theta;
     o->center[0] = drifts ? (double)NAN : s->x + R * ph.s;
     o->center[1] = drifts ? (double)NAN : s->z + R * ph.c;
@@ -287,14 +324,17 @@ static void set_steady(const coin_priv_half *h, const coin_state *s, double a)
     memcpy(o->private_terms, start, sizeof start);
 }
 
+/* Returns how many pieces are filled, 0 if there is no orbit. */
 static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
 {
     coin_priv_half h;
     o->conditioning = 1;
+    o->private_frame[0] = COIN_PRIV_FORMAT;
     coin_priv_half_begin(&h, o, s, b);
-    if (is_steady(&h)) {
+    const double L = coin_priv_bend(&h.law, h.now.at);
+    if (is_steady(&h, L)) {
         /* Unstable and not upright, it is so by its rounding alone. */
-        if (!(h.bend[0] < 0) && s->theta != 0)
+        if (!(L < 0) && s->theta != 0)
             return 0;
         set_steady(&h, s, b->a);
         return 1;
@@ -309,7 +349,7 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
     set_angles(&h, s, b->a);
     set_path(&h, b->a, half);
     o->conditioning = conditioning_of(&h, half);
-    return o->conditioning < WORST;
+    return o->conditioning < WORST ? h.count : 0;
 }
 
 int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
@@ -320,9 +360,13 @@ int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
     if (status != COIN_OK)
         return status;
     coin_orbit made;
-    memset(&made, 0, sizeof made);
-    if (!solve(&made, s, &b))
+    memset(&made, 0, offsetof(coin_orbit, private_terms));
+    const int pieces = solve(&made, s, &b);
+    if (!pieces)
         return COIN_EDOMAIN;
-    *o = made;
+    const size_t used = offsetof(coin_orbit, private_terms) +
+                        sizeof(double) * COIN_PRIV_PIECE * (size_t)pieces;
+    memset(o, 0, sizeof *o);
+    memcpy(o, &made, used);
     return COIN_OK;
 }

@@ -2,64 +2,92 @@
 /* What the private members of a coin_orbit are.
  *
  * A is the turning point of theta last before the start, B the next one.  The
- * time from A to B is cut into pieces; within each, lean, pose and rates are
- * polynomials of the time since the piece's centre.  Units are radii and a
- * power of two times 1 T near 1/W, so that nothing overflows and no input is
- * rounded.  The path is in the
- * frame of A: it begins there, with phi = psi = 0. */
+ * time from A to B is cut into pieces; within each, lean and pose are
+ * polynomials of the time since the piece's centre, and the rates follow from
+ * their derivatives.  Units are radii and a power of two times 1 T near 1/W,
+ * so that nothing overflows and no input is rounded.  The path is in the frame
+ * of A: it begins there, with phi = psi = 0. */
 #ifndef ROLLCOIN_ORBIT_H
 #define ROLLCOIN_ORBIT_H
 
+#include "pair.h"
 #include "../motion/precision.h"
 
 #include <coin.h>
 
-enum { COIN_PRIV_PIECES = 24, COIN_PRIV_TERMS = 20, COIN_PRIV_ROWS = 8 };
+enum { COIN_PRIV_PIECES = 44, COIN_PRIV_EDGES = 48, COIN_PRIV_TERMS = 18 };
 
-/* The rows, a term's numbers: lean and pose, and the rates. */
+/* The rows of a piece, each with its terms, the constant one first. */
 enum {
     COIN_PRIV_THETA,
     COIN_PRIV_PHI,
     COIN_PRIV_PSI,
-    COIN_PRIV_WX,
-    COIN_PRIV_WY,
-    COIN_PRIV_WZ,
     COIN_PRIV_Z,
-    COIN_PRIV_X
+    COIN_PRIV_X,
+    COIN_PRIV_ROWS,
+    COIN_PRIV_PIECE = COIN_PRIV_ROWS * COIN_PRIV_TERMS
 };
+
+/* private_frame[0] of every orbit: the number of this format, in a double that
+ * other contents hardly have. */
+#define COIN_PRIV_FORMAT 2.2073158e-107
 
 /* private_frame of an orbit with a period; "in three" as coin_priv_split(). */
 enum {
-    COIN_PRIV_RATE,        /* 1 over the unit of time */
-    COIN_PRIV_COUNT,       /* how many pieces there are */
-    COIN_PRIV_BACK,        /* how many of them lie before the start's */
-    COIN_PRIV_SINCE,       /* the time from A to the start, in two parts */
-    COIN_PRIV_OVER = 5,    /* 1 over the period */
-    COIN_PRIV_PERIOD,      /* in three */
-    COIN_PRIV_HEADING = 9, /* per period, in three */
-    COIN_PRIV_ROLL = 12,   /* per period, in three */
-    COIN_PRIV_TURN = 15,   /* heading per period in turns, to the nearest whole
-                              one, in three */
-    COIN_PRIV_PHI0 = 18,   /* of the start, and what A to the start adds */
-    COIN_PRIV_PSI0 = 20,
-    COIN_PRIV_AXIS = 22,  /* radius times cosine and sine of A's heading */
-    COIN_PRIV_PLACE = 24, /* z and x of A's centre of mass */
-    COIN_PRIV_SWING = 26, /* of (58): L/sin(b), or 0 if b = 0 */
-    COIN_PRIV_DRIFT       /* L if b = 0 */
+    COIN_PRIV_RATE = 1,     /* 1 over the unit of time */
+    COIN_PRIV_COUNT,        /* how many pieces there are */
+    COIN_PRIV_BACK,         /* how many of them lie before the start's */
+    COIN_PRIV_SINCE,        /* the time from A to the start, in two parts */
+    COIN_PRIV_OVER = 6,     /* 1 over the period */
+    COIN_PRIV_PERIOD,       /* in three */
+    COIN_PRIV_HEADING = 10, /* per period, in three */
+    COIN_PRIV_ROLL = 13,    /* per period, in three */
+    COIN_PRIV_TURN = 16,    /* heading per period in turns, to the nearest
+                               whole one, in three */
+    COIN_PRIV_PHI0 = 19,    /* of the start, and what A to the start adds */
+    COIN_PRIV_PSI0 = 21,
+    COIN_PRIV_AXIS = 23,  /* radius times cosine and sine of A's heading */
+    COIN_PRIV_PLACE = 25, /* z and x of A's centre of mass */
+    COIN_PRIV_SWING = 27, /* of (58): L/sin(b), or 0 if b is next to 0 */
+    COIN_PRIV_DRIFT       /* L if b is next to 0 */
 };
 
-/* private_frame of a steady motion, whose start is the first term. */
+/* private_frame of a steady motion, whose start is private_terms: theta, phi,
+ * psi, z, x, wY, wZ. */
 enum {
-    COIN_PRIV_STEADY_HEADING,
+    COIN_PRIV_STEADY_HEADING = 1,
     COIN_PRIV_STEADY_ROLL,
     COIN_PRIV_STEADY_SPEED
 };
 
-/* Where a piece's term lies. */
-static inline const double *coin_priv_term(const coin_orbit *o, int piece,
-                                           int k)
+/* Where a piece's row begins. */
+static inline const double *coin_priv_row(const coin_orbit *o, int piece,
+                                          int row)
 {
-    return o->private_terms + COIN_PRIV_ROWS * (COIN_PRIV_TERMS * piece + k);
+    return o->private_terms + COIN_PRIV_PIECE * piece + COIN_PRIV_TERMS * row;
+}
+
+/* A row a time t after its piece's centre, and its derivative: even and odd
+ * powers side by side, E(t^2) + t O(t^2). */
+COIN_PRIV_INLINE coin_priv_pair coin_priv_row_at(const double *row, double t)
+{
+    const coin_priv_pair u = coin_priv_pair_both(t * t);
+    coin_priv_pair sum = coin_priv_pair_load(row + COIN_PRIV_TERMS - 2);
+    coin_priv_pair slope = coin_priv_pair_both(0);
+#define COIN_PRIV_POWER(k)                                                     \
+    slope = coin_priv_pair_add(sum, slope, u);                                 \
+    sum = coin_priv_pair_add(coin_priv_pair_load(row + (k)), sum, u)
+    COIN_PRIV_POWER(14);
+    COIN_PRIV_POWER(12);
+    COIN_PRIV_POWER(10);
+    COIN_PRIV_POWER(8);
+    COIN_PRIV_POWER(6);
+    COIN_PRIV_POWER(4);
+    COIN_PRIV_POWER(2);
+    COIN_PRIV_POWER(0);
+    const double E = COIN_PRIV_OF(sum, 0), O = COIN_PRIV_OF(sum, 1);
+    const double dE = COIN_PRIV_OF(slope, 0), dO = COIN_PRIV_OF(slope, 1);
+    return coin_priv_pair_of(E + t * O, O + 2 * (t * (dE + t * dO)));
 }
 
 /* The piece of a rank in time.  The start's is the first, those after it

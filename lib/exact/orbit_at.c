@@ -1,54 +1,30 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "orbit.h"
-#include "pair.h"
 #include "../motion/angles.h"
 #include "../motion/state.h"
+#include "orbit.h"
+#include "pair.h"
 #include "steady.h"
 
 #include <math.h>
 
 #define OF COIN_PRIV_OF
-#define ADD coin_priv_pair_add
-#define LOAD coin_priv_pair_load
+#define ROW_AT(rows, row, t)                                                   \
+    coin_priv_row_at((rows) + COIN_PRIV_TERMS * (row), t)
 
 /* The rank of the piece that a time is in: how many edges but the first are
- * not beyond it, compared one by one, since that waits for nothing. */
+ * not beyond it.  Sixteen by sixteen, since no comparison waits for another. */
 static inline int rank_of(const double *edge, int count, double t)
 {
     int rank = 0;
-    for (int i = 1; i < count; ++i)
+    for (int i = 16; i < count; i += 16)
+        rank += 16 * (edge[i] <= t);
+    const int few = count < 16 ? count : 16;
+    edge += rank;
+    for (int i = 1; i < few; ++i)
         rank += edge[i] <= t;
-    return rank;
-}
-
-/* A piece a time t after its centre.  Even and odd powers apart make eight
- * chains of dependences that run side by side. */
-static inline void piece_at(coin_priv_pair row[4], const double *term, double t)
-{
-    const coin_priv_pair t1 = coin_priv_pair_both(t);
-    const coin_priv_pair t2 = coin_priv_pair_both(t * t);
-    const double *p = term + COIN_PRIV_ROWS * (COIN_PRIV_TERMS - 2);
-    coin_priv_pair e0 = LOAD(p), e1 = LOAD(p + 2);
-    coin_priv_pair e2 = LOAD(p + 4), e3 = LOAD(p + 6);
-    coin_priv_pair o0 = LOAD(p + 8), o1 = LOAD(p + 10);
-    coin_priv_pair o2 = LOAD(p + 12), o3 = LOAD(p + 14);
-    while (p != term) {
-        p -= 2 * COIN_PRIV_ROWS;
-        e0 = ADD(LOAD(p), e0, t2);
-        e1 = ADD(LOAD(p + 2), e1, t2);
-        e2 = ADD(LOAD(p + 4), e2, t2);
-        e3 = ADD(LOAD(p + 6), e3, t2);
-        o0 = ADD(LOAD(p + 8), o0, t2);
-        o1 = ADD(LOAD(p + 10), o1, t2);
-        o2 = ADD(LOAD(p + 12), o2, t2);
-        o3 = ADD(LOAD(p + 14), o3, t2);
-    }
-    row[0] = ADD(e0, o0, t1);
-    row[1] = ADD(e1, o1, t1);
-    row[2] = ADD(e2, o2, t1);
-    row[3] = ADD(e3, o3, t1);
+    return rank < count ? rank : count - 1;
 }
 
 /* What a start and k periods make of an angle that A to now adds.  The large
@@ -88,9 +64,9 @@ static int32_t steady_at(const coin_orbit *o, double t, coin_state *out)
         f[COIN_PRIV_STEADY_SPEED],
     };
     coin_state at = {
-        s[COIN_PRIV_THETA], s[COIN_PRIV_PHI], s[COIN_PRIV_PSI],
-        s[COIN_PRIV_X],     s[COIN_PRIV_Z],   0,
-        s[COIN_PRIV_WY],    s[COIN_PRIV_WZ],
+        s[COIN_PRIV_THETA], s[COIN_PRIV_PHI],      s[COIN_PRIV_PSI],
+        s[COIN_PRIV_X],     s[COIN_PRIV_Z],        0,
+        s[COIN_PRIV_ROWS],  s[COIN_PRIV_ROWS + 1],
     };
     if (coin_priv_steady_move(&at, &rates, t) != COIN_OK)
         return COIN_ESTEP;
@@ -100,7 +76,7 @@ static int32_t steady_at(const coin_orbit *o, double t, coin_state *out)
 
 int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
 {
-    if (!o || !out)
+    if (!o || !out || o->private_frame[0] != COIN_PRIV_FORMAT)
         return COIN_EARG;
     if (o->period == 0)
         return steady_at(o, t, out);
@@ -108,35 +84,39 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
     const double pieces = f[COIN_PRIV_COUNT], before = f[COIN_PRIV_BACK];
     if (!(before >= 0 && before < pieces && pieces <= (int)COIN_PRIV_PIECES))
         return COIN_EARG;
+    if (!(fabs(t) < COIN_PRIV_ANGLE_MAX * o->period))
+        return COIN_ESTEP;
     const double now = t * f[COIN_PRIV_RATE];
     const double periods = (now + f[COIN_PRIV_SINCE]) * f[COIN_PRIV_OVER];
-    if (!(fabs(periods) < COIN_PRIV_ANGLE_MAX))
-        return COIN_ESTEP;
     /* The time since the nearest A; before it, all is mirrored.  (57) */
     const double k = coin_priv_round(periods);
     const double r = (((now - k * T[0]) - k * T[1]) + f[COIN_PRIV_SINCE]) +
                      (f[COIN_PRIV_SINCE + 1] - k * T[2]);
-    const double side = r < 0 ? -1 : 1, since = side * r;
+    const double side = copysign(1, r), since = fabs(r);
     const int count = (int)pieces, back = (int)before;
     const int piece =
         coin_priv_piece(rank_of(o->private_edges, count, since), back, count);
-    coin_priv_pair row[4];
-    piece_at(row, coin_priv_term(o, piece, 0),
-             since - o->private_centers[piece]);
+    const double *rows = coin_priv_row(o, piece, COIN_PRIV_THETA);
+    const double tau = since - o->private_centers[piece];
+    const coin_priv_pair th = ROW_AT(rows, COIN_PRIV_THETA, tau);
+    const coin_priv_pair phi = ROW_AT(rows, COIN_PRIV_PHI, tau);
+    const coin_priv_pair psi = ROW_AT(rows, COIN_PRIV_PSI, tau);
+    const coin_priv_pair z = ROW_AT(rows, COIN_PRIV_Z, tau);
+    const coin_priv_pair x = ROW_AT(rows, COIN_PRIV_X, tau);
+    const coin_priv_sc lean = coin_priv_sine_cosine(OF(th, 0));
     const double rate = f[COIN_PRIV_RATE];
     coin_state at = {
-        OF(row[0], 0),
+        OF(th, 0),
         angle_of(f + COIN_PRIV_PHI0, f + COIN_PRIV_HEADING, k,
-                 side * OF(row[0], 1)),
-        angle_of(f + COIN_PRIV_PSI0, f + COIN_PRIV_ROLL, k,
-                 side * OF(row[1], 0)),
+                 side * OF(phi, 0)),
+        angle_of(f + COIN_PRIV_PSI0, f + COIN_PRIV_ROLL, k, side * OF(psi, 0)),
         0,
         0,
-        side * OF(row[1], 1) * rate,
-        OF(row[2], 0) * rate,
-        OF(row[2], 1) * rate,
+        side * OF(th, 1) * rate,
+        OF(phi, 1) * lean.c * rate,                /* (18) */
+        (OF(psi, 1) - OF(phi, 1) * lean.s) * rate, /* (19) */
     };
-    carry(&at, f, k, OF(row[3], 0), side * OF(row[3], 1));
+    carry(&at, f, k, OF(z, 0), side * OF(x, 0));
     if (coin_priv_check_members(&at) != COIN_OK)
         return COIN_ESTEP;
     *out = at;

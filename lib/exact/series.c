@@ -17,20 +17,17 @@ static inline coin_priv_pair times(coin_priv_pair a, double by)
 /* 1/n, n up to the order. */
 #define OVER4(n) 1.0 / (n), 1.0 / ((n) + 1), 1.0 / ((n) + 2), 1.0 / ((n) + 3)
 static const double over_n[COIN_PRIV_ORDER + 1] = {
-    0,         OVER4(1),  OVER4(5),  OVER4(9),  OVER4(13),
-    OVER4(17), OVER4(21), OVER4(25), OVER4(29),
+    0, OVER4(1), OVER4(5), OVER4(9), OVER4(13), OVER4(17), OVER4(21), OVER4(25),
 };
 
 /* The factors of the products that the equations of motion are made of, power
  * by power; a factor of two numbers stands twice. */
 struct factors {
-    coin_priv_pair th[COIN_PRIV_ORDER], ph[COIN_PRIV_ORDER];
+    coin_priv_pair th[COIN_PRIV_ORDER], wX[COIN_PRIV_ORDER];
     coin_priv_pair vY[COIN_PRIV_ORDER]; /* wY tan theta + k1 wZ, wY */
-    coin_priv_pair wX[COIN_PRIV_ORDER], wZ[COIN_PRIV_ORDER];
-    coin_priv_pair r[COIN_PRIV_ORDER]; /* wY/cos theta */
-    coin_priv_pair g[COIN_PRIV_ORDER]; /* wX cos theta */
-    double u[COIN_PRIV_ORDER];         /* KJ wZ + XJ wY tan theta */
-    double over;                       /* 1/cos theta at the point */
+    coin_priv_pair r[COIN_PRIV_ORDER];  /* wY/cos theta */
+    double u[COIN_PRIV_ORDER];          /* KJ wZ + XJ wY tan theta */
+    double over;                        /* 1/cos theta at the point */
 };
 
 /* Power k + 1 of lean, angles and rates from the powers up to k.  The sums
@@ -52,7 +49,6 @@ static void lean_power(coin_priv_series *s, struct factors *f,
     }
     f->th[k] = p->th;
     f->wX[k] = BOTH(wX);
-    f->wZ[k] = BOTH(wZ);
     if (!is_first)
         thr = ADD(thr, f->th[k], f->r[0]);
     const double r = (wY - OF(thr, 0)) * f->over;       /* (18) */
@@ -68,7 +64,6 @@ static void lean_power(coin_priv_series *s, struct factors *f,
         vYX = ADD(vYX, f->vY[k], f->wX[0]);
         uY += f->u[k] * OF(f->vY[0], 1);
     }
-    f->g[k] = BOTH(OF(thX, 0));
     const double by = over_n[k + 1];
     coin_priv_point *next = &s->at[k + 1];
     const double dwX = law->GJ * OF(p->th, 1) - uY; /* (14) */
@@ -81,41 +76,45 @@ static void lean_power(coin_priv_series *s, struct factors *f,
     next->th = times(coin_priv_pair_of(-OF(thX, 1), OF(thX, 0)), by); /* (31) */
 }
 
-/* Power k + 1 of path and heading's pair; lean_power() has come before. */
-static void path_power(coin_priv_series *s, struct factors *f, int k)
-{
-    const coin_priv_point *p = &s->at[k];
-    coin_priv_pair phr = BOTH(0), phg = phr, phZ = phr;
-    f->ph[k] = p->ph;
-    for (int j = 0; j <= k; ++j) {
-        phr = ADD(phr, f->ph[j], f->r[k - j]);
-        phg = ADD(phg, f->ph[j], f->g[k - j]);
-        phZ = ADD(phZ, f->ph[j], f->wZ[k - j]);
-    }
-    const double by = over_n[k + 1];
-    const double dx = OF(phg, 1) - OF(phZ, 0); /* (20) */
-    const double dz = OF(phg, 0) + OF(phZ, 1); /* (20) */
-    s->at[k + 1].row[COIN_PRIV_PATH] = times(coin_priv_pair_of(dz, dx), by);
-    s->at[k + 1].ph =
-        times(coin_priv_pair_of(-OF(phr, 1), OF(phr, 0)), by); /* (31) */
-}
-
 void coin_priv_series_fill(coin_priv_series *s, const coin_priv_law *law)
 {
     struct factors f;
     memset(&f, 0, sizeof f); /* no need, but gcc's analyzer cannot tell */
     f.over = 1 / OF(s->at[0].th, 0);
-    for (int k = 0; k < COIN_PRIV_ORDER; ++k) {
+    for (int k = 0; k < COIN_PRIV_ORDER; ++k)
         lean_power(s, &f, law, k);
-        if (k + 1 < COIN_PRIV_TERMS)
-            path_power(s, &f, k);
+}
+
+/* Power n of phi and of sin theta give power n - 1 of their rates: phi' and
+ * wX cos theta. */
+void coin_priv_series_follow(coin_priv_series *s)
+{
+    coin_priv_pair r[COIN_PRIV_ORDER], g[COIN_PRIV_ORDER], wZ[COIN_PRIV_ORDER];
+    for (int k = 0; k < COIN_PRIV_ORDER; ++k) {
+        const coin_priv_point *next = &s->at[k + 1];
+        coin_priv_pair phr = BOTH(0), phg = phr, phZ = phr;
+        r[k] = BOTH((k + 1) * OF(next->row[0], 1));
+        g[k] = BOTH((k + 1) * OF(next->th, 1));
+        wZ[k] = BOTH(OF(s->at[k].row[2], 1));
+        for (int j = 0; j <= k; ++j) {
+            const coin_priv_pair ph = s->at[j].ph;
+            phr = ADD(phr, ph, r[k - j]);
+            phg = ADD(phg, ph, g[k - j]);
+            phZ = ADD(phZ, ph, wZ[k - j]);
+        }
+        const double by = over_n[k + 1];
+        const double dx = OF(phg, 1) - OF(phZ, 0); /* (20) */
+        const double dz = OF(phg, 0) + OF(phZ, 1); /* (20) */
+        s->at[k + 1].row[COIN_PRIV_PATH] = times(coin_priv_pair_of(dz, dx), by);
+        s->at[k + 1].ph =
+            times(coin_priv_pair_of(-OF(phr, 1), OF(phr, 0)), by); /* (31) */
     }
 }
 
 coin_priv_pair coin_priv_series_path(const coin_priv_series *s, double t)
 {
     coin_priv_pair sum = BOTH(0);
-    for (int k = COIN_PRIV_TERMS; k-- > 0;)
+    for (int k = COIN_PRIV_ORDER + 1; k-- > 0;)
         sum = ADD(s->at[k].row[COIN_PRIV_PATH], sum, BOTH(t));
     return sum;
 }
@@ -139,4 +138,49 @@ coin_priv_point coin_priv_series_at(const coin_priv_series *s, double t)
     sum.row[2] = spin;
     sum.th = th;
     return sum;
+}
+
+/* A polynomial on [-1, 1], three pairs a power, loses its powers above degree:
+ * from the highest on, each is replaced by lower ones so that the difference is
+ * a multiple of a Chebyshev polynomial (Lanczos' economization). */
+static void economize(coin_priv_pair (*b)[3], int degree)
+{
+    for (int n = COIN_PRIV_ORDER - 1; n > degree; --n) {
+        double m = 1; /* T_n/2^(n-1) = x^n + m x^(n-2) + ... */
+        for (int j = 1; 2 * j <= n; ++j) {
+            coin_priv_pair *low = b[n - 2 * j];
+            m *= -0.25 * ((n - 2 * j + 2) * (n - 2 * j + 1)) *
+                 (over_n[j] * over_n[n - j]);
+            for (int i = 0; i < 3; ++i)
+                low[i] = ADD(low[i], b[n][i], BOTH(-m));
+        }
+    }
+}
+
+/* The rates are economized and integrated: a query takes derivatives. */
+void coin_priv_series_keep(const coin_priv_series *s, double reach,
+                           double *rows)
+{
+    static const int from[3] = {0, 1, COIN_PRIV_PATH};
+    static const int to[3][2] = {
+        {COIN_PRIV_THETA, COIN_PRIV_PHI},
+        {COIN_PRIV_PSI, -1},
+        {COIN_PRIV_Z, COIN_PRIV_X},
+    };
+    coin_priv_pair b[COIN_PRIV_ORDER][3];
+    double power = 1, over[COIN_PRIV_TERMS] = {0};
+    for (int k = 0; k < COIN_PRIV_ORDER; ++k, power *= reach) {
+        for (int i = 0; i < 3; ++i)
+            b[k][i] = times(s->at[k + 1].row[from[i]], (k + 1) * power);
+        if (k + 1 < COIN_PRIV_TERMS)
+            over[k + 1] = over_n[k + 1] / power;
+    }
+    economize(b, COIN_PRIV_TERMS - 2);
+    for (int i = 0; i < 3; ++i)
+        for (int half = 0; half < 2 && to[i][half] >= 0; ++half) {
+            double *row = rows + COIN_PRIV_TERMS * to[i][half];
+            row[0] = OF(s->at[0].row[from[i]], half);
+            for (int k = 1; k < COIN_PRIV_TERMS; ++k)
+                row[k] = OF(b[k - 1][i], half) * over[k];
+        }
 }

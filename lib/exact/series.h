@@ -5,9 +5,8 @@
 #include "orbit.h"
 #include "pair.h"
 
-/* A motion about a point as powers of time.  The path needs only those that an
- * orbit keeps: it is not followed from point to point, but joined between. */
-enum { COIN_PRIV_ORDER = 32, COIN_PRIV_PATH = 3 };
+/* A motion about a point as powers of time. */
+enum { COIN_PRIV_ORDER = 28, COIN_PRIV_PATH = 3 };
 
 typedef struct coin_priv_point {
     coin_priv_pair row[4]; /* theta phi | psi wX | wY wZ | z x, in radii */
@@ -23,14 +22,20 @@ typedef struct coin_priv_law {
     double GJ, KJ, XJ, k1, k2;
 } coin_priv_law;
 
-/* All powers above at[0], which is given; of the path, COIN_PRIV_TERMS.
- * Cost: as 30 steps of COIN_RK4. */
+/* All powers above at[0], which is given, but those of the path and of ph. */
 void coin_priv_series_fill(coin_priv_series *s, const coin_priv_law *law);
+
+/* The powers of the path and of ph.  Cost of both: as 40 steps of COIN_RK4. */
+void coin_priv_series_follow(coin_priv_series *s);
 
 /* The point a time t later; its path and ph are those of at[0]. */
 coin_priv_point coin_priv_series_at(const coin_priv_series *s, double t);
 
 /* The path a time t later. */
 coin_priv_pair coin_priv_series_path(const coin_priv_series *s, double t);
+
+/* Writes the rows of a piece that reaches so far to both sides. */
+void coin_priv_series_keep(const coin_priv_series *s, double reach,
+                           double *rows);
 
 #endif

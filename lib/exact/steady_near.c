@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "../motion/legendre.h"
 #include "../motion/angles.h"
+#include "../motion/legendre.h"
 #include "steady.h"
 
 #include <math.h>

@@ -2,8 +2,8 @@
 #ifndef ROLLCOIN_WOBBLE_H
 #define ROLLCOIN_WOBBLE_H
 
-#include "../motion/equations.h"
 #include "../motion/body.h"
+#include "../motion/equations.h"
 
 /* Coefficients kept of the lean's acceleration along a leaf. */
 enum { COIN_PRIV_WOBBLE_TERMS = 6 };

@@ -11,7 +11,7 @@ struct group {
 
 /* Moves the coins of a group, and empties it. */
 static void run_group(struct group *r, coinf_state *s, uint64_t steps,
-                    int32_t *status, coinf_priv_batch_result *o)
+                      int32_t *status, coinf_priv_batch_result *o)
 {
     coinf_state *coin[COINF_PRIV_LANES];
     int32_t code[COINF_PRIV_LANES];

@@ -5,8 +5,8 @@
 
 /* Kick, drift, kick as in lib/step/symplectic.c, in changes. */
 
-/* Rates along a drift times h, and their own rates times h^2; x, z are of the
- * point of contact, in radii. */
+/* Rates along a drift times h, and their own rates times h^2; x, z are in
+ * radii. */
 struct rates {
     float phi, psi, x, z, dphi, dpsi, dx, dz;
 };
@@ -20,8 +20,10 @@ static struct rates rates_of(const coinf_priv_field *f,
     struct rates r = {v.phi, v.psi, v.x, v.z, 0, 0, 0, 0};
     r.dphi = hwX * y->q * (slope_wY + hwY * tth);
     r.dpsi = hwX * (f->k2 * y->wY + slope_wY * tth + hwY * (1 + tth * tth));
-    r.dx = v.psi * v.phi * y->sph - r.dpsi * y->cph; /* (22) */
-    r.dz = v.psi * v.phi * y->cph + r.dpsi * y->sph; /* (22) */
+    const float along = f->h * y->wZ * v.phi - y->sth * (hwX * hwX);
+    const float across = hwX * (hwY - f->k2 * y->wY);
+    r.dx = along * y->sph + across * y->cph;
+    r.dz = along * y->cph - across * y->sph;
     return r;
 }
 
@@ -40,20 +42,23 @@ static void half_kick(coinf_state *s, const coinf_priv_plan *plan,
     y->wX = s->wX;
 }
 
-/* From theta's old pair in *y to its new one: wY and wZ follow.  0 if that is
- * beyond the series. */
+/* From theta's old pair in *y to its new one, a turn away: wY and wZ follow.  0
+ * if that is beyond the series.  What the turn adds to the pair is computed by
+ * itself: a difference of sines would cancel. */
 static int shift(coinf_state *s, const coinf_priv_plan *plan,
-                 coinf_priv_variables *y)
+                 coinf_priv_variables *y, float turn)
 {
+    const coinf_priv_sc lean = {y->sth, y->cth};
+    const coinf_priv_sc by = coinf_priv_turn_adds(lean, turn);
     const coinf_priv_sc th = coinf_priv_pair(s->theta, s->low[0]);
-    const float e = th.s - y->sth, c2 = y->cth * y->cth;
+    const float c2 = y->cth * y->cth;
     float dp, dwZ;
-    if (!(fabsf(e) * (1 + fabsf(y->sth)) <= COIN_PRIV_SERIES_REACH * c2))
+    if (!(fabsf(turn) <= COIN_PRIV_HALF_PI &&
+          fabsf(by.s) * (1 + fabsf(y->sth)) <= COIN_PRIV_SERIES_REACH * c2))
         return 0;
     coinf_priv_legendre_change(&dp, &dwZ, y->wY * y->cth, y->wZ, plan->k1,
-                               plan->k2, y->sth, c2, e); /* (49) */
-    coinf_priv_add(&s->wY, &s->low[6], (dp - y->wY * (th.c - y->cth)) / th.c,
-                   0);
+                               plan->k2, y->sth, c2, by.s); /* (49) */
+    coinf_priv_add(&s->wY, &s->low[6], (dp - y->wY * by.c) / th.c, 0);
     coinf_priv_add(&s->wZ, &s->low[7], dwZ, 0);
     y->wY = s->wY;
     y->wZ = s->wZ;
@@ -70,8 +75,9 @@ static int drift(coinf_state *s, const coinf_priv_plan *plan,
 {
     const coinf_priv_variables y0 = *y;
     const struct rates r0 = rates_of(&plan->f, &y0);
-    coinf_priv_add(&s->theta, &s->low[0], plan->f.h * y->wX, 0); /* (17) */
-    if (!shift(s, plan, y))
+    const float turn = plan->f.h * y->wX; /* (17) */
+    coinf_priv_add(&s->theta, &s->low[0], turn, 0);
+    if (!shift(s, plan, y, turn))
         return 0;
     struct rates r1 = rates_of(&plan->f, y);
     coinf_priv_add(&s->phi, &s->low[1],
@@ -82,12 +88,10 @@ static int drift(coinf_state *s, const coinf_priv_plan *plan,
     y->sph = ph.s;
     y->cph = ph.c;
     r1 = rates_of(&plan->f, y);
-    const float x = y->sth * y->sph - y0.sth * y0.sph; /* (21) */
-    const float z = y->sth * y->cph - y0.sth * y0.cph; /* (21) */
     coinf_priv_add(&s->x, &s->low[3],
-                   plan->a * (hermite(r0.x, r1.x, r0.dx, r1.dx) + x), 0);
+                   plan->a * hermite(r0.x, r1.x, r0.dx, r1.dx), 0);
     coinf_priv_add(&s->z, &s->low[4],
-                   plan->a * (hermite(r0.z, r1.z, r0.dz, r1.dz) + z), 0);
+                   plan->a * hermite(r0.z, r1.z, r0.dz, r1.dz), 0);
     return 1;
 }
 
@@ -101,5 +105,6 @@ int coinf_priv_symplectic2(coinf_state *s, int32_t *warnings,
     if (!drift(&next, plan, &y))
         return 0;
     half_kick(&next, plan, &y);
-    return coinf_priv_rate_holds(warnings, plan, &y) && coinf_priv_end_step(s, &next, plan);
+    return coinf_priv_rate_holds(warnings, plan, &y) &&
+           coinf_priv_end_step(s, &next, plan);
 }

@@ -92,8 +92,9 @@ PART PRIV(variables) PRIV(variables_at)(const PRIV(state) * s)
 /* Takes whole turns off an angle, by the parts of pi/2. */
 PART void PRIV(reduce)(real *angle, real *low)
 {
-    const real turns = (*angle * (K(0.25) / COIN_PRIV_HALF_PI) +
-                        COIN_PRIV_ROUNDER) - COIN_PRIV_ROUNDER;
+    const real turns =
+        (*angle * (K(0.25) / COIN_PRIV_HALF_PI) + COIN_PRIV_ROUNDER) -
+        COIN_PRIV_ROUNDER;
     const real none = {0};
     PRIV(add)(angle, low, turns * (-4 * COIN_PRIV_P1), none);
     PRIV(add)(angle, low, turns * (-4 * COIN_PRIV_P2), none);
@@ -116,9 +117,9 @@ COIN_PRIV_INLINE real PRIV(fall_low)(const PRIV(plan) * plan,
 
 /* The slope at a stage; *d is that of its variables.  psi' = wZ + phi' sin
  * theta: what is known of phi' beyond its digits serves psi' too. */
-COIN_PRIV_INLINE PRIV(slope) PRIV(slope_at)(PRIV(variables) * d,
-                                            const PRIV(plan) * plan,
-                                            const PRIV(variables) * y)
+COIN_PRIV_INLINE PRIV(slope)
+    PRIV(slope_at)(PRIV(variables) * d, const PRIV(plan) * plan,
+                   const PRIV(variables) * y)
 {
     const PRIV(field) *f = &plan->f;
     const real phi = PRIV(pose_rates)(f, y).phi;
@@ -155,13 +156,12 @@ COIN_PRIV_INLINE void PRIV(gather)(PRIV(slope) * rest, scalar w,
 
 /* What the first slope's rounding left out, where it is the same in each step
  * of a steady motion and adds up. */
-COIN_PRIV_INLINE PRIV(slope) PRIV(left_out)(const PRIV(slope) * first,
-                                            const PRIV(plan) * plan,
-                                            const PRIV(variables) * y)
+COIN_PRIV_INLINE PRIV(slope)
+    PRIV(left_out)(const PRIV(slope) * first, const PRIV(plan) * plan,
+                   const PRIV(variables) * y)
 {
     const real h = plan->f.h, cth = y->cth;
-    const real off =
-        PRIV(residue)(h, y->wY) - PRIV(residue)(first->phi, cth);
+    const real off = PRIV(residue)(h, y->wY) - PRIV(residue)(first->phi, cth);
     const real phi = y->q * ((h * y->wY - first->phi * cth) + off); /* (18) */
     const real fall = PRIV(fall_low)(plan, y), none = {0};
     const PRIV(slope) low = {

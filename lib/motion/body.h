@@ -25,10 +25,11 @@ COIN_PRIV_INLINE PRIV(body) PRIV(body_of)(const COIN(params) * p)
     const real M = p->mass, a = p->radius, g = p->gravity;
     const real IX = p->inertia_X, IZ = p->inertia_Z;
     const real m = M * a * a, J = IX + m, K = IZ + m, Mga = M * g * a;
-    const real over_J = 1 / J;
     const PRIV(body) b = {
-        M,   a,     IX,         IZ,          m,            J,       K,     M * g,
-        Mga, g / a, K * over_J, IX * over_J, Mga * over_J, IZ / IX, m / K, 0,
+        M,          a,           IX,           IZ,      m,
+        J,          K,           M * g,        Mga,     g / a,
+        K / J, IX / J, Mga / J, IZ / IX, m / K,
+        0,
     };
     return b;
 }

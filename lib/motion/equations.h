@@ -49,7 +49,7 @@ typedef struct PRIV(drift_slopes) {
 } PRIV(drift_slopes);
 
 COIN_PRIV_INLINE PRIV(drift_slopes)
-PRIV(drift_slopes_of)(const PRIV(body) * b, const PRIV(variables) * y)
+    PRIV(drift_slopes_of)(const PRIV(body) * b, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, tth = y->tth;
     const real dwY = wY * tth + b->k1 * y->wZ; /* (15) over wX */

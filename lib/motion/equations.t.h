@@ -15,8 +15,8 @@ typedef struct PRIV(variables) {
     real sph, cph;         /* sin phi, cos phi: for the path alone */
 } PRIV(variables);
 
-/* The variables that the equations change and do not read.  x and z are of the
- * point of contact, in radii; t is the time, used in Sundman's form alone. */
+/* The variables that the equations change and do not read.  x and z are in
+ * radii; t is the time, used in Sundman's form alone. */
 typedef struct PRIV(pose) {
     real theta, phi, psi, x, z, t;
 } PRIV(pose);
@@ -52,20 +52,27 @@ PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
     return d;
 }
 
-/* h d/dt of the pose.  The point of contact moves along the heading, where
- * the centre's path has two terms. */
+/* The velocity of the centre along x and z in radii, -wZ e_X + wX e_Z, times
+ * what wZ and wX cos theta are times. */
+COIN_PRIV_INLINE void PRIV(path_rates)(real *dx, real *dz, real wXcth, real wZ,
+                                       const PRIV(variables) * y)
+{
+    *dx = wXcth * y->sph - wZ * y->cph; /* (20) */
+    *dz = wXcth * y->cph + wZ * y->sph; /* (20) */
+}
+
+/* h d/dt of the pose.  The path is that of the centre: the point of contact may
+ * run round while the centre rests. */
 COIN_PRIV_INLINE PRIV(pose)
 PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
-    const real hwY = f->h * y->wY;
-    const real dps = f->h * y->wZ + hwY * y->tth; /* (19) */
+    const real hwX = f->h * y->wX, hwY = f->h * y->wY, hwZ = f->h * y->wZ;
     const real none = {0};
     PRIV(pose) d;
-    d.theta = f->h * y->wX; /* (17) */
-    d.phi = hwY * y->q;     /* (18) */
-    d.psi = dps;
-    d.x = -(dps * y->cph); /* (22) */
-    d.z = dps * y->sph;    /* (22) */
+    d.theta = hwX;              /* (17) */
+    d.phi = hwY * y->q;         /* (18) */
+    d.psi = hwZ + hwY * y->tth; /* (19) */
+    PRIV(path_rates)(&d.x, &d.z, hwX * y->cth, hwZ, y);
     d.t = none;
     return d;
 }
@@ -101,16 +108,14 @@ PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 COIN_PRIV_INLINE PRIV(pose)
 PRIV(sundman_pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
-    const real hwY = f->h * y->wY;
-    const real dps = f->h * (y->cth * y->wZ) + hwY * y->sth; /* (32) */
-    const real none = {0};
+    const real hwY = f->h * y->wY, hc = f->h * y->cth;
+    const real hcwZ = hc * y->wZ, none = {0};
     PRIV(pose) d;
-    d.theta = none; /* the pair holds it, down to the table */
-    d.phi = hwY;    /* (32) */
-    d.psi = dps;
-    d.x = -(dps * y->cph); /* (32) */
-    d.z = dps * y->sph;    /* (32) */
-    d.t = f->h * y->cth;   /* (32) */
+    d.theta = none;              /* the pair holds it, down to the table */
+    d.phi = hwY;                 /* (32) */
+    d.psi = hcwZ + hwY * y->sth; /* (32) */
+    PRIV(path_rates)(&d.x, &d.z, hc * (y->cth * y->wX), hcwZ, y);
+    d.t = hc; /* (32) */
     return d;
 }
 
@@ -156,10 +161,11 @@ PRIV(variables_plus)(const PRIV(variables) * a, scalar w,
 COIN_PRIV_INLINE void PRIV(velocity_of)(real v[3], real a,
                                         const PRIV(variables) * y)
 {
-    const real g = y->cth * y->wX;
-    v[0] = a * (g * y->sph - y->wZ * y->cph); /* (20) */
-    v[1] = -a * (y->wX * y->sth);             /* (20) */
-    v[2] = a * (g * y->cph + y->wZ * y->sph); /* (20) */
+    real dx, dz;
+    PRIV(path_rates)(&dx, &dz, y->cth * y->wX, y->wZ, y);
+    v[0] = a * dx;
+    v[1] = -a * (y->wX * y->sth); /* (20) */
+    v[2] = a * dz;
 }
 
 /* W^2, the square of the fastest rate: of turning, heading and falling. */

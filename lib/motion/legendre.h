@@ -48,10 +48,9 @@ static const real PRIV(over)[24] = {
 };
 
 /* The change alone. */
-COIN_PRIV_INLINE void PRIV(legendre_change)(real *dp, real *dwZ,
-                                                real p, real wZ, real k1,
-                                                real k2, real u, real c2,
-                                                real e)
+COIN_PRIV_INLINE void PRIV(legendre_change)(real *dp, real *dwZ, real p,
+                                            real wZ, real k1, real k2, real u,
+                                            real c2, real e)
 {
     const real kap = k1 * k2, x = e / c2;
     const real back1 = 2 * u * x, back2 = e * x;
@@ -60,7 +59,7 @@ COIN_PRIV_INLINE void PRIV(legendre_change)(real *dp, real *dwZ,
     for (int i = 0; i < COIN_PRIV_SERIES_TERMS; ++i) {
         const real n = (real)i, next = PRIV(over)[i];
         const real b2 = back1 * b1 * ((n + 1) * (n + 1) * next) +
-                          back2 * b0 * ((n * (n + 1) + kap) * next);
+                        back2 * b0 * ((n * (n + 1) + kap) * next);
         change += b1;
         sum += b1 * ((n + 1) * next);
         b0 = b1;
@@ -70,9 +69,8 @@ COIN_PRIV_INLINE void PRIV(legendre_change)(real *dp, real *dwZ,
     *dwZ = change;
 }
 
-COIN_PRIV_INLINE void PRIV(legendre_shift)(real *p, real *wZ, real k1,
-                                               real k2, real u, real c2,
-                                               real e)
+COIN_PRIV_INLINE void PRIV(legendre_shift)(real *p, real *wZ, real k1, real k2,
+                                           real u, real c2, real e)
 {
     real dp, dwZ;
     PRIV(legendre_change)(&dp, &dwZ, *p, *wZ, k1, k2, u, c2, e);

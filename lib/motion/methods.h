@@ -41,7 +41,7 @@ typedef struct PRIV(limits) {
 
 /* Those of steps dt, which is finite. */
 COIN_PRIV_INLINE PRIV(limits)
-PRIV(limits_of)(const PRIV(body) * b, int32_t method, real dt)
+    PRIV(limits_of)(const PRIV(body) * b, int32_t method, real dt)
 {
     const real most = PRIV(refusal_limit)(method);
     const real coarse = PRIV(coarse_limit)(method);

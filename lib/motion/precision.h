@@ -42,11 +42,11 @@
 
 /* (sin(x)/x - 1)/z with z = x^2 and |x| <= pi/4: the Taylor polynomial to
  * x^9, whose next term is 2e-9. */
-#define COIN_PRIV_SINE(z)                                                     \
+#define COIN_PRIV_SINE(z)                                                      \
     (-1.0f / 6 + z * (1.0f / 120 + z * (-1.0f / 5040 + z * (1.0f / 362880))))
 
 /* (cos(x) - 1 + z/2)/z^2, likewise to x^10. */
-#define COIN_PRIV_COSINE(z)                                                   \
+#define COIN_PRIV_COSINE(z)                                                    \
     (1.0f / 24 + z * (-1.0f / 720 + z * (1.0f / 40320 + z * (-1.0f / 3628800))))
 
 /* For |d| up to this, d^7/5040 of sin d and d^6/720 of cos d are rounding. */
@@ -91,7 +91,7 @@ static inline int coinf_priv_low_holds(const float low[8])
 }
 
 /* What a state's initializer ends with: the remainders of exact members. */
-#define COIN_PRIV_NO_LOW                                                      \
+#define COIN_PRIV_NO_LOW                                                       \
     ,                                                                          \
     {                                                                          \
         0, 0, 0, 0, 0, 0, 0, 0                                                 \

@@ -10,8 +10,8 @@ COIN_PRIV_INLINE int PRIV(pose_holds)(const COIN(state) * s)
     return FABS(s->theta) < COIN_PRIV_HALF_PI &&
            FABS(s->phi) <= COIN_PRIV_ANGLE_MAX &&
            FABS(s->psi) <= COIN_PRIV_ANGLE_MAX &&
-           FABS(s->x) <= COIN_PRIV_LARGEST &&
-           FABS(s->z) <= COIN_PRIV_LARGEST && COIN_PRIV_LOW_HOLDS(s);
+           FABS(s->x) <= COIN_PRIV_LARGEST && FABS(s->z) <= COIN_PRIV_LARGEST &&
+           COIN_PRIV_LOW_HOLDS(s);
 }
 
 /* What can be said without parameters: COIN_OK or COIN_ESTATE.  s is not null.
@@ -44,8 +44,15 @@ COIN_PRIV_INLINE int32_t PRIV(check_here)(const COIN(state) * s,
 {
     if (!s || !p)
         return COIN_EARG;
-    const int32_t status = PRIV(check_body)(b, p);
-    return status == COIN_OK ? PRIV(check_state)(s, b) : status;
+    int32_t status = PRIV(check_body)(b, p);
+    if (status != COIN_OK)
+        return status;
+    status = PRIV(check_state)(s, b);
+    if (COIN_PRIV_RARELY(status != COIN_OK)) {
+        PRIV(check_any_body)(b, p); /* has the exact limit of |omega|^2 */
+        status = PRIV(check_state)(s, b);
+    }
+    return status;
 }
 
 /* The same out of line. */

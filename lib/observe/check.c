@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/methods.h"
-#include "reaction.h"
 #include "../motion/state.h"
+#include "reaction.h"
 
 #define NEARLY_FLAT K(0.01)
 
-int32_t COIN(check)(const COIN(state) *s, const COIN(params) *p, int32_t method,
-                   real dt, real mu)
+int32_t COIN(check)(const COIN(state) * s, const COIN(params) * p,
+                    int32_t method, real dt, real mu)
 {
     PRIV(body) b;
     const int32_t status = PRIV(method_is_known)(method) && mu >= 0

@@ -2,7 +2,7 @@
 #include "../motion/angles.h"
 #include "../motion/state.h"
 
-real COIN(energy)(const COIN(state) *s, const COIN(params) *p)
+real COIN(energy)(const COIN(state) * s, const COIN(params) * p)
 {
     PRIV(body) b;
     if (PRIV(check_here)(s, p, &b) != COIN_OK)

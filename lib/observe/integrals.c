@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "../motion/legendre.h"
 #include "../motion/angles.h"
+#include "../motion/legendre.h"
 #include "../motion/state.h"
 
 /* The power series needs ever more terms as |u| -> 1, the flat one as |u| ->
@@ -8,8 +8,8 @@
 #define CENTRAL_MAX K(0.7)
 
 /* The pair p, wZ carried from u = sin theta to u = 0. */
-static void from_central(real K[2], const PRIV(body) *b, real u,
-                         real p, real wZ)
+static void from_central(real K[2], const PRIV(body) * b, real u, real p,
+                         real wZ)
 {
     const PRIV(central) c = PRIV(legendre_central)(b->k1 * b->k2, u);
     K[0] = c.We * p - b->k1 * c.Po * wZ; /* (35) */
@@ -18,8 +18,8 @@ static void from_central(real K[2], const PRIV(body) *b, real u,
 
 /* The same from close to the table, theta > 0: the flat solutions lead to
  * where the central ones begin.  delta = pi/2 - theta. */
-static void from_flat(real K[2], const PRIV(body) *b, real delta,
-                      real p, real wZ)
+static void from_flat(real K[2], const PRIV(body) * b, real delta, real p,
+                      real wZ)
 {
     const real half = PRIV(sincos)(delta / 2).s, v = half * half;
     const real kap = b->k1 * b->k2, k2 = b->k2, v_m = (1 - CENTRAL_MAX) / 2;
@@ -32,7 +32,8 @@ static void from_flat(real K[2], const PRIV(body) *b, real delta,
                  al * m.R + be * m.S); /* (38) */
 }
 
-int32_t COIN(integrals)(const COIN(state) *s, const COIN(params) *p, real K[2])
+int32_t COIN(integrals)(const COIN(state) * s, const COIN(params) * p,
+                        real K[2])
 {
     PRIV(body) b;
     const int32_t status = K ? PRIV(check)(s, p, &b) : COIN_EARG;

@@ -2,7 +2,7 @@
 #include "../motion/equations.h"
 #include "../motion/state.h"
 
-int32_t COIN(center)(const COIN(state) *s, const COIN(params) *p, real r[3])
+int32_t COIN(center)(const COIN(state) * s, const COIN(params) * p, real r[3])
 {
     PRIV(body) b;
     const int32_t status = r ? PRIV(check)(s, p, &b) : COIN_EARG;
@@ -14,7 +14,7 @@ int32_t COIN(center)(const COIN(state) *s, const COIN(params) *p, real r[3])
     return COIN_OK;
 }
 
-int32_t COIN(velocity)(const COIN(state) *s, const COIN(params) *p, real v[3])
+int32_t COIN(velocity)(const COIN(state) * s, const COIN(params) * p, real v[3])
 {
     PRIV(body) b;
     const int32_t status = v ? PRIV(check)(s, p, &b) : COIN_EARG;
@@ -25,8 +25,8 @@ int32_t COIN(velocity)(const COIN(state) *s, const COIN(params) *p, real v[3])
     return COIN_OK;
 }
 
-int32_t COIN(contact)(const COIN(state) *s, const COIN(params) *p, real r[3],
-                     real v[3])
+int32_t COIN(contact)(const COIN(state) * s, const COIN(params) * p, real r[3],
+                      real v[3])
 {
     PRIV(body) b;
     const int32_t status = r && v ? PRIV(check)(s, p, &b) : COIN_EARG;
@@ -44,7 +44,7 @@ int32_t COIN(contact)(const COIN(state) *s, const COIN(params) *p, real r[3],
     return COIN_OK;
 }
 
-int32_t COIN(axes)(const COIN(state) *s, real R[9])
+int32_t COIN(axes)(const COIN(state) * s, real R[9])
 {
     if (!s || !R)
         return COIN_EARG;
@@ -55,7 +55,7 @@ int32_t COIN(axes)(const COIN(state) *s, real R[9])
     return COIN_OK;
 }
 
-int32_t COIN(angular_velocity)(const COIN(state) *s, real omega[3])
+int32_t COIN(angular_velocity)(const COIN(state) * s, real omega[3])
 {
     real R[9];
     const int32_t status = omega ? COIN(axes)(s, R) : COIN_EARG;
@@ -74,7 +74,7 @@ int32_t COIN(angular_velocity)(const COIN(state) *s, real omega[3])
     return COIN_OK;
 }
 
-int32_t COIN(quaternion)(const COIN(state) *s, real q[4])
+int32_t COIN(quaternion)(const COIN(state) * s, real q[4])
 {
     if (!s || !q)
         return COIN_EARG;
@@ -107,7 +107,7 @@ static real angle_of(real s, real c)
  * theta/2, A is C2 + S2 times the cosine and sine of (phi - psi)/2, and B is
  * C2 - S2 times those of (phi + psi)/2: both stay exact where the coin is
  * nearly flat and phi, psi are not.  NaN if q is 0 or not finite. */
-static void angles_of(COIN(state) *s, const real q[4])
+static void angles_of(COIN(state) * s, const real q[4])
 {
     real largest = 0, u[4];
     for (int i = 0; i < 4; ++i)
@@ -124,9 +124,9 @@ static void angles_of(COIN(state) *s, const real q[4])
     s->psi = angle_of(Bs * Ac - Bc * As, Bc * Ac + Bs * As); /* (30) */
 }
 
-int32_t COIN(state_from_motion)(COIN(state) *s, const COIN(params) *p,
-                               const real q[4], const real omega[3],
-                               real x, real z)
+int32_t COIN(state_from_motion)(COIN(state) * s, const COIN(params) * p,
+                                const real q[4], const real omega[3], real x,
+                                real z)
 {
     PRIV(body) b;
     COIN(state) made = {0, 0, 0, x, z, 0, 0, 0 COIN_PRIV_NO_LOW};

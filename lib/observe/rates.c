@@ -2,7 +2,8 @@
 #include "../motion/equations.h"
 #include "../motion/state.h"
 
-int32_t COIN(rates)(const COIN(state) *s, const COIN(params) *p, COIN(state) *out)
+int32_t COIN(rates)(const COIN(state) * s, const COIN(params) * p,
+                    COIN(state) * out)
 {
     PRIV(body) b;
     const int32_t status = out ? PRIV(check)(s, p, &b) : COIN_EARG;

@@ -3,7 +3,7 @@
 #include "../motion/equations.h"
 #include "../motion/state.h"
 
-COIN(force) PRIV(reaction)(const PRIV(body) *b, const PRIV(variables) *y)
+COIN(force) PRIV(reaction)(const PRIV(body) * b, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth, sph = y->sph, cph = y->cph;
@@ -24,8 +24,8 @@ COIN(force) PRIV(reaction)(const PRIV(body) *b, const PRIV(variables) *y)
     return f;
 }
 
-int32_t COIN(reaction)(const COIN(state) *s, const COIN(params) *p,
-                      COIN(force) *out)
+int32_t COIN(reaction)(const COIN(state) * s, const COIN(params) * p,
+                       COIN(force) * out)
 {
     PRIV(body) b;
     const int32_t status = out ? PRIV(check_here)(s, p, &b) : COIN_EARG;

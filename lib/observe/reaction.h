@@ -5,7 +5,6 @@
 #include "../motion/equations.h"
 
 /* The force of the table on a coin in this stage. */
-COIN(force) PRIV(reaction)(const PRIV(body) *b,
-                              const PRIV(variables) *y);
+COIN(force) PRIV(reaction)(const PRIV(body) * b, const PRIV(variables) * y);
 
 #endif

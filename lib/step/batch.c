@@ -14,8 +14,7 @@ enum { ENOUGH = (COIN_PRIV_LANES + 2) / 4 + 1 };
 
 static void run_group(struct group *g, coin_priv_lanes_run *run,
                       const coin_params *p, const coin_priv_body *b,
-                      int32_t method, double dt, uint64_t steps,
-                      int32_t *code)
+                      int32_t method, double dt, uint64_t steps, int32_t *code)
 {
     coin_state spare[COIN_PRIV_LANES];
     if (!run || g->size < ENOUGH) {

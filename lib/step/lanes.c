@@ -102,8 +102,8 @@ COIN_PRIV_INLINE void rk4_step(coin_lanes_step_end *end,
     const coin_lanes_sc heading = {y->sph, y->cph};
     *end = coin_lanes_rk4_end(&lean, y, (const coin_lanes_rk4_fields *)fields);
     *sound &= coin_lanes_magnitude(lean.late) <= COIN_PRIV_LITTLE_TURN;
-    *next = coin_lanes_variables_at(
-        end, lean.th, coin_lanes_turned(heading, end->adds.phi));
+    *next = coin_lanes_variables_at(end, lean.th,
+                                    coin_lanes_turned(heading, end->adds.phi));
 }
 
 COIN_PRIV_INLINE void rk8_step(coin_lanes_step_end *end,
@@ -112,8 +112,8 @@ COIN_PRIV_INLINE void rk8_step(coin_lanes_step_end *end,
 {
     coin_lanes_variables sums;
     (void)sound;
-    end->least_cth = rk8_sums(&sums, &end->adds, y,
-                              (const coin_lanes_field *)field);
+    end->least_cth =
+        rk8_sums(&sums, &end->adds, y, (const coin_lanes_field *)field);
     end->wX = sums.wX;
     end->wY = sums.wY;
     end->wZ = sums.wZ;
@@ -149,8 +149,8 @@ static coin_lanes safe_cosine(mask *sound, const struct coins *c,
     return safe;
 }
 
-/* Whether a single step from *y was safe: W^2 itself is cheaper than what bounds
- * it in a block. */
+/* Whether a single step from *y was safe: W^2 itself is cheaper than what
+ * bounds it in a block. */
 COIN_PRIV_INLINE mask one_step_holds(const struct coins *c,
                                      const struct shared *of,
                                      const coin_lanes_variables *y,

@@ -13,7 +13,8 @@ typedef void coin_priv_lanes_run(coin_state *const *where, int32_t *status,
                                  const coin_params *p, const coin_priv_body *b,
                                  double dt, uint64_t steps);
 
-/* That of a method, or null if it has none, or this processor has no vectors. */
+/* That of a method, or null if it has none, or this processor has no vectors.
+ */
 coin_priv_lanes_run *coin_priv_lanes_run_of(int32_t method);
 
 #endif

@@ -29,8 +29,8 @@ COIN_PRIV_INLINE void coin_priv_run_from(coin_priv_run *r, const coin_state *s,
     r->steps = 0;
 }
 
-/* One step from *y by a method's coefficients: where it leads, and the variables
- * there.  end->least_cth is 0 if the method does not reach so far. */
+/* One step from *y by a method's coefficients: where it leads, and the
+ * variables there.  end->least_cth is 0 if the method does not reach so far. */
 typedef void coin_priv_step(coin_priv_step_end *end, coin_priv_variables *next,
                             const coin_priv_variables *y,
                             const void *coefficients);
@@ -66,10 +66,11 @@ COIN_PRIV_INLINE double coin_priv_safe_cosine(const coin_priv_body *b,
     const double wX = y->wX, wY = y->wY, wZ = y->wZ;
     const double T2 = b->J * wX * wX + b->IX * wY * wY + b->K * wZ * wZ;
     const double E2 = 1.25 * (T2 + 2 * b->Mga * y->cth); /* (23) */
-    const double left = coarse2 - E2 / b->K, g_a = b->g_a;
+    const double left = coarse2 - E2 / b->K;
     if (!(left > 0))
         return 2;
-    return (g_a + sqrt(g_a * g_a + 4 * left * (E2 / b->IX))) / (2 * left);
+    const double fall = b->g_a / (2 * left); /* no product may overflow */
+    return fall + sqrt(fall * fall + E2 / b->IX / left);
 }
 
 /* A step that may not be safe: whether it is sound all the same. */

@@ -35,9 +35,9 @@
 
 struct outlook {
     coin_priv_run from; /* where the trial begins */
-    double span;          /* the time looked at from there */
-    double worst2;        /* the largest W^2 in it; infinite if no step will do:
-                             it ends flat, or W is beyond what a step takes */
+    double span;        /* the time looked at from there */
+    double worst2;      /* the largest W^2 in it; infinite if no step will do:
+                           it ends flat, or W is beyond what a step takes */
 };
 
 static int seen_enough(int turns, double units)
@@ -54,6 +54,8 @@ static struct outlook look_ahead(coin_priv_run r, double enough)
     double begin = 0, units = 0;
     for (int i = 0; i < LOOK_STEPS && !seen_enough(turns, units); ++i) {
         const double wX = r.g.y.wX;
+        if (r.g.y.cth < COIN_PRIV_FLAT)
+            break;
         const double tau = coin_priv_sundman_tau(&r.b, &r.g.y, 0.5);
         coin_priv_sundman_step(&r, tau); /* one that fails changes nothing */
         const double W2 = coin_priv_rate2(g_a, &r.g.y);
@@ -138,6 +140,8 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
     start.b = b;
     coin_priv_run_from(&start, &lean, method, 0);
     const double worst2 = look_ahead(start, 0).worst2;
+    if (worst2 > b.w2_max)
+        return 0;
     const struct outlook o = look_ahead(start, worst2 / 16);
     const double most = PEAK * coin_priv_coarse_limit(method) / sqrt(worst2);
     const int32_t order = coin_method_order(method);

@@ -12,10 +12,10 @@
 
 /* The state that a run from *start has come to. */
 COIN_PRIV_INLINE COIN(state)
-PRIV(state_of)(const PRIV(progress) * g, const COIN(state) * start, real a)
+    PRIV(state_of)(const PRIV(progress) * g, const COIN(state) * start, real a)
 {
     const PRIV(pose) to = PRIV(pose_of)(g, a);
-    const real most = COIN_PRIV_HALF_PI - 2 * COIN_PRIV_EPSILON;
+    const real most = COIN_PRIV_HALF_PI - COIN_PRIV_EPSILON;
     const COIN(state) s = {
         to.theta > most    ? most
         : to.theta < -most ? -most

@@ -20,7 +20,7 @@ typedef struct PRIV(step_end) {
 /* A run under way: its variables, the pose where its block of steps began, and
  * what the steps since then have added to it.  A steady motion adds the same
  * again and again, and to one long sum it would always round alike.  x, z are
- * contact less starting centre, in radii. */
+ * from where it started, in radii. */
 typedef struct PRIV(progress) {
     PRIV(variables) y;
     PRIV(pose) added;
@@ -79,8 +79,7 @@ COIN_PRIV_INLINE void PRIV(progress_begin)(PRIV(progress) * g,
     g->theta.sum = theta;
     g->phi.sum = phi;
     g->psi.sum = psi;
-    g->x.sum = -(y->sth * y->sph); /* (21) */
-    g->z.sum = -(y->sth * y->cph); /* (21) */
+    g->x.sum = g->z.sum = none;
     g->theta.low = g->phi.low = g->psi.low = g->x.low = g->z.low = none;
 }
 
@@ -149,14 +148,13 @@ PRIV(variables_after)(const PRIV(variables) * y, const PRIV(step_end) * end)
 COIN_PRIV_INLINE PRIV(pose)
 PRIV(pose_of)(const PRIV(progress) * g, real a)
 {
-    const PRIV(variables) *const y = &g->y;
     const PRIV(pose) *const added = &g->added;
     const PRIV(pose) r = {
         PRIV(total)(g->theta, added->theta),
         PRIV(total)(g->phi, added->phi),
         PRIV(total)(g->psi, added->psi),
-        a * (PRIV(total)(g->x, added->x) + y->sth * y->sph), /* (21) */
-        a * (PRIV(total)(g->z, added->z) + y->sth * y->cph), /* (21) */
+        a * PRIV(total)(g->x, added->x),
+        a * PRIV(total)(g->z, added->z),
         added->t,
     };
     return r;

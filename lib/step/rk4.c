@@ -5,7 +5,7 @@
  * they let the processor start the next stage sooner; scheduled before that,
  * the early part of a turn starts in time: 10 % of a step in all. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__)
-#pragma GCC optimize("ira-region=all", "rename-registers", "schedule-insns",\
+#pragma GCC optimize("ira-region=all", "rename-registers", "schedule-insns",   \
                      "sched-pressure")
 #endif
 

@@ -7,7 +7,7 @@
 #include "rk4.t.h"
 
 COIN_PRIV_INLINE PRIV(rk4_fields)
-PRIV(rk4_fields_of)(const PRIV(body) * b, real dt)
+    PRIV(rk4_fields_of)(const PRIV(body) * b, real dt)
 {
     const PRIV(rk4_fields) k = {
         PRIV(field_of)(b, dt / 2),
@@ -27,8 +27,8 @@ COIN_PRIV_INLINE void PRIV(rk4_step)(PRIV(step_end) * end,
     *end = PRIV(rk4_end)(&after, y, (const PRIV(rk4_fields) *)fields);
     if (COIN_PRIV_RARELY(!(FABS(after.late) <= COIN_PRIV_LITTLE_TURN)))
         after.th = PRIV(turned)(lean, end->adds.theta);
-    *next = PRIV(variables_at)(end, after.th,
-                               PRIV(turned)(heading, end->adds.phi));
+    *next =
+        PRIV(variables_at)(end, after.th, PRIV(turned)(heading, end->adds.phi));
 }
 
 #endif

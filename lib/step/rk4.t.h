@@ -11,6 +11,23 @@ typedef struct PRIV(rk4_fields) {
     PRIV(field) half, full, sixth;
 } PRIV(rk4_fields);
 
+/* A stage: the start and a slope.  As a variable, 1/cos theta would be off by
+ * tan^2 theta z^2 for a turn z, and the heading by z^3/6, and the path with it:
+ * so the one is divided, and the other turned. */
+COIN_PRIV_INLINE PRIV(variables) PRIV(stage)(const PRIV(variables) * y1,
+                                             const PRIV(variables) * d,
+                                             real turn)
+{
+    const PRIV(sc) heading = {y1->sph, y1->cph};
+    const PRIV(sc) ph = PRIV(turned_a_little)(heading, turn);
+    PRIV(variables) y = PRIV(variables_plus)(y1, 1, d);
+    y.sph = ph.s;
+    y.cph = ph.c;
+    y.q = K(1) / y.cth;
+    y.tth = y.q * y.sth;
+    return y;
+}
+
 /* theta's pair at the end of a step, if |late| <= COIN_PRIV_LITTLE_TURN.  Most
  * of the turn is known from the first stage on, so that its sine and cosine are
  * there when the last stage is: the next step waits for them. */
@@ -23,12 +40,12 @@ typedef struct PRIV(rk4_lean) {
  * (d1 + 2 d2 + d3)/3 + d4, and nothing but the last addition waits for the last
  * slope. */
 COIN_PRIV_INLINE PRIV(step_end)
-PRIV(rk4_end)(PRIV(rk4_lean) * lean_after, const PRIV(variables) * y1,
-              const PRIV(rk4_fields) * k)
+    PRIV(rk4_end)(PRIV(rk4_lean) * lean_after, const PRIV(variables) * y1,
+                  const PRIV(rk4_fields) * k)
 {
     PRIV(variables) sum = PRIV(rates)(&k->half, y1), d;
     PRIV(pose) path = PRIV(pose_rates)(&k->half, y1), v;
-    PRIV(variables) y = PRIV(variables_plus)(y1, 1, &sum);
+    PRIV(variables) y = PRIV(stage)(y1, &sum, path.phi);
     const PRIV(sc) lean = {y1->sth, y1->cth};
     const real early = k->full.h * y.wX;
     const PRIV(sc) near = PRIV(turned)(lean, early);
@@ -36,14 +53,14 @@ PRIV(rk4_end)(PRIV(rk4_lean) * lean_after, const PRIV(variables) * y1,
 
     d = PRIV(rates)(&k->half, &y);
     v = PRIV(pose_rates)(&k->half, &y);
-    y = PRIV(variables_plus)(y1, 1, &d);
+    y = PRIV(stage)(y1, &d, v.phi);
     sum = PRIV(variables_plus)(&sum, 2, &d);
     path = PRIV(pose_plus)(&path, 2, &v);
     least = PRIV(lesser)(least, y.cth);
 
     d = PRIV(rates)(&k->full, &y);
     v = PRIV(pose_rates)(&k->full, &y);
-    y = PRIV(variables_plus)(y1, 1, &d);
+    y = PRIV(stage)(y1, &d, v.phi);
     sum = PRIV(variables_plus)(&sum, 1, &d);
     path = PRIV(pose_plus)(&path, 1, &v);
     least = PRIV(lesser)(least, y.cth);

@@ -8,8 +8,8 @@ COIN_PRIV_INLINE void step(coin_priv_step_end *end, coin_priv_variables *next,
                            const coin_priv_variables *y, const void *field)
 {
     coin_priv_variables sums;
-    end->least_cth = rk8_sums(&sums, &end->adds, y,
-                              (const coin_priv_field *)field);
+    end->least_cth =
+        rk8_sums(&sums, &end->adds, y, (const coin_priv_field *)field);
     end->wX = sums.wX;
     end->wY = sums.wY;
     end->wZ = sums.wZ;

@@ -148,7 +148,7 @@ struct row {
 #endif
 
 /* In the order in which they are needed soonest, by measurement. */
-COIN_PRIV_INLINE struct row row_of(const PRIV(variables) *s)
+COIN_PRIV_INLINE struct row row_of(const PRIV(variables) * s)
 {
     struct row r;
     AT(r, 0) = s->wX;
@@ -240,7 +240,7 @@ COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
 #define STAGE(i, j)                                                            \
     EACH(ROW##i)                                                               \
     SUM_OLD(j);                                                                \
-    const PRIV(variables) s##i = variables_of_row(&y), k##i = RATES(f, &s##i);         \
+    const PRIV(variables) s##i = variables_of_row(&y), k##i = RATES(f, &s##i); \
     const struct row d##i = row_of(&k##i);                                     \
     low = PRIV(lesser)(low, s##i.cth)
 #define PATH(i) const PRIV(pose) v##i = POSE_RATES(f, &s##i)

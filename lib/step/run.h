@@ -49,7 +49,8 @@ COIN_PRIV_INLINE uint64_t coin_priv_run_on(coin_priv_run *r, int32_t method,
 /* Where it has come to; a run of no steps is where it began, to the bit. */
 COIN_PRIV_INLINE coin_state coin_priv_run_state(const coin_priv_run *r)
 {
-    return r->steps == 0 ? r->start : coin_priv_state_of(&r->g, &r->start, r->b.a);
+    return r->steps == 0 ? r->start
+                         : coin_priv_state_of(&r->g, &r->start, r->b.a);
 }
 
 /* The same to *s, and to *done, if that is not null, how many of the steps it

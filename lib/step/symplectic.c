@@ -49,22 +49,38 @@ COIN_PRIV_INLINE double hermite(double h, double f0, double f1, double df0,
     return h / 2 * (f0 + f1) + h * h / 12 * (df0 - df1);
 }
 
-/* Takes wY and wZ along from the lean of *y0 to that of *y; 0 if that is
- * beyond the series. */
+/* Takes wY and wZ along from the lean of *y0 to that of *y, whose pair is
+ * larger by `by`; 0 if that is beyond the series. */
 COIN_PRIV_INLINE int shift(coin_priv_variables *y,
-                           const coin_priv_variables *y0,
+                           const coin_priv_variables *y0, coin_priv_sc by,
                            const coin_priv_body *b)
 {
-    const double e = y->sth - y0->sth, c2 = y0->cth * y0->cth;
+    const double c2 = y0->cth * y0->cth;
     double dp, dwZ;
-    if (!(fabs(e) * (1 + fabs(y0->sth)) <= COIN_PRIV_SERIES_REACH * c2))
+    if (!(fabs(by.s) * (1 + fabs(y0->sth)) <= COIN_PRIV_SERIES_REACH * c2))
         return 0;
     coin_priv_legendre_change(&dp, &dwZ, y0->wY * y0->cth, y0->wZ, b->k1, b->k2,
-                              y0->sth, c2, e); /* (49) */
-    /* In this form no lean change is no change of wY, to the bit. */
-    y->wY = y0->wY + (dp - y0->wY * (y->cth - y0->cth)) * y->q;
+                              y0->sth, c2, by.s); /* (49) */
+    /* In this form no change of lean is no change of wY, to the bit. */
+    y->wY = y0->wY + (dp - y0->wY * by.c) * y->q;
     y->wZ = y0->wZ + dwZ;
     return 1;
+}
+
+/* d/dt of the centre's velocity, Eq. (20), along a drift: its parts at right
+ * angles to e_X and along it, in radii. */
+struct turn {
+    double along, across;
+};
+
+COIN_PRIV_INLINE struct turn turn_of(const coin_priv_body *b,
+                                     const coin_priv_variables *y, double dphi)
+{
+    const struct turn t = {
+        y->wZ * dphi - y->sth * (y->wX * y->wX),
+        y->wX * y->wY * (1 - b->k2),
+    };
+    return t;
 }
 
 /* Moves *c by a drift of h. */
@@ -74,13 +90,13 @@ COIN_PRIV_INLINE void drift(struct part *c, const struct split *k, double h)
     const double turn = h * y0.wX; /* (17) */
     coin_priv_variables *const y = &c->y;
     const coin_priv_sc lean = {y0.sth, y0.cth}, heading = {y0.sph, y0.cph};
-    const coin_priv_sc th = coin_priv_turned(lean, turn);
-    y->sth = th.s;
-    y->cth = th.c;
-    y->q = 1 / th.c;
-    y->tth = th.s * y->q;
-    c->sound &= fabs(turn) <= COIN_PRIV_TURN_MAX && th.c > 0 &&
-                shift(y, &y0, k->b);
+    const coin_priv_sc by = coin_priv_turn_adds(lean, turn);
+    y->sth = y0.sth + by.s;
+    y->cth = y0.cth + by.c;
+    y->q = 1 / y->cth;
+    y->tth = y->sth * y->q;
+    c->sound &= fabs(turn) <= COIN_PRIV_TURN_MAX && y->cth > 0 &&
+                shift(y, &y0, by, k->b);
     const coin_priv_pose v0 = coin_priv_pose_rates(&k->f, &y0);
     coin_priv_pose v1 = coin_priv_pose_rates(&k->f, y);
     const coin_priv_drift_slopes s0 = coin_priv_drift_slopes_of(k->b, &y0);
@@ -93,12 +109,12 @@ COIN_PRIV_INLINE void drift(struct part *c, const struct split *k, double h)
     c->adds.theta += turn;
     c->adds.phi += dph;
     c->adds.psi += hermite(h, v0.psi, v1.psi, s0.psi, s1.psi);
-    c->adds.x += hermite(h, v0.x, v1.x, /* (22) */
-                         v0.psi * v0.phi * y0.sph - s0.psi * y0.cph,
-                         v1.psi * v1.phi * y->sph - s1.psi * y->cph);
-    c->adds.z += hermite(h, v0.z, v1.z, /* (22) */
-                         v0.psi * v0.phi * y0.cph + s0.psi * y0.sph,
-                         v1.psi * v1.phi * y->cph + s1.psi * y->sph);
+    const struct turn t0 = turn_of(k->b, &y0, v0.phi);
+    const struct turn t1 = turn_of(k->b, y, v1.phi);
+    c->adds.x += hermite(h, v0.x, v1.x, t0.along * y0.sph + t0.across * y0.cph,
+                         t1.along * y->sph + t1.across * y->cph);
+    c->adds.z += hermite(h, v0.z, v1.z, t0.along * y0.cph - t0.across * y0.sph,
+                         t1.along * y->cph - t1.across * y->sph);
 }
 
 COIN_PRIV_INLINE struct part begin(const coin_priv_variables *y)

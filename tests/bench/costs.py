@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 OUT = pathlib.Path(sys.argv[1])
-OBJECTS = {"rk4": "rk4", "rk8": "rk8", "rk8 in tau": "advance",
+OBJECTS = {"rk4": "rk4", "rk8": "rk8", "rk8 in tau": "sundman",
            "symplectic2": "symplectic", "symplectic4": "symplectic",
            "textbook RK4": "textbook"}
 

@@ -4,14 +4,12 @@
 #define MOVERS_H
 
 #include <coin.h>
-#include <stepper.h>
+#include <run.h>
 
 enum mover_kind {
     MOVER_TEXTBOOK,
     MOVER_RK4,
-    MOVER_RK4_LEAN,
     MOVER_RK8,
-    MOVER_RK8_LEAN,
     MOVER_SUNDMAN, /* what coin_advance() steps with: fixed steps in tau */
     MOVER_SYMPLECTIC2,
     MOVER_SYMPLECTIC4,
@@ -21,12 +19,10 @@ enum mover_kind {
 typedef struct mover {
     enum mover_kind kind;
     coin_params p;
-    coin_state s;     /* where the coin is */
-    double h;         /* the step, in t, or in tau of MOVER_SUNDMAN */
-    long double t;    /* since the start */
-    coin_state start; /* of MOVER_SUNDMAN, with its body and what it */
-    coin_priv_body b; /* carries from call to call */
-    coin_priv_carry c;
+    coin_state s;      /* where the coin is */
+    double h;          /* the step, in t, or in tau of MOVER_SUNDMAN */
+    long double t;     /* since the start */
+    coin_priv_run run; /* of MOVER_SUNDMAN */
 } mover;
 
 const char *mover_name(enum mover_kind kind);

@@ -250,6 +250,14 @@ def silent_truth():
                    r["worst_share"]] for r in read("silent_truth")])
 
 
+def adversary():
+    """The worst that a directed search found of each function."""
+    return table(["function", "law", "evaluations", "worst of the bound"],
+                 [[f"`{r['function']}`", r["law"], r["evaluations"],
+                   "beyond" if r["ratio"] == "inf" else r["ratio"]]
+                  for r in read("adversary")])
+
+
 WAYS = ("rk8", "coin_advance", "rk4", TEXTBOOK, "GSL rk8pd")
 
 
@@ -320,7 +328,7 @@ TABLES = {"orbit": orbit, "orbit ratios": orbit_ratios, "atlas": atlas,
           "silent pairs": lambda: silent_steps("astray", OURS[:2]),
           "silent methods": lambda: silent("method"),
           "silent families": lambda: silent("family"),
-          "silent truth": silent_truth}
+          "silent truth": silent_truth, "adversary": adversary}
 for name in BUILDS:
     TABLES[f"ratios {name}"] = lambda b=name: ratios(b)
     TABLES[f"peers {name}"] = lambda b=name: peers(b)

@@ -9,8 +9,7 @@
 #include "coins.h"
 #include "study.h"
 
-#include <method.h>
-#include <state.h>
+#include <run.h>
 
 #include <math.h>
 
@@ -27,7 +26,6 @@ struct study_claim {
 static const struct study_claim study_claims[STUDY_METHODS] = {
     [STUDY_RK4] = {4, 0.1},         [STUDY_RK8] = {8, 2e-4},
     [STUDY_SYMPLECTIC2] = {2, 0.6}, [STUDY_SYMPLECTIC4] = {4, 0.04},
-    [STUDY_RK4_LEAN] = {4, 0.1},    [STUDY_RK8_LEAN] = {8, 2e-4},
     [STUDY_ADVANCE] = {0, 2},
 };
 
@@ -63,19 +61,6 @@ enum study_outcome {
     STUDY_OUTCOMES
 };
 
-static int is_lean(const struct study_run *r)
-{
-    return r->method == STUDY_RK4_LEAN || r->method == STUDY_RK8_LEAN;
-}
-
-/* The one of coin.h, of the methods that take steps. */
-static int32_t stepping(const struct study_run *r)
-{
-    return r->method == STUDY_RK4_LEAN   ? COIN_RK4
-           : r->method == STUDY_RK8_LEAN ? COIN_RK8
-                                         : (int32_t)r->method;
-}
-
 /* ----------------------------------------------------------- measuring -- */
 
 static double largest(const double *off, size_t count)
@@ -89,7 +74,7 @@ static double largest(const double *off, size_t count)
 
 /* Angles, places in radii and rates in parts of W. */
 static double apart(const coin_state *s, const coin_state *t,
-                    const coin_params *p, int lean)
+                    const coin_params *p)
 {
     const double W = fastest_rate(t, p), a = p->radius;
     const double off[] = {
@@ -97,7 +82,7 @@ static double apart(const coin_state *s, const coin_state *t,
         (s->wZ - t->wZ) / W, s->phi - t->phi,     s->psi - t->psi,
         (s->x - t->x) / a,   (s->z - t->z) / a,
     };
-    return largest(off, lean ? 4 : 8);
+    return largest(off, 8);
 }
 
 /* A start that is off by so much in one of the four things that drive the
@@ -132,7 +117,7 @@ static double growth(const coin_state *s, const coin_params *p, double t,
             if (by > 0 && coin_advance(&other, p, t, tol, NULL) != COIN_OK)
                 return (double)INFINITY;
             if (by > 0)
-                most = fmax(most, apart(&other, &end, p, 0) / by);
+                most = fmax(most, apart(&other, &end, p) / by);
         }
         sum += most;
     }
@@ -154,13 +139,12 @@ struct walk {
     const struct study_run *r;
     const struct study_claim *claim;
     struct study_measure *m;
-    coin_priv_body b;
-    coin_priv_carry c, fastest;
+    coin_priv_run at, fastest;
     double before2; /* W^2 where the step begins */
     double q;       /* the largest 1/cos theta */
 };
 
-static double whole(const struct study_run *r)
+static double whole_time(const struct study_run *r)
 {
     return r->dt * (double)r->steps;
 }
@@ -177,39 +161,36 @@ static double power(double x, int n)
 #define ABSURD 3.0
 
 /* One step; 0 if it fails. */
-static int stride(struct walk *w, coin_priv_stepper *step)
+static int stride(struct walk *w)
 {
-    const double coarse = coin_priv_coarse_limit(stepping(w->r));
+    const double coarse = coin_priv_coarse_limit((int32_t)w->r->method);
     const int factors = w->claim->order + 1;
-    coin_priv_limits any = {(double)INFINITY, w->b.w2_max, COIN_OK};
-    const uint64_t before = w->c.steps;
-    step(&w->c, &w->b, &any, w->r->dt, 1);
-    if (w->c.steps == before)
+    const coin_priv_variables *const y = &w->at.g.y;
+    if (coin_priv_run_on(&w->at, (int32_t)w->r->method, 1) == 0)
         return 0;
-    const double W2 = coin_priv_rate2(w->b.g_a, &w->c.at.y);
+    const double W2 = coin_priv_rate2(w->at.b.g_a, y);
     const double dtW = fabs(w->r->dt) * sqrt(fmax(W2, w->before2));
-    const double sph = w->c.at.y.sph, cph = w->c.at.y.cph;
-    w->m->astray = fmax(w->m->astray, fabs(1 - sph * sph - cph * cph));
+    w->m->astray =
+        fmax(w->m->astray, fabs(1 - y->sph * y->sph - y->cph * y->cph));
     w->m->sum += power(dtW, factors);
     w->m->fine += power(fmin(dtW, coarse), factors);
     w->before2 = W2;
-    w->q = fmax(w->q, w->c.at.y.q);
+    w->q = fmax(w->q, y->q);
     if (dtW > w->m->fastest) {
         w->m->fastest = dtW;
-        w->fastest = w->c;
+        w->fastest = w->at;
     }
     return dtW <= ABSURD;
 }
 
 static int walk_steps(struct walk *w)
 {
-    coin_priv_stepper *const step = coin_priv_method_stepper(stepping(w->r));
-    w->before2 = coin_priv_rate2(w->b.g_a, &w->c.at.y);
-    w->q = w->c.at.y.q;
+    w->before2 = coin_priv_rate2(w->at.b.g_a, &w->at.g.y);
+    w->q = w->at.g.y.q;
     for (uint64_t k = 0; k < w->r->steps; ++k)
-        if (!stride(w, step))
+        if (!stride(w))
             return 0;
-    w->m->end = coin_priv_state_of(&w->c, &w->b, &w->r->s);
+    w->m->end = coin_priv_run_state(&w->at);
     return coin_state_check(&w->m->end, &w->r->p) == COIN_OK;
 }
 
@@ -217,14 +198,15 @@ static int walk_steps(struct walk *w)
 static double turned(const struct study_run *r)
 {
     const double speed2 = 2 * coin_energy(&r->s, &r->p) / r->p.mass;
-    return fabs(whole(r)) * sqrt(speed2) / r->p.radius;
+    return fabs(whole_time(r)) * sqrt(speed2) / r->p.radius;
 }
 
 static int walk_time(struct walk *w)
 {
     const struct study_run *r = w->r;
     w->m->sum = w->m->fine = (1 + turned(r)) * r->tol;
-    return coin_advance(&w->m->end, &r->p, whole(r), r->tol, NULL) == COIN_OK;
+    return coin_advance(&w->m->end, &r->p, whole_time(r), r->tol, NULL) ==
+           COIN_OK;
 }
 
 /* What a run of so many steps and the truth may lose to rounding.  The
@@ -246,14 +228,14 @@ static double rounding(const struct walk *w, const coin_state *truth)
 static double amplified(const struct walk *w, double error, int parts)
 {
     const struct study_run *r = w->r;
-    const coin_state fast = coin_priv_state_of(&w->fastest, &w->b, &r->s);
+    const coin_state fast = coin_priv_run_state(&w->fastest);
     const double left = ((double)r->steps - (double)w->fastest.steps) * r->dt;
     double most = amplification(&fast, &r->p, left, error);
     coin_state s = r->s;
     for (int k = parts; k > 0; --k) {
-        most =
-            fmax(most, amplification(&s, &r->p, whole(r) * k / parts, error));
-        coin_advance(&s, &r->p, whole(r) / parts, TRUTH, NULL);
+        most = fmax(most,
+                    amplification(&s, &r->p, whole_time(r) * k / parts, error));
+        coin_advance(&s, &r->p, whole_time(r) / parts, TRUTH, NULL);
     }
     return most;
 }
@@ -263,15 +245,17 @@ static struct study_measure study_measure(const struct study_run *r,
 {
     struct study_measure m = {.end = r->s, .truth = r->s, .amplified = 1};
     struct walk w = {.r = r, .claim = claim, .m = &m};
-    check_status(coin_priv_check(&r->s, &r->p, &w.b), COIN_OK);
-    coin_priv_carry_begin(&w.c, &r->s);
-    w.fastest = w.c;
+    check_status(coin_priv_check(&r->s, &r->p, &w.at.b), COIN_OK);
+    coin_priv_run_from(&w.at, &r->s, (int32_t)r->method, r->dt);
+    w.at.limits.coarse2 = (double)INFINITY;
+    w.at.limits.most2 = w.at.b.w2_max;
+    w.fastest = w.at;
     m.finished =
         (r->method == STUDY_ADVANCE ? walk_time : walk_steps)(&w) &&
-        coin_advance(&m.truth, &r->p, whole(r), TRUTH, NULL) == COIN_OK;
+        coin_advance(&m.truth, &r->p, whole_time(r), TRUTH, NULL) == COIN_OK;
     if (!m.finished)
         return m;
-    m.error = apart(&m.end, &m.truth, &r->p, is_lean(r));
+    m.error = apart(&m.end, &m.truth, &r->p);
     m.energy = fabs(coin_energy(&m.end, &r->p) / coin_energy(&r->s, &r->p) - 1);
     m.rounding = rounding(&w, &m.truth);
     /* Four parts as a rule; a run that they call wrong is looked at closely. */
@@ -291,18 +275,8 @@ static int32_t by_library(const struct study_run *r, coin_state *s)
     const coin_params *p = &r->p;
     *s = r->s;
     if (r->method == STUDY_ADVANCE)
-        return coin_advance(s, p, whole(r), r->tol, NULL);
-    const int32_t method = stepping(r);
-    const int32_t status = coin_run(s, p, method, r->dt, r->steps, NULL);
-    if (is_lean(r)) {
-        const coin_lean same = {s->theta, s->wX, s->wY, s->wZ};
-        coin_lean l = {r->s.theta, r->s.wX, r->s.wY, r->s.wZ};
-        const int32_t lean =
-            coin_lean_run(&l, p, method, r->dt, r->steps, NULL);
-        check_status(lean, status);
-        check_same(&l, &same, sizeof l);
-    }
-    return status;
+        return coin_advance(s, p, whole_time(r), r->tol, NULL);
+    return coin_run(s, p, (int32_t)r->method, r->dt, r->steps, NULL);
 }
 
 /* Whether the error is within what steps may add that each add so much, and

@@ -40,7 +40,7 @@ double fastest_rate(const coin_state *s, const coin_params *p)
 {
     const double c = cos(s->theta);
     return sqrt((s->wX * s->wX + s->wY * s->wY) / (c * c) + s->wZ * s->wZ +
-                p->gravity / p->radius);
+                p->gravity / p->radius / c);
 }
 
 double fastest_ahead(const coin_state *s, const coin_params *p, double t)

@@ -3,6 +3,8 @@
 
 #include "check.h"
 
+#include <math.h>
+
 coin_orbit orbit_of(const coin_state *s, const coin_params *p)
 {
     coin_orbit o;
@@ -21,4 +23,36 @@ coin_orbit random_orbit(struct random *r, coin_params *p, coin_state *s)
     }
     check(0);
     return o;
+}
+
+coin_state start_in_row(const struct table *t, size_t row)
+{
+    const coin_state s = {
+        .theta = table_at(t, row, "theta0"),
+        .wX = table_at(t, row, "wX0"),
+        .wY = table_at(t, row, "wY0"),
+        .wZ = table_at(t, row, "wZ0"),
+    };
+    return s;
+}
+
+double orbit_error(const coin_orbit *o, double t, double W)
+{
+    const double periods = o->period > 0 ? fabs(t) / o->period : 0;
+    return 1e-14 + 1e-15 * o->conditioning * periods +
+           4 * U * W * (fabs(t) + o->period);
+}
+
+void check_pose(const coin_orbit *o, double t, double W, const coin_state *want,
+                const coin_params *p)
+{
+    const double e = orbit_error(o, t, W), a = p->radius;
+    const double path = e * (a + (o->radius_max > 0 ? o->radius_max : 0));
+    coin_state at;
+    check_status(coin_orbit_at(o, t, &at), COIN_OK);
+    check_near(at.theta, want->theta, e);
+    check_near(at.phi, want->phi, e);
+    check_near(at.psi, want->psi, e);
+    check_near(at.x, want->x, path);
+    check_near(at.z, want->z, path);
 }

@@ -11,8 +11,7 @@ const char *const study_families[STUDY_FAMILIES] = {
 };
 
 const char *const study_methods[STUDY_METHODS] = {
-    "rk4",      "rk8",      "symplectic2",  "symplectic4",
-    "rk4 lean", "rk8 lean", "coin_advance",
+    "rk4", "rk8", "symplectic2", "symplectic4", "coin_advance",
 };
 
 static double spread(struct random *r, double low, double high)

@@ -8,6 +8,8 @@
 
 #include <fenv.h>
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #define TRAPPED (FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW)
 
@@ -136,4 +138,26 @@ void traps_run(const struct trap_function *functions, size_t count)
         check_note("%s: succeeded %zu times", functions[i].name, succeeded);
         check(succeeded >= 10);
     }
+}
+
+void traps_are_complete(const char *prefix,
+                        const struct trap_function *functions, size_t count)
+{
+    char line[128], name[128];
+    size_t symbols = 0;
+    FILE *map = fopen(TEST_ROOT "/lib/about/rollcoin.map", "r");
+    check(map != NULL);
+    while (fgets(line, sizeof line, map)) {
+        size_t rows = 0;
+        if (sscanf(line, " %100[a-z0-9_];", name) != 1 ||
+            strncmp(name, prefix, strlen(prefix)) != 0)
+            continue;
+        for (size_t i = 0; i < count; ++i)
+            rows += strncmp(functions[i].name, name, strlen(name)) == 0;
+        check_note("%s", name);
+        check(rows > 0);
+        ++symbols;
+    }
+    fclose(map);
+    check(symbols > 0);
 }

@@ -93,10 +93,10 @@ class Orbit(Plain):
         ("radius_max", c_double),
         ("drift", c_double * 2),
         ("conditioning", c_double),
-        ("private_frame", c_double * 28),
-        ("private_edges", c_double * 24),
-        ("private_centers", c_double * 24),
-        ("private_terms", c_double * 3840),
+        ("private_frame", c_double * 32),
+        ("private_edges", c_double * 48),
+        ("private_centers", c_double * 44),
+        ("private_terms", c_double * 3960),
     ]
 
 

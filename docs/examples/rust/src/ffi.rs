@@ -57,10 +57,10 @@ pub struct coin_orbit {
     pub radius_max: f64,
     pub drift: [f64; 2usize],
     pub conditioning: f64,
-    pub private_frame: [f64; 28usize],
-    pub private_edges: [f64; 24usize],
-    pub private_centers: [f64; 24usize],
-    pub private_terms: [f64; 3840usize],
+    pub private_frame: [f64; 32usize],
+    pub private_edges: [f64; 48usize],
+    pub private_centers: [f64; 44usize],
+    pub private_terms: [f64; 3960usize],
 }
 impl Default for coin_orbit {
     fn default() -> Self {

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/* What "before the motion's own amplification" takes out: by how much the true
+ * motion makes an error grow that is made on its way. */
+#ifndef ROLLCOIN_ADVERSARY_GROWTH_HPP
+#define ROLLCOIN_ADVERSARY_GROWTH_HPP
+
+#include "path.hpp"
+
+#include <utility>
+#include <vector>
+
+template <class R> R within_half_a_turn(R angle)
+{
+    const R turn = 4 * half_pi<R>();
+    while (magnitude(angle) > turn / 2)
+        angle += angle > 0 ? -turn : turn;
+    return angle;
+}
+
+/* The largest difference in radians, radii and parts of W. */
+template <class R> R apart(const path<R> &a, const path<R> &b)
+{
+    R worst = magnitude(a.lean_apart(b));
+    const R W = a.fastest();
+    for (size_t i = 1; i < 8; ++i)
+        worst = larger(worst,
+                       magnitude(a.at()[i] - b.at()[i]) / (i < 5 ? R(1) : W));
+    return worst;
+}
+
+/* How much an error at *from has grown when the motion comes to end: errors of
+ * the lean and of each rate, as an error of a step is, and of the heading,
+ * which turns the way that is left. */
+inline long double growth_of(const path<long double> &from,
+                             const path<long double> &end, long double t)
+{
+    const long double size = 1e-7L;
+    const long double dx = end.at()[3] - from.at()[3];
+    const long double dz = end.at()[4] - from.at()[4];
+    long double sum = 1 + root(dx * dx + dz * dz);
+    for (int which = 0; which < 4; ++which) {
+        long double most = 0;
+        for (int side = -1; side <= 1; side += 2) {
+            path<long double> other = from;
+            other.nudge(which, side * size);
+            if (!other.follow(t))
+                return 1e30L;
+            most = larger(most, apart(end, other) / size);
+        }
+        sum += most;
+    }
+    return sum;
+}
+
+/* From the worst of some moments of a motion of so many times dt: the start,
+ * five on the way, and that where W is largest. */
+template <class P, class S>
+double growth(const P &p, const S &s, double dt, uint64_t times)
+{
+    path<long double> now(p, s), fast = now;
+    std::vector<std::pair<path<long double>, long double>> moments;
+    long double most = 0, left_fast = 0;
+    for (uint64_t k = 0; k < times; ++k) {
+        const long double left = (long double)dt * (long double)(times - k);
+        if (k % (times / 6 + 1) == 0)
+            moments.push_back({now, left});
+        if (now.fastest() > most) {
+            most = now.fastest();
+            fast = now;
+            left_fast = left;
+        }
+        if (!now.follow(dt))
+            return 1e30;
+    }
+    moments.push_back({fast, left_fast});
+    long double worst = 1;
+    for (const auto &m : moments)
+        worst = larger(worst, growth_of(m.first, now, m.second));
+    return double(worst);
+}
+
+#endif

@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT */
+/* What follows a motion by itself: advance, orbits, and the models and steps
+ * that are chosen by trial. */
+#include "growth.hpp"
+#include "path.hpp"
+#include "row.hpp"
+
+namespace
+{
+/* The largest difference of the pose, in radians and radii. */
+template <class R> R pose_apart(const path<R> &truth, const coin_state &s)
+{
+    R off[8], worst = 0;
+    truth.apart(s, truth.fastest(), off);
+    for (int i = 0; i < 5; ++i)
+        worst = larger(worst, magnitude(off[i]));
+    return worst;
+}
+
+bool is_a_coin(const coin_params &p)
+{
+    return p.inertia_X < p.mass * p.radius * p.radius;
+}
+
+double ratio_of(double error, double bound)
+{
+    return error <= 1e30 ? error / bound : BROKEN;
+}
+
+/* ---------------------------------------------------------------- advance */
+
+template <class R> double advance(const scene &s, double enough)
+{
+    const coin_params p = params_of<doubles>(s);
+    coin_state end = state_of<doubles>(s);
+    path<R> truth(p, end);
+    if (truth.is_long(R(s.t)) ||
+        coin_advance(&end, &p, s.t, s.tol, nullptr) != COIN_OK)
+        return NO_CLAIM;
+    const R t = R(s.t), natural = magnitude(t) * truth.w;
+    const R turned = natural * root(2 * truth.energy());
+    if (!truth.follow(t))
+        return NO_CLAIM;
+    const R bound = 2 * R(s.tol) * (1 + turned) + R(1e-15) * natural +
+                    16 * R(doubles::u) * truth.largest_of_pose();
+    const double ratio =
+        ratio_of(double(pose_apart(truth, end)), double(bound));
+    if (bound >= 1)
+        return NO_CLAIM;
+    const double dear = larger(enough, UNAMPLIFIED);
+    return ratio <= dear ? ratio
+                         : larger(dear, ratio / growth(p, state_of<doubles>(s),
+                                                       s.t / 16, 16));
+}
+
+/* ------------------------------------------------------------------ orbits */
+
+template <class R> double orbit(const scene &s, double)
+{
+    const coin_params p = params_of<doubles>(s);
+    const coin_state start = state_of<doubles>(s);
+    static coin_orbit o;
+    coin_state out;
+    path<R> truth(p, start);
+    if (truth.is_long(R(s.t)) || coin_orbit_init(&o, &start, &p) != COIN_OK ||
+        coin_orbit_at(&o, s.t, &out) != COIN_OK)
+        return NO_CLAIM;
+    if (!truth.follow(R(s.t)))
+        return NO_CLAIM;
+    const double periods = o.period > 0 ? std::fabs(s.t) / o.period
+                                        : std::fabs(s.t) * double(truth.w);
+    const double bound = 1e-14 + 1e-15 * o.conditioning * periods;
+    return bound < 1 ? ratio_of(double(pose_apart(truth, out)), bound)
+                     : NO_CLAIM;
+}
+
+/* ------------------------------------------------------------------ models */
+
+int32_t by_model(int32_t model, const scene &s, double t, coin_state *out)
+{
+    const coin_params p = params_of<doubles>(s);
+    const coin_state start = state_of<doubles>(s);
+    static coin_orbit o;
+    coin_state steady;
+    if (model == COIN_MODEL_ORBIT) {
+        const int32_t status = coin_orbit_init(&o, &start, &p);
+        return status ? status : coin_orbit_at(&o, t, out);
+    }
+    const int32_t status = coin_steady_near(&start, &p, &steady);
+    if (status != COIN_OK)
+        return status;
+    return model == COIN_MODEL_STEADY
+               ? coin_steady_at(&steady, &p, t, out)
+               : coin_wobble_at(&steady, &p, &start, t, out);
+}
+
+/* The pose at twelve times of the horizon. */
+template <class R> double model(const scene &s, double)
+{
+    const coin_params p = params_of<doubles>(s);
+    const coin_state start = state_of<doubles>(s);
+    path<R> truth(p, start);
+    if (truth.is_long(R(s.t)))
+        return NO_CLAIM;
+    const int32_t named = coin_model_needed(&start, &p, s.t, s.tol);
+    if (named < 0 || named == COIN_MODEL_STEPS)
+        return NO_CLAIM;
+    double worst = 0;
+    for (int k = 1; k <= 12; ++k) {
+        coin_state out;
+        if (!truth.follow(R(s.t) / 12))
+            return NO_CLAIM;
+        if (by_model(named, s, s.t * k / 12, &out) != COIN_OK)
+            return BROKEN;
+        const double error = double(pose_apart(truth, out));
+        worst = error > worst || !(error >= 0) ? error : worst;
+    }
+    return ratio_of(worst, s.tol);
+}
+
+/* ------------------------------------------------------------------ max_dt */
+
+/* Twice tol in a natural unit, over ten of them. */
+template <class R> double max_dt(const scene &s, double)
+{
+    const coin_params p = params_of<doubles>(s);
+    coin_state y = state_of<doubles>(s);
+    path<R> truth(p, y);
+    const int method = int(s.method);
+    const double dt = coin_max_dt(&y, &p, method, s.tol);
+    const double units = 10, steps = units / (dt * double(truth.w));
+    if (!(dt > 0) || !(steps < 50000) || !is_a_coin(p) ||
+        truth.fastest() > R(300))
+        return NO_CLAIM;
+    const uint64_t n = uint64_t(steps) + 1;
+    if (coin_run(&y, &p, method, dt, n, nullptr) < 0 ||
+        !truth.follow(R(dt) * R(n)))
+        return NO_CLAIM;
+    const double bound = 2 * s.tol * units + 1e-15 * double(n) + 1e-12;
+    return ratio_of(double(pose_apart(truth, y)), bound);
+}
+
+/* ------------------------------------------------------------------- edges */
+
+/* The pose of order one, and a horizon of 0.01 to 60 natural units. */
+void horizon(scene *s, const double *g)
+{
+    const double unit = std::sqrt(s->a / s->g);
+    const double part = g[22] < 0.5 ? 2 * g[22] : 2 * g[22] - 1;
+    s->t = unit * (g[22] < 0.5 ? 1 : -1) * std::pow(10, 3.8 * part - 2);
+    s->phi = 6 * g[18] - 3;
+    s->psi = 6 * g[19] - 3;
+    s->x = s->a * (6 * g[20] - 3);
+    s->z = s->a * (6 * g[21] - 3);
+}
+
+/* The same, and most beside a steady circle: the leans and rolls between which
+ * some are unstable. */
+void about_circles(scene *s, const double *g)
+{
+    horizon(s, g);
+    s->tol = std::pow(10, 6 * g[24] - 7);
+    if (g[28] > 0.7)
+        return;
+    const double m = s->M * s->a * s->a, K = s->IZ + m,
+                 Mga = s->M * s->g * s->a;
+    const double w = std::sqrt(s->g / s->a);
+    s->t = (g[22] < 0.5 ? 70 : -70) * g[23] / w;
+    s->theta = 0.01 + 0.4 * g[8];
+    s->wX = w * (g[29] < 0.5 ? 0 : std::pow(10, -16 * g[30]));
+    s->wZ = w * 0.7 * g[9];
+    const double sth = std::sin(s->theta), T = std::tan(s->theta);
+    const double b = K * s->wZ;
+    s->wY = 2 * Mga * sth / (b + std::sqrt(b * b + 4 * s->IX * Mga * sth * T));
+    if (g[31] > 0.5)
+        s->wY *= 1 + std::pow(10, -17 * g[27]);
+}
+
+/* Most are spins, nearly upright. */
+void spins(scene *s, const double *g)
+{
+    horizon(s, g);
+    s->tol = std::pow(10, 7 * g[24] - 9);
+    if (g[28] > 0.8)
+        return;
+    s->theta = std::pow(10, 8.3 * g[8] - 9);
+    s->wX = 0;
+    s->wZ = 0;
+    s->wY = std::sqrt(s->g / s->a) * (1.5 + 20 * g[12]);
+}
+} // namespace
+
+#define MOTION(function, name, law, divisor, edge)                             \
+    {                                                                          \
+        name, law, divisor, false, edge, function<long double>, function<quad> \
+    }
+
+void add_motions(std::vector<row> *rows)
+{
+    const row made[] = {
+        MOTION(advance, "coin_advance", "2 tol a radius of speed + rounding",
+               200, horizon),
+        MOTION(orbit, "coin_orbit_at", "1e-14 + 1e-15 conditioning a period",
+               40, about_circles),
+        MOTION(model, "coin_model_needed", "tol", 10, about_circles),
+        MOTION(max_dt, "coin_max_dt", "2 tol a natural unit", 50, spins),
+    };
+    for (const row &r : made)
+        rows->push_back(r);
+}

@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: MIT */
+/* Fixed steps, one and many, against the law that coin.h states of them:
+ * C (|dt| W)^(order + 1) a step, before the motion's own amplification. */
+#include "growth.hpp"
+#include "path.hpp"
+#include "row.hpp"
+
+#include <cstring>
+
+namespace
+{
+struct law {
+    int order;
+    double C;
+};
+constexpr law LAWS[] = {{4, 0.1}, {8, 2e-4}, {2, 0.6}, {4, 0.04}};
+
+/* The law's bodies: those whose mass lies within the rim, up to the hoop's
+ * I_X = M a^2/2 and its rounding. */
+constexpr double FAR = 0.500001;
+
+/* The largest difference in radians, radii and parts of W. */
+template <class T, class R>
+R apart(const path<R> &truth, const typename T::state &s, R W)
+{
+    scene whole = {};
+    double *to = &whole.theta;
+    for (int i = 0; i < 8; ++i)
+        to[i] = double((&s.theta)[i]) + T::low(s, i);
+    R off[8], worst = 0;
+    truth.apart(whole, W, off);
+    if (T::u > 1e-10) /* heading and roll within half a turn */
+        for (int i = 1; i < 3; ++i)
+            off[i] = within_half_a_turn(off[i]);
+    for (int i = 0; i < 8; ++i)
+        worst = larger(worst, magnitude(off[i]));
+    return worst;
+}
+
+template <class T, class R, int METHOD>
+double run_of(const scene &s, double enough, uint64_t steps)
+{
+    const typename T::params p = params_of<T>(s);
+    typename T::state y = state_of<T>(s);
+    const typename T::real dt = typename T::real(s.t);
+    path<R> truth(p, y);
+    if (!(p.inertia_X < FAR * p.mass * p.radius * p.radius) ||
+        T::run(&y, &p, METHOD, dt, steps, nullptr) != COIN_OK)
+        return NO_CLAIM;
+    R sum = 0, W = truth.fastest(), last = W, least = truth.cos_theta();
+    for (uint64_t k = 0; k < steps; ++k) {
+        if (!truth.follow(R(dt)))
+            return NO_CLAIM;
+        least = lesser(least, truth.cos_theta());
+        const R next = truth.fastest();
+        W = larger(last, next);
+        last = next;
+        sum +=
+            whole_power(magnitude(R(dt)) * truth.w * W, LAWS[METHOD].order + 1);
+    }
+    const R flat = METHOD < 2 ? R(1) : 1 / least;
+    const R rounding =
+        T::u * (4 * R(steps) * flat + 16 * truth.largest_of_pose());
+    const R bound = R(LAWS[METHOD].C) * sum + rounding;
+    const R error = apart<T, R>(truth, y, W);
+    if (!(error <= R(1e30)))
+        return BROKEN;
+    const double ratio = double(error / bound);
+    if (bound >= 1)
+        return NO_CLAIM;
+    const double dear = larger(enough, UNAMPLIFIED);
+    return steps == 1 || ratio <= dear
+               ? ratio
+               : larger(dear, ratio / growth(p, state_of<T>(s), dt, steps));
+}
+
+template <class T, class R, int METHOD>
+double step(const scene &s, double enough)
+{
+    return run_of<T, R, METHOD>(s, enough, 1);
+}
+
+template <class T, class R, int METHOD>
+double run(const scene &s, double enough)
+{
+    return run_of<T, R, METHOD>(s, enough, uint64_t(s.steps));
+}
+
+/* ------------------------------------------------------------- equal bits */
+
+template <class T>
+bool same(const typename T::state &a, const typename T::state &b)
+{
+    return !std::memcmp(&a, &b, sizeof a);
+}
+
+/* coin_step() is a run of one step. */
+template <class T> double step_is_a_run(const scene &s, double)
+{
+    const typename T::params p = params_of<T>(s);
+    typename T::state one = state_of<T>(s), other = one;
+    const typename T::real dt = typename T::real(s.t);
+    const int32_t said = T::step(&one, &p, dt);
+    return said == T::run(&other, &p, COIN_RK4, dt, 1, nullptr) &&
+                   same<T>(one, other)
+               ? 0
+               : BROKEN;
+}
+
+/* Four coins beside each other are four alone. */
+template <class T> double batch_is_runs(const scene &s, double)
+{
+    const int method = T::u > 1e-10 ? 2 * (int(s.method) / 2) : int(s.method);
+    const typename T::params p = params_of<T>(s);
+    const typename T::real dt = typename T::real(s.t);
+    const uint64_t steps = uint64_t(s.steps);
+    typename T::state many[17], one[17];
+    int32_t said[17];
+    for (int i = 0; i < 17; ++i) {
+        many[i] = state_of<T>(s);
+        many[i].wZ = typename T::real(many[i].wZ * (1 + s.q[i % 4] * i));
+        one[i] = many[i];
+    }
+    if (T::batch_run(many, 17, &p, method, dt, steps, said) == COIN_EPARAMS)
+        return NO_CLAIM;
+    for (int i = 0; i < 17; ++i)
+        if (T::run(&one[i], &p, method, dt, steps, nullptr) != said[i] ||
+            !same<T>(one[i], many[i]))
+            return BROKEN;
+    return 0;
+}
+
+/* A sample's elements are where runs from the start end. */
+double sample_is_runs(const scene &s, double)
+{
+    const coin_params p = params_of<doubles>(s);
+    const coin_state start = state_of<doubles>(s);
+    const int method = int(s.method);
+    const uint64_t each = uint64_t(s.steps);
+    coin_state out[5];
+    size_t done = 0;
+    if (coin_sample(&start, &p, method, s.t, each, 5, out, &done) < 0 && !done)
+        return NO_CLAIM;
+    for (size_t k = 0; k < done; ++k) {
+        coin_state one = start;
+        coin_run(&one, &p, method, s.t, each * k, nullptr);
+        if (!same<doubles>(one, out[k]))
+            return BROKEN;
+    }
+    return 0;
+}
+
+/* dt W at and below the method's limit, where the law has least to spare. */
+template <int METHOD> void near_the_limit(scene *s, const double *genes)
+{
+    constexpr double limits[] = {0.35, 1, 0.08, 0.16};
+    const double c = std::cos(s->theta);
+    const double W = std::sqrt((s->wX * s->wX + s->wY * s->wY) / (c * c) +
+                               s->wZ * s->wZ + s->g / (s->a * c));
+    const double part = genes[22] < 0.5 ? 2 * genes[22] : 2 * genes[22] - 1;
+    const double size = limits[METHOD] * std::pow(10, -2 * part * part);
+    s->t = (genes[22] < 0.5 ? size : -size) / W;
+}
+} // namespace
+
+#define STEP(T, name, method, law, divisor, edge)                              \
+    {                                                                          \
+        name, law, divisor, T::u > 1e-10, edge, step<T, long double, method>,  \
+            step<T, quad, method>                                              \
+    }
+#define RUN(T, name, method, law, divisor, edge)                               \
+    {                                                                          \
+        name, law, divisor, T::u > 1e-10, edge, run<T, long double, method>,   \
+            run<T, quad, method>                                               \
+    }
+#define BITS(function, name, T, divisor)                                       \
+    {                                                                          \
+        name, "equal bits", divisor, T::u > 1e-10, nullptr, function, function \
+    }
+
+void add_steps(std::vector<row> *rows)
+{
+    const char *const rk4 = "0.1 (dt W)^5 a step + rounding";
+    const char *const rk8 = "2e-4 (dt W)^9 a step + rounding";
+    const char *const sy2 = "0.6 (dt W)^3 a step + rounding";
+    const char *const sy4 = "0.04 (dt W)^5 a step + rounding";
+    const row made[] = {
+        STEP(doubles, "coin_step", COIN_RK4, rk4, 4, near_the_limit<0>),
+        STEP(doubles, "coin_run_rk8_once", COIN_RK8, rk8, 4, near_the_limit<1>),
+        STEP(doubles, "coin_run_symplectic2_once", COIN_SYMPLECTIC2, sy2, 4,
+             near_the_limit<2>),
+        STEP(doubles, "coin_run_symplectic4_once", COIN_SYMPLECTIC4, sy4, 4,
+             near_the_limit<3>),
+        STEP(floats, "coinf_step", COIN_RK4, rk4, 4, near_the_limit<0>),
+        STEP(floats, "coinf_run_symplectic2_once", COIN_SYMPLECTIC2, sy2, 4,
+             near_the_limit<2>),
+        RUN(doubles, "coin_run_rk4", COIN_RK4, rk4, 25, near_the_limit<0>),
+        RUN(doubles, "coin_run_rk8", COIN_RK8, rk8, 25, near_the_limit<1>),
+        RUN(doubles, "coin_run_symplectic2", COIN_SYMPLECTIC2, sy2, 25,
+            near_the_limit<2>),
+        RUN(doubles, "coin_run_symplectic4", COIN_SYMPLECTIC4, sy4, 25,
+            near_the_limit<3>),
+        RUN(floats, "coinf_run_rk4", COIN_RK4, rk4, 25, near_the_limit<0>),
+        RUN(floats, "coinf_run_symplectic2", COIN_SYMPLECTIC2, sy2, 25,
+            near_the_limit<2>),
+        BITS(step_is_a_run<doubles>, "coin_step_is_coin_run", doubles, 1),
+        BITS(step_is_a_run<floats>, "coinf_step_is_coinf_run", floats, 1),
+        BITS(batch_is_runs<doubles>, "coin_batch_run", doubles, 50),
+        BITS(batch_is_runs<floats>, "coinf_batch_run", floats, 50),
+        BITS(sample_is_runs, "coin_sample", doubles, 20),
+    };
+    for (const row &r : made)
+        rows->push_back(r);
+}

@@ -1,0 +1,277 @@
+/* SPDX-License-Identifier: MIT */
+/* Which motions have an orbit: near the table, near a separatrix, and with
+ * traps on. */
+#if defined(__linux__)
+#define _GNU_SOURCE /* feenableexcept() */
+#endif
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/methods.h"
+#include "support/orbits.h"
+#include "support/random.h"
+
+#include <fenv.h>
+#include <float.h>
+#include <math.h>
+
+#define HALF_PI 1.5707963267948966
+
+static double sign_of(struct random *r)
+{
+    return random_between(r, -1, 1) < 0 ? -1 : 1;
+}
+
+static double of_decades(struct random *r, double low, double high)
+{
+    return pow(10, random_between(r, low, high));
+}
+
+/* ------------------------------------------------------- near the table -- */
+/* Within and after passes from 6e-3 to 5e-7 rad off the table; rates change by
+ * W where angles change by 1. */
+static void passes_are_where_the_reference_is(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "flats.csv");
+    check(t.rows == 24 * 7);
+    for (size_t row = 0; row < t.rows; ++row) {
+        const coin_params p = ring(table_at(&t, row, "b"));
+        const coin_state s = start_in_row(&t, row);
+        const coin_state want = state_in_row(&t, row);
+        const double W = table_at(&t, row, "W"), at = table_at(&t, row, "t");
+        const coin_orbit o = orbit_of(&s, &p);
+        coin_state now;
+        check_status(coin_orbit_at(&o, at, &now), COIN_OK);
+        const double bound = orbit_error(&o, at, W);
+        check_note("flats.csv, row %zu, %g rad off the table", row,
+                   table_at(&t, row, "d"));
+        check_pose(&o, at, W, &want, &p);
+        check_near(states_apart(&now, &want, &p), 0, 2 * W * bound);
+    }
+}
+
+/* It turns at a distance d from flat, and is asked for there or elsewhere. */
+static coin_state pass_of(struct random *r, const coin_params *p, double d)
+{
+    const double fast = sqrt((1 + p->inertia_X) / p->inertia_X);
+    const coin_state s = {
+        sign_of(r) * (HALF_PI - d),
+        0,
+        0,
+        0,
+        0,
+        0,
+        sign_of(r) * fast * random_between(r, 0.2, 1.5),
+        random_between(r, -1, 1),
+    };
+    return s;
+}
+
+/* At most 1 in 100 is refused down to 1e-6; found: none. */
+static void passes_down_to_a_millionth_have_orbits(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(101);
+    int refused = 0, drops = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const double d = of_decades(&r, -6, -2);
+        coin_state s = pass_of(&r, &p, d);
+        const double t = random_between(&r, 0.1, 1);
+        coin_orbit o;
+        check_status(coin_advance(&s, &p, t, 1e-12, NULL), COIN_OK);
+        check_note("%g rad off the table", d);
+        if (coin_orbit_init(&o, &s, &p) != COIN_OK) {
+            ++refused;
+            continue;
+        }
+        ++drops;
+        const double low = HALF_PI - o.theta_max, up = HALF_PI + o.theta_min;
+        check(fmin(low, up) < 1.001 * d + 1e-11);
+    }
+    check(refused <= 10 && drops >= 990);
+}
+
+/* ----------------------------------------------------- near separatrices -- */
+/* A steady motion that is unstable has none, however it is rounded. */
+static void no_unstable_circle_has_an_orbit(void **unused)
+{
+    (void)unused;
+    const coin_params p0 = disc();
+    const coin_state found = {
+        .theta = 0x1.2b2b35156f79p-4,
+        .wY = 0x1.46e8ae0f04f6cp-2,
+        .wZ = 0x1.301e493b7c7d3p-3,
+    };
+    struct random r = random_begin(102);
+    coin_orbit o;
+    check_status(coin_orbit_init(&o, &found, &p0), COIN_EDOMAIN);
+    for (int seen = 0; seen < 10000;) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const double theta = sign_of(&r) * of_decades(&r, -6, -0.45);
+        const double wZ = sign_of(&r) * of_decades(&r, -2, -0.15);
+        const int branch = (int)sign_of(&r), ulps = seen % 3 - 1;
+        coin_state s;
+        double lambda2;
+        check_status(coin_steady_circle(&s, &p, theta, wZ, branch), COIN_OK);
+        check_status(coin_stability(&s, &p, &lambda2), COIN_OK);
+        if (!(lambda2 > 0))
+            continue;
+        s.wY += ulps * DBL_EPSILON * s.wY;
+        check_note("theta = %a, wY = %a, wZ = %a", s.theta, s.wY, s.wZ);
+        check_status(coin_orbit_init(&o, &s, &p), COIN_EDOMAIN);
+        ++seen;
+    }
+}
+
+/* Upright and slow it stands on the top of a hill: for a lean ten times less,
+ * a period that rounds a hundred times worse, up to the documented limit. */
+static void conditioning_is_refused_from_1e12_on(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    int refused = 0;
+    double last = 0;
+    for (double lean = 1e-5; lean > 1e-7; lean *= 0.99) {
+        const coin_state s = {.theta = lean, .wZ = 0.3};
+        coin_orbit o;
+        const int32_t status = coin_orbit_init(&o, &s, &p);
+        check(status == (refused ? COIN_EDOMAIN : status));
+        refused = status != COIN_OK;
+        last = refused ? last : o.conditioning;
+        if (!refused)
+            check_near(o.conditioning * lean * lean, 1.75, 0.02);
+    }
+    check(refused);
+    check_within(last, 0.97e12, 1e12);
+}
+
+/* 1 + J/2 |dT/dE| s^2/w: the period is asked for with a little more and less of
+ * wX; here s is the acceleration at the upper turning point. */
+static void conditioning_is_what_the_period_owes_to_energy(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double J = 1.25;
+    const struct {
+        coin_state s;
+        int is_flat;
+    } from[] = {
+        {{.theta = 0.5, .wX = 0.1, .wY = 0.8, .wZ = 1.2}, 0},
+        {{.theta = -0.4, .wX = 0.2, .wY = 0.6, .wZ = -1.5}, 0},
+        {{.theta = 0.4, .wX = 0.5, .wY = 0.02, .wZ = 0.02}, 1},
+        {{.theta = 1e-2, .wX = 0.02, .wZ = 0.3}, 0},
+    };
+    for (size_t i = 0; i < sizeof from / sizeof *from; ++i) {
+        const coin_state s = from[i].s;
+        const coin_orbit o = orbit_of(&s, &p);
+        const double step = 1e-4 * s.wX, w2 = 2 * coin_energy(&s, &p) / J;
+        coin_state more = s, less = s, at, rates;
+        more.wX += step;
+        less.wX -= step;
+        const double dT =
+            orbit_of(&more, &p).period - orbit_of(&less, &p).period;
+        double greatest = 0;
+        for (int k = 0; k < 20000; ++k) {
+            check_status(coin_orbit_at(&o, k * o.period / 20000, &at), COIN_OK);
+            check_status(coin_rates(&at, &p, &rates), COIN_OK);
+            if (fabs(at.wX) < 1e-3)
+                greatest = fmax(greatest, fabs(rates.wX));
+        }
+        const double a = from[i].is_flat ? w2 : greatest;
+        const double want = fabs(dT) / (4 * s.wX * step) * a * a / sqrt(w2);
+        check_note("start %zu", i);
+        check_near(o.conditioning - 1, want, 0.1 * want);
+    }
+}
+
+/* ----------------------------------------------------------- no exception --
+ */
+/* A start of any kind, ordinary or at an edge. */
+static coin_state any_start(struct random *r, const coin_params *p, int kind)
+{
+    const double small = of_decades(r, -18, 0), tiny = of_decades(r, -300, 0);
+    coin_state s = random_state(r, p, 1.57);
+    switch (kind) {
+    case 0:
+        check_status(coin_steady_circle(&s, p, s.theta, s.wZ, 1), COIN_OK);
+        break;
+    case 1:
+        s.theta = s.wX = 0;
+        s.wY *= kind & (int)small ? 0 : 1;
+        break;
+    case 2:
+        s.theta = s.wY = 0;
+        s.wX = tiny;
+        break;
+    case 3:
+        s.wX = 0;
+        s.wY = s.wZ = small;
+        break;
+    case 4:
+        s.theta = sign_of(r) * (HALF_PI - small);
+        break;
+    case 5:
+        s.theta = tiny;
+        s.wX = 0;
+        s.wY *= small;
+        break;
+    case 6:
+        s.wX = s.wY = s.wZ = 0;
+        break;
+    case 7:
+        s.wX *= 1e5;
+        s.wZ *= 1e5;
+        break;
+    default:
+        s.wY = tiny;
+    }
+    return s;
+}
+
+#define SERIOUS (FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW)
+
+/* A trap ends the program. */
+static void no_call_divides_by_zero_or_overflows(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(103);
+    int orbits = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const coin_params p = ring(i % 2 ? random_between(&r, 0, 1) : 0);
+        const coin_state s = any_start(&r, &p, i % 9);
+        const double t = random_between(&r, -1, 1) * (i % 5 ? 30 : 1e9);
+        if (coin_state_check(&s, &p) != COIN_OK)
+            continue;
+        coin_orbit o;
+        coin_state at;
+        check_note("start %d: %a %a %a %a", i, s.theta, s.wX, s.wY, s.wZ);
+        feclearexcept(FE_ALL_EXCEPT);
+#ifdef __GLIBC__
+        feenableexcept(SERIOUS);
+#endif
+        if (coin_orbit_init(&o, &s, &p) == COIN_OK) {
+            (void)coin_orbit_at(&o, t, &at);
+            ++orbits;
+        }
+#ifdef __GLIBC__
+        fedisableexcept(SERIOUS);
+#endif
+        check(!fetestexcept(SERIOUS));
+    }
+    check(orbits > 8000);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(passes_are_where_the_reference_is),
+        TEST(passes_down_to_a_millionth_have_orbits),
+        TEST(no_unstable_circle_has_an_orbit),
+        TEST(conditioning_is_refused_from_1e12_on),
+        TEST(conditioning_is_what_the_period_owes_to_energy),
+        TEST(no_call_divides_by_zero_or_overflows),
+    };
+    return RUN_TESTS(tests);
+}
