@@ -107,8 +107,10 @@ class Copy:
 
     def own_tests(self, file):
         """The test programs named after a source or its folder: of
-        float/run.c, test_float_run, test_run and test_float."""
-        *_, folder, stem = ["", *pathlib.Path(file).with_suffix("").parts]
+        float/coinf_run.c, test_float_run, test_run and test_float; of
+        step/rk8.t.h, test_rk8."""
+        folder, name = file.split("/")
+        stem = name.split(".")[0].removeprefix("coinf_")
         names = (f"test_{folder}_{stem}", f"test_{stem}", f"test_{folder}")
         return [self.out / "tests" / name for name in names
                 if (self.src / f"tests/{name}.c").exists()]
