@@ -3,6 +3,7 @@
 #include "support/check.h"
 #include "support/coins.h"
 #include "support/random.h"
+#include "support/sundman8.h"
 
 #include "extrapolation.h"
 #include "state.h"
@@ -69,8 +70,7 @@ static void a_step_errs_by_its_fifteenth_power(void **unused)
         for (int k = 0; k < 2; ++k) {
             const double H = k == 0 ? tau : 1.25 * tau;
             const coin_priv_run c = moved(&s, &p, coin_priv_extrapolate, H, 1);
-            const coin_priv_run fine =
-                moved(&s, &p, coin_priv_sundman_step, H, 32);
+            const coin_priv_run fine = moved(&s, &p, sundman8_step, H, 32);
             error[k] = apart(&c.g, &fine.g);
         }
         sum += log(error[1] / error[0]) / log(1.25);
@@ -90,8 +90,7 @@ static void it_ends_where_steps_of_another_method_do(void **unused)
         const coin_priv_run at = begun(&s, &p);
         const double tau = coin_priv_sundman_tau(&at.b, &at.g.y, 0.4);
         const coin_priv_run c = moved(&s, &p, coin_priv_extrapolate, tau, 1);
-        const coin_priv_run fine =
-            moved(&s, &p, coin_priv_sundman_step, tau, 16);
+        const coin_priv_run fine = moved(&s, &p, sundman8_step, tau, 16);
         check_within(apart(&c.g, &fine.g), 0, 64 * U);
     }
 }

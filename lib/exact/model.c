@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
+#include "../step/extrapolation.h"
 #include "../step/sundman.h"
 
 #include "steady.h"
@@ -22,14 +23,15 @@
  * natural units, and by no more than this many steps: it is unstable or next
  * to the table, and by then no cheaper model is left. */
 #define TIME_MAX 64.0
-#define STEPS_MAX 8192
+#define STEPS_MAX 4096
 
 /* A steady motion whose lean is farther off than this is not looked for: to
  * swing so far is no small swing. */
 #define NEAR 0.5
 
-/* The stride of these steps: that of coin_advance() at its least tol. */
-#define STRIDE 0.0759
+/* The stride of these steps, half of coin_advance()'s at its least tol: so many
+ * places are compared. */
+#define STRIDE 0.15
 
 /* Rounding of the acceleration next to a steady motion, in parts of its terms:
  * 128 u. */
@@ -203,7 +205,7 @@ static int32_t follow(const struct scene *scene, int good[2])
             return COIN_MODEL_STEPS;
         r.g.added.t = 0;
         const double tau = coin_priv_sundman_tau(&r.b, &r.g.y, STRIDE);
-        if (!coin_priv_sundman_step(&r, side * tau))
+        if (!coin_priv_extrapolate(&r, side * tau))
             return COIN_ESTEP;
         coin_priv_add(&t, r.g.added.t);
     }

@@ -10,7 +10,7 @@
 
 /* Most leans need no reduction, and so are known sooner: a step waits for
  * them. */
-COIN_PRIV_INLINE PRIV(variables) PRIV(variables_of)(const COIN(state) * s)
+COIN_PRIV_INLINE PRIV(variables) PRIV(variables_here)(const COIN(state) * s)
 {
     const PRIV(sc) ph = PRIV(sine_cosine)(s->phi);
     const PRIV(sc) th = FABS(s->theta) <= K(0.5) * COIN_PRIV_HALF_PI
@@ -30,6 +30,9 @@ COIN_PRIV_INLINE PRIV(field) PRIV(field_of)(const PRIV(body) * b, real h)
     };
     return f;
 }
+
+/* variables_here() out of line, for functions that may take a little longer. */
+PRIV(variables) PRIV(variables_of)(const COIN(state) * s);
 
 /* The rows e_X, e_Y, e_Z of the coin's frame in the table's. */
 COIN_PRIV_INLINE void PRIV(axes)(const PRIV(variables) * y, real R[9])

@@ -16,7 +16,7 @@ int32_t COIN(check)(const COIN(state) * s, const COIN(params) * p,
         return status;
     if (!(FABS(dt) <= COIN_PRIV_LARGEST))
         return COIN_ESTEP;
-    const PRIV(variables) y = PRIV(variables_of)(s);
+    const PRIV(variables) y = PRIV(variables_here)(s);
     const COIN(force) f = PRIV(reaction)(&b, &y);
     const real W = SQRT(PRIV(rate2)(b.g_a, &y));
     int32_t bits = 0;

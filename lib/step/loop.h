@@ -21,7 +21,7 @@ typedef struct coin_priv_run {
 COIN_PRIV_INLINE void coin_priv_run_from(coin_priv_run *r, const coin_state *s,
                                          int32_t method, double dt)
 {
-    const coin_priv_variables y = coin_priv_variables_of(s);
+    const coin_priv_variables y = coin_priv_variables_here(s);
     coin_priv_copy_state(&r->start, s);
     r->limits = coin_priv_limits_of(&r->b, method, dt);
     r->dt = dt;

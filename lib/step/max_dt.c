@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
+#include "extrapolation.h"
 #include "sundman.h"
 
 /* The largest error of a step usually comes once in a period of theta.  So the
@@ -57,7 +58,7 @@ static struct outlook look_ahead(coin_priv_run r, double enough)
         if (r.g.y.cth < COIN_PRIV_FLAT)
             break;
         const double tau = coin_priv_sundman_tau(&r.b, &r.g.y, 0.5);
-        coin_priv_sundman_step(&r, tau); /* one that fails changes nothing */
+        coin_priv_extrapolate(&r, tau); /* one that fails changes nothing */
         const double W2 = coin_priv_rate2(g_a, &r.g.y);
         if (!found) {
             o.from = r;

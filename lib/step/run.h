@@ -6,21 +6,8 @@
 #include "loop.h"
 
 /* Checks everything, then computes what the steps share. */
-COIN_PRIV_INLINE int32_t coin_priv_run_begin(coin_priv_run *r,
-                                             const coin_state *s,
-                                             const coin_params *p,
-                                             int32_t method, double dt)
-{
-    if (!coin_priv_method_is_known(method))
-        return COIN_EARG;
-    const int32_t status = coin_priv_check_here(s, p, &r->b);
-    if (status != COIN_OK)
-        return status;
-    if (!(fabs(dt) <= COIN_PRIV_LARGEST))
-        return COIN_ESTEP;
-    coin_priv_run_from(r, s, method, dt);
-    return COIN_OK;
-}
+int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
+                            const coin_params *p, int32_t method, double dt);
 
 /* Up to n steps; returns how many were done.  Of steps of no time as many are
  * done as are asked for. */
@@ -56,19 +43,7 @@ COIN_PRIV_INLINE coin_state coin_priv_run_state(const coin_priv_run *r)
 /* The same to *s, and to *done, if that is not null, how many of the steps it
  * was to do it did; the status of the whole.  A path so long that x or z
  * overflowed counts as none. */
-COIN_PRIV_INLINE int32_t coin_priv_run_end(const coin_priv_run *r,
-                                           uint64_t steps, coin_state *s,
-                                           uint64_t *done)
-{
-    const coin_state end = coin_priv_run_state(r);
-    uint64_t n = r->dt == 0 ? steps : r->steps;
-    if (coin_priv_pose_holds(&end))
-        coin_priv_copy_state(s, &end);
-    else
-        n = 0;
-    if (done)
-        *done = n;
-    return n < steps ? COIN_ESTEP : r->limits.warnings;
-}
+int32_t coin_priv_run_end(const coin_priv_run *r, uint64_t steps, coin_state *s,
+                          uint64_t *done);
 
 #endif

@@ -20,7 +20,7 @@ int32_t coin_step(coin_state *s, const coin_params *p, double dt)
         return COIN_ESTEP;
     if (dt == 0)
         return COIN_OK;
-    const coin_priv_variables y = coin_priv_variables_of(s);
+    const coin_priv_variables y = coin_priv_variables_here(s);
     coin_priv_limits limits = coin_priv_limits_of(&b, COIN_RK4, dt);
     if (!coin_priv_rate2_holds(&limits, coin_priv_rate2(b.g_a, &y)))
         return COIN_ESTEP;

@@ -1,18 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-/* gcc 12 tuned for newer processors spills vectors through integer registers,
- * a fifth of a step's time; tuned for this one it does not. */
-#if defined(__AVX512F__) && defined(__GNUC__) && !defined(__clang__)
-#pragma GCC target("tune=icelake-server")
-#endif
-
 #include "sundman.h"
-
-#define RATES coin_priv_sundman_rates
-#define POSE_RATES coin_priv_sundman_pose_rates
-#define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
-#include "rk8.t.h"
 
 /* The weights of wY and wZ follow Eq. (44), the coin's own frequency, and make
  * the error of a step of given length most nearly the same for every motion.
@@ -46,19 +35,6 @@ int coin_priv_sundman_accept(coin_priv_run *r, const coin_priv_variables *y,
         g->y.cph = ph.c;
     }
     return 1;
-}
-
-int coin_priv_sundman_step(coin_priv_run *r, double tau)
-{
-    const coin_priv_field f = coin_priv_field_of(&r->b, tau);
-    coin_priv_variables y;
-    coin_priv_pose adds;
-    const double least = rk8_sums(&y, &adds, &r->g.y, &f);
-    adds.theta = 0;
-    if (!(least > 0 && y.cth > 0))
-        return 0;
-    coin_priv_normalize(&y);
-    return coin_priv_sundman_accept(r, &y, &adds);
 }
 
 void coin_priv_read_lean(coin_priv_progress *g)

@@ -14,11 +14,6 @@
 double coin_priv_sundman_tau(const coin_priv_body *b,
                              const coin_priv_variables *y, double stride);
 
-/* One step of order 8 in tau; adds the time it takes to r->g.added.t.  0, and
- * *r untouched, if it would not be sound.  theta is in its pair alone until
- * coin_priv_read_lean(). */
-int coin_priv_sundman_step(coin_priv_run *r, double tau);
-
 /* Ends a step in tau that was accepted: y are the variables at its end, adds
  * what it adds to the pose.  0, and *r untouched, if phi or psi leave their
  * range. */

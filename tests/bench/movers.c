@@ -3,6 +3,7 @@
 
 #include "textbook.h"
 
+#include <extrapolation.h>
 #include <sundman.h>
 
 static const struct {
@@ -36,7 +37,7 @@ mover mover_at(enum mover_kind kind, const coin_state *s, const coin_params *p,
 static int go_sundman(mover *m, unsigned long n)
 {
     for (; n > 0; --n)
-        if (!coin_priv_sundman_step(&m->run, m->h))
+        if (!coin_priv_extrapolate(&m->run, m->h))
             return 1;
     m->t += m->run.g.added.t;
     m->run.g.added.t = 0;

@@ -1,0 +1,7 @@
+/* SPDX-License-Identifier: MIT */
+#include "equations.h"
+
+PRIV(variables) PRIV(variables_of)(const COIN(state) * s)
+{
+    return PRIV(variables_here)(s);
+}
