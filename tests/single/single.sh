@@ -55,21 +55,21 @@ done <"$work/dialects"
 echo "clean in $(wc -l <"$work/dialects") dialects"
 
 # ---------------------------------------------------- tests, in the user's file
-# What sources share is static here, as users get it.
+# What sources share is extern here, since tests/support calls some of it.
+rooms=$(for room in "$SRC"/lib/*/; do printf '%s ' "-I'$room'"; done)
 mkdir "$work/inside"
 for file in "$SRC"/tests/support/*.c; do
     # shellcheck disable=SC2086
-    eval $CC -std=c11 -w -O1 -I"$here" "$SEES" $CMOCKA -c "$file" \
+    eval $CC -std=c11 -w -O1 -I"$here" "$rooms" "$SEES" $CMOCKA -c "$file" \
         -o "$work/inside/$(basename "$file" .c).o"
 done
-rooms=$(for room in "$SRC"/lib/*/; do printf '%s ' "-I'$room'"; done)
 # inside PROGRAM: a test with the code in its own file.
 inside()
 {
     file=$SRC/tests/$(basename "$1").c
     # shellcheck disable=SC2086
-    eval $CC -std=c99 -w -O0 -D_POSIX_C_SOURCE=200809L -DCOIN_IMPLEMENTATION -include "$SINGLE" \
-        -I"$here" "$rooms" -I"$SRC/tests/support" "$SEES" $CMOCKA "$file" \
+    eval $CC -std=c99 -w -O0 -D_POSIX_C_SOURCE=200809L -DCOIN_IMPLEMENTATION \
+        -DCOIN_PRIV=extern -include "$SINGLE" -I"$here" "$rooms" -I"$SRC/tests/support" "$SEES" $CMOCKA "$file" \
         "$work/inside/*.o" -o "$work/inside/$(basename "$1")" $CMOCKA_LIBS -lm
 }
 # As many at once as there are processors; one that fails leaves no program to
