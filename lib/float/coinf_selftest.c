@@ -2,7 +2,7 @@
 #include "floats.h"
 
 /* What every build must give: as in lib/about/selftest.c. */
-#define PINNED UINT64_C(0xc3b3dac765533fd9)
+#define PINNED UINT64_C(0xe5d8fbb689cdb5ed)
 
 /* FNV-1a over the bits of a number, low byte first whatever the machine. */
 static uint64_t hashed(uint64_t hash, float number)
