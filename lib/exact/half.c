@@ -191,12 +191,14 @@ static int go_on(coin_priv_half *h, int from, double side)
     }
     double step = beyond(h->reach[from], reach), back = 0;
     while (step > BEYOND * back) {
-        step = back > 0 ? back : step;
-        const double center = end + side * step;
-        if (!begin_at(h, &h->now, between, center - end))
+        const double before = step,
+                     center = end + side * (back > 0 ? back : step);
+        step = fabs(center - end);
+        /* A time so short that rounding swallows it leads no farther. */
+        if ((back > 0 && !(step < before)) ||
+            !begin_at(h, &h->now, between, center - end))
             return 0;
         back = reach_of(h, &h->now);
-        step = fabs(center - end);
     }
     add_piece(h, end + side * step, -side * step, path);
     return 1;

@@ -67,7 +67,8 @@ COIN_PRIV_INLINE double coin_priv_safe_cosine(const coin_priv_body *b,
     const double T2 = b->J * wX * wX + b->IX * wY * wY + b->K * wZ * wZ;
     const double E2 = 1.25 * (T2 + 2 * b->Mga * y->cth); /* (23) */
     const double left = coarse2 - E2 / b->K;
-    if (!(left > 0))
+    /* A lane that has left may hold a coin below the table, E < 0. */
+    if (!(left > 0 && E2 > 0))
         return 2;
     const double fall = b->g_a / (2 * left); /* no product may overflow */
     return fall + sqrt(fall * fall + E2 / b->IX / left);
