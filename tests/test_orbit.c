@@ -352,6 +352,21 @@ static void its_size_is_as_promised(void **unused)
     check(sizeof(coin_orbit) == 32768);
 }
 
+/* So near to flat and so fast that a series reaches no farther than the
+ * rounding of the time: the search for its end must end. */
+static void a_motion_too_fast_for_its_time_is_refused(void **unused)
+{
+    (void)unused;
+    const coin_params p = {0x1.8000ccccccccdp+4, 1.5,
+                           0x1p+37 + 0x1p+36,    0x1.ae500d80667fdp+4,
+                           0x1.9a244cde61b1dp+4, {0, 0, 0}};
+    const coin_state s = {
+        -0x1.921fb54425338p+0,  0, 0, 0, 0, -0x1.4e76255b08abfp+73,
+        -0x1.6cb0b8f7f6a5dp+16, 0};
+    coin_orbit o;
+    check_status(coin_orbit_init(&o, &s, &p), COIN_EDOMAIN);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -368,6 +383,7 @@ int main(void)
         TEST(it_drifts_from_the_end_of_the_range_as_well),
         TEST(a_resonant_motion_drifts),
         TEST(its_size_is_as_promised),
+        TEST(a_motion_too_fast_for_its_time_is_refused),
     };
     return RUN_TESTS(tests);
 }
