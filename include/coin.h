@@ -460,7 +460,7 @@ COIN_API int32_t coin_integrals(const coin_state *s, const coin_params *p,
 /** The force of the table on the coin.  Eq. (25)-(28).  The rolling model
  * holds the coin to the table: N may come out negative, see COIN_LIFTS.
  * @return COIN_OK; the usual errors.
- * Accuracy: 8 u of the terms (test_reaction). */
+ * Accuracy: 12 u of the terms (test_reaction). */
 COIN_API int32_t coin_reaction(const coin_state *s, const coin_params *p,
                                coin_force *out);
 

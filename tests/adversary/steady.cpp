@@ -124,7 +124,8 @@ template <class R> double critical(const scene &s, double)
     return v.worst;
 }
 
-/* Steady as coin_steady_radii() asks, and both integrals kept. */
+/* Steady as coin_steady_radii() asks.  Both integrals are kept to 256 u of
+ * their terms, and what rates off by 8 u/cos theta of both do to them. */
 template <class R> double near(const scene &s, double)
 {
     const coin_params p = params_of<doubles>(s);
@@ -141,9 +142,13 @@ template <class R> double near(const scene &s, double)
     verdict<R> v;
     v.hold(roll + turn, y.Mga * y.s, R(1e-9) * most); /* (39) */
     const R size = KY.size + KZ.size + KY1.size + KZ1.size;
-    const R few = 256 * R(doubles::u) * size + R(1e-300);
-    v.hold(KY1.value, KY.value, few);
-    v.hold(KZ1.value, KZ.value, few);
+    moment<R> off = y;
+    terms<R> KY2, KZ2;
+    off.wY = off.wZ = 8 / y.c * larger(magnitude(y.wY), magnitude(y.wZ));
+    integrals_of(off, &KY2, &KZ2);
+    const R u = R(doubles::u), few = 256 * size + R(1e-300);
+    v.hold(KY1.value, KY.value, u * (few + KY2.size));
+    v.hold(KZ1.value, KZ.value, u * (few + KZ2.size));
     v.equal(out.phi == start.phi && out.psi == start.psi && out.wX == 0);
     return v.worst;
 }
@@ -243,7 +248,7 @@ void add_steady(std::vector<row> *rows)
         STEADY(stability, "coin_stability", "16 u of the terms", 1,
                steady_edge),
         STEADY(critical, "coin_critical_roll_and_spin", "8 u", 1, nullptr),
-        STEADY(near, "coin_steady_near", "1e-9 of (39); 256 u of K", 40,
+        STEADY(near, "coin_steady_near", "1e-9 of (39); 256 u of K + 8 u/cos theta of the rates", 40,
                nullptr),
         STEADY(steady_at, "coin_steady_at", "4 u of the angles and path", 1,
                steady_edge),
