@@ -202,7 +202,17 @@ template <class R> R to_neighbour(const moment<R> &y, R y1, R wY1, R wZ1)
     return -(FY * nY + FZ * nZ) / lambda2_of(y).value;
 }
 
-/* 30 A^2 (1 + |t| W) where the lean does not grow; A in parts of cos theta. */
+/* How far the lean comes from the steady motion within t. */
+template <class R> R reach_of(const moment<R> &y, const scene &s, R apart)
+{
+    const R Y = R(s.q[0]) - apart, rate = root(-lambda2_of(y).value);
+    const R v = R(s.q[1]) / rate;
+    return magnitude(apart) + lesser(magnitude(Y) + magnitude(R(s.q[1]) * s.t),
+                                     root(Y * Y + v * v));
+}
+
+/* 30 A^2 (1 + |t| W) W^2/|lambda^2| where the lean does not grow; A in parts of
+ * cos theta.  And the lean stays within three times its reach. */
 template <class R> double wobble(const scene &s, double)
 {
     const coin_params p = params_of<doubles>(s);
@@ -222,15 +232,19 @@ template <class R> double wobble(const scene &s, double)
     R A = magnitude(R(s.q[0])), off[8], worst = 0;
     for (int i = 1; i < 4; ++i)
         A = larger(A, magnitude(R(s.q[i])) / w);
-    A = larger(A, magnitude(to_neighbour(y, R(s.q[0]), R(s.q[2]), R(s.q[3])))) /
-        y.c;
+    const R apart = to_neighbour(y, R(s.q[0]), R(s.q[2]), R(s.q[3]));
+    const R reach = reach_of(y, s, apart);
+    A = larger(A, reach) / y.c;
     if (magnitude(R(s.t)) * w * W > 1000 || !truth.follow(R(s.t)))
         return NO_CLAIM;
     truth.apart(out, W, off);
     for (int i = 0; i < 8; ++i)
         worst = larger(worst, magnitude(off[i]));
-    const R bound = 30 * A * A * (1 + magnitude(R(s.t)) * w * W) + R(1e-11);
-    return bound < 1 ? double(worst / bound) : NO_CLAIM;
+    const R shallow = larger(R(1), W * W * w * w / -lambda2_of(y).value);
+    const R bound =
+        30 * A * A * (1 + magnitude(R(s.t)) * w * W) * shallow + R(1e-11);
+    const R lean = magnitude(off[0]) / (3 * reach + R(1e-11));
+    return double(larger(lean, bound < 1 ? worst / bound : R(0)));
 }
 } // namespace
 
@@ -252,7 +266,7 @@ void add_steady(std::vector<row> *rows)
                nullptr),
         STEADY(steady_at, "coin_steady_at", "4 u of the angles and path", 1,
                steady_edge),
-        STEADY(wobble, "coin_wobble_at", "30 A^2 (1 + abs(t) W)", 10,
+        STEADY(wobble, "coin_wobble_at", "30 A^2 (1 + abs(t) W) W^2/abs(lambda^2); lean 3 reach", 10,
                wobble_edge),
     };
     for (const row &r : made)
