@@ -89,7 +89,7 @@ R residue_of(const coin_params &p, const coin_state &s, R W, R time)
     return lean * (1 + 4 * W * time / y.c);
 }
 
-template <class R> double orbit(const scene &s, double)
+template <class R> double orbit(const scene &s, double enough)
 {
     const coin_params p = params_of<doubles>(s);
     const coin_state start = state_of<doubles>(s);
@@ -107,16 +107,19 @@ template <class R> double orbit(const scene &s, double)
     R W = truth.most_W;
     const R residue =
         o.period > 0 ? R(0) : residue_of(p, start, W, R(time));
+    double amplified = 0;
     const auto ratio = [&] {
         const double bound = 1e-14 + 1e-15 * o.conditioning * periods +
                              4 * doubles::u * double(W) * time +
-                             double(residue);
+                             double(residue) + amplified;
         return bound < 1 ? ratio_of(orbit_error(truth, out, W, R(far)), bound)
                          : NO_CLAIM;
     };
     if (!(ratio() > UNAMPLIFIED))
         return ratio();
     W = fastest_ever(truth, R(o.period));
+    if (ratio() > larger(enough, UNAMPLIFIED))
+        amplified = 4 * doubles::u * growth(p, start, s.t / 16, 16);
     return ratio();
 }
 
@@ -246,7 +249,7 @@ void add_motions(std::vector<row> *rows)
     const row made[] = {
         MOTION(advance, "coin_advance", "2 tol a radius of speed + rounding",
                200, horizon),
-        MOTION(orbit, "coin_orbit_at", "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + period)",
+        MOTION(orbit, "coin_orbit_at", "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + period) + 4 u amplified",
                40, about_circles),
         MOTION(model, "coin_model_needed", "tol", 10, about_circles),
         MOTION(max_dt, "coin_max_dt", "2 tol a natural unit", 50, spins),
