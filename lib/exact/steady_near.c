@@ -66,7 +66,7 @@ static void settle(struct place *o, const coin_priv_body *b, double end)
     for (int i = 0; i < 60; ++i) {
         const double step = -o->push / o->bend;
         double next = o->theta + step;
-        if (fabs(step) <= DBL_EPSILON / 2 * fabs(next))
+        if (fabs(step) <= DBL_EPSILON / 2 * fabs(o->theta))
             return;
         if (!((next - low) * (next - high) < 0))
             next = low + (high - low) / 2;
