@@ -315,13 +315,12 @@ COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
  *         motion's own amplification, for bodies whose mass lies within the
  *         rim: I_X <= M a^2/2.  Rounding adds 4 u a step, 4 u/cos(theta) with
  *         the symplectic methods, and at the end 16 u of the pose
- *         (docs/limits.md).  As a rule it is far less (docs/guide.md).  A run of
- *         n steps is n runs of one step to rounding: 8 u per call of angles,
- *         over cos(theta), for steps that are not coarse (COIN_RK4: |dt| W up
- *         to 0.2) and before the motion's own amplification (test_cuts).
- * Cost: four sines and cosines per call, and one per 64 steps (the symplectic
- *         methods: two per drift).  A step has no data-dependent loop and no
- *         branch but its guard. */
+ *         (docs/limits.md).  As a rule it is far less (docs/guide.md).  A run
+ * of n steps is n runs of one step to rounding: 8 u per call of angles, over
+ * cos(theta), for steps that are not coarse (COIN_RK4: |dt| W up to 0.2) and
+ * before the motion's own amplification (test_cuts). Cost: four sines and
+ * cosines per call, and one per 64 steps (the symplectic methods: two per
+ * drift).  A step has no data-dependent loop and no branch but its guard. */
 COIN_API int32_t coin_run(coin_state *s, const coin_params *p, int32_t method,
                           double dt, uint64_t steps, uint64_t *done);
 
@@ -596,7 +595,7 @@ COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
  * @param[out] out  the state at t
  * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or phi, psi, x
  *         or z leaves its range; COIN_EDOMAIN as coin_steady_radii().
- * Accuracy: 4 u of the angles turned, and as much of the path; then phi, psi, x
+ * Accuracy: 6 u of the angles turned, and as much of the path; then phi, psi, x
  *         and z are rounded, as large as they are (test_steady_at).
  * Cost: three sines and cosines. */
 COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,

@@ -163,7 +163,7 @@ template <class R> double steady_at(const scene &s, double)
         return NO_CLAIM;
     const moment<R> y(p, made);
     const R t = s.t, turn = y.wY / y.c * t, h = turn / 2;
-    const R u4 = 4 * R(doubles::u), half = R(doubles::u);
+    const R u6 = 6 * R(doubles::u), half = R(doubles::u);
     const R chord = -y.a * y.wZ * t * (h == 0 ? R(1) : sine(h) / h);
     const R psi = y.psi + (y.wZ + y.wY * y.T) * t;
     const R x = y.x + chord * cosine(y.phi + h),
@@ -172,10 +172,10 @@ template <class R> double steady_at(const scene &s, double)
     const R path = y.a * magnitude(y.wZ * t) * (1 + magnitude(turn));
     verdict<R> v;
     v.hold(R(out.phi), y.phi + turn,
-           u4 * magnitude(turn) + half * magnitude(y.phi + turn));
-    v.hold(R(out.psi), psi, u4 * rolled + half * magnitude(psi));
-    v.hold(R(out.x), x, u4 * path + half * magnitude(x));
-    v.hold(R(out.z), z, u4 * path + half * magnitude(z));
+           u6 * magnitude(turn) + half * magnitude(y.phi + turn));
+    v.hold(R(out.psi), psi, u6 * rolled + half * magnitude(psi));
+    v.hold(R(out.x), x, u6 * path + half * magnitude(x));
+    v.hold(R(out.z), z, u6 * path + half * magnitude(z));
     v.equal(out.theta == made.theta && out.wX == 0);
     return v.worst;
 }
@@ -264,7 +264,7 @@ void add_steady(std::vector<row> *rows)
         STEADY(critical, "coin_critical_roll_and_spin", "8 u", 1, nullptr),
         STEADY(near, "coin_steady_near", "1e-9 of (39); 64 u of K + 8 u/cos theta of the rates", 40,
                nullptr),
-        STEADY(steady_at, "coin_steady_at", "4 u of the angles and path", 1,
+        STEADY(steady_at, "coin_steady_at", "6 u of the angles and path", 1,
                steady_edge),
         STEADY(wobble, "coin_wobble_at", "30 A^2 (1 + abs(t) W) W^2/abs(lambda^2); lean 3 reach", 10,
                wobble_edge),
