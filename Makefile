@@ -273,7 +273,7 @@ GATES_COMMIT  := check format-check lint-quick
 GATES_PUSH    := header-check examples demo-check float-check installcheck \
                  lanes abi pictures-check bindings distcheck lint sanitize \
                  coverage
-GATES_RELEASE := results-check bound tsan abi-seeds bindings-seeds endurance \
+GATES_RELEASE := results-check adversary bound tsan abi-seeds bindings-seeds endurance \
                  fuzz msan repro valgrind single-check cross firmware mutants
 GATES = $(GATES_COMMIT) $(GATES_PUSH) $(GATES_RELEASE)
 EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done

@@ -49,6 +49,40 @@ static void the_integrals_are_those_of_the_state(void **unused)
     }
 }
 
+/* Both integrals are kept to 64 u of the rates of *near. */
+static void check_integrals_kept(const coin_state *s, const coin_params *p)
+{
+    coin_state near;
+    double of_s[2], of_near[2];
+    check_status(coin_steady_near(s, p, &near), COIN_OK);
+    check_status(coin_integrals(s, p, of_s), COIN_OK);
+    check_status(coin_integrals(&near, p, of_near), COIN_OK);
+    for (int k = 0; k < 2; ++k)
+        check_near(of_near[k], of_s[k], 64 * U * size_of(&near));
+}
+
+/* Slow coins fall back to upright, where Newton's last step is none at all; a
+ * body that spins at its critical rate has no slope to begin with.  Both were
+ * found by make adversary: the integrals were off by 4e10 u and by all. */
+static void slow_and_critical_coins_keep_their_integrals(void **unused)
+{
+    (void)unused;
+    const coin_state slow = {
+        0x1.5f6ba5ef8ba42p-5,  0, 0, 0, 0, 0, 0x1.9eada787b8fa8p-45,
+        0x1.356906c4fc008p-24,
+    };
+    const coin_state critical = {
+        -0x1.3159cafea046cp-26, 0, 0, 0, 0, 0, 0x1.c76b0dfc2233bp-1,
+        0x1.949298f84d209p-27,
+    };
+    coin_params p;
+    coin_params_disc(&p, 1, 1, 1);
+    check_integrals_kept(&slow, &p);
+    coin_params_body(&p, 0x1p+0, 0x1p+0, 0x1p+0, 0x1.0e40be3eb6c5bp-2,
+                     0x1.0e40be3eb6c5bp-1);
+    check_integrals_kept(&critical, &p);
+}
+
 /* No potential has an extremum nearer than the one that was found: the push
  * keeps its sign on the way there and for as far to the other side. */
 static void nothing_nearer_is_passed_over(void **unused)
@@ -216,7 +250,8 @@ static void fast_coins_and_slow_worlds_too(void **unused)
         {1, 0.25, 0.5, {0.35, 1, 2, 3, 4, 1, -7e16, -7e16}, COIN_OK},
         {1e-207, 0.25, 0.5, {0.3, 0, 0, 0, 0, 0, 0, -1e-107}, COIN_OK},
         {1, 0.5, 1, {-1e-4, 0, 0, 0, 0, 0, 0, -1e-150}, COIN_OK},
-        {1e22, 1e93, 1e4, {0.98, 0, 0, 0, 0, 8e11, 8e11, 8e11}, COIN_EDOMAIN},
+        {1e22, 1e93, 1e4, {0.98, 0, 0, 0, 0, 8e11, 8e11, 8e11}, COIN_OK},
+        {3e8, 2.7e62, 4e61, {-1.48, 0, 0, 0, 0, 0, -1.9, 300}, COIN_EDOMAIN},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         coin_params p;
@@ -275,6 +310,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(the_integrals_are_those_of_the_state),
+        TEST(slow_and_critical_coins_keep_their_integrals),
         TEST(nothing_nearer_is_passed_over),
         TEST(a_disturbed_circle_finds_its_circle),
         TEST(a_steady_state_is_its_own),

@@ -64,12 +64,12 @@ static void settle(struct place *o, const coin_priv_body *b, double end)
     double low = o->theta, high = end;
     const int sign = sign_of(o->push);
     for (int i = 0; i < 60; ++i) {
-        double next = o->theta - o->push / o->bend;
+        const double step = -o->push / o->bend;
+        double next = o->theta + step;
+        if (fabs(step) <= DBL_EPSILON / 2 * fabs(o->theta))
+            return;
         if (!((next - low) * (next - high) < 0))
             next = low + (high - low) / 2;
-        const double step = next - o->theta;
-        if (fabs(step) <= DBL_EPSILON / 2 * fabs(next))
-            return;
         move(o, b, next);
         if (sign_of(o->push) * sign > 0)
             low = next;

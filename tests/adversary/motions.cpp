@@ -4,6 +4,7 @@
 #include "growth.hpp"
 #include "path.hpp"
 #include "row.hpp"
+#include "truth.hpp"
 
 namespace
 {
@@ -55,7 +56,40 @@ template <class R> double advance(const scene &s, double enough)
 
 /* ------------------------------------------------------------------ orbits */
 
-template <class R> double orbit(const scene &s, double)
+/* W at its largest in a period. */
+template <class R> R fastest_ever(const path<R> &at, R period)
+{
+    path<R> ahead = at;
+    ahead.follow(period);
+    return ahead.most_W;
+}
+
+/* An error e in the angles is one of e (1 + radius_max/a) radii in the place
+ * and of e W in the rates. */
+template <class R>
+double orbit_error(const path<R> &truth, const coin_state &out, R W, R far)
+{
+    R off[8], worst = 0;
+    truth.apart(out, W, off);
+    for (int i = 0; i < 8; ++i)
+        worst = larger(worst,
+                       magnitude(off[i]) / (i == 3 || i == 4 ? 1 + far : R(1)));
+    return double(worst);
+}
+
+/* What the residue of a steady motion, up to 8 u of its terms, does to the
+ * lean, and to the heading in a natural time. */
+template <class R>
+R residue_of(const coin_params &p, const coin_state &s, R W, R time)
+{
+    const moment<R> y(p, s);
+    const terms<R> dwX = dwX_of(y);
+    const R L = magnitude(lambda2_of(y).value);
+    const R lean = 16 * R(doubles::u) * larger(dwX.size, L) / L;
+    return lean * (1 + 4 * W * time / y.c);
+}
+
+template <class R> double orbit(const scene &s, double enough)
 {
     const coin_params p = params_of<doubles>(s);
     const coin_state start = state_of<doubles>(s);
@@ -67,11 +101,26 @@ template <class R> double orbit(const scene &s, double)
         return NO_CLAIM;
     if (!truth.follow(R(s.t)))
         return NO_CLAIM;
-    const double periods = o.period > 0 ? std::fabs(s.t) / o.period
-                                        : std::fabs(s.t) * double(truth.w);
-    const double bound = 1e-14 + 1e-15 * o.conditioning * periods;
-    return bound < 1 ? ratio_of(double(pose_apart(truth, out)), bound)
-                     : NO_CLAIM;
+    const double periods = o.period > 0 ? std::fabs(s.t) / o.period : 0;
+    const double far = o.radius_max > 0 ? o.radius_max / s.a : 0;
+    const double time = (std::fabs(s.t) + o.period) * double(truth.w);
+    R W = truth.most_W;
+    const R residue =
+        o.period > 0 ? R(0) : residue_of(p, start, W, R(time));
+    double amplified = 0;
+    const auto ratio = [&] {
+        const double bound = 1e-14 + 1e-15 * o.conditioning * periods +
+                             4 * doubles::u * double(W) * time +
+                             double(residue) + amplified;
+        return bound < 1 ? ratio_of(orbit_error(truth, out, W, R(far)), bound)
+                         : NO_CLAIM;
+    };
+    if (!(ratio() > UNAMPLIFIED))
+        return ratio();
+    W = fastest_ever(truth, R(o.period));
+    if (ratio() > larger(enough, UNAMPLIFIED))
+        amplified = 4 * doubles::u * growth(p, start, s.t / 16, 16);
+    return ratio();
 }
 
 /* ------------------------------------------------------------------ models */
@@ -200,7 +249,7 @@ void add_motions(std::vector<row> *rows)
     const row made[] = {
         MOTION(advance, "coin_advance", "2 tol a radius of speed + rounding",
                200, horizon),
-        MOTION(orbit, "coin_orbit_at", "1e-14 + 1e-15 conditioning a period",
+        MOTION(orbit, "coin_orbit_at", "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + period) + 4 u amplified",
                40, about_circles),
         MOTION(model, "coin_model_needed", "tol", 10, about_circles),
         MOTION(max_dt, "coin_max_dt", "2 tol a natural unit", 50, spins),

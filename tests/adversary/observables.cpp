@@ -18,6 +18,21 @@ template <class T, class R> struct asked {
     {
     }
 
+    /* Whether every product in a term is a normal number, as the laws ask. */
+    bool is_normal() const
+    {
+        const R w[] = {at.wX, at.wY, at.wZ};
+        const R few[] = {at.s, at.sph, at.cph, at.k1, at.k2, at.IX / at.J};
+        R product = 1, part = 1;
+        for (R x : w)
+            for (R other : {R(1), w[0], w[1], w[2]})
+                product = x * other == 0 ? product
+                                         : lesser(product, magnitude(x * other));
+        for (R x : few)
+            part *= x == 0 ? R(1) : lesser(R(1), magnitude(x));
+        return product * part >= R(T::normal);
+    }
+
     /* An output within so many u of its terms; below the normal numbers
      * within as many of the smallest. */
     void hold(typename T::real output, const terms<R> &truth, int ulps)
@@ -30,7 +45,7 @@ template <class T, class R> double energy(const scene &s, double)
 {
     asked<T, R> q(s);
     const typename T::real E = T::energy(&q.y, &q.p);
-    if (E != E)
+    if (E != E || !q.is_normal())
         return NO_CLAIM;
     q.hold(E, energy_of(q.at), 8);
     return q.v.worst;
@@ -40,7 +55,7 @@ template <class T, class R> double integrals(const scene &s, double)
 {
     asked<T, R> q(s);
     typename T::real K[2];
-    if (T::integrals(&q.y, &q.p, K) != COIN_OK)
+    if (T::integrals(&q.y, &q.p, K) != COIN_OK || !q.is_normal())
         return NO_CLAIM;
     terms<R> KY, KZ;
     integrals_of(q.at, &KY, &KZ);
@@ -53,17 +68,17 @@ template <class T, class R> double reaction(const scene &s, double)
 {
     asked<T, R> q(s);
     typename T::force f;
-    if (T::reaction(&q.y, &q.p, &f) != COIN_OK)
+    if (T::reaction(&q.y, &q.p, &f) != COIN_OK || !q.is_normal())
         return NO_CLAIM;
     const table_force<R> want = force_of(q.at);
     const R F = want.friction,
-            allowed = 8 * (q.u * want.friction_size + q.least);
-    const R normal = 8 * (q.u * want.normal.size + q.least);
+            allowed = 12 * (q.u * want.friction_size + q.least);
+    const R normal = 12 * (q.u * want.normal.size + q.least);
     const R N = want.normal.value;
-    q.hold(f.R[0], want.Rx, 8);
-    q.hold(f.R[1], want.normal, 8);
-    q.hold(f.R[2], want.Rz, 8);
-    q.hold(f.normal, want.normal, 8);
+    q.hold(f.R[0], want.Rx, 12);
+    q.hold(f.R[1], want.normal, 12);
+    q.hold(f.R[2], want.Rz, 12);
+    q.hold(f.normal, want.normal, 12);
     q.v.hold(R(f.friction), F, allowed);
     if (N > 2 * normal && F / N < R(1e30))
         q.v.hold(R(f.ratio), F / N,
@@ -75,12 +90,12 @@ template <class T, class R> double rates(const scene &s, double)
 {
     asked<T, R> q(s);
     typename T::state d;
-    if (T::rates(&q.y, &q.p, &d) != COIN_OK)
+    if (T::rates(&q.y, &q.p, &d) != COIN_OK || !q.is_normal())
         return NO_CLAIM;
     terms<R> want[8];
     rates_of(q.at, want);
     for (int i = 0; i < 8; ++i)
-        q.hold((&d.theta)[i], want[i], 8);
+        q.hold((&d.theta)[i], want[i], 12);
     return q.v.worst;
 }
 
@@ -99,7 +114,7 @@ template <class T, class R> double velocity(const scene &s, double)
 {
     asked<T, R> q(s);
     typename T::real v[3];
-    if (T::velocity(&q.y, &q.p, v) != COIN_OK)
+    if (T::velocity(&q.y, &q.p, v) != COIN_OK || !q.is_normal())
         return NO_CLAIM;
     terms<R> d[8];
     rates_of(q.at, d);
@@ -114,7 +129,7 @@ template <class T, class R> double contact(const scene &s, double)
     asked<T, R> q(s);
     const moment<R> &y = q.at;
     typename T::real r[3], v[3];
-    if (T::contact(&q.y, &q.p, r, v) != COIN_OK)
+    if (T::contact(&q.y, &q.p, r, v) != COIN_OK || !q.is_normal())
         return NO_CLAIM;
     terms<R> roll, d[8];
     rates_of(y, d);
@@ -332,8 +347,8 @@ void add_observables(std::vector<row> *rows)
     ROW("params_ring", "4 u", params_ring, NO_EDGE);
     ROW("energy", "8 u", energy, NO_EDGE);
     ROW("integrals", "16 u of the terms", integrals, NO_EDGE);
-    ROW("reaction", "8 u of the terms", reaction, NO_EDGE);
-    ROW("rates", "8 u of the terms", rates, NO_EDGE);
+    ROW("reaction", "12 u of the terms", reaction, NO_EDGE);
+    ROW("rates", "12 u of the terms", rates, NO_EDGE);
     ROW("center", "4 u", center, NO_EDGE);
     ROW("velocity", "8 u of the terms", velocity, NO_EDGE);
     ROW("contact", "8 u of the terms", contact, NO_EDGE);

@@ -31,6 +31,7 @@ template <class R> class path
     }
 
     R a, w; /* the radius, and natural units of rate in the coin's own */
+    R most_W = 0; /* the largest W where a step began */
 
     /* Follows the motion; false if it falls flat or takes too long. */
     bool follow(R t)
@@ -39,7 +40,9 @@ template <class R> class path
         if (is_long(t))
             return false;
         for (int steps = 0; left != 0; ++steps) {
-            R h = R(REACH) / fastest();
+            const R W = fastest();
+            R h = R(REACH) / W;
+            most_W = larger(most_W, W);
             h = magnitude(left) < h ? left : left < 0 ? -h : h;
             int halvings = 0;
             while (!step(h)) {

@@ -124,7 +124,8 @@ template <class R> double critical(const scene &s, double)
     return v.worst;
 }
 
-/* Steady as coin_steady_radii() asks, and both integrals kept. */
+/* Steady as coin_steady_radii() asks.  Both integrals are kept to 64 u of
+ * their terms, and what rates off by 8 u/cos theta of both do to them. */
 template <class R> double near(const scene &s, double)
 {
     const coin_params p = params_of<doubles>(s);
@@ -141,9 +142,13 @@ template <class R> double near(const scene &s, double)
     verdict<R> v;
     v.hold(roll + turn, y.Mga * y.s, R(1e-9) * most); /* (39) */
     const R size = KY.size + KZ.size + KY1.size + KZ1.size;
-    const R few = 256 * R(doubles::u) * size + R(1e-300);
-    v.hold(KY1.value, KY.value, few);
-    v.hold(KZ1.value, KZ.value, few);
+    moment<R> off = y;
+    terms<R> KY2, KZ2;
+    off.wY = off.wZ = 8 / y.c * larger(magnitude(y.wY), magnitude(y.wZ));
+    integrals_of(off, &KY2, &KZ2);
+    const R u = R(doubles::u), few = 64 * size + R(1e-300);
+    v.hold(KY1.value, KY.value, u * (few + KY2.size));
+    v.hold(KZ1.value, KZ.value, u * (few + KZ2.size));
     v.equal(out.phi == start.phi && out.psi == start.psi && out.wX == 0);
     return v.worst;
 }
@@ -158,7 +163,7 @@ template <class R> double steady_at(const scene &s, double)
         return NO_CLAIM;
     const moment<R> y(p, made);
     const R t = s.t, turn = y.wY / y.c * t, h = turn / 2;
-    const R u4 = 4 * R(doubles::u), half = R(doubles::u);
+    const R u6 = 6 * R(doubles::u), half = R(doubles::u);
     const R chord = -y.a * y.wZ * t * (h == 0 ? R(1) : sine(h) / h);
     const R psi = y.psi + (y.wZ + y.wY * y.T) * t;
     const R x = y.x + chord * cosine(y.phi + h),
@@ -167,10 +172,10 @@ template <class R> double steady_at(const scene &s, double)
     const R path = y.a * magnitude(y.wZ * t) * (1 + magnitude(turn));
     verdict<R> v;
     v.hold(R(out.phi), y.phi + turn,
-           u4 * magnitude(turn) + half * magnitude(y.phi + turn));
-    v.hold(R(out.psi), psi, u4 * rolled + half * magnitude(psi));
-    v.hold(R(out.x), x, u4 * path + half * magnitude(x));
-    v.hold(R(out.z), z, u4 * path + half * magnitude(z));
+           u6 * magnitude(turn) + half * magnitude(y.phi + turn));
+    v.hold(R(out.psi), psi, u6 * rolled + half * magnitude(psi));
+    v.hold(R(out.x), x, u6 * path + half * magnitude(x));
+    v.hold(R(out.z), z, u6 * path + half * magnitude(z));
     v.equal(out.theta == made.theta && out.wX == 0);
     return v.worst;
 }
@@ -197,7 +202,17 @@ template <class R> R to_neighbour(const moment<R> &y, R y1, R wY1, R wZ1)
     return -(FY * nY + FZ * nZ) / lambda2_of(y).value;
 }
 
-/* 30 A^2 (1 + |t| W) where the lean does not grow; A in parts of cos theta. */
+/* How far the lean comes from the steady motion within t. */
+template <class R> R reach_of(const moment<R> &y, const scene &s, R apart)
+{
+    const R Y = R(s.q[0]) - apart, rate = root(-lambda2_of(y).value);
+    const R v = R(s.q[1]) / rate;
+    return magnitude(apart) + lesser(magnitude(Y) + magnitude(R(s.q[1]) * s.t),
+                                     root(Y * Y + v * v));
+}
+
+/* 30 A^2 (1 + |t| W) W^2/|lambda^2| where the lean does not grow; A in parts of
+ * cos theta.  And the lean stays within three times its reach. */
 template <class R> double wobble(const scene &s, double)
 {
     const coin_params p = params_of<doubles>(s);
@@ -217,15 +232,19 @@ template <class R> double wobble(const scene &s, double)
     R A = magnitude(R(s.q[0])), off[8], worst = 0;
     for (int i = 1; i < 4; ++i)
         A = larger(A, magnitude(R(s.q[i])) / w);
-    A = larger(A, magnitude(to_neighbour(y, R(s.q[0]), R(s.q[2]), R(s.q[3])))) /
-        y.c;
+    const R apart = to_neighbour(y, R(s.q[0]), R(s.q[2]), R(s.q[3]));
+    const R reach = reach_of(y, s, apart);
+    A = larger(A, reach) / y.c;
     if (magnitude(R(s.t)) * w * W > 1000 || !truth.follow(R(s.t)))
         return NO_CLAIM;
     truth.apart(out, W, off);
     for (int i = 0; i < 8; ++i)
         worst = larger(worst, magnitude(off[i]));
-    const R bound = 30 * A * A * (1 + magnitude(R(s.t)) * w * W) + R(1e-11);
-    return bound < 1 ? double(worst / bound) : NO_CLAIM;
+    const R shallow = larger(R(1), W * W * w * w / -lambda2_of(y).value);
+    const R bound =
+        30 * A * A * (1 + magnitude(R(s.t)) * w * W) * shallow + R(1e-11);
+    const R lean = magnitude(off[0]) / (3 * reach + R(1e-11));
+    return double(larger(lean, bound < 1 ? worst / bound : R(0)));
 }
 } // namespace
 
@@ -243,11 +262,11 @@ void add_steady(std::vector<row> *rows)
         STEADY(stability, "coin_stability", "16 u of the terms", 1,
                steady_edge),
         STEADY(critical, "coin_critical_roll_and_spin", "8 u", 1, nullptr),
-        STEADY(near, "coin_steady_near", "1e-9 of (39); 256 u of K", 40,
+        STEADY(near, "coin_steady_near", "1e-9 of (39); 64 u of K + 8 u/cos theta of the rates", 40,
                nullptr),
-        STEADY(steady_at, "coin_steady_at", "4 u of the angles and path", 1,
+        STEADY(steady_at, "coin_steady_at", "6 u of the angles and path", 1,
                steady_edge),
-        STEADY(wobble, "coin_wobble_at", "30 A^2 (1 + abs(t) W)", 10,
+        STEADY(wobble, "coin_wobble_at", "30 A^2 (1 + abs(t) W) W^2/abs(lambda^2); lean 3 reach", 10,
                wobble_edge),
     };
     for (const row &r : made)
