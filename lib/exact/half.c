@@ -61,7 +61,9 @@ static double reach_of(const coin_priv_half *h, const coin_priv_series *s)
     for (int k = COIN_PRIV_ORDER - 1; k <= COIN_PRIV_ORDER; ++k)
         for (int i = 0; i < COIN_PRIV_PATH; ++i)
             last = larger(larger(last, OF(p[k].row[i], 0)), OF(p[k].row[i], 1));
-    const double most = LONGEST / sqrt(W2_of(h, p));
+    const double longest = LONGEST / sqrt(W2_of(h, p));
+    /* Its power below stays a number. */
+    const double most = longest < 1e10 ? longest : 1e10;
     double power = 1;
     for (int k = 0; k < COIN_PRIV_ORDER; ++k)
         power *= most;

@@ -144,8 +144,10 @@ static double own_error(const struct scene *scene, const coin_orbit *o,
     const double turned = fabs(end->phi - scene->start->phi);
     const double rolled = fabs(end->psi - scene->start->psi);
     const double periods = o->period > 0 ? fabs(scene->horizon) / o->period : 0;
+    /* NaN, which only == compares without an exception, if the coin drifts. */
+    const int circles = o->radius_max == o->radius_max;
     const double reach =
-        o->radius_max > 0 ? o->radius_max / scene->b.a : rolled;
+        circles && o->radius_max > 0 ? o->radius_max / scene->b.a : rolled;
     const double heading =
         1e-13 + 1e-15 * turned + 1e-14 * o->conditioning * periods;
     return heading * (1 + reach) + 1e-15 * rolled;

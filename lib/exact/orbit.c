@@ -257,7 +257,7 @@ static double stretch(const coin_priv_law *law, const coin_priv_point *p,
 
 /* 1 + J/2 |dT/dE| s^2/w with w^2 = 2E/J, and s the larger acceleration of theta
  * at a turning point, w^2 at most. */
-static double conditioning(const coin_priv_half *h, double half)
+static double conditioning_of(const coin_priv_half *h, double half)
 {
     const coin_orbit *o = h->o;
     const coin_priv_law *law = &h->law;
@@ -348,7 +348,7 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
     set_times(&h);
     set_angles(&h, s, b->a);
     set_path(&h, b->a, half);
-    o->conditioning = conditioning(&h, half);
+    o->conditioning = conditioning_of(&h, half);
     return o->conditioning < WORST ? h.count : 0;
 }
 

@@ -11,9 +11,11 @@
 
 #include "angles.t.h"
 #undef COIN_PRIV_PAIR
+#define COIN_PRIV_BY_PAIRS
 #endif
 
 #include "angles.t.h"
+#undef COIN_PRIV_BY_PAIRS
 
 /* sine_cosine() out of line, for sources that call it often. */
 PRIV(sc) PRIV(sincos)(real x);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sine and cosine, the same bits everywhere. */
+/* Sine and cosine, the same bits everywhere.  With COIN_PRIV_BY_PAIRS one
+ * number uses the functions of a pair, which are then included before. */
 #include "number.h"
 
 #include "kind.h"
@@ -8,19 +9,10 @@ typedef struct PRIV(sc) {
     real s, c;
 } PRIV(sc);
 
-/* Whether this is one double of a processor that takes two at once. */
-#undef COIN_PRIV_BY_PAIRS
-#define COIN_PRIV_BY_PAIRS 0
-#if COIN_PRIV_WIDTH && !defined(COIN_PRIV_FLOAT) &&                            \
-    !defined(COIN_PRIV_ABREAST) && !defined(COIN_PRIV_PAIR)
-#undef COIN_PRIV_BY_PAIRS
-#define COIN_PRIV_BY_PAIRS 1
-#endif
-
 /* The polynomials of sine and cosine at z. */
 COIN_PRIV_INLINE PRIV(sc) PRIV(polynomials)(real z)
 {
-#if COIN_PRIV_BY_PAIRS
+#ifdef COIN_PRIV_BY_PAIRS
     const coin_pair zz = coin_pair_of(z, z);
     const coin_pair p =
         COIN_PRIV_EVALUATE(zz, COIN_PRIV_SINE_AND_COSINE(coin_pair_of));
@@ -72,7 +64,7 @@ COIN_PRIV_INLINE PRIV(sc) PRIV(sine_cosine)(real x)
 
 /* What turning an angle by d, |d| <= pi/2, adds to its sine and cosine, by
  * sin d = 2 sin(d/2) cos(d/2) and 1 - cos d = 2 sin(d/2)^2. */
-COIN_PRIV_INLINE PRIV(sc) PRIV(turn_adds)(PRIV(sc) of, real d)
+COIN_PRIV_PART PRIV(sc) PRIV(turn_adds)(PRIV(sc) of, real d)
 {
     const real half = K(0.5) * d, z = half * half;
     const PRIV(sc) p = PRIV(polynomials)(z);
@@ -113,7 +105,7 @@ COIN_PRIV_INLINE PRIV(sc) PRIV(turned_a_little)(PRIV(sc) of, real d)
 COIN_PRIV_INLINE void PRIV(turn_both)(PRIV(sc) * a, PRIV(sc) * b, real x,
                                       real y)
 {
-#if COIN_PRIV_BY_PAIRS
+#ifdef COIN_PRIV_BY_PAIRS
     const coin_pair_sc from = {coin_pair_of(a->s, b->s),
                                coin_pair_of(a->c, b->c)};
     const coin_pair_sc to = coin_pair_turned(from, coin_pair_of(x, y));

@@ -25,11 +25,10 @@ COIN_PRIV_INLINE PRIV(body) PRIV(body_of)(const COIN(params) * p)
     const real M = p->mass, a = p->radius, g = p->gravity;
     const real IX = p->inertia_X, IZ = p->inertia_Z;
     const real m = M * a * a, J = IX + m, K = IZ + m, Mga = M * g * a;
-    const real over_J = 1 / J;
     const PRIV(body) b = {
         M,          a,           IX,           IZ,      m,
         J,          K,           M * g,        Mga,     g / a,
-        K * over_J, IX * over_J, Mga * over_J, IZ / IX, m / K,
+        K / J, IX / J, Mga / J, IZ / IX, m / K,
         0,
     };
     return b;
@@ -54,15 +53,17 @@ COIN_PRIV_INLINE unsigned_whole PRIV(above_least)(real x)
 COIN_PRIV_INLINE int PRIV(is_ordinary_body)(const COIN(params) * p)
 {
     const unsigned_whole span = PRIV(above_least)(COIN_PRIV_ORDINARY_MOST);
+    const unsigned_whole mass = PRIV(above_least)(p->mass);
+    const unsigned_whole radius = PRIV(above_least)(p->radius);
+    const unsigned_whole gravity = PRIV(above_least)(p->gravity);
+    const unsigned_whole inertia_X = PRIV(above_least)(p->inertia_X);
+    const unsigned_whole inertia_Z = PRIV(above_least)(p->inertia_Z);
     const unsigned_whole reserved =
         (unsigned_whole)(PRIV(bits)(p->reserved[0]) |
                          PRIV(bits)(p->reserved[1]) |
                          PRIV(bits)(p->reserved[2]));
-    return (PRIV(above_least)(p->mass) < span) &
-           (PRIV(above_least)(p->radius) < span) &
-           (PRIV(above_least)(p->gravity) < span) &
-           (PRIV(above_least)(p->inertia_X) < span) &
-           (PRIV(above_least)(p->inertia_Z) < span) &
+    return (int)(mass < span) & (radius < span) & (gravity < span) &
+           (inertia_X < span) & (inertia_Z < span) &
            (p->inertia_Z <= 2 * p->inertia_X) & (reserved == 0);
 }
 

@@ -33,9 +33,9 @@ PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth, q = y->q;
-    const real hwX = f->h * wX, hwY = f->h * wY; /* (17): d theta = hwX */
+    const real hwX = f->h * wX, hwY = f->h * wY;
     const real hwYtan = hwY * y->tth;
-    const real dph = hwY * q; /* (18) */
+    const real dph = hwY * q;
     const real none = {0};
     PRIV(variables) d;
     /* clang-format off */

@@ -31,9 +31,10 @@
 #endif
 
 /* A step's parts become one piece of straight code, whatever their size; what
- * rarely holds is moved out of its way.  On a microcontroller, or with
- * COIN_PRIV_SMALL defined, the parts that are marked COIN_PRIV_PART stay
- * functions: each gives its stack back before the next begins. */
+ * rarely holds is moved out of its way.  Where each operation of doubles is a
+ * call, or with COIN_PRIV_SMALL defined, the parts of doubles that are marked
+ * COIN_PRIV_PART stay functions: they are small once, and give their stack back
+ * before the next begins. */
 #if defined(__GNUC__)
 #define COIN_PRIV_INLINE static inline __attribute__((always_inline))
 #define COIN_PRIV_APART static __attribute__((noinline, unused))
@@ -44,10 +45,12 @@
 #define COIN_PRIV_RARELY(condition) (condition)
 #endif
 
-#if defined(__thumb__) && !defined(__linux__)
+#if defined(__arm__) && (!defined(__ARM_FP) || !(__ARM_FP & 8))
+#define COIN_PRIV_SMALL
+#elif defined(__riscv) && (!defined(__riscv_flen) || __riscv_flen < 64)
 #define COIN_PRIV_SMALL
 #endif
-#ifdef COIN_PRIV_SMALL
+#if defined(COIN_PRIV_SMALL) && !defined(COIN_PRIV_FLOAT)
 #define COIN_PRIV_PART COIN_PRIV_APART
 #else
 #define COIN_PRIV_PART COIN_PRIV_INLINE

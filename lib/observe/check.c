@@ -18,7 +18,7 @@ int32_t COIN(check)(const COIN(state) * s, const COIN(params) * p,
         return COIN_ESTEP;
     const PRIV(variables) y = PRIV(variables_of)(s);
     const COIN(force) f = PRIV(reaction)(&b, &y);
-    const real W = SQRT(PRIV(rate2)(b.g_a, &y)); /* (47) */
+    const real W = SQRT(PRIV(rate2)(b.g_a, &y));
     int32_t bits = 0;
     if (!(f.normal > 0))
         bits |= COIN_LIFTS;

@@ -92,16 +92,18 @@ int32_t COIN(quaternion)(const COIN(state) * s, real q[4])
     return COIN_OK;
 }
 
-/* The angle of (s, c), whatever its norm; NaN if that is 0 or not finite. */
+/* The angle of (s, c) in (-pi, pi], whatever its norm; NaN if that is 0 or not
+ * finite. */
 static real angle_of(real s, real c)
 {
     const real norm = PRIV(hypot)(s, c);
     const PRIV(sc) unit = {s / norm, c / norm};
-    return PRIV(angle)(unit);
+    const real angle = PRIV(angle)(unit);
+    return angle == -2 * COIN_PRIV_HALF_PI ? -angle : angle;
 }
 
 /* Squares and products of numbers up to here neither overflow nor underflow. */
-#define NORM_MAX (1 / (DBL_EPSILON * DBL_EPSILON))
+#define NORM_MAX (1 / (COIN_PRIV_EPSILON * COIN_PRIV_EPSILON))
 
 /* The angles of a rotation, by Eq. (30).  With C2, S2 the cosine and sine of
  * theta/2, A is C2 + S2 times the cosine and sine of (phi - psi)/2, and B is

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
+#include "extrapolation.h"
 #include "sundman.h"
 
 /* Natural units of time beyond which a step would change nothing of t. */
@@ -9,15 +10,21 @@
 /* The most steps of a call: 0.2 s. */
 #define STEPS_MAX (UINT64_C(1) << 20)
 
-/* |rem| W below which one classical step in t lands: it errs by the fifth
- * power, far below rounding. */
-#define LAST 2e-3
+/* |rem| W below which one step in t lands, in units of tol^(1/8) for RK8 and of
+ * tol^(3/16) for RK4: measured so that its error stays below tol/10. */
+#define LAST_RK8 1.6
+#define LAST_RK4 0.6
 
-/* A step is STRIDE tol^(1/8) over the rate, at most LONGEST: measured so that
- * its error stays below tol per natural unit of time (docs/accuracy.md), and
- * that the least tol reaches what rounding leaves. */
-#define STRIDE 3.2
-#define LONGEST 1.2
+/* A step is STRIDE tol^(1/14) over the rate, at most LONGEST: measured so that
+ * its error stays below tol per natural unit of time (docs/accuracy.md). */
+#define STRIDE 3.0
+#define LONGEST 1.65
+
+/* How far a call of coin_advance() may step. */
+struct reach {
+    double stride;   /* in tau, over the rate */
+    double rk8, rk4; /* in t, times W */
+};
 
 /* The tau that the time rem takes from here: t = c0 tau + ... reversed to
  * third order, with the derivatives c1, c2 of cos theta by t.  (54) */
@@ -45,18 +52,20 @@ static double next_tau(const coin_priv_body *b, const coin_priv_variables *y,
     return fabs(tau) < full ? tau : side * full;
 }
 
-/* Whether one classical step in t may land from here. */
-static int near(const coin_priv_run *r, double rem)
+/* The square of what is to be compared with a reach in t. */
+static double left2(const coin_priv_run *r, double rem)
 {
-    return rem * rem * coin_priv_rate2(r->b.g_a, &r->g.y) <= LAST * LAST;
+    return rem * rem * coin_priv_rate2(r->b.g_a, &r->g.y);
 }
 
 /* Moves *r until *rem, the time still to go, is short, or the coin is flat, or
  * a step fails or is one too many.  Each time that a step goes too far the next
  * may go only half as far: however bad the series, that ends. */
-static int32_t approach(coin_priv_run *r, double stride, coin_priv_sum *rem)
+static int32_t approach(coin_priv_run *r, const struct reach *reach,
+                        coin_priv_sum *rem)
 {
-    while (!near(r, rem->sum)) {
+    double stride = reach->stride;
+    while (!(left2(r, rem->sum) <= reach->rk8 * reach->rk8)) {
         const double before = rem->sum;
         const double tau = next_tau(&r->b, &r->g.y, stride, before);
         if (r->g.y.cth < COIN_PRIV_FLAT)
@@ -64,7 +73,7 @@ static int32_t approach(coin_priv_run *r, double stride, coin_priv_sum *rem)
         if (r->steps == STEPS_MAX)
             return COIN_ESTEP;
         r->g.added.t = 0;
-        if (!coin_priv_sundman_step(r, tau))
+        if (!coin_priv_extrapolate(r, tau))
             return COIN_ESTEP;
         coin_priv_add(rem, -r->g.added.t);
         if ((rem->sum < 0) != (before < 0))
@@ -74,23 +83,36 @@ static int32_t approach(coin_priv_run *r, double stride, coin_priv_sum *rem)
 }
 
 /* The last bit of the way, in t. */
-static int32_t land(coin_priv_run *r, coin_priv_sum *rem)
+static int32_t land(coin_priv_run *r, const struct reach *reach,
+                    coin_priv_sum *rem)
 {
-    const uint64_t steps = r->steps;
     if (rem->sum == 0)
         return COIN_OK;
     r->dt = rem->sum;
-    coin_priv_rk4(r, 1);
-    if (r->steps == steps)
+    const int32_t method =
+        left2(r, rem->sum) <= reach->rk4 * reach->rk4 ? COIN_RK4 : COIN_RK8;
+    if (coin_priv_run_on(r, method, 1) == 0)
         return COIN_ESTEP;
     rem->sum = 0;
     return COIN_OK;
 }
 
-static double stride_of(double tol)
+/* tol^(1/14) of x = tol^(1/16): x^(8/7) within 0.6 % from tol = 1e-14 up. */
+static double root14(double x)
 {
-    const double stride = STRIDE * sqrt(sqrt(sqrt(tol)));
-    return stride < LONGEST ? stride : LONGEST;
+    return (0.2127 * x + 0.8261) * x - 0.014;
+}
+
+static struct reach reach_of(double tol)
+{
+    const double r8 = sqrt(sqrt(sqrt(tol))), r16 = sqrt(r8);
+    const double stride = STRIDE * root14(r16);
+    const struct reach r = {
+        stride < LONGEST ? stride : LONGEST,
+        LAST_RK8 * r8,
+        LAST_RK4 * r8 * r16,
+    };
+    return r;
 }
 
 int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
@@ -105,14 +127,15 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
         return COIN_ESTEP;
     coin_priv_run r;
     coin_priv_sum rem = {t, 0};
+    const struct reach reach = reach_of(tol);
     r.b = b;
     coin_priv_run_from(&r, s, COIN_RK4, 0);
     r.limits.coarse2 = r.limits.most2 = (double)INFINITY;
-    status = approach(&r, stride_of(tol), &rem);
+    status = approach(&r, &reach, &rem);
     if (r.steps > 0)
         coin_priv_read_lean(&r.g);
     if (status == COIN_OK)
-        status = land(&r, &rem);
+        status = land(&r, &reach, &rem);
     const coin_state end = coin_priv_run_state(&r);
     /* A path so long that x or z overflowed counts as none, as in a run. */
     const int lost = !coin_priv_pose_holds(&end);

@@ -41,9 +41,10 @@ int32_t coin_batch_run(coin_state *s, size_t count, const coin_params *p,
         return COIN_EARG;
     if (coin_priv_check_body(&b, p) != COIN_OK)
         return COIN_EPARAMS;
-    coin_priv_lanes_run *const run = fabs(dt) <= COIN_PRIV_LARGEST && dt != 0
-                                         ? coin_priv_lanes_run_of(method)
-                                         : NULL;
+    /* Coins that do not move stay as they are, each to the bit. */
+    const int move = fabs(dt) <= COIN_PRIV_LARGEST && dt != 0 && steps > 0;
+    coin_priv_lanes_run *const run =
+        move ? coin_priv_lanes_run_of(method) : NULL;
     for (size_t i = 0; i < count; i += COIN_PRIV_LANES) {
         const size_t left = count - i;
         g.size = left < COIN_PRIV_LANES ? (int)left : COIN_PRIV_LANES;

@@ -54,6 +54,8 @@ static struct outlook look_ahead(coin_priv_run r, double enough)
     double begin = 0, units = 0;
     for (int i = 0; i < LOOK_STEPS && !seen_enough(turns, units); ++i) {
         const double wX = r.g.y.wX;
+        if (r.g.y.cth < COIN_PRIV_FLAT)
+            break;
         const double tau = coin_priv_sundman_tau(&r.b, &r.g.y, 0.5);
         coin_priv_sundman_step(&r, tau); /* one that fails changes nothing */
         const double W2 = coin_priv_rate2(g_a, &r.g.y);
@@ -97,8 +99,9 @@ static double apart(const coin_priv_run *c, const coin_priv_run *d)
 static double trial(const struct outlook *o, int32_t method, double dt)
 {
     coin_priv_run c = o->from, d = o->from;
-    const double all = ceil(o->span / dt), rate = sqrt(c.b.g_a);
-    const uint64_t n = all < TRIAL_STEPS ? (uint64_t)all : TRIAL_STEPS;
+    const double all = o->span / dt, rate = sqrt(c.b.g_a);
+    const uint64_t down = all < TRIAL_STEPS ? (uint64_t)all : TRIAL_STEPS;
+    const uint64_t n = down + (all < TRIAL_STEPS && (double)down < all);
     const uint64_t block = n / COMPARED + 1;
     const double least = coin_priv_lesser((double)n * dt * rate, 1);
     double error = 0;
@@ -138,6 +141,8 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
     start.b = b;
     coin_priv_run_from(&start, &lean, method, 0);
     const double worst2 = look_ahead(start, 0).worst2;
+    if (worst2 > b.w2_max)
+        return 0;
     const struct outlook o = look_ahead(start, worst2 / 16);
     const double most = PEAK * coin_priv_coarse_limit(method) / sqrt(worst2);
     const int32_t order = coin_method_order(method);

@@ -43,7 +43,7 @@ PRIV(pose_plus)(const PRIV(pose) * a, scalar w, const PRIV(pose) * b)
 }
 
 /* Adds a part, by Knuth's exact sum. */
-COIN_PRIV_INLINE void PRIV(add)(PRIV(sum) * to, real part)
+COIN_PRIV_PART void PRIV(add)(PRIV(sum) * to, real part)
 {
     const real y = part + to->low, sum = to->sum + y;
     const real of_y = sum - to->sum;
@@ -84,7 +84,7 @@ COIN_PRIV_INLINE void PRIV(progress_begin)(PRIV(progress) * g,
 }
 
 /* The pair of an angle that a sum holds. */
-COIN_PRIV_INLINE PRIV(sc) PRIV(angle_pair)(PRIV(sum) angle)
+COIN_PRIV_PART PRIV(sc) PRIV(angle_pair)(PRIV(sum) angle)
 {
     const PRIV(sc) of = PRIV(sine_cosine)(angle.sum);
     const PRIV(sc) r = {

@@ -14,16 +14,19 @@
 #define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
 #include "rk8.t.h"
 
-/* The rate at which things change in tau.  The weights of wY and wZ follow
- * Eq. (44), the coin's own frequency, and make the error of a step of given
- * length most nearly the same for every motion. */
+/* The weights of wY and wZ follow Eq. (44), the coin's own frequency, and make
+ * the error of a step of given length most nearly the same for every motion.
+ * For bodies with I_Z far below I_X that frequency is low, and the slope of wX,
+ * Eq. (14), decides: without it they erred by 1e5 tol.  For rings it never
+ * does. */
 double coin_priv_sundman_tau(const coin_priv_body *b,
                              const coin_priv_variables *y, double stride)
 {
     const double wX = y->wX, wY = y->wY, cwZ = y->cth * y->wZ;
     const double rate2 = wX * wX + 1.5 * (wY * wY) +
                          b->KJ * b->k1 * (cwZ * cwZ) + y->cth * b->g_a;
-    return stride / sqrt(rate2);
+    const double slope2 = 3 * b->KJ * fabs(wY * cwZ);
+    return stride / sqrt(slope2 > rate2 ? slope2 : rate2);
 }
 
 int coin_priv_sundman_accept(coin_priv_run *r, const coin_priv_variables *y,

@@ -25,7 +25,6 @@ static void print_state(const coin_state *s)
 static int32_t roll(const coin_params *p)
 {
     coin_state path[SAMPLES], s = {0.3, 0, 0, 0, 0, 0, 5, 40};
-    coin_lean lean = {0.3, 0, 5, 40};
     size_t done;
     int32_t status =
         coin_sample(&s, p, COIN_RK8, 1.0 / 120, 40, SAMPLES, path, &done);
@@ -33,8 +32,6 @@ static int32_t roll(const coin_params *p)
         print_state(&path[k]);
     status |= coin_run(&s, p, COIN_SYMPLECTIC4, 1e-3, 100, NULL);
     print_state(&s);
-    status |= coin_lean_run(&lean, p, COIN_RK4, 1e-3, 100, NULL);
-    printf("%a %a %a %a\n", lean.theta, lean.wX, lean.wY, lean.wZ);
     return status;
 }
 

@@ -89,22 +89,22 @@ build
 gives "two members in each other's place" "changed: layout types client;"
 
 fresh
-edit lib/rollcoin.map '/coin_critical_spin;/d'
+edit lib/about/rollcoin.map '/coin_critical_spin;/d'
 build
 gives "a symbol dropped" "changed: symbols types client;"
 
 fresh
 edit include/coin.h 's/size_t count/uint32_t count/'
-edit lib/run.c 's/size_t count/uint32_t count/'
-edit lib/batch.c 's/size_t count/uint32_t count/'
+edit lib/step/run.c 's/size_t count/uint32_t count/'
+edit lib/step/batch.c 's/size_t count/uint32_t count/'
 build
 gives "an argument of another type" "changed: functions types;"
 
 fresh
 edit include/coin.h 's/^COIN_API double coin_energy.*/&/;
     s/^COIN_API uint32_t coin_version(void);/&\nCOIN_API int32_t coin_new(void);/'
-edit lib/version.c '$a int32_t coin_new(void) { return 0; }'
-edit lib/rollcoin.map 's/^    coin_version;/    coin_new;\n&/'
+edit lib/about/version.c '$a int32_t coin_new(void) { return 0; }'
+edit lib/about/rollcoin.map 's/^    coin_version;/    coin_new;\n&/'
 build
 gives "a function added" "changed: symbols functions types;"
 
@@ -118,8 +118,8 @@ gives "no debug information" "has no debug information"
 fresh
 edit include/coin.h \
     's/^COIN_API uint32_t coin_version(void);/&\nCOIN_API int32_t coin_new(void);/'
-edit lib/version.c '$a int32_t coin_new(void) { return 0; }'
-edit lib/rollcoin.map '$a ROLLCOIN_0.2 { coin_new; } ROLLCOIN_0;'
+edit lib/about/version.c '$a int32_t coin_new(void) { return 0; }'
+edit lib/about/rollcoin.map '$a ROLLCOIN_0.2 { coin_new; } ROLLCOIN_0;'
 build
 for name in version new; do
     echo "#include <coin.h>

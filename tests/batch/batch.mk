@@ -9,7 +9,7 @@
 
 BATCH_SRC := $(SRC)/tests/batch
 
-# lib/width.h takes the widest vectors that the compiler's flags allow: 16 bytes
+# lib/motion/vector.h takes the widest vectors that the compiler's flags allow: 16 bytes
 # without any flag, as in `make check`.  A processor without the others cannot
 # run their tests: the gate then says so, and passes.
 LANES       := avx2 avx512f

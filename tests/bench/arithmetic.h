@@ -102,4 +102,7 @@ static inline counted log(counted a)
 
 #define double counted
 
+/* No vectors of them. */
+#undef __SSE2__
+
 #endif

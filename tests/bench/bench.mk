@@ -8,6 +8,7 @@
 #                   pictures and the tables of docs/accuracy.md, docs/limits.md
 #   make figures    pictures and tables from tests/bench/results as they are
 #   make atlas      the maps of docs/limits.md, not timed   (three minutes)
+#   make natural    the calls of a frame loop                (one minute)
 #   make batch      many coins at once                       (two minutes)
 #   make orbits     an orbit beside steps, part of charts    (two minutes)
 #   make longrun    ten million steps of everything          (half an hour)
@@ -32,7 +33,8 @@ LIBS_ode     := -lode -lstdc++
 LIBS_mujoco  := -lmujoco
 LIBS_orbit   := $(LIBS_gsl)
 
-BENCH_SEES = -I$(SRC)/include -I$(SRC)/lib -I$(BENCH_SRC) $(MAPS) \
+BENCH_SEES = -I$(SRC)/include -I$(BENCH_SRC) $(MAPS) \
+             $(addprefix -I,$(sort $(dir $(SOURCES)))) \
              -D_POSIX_C_SOURCE=200809L \
              -DBENCH_DATA='"$(SRC)/tests/reference"'
 BENCH_CC   = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS) -std=c11 $(PINNED) \
@@ -49,11 +51,7 @@ define bench_build
 $(BENCH_OUT)/$1 $(BENCH_OUT)/$1/lib:
 	mkdir -p $$@
 
-$(BENCH_OUT)/$1/lib/%.o: $(SRC)/lib/%.c $(O)/flags | $(BENCH_OUT)/$1/lib
-	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
-
-$(BENCH_OUT)/$1/lib/coinf_%.o: $(O)/float/coinf_%.c $(FLOAT_H) $(O)/flags | \
-    $(BENCH_OUT)/$1/lib
+$(BENCH_OUT)/$1/lib/%.o: %.c $(O)/flags | $(BENCH_OUT)/$1/lib
 	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
 
 $(BENCH_OUT)/$1/%.o: $(BENCH_SRC)/%.c $(O)/flags | $(BENCH_OUT)/$1
@@ -63,8 +61,7 @@ $(BENCH_OUT)/$1/textbook.o: $(BENCH_SRC)/textbook.c | $(BENCH_OUT)/$1
 	$$(PEER_CC) $(FLAGS_$1) -c -o $$@ $$<
 
 NEEDED_$1 := $$(SHARED_BY_BENCHES:%=$(BENCH_OUT)/$1/%.o) \
-             $$(patsubst $(SRC)/lib/%.c,$(BENCH_OUT)/$1/lib/%.o,$(SOURCES)) \
-             $(FLOAT_SOURCES:%=$(BENCH_OUT)/$1/lib/coinf_%.o)
+             $$(patsubst %.c,$(BENCH_OUT)/$1/lib/%.o,$(notdir $(SOURCES)))
 
 $$(BENCHES:%=$(BENCH_OUT)/$1/%): $(BENCH_OUT)/$1/%: $(BENCH_OUT)/$1/%.o \
     $$(NEEDED_$1)
@@ -81,7 +78,7 @@ $(foreach b,$(BUILDS),$(eval $(call bench_build,$b)))
 -include $(wildcard $(BENCH_OUT)/*/*.d $(BENCH_OUT)/*/lib/*.d)
 
 .PHONY: build-bench need-peers need-charts need-bits results-check bench \
-        charts figures longrun costs batch atlas atlas-check orbits
+        charts figures longrun costs batch atlas atlas-check orbits natural
 build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%))
 
 # A peer that is missing would make our curve look better than it is.
@@ -146,6 +143,7 @@ bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 	    } >$(BENCH_OUT)/reliability.csv
 	$(COSTS)
 	$(BATCH)
+	$(NATURAL)
 	$(PYTHON) $(BENCH_SRC)/summary.py $(BENCH_OUT)
 
 $(BENCH_OUT)/truth: $(BENCH_SRC)/peers/truth.cpp | need-peers
@@ -155,7 +153,7 @@ charts: bench $(BENCH_OUT)/portable/peer_orbit ## measure, and renew the charts
 	mkdir -p $(RESULTS)
 	$(MAP)
 	$(ORBITS)
-	for t in steps accuracy best reliability costs batch atlas; do \
+	for t in steps accuracy best reliability costs batch natural atlas; do \
 	    cp $(BENCH_OUT)/$$t.csv $(RESULTS)/$$t.csv; done
 	$(DRAW)
 
@@ -189,6 +187,15 @@ batch: $(BUILDS:%=$(BENCH_OUT)/%/bench_batch) need-charts need-bits ## many coin
 	cp $(BENCH_OUT)/batch.csv $(RESULTS)
 	$(DRAW)
 
+# What a frame loop calls.
+NATURAL = { $(ABOUT); $(PYTHON) $(BENCH_SRC)/natural.py $(BENCH_OUT) \
+            $(BUILDS) || exit 1; } >$(BENCH_OUT)/natural.csv
+
+natural: $(BUILDS:%=$(BENCH_OUT)/%/bench_calls) need-charts need-bits ## what the calls of a frame loop cost (one minute)
+	mkdir -p $(RESULTS)
+	$(NATURAL)
+	cp $(BENCH_OUT)/natural.csv $(RESULTS)
+
 # Solved once, or stepped: what n frames cost, and how the phases of steppers
 # err against an orbit's.
 ORBITS  = for what in costs ratios phase; do { $(ABOUT); \
@@ -205,16 +212,18 @@ longrun: $(BENCH_OUT)/portable/bench_longrun need-bits ## what ten million steps
 	{ $(ABOUT); $< damping; } >$(BENCH_OUT)/damping.csv
 	cp $(BENCH_OUT)/longrun.csv $(BENCH_OUT)/damping.csv $(RESULTS)
 
-# The library's sources once more, with a double that counts.
-COUNTED := $(patsubst $(SRC)/lib/%.c,$(BENCH_OUT)/counted/%.o,$(SOURCES))
+# The sources that step once more, with a double that counts.  Where a sign is
+# moved by its bits the length of the chain is lost: it is 0 then.
+COUNTED := $(patsubst %.c,$(BENCH_OUT)/counted/%.o,$(notdir \
+             $(filter $(SRC)/lib/motion/% $(SRC)/lib/step/%,$(SOURCES))))
 
 $(BENCH_OUT)/counted:
 	mkdir -p $@
 
-$(BENCH_OUT)/counted/%.o: $(SRC)/lib/%.c $(BENCH_SRC)/arithmetic.h \
-                          $(wildcard $(SRC)/lib/*.h) | $(BENCH_OUT)/counted
+$(BENCH_OUT)/counted/%.o: %.c $(BENCH_SRC)/arithmetic.h \
+                          $(wildcard $(SRC)/lib/*/*.h) | $(BENCH_OUT)/counted
 	$(CXX) -std=c++20 -O1 -w -fpermissive -x c++ -I$(SRC)/include \
-	    -include $(BENCH_SRC)/arithmetic.h -c -o $@ $<
+	    -ftrivial-auto-var-init=zero -include $(BENCH_SRC)/arithmetic.h -c -o $@ $<
 
 $(BENCH_OUT)/count: $(BENCH_SRC)/count.cpp $(COUNTED)
 	$(CXX) -std=c++20 -O1 -w -I$(SRC)/include -o $@ $^

@@ -7,8 +7,7 @@
 
 #include <coin.h>
 
-#include "../../lib/state.h"
-#include "../../lib/sundman.h"
+#include "../../lib/step/sundman.h"
 
 arithmetic operations;
 
@@ -27,13 +26,13 @@ static counted latest(const coin_state &s)
 
 static coin_state sundman(uint64_t n)
 {
-    coin_priv_body b;
-    coin_priv_check(&generic, &disc, &b);
-    coin_priv_carry c;
-    coin_priv_carry_begin(&c, &generic);
+    coin_priv_run r;
+    coin_priv_check(&generic, &disc, &r.b);
+    coin_priv_run_from(&r, &generic, COIN_RK8, 0);
     for (; n > 0; --n)
-        coin_priv_sundman_step(&c, &b, 0.05);
-    return coin_priv_state_of(&c, &b, &generic);
+        coin_priv_sundman_step(&r, 0.05);
+    coin_priv_read_lean(&r.g);
+    return coin_priv_run_state(&r);
 }
 
 static counted run(int which, uint64_t n)

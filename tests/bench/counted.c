@@ -1,28 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-/* A second copy of lib/advance.c, in which each right-hand side counts. */
+/* A second copy of lib/step/advance.c and sundman.c, in which each right-hand
+ * side counts. */
 #include "counted.h"
 #include "workprec.h"
 
-#include <motion.h>
-#include <stepper.h>
+#include <extrapolation.h>
+#include <sundman.h>
 
-static inline coin_priv_stage field(const coin_priv_field *f,
-                                    const coin_priv_stage *y)
+/* Of a step of extrapolation: the first, which all columns share, and n - 1 of
+ * each column of n substeps. */
+enum { SLOPES = 1 + 15 + 11 + 9 + 7 + 5 + 3 + 1 };
+
+static int step(coin_priv_run *r, double tau)
 {
-    ++workprec_slopes;
-    return coin_priv_sundman(f, y);
+    workprec_slopes += SLOPES;
+    return coin_priv_extrapolate(r, tau);
 }
 
-static void landing(coin_priv_carry *c, const coin_priv_body *b,
-                    coin_priv_limits *limits, double dt, uint64_t n)
+static uint64_t landing(coin_priv_run *r, int32_t method, uint64_t n)
 {
-    workprec_slopes += 4 * n;
-    coin_priv_rk4(c, b, limits, dt, n);
+    workprec_slopes += (method == COIN_RK4 ? 4 : 12) * n;
+    return coin_priv_run_on(r, method, n);
 }
 
-#define coin_priv_sundman field
-#define coin_priv_rk4 landing
-#define coin_priv_sundman_tau counted_tau
-#define coin_priv_sundman_step counted_step
+#define coin_priv_extrapolate step
+#define coin_priv_run_on landing
 #define coin_advance counted_advance
-#include "../../lib/advance.c"
+#include "../../lib/step/advance.c"

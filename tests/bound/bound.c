@@ -11,10 +11,13 @@
 #include <stdio.h>
 #include <valgrind/callgrind.h>
 
-enum { STATES = 1000, MORE = 64, KINDS = 6 };
+enum { STATES = 1000, MORE = 64, KINDS = 4 };
 
 static const char *const names[KINDS] = {
-    "rk4", "rk8", "symplectic2", "symplectic4", "rk4 lean", "rk8 lean",
+    "rk4",
+    "rk8",
+    "symplectic2",
+    "symplectic4",
 };
 
 /* Any valid state: leaning by any power of ten from flat, rates from nothing
@@ -36,13 +39,8 @@ static coin_state any_state(struct random *r, const coin_params *p)
 static int32_t run(int kind, coin_state s, const coin_params *p, double dt,
                    uint64_t steps)
 {
-    coin_lean l = {s.theta, s.wX, s.wY, s.wZ};
-    int32_t status;
     CALLGRIND_TOGGLE_COLLECT;
-    if (kind < 4)
-        status = coin_run(&s, p, kind, dt, steps, NULL);
-    else
-        status = coin_lean_run(&l, p, kind - 4, dt, steps, NULL);
+    const int32_t status = coin_run(&s, p, kind, dt, steps, NULL);
     CALLGRIND_TOGGLE_COLLECT;
     return status;
 }

@@ -81,23 +81,19 @@ FW_DADD = m3 m4f m33
 
 # ------------------------------------------------------------------------ rules
 FW_C99   = -std=c99 -O2 -ffp-contract=off -Wall -Wextra -Werror \
-           -I$(SRC)/include -I$(O)/float -I$(BOARD)
+           -I$(SRC)/include -I$(BOARD)
 FW_CC    = $(CC_$1) $(FW_C99) -fno-math-errno $(if $(filter $1,wasm32),,\
            -fno-tree-vectorize -fcallgraph-info=su) -ffunction-sections \
            -fdata-sections -fno-asynchronous-unwind-tables $(DEPENDS)
 FW_LINK  = $(CC_$1) -nostdlib -Wl,--gc-sections $(if $(filter m%,$1),$(FW_SQRT))
 FW_LIBS  = -Wl,--start-group -lm -lc -lgcc -Wl,--end-group
 FW_OBJ   = $(patsubst %,$(FW_OUT)/$1/%.o,\
-             $(notdir $(basename $(SOURCES) $(FLOAT_C))))
+             $(notdir $(basename $(SOURCES))))
 FW_START = $(FW_OUT)/$1/$(if $(filter rv%,$1),riscv,cortex_m).o
 
 # What every machine compiles, and how it is held against this one.
 define fw_machine
-$(FW_OUT)/$1/%.o: $(SRC)/lib/%.c $(O)/flags $(FW)/firmware.mk | $(FW_OUT)/$1
-	$$(call FW_CC,$1) -c -o $$@ $$<
-
-$(FW_OUT)/$1/%.o: $(O)/float/%.c $(FLOAT_H) $(O)/flags \
-                 $(FW)/firmware.mk | $(FW_OUT)/$1
+$(FW_OUT)/$1/%.o: %.c $(O)/flags $(FW)/firmware.mk | $(FW_OUT)/$1
 	$$(call FW_CC,$1) -c -o $$@ $$<
 
 $(FW_OUT)/$1/hash.o: $(SRC)/tests/repro/hash.c | $(FW_OUT)/$1
@@ -210,7 +206,7 @@ fw_needs    = $(foreach m,$1,$(FW_OUT)/$m/objects \
                 $(FW_ENTRIES:%=$(FW_OUT)/$m/reach_%) \
                 $(if $(filter wasm32,$m),,$(FW_OUT)/$m/counts.txt))
 fw_figures  = $(PYTHON) $(FW)/figures.py $1 $(FW_OUT) $(SRC)/docs/embedding.md \
-              '$(notdir $(basename $(SOURCES) $(FLOAT_C)))' \
+              '$(notdir $(basename $(SOURCES)))' \
               $(foreach m,$2,$m=$(call FW_TOOLS,$m))
 
 .PHONY: firmware firmware-update cross cross-update

@@ -14,8 +14,8 @@ NODE = re.compile(r'node: { title: "([^"]*)" label: "[^"]*?'
 EDGE = re.compile(r'edge: { sourcename: "([^"]*)" targetname: "([^"]*)"')
 
 # Who calls through a pointer, and what that may point at.
-INDIRECT = re.compile(r"(^|:)(coinf?_run|coin_sample|run_to)$")
-STEPPER = re.compile(r"coinf?_priv_(rk4|rk8|symplectic\d)$")
+INDIRECT = re.compile(r"^coinf_priv_step$")
+METHOD = re.compile(r"^coinf_priv_(rk4|symplectic2)$")
 
 LABEL = re.compile(r"^([0-9a-f]+) <(.*)>:$")
 CODE = re.compile(r"^ *([0-9a-f]+):\t(\S+)(?:\t(.*?))?(?:\s[@;#]\s.*)?$")
@@ -149,8 +149,7 @@ def deepest(functions, program, name, path=()):
         if not INDIRECT.search(name):
             raise SystemExit(f"stack: {name} calls through a pointer")
         calls = calls - {"__indirect_call"} | {
-            n for n in program.address if STEPPER.search(n)
-            and n.startswith("coinf") == ("coinf" in name)}
+            n for n in program.address if METHOD.search(n)}
     below = [deepest(functions, program, c, path + (name,)) for c in calls]
     most, way = max(below, default=(0, ()))
     return size + most, (name.rsplit(":")[-1],) + way

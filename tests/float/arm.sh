@@ -16,7 +16,7 @@ CORE_MOST=2560
 # compile LEVEL
 compile()
 {
-    for file in "$OUT"/float/*.c; do
+    for file in "$SRC"/lib/float/*.c; do
         # shellcheck disable=SC2086
         $ARM -mthumb -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard \
             $1 -std=c99 -ffp-contract=off -fno-tree-vectorize -fno-math-errno \
@@ -35,14 +35,16 @@ compile()
     fi
 }
 
-# code FUNCTION...: bytes of their sections.
+# code FUNCTION...: bytes of their sections in coinf_step.o.
 code()
 {
     for name in "$@"; do
-        arm-none-eabi-size -A "$work"/*.o |
+        arm-none-eabi-size -A "$work/coinf_step.o" |
             awk -v name=".text.$name" '$1 == name {print $2; found = 1}
-                END {exit !found}'
-    done | awk '{n += $1} END {print n}'
+                END {exit !found}' >>"$work/sizes" ||
+            { echo "no function $name" >&2; exit 1; }
+    done
+    awk '{n += $1} END {print n}' "$work/sizes"
 }
 
 # The search must find what it is looking for.
@@ -54,7 +56,7 @@ rm "$work/control.o"
 
 compile -Os
 core=$(code coinf_priv_rk4 coinf_priv_residue coinf_priv_pair \
-    coinf_priv_stage_at take_turns_off coinf_priv_land coinf_priv_sincos)
+    coinf_priv_variables_at coinf_priv_reduce coinf_priv_end_step)
 echo "-Os: the stepping core is $core bytes, at most $CORE_MOST"
 compile -O2
 test "$core" -le $CORE_MOST

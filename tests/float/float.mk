@@ -6,5 +6,5 @@
 ARM ?= arm-none-eabi-gcc
 
 .PHONY: float-check
-float-check: float ## coinf.h does no double arithmetic, and fits a Cortex-M4F
+float-check: ## coinf.h does no double arithmetic, and fits a Cortex-M4F
 	+$(GATE) ARM='$(ARM)' sh $(SRC)/tests/float/arm.sh

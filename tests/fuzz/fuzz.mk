@@ -25,18 +25,13 @@ FUZZ_CC   = clang $(WARN) -Werror -std=c11 -O2 -g $(PINNED) $(MAPS) \
 FUZZ_SANITIZE := -fsanitize=address,undefined,float-cast-overflow \
                  -fno-sanitize-recover=all
 FUZZ_TOLD := -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp
-FUZZ_LIB   = $(SOURCES:$(SRC)/lib/%.c=$(FUZZ_OUT)/lib/%.o) \
-             $(FLOAT_SOURCES:%=$(FUZZ_OUT)/lib/coinf_%.o)
+FUZZ_LIB   = $(patsubst %.c,$(FUZZ_OUT)/lib/%.o,$(notdir $(SOURCES)))
 FUZZ_BOTH := $(patsubst %,$(FUZZ_OUT)/%.o,bytes kinds kinds_single examine)
 
 $(FUZZ_OUT) $(FUZZ_OUT)/lib:
 	mkdir -p $@
 
-$(FUZZ_OUT)/lib/%.o: $(SRC)/lib/%.c | $(FUZZ_OUT)/lib need-fuzzer
-	$(FUZZ_CC) $(FUZZ_TOLD) $(DEPENDS) -c -o $@ $<
-
-$(FUZZ_OUT)/lib/coinf_%.o: $(O)/float/coinf_%.c $(FLOAT_H) | \
-    $(FUZZ_OUT)/lib need-fuzzer
+$(FUZZ_OUT)/lib/%.o: %.c | $(FUZZ_OUT)/lib need-fuzzer
 	$(FUZZ_CC) $(FUZZ_TOLD) $(DEPENDS) -c -o $@ $<
 
 $(FUZZ_OUT)/%.o: $(FUZZ_SRC)/%.c | $(FUZZ_OUT) need-fuzzer

@@ -27,7 +27,6 @@ CALL(coinf_step, (a[0].p, a[1].p, f(a[2])))
 CALL(coinf_run, (a[0].p, a[1].p, a[2].i, f(a[3]), a[4].u, a[5].p))
 CALL(coinf_batch_run,
      (a[0].p, a[1].u, a[2].p, a[3].i, f(a[4]), a[5].u, a[6].p))
-CALL(coinf_lean_run, (a[0].p, a[1].p, a[2].i, f(a[3]), a[4].u, a[5].p))
 CALL(coinf_energy, (a[0].p, a[1].p))
 CALL(coinf_integrals, (a[0].p, a[1].p, a[2].p))
 CALL(coinf_reaction, (a[0].p, a[1].p, a[2].p))
@@ -80,34 +79,6 @@ static void judge_batch_run(const struct outcome *o)
     demand(same(status, o->left[6].p, sizeof status));
 }
 
-/* The same bits as those members of a whole run. */
-static void judge_lean_run(const struct outcome *o)
-{
-    const union argument *a = o->given;
-    const coinf_lean *left = o->left[0].p, *start = a[0].p;
-    const float *low = start->low;
-    coinf_state s = {start->theta,
-                     0,
-                     0,
-                     0,
-                     0,
-                     start->wX,
-                     start->wY,
-                     start->wZ,
-                     {low[0], 0, 0, 0, 0, low[1], low[2], low[3]}};
-    uint64_t done;
-    memcpy(&done, o->left[5].p, sizeof done);
-    if (done == UINT64_C(0xa5a5a5a5a5a5a5a5))
-        done = 0;
-    demand((o->result >= 0) == (done == a[4].u) || done == 0);
-    if (done > 0 &&
-        coinf_run(&s, &o->world->pf, COIN_RK4, f(a[3]), done, NULL) < 0)
-        return;
-    const coinf_lean l = {
-        s.theta, s.wX, s.wY, s.wZ, {s.low[0], s.low[5], s.low[6], s.low[7]}};
-    demand(same(&l, left, sizeof l));
-}
-
 #define MAKES (BIT(COIN_EARG) | BIT(COIN_EPARAMS))
 #define NO_PARAMS (BIT(COIN_EARG) | BIT(COIN_ESTATE))
 #define STEPS (USUAL | BIT(COIN_ESTEP))
@@ -125,8 +96,6 @@ const struct function fuzz_functions[] = {
     ROW(coinf_run, "Hfitun", STEPS, COIN_COARSE, BIT(COIN_ESTEP), judge_run, 0),
     ROW(coinf_batch_run, "JcfituZ", STEPS, COIN_COARSE,
         BIT(COIN_ESTEP) | BIT(COIN_ESTATE), judge_batch_run, 0),
-    ROW(coinf_lean_run, "Mfitun", STEPS, COIN_COARSE, BIT(COIN_ESTEP),
-        judge_lean_run, 0),
     ROW(coinf_energy, "gf", NUMBER),
     ROW(coinf_integrals, "gfB", USUAL, 0, PLAIN),
     ROW(coinf_reaction, "gfm", USUAL, 0, PLAIN),

@@ -46,13 +46,6 @@ static void take_coins(struct bytes *b, const struct world *w, void *to)
         take_k(b, w, coins + k);
 }
 
-static void take_l(struct bytes *b, const struct world *w, void *to)
-{
-    const coin_lean l = {w->s.theta, w->s.wX, w->s.wY, w->s.wZ};
-    (void)b;
-    memcpy(to, &l, sizeof l);
-}
-
 static void take_numbers(struct bytes *b, double *x, size_t count)
 {
     for (size_t i = 0; i < count; ++i)
@@ -185,13 +178,6 @@ static int sound_state(const void *of, const struct world *w)
     return coin_state_check(of, &w->p) == COIN_OK;
 }
 
-static int sound_lean(const void *of, const struct world *w)
-{
-    const coin_lean *l = of;
-    const coin_state s = {l->theta, 0, 0, 0, 0, l->wX, l->wY, l->wZ};
-    return coin_state_check(&s, &w->p) == COIN_OK;
-}
-
 static int sound_8(const void *of, const struct world *w)
 {
     (void)w;
@@ -252,7 +238,6 @@ static const struct kind kinds[] = {
     {'X', MOVED, SAMPLES * sizeof(coin_state), take_coins, NULL},
     {'O', WRITTEN, sizeof(coin_state), NULL, sound_state},
     {'R', WRITTEN, sizeof(coin_state), NULL, sound_8}, /* rates */
-    {'L', MOVED, sizeof(coin_lean), take_l, sound_lean},
     {'F', WRITTEN, sizeof(coin_force), NULL, sound_force},
     {'A', WRITTEN, SAMPLES * sizeof(coin_state), NULL, NULL},
     {'Y', WRITTEN, sizeof(coin_orbit), NULL, sound_orbit},

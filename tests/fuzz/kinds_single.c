@@ -49,18 +49,6 @@ static void take_coins_f(struct bytes *b, const struct world *w, void *to)
     }
 }
 
-static void take_lean_f(struct bytes *b, const struct world *w, void *to)
-{
-    const coinf_state *s = &w->sf;
-    const coinf_lean l = {s->theta,
-                          s->wX,
-                          s->wY,
-                          s->wZ,
-                          {s->low[0], s->low[5], s->low[6], s->low[7]}};
-    (void)b;
-    memcpy(to, &l, sizeof l);
-}
-
 static void take_q(struct bytes *b, const struct world *w, void *to)
 {
     float *const q = to;
@@ -120,13 +108,6 @@ static int sound_state(const void *of, const struct world *w)
     return coinf_state_check(of, &w->pf) == COIN_OK;
 }
 
-static int sound_lean(const void *of, const struct world *w)
-{
-    const coinf_lean *l = of;
-    const coinf_state s = {l->theta, 0, 0, 0, 0, l->wX, l->wY, l->wZ, {0}};
-    return finite_floats(l->low, 4) && coinf_state_check(&s, &w->pf) == COIN_OK;
-}
-
 static int sound_force(const void *of, const struct world *w)
 {
     const coinf_force *f = of;
@@ -155,7 +136,6 @@ const struct kind single_kinds[] = {
     {'J', MOVED, SAMPLES * sizeof(coinf_state), take_coins_f, NULL},
     {'h', WRITTEN, sizeof(coinf_state), NULL, sound_state},
     {'j', WRITTEN, sizeof(coinf_state), NULL, sound_16}, /* rates */
-    {'M', MOVED, sizeof(coinf_lean), take_lean_f, sound_lean},
     {'m', WRITTEN, sizeof(coinf_force), NULL, sound_force},
     {'Q', READ, 4 * sizeof(float), take_q, NULL},
     {'W', READ, 3 * sizeof(float), take_omega, NULL},

@@ -7,7 +7,7 @@ src=$1
 named=$(sed -n 's/^ *ROW(\(coinf*_[a-z_A-Z0-9]*\),.*/\1/p' \
     "$src"/tests/fuzz/fuzz_*.c | LC_ALL=C sort)
 public=$(sed -n '/global:/,/local:/s/^ *\(coinf*_[A-Za-z_0-9]*\);.*/\1/p' \
-    "$src/lib/rollcoin.map" | LC_ALL=C sort)
+    "$src/lib/about/rollcoin.map" | LC_ALL=C sort)
 test -n "$public"
 status=0
 for name in $public; do
@@ -20,7 +20,7 @@ done
 for name in $named; do
     case " $(echo $public) " in
     *" $name "*) ;;
-    *) echo "$name: fuzzed, but not in lib/rollcoin.map"; status=1 ;;
+    *) echo "$name: fuzzed, but not in lib/about/rollcoin.map"; status=1 ;;
     esac
 done
 test "$(echo "$named" | uniq -d)" = "" || { echo "fuzzed twice"; status=1; }

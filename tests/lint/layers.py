@@ -1,45 +1,67 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""An include in lib/ may only point down.
+"""An include in lib/ only points down.
 
-Each line below is a floor of the building in docs/design.md, from the ground
-up; each group on a line is a column.  A file sees the floors below its own,
-and its own column; columns on one floor do not see each other.
+FLOORS is the drawing of docs/design.md: the folders of lib/, floor by floor
+from the top, each with all that its files may include besides one another.
 
     layers.py LIB
 """
+import os
 import pathlib
 import re
 import sys
 
 FLOORS = [
-    [{"pinned", "precision", "width"}],
-    [{"sincos", "sine"}, {"motion", "number"}, {"version"}, {"status"},
-     {"pair"}, {"outcome"}],
-    [{"params", "state"}, {"frame"}],
-    [{"stage"}, {"legendre"}],
-    [{"stepper", "change", "carry", "march", "rk4", "dop8", "rk8", "lanes",
-      "symplectic", "sundman", "advance"},
-     {"energy"}, {"integrals"}, {"reaction"}, {"pose"}, {"rates"},
-     {"steady", "steady_at", "steady_near"}],
-    [{"run", "step", "batch", "method", "check", "max_dt"}, {"stability"}, {"wobble"},
-     {"orbit", "orbit_at", "half", "series"}],
-    [{"selftest"}, {"model"}],
+    {"about": {"motion"}},
+    {"float": {"motion", "observe", "step/batch.h"}},
+    {"exact": {"motion", "step"}, "real": {"motion", "step"}},
+    {"step": {"motion"}, "observe": {"motion"}},
+    {"motion": set()},
 ]
-PLACE = {stem: (level, column) for level, floor in enumerate(FLOORS)
-         for column, group in enumerate(floor) for stem in group}
+SEES = {room: seen for floor in FLOORS for room, seen in floor.items()}
+
+
+def includes(lib):
+    """{file: the files that it includes}, by their paths below lib."""
+    found = {}
+    for file in sorted(lib.glob("**/*.[ch]")):
+        here = str(file.relative_to(lib))
+        found[here] = {
+            os.path.normpath(os.path.join(os.path.dirname(here), name))
+            for name in re.findall(r'#include "([^"]+)"', file.read_text())}
+    return found
+
+
+def circle(file, seen, path=()):
+    """The files from one back to itself, if its includes lead there."""
+    if file in path:
+        return path[path.index(file):] + (file,)
+    return next(filter(None, (circle(to, seen, path + (file,))
+                              for to in sorted(seen.get(file, ())))), None)
 
 
 def problems(lib):
-    files = sorted([*lib.glob("*.[ch]"), *lib.glob("float/*.[ch]")])
-    stems = {file.stem for file in files}
-    yield from (f"{s}: not in the table of layers" for s in stems - set(PLACE))
-    yield from (f"{s}: no such file" for s in set(PLACE) - stems)
-    for file in files:
-        for seen in re.findall(r'#include "(\w+)\.h"', file.read_text()):
-            here, there = PLACE.get(file.stem), PLACE.get(seen)
-            if here and there and here != there and here[0] <= there[0]:
-                yield f"{file.name} must not see {seen}.h"
+    for k, floor in enumerate(FLOORS):
+        below = {room for lower in FLOORS[k + 1:] for room in lower}
+        for room, seen in floor.items():
+            for up in sorted({s.split("/")[0] for s in seen} - below):
+                yield f"{room} is not above {up}"
+    seen = includes(lib)
+    for file, others in seen.items():
+        room = file.split("/")[0]
+        if room not in SEES:
+            yield f"{file}: {room} is on no floor"
+            continue
+        for other in sorted(others):
+            if other not in seen:
+                yield f"{file}: there is no {other}"
+            elif not {other, other.split("/")[0]} & (SEES[room] | {room}):
+                yield f"{file} must not see {other}"
+    round_trip = next(filter(None, (circle(file, seen) for file in seen)), None)
+    if round_trip:
+        yield "a circle: " + " -> ".join(round_trip)
+    print(f"{len(seen)} files, {sum(map(len, seen.values()))} includes")
 
 
 found = list(problems(pathlib.Path(sys.argv[1])))

@@ -17,6 +17,8 @@ run()
 
 run "the sources' sizes" python3 "$here/sizes.py" "$SRC"
 run "layers of lib/" python3 "$here/layers.py" "$SRC/lib"
+run "each file of lib/ alone" sh "$here/alone.sh"
+run "homes of equations" python3 "$here/homes.py" "$SRC"
 run "mutants' texts" python3 "$SRC/tests/mutants/mutants.py" "$SRC"
 run "citations" python3 "$here/citations.py" "$SRC"
 run "tables of measurements" python3 "$SRC/tests/bench/summary.py" \
@@ -28,6 +30,7 @@ run "text" sh "$here/text.sh"
 run "public symbols" sh "$here/symbols.sh"
 run "coinf.h beside coin.h" sh "$here/twins.sh"
 run "what the objects need and hold" sh "$here/objects.sh"
+run "what a call adds to a program" sh "$here/pay.sh"
 test "${1-}" = quick || run "static analysis" sh "$here/analyse.sh"
 
 test -z "$failed" || { echo "lint: FAILED:${failed#;}" >&2; exit 1; }

@@ -12,7 +12,7 @@ $CC -E -P -DCOIN_API=EXPORT -I"$SRC/include" "$SRC/include/coinf.h" | tr '\n' ' 
     grep -o 'EXPORT [^(]*(' | sed 's/($//; s/.*[ *]//' |
     LC_ALL=C sort >"$work/declared"
 sed -n '/global:/,/local:/s/^ *\(coinf*_[A-Za-z_0-9]*\);.*/\1/p' \
-    "$SRC/lib/rollcoin.map" | LC_ALL=C sort >"$work/mapped"
+    "$SRC/lib/about/rollcoin.map" | LC_ALL=C sort >"$work/mapped"
 nm -D --defined-only "$OUT/librollcoin.so" |
     sed -n 's/.* [^A ] \([^@]*\).*/\1/p' | LC_ALL=C sort >"$work/exported"
 nm -g --defined-only "$OUT/librollcoin.a" |

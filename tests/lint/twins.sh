@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # coinf.h is coin.h in single precision: each of its functions has the prototype
-# that float.awk makes of coin.h's, each of its structs the same members, and
-# after them at most low.
+# of coin.h's, and each of its structs the members, with float for double and
+# coinf_ for coin_; after the members of a struct follows at most low.
 # From `make lint`: CC SRC OUT.
 set -eu
 work=$OUT/lint
@@ -16,12 +16,14 @@ declared_by()
         sed -n 's/^\(EXPORT .*);\).*/\1/p
             s/ float low\[[48]\];//
             s/^\(typedef struct .*} [a-z_]*;\).*/\1/p' |
-        grep 'coinf_' | sed 's/ *\([()*,]\) */\1/g' | LC_ALL=C sort
+        sed 's/ *\([()*,]\) */\1/g'
 }
 
-LC_ALL=C awk -f "$SRC/lib/float/float.awk" "$SRC/include/coin.h" >"$work/turned.h"
-declared_by "$work/turned.h" >"$work/turned"
-declared_by "$SRC/include/coinf.h" >"$work/twins"
+declared_by "$SRC/include/coin.h" |
+    sed 's/\<double\>/float/g; s/\<coin_/coinf_/g' |
+    LC_ALL=C sort >"$work/turned"
+declared_by "$SRC/include/coinf.h" | grep coinf_ |
+    LC_ALL=C sort >"$work/twins"
 echo "$(wc -l <"$work/twins") declarations of coinf.h"
 test "$(wc -l <"$work/twins")" -gt 20
 if LC_ALL=C comm -23 "$work/twins" "$work/turned" | grep .; then

@@ -15,7 +15,6 @@ static coin_params quarter;
 /* All that the calls write. */
 struct result {
     coin_state stepped, sampled[3], landed, rates, circle;
-    coin_lean lean;
     coin_force force;
     double K[2], q[4], dt, E;
     int32_t status;
@@ -34,7 +33,6 @@ static int32_t step(struct result *r, int method, const coin_state *start)
     bad |= coin_run(s, p, method, 1e-3, 40, NULL) < 0;
     bad |= coin_step(s, p, 1e-3) < 0;
     bad |= coin_sample(start, p, method, 1e-3, 5, 3, r->sampled, NULL) < 0;
-    bad |= coin_lean_run(&r->lean, p, method % 2, 1e-3, 40, NULL) < 0;
     bad |= coin_advance(&r->landed, p, 0.02, 1e-9, NULL) < 0;
     r->dt += coin_max_dt(s, p, method, 1e-6);
     return bad;
@@ -62,9 +60,7 @@ static void *work(void *of)
     memset(r, 0, sizeof *r);
     for (int i = 0; i < ROUNDS; ++i) {
         const coin_state start = {0.3, 0, 0, 0, 0, 0, 5 + i, 40 + job->number};
-        const coin_lean lean = {0.3, 0, 5 + i, 40 + job->number};
         r->stepped = r->landed = start;
-        r->lean = lean;
         r->status |= step(r, i % 4, &start) | look(r);
     }
     r->status |= coin_selftest();

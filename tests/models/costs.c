@@ -51,12 +51,6 @@ static void orbit_init(int k)
 }
 
 /* 100 steps at once, as a run takes them. */
-static void lean_run(int k)
-{
-    coin_lean l = {start.theta, start.wX, start.wY + 1e-6 * k, start.wZ};
-    sink += coin_lean_run(&l, &disc, COIN_RK8, 0.1, 100, NULL) + l.wX;
-}
-
 static void full_run(int k)
 {
     coin_state s = start;
@@ -86,7 +80,6 @@ static const struct {
     {"coin_steady_at", steady_at, 1},
     {"coin_wobble_at", wobble_at, 1},
     {"coin_orbit_at", orbit_at, 1},
-    {"RK8 step of coin_lean_run", lean_run, 100},
     {"RK8 step of coin_run", full_run, 100},
     {"coin_steady_near", steady_near, 1},
     {"coin_orbit_init", orbit_init, 1},

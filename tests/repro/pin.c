@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Prints the hash that lib/selftest.c has to pin: runs that very source, with
- * a print in the place of its verdict. */
+/* Prints the hash that lib/about/selftest.c has to pin: runs that very source,
+ * with a print in the place of its verdict. */
 #include <coin.h>
 
 #include <inttypes.h>
@@ -15,7 +15,7 @@ static int32_t show(uint64_t hash)
 #define COIN_OK show(hash)
 #define COIN_EBUILD show(hash)
 #define coin_selftest shown_selftest
-#include "../../lib/selftest.c"
+#include "../../lib/about/selftest.c"
 
 int main(void)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Prints the hash that lib/float/selftest.c has to pin, as pin.c does. */
+/* Prints the hash that lib/float/coinf_selftest.c has to pin, as pin.c does. */
 #include <coinf.h>
 
 #include <inttypes.h>
@@ -14,7 +14,7 @@ static int32_t show(uint64_t hash)
 #define COIN_OK show(hash)
 #define COIN_EBUILD show(hash)
 #define coinf_selftest shown_selftest
-#include "coinf_selftest.c"
+#include "../../lib/float/coinf_selftest.c"
 
 int main(void)
 {

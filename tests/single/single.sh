@@ -30,7 +30,8 @@ passes()
 }
 
 # ------------------------------------------------------------------- dialects --
-# Clean under a user's warnings, with the code and without.
+# Clean under a user's warnings, with the code, which is C99 or C++11, and
+# without.
 {
     for std in c99 c11 c17 c2x; do
         echo "gcc -x c -std=$std"
@@ -43,6 +44,9 @@ passes()
 } >"$work/dialects"
 while read -r compiler; do
     for code in "" -DCOIN_IMPLEMENTATION; do
+        case $compiler$code in
+        *c++98*IMPLEMENTATION) continue ;;
+        esac
         # shellcheck disable=SC2086
         echo '#include <coin.h>' | $compiler -Wall -Wextra -pedantic -Werror \
             $code -I"$here" -fsyntax-only - || fail "$compiler $code"
@@ -58,13 +62,14 @@ for file in "$SRC"/tests/support/*.c; do
     eval $CC -std=c11 -w -O1 -I"$here" "$SEES" $CMOCKA -c "$file" \
         -o "$work/inside/$(basename "$file" .c).o"
 done
+rooms=$(for room in "$SRC"/lib/*/; do printf '%s ' "-I'$room'"; done)
 # inside PROGRAM: a test with the code in its own file.
 inside()
 {
     file=$SRC/tests/$(basename "$1").c
     # shellcheck disable=SC2086
     eval $CC -std=c99 -w -O0 -D_POSIX_C_SOURCE=200809L -DCOIN_IMPLEMENTATION -include "$SINGLE" \
-        -I"$here" -I"$SRC/lib" -I"$SRC/tests/support" "$SEES" $CMOCKA "$file" \
+        -I"$here" "$rooms" -I"$SRC/tests/support" "$SEES" $CMOCKA "$file" \
         "$work/inside/*.o" -o "$work/inside/$(basename "$1")" $CMOCKA_LIBS -lm
 }
 # As many at once as there are processors; one that fails leaves no program to

@@ -60,16 +60,6 @@ class State(Plain):
     ]
 
 
-class Lean(Plain):
-    """coin_lean."""
-    _fields_ = [
-        ("theta", c_double),
-        ("wX", c_double),
-        ("wY", c_double),
-        ("wZ", c_double),
-    ]
-
-
 class Force(Plain):
     """coin_force."""
     _fields_ = [
@@ -146,8 +136,6 @@ PROTOTYPES = {
         c_uint64, POINTER(c_uint64)),
     "coin_sample": (c_int32, POINTER(State), POINTER(Params), c_int32,
         c_double, c_uint64, c_size_t, POINTER(State), POINTER(c_size_t)),
-    "coin_lean_run": (c_int32, POINTER(Lean), POINTER(Params), c_int32,
-        c_double, c_uint64, POINTER(c_uint64)),
     "coin_advance": (c_int32, POINTER(State), POINTER(Params), c_double,
         c_double, POINTER(c_double)),
     "coin_batch_run": (c_int32, POINTER(State), c_size_t, POINTER(Params),

@@ -30,14 +30,6 @@ pub struct coin_state {
 }
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone, PartialEq)]
-pub struct coin_lean {
-    pub theta: f64,
-    pub wX: f64,
-    pub wY: f64,
-    pub wZ: f64,
-}
-#[repr(C)]
-#[derive(Debug, Default, Copy, Clone, PartialEq)]
 pub struct coin_force {
     pub R: [f64; 3usize],
     pub normal: f64,
@@ -180,16 +172,6 @@ extern "C" {
         count: usize,
         out: *mut coin_state,
         done: *mut usize,
-    ) -> i32;
-}
-extern "C" {
-    pub fn coin_lean_run(
-        l: *mut coin_lean,
-        p: *const coin_params,
-        method: i32,
-        dt: f64,
-        steps: u64,
-        done: *mut u64,
     ) -> i32;
 }
 extern "C" {

@@ -30,14 +30,20 @@
  * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
  * coin_params_check() and COIN_ESTATE as coin_state_check().
  *
- * PROMISES. No allocation, no global state, no output, no errno, no change of
- * the floating-point environment: every function is reentrant and bounded in
- * time and stack.  What moves a state gives the same bits on every platform
- * and compiler (see coin_selftest()).
+ * PROMISES. No allocation, no global state, no output, no errno: every function
+ * is reentrant and bounded in time and stack.  What moves a state gives the
+ * same bits on every platform and compiler (see coin_selftest()).
+ *
+ * FLOATING POINT. No function changes the rounding mode or the traps.  A call
+ * that does not return COIN_EARG, COIN_EPARAMS, COIN_ESTATE or COIN_ESTEP, or
+ * NaN, raises neither division by zero nor invalid nor overflow, so that it may
+ * be made with these trapped (test_traps).  Inexact and underflow may be
+ * raised.
  *
  * ACCURACY. "u" is 2^-53 = 1.1e-16.  "8 u of the terms" bounds an error by 8 u
  * times the sum of the absolute values of the formula's terms, theta taken as
- * the exact double that it is.
+ * the exact double that it is.  Bounds hold as long as none of the terms, and
+ * no product in them, is below the normal doubles (2e-308).
  */
 #ifndef ROLLCOIN_COIN_H
 #define ROLLCOIN_COIN_H
@@ -92,14 +98,6 @@ typedef struct coin_state {
     double wZ;    /**< omega_Z [1/T] */
 } coin_state;
 
-/** What drives everything: a coin for scenes that draw no path. */
-typedef struct coin_lean {
-    double theta; /**< lean, -pi/2 < theta < pi/2 [rad] */
-    double wX;    /**< omega_X = d(theta)/dt [1/T] */
-    double wY;    /**< omega_Y [1/T] */
-    double wZ;    /**< omega_Z [1/T] */
-} coin_lean;
-
 /** The force of the table on the coin. */
 typedef struct coin_force {
     double R[3];     /**< in the table frame x, y, z [M L/T^2] */
@@ -141,12 +139,18 @@ enum {
     COIN_OK = 0,       /**< done */
     COIN_EPARAMS = -1, /**< parameters out of range: coin_params_check() */
     COIN_ESTATE = -2,  /**< state out of range: coin_state_check() */
-    COIN_ESTEP = -3,   /**< dt not finite, or beyond what the method can do
-                            from this state, or the coin would cross the
-                            table: a smaller dt may do */
+    COIN_ESTEP = -3,   /**< a step or a time that is not finite; or too long for
+                            this motion: a step that the method cannot do from
+                            this state, or that would cross the table: shorten
+                            dt, or call coin_advance(); a time in which phi,
+                            psi, x or z leaves its range: take whole turns off,
+                            or begin anew; more steps than one coin_advance()
+                            takes: call it again */
     COIN_EARG = -4,    /**< null pointer, unknown method or branch, bad
                             tolerance, mu < 0 */
-    COIN_EDOMAIN = -5, /**< no such steady state, or the state is not steady */
+    COIN_EDOMAIN = -5, /**< no such steady motion, or the state is not steady,
+                            or too far from it for a small wobble, or its
+                            motion has no well-defined period */
     COIN_EFLAT = -6,   /**< the coin falls flat within the time asked */
     COIN_EBUILD = -7   /**< this build does not give the pinned bits:
                             coin_selftest() */
@@ -234,9 +238,11 @@ COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
 /** Whether the parameters can be computed with.
  * @return COIN_OK; COIN_EARG null; COIN_EPARAMS if a member is not finite or
  *         not positive, a reserved member is not 0, I_Z > 2 I_X (beyond a
- *         relative 1e-12: no body has that), or M a^2, M g a, g/a, a ratio of
- *         inertias or the square of a critical rate leaves the range of normal
- *         doubles. */
+ *         relative 1e-12: no body has that), or of these numbers, in the units
+ *         of p, one is below 1e-300 or the sum is above 1e300: M, a, g, I_X,
+ * I_Z, M a, M g, M a^2, M g a, g/a; with J = I_X + M a^2, K = I_Z + M a^2 the
+ *         ratios I_Z/I_X, M a^2/K, I_X/J, K/J, M g a/J; the square of
+ *         coin_critical_roll(). */
 COIN_API int32_t coin_params_check(const coin_params *p);
 
 /* ---------------------------------------------------------------- state -- */
@@ -257,7 +263,7 @@ COIN_API int32_t coin_state_check(const coin_state *s, const coin_params *p);
  * @return COIN_OK; the usual errors: COIN_ESTATE if q or omega is not finite,
  *         q is 0, or the coin lies flat.
  * Accuracy: 8 u in each angle for a unit q; near flat phi and psi are each as
- * uncertain as u/cos(theta), their sum or difference is not (test_pose). */
+ * uncertain as u/cos(theta), their sum or difference is not (test_state). */
 COIN_API int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
                                         const double q[4],
                                         const double omega[3], double x,
@@ -330,15 +336,6 @@ COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
                              int32_t method, double dt,
                              uint64_t steps_per_sample, size_t count,
                              coin_state *out, size_t *done);
-
-/** coin_run() for a scene that draws no path: the same equations, the same
- * steps, the pose left out.
- * @param[in,out] l  theta, wX, wY, wZ
- * @param method     COIN_RK4 or COIN_RK8; any other is COIN_EARG
- * @return as coin_run(), with the bits that coin_run() gives these members. */
-COIN_API int32_t coin_lean_run(coin_lean *l, const coin_params *p,
-                               int32_t method, double dt, uint64_t steps,
-                               uint64_t *done);
 
 /** Moves a coin by any time, to a stated accuracy, however near to flat it
  * passes: order 8 in Sundman's time, Eq. (32), with a step chosen from the
@@ -422,15 +419,18 @@ COIN_API const char *coin_method_name(int32_t method);
 COIN_API int32_t coin_method_order(int32_t method);
 
 /** The largest step of a method whose error stays below tol from this state
- * on.  Found by trial: the motion is followed through one period of theta (or
- * 20 natural units), and where it is at its worst with dt beside dt/2.
+ * on.  Found by trial: the motion is followed through one period of theta, for
+ * 4 to 20 natural units, and where it is at its worst by the method itself with
+ * dt beside dt/2; the states that both report are compared.
  * @param tol  1e-13 to 1e-2: error per natural unit of time, in radians and
  *             radii [1]
  * @return dt > 0, never so large that a step would be COIN_COARSE; 0 if the
  *         coin falls flat, or W exceeds every angular velocity that
  *         coin_state_check() lets pass, and no step would do; NaN on the usual
  *         errors, an unknown method and tol out of range.
- * Accuracy: docs/accuracy.md says how often the error stays within tol.
+ * Accuracy: the error stays within 2 tol for discs and hoops that spin nearly
+ *         upright (test_max_dt); docs/accuracy.md says how often it stays
+ *         within tol for any coin.
  * Cost: that of a run of at most 40,000 steps; some hundreds as a rule. */
 COIN_API double coin_max_dt(const coin_state *s, const coin_params *p,
                             int32_t method, double tol);
@@ -443,12 +443,12 @@ COIN_API double coin_max_dt(const coin_state *s, const coin_params *p,
 COIN_API double coin_energy(const coin_state *s, const coin_params *p);
 
 /** The two linear integrals, constant along every motion: wY and wZ carried
- * along the orbit to theta = 0.  Eq. (35), and Eq. (38) near flat.
+ * along the orbit to theta = 0.  Eq. (35), after Eq. (38) near flat.
  * @param[out] K  [2] K_Y, K_Z [1/T]
  * @return COIN_OK; the usual errors.
- * Accuracy: 16 u of the terms at every |theta| < pi/2 (test_integrals).  Near
- * flat the terms grow as ln(1/cos theta).  Uses log of libm for |sin theta| >
- * 0.7: the last bit may differ between platforms. */
+ * Accuracy: 12 u of the terms of Eq. (35) at every |theta| < pi/2
+ * (test_integrals).  Near flat the terms grow as ln(1/cos theta).  Uses log of
+ * libm for |sin theta| > 0.7: the last bit may differ between platforms. */
 COIN_API int32_t coin_integrals(const coin_state *s, const coin_params *p,
                                 double K[2]);
 
@@ -579,7 +579,8 @@ COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
  * @param[out] out  the state at t
  * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or phi, psi, x
  *         or z leaves its range; COIN_EDOMAIN as coin_steady_radii().
- * Accuracy: 4 u of the angles turned, and as much of the path (test_steady_at).
+ * Accuracy: 4 u of the angles turned, and as much of the path; then phi, psi, x
+ *         and z are rounded, as large as they are (test_steady_at).
  * Cost: three sines and cosines. */
 COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
                                 double t, coin_state *out);
@@ -604,13 +605,18 @@ COIN_API int32_t coin_stability(const coin_state *s, const coin_params *p,
  * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or what is
  *         computed is not a state: an unstable lean has grown to the table, or
  *         phi or psi leave their range; COIN_EDOMAIN steady as in
- *         coin_steady_radii() is not steady, or the steady motion next to
- *         start leans more than 0.1 from it (as it may near lambda^2 = 0,
- *         where nothing linear holds the coin).
- * Accuracy: with A the largest difference in natural units from both steady
- *         motions, an error of order A^2 in all members, which grows as t;
- *         where the lean grows as exp(lambda t), A is what it has grown to
- *         (test_wobble).  docs/models.md has figures.
+ *         coin_steady_radii() is not steady, or the wobble is not small: the
+ *         steady motion with the integrals of start leans more than 0.1 from
+ *         steady, or what the linear law leaves out of the acceleration of the
+ *         lean could displace it by half of its reach within t.  Reach is how
+ *         far the lean goes from that steady motion, and this one's lean from
+ *         that of steady, added.
+ * Accuracy: the coin stays in the potential's well: the lean is never off by
+ *         more than three times its reach (test_wobble_wells).  With A the
+ *         largest difference in natural units from both steady motions, an
+ *         error of order A^2 in all members, which grows as t; where the lean
+ *         grows as exp(lambda t), A is what it has grown to (test_wobble).
+ *         docs/models.md has figures.
  * Cost: that of ten sines and cosines, whatever t. */
 COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
                                 const coin_state *start, double t,
@@ -635,17 +641,21 @@ COIN_API double coin_critical_spin(const coin_params *p);
  *         COIN_MODEL_WOBBLE: coin_wobble_at() about the same;
  *         COIN_MODEL_ORBIT: coin_orbit_init(), coin_orbit_at();
  *         COIN_MODEL_STEPS: coin_run() or coin_advance(), for there is no
- *         orbit, or it is not known to be so accurate for so long.
+ *         orbit, or it is not known to be so accurate for so long, or rounding
+ *         grows beyond tol in that time, as next to an unstable steady motion.
  *         Negative: the usual errors; COIN_EARG also for tol not in range;
  *         COIN_ESTEP horizon not finite, or phi, psi, x or z leaves its range
- *         before, or there is no orbit and coin_advance() does not go so far in
- *         one call; COIN_EFLAT the coin falls flat before.
- * Accuracy: of 10,000 scenes none got a model that misses tol; how often a
- *         cheaper one would have done is in docs/models.md (test_model).
- * Cost: that of coin_orbit_init(), and of 320 looks at the orbit for each model
- *         that is nearly good enough: some 100 us.  Where there is no orbit, up
- *         to 64 natural units are stepped, up to three times: 2 ms next to
- *         flat.  Some 77 KiB of stack. */
+ *         before; COIN_EFLAT the coin falls flat before, and within the steps
+ *         that are taken.
+ * Accuracy: of 10,000 scenes none got a model that misses tol, and of 20,000
+ *         on unstable circles none a steady motion or wobble that does; how
+ *         often a cheaper one would have done is in docs/models.md
+ * (test_model). Cost: that of coin_orbit_init(), and of up to 128 looks at the
+ * orbit for each model that is nearly good enough: 70 to 230 textbook
+ * Runge-Kutta steps.  Where there is no orbit, up to 64 natural units are
+ * stepped, by 8192 steps at most: 1,400 textbook steps as a rule, 8,500 at
+ * most. So ask once for a scene, not for a frame, and not at all where the
+ *         answer would save fewer steps.  Some 77 KiB of stack. */
 COIN_API int32_t coin_model_needed(const coin_state *s, const coin_params *p,
                                    double horizon, double tol);
 

@@ -54,15 +54,6 @@ typedef struct coinf_state {
                        at the start, and best 0 for a member that is set */
 } coinf_state;
 
-/** What drives everything, as coin_lean. */
-typedef struct coinf_lean {
-    float theta;  /**< lean, -pi/2 < theta < pi/2 [rad] */
-    float wX;     /**< omega_X = d(theta)/dt [1/T] */
-    float wY;     /**< omega_Y [1/T] */
-    float wZ;     /**< omega_Z [1/T] */
-    float low[4]; /**< as in coinf_state */
-} coinf_lean;
-
 /** The force of the table on the coin, as coin_force. */
 typedef struct coinf_force {
     float R[3];     /**< in the table frame x, y, z [M L/T^2] */
@@ -125,13 +116,6 @@ COIN_API int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt);
 COIN_API int32_t coinf_run(coinf_state *s, const coinf_params *p,
                            int32_t method, float dt, uint64_t steps,
                            uint64_t *done);
-
-/** As coin_lean_run(), with the bits that coinf_run() gives these members.
- * @param method  COIN_RK4; any other is COIN_EARG
- * Cost: that of coinf_run(). */
-COIN_API int32_t coinf_lean_run(coinf_lean *l, const coinf_params *p,
-                                int32_t method, float dt, uint64_t steps,
-                                uint64_t *done);
 
 /** coinf_run() for many coins of one body, as many abreast as the processor's
  * vectors hold floats: each gets the bits that coinf_run() gives it.

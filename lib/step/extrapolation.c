@@ -1,0 +1,350 @@
+/* SPDX-License-Identifier: MIT */
+/* One step of order 14 in tau: extrapolation (Gragg, Bulirsch, Stoer) of the
+ * modified midpoint rule with 2, 4, ..., 12 and 16 substeps.
+ *
+ * The column of n substeps of h = H/n is
+ *
+ *     y_1 = y_0 + h f(y_0),   y_(k+1) = y_(k-1) + 2h f(y_k),   k = 1 ... n-1,
+ *
+ * and the error of y_n is a series in h^2, of which a weighted sum of seven
+ * columns removes six terms.  No smoothing step is made.  The columns do not
+ * depend on each other, so that each lane of a vector takes one.  Only changes
+ * from y_0 are carried: they are rounded less than y is.
+ *
+ * Units, within this file: the unit of time is H/120, of which every 2h is a
+ * multiple without rounding; and Z is wZ times k1 = I_Z/I_X, which is a product
+ * less. */
+#include "../motion/pinned.h"
+
+#include "extrapolation.h"
+#include "sundman.h"
+
+/* Columns that go abreast: one without vectors.  Each number gives the same
+ * bits. */
+#ifndef LANES
+#if COIN_PRIV_WIDTH > 16
+#define LANES 4
+#elif COIN_PRIV_WIDTH == 16
+#define LANES 2
+#else
+#define LANES 1
+#endif
+#endif
+
+/* The columns of 16, 12, 10, ..., 2 substeps, and that of 2 once more, of
+ * weight 0, where lanes are left over. */
+enum { COLUMNS = 8, GROUPS = COLUMNS / LANES };
+
+#if LANES > 1
+typedef double lanes COIN_PRIV_VECTOR(8 * LANES);
+typedef double in_memory
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
+#else
+typedef double lanes;
+typedef double in_memory;
+#endif
+
+struct variables {
+    lanes X, Y, Z, sth, cth, sph, cph;
+};
+#define EACH_VARIABLE(F) F(X) F(Y) F(Z) F(sth) F(cth) F(sph) F(cph)
+
+/* Sums over the odd substeps: of the slopes of psi, x and z, and of the changes
+ * of Y and cos theta, which are the slopes of phi and of the time. */
+struct path {
+    lanes psi, x, z, dY, dcth;
+};
+
+/* As many columns as there are lanes: 2h, and the changes at the latest even
+ * and the latest odd substep. */
+struct columns {
+    lanes h2;
+    struct variables even, odd;
+    struct path path;
+};
+
+/* What all columns share: the start, and the coefficients of (32). */
+struct problem {
+    struct variables start;
+    lanes G, KJ, XJ, k, Z;
+};
+
+/* ---------------------------------------------------------------- tables -- */
+/* 2h. */
+static const double double_substep[] = {15, 20, 24, 30, 40, 60, 120, 120};
+
+/* The weight of a column: the product of n^2/(n^2 - m^2) over the others.
+ * Rounded to multiples of 2^-48 the weights add up to 1 exactly.  Those of 2,
+ * 4, ..., 14 are twice as large, and so would be what rounding does. */
+#define GRID(x) (((x) + 12) - 12)
+#define C16 GRID(268435456.0 / 42567525.0)
+#define C12 GRID(-157464.0 / 13475.0)
+#define C10 GRID(244140625.0 / 31135104.0)
+#define C8 GRID(-65536.0 / 42525.0)
+#define C6 GRID(19683.0 / 246400.0)
+#define C4 GRID(-8.0 / 14175.0)
+#define C2 (1 - (C16 + C12 + C10 + C8 + C6 + C4))
+static const double weight[] = {C16, C12, C10, C8, C6, C4, C2, 0};
+static const double weight_of_sum[] = {
+    15 * C16, 20 * C12, 24 * C10, 30 * C8, 40 * C6, 60 * C4, 120 * C2, 0,
+};
+
+COIN_PRIV_INLINE lanes load(const double *table, int group)
+{
+    return *(const in_memory *)(table + group * LANES);
+}
+
+COIN_PRIV_INLINE lanes all(double value)
+{
+    const lanes none = {0};
+    return (none + 1) * value;
+}
+
+/* -------------------------------------------------------------- substeps -- */
+/* Adds 2h f(y). */
+COIN_PRIV_INLINE void add_slope(struct variables *to, const struct problem *p,
+                                const struct variables *y,
+                                const lanes *double_step)
+{
+    const lanes X = y->X, Y = y->Y, sth = y->sth, cth = y->cth;
+    const lanes h2 = *double_step;
+    const lanes hX = h2 * X, hY = h2 * Y, hcth = h2 * cth;
+    const lanes m = cth * X, n = cth * y->Z, e = sth * Y;
+    to->X = (to->X + (p->G * sth) * hcth) - hY * (p->KJ * n + p->XJ * e);
+    to->Y = to->Y + hX * (e + n);
+    to->Z = to->Z + (p->k * hY) * m;
+    to->sth = to->sth + hcth * m;
+    to->cth = to->cth - hcth * (sth * X);
+    to->sph = to->sph + hY * y->cph;
+    to->cph = to->cph - hY * y->sph;
+}
+
+#define AT_EVEN(v) p->start.v + c->even.v,
+#define AT_ODD(v) p->start.v + c->odd.v,
+
+COIN_PRIV_INLINE void even_substep(struct columns *c, const struct problem *p)
+{
+    const struct variables y = {EACH_VARIABLE(AT_EVEN)};
+    add_slope(&c->odd, p, &y, &c->h2);
+}
+
+COIN_PRIV_INLINE void odd_slope(struct columns *c, const struct problem *p,
+                                const lanes *double_step, const lanes *dY,
+                                const lanes *dcth)
+{
+    const struct variables y = {EACH_VARIABLE(AT_ODD)};
+    const lanes h2 = *double_step;
+    add_slope(&c->even, p, &y, double_step);
+    const lanes dps = h2 * ((y.cth * y.Z) * p->Z + y.sth * y.Y);
+    c->path.psi = c->path.psi + dps;
+    c->path.x = c->path.x - dps * y.cph;
+    c->path.z = c->path.z + dps * y.sph;
+    c->path.dY = c->path.dY + *dY;
+    c->path.dcth = c->path.dcth + *dcth;
+}
+
+COIN_PRIV_INLINE void odd_substep(struct columns *c, const struct problem *p)
+{
+    odd_slope(c, p, &c->h2, &c->odd.Y, &c->odd.cth);
+}
+
+#if LANES > 1
+/* Only the first `on` lanes go on.  The others stay where they ended. */
+COIN_PRIV_INLINE void odd_substep_of(struct columns *c, const struct problem *p,
+                                     int on)
+{
+    static const double on_lanes[] = {1, 1, 1, 0, 0, 0};
+    const lanes mask = load(on_lanes + 3 - on, 0), h2 = c->h2 * mask;
+    const lanes dY = c->odd.Y * mask, dcth = c->odd.cth * mask;
+    odd_slope(c, p, &h2, &dY, &dcth);
+}
+#endif
+
+/* ------------------------------------------------------------ the columns --
+ */
+/* The substeps up to the odd one k, of group g.  Two groups take turns, so that
+ * one computes while the other waits for its sums. */
+#define UP_TO(k, g)                                                            \
+    even_substep(&c[g], p);                                                    \
+    odd_substep(&c[g], p);
+#define UP_TO_OF(k, g, on)                                                     \
+    even_substep(&c[g], p);                                                    \
+    odd_substep_of(&c[g], p, on);
+
+#if LANES == 4
+COIN_PRIV_INLINE void all_substeps(struct columns *c, const struct problem *p)
+{
+    odd_substep(&c[0], p);
+    odd_substep(&c[1], p);
+    UP_TO(3, 0)
+    UP_TO_OF(3, 1, 2)
+    UP_TO(5, 0)
+    UP_TO_OF(5, 1, 1)
+    UP_TO(7, 0)
+    UP_TO_OF(9, 0, 3)
+    UP_TO_OF(11, 0, 2)
+    UP_TO_OF(13, 0, 1)
+    UP_TO_OF(15, 0, 1)
+}
+#elif LANES == 2
+COIN_PRIV_INLINE void all_substeps(struct columns *c, const struct problem *p)
+{
+    odd_substep(&c[0], p);
+    odd_substep(&c[1], p);
+    UP_TO(3, 0)
+    UP_TO(3, 1)
+    UP_TO(5, 0)
+    UP_TO(5, 1)
+    UP_TO(7, 0)
+    UP_TO(7, 1)
+    UP_TO(9, 0)
+    UP_TO_OF(9, 1, 1)
+    UP_TO(11, 0)
+    odd_substep(&c[2], p);
+    UP_TO(3, 2)
+    UP_TO_OF(13, 0, 1)
+    UP_TO_OF(5, 2, 1)
+    UP_TO_OF(15, 0, 1)
+    odd_substep(&c[3], p);
+}
+#else
+static void all_substeps(struct columns *c, const struct problem *p)
+{
+    static const int half_substeps[] = {8, 6, 5, 4, 3, 2, 1, 1};
+    for (int i = 0; i < COLUMNS; ++i) {
+        odd_substep(&c[i], p);
+        for (int k = 1; k < half_substeps[i]; ++k) {
+            even_substep(&c[i], p);
+            odd_substep(&c[i], p);
+        }
+    }
+}
+#endif
+
+/* The weighted sum of all columns, added in the same order whatever LANES. */
+#define TERM(i, member) (load(weights, i) * c[i].member)
+#if LANES == 4
+#define TOTAL(member)                                                          \
+    const lanes v = TERM(0, member) + TERM(1, member);                         \
+    return (v[0] + v[2]) + (v[1] + v[3]);
+#elif LANES == 2
+#define TOTAL(member)                                                          \
+    const lanes v = (TERM(0, member) + TERM(2, member)) +                      \
+                    (TERM(1, member) + TERM(3, member));                       \
+    return v[0] + v[1];
+#else
+#define TOTAL(member)                                                          \
+    return ((TERM(0, member) + TERM(4, member)) +                              \
+            (TERM(2, member) + TERM(6, member))) +                             \
+           ((TERM(1, member) + TERM(5, member)) +                              \
+            (TERM(3, member) + TERM(7, member)));
+#endif
+
+#define DEFINE_TOTAL(member, name)                                             \
+    COIN_PRIV_INLINE double total_##name(const struct columns *c,              \
+                                         const double *weights)                \
+    {                                                                          \
+        TOTAL(member)                                                          \
+    }
+DEFINE_TOTAL(even.X, X)
+DEFINE_TOTAL(even.Y, Y)
+DEFINE_TOTAL(even.Z, Z)
+DEFINE_TOTAL(even.sth, sth)
+DEFINE_TOTAL(even.cth, cth)
+DEFINE_TOTAL(even.sph, sph)
+DEFINE_TOTAL(even.cph, cph)
+DEFINE_TOTAL(path.psi, psi)
+DEFINE_TOTAL(path.x, x)
+DEFINE_TOTAL(path.z, z)
+DEFINE_TOTAL(path.dY, dY)
+DEFINE_TOTAL(path.dcth, dcth)
+
+/* The end of the step, and what it adds to the pose.  From the path of the point
+ * of contact, (21) leads to the centre's. */
+COIN_PRIV_INLINE void add_totals(coin_priv_variables *to, coin_priv_pose *adds,
+                                 const coin_priv_variables *y,
+                                 const struct columns *c,
+                                 const coin_priv_body *b, double unit)
+{
+    const double rate = 1 / unit;
+    to->wX = y->wX + rate * total_X(c, weight);
+    to->wY = y->wY + rate * total_Y(c, weight);
+    to->wZ = y->wZ + (rate / b->k1) * total_Z(c, weight);
+    to->sth = y->sth + total_sth(c, weight);
+    to->cth = y->cth + total_cth(c, weight);
+    to->sph = y->sph + total_sph(c, weight);
+    to->cph = y->cph + total_cph(c, weight);
+    coin_priv_normalize(to);
+    adds->theta = 0;
+    adds->phi = 120 * (unit * y->wY) + total_dY(c, weight_of_sum);
+    adds->psi = total_psi(c, weight);
+    adds->x = total_x(c, weight) + (to->sth * to->sph - y->sth * y->sph);
+    adds->z = total_z(c, weight) + (to->sth * to->cph - y->sth * y->cph);
+    adds->t = unit * (120 * y->cth + total_dcth(c, weight_of_sum));
+}
+
+COIN_PRIV_INLINE struct problem problem_of(const coin_priv_variables *y,
+                                           const coin_priv_body *b, double unit)
+{
+    const struct problem p = {
+        {
+            all(unit * y->wX),
+            all(unit * y->wY),
+            all(unit * b->k1 * y->wZ),
+            all(y->sth),
+            all(y->cth),
+            all(y->sph),
+            all(y->cph),
+        },
+        all(unit * unit * b->GJ),
+        all(b->KJ / b->k1),
+        all(b->XJ),
+        all(b->k1 * b->k2),
+        all(1 / b->k1),
+    };
+    return p;
+}
+
+#define FIRST(v) (0.5 * h2) * slope->v,
+COIN_PRIV_INLINE struct columns columns_of(int group,
+                                           const struct variables *slope)
+{
+    const lanes h2 = load(double_substep, group), none = {0};
+    const struct columns c = {
+        h2,
+        {none, none, none, none, none, none, none},
+        {EACH_VARIABLE(FIRST)},
+        {none, none, none, none, none},
+    };
+    return c;
+}
+
+#define GROUP(i) columns[i] = columns_of(i, slope);
+COIN_PRIV_INLINE void start_columns(struct columns *columns,
+                                    const struct variables *slope)
+{
+#if LANES == 4
+    GROUP(0) GROUP(1)
+#elif LANES == 2
+    GROUP(0) GROUP(1) GROUP(2) GROUP(3)
+#else
+    for (int i = 0; i < GROUPS; ++i)
+        GROUP(i)
+#endif
+}
+
+int coin_priv_extrapolate(coin_priv_run *r, double tau)
+{
+    const double unit = tau / 120;
+    const lanes none = {0}, one = none + 1;
+    const struct problem p = problem_of(&r->g.y, &r->b, unit);
+    struct columns of[GROUPS];
+    struct variables slope = {none, none, none, none, none, none, none};
+    coin_priv_variables to;
+    coin_priv_pose adds;
+    add_slope(&slope, &p, &p.start, &one);
+    start_columns(of, &slope);
+    all_substeps(of, &p);
+    add_totals(&to, &adds, &r->g.y, of, &r->b, unit);
+    return to.cth > 0 && coin_priv_sundman_accept(r, &to, &adds);
+}

@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT */
+/* One step of lib/step/extrapolation.c. */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/random.h"
+
+#include "extrapolation.h"
+#include "state.h"
+#include "sundman.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef int step(coin_priv_run *r, double tau);
+
+/* The same with this many lanes: support/extrapolate_*.c. */
+step extrapolate_1, extrapolate_2, extrapolate_4;
+
+static coin_priv_run begun(const coin_state *s, const coin_params *p)
+{
+    coin_priv_run c;
+    memset(&c, 0, sizeof c);
+    check_status(coin_priv_check(s, p, &c.b), COIN_OK);
+    coin_priv_run_from(&c, s, COIN_RK4, 0);
+    return c;
+}
+
+/* The largest difference of what a step moves. */
+static double apart(const coin_priv_progress *a, const coin_priv_progress *b)
+{
+    const double off[] = {
+        a->y.wX - b->y.wX,           a->y.wY - b->y.wY,
+        a->y.wZ - b->y.wZ,           a->y.sth - b->y.sth,
+        a->y.cth - b->y.cth,         a->y.sph - b->y.sph,
+        a->y.cph - b->y.cph,         a->added.phi - b->added.phi,
+        a->added.psi - b->added.psi, a->added.x - b->added.x,
+        a->added.z - b->added.z,     a->added.t - b->added.t,
+    };
+    double most = 0;
+    for (size_t i = 0; i < sizeof off / sizeof *off; ++i)
+        most = fmax(most, fabs(off[i]));
+    return most;
+}
+
+/* Of n steps over the time tau. */
+static coin_priv_run moved(const coin_state *s, const coin_params *p, step *by,
+                           double tau, int n)
+{
+    coin_priv_run c = begun(s, p);
+    for (int i = 0; i < n; ++i)
+        check(by(&c, tau / n));
+    return c;
+}
+
+/* One step errs by its 15th power: from a length to 1.25 times it the error
+ * grows by 1.25^15 = 28.4, or by a power more where two terms nearly cancel. */
+static void a_step_errs_by_its_fifteenth_power(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(87);
+    double sum = 0;
+    enum { TRIED = 40 };
+    for (int i = 0; i < TRIED; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const coin_state s = random_state(&r, &p, 1.5);
+        const coin_priv_run at = begun(&s, &p);
+        const double tau = coin_priv_sundman_tau(&at.b, &at.g.y, 1.2);
+        double error[2];
+        for (int k = 0; k < 2; ++k) {
+            const double H = k == 0 ? tau : 1.25 * tau;
+            const coin_priv_run c =
+                moved(&s, &p, coin_priv_extrapolate, H, 1);
+            const coin_priv_run fine =
+                moved(&s, &p, coin_priv_sundman_step, H, 32);
+            error[k] = apart(&c.g, &fine.g);
+        }
+        sum += log(error[1] / error[0]) / log(1.25);
+    }
+    check_within(sum / TRIED, 14.3, 16);
+}
+
+/* A step of order 8, by another formula, leads to the same place, pose and
+ * time included. */
+static void it_ends_where_steps_of_another_method_do(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(88);
+    for (int i = 0; i < 200; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const coin_state s = random_state(&r, &p, 1.57);
+        const coin_priv_run at = begun(&s, &p);
+        const double tau = coin_priv_sundman_tau(&at.b, &at.g.y, 0.4);
+        const coin_priv_run c = moved(&s, &p, coin_priv_extrapolate, tau, 1);
+        const coin_priv_run fine =
+            moved(&s, &p, coin_priv_sundman_step, tau, 16);
+        check_within(apart(&c.g, &fine.g), 0, 64 * U);
+    }
+}
+
+static void any_number_of_lanes_gives_the_same_bits(void **unused)
+{
+    (void)unused;
+    step *const by[] = {extrapolate_1, extrapolate_2, extrapolate_4};
+    struct random r = random_begin(89);
+    int done = 0;
+    for (int i = 0; i < 500; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, 1.57);
+        const coin_priv_run start = begun(&s, &p);
+        const double tau =
+            coin_priv_sundman_tau(&start.b, &start.g.y, random_between(&r, -3, 3));
+        coin_priv_run want = start;
+        const int sound = coin_priv_extrapolate(&want, tau);
+        for (int k = 0; k < 3; ++k) {
+            coin_priv_run c = start;
+            check(by[k](&c, tau) == sound);
+            check_same(&c, &want, sizeof c);
+        }
+        done += sound;
+    }
+    check(done > 400);
+}
+
+/* A step in tau of any size leads to a state above the table or nowhere. */
+static void a_step_is_sound_or_not_done(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(90);
+    int done = 0, refused = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const coin_state s = random_state(&r, &p, 1.57);
+        coin_priv_run c = begun(&s, &p);
+        const coin_priv_run before = c;
+        if (coin_priv_extrapolate(&c, random_between(&r, -6, 6))) {
+            check(c.g.y.cth > 0 && c.steps == 1);
+            ++done;
+        } else {
+            check_same(&c, &before, sizeof c);
+            ++refused;
+        }
+    }
+    check(done > 500 && refused > 100);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(a_step_errs_by_its_fifteenth_power),
+        TEST(it_ends_where_steps_of_another_method_do),
+        TEST(any_number_of_lanes_gives_the_same_bits),
+        TEST(a_step_is_sound_or_not_done),
+    };
+    return RUN_TESTS(tests);
+}
