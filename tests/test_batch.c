@@ -203,6 +203,25 @@ static void no_time_and_no_steps_change_nothing(void **unused)
     check_same(t.s, before.s, sizeof t.s);
 }
 
+/* A batch ends with its last coin: 1e9 steps of coins that fall after 270, and
+ * of one that is no state, would take minutes. */
+static void a_batch_ends_where_its_last_coin_does(void **unused)
+{
+    (void)unused;
+    for (int32_t method = 0; method < METHODS; ++method)
+        for (size_t count = 1; count <= MOST; ++count) {
+            struct trial t = {.p = disc(), .count = count};
+            for (size_t i = 0; i < count; ++i)
+                t.s[i] = (coin_state){.theta = 0.3 + 0.01 * (double)i};
+            t.s[count / 2].theta = 2;
+            check_note("method %d, %zu coins", (int)method, count);
+            check_trial(&t, method, 0.01, 1000000000);
+            for (size_t i = 0; i < count; ++i)
+                check_status(t.status[i],
+                             i == count / 2 ? COIN_ESTATE : COIN_ESTEP);
+        }
+}
+
 static void bad_arguments_touch_nothing(void **unused)
 {
     (void)unused;
@@ -237,6 +256,7 @@ int main(void)
 #endif
         TEST(the_runge_kutta_methods_have_lanes_where_vectors_are),
         TEST(the_first_coin_that_failed_tells_the_status),
+        TEST(a_batch_ends_where_its_last_coin_does),
         TEST(no_time_and_no_steps_change_nothing),
         TEST(bad_arguments_touch_nothing),
     };

@@ -68,8 +68,7 @@ static void a_step_errs_by_its_fifteenth_power(void **unused)
         double error[2];
         for (int k = 0; k < 2; ++k) {
             const double H = k == 0 ? tau : 1.25 * tau;
-            const coin_priv_run c =
-                moved(&s, &p, coin_priv_extrapolate, H, 1);
+            const coin_priv_run c = moved(&s, &p, coin_priv_extrapolate, H, 1);
             const coin_priv_run fine =
                 moved(&s, &p, coin_priv_sundman_step, H, 32);
             error[k] = apart(&c.g, &fine.g);
@@ -107,8 +106,8 @@ static void any_number_of_lanes_gives_the_same_bits(void **unused)
         const coin_params p = random_coin(&r);
         const coin_state s = random_state(&r, &p, 1.57);
         const coin_priv_run start = begun(&s, &p);
-        const double tau =
-            coin_priv_sundman_tau(&start.b, &start.g.y, random_between(&r, -3, 3));
+        const double tau = coin_priv_sundman_tau(&start.b, &start.g.y,
+                                                 random_between(&r, -3, 3));
         coin_priv_run want = start;
         const int sound = coin_priv_extrapolate(&want, tau);
         for (int k = 0; k < 3; ++k) {

@@ -117,7 +117,15 @@ static int32_t call_coin_sample(const struct trap_case *c)
     return coin_sample(&c->s, &c->p, COIN_RK4, c->dt, 5, 3, s, NULL);
 }
 
-CALL(coin_advance, coin_advance(copy(&c->s), &c->p, c->t, 1e-6, NULL))
+/* So long that it comes to an end: no more than a thousand turns. */
+static double some_time(const struct trap_case *c)
+{
+    const double wX = c->s.wX, wY = c->s.wY, wZ = c->s.wZ;
+    const double w =
+        sqrt(wX * wX + wY * wY + wZ * wZ + c->p.gravity / c->p.radius);
+    return fmin(c->t, 1e3 / w);
+}
+CALL(coin_advance, coin_advance(copy(&c->s), &c->p, some_time(c), 1e-6, NULL))
 CALL(coin_orbit_init, coin_orbit_init(&orbit, &c->s, &c->p))
 
 static int32_t call_coin_orbit_at(const struct trap_case *c)

@@ -169,5 +169,6 @@ int32_t coin_steady_near(const coin_state *s, const coin_params *p,
 {
     coin_priv_body b;
     const int32_t status = out ? coin_priv_check(s, p, &b) : COIN_EARG;
-    return status == COIN_OK ? coin_priv_steady_near(s, &b, FARTHEST, out) : status;
+    return status == COIN_OK ? coin_priv_steady_near(s, &b, FARTHEST, out)
+                             : status;
 }

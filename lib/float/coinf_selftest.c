@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "floats.h"
 
-/* What every build must give: as in lib/selftest.c. */
+/* What every build must give: as in lib/about/selftest.c. */
 #define PINNED UINT64_C(0xc3b3dac765533fd9)
 
 /* FNV-1a over the bits of a number, low byte first whatever the machine. */

@@ -26,10 +26,8 @@ COIN_PRIV_INLINE PRIV(body) PRIV(body_of)(const COIN(params) * p)
     const real IX = p->inertia_X, IZ = p->inertia_Z;
     const real m = M * a * a, J = IX + m, K = IZ + m, Mga = M * g * a;
     const PRIV(body) b = {
-        M,          a,           IX,           IZ,      m,
-        J,          K,           M * g,        Mga,     g / a,
-        K / J, IX / J, Mga / J, IZ / IX, m / K,
-        0,
+        M,   a,     IX,    IZ,     m,       J,       K,     M * g,
+        Mga, g / a, K / J, IX / J, Mga / J, IZ / IX, m / K, 0,
     };
     return b;
 }

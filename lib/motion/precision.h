@@ -68,7 +68,7 @@
  * the least over one of the most, 2^-84/2^15.  No |omega|^2 is known to suit
  * all of them. */
 #define COIN_PRIV_ORDINARY_LEAST 3.7252903e-9f /* 2^-28 */
-#define COIN_PRIV_ORDINARY_MOST 16384.0f /* 2^14 */
+#define COIN_PRIV_ORDINARY_MOST 16384.0f       /* 2^14 */
 #define COIN_PRIV_ORDINARY_W2 0
 
 /* Steps whose squares are normal numbers.  W is at least sqrt(g/a), so a
@@ -175,7 +175,7 @@ static inline int coinf_priv_low_holds(const float low[8])
  * their ratios: no formula takes more than six factors of them.  With J and K
  * below 2^242 the last is less than what COIN_PRIV_W2_MAX leaves. */
 #define COIN_PRIV_ORDINARY_LEAST 8.271806125530277e-25 /* 2^-80 */
-#define COIN_PRIV_ORDINARY_MOST 1.2089258196146292e24 /* 2^80 */
+#define COIN_PRIV_ORDINARY_MOST 1.2089258196146292e24  /* 2^80 */
 #define COIN_PRIV_ORDINARY_W2 1e190
 
 /* Steps whose squares are normal numbers.  W is at least sqrt(g/a), so a

@@ -259,8 +259,8 @@ DEFINE_TOTAL(path.z, z)
 DEFINE_TOTAL(path.dY, dY)
 DEFINE_TOTAL(path.dcth, dcth)
 
-/* The end of the step, and what it adds to the pose.  From the path of the point
- * of contact, (21) leads to the centre's. */
+/* The end of the step, and what it adds to the pose.  From the path of the
+ * point of contact, (21) leads to the centre's. */
 COIN_PRIV_INLINE void add_totals(coin_priv_variables *to, coin_priv_pose *adds,
                                  const coin_priv_variables *y,
                                  const struct columns *c,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-/* gcc would move the arithmetic of the end behind the tests that need it: 5 % of
- * a call. */
+/* gcc would move the arithmetic of the end behind the tests that need it: 5 %
+ * of a call. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__)
 #pragma GCC optimize("no-tree-sink", "no-tree-pre")
 #endif

@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: MIT */
+/* The law of a step, docs/limits.md: one that is not coarse errs by at most
+ * C (|dt| W)^(order + 1), in radians, radii and parts of W, near the table as
+ * elsewhere. */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/methods.h"
+#include "support/random.h"
+
+#include "methods.h"
+#include "precision.h"
+
+#include <math.h>
+
+static const struct {
+    int order;
+    double C;
+} laws[METHODS] = {
+    [COIN_RK4] = {4, 0.1},
+    [COIN_RK8] = {8, 2e-4},
+    [COIN_SYMPLECTIC2] = {2, 0.6},
+    [COIN_SYMPLECTIC4] = {4, 0.04},
+};
+
+/* ------------------------------------------------------------------ the truth
+ */
+/* Eq. (14)-(20) in long double, in the order of coin_state. */
+enum { MEMBERS = 8 };
+struct exact {
+    long double y[MEMBERS];
+};
+
+static struct exact rates_of(const struct exact *s, const coin_params *p)
+{
+    const long double M = p->mass, a = p->radius, g = p->gravity;
+    const long double IX = p->inertia_X, IZ = p->inertia_Z, m = M * a * a;
+    const long double wX = s->y[5], wY = s->y[6], wZ = s->y[7];
+    const long double sth = sinl(s->y[0]), cth = cosl(s->y[0]);
+    const long double sph = sinl(s->y[1]), cph = cosl(s->y[1]);
+    const long double tth = sth / cth;
+    const struct exact d = {{
+        wX,
+        wY / cth,
+        wZ + wY * tth,
+        a * (-wZ * cph + wX * cth * sph),
+        a * (wZ * sph + wX * cth * cph),
+        (M * a * g * sth - (IZ + m) * wY * wZ - IX * wY * wY * tth) / (IX + m),
+        wX * wY * tth + IZ / IX * wZ * wX,
+        m / (IZ + m) * wX * wY,
+    }};
+    return d;
+}
+
+static struct exact moved(const struct exact *s, long double h,
+                          const struct exact *d)
+{
+    struct exact r;
+    for (int i = 0; i < MEMBERS; ++i)
+        r.y[i] = s->y[i] + h * d->y[i];
+    return r;
+}
+
+static struct exact classical(struct exact s, const coin_params *p,
+                              long double t, int n)
+{
+    const long double h = t / n;
+    for (; n > 0; --n) {
+        const struct exact k1 = rates_of(&s, p);
+        const struct exact y2 = moved(&s, h / 2, &k1), k2 = rates_of(&y2, p);
+        const struct exact y3 = moved(&s, h / 2, &k2), k3 = rates_of(&y3, p);
+        const struct exact y4 = moved(&s, h, &k3), k4 = rates_of(&y4, p);
+        s = moved(&s, h / 6, &k1);
+        s = moved(&s, h / 3, &k2);
+        s = moved(&s, h / 3, &k3);
+        s = moved(&s, h / 6, &k4);
+    }
+    return s;
+}
+
+/* By 16 and by 32 parts, extrapolated: the rest is below 1e-2 of any law
+ * here. */
+static coin_state truth(const coin_state *s, const coin_params *p, double dt)
+{
+    const struct exact start = {
+        {s->theta, s->phi, s->psi, s->x, s->z, s->wX, s->wY, s->wZ}};
+    const struct exact one = classical(start, p, dt, 16);
+    struct exact two = classical(start, p, dt, 32);
+    for (int i = 0; i < MEMBERS; ++i)
+        two.y[i] += (two.y[i] - one.y[i]) / 15;
+    const coin_state end = {
+        (double)two.y[0], (double)two.y[1], (double)two.y[2], (double)two.y[3],
+        (double)two.y[4], (double)two.y[5], (double)two.y[6], (double)two.y[7],
+    };
+    return end;
+}
+
+/* ------------------------------------------------------------------ the steps
+ */
+static double apart(const coin_state *s, const coin_state *t,
+                    const coin_params *p)
+{
+    const double W = fastest_rate(t, p);
+    const double rates = fmax(fabs(s->wX - t->wX),
+                              fmax(fabs(s->wY - t->wY), fabs(s->wZ - t->wZ)));
+    return fmax(path_apart(s, t, p), rates / W);
+}
+
+/* Discs, rings, hoops and bodies that are none, of radius 1. */
+static coin_params any_body(struct random *r)
+{
+    coin_params p = ring(random_between(r, 0, 1));
+    const double IX = pow(10, random_between(r, -1, 1));
+    if (r->drawn++ % 2)
+        check_status(
+            coin_params_body(&p, 1, 1, 1, IX, IX * random_between(r, 0.02, 2)),
+            COIN_OK);
+    return p;
+}
+
+/* Above the table by 1e-5 to 1 rad, with rates by which each of the terms of W
+ * may be the largest. */
+static coin_state near_the_table(struct random *r)
+{
+    const double c = pow(10, random_between(r, -5, 0));
+    const double w = pow(10, random_between(r, -1, 1)) / sqrt(c);
+    const coin_state s = {
+        .theta = (r->drawn++ % 2 ? 1 : -1) * acos(c),
+        .phi = random_between(r, -3, 3),
+        .wX = w * c * random_between(r, -1, 1),
+        .wY = w * c * random_between(r, -1, 1),
+        .wZ = w * random_between(r, -1, 1),
+    };
+    return s;
+}
+
+/* The part of the law that a step uses; 0 if it is not one of full accuracy.
+ * Rounding, 32 u of 1/cos theta, is taken off. */
+static double used(const coin_state *from, const coin_params *p, int32_t method,
+                   double dt)
+{
+    coin_state s = *from;
+    if (coin_run(&s, p, method, dt, 1, NULL) != COIN_OK)
+        return 0;
+    const coin_state want = truth(from, p, dt);
+    const double W = fmax(fastest_rate(from, p), fastest_rate(&s, p));
+    const double law =
+        laws[method].C * pow(fabs(dt) * W, laws[method].order + 1);
+    const double rounding = 32 * U / cos(from->theta);
+    return fmax(0, apart(&s, &want, p) - rounding) / law;
+}
+
+/* A step, dt as a part of the limit of full accuracy. */
+struct trial {
+    coin_params p;
+    coin_state s;
+    double part;
+};
+
+static coin_state anywhere(struct random *r)
+{
+    const coin_params p = disc();
+    return random_state(r, &p, 1.3);
+}
+
+static struct trial draw(struct random *r, int flat)
+{
+    const struct trial t = {
+        any_body(r),
+        flat ? near_the_table(r) : anywhere(r),
+        random_between(r, 0.4, 1) * (random_between(r, -1, 1) < 0 ? -1 : 1),
+    };
+    return t;
+}
+
+static void nudge(struct random *r, double *x)
+{
+    *x *= 1 + 0.2 * random_between(r, -1, 1);
+}
+
+/* Another one next to it. */
+static struct trial next_to(struct random *r, const struct trial *best)
+{
+    struct trial t = *best;
+    double above = COIN_PRIV_HALF_PI - fabs(t.s.theta);
+    nudge(r, &above);
+    t.s.theta = copysign(COIN_PRIV_HALF_PI - fmin(above, 1.5), t.s.theta);
+    nudge(r, &t.s.wX);
+    nudge(r, &t.s.wY);
+    nudge(r, &t.s.wZ);
+    nudge(r, &t.part);
+    t.part = copysign(fmin(fmax(fabs(t.part), 0.3), 1), t.part);
+    return t;
+}
+
+/* The largest part of the law that random steps use, the second half of them
+ * each drawn next to the worst so far. */
+static double most_used(int32_t method, int flat, uint64_t seed)
+{
+    enum { TRIED = 600 };
+    struct random r = random_begin(seed);
+    struct trial best = {.part = 0};
+    double most = 0;
+    int done = 0;
+    for (int i = 0; i < TRIED; ++i) {
+        const struct trial t =
+            i < TRIED / 2 ? draw(&r, flat) : next_to(&r, &best);
+        const double dt =
+            t.part * coin_priv_coarse_limit(method) / fastest_rate(&t.s, &t.p);
+        check_note("method %d, case %d of seed %u", (int)method, i,
+                   (unsigned)seed);
+        const double part = used(&t.s, &t.p, method, dt);
+        done += part > 0;
+        if (part > most) {
+            most = part;
+            best = t;
+        }
+    }
+    check(done > TRIED / 2);
+    return most;
+}
+
+static void a_step_keeps_to_its_law_near_the_table(void **unused)
+{
+    (void)unused;
+    for (int32_t method = 0; method < METHODS; ++method)
+        check_within(most_used(method, 1, 321), 0.1, 1);
+}
+
+static void a_step_keeps_to_its_law_elsewhere(void **unused)
+{
+    (void)unused;
+    for (int32_t method = 0; method < METHODS; ++method)
+        check_within(most_used(method, 0, 322), 0.05, 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(a_step_keeps_to_its_law_near_the_table),
+        TEST(a_step_keeps_to_its_law_elsewhere),
+    };
+    return RUN_TESTS(tests);
+}
