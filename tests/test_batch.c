@@ -11,6 +11,7 @@ coin_priv_lanes_run *lanes_run_of(int32_t method);
 #include "support/coins.h"
 #include "support/methods.h"
 #include "support/random.h"
+#include "support/vast.h"
 
 #include <math.h>
 #include <string.h>
@@ -187,12 +188,61 @@ static void the_first_coin_that_failed_tells_the_status(void **unused)
     check_status(t.status[2], COIN_OK);
 }
 
+/* Each member in turn out of range, each coin in turn; the others go well.  The
+ * step leads a heading or roll just beyond its range back into it. */
+static void a_coin_that_is_no_state_leaves_the_others_alone(void **unused)
+{
+    (void)unused;
+    static const double wrong[][2] = {
+        {5, -7},
+        {-0x1.0000000000001p31, 0x1.0000000000001p31},
+        {-0x1.0000000000001p31, 0x1.0000000000001p31},
+        {INFINITY, -INFINITY},
+        {INFINITY, -INFINITY},
+        {1e200, NAN},
+        {1e200, NAN},
+        {1e200, NAN},
+    };
+    for (int i = 0; i < 8 * 2 * MOST * 2 * 2; ++i) {
+        const int member = i % 8, side = i / 8 % 2, coin = i / 16 % MOST;
+        const int32_t method = i / 16 / MOST % 2;
+        const uint64_t steps = i / 32 / MOST ? 100 : 1;
+        struct trial t = {.p = disc(), .count = MOST};
+        for (size_t k = 0; k < MOST; ++k)
+            t.s[k] = (coin_state){.theta = 0.3, .wY = 0.5, .wZ = 1.2};
+        ((double *)&t.s[coin])[member] = wrong[member][side];
+        check_note("member %d is %g, method %d, %u steps", member,
+                   wrong[member][side], (int)method, (unsigned)steps);
+        check_trial(&t, method, side ? -0.001 : 0.001, steps);
+        check_status(t.status[coin], COIN_ESTATE);
+        check_status(t.status[(coin + 1) % MOST], COIN_OK);
+    }
+}
+
+static void a_path_that_overflows_is_not_taken_in_a_lane(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 4 * 50; ++i) {
+        struct trial t = {.count = MOST};
+        const uint64_t steps = (uint64_t)(i / 4 * 2);
+        double dt;
+        const coin_state edge = vast_coin(&t.p, i % 2 ? acos(0) : 0, &dt);
+        for (size_t k = 0; k < MOST; ++k)
+            t.s[k] = edge;
+        check_note("heading %g, %u steps", edge.phi, (unsigned)steps);
+        check_trial(&t, i / 2 % 2, dt / 4, steps);
+        if (steps <= 40 || steps > 50)
+            check_status(t.want_all, steps > 50 ? COIN_ESTEP : COIN_OK);
+    }
+}
+
 static void no_time_and_no_steps_change_nothing(void **unused)
 {
     (void)unused;
     struct trial t = {.p = disc(), .count = MOST};
     for (size_t i = 0; i < MOST; ++i)
-        t.s[i] = (coin_state){.theta = 0.3, .wY = 0.5, .wZ = (double)i};
+        t.s[i] =
+            (coin_state){0.3, -0.0, -0.0, -0.0, -0.0, -0.0, 0.5, (double)i};
     const struct trial before = t;
     check_status(
         coin_batch_run(t.s, t.count, &t.p, COIN_RK4, 0, 1000, t.status),
@@ -256,6 +306,8 @@ int main(void)
 #endif
         TEST(the_runge_kutta_methods_have_lanes_where_vectors_are),
         TEST(the_first_coin_that_failed_tells_the_status),
+        TEST(a_coin_that_is_no_state_leaves_the_others_alone),
+        TEST(a_path_that_overflows_is_not_taken_in_a_lane),
         TEST(a_batch_ends_where_its_last_coin_does),
         TEST(no_time_and_no_steps_change_nothing),
         TEST(bad_arguments_touch_nothing),

@@ -261,6 +261,10 @@ static void half_turns_are_made_too(void **unused)
         coin_state d;
         dq[axis] = q[axis] = 1;
         check_status(coinf_state_from_motion(&s, &p, q, none, 0, 0), COIN_OK);
+        check(s.phi >= 0 && s.psi >= 0);
+        q[0] = -1e-9f; /* less than a rounding short of -pi */
+        check_status(coinf_state_from_motion(&s, &p, q, none, 0, 0), COIN_OK);
+        check(s.phi >= 0 && s.psi >= 0);
         check_status(coin_state_from_motion(&d, &dp, dq, exactly_none, 0, 0),
                      COIN_OK);
         check_near(s.theta, d.theta, 4 * UF);

@@ -231,6 +231,26 @@ static void angles_out_of_range_end_a_run(void **unused)
         }
 }
 
+/* Steps of 1e-9 rad from 2^31: half of what a double resolves beyond is passed
+ * in the fourth block.  The steps before are kept. */
+static void a_slow_turn_ends_at_the_edge_of_its_range(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state edges[] = {{.phi = 0x1p31, .wY = 1},
+                                {.psi = -0x1p31, .wZ = -1}};
+    for (int32_t method = 0; method < METHODS; ++method)
+        for (int i = 0; i < 2; ++i) {
+            coin_state s = edges[i];
+            uint64_t done;
+            check_note("method %d, edge %d", (int)method, i);
+            check_status(coin_run(&s, &p, method, 1e-9, 1000, &done),
+                         COIN_ESTEP);
+            check_within((double)done, 0x1p-22 * 1e9 - 1, 0x1p-22 * 1e9 + 1);
+            check(s.phi == edges[i].phi && s.psi == edges[i].psi);
+        }
+}
+
 static void no_method_moves_by_no_steps_or_begins_beyond_its_limit(
     void **unused)
 {
@@ -291,6 +311,7 @@ int main(void)
         TEST(pairs_and_angles_are_one_after_every_step),
         TEST(coarse_turns_are_counted_alike_in_one_run_and_in_many),
         TEST(angles_out_of_range_end_a_run),
+        TEST(a_slow_turn_ends_at_the_edge_of_its_range),
         TEST(no_method_moves_by_no_steps_or_begins_beyond_its_limit),
         TEST(the_warning_is_that_of_the_largest_rate),
     };

@@ -124,6 +124,22 @@ static void samples_stop_before_the_path_overflows(void **unused)
     }
 }
 
+/* In a run of one step that ends at the table but for less than a rounding. */
+static void a_sample_at_the_table_is_the_last_lean_above_it(void **unused)
+{
+    (void)unused;
+    const double last = nextafter(acos(0), 0);
+    for (int side = -1; side <= 1; side += 2) {
+        const coin_state edge = {.theta = side * last, .wX = side * 1.5e-4};
+        coin_state s = edge, out[2];
+        check_status(run(&s, 1e-12, 1, NULL), COIN_COARSE);
+        check_status(
+            coin_sample(&edge, &scene.params, COIN_RK4, 1e-12, 1, 2, out, NULL),
+            COIN_COARSE);
+        check(s.theta == side * last && out[1].theta == side * last);
+    }
+}
+
 static void bad_arguments_touch_no_sample(void **unused)
 {
     (void)unused;
@@ -182,6 +198,7 @@ int main(void)
         TEST(samples_may_lie_at_one_time_or_be_none),
         TEST(samples_that_fail_keep_those_before),
         TEST(samples_stop_before_the_path_overflows),
+        TEST(a_sample_at_the_table_is_the_last_lean_above_it),
         TEST(bad_arguments_touch_no_sample),
         TEST(a_coarse_step_between_samples_is_said),
     };

@@ -71,12 +71,12 @@ static void a_rate_that_would_overflow_is_refused(void **unused)
     }
 }
 
-/* A body outside 2^-80 to 2^80 may have rates as large as its own constants
- * allow: |omega|^2 (1 + a + M a + J + K) up to 1e268. */
-static void a_body_that_is_not_ordinary_has_a_limit_of_its_own(void **unused)
+/* What a body's constants leave of the range: |omega|^2 (1 + a + M a + J + K)
+ * up to 1e268. */
+static void each_body_has_a_limit_of_its_own(void **unused)
 {
     (void)unused;
-    const double sizes[] = {1e-30, 1e30, 1e60};
+    const double sizes[] = {1e-30, 1, 1e6, 1e30, 1e60};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
         const double a = sizes[i], m = a * a;
         coin_params p;
@@ -245,6 +245,25 @@ static void angles_come_out_within_half_a_turn(void **unused)
     }
 }
 
+/* Less than a rounding short of -pi they are pi. */
+static void half_a_turn_to_either_side_is_pi(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double omega[3] = {0, 0, 0}, pi = 3.141592653589793;
+    for (int side = -1; side <= 1; side += 2) {
+        const double heading[4] = {side * 1e-17, 0, -1, 0};
+        const double roll[4] = {side * 1e-17, 0, 0, -1};
+        coin_state s;
+        check_status(coin_state_from_motion(&s, &p, heading, omega, 0, 0),
+                     COIN_OK);
+        check(s.phi == pi && s.psi == 0);
+        check_status(coin_state_from_motion(&s, &p, roll, omega, 0, 0),
+                     COIN_OK);
+        check(s.psi == pi && s.phi == 0);
+    }
+}
+
 /* Found by a search that climbs towards the largest error; the angles by mpmath
  * from the exact q. */
 static void the_worst_rotations_known_are_good_to_8_u(void **unused)
@@ -371,12 +390,13 @@ int main(void)
         TEST(heading_and_roll_stay_below_2_to_the_31),
         TEST(the_path_may_be_as_long_as_a_double),
         TEST(a_rate_that_would_overflow_is_refused),
-        TEST(a_body_that_is_not_ordinary_has_a_limit_of_its_own),
+        TEST(each_body_has_a_limit_of_its_own),
         TEST(no_accepted_state_overflows),
         TEST(a_motion_gives_the_reference_s_state),
         TEST(a_state_survives_the_way_through_an_engine),
         TEST(the_norm_of_the_quaternion_does_not_matter),
         TEST(angles_come_out_within_half_a_turn),
+        TEST(half_a_turn_to_either_side_is_pi),
         TEST(the_worst_rotations_known_are_good_to_8_u),
         TEST(half_a_turn_is_positive),
         TEST(no_rotation_is_upright),

@@ -44,7 +44,8 @@ static void half_kick(coinf_state *s, const coinf_priv_plan *plan,
 
 /* From theta's old pair in *y to its new one, a turn away: wY and wZ follow.  0
  * if that is beyond the series.  What the turn adds to the pair is computed by
- * itself: a difference of sines would cancel. */
+ * itself: a difference of sines would cancel.  With |dt| W <= 1, Eq. (14) keeps
+ * |turn| below 1.2. */
 static int shift(coinf_state *s, const coinf_priv_plan *plan,
                  coinf_priv_variables *y, float turn)
 {
@@ -53,8 +54,7 @@ static int shift(coinf_state *s, const coinf_priv_plan *plan,
     const coinf_priv_sc th = coinf_priv_pair(s->theta, s->low[0]);
     const float c2 = y->cth * y->cth;
     float dp, dwZ;
-    if (!(fabsf(turn) <= COIN_PRIV_HALF_PI &&
-          fabsf(by.s) * (1 + fabsf(y->sth)) <= COIN_PRIV_SERIES_REACH * c2))
+    if (!(fabsf(by.s) * (1 + fabsf(y->sth)) <= COIN_PRIV_SERIES_REACH * c2))
         return 0;
     coinf_priv_legendre_change(&dp, &dwZ, y->wY * y->cth, y->wZ, plan->k1,
                                plan->k2, y->sth, c2, by.s); /* (49) */

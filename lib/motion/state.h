@@ -4,13 +4,18 @@
 
 #include "body.h"
 
-/* Lean, heading, roll and path alone; a comparison with NaN is false. */
+/* Whether the path has not overflowed; a comparison with NaN is false. */
+COIN_PRIV_INLINE int PRIV(path_holds)(const COIN(state) * s)
+{
+    return FABS(s->x) <= COIN_PRIV_LARGEST && FABS(s->z) <= COIN_PRIV_LARGEST;
+}
+
+/* Lean, heading, roll and path alone. */
 COIN_PRIV_INLINE int PRIV(pose_holds)(const COIN(state) * s)
 {
     return FABS(s->theta) < COIN_PRIV_HALF_PI &&
            FABS(s->phi) <= COIN_PRIV_ANGLE_MAX &&
-           FABS(s->psi) <= COIN_PRIV_ANGLE_MAX &&
-           FABS(s->x) <= COIN_PRIV_LARGEST && FABS(s->z) <= COIN_PRIV_LARGEST &&
+           FABS(s->psi) <= COIN_PRIV_ANGLE_MAX && PRIV(path_holds)(s) &&
            COIN_PRIV_LOW_HOLDS(s);
 }
 

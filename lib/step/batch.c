@@ -3,28 +3,35 @@
 
 #include "lanes.h"
 
-/* Coins that wait for each other, to go side by side. */
+/* Coins to go side by side; places that nobody took have a copy of the first.
+ */
 struct group {
-    coin_state *where[COIN_PRIV_LANES];
+    coin_state *where[COIN_PRIV_LANES], spare[COIN_PRIV_LANES];
     int size;
 };
+
+static void gather(struct group *g, coin_state *s, size_t left)
+{
+    g->size = left < COIN_PRIV_LANES ? (int)left : COIN_PRIV_LANES;
+    for (int k = 0; k < g->size; ++k)
+        g->where[k] = &s[k];
+    for (int k = g->size; k < COIN_PRIV_LANES; ++k) {
+        g->spare[k] = *s;
+        g->where[k] = &g->spare[k];
+    }
+}
 
 /* Fewer coins than a quarter of the lanes go one by one. */
 enum { ENOUGH = (COIN_PRIV_LANES + 2) / 4 + 1 };
 
-static void run_group(struct group *g, coin_priv_lanes_run *run,
+static void run_group(const struct group *g, coin_priv_lanes_run *run,
                       const coin_params *p, const coin_priv_body *b,
                       int32_t method, double dt, uint64_t steps, int32_t *code)
 {
-    coin_state spare[COIN_PRIV_LANES];
     if (!run || g->size < ENOUGH) {
         for (int k = 0; k < g->size; ++k)
             code[k] = coin_run(g->where[k], p, method, dt, steps, NULL);
         return;
-    }
-    for (int k = g->size; k < COIN_PRIV_LANES; ++k) {
-        spare[k] = *g->where[0];
-        g->where[k] = &spare[k];
     }
     run(g->where, code, p, b, dt, steps);
 }
@@ -46,10 +53,7 @@ int32_t coin_batch_run(coin_state *s, size_t count, const coin_params *p,
     coin_priv_lanes_run *const run =
         move ? coin_priv_lanes_run_of(method) : NULL;
     for (size_t i = 0; i < count; i += COIN_PRIV_LANES) {
-        const size_t left = count - i;
-        g.size = left < COIN_PRIV_LANES ? (int)left : COIN_PRIV_LANES;
-        for (int k = 0; k < g.size; ++k)
-            g.where[k] = &s[i + (size_t)k];
+        gather(&g, &s[i], count - i);
         run_group(&g, run, p, &b, method, dt, steps, code);
         for (int k = 0; k < g.size; ++k)
             coin_priv_note(&r, status, i + (size_t)k, code[k]);

@@ -63,12 +63,11 @@ COIN_PRIV_INLINE void load(struct coins *c, coin_state *const *where)
     }
 }
 
-/* Lane by lane coin_priv_check_state(); NaN is not. */
-static mask check(const coin_lanes *s, const coin_priv_body *b)
+/* Lane by lane coin_priv_pose_holds(); NaN is not.  Rates too large are beyond
+ * every limit of a step. */
+static mask pose_holds(const coin_lanes *s)
 {
-    const coin_lanes w2 = s[WX] * s[WX] + s[WY] * s[WY] + s[WZ] * s[WZ];
-    return (w2 <= b->w2_max) &
-           (coin_lanes_magnitude(s[THETA]) < COIN_PRIV_HALF_PI) &
+    return (coin_lanes_magnitude(s[THETA]) < COIN_PRIV_HALF_PI) &
            (coin_lanes_magnitude(s[PHI]) <= COIN_PRIV_ANGLE_MAX) &
            (coin_lanes_magnitude(s[PSI]) <= COIN_PRIV_ANGLE_MAX) &
            (coin_lanes_magnitude(s[X]) <= COIN_PRIV_LARGEST) &
@@ -151,21 +150,16 @@ static coin_lanes safe_cosine(mask *sound, const struct coins *c,
 
 /* Whether a single step from *y was safe: W^2 itself is cheaper than what
  * bounds it in a block. */
-COIN_PRIV_INLINE mask one_step_holds(const struct coins *c,
-                                     const struct shared *of,
+COIN_PRIV_INLINE mask one_step_holds(const struct shared *of,
                                      const coin_lanes_variables *y,
                                      const coin_lanes_variables *next,
                                      const coin_lanes_pose *adds)
 {
     const coin_lanes g_a = all(of->b->g_a);
-    const coin_lanes phi = c->start[PHI] + adds->phi;
-    const coin_lanes psi = c->start[PSI] + adds->psi;
     return (coin_lanes_rate2(g_a, y) <= of->coarse2) &
            (coin_lanes_rate2(g_a, next) <= of->coarse2) &
            (coin_lanes_magnitude(adds->theta) <= COIN_PRIV_TURN_MAX) &
-           (coin_lanes_magnitude(adds->phi) <= COIN_PRIV_TURN_MAX) &
-           (coin_lanes_magnitude(phi) <= COIN_PRIV_ANGLE_MAX) &
-           (coin_lanes_magnitude(psi) <= COIN_PRIV_ANGLE_MAX);
+           (coin_lanes_magnitude(adds->phi) <= COIN_PRIV_TURN_MAX);
 }
 
 /* A block of n steps; returns for which coins all of them were safe. */
@@ -190,7 +184,7 @@ COIN_PRIV_INLINE mask block_of_steps(struct coins *c, const struct shared *of,
         added = coin_lanes_pose_plus(&added, 1, &end.adds);
     }
     if (single)
-        sound &= one_step_holds(c, of, &y, &next, &added);
+        sound &= one_step_holds(of, &y, &next, &added);
     c->g.y = next;
     c->g.added = added;
     return sound;
@@ -206,8 +200,7 @@ static int32_t go_on(coin_state *s, const struct coins *from, int k,
     for (size_t i = 0; i < sizeof r.g / sizeof(double); ++i)
         ((double *)&r.g)[i] = ((const coin_lanes *)&from->g)[i][k];
     r.steps = done;
-    coin_priv_run_on(&r, of->method, of->steps - done);
-    return coin_priv_run_end(&r, of->steps, s, NULL);
+    return coin_priv_run_to_end(&r, of->method, of->steps, s, NULL);
 }
 
 /* Writes the states of the coins that are still in their lanes. */
@@ -219,7 +212,7 @@ static mask store(coin_state *const *where, const struct coins *c, mask in,
         to.theta,           to.phi,    to.psi,    c->start[X] + to.x,
         c->start[Z] + to.z, c->g.y.wX, c->g.y.wY, c->g.y.wZ,
     };
-    in &= check(s, b);
+    in &= pose_holds(s);
     for (int k = 0; k < COIN_PRIV_LANES; ++k)
         for (int i = 0; in[k] && i < 8; ++i)
             ((double *)where[k])[i] = s[i][k];
@@ -265,7 +258,7 @@ COIN_PRIV_INLINE void run(coin_state *const *where, int32_t *status,
 {
     struct coins c;
     load(&c, where);
-    mask in = check(c.start, of->b);
+    mask in = pose_holds(c.start);
     for (int k = 0; k < COIN_PRIV_LANES; ++k)
         if (!in[k])
             status[k] = alone(where[k], of);

@@ -39,15 +39,15 @@ typedef void coin_priv_step(coin_priv_step_end *end, coin_priv_variables *next,
  * turns so far has missed what happens on the way. */
 #define COIN_PRIV_TURN_MAX 1.5
 
-/* Whether phi and psi are in the range of coin_state_check(), and so far within
- * it as margin.  NaN is not. */
+/* Whether phi and psi are in the range of coin_state_check(), as they will be
+ * reported, and so far within it as margin.  NaN is not. */
 COIN_PRIV_INLINE int coin_priv_angles_hold(const coin_priv_progress *g,
                                            const coin_priv_pose *added,
                                            double margin)
 {
     const double most = COIN_PRIV_ANGLE_MAX - margin;
-    return fabs(g->phi.sum + added->phi) <= most &&
-           fabs(g->psi.sum + added->psi) <= most;
+    return fabs(coin_priv_total(g->phi, added->phi)) <= most &&
+           fabs(coin_priv_total(g->psi, added->psi)) <= most;
 }
 
 /* Several times what a block of steps can turn phi or psi by, 2 rad each. */
@@ -79,9 +79,9 @@ COIN_PRIV_INLINE int coin_priv_step_holds(coin_priv_limits *limits, double g_a,
                                           const coin_priv_step_end *end,
                                           const coin_priv_variables *next)
 {
-    return end->least_cth > 0 && next->cth > 0 &&
-           fabs(end->adds.theta) <= COIN_PRIV_TURN_MAX &&
-           fabs(end->adds.phi) <= COIN_PRIV_TURN_MAX &&
+    const int turn_holds = (fabs(end->adds.theta) <= COIN_PRIV_TURN_MAX) &
+                           (fabs(end->adds.phi) <= COIN_PRIV_TURN_MAX);
+    return turn_holds && end->least_cth > 0 && next->cth > 0 &&
            coin_priv_rate2_holds(limits, coin_priv_rate2(g_a, next));
 }
 

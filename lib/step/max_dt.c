@@ -101,8 +101,8 @@ static double trial(const struct outlook *o, int32_t method, double dt)
 {
     coin_priv_run c = o->from, d = o->from;
     const double all = o->span / dt, rate = sqrt(c.b.g_a);
-    const uint64_t down = all < TRIAL_STEPS ? (uint64_t)all : TRIAL_STEPS;
-    const uint64_t n = down + (all < TRIAL_STEPS && (double)down < all);
+    const double most = coin_priv_lesser(all, TRIAL_STEPS);
+    const uint64_t down = (uint64_t)most, n = down + ((double)down < most);
     const uint64_t block = n / COMPARED + 1;
     const double least = coin_priv_lesser((double)n * dt * rate, 1);
     double error = 0;

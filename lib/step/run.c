@@ -17,12 +17,12 @@ int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
     return COIN_OK;
 }
 
-int32_t coin_priv_run_end(const coin_priv_run *r, uint64_t steps, coin_state *s,
-                          uint64_t *done)
+int32_t coin_priv_run_to_end(coin_priv_run *r, int32_t method, uint64_t steps,
+                             coin_state *s, uint64_t *done)
 {
+    uint64_t n = r->steps + coin_priv_run_on(r, method, steps - r->steps);
     const coin_state end = coin_priv_run_state(r);
-    uint64_t n = r->dt == 0 ? steps : r->steps;
-    if (coin_priv_pose_holds(&end))
+    if (coin_priv_path_holds(&end))
         coin_priv_copy_state(s, &end);
     else
         n = 0;
@@ -38,8 +38,7 @@ int32_t coin_run(coin_state *s, const coin_params *p, int32_t method, double dt,
     const int32_t status = coin_priv_run_begin(&r, s, p, method, dt);
     if (status != COIN_OK)
         return status;
-    coin_priv_run_on(&r, method, steps);
-    return coin_priv_run_end(&r, steps, s, done);
+    return coin_priv_run_to_end(&r, method, steps, s, done);
 }
 
 int32_t coin_sample(const coin_state *start, const coin_params *p,
@@ -57,7 +56,7 @@ int32_t coin_sample(const coin_state *start, const coin_params *p,
         if (k > 0 && coin_priv_run_on(&r, method, n) < n)
             break;
         const coin_state sample = coin_priv_run_state(&r);
-        if (!coin_priv_pose_holds(&sample))
+        if (!coin_priv_path_holds(&sample))
             break;
         coin_priv_copy_state(&out[k], &sample);
     }

@@ -40,10 +40,10 @@ COIN_PRIV_INLINE coin_state coin_priv_run_state(const coin_priv_run *r)
                          : coin_priv_state_of(&r->g, &r->start, r->b.a);
 }
 
-/* The same to *s, and to *done, if that is not null, how many of the steps it
- * was to do it did; the status of the whole.  A path so long that x or z
- * overflowed counts as none. */
-int32_t coin_priv_run_end(const coin_priv_run *r, uint64_t steps, coin_state *s,
-                          uint64_t *done);
+/* Takes a run of so many steps to its end: *s becomes the state there and, if
+ * done is not null, *done the number of steps that were done; the status of the
+ * whole.  A path so long that x or z overflowed counts as none. */
+int32_t coin_priv_run_to_end(coin_priv_run *r, int32_t method, uint64_t steps,
+                             coin_state *s, uint64_t *done);
 
 #endif

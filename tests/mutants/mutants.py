@@ -106,12 +106,12 @@ class Copy:
         return run.stderr if run.returncode else ""
 
     def own_tests(self, file):
-        """The test programs named after a source or its folder: of
-        float/coinf_run.c, test_float_run, test_run and test_float; of
-        step/rk8.t.h, test_rk8."""
-        folder, name = file.split("/")
+        """The test programs named after a source or its room: of
+        float/coinf_run.c test_float_run, test_run and test_float, of
+        step/rk4.t.h test_rk4."""
+        *_, room, name = ["", *pathlib.Path(file).parts]
         stem = name.split(".")[0].removeprefix("coinf_")
-        names = (f"test_{folder}_{stem}", f"test_{stem}", f"test_{folder}")
+        names = (f"test_{room}_{stem}", f"test_{stem}", f"test_{room}")
         return [self.out / "tests" / name for name in names
                 if (self.src / f"tests/{name}.c").exists()]
 
