@@ -312,31 +312,6 @@ static void a_call_takes_2_20_steps_and_the_next_goes_on(void **unused)
     check_near(s.phi, wY * way * 1.00001, tol * way);
 }
 
-/* Any state, near flat and fast ones among them, any time and tol. */
-static void no_call_raises_what_may_trap(void **unused)
-{
-    (void)unused;
-    const int trapped = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW;
-    struct random r = random_begin(91);
-    for (int i = 0; i < 2000; ++i) {
-        const coin_params p = random_coin(&r);
-        const double unit = natural_time(&p);
-        const double w = pow(10, random_between(&r, -3, 3)) / unit;
-        coin_state s = random_state(&r, &p, 1.57);
-        if (i % 2)
-            s.theta = 0x1.921fb54442d18p+0 - pow(10, random_between(&r, -9, 0));
-        s.wX = w * random_between(&r, -1, 1);
-        s.wY = i % 3 ? w * random_between(&r, -1, 1) : 0;
-        s.wZ = i % 3 ? w * random_between(&r, -1, 1) : 0;
-        const double t =
-            i % 5 ? random_between(&r, -9, 9) / fmax(w, 1 / unit) : 0;
-        const double tol = pow(10, random_between(&r, -13, -2));
-        feclearexcept(FE_ALL_EXCEPT);
-        coin_advance(&s, &p, t, fmax(tol, 1e-13), NULL);
-        check(!fetestexcept(trapped));
-    }
-}
-
 static void the_usual_errors_touch_nothing(void **unused)
 {
     (void)unused;
@@ -397,7 +372,6 @@ int main(void)
         TEST(so_it_is_in_100_random_motions),
         TEST(of_300_random_motions_hardly_one_errs_by_more_than_tol),
         TEST(bodies_far_from_a_disc_are_right_too),
-        TEST(no_call_raises_what_may_trap),
         TEST(no_time_changes_nothing),
         TEST(the_shortest_times_move_by_the_rates),
         TEST(backward_it_returns),

@@ -74,6 +74,35 @@ static int32_t steady_at(const coin_orbit *o, double t, coin_state *out)
     return COIN_OK;
 }
 
+/* The state k periods on, in a piece a time tau from its centre; side is -1
+ * where it is mirrored. */
+COIN_PRIV_INLINE coin_state state_at(const coin_orbit *o, int piece, double tau,
+                                     double side, double k)
+{
+    const double *f = o->private_frame;
+    const double *rows = coin_priv_row(o, piece, COIN_PRIV_THETA);
+    const coin_priv_pair th = ROW_AT(rows, COIN_PRIV_THETA, tau);
+    const coin_priv_pair phi = ROW_AT(rows, COIN_PRIV_PHI, tau);
+    const coin_priv_pair psi = ROW_AT(rows, COIN_PRIV_PSI, tau);
+    const coin_priv_pair z = ROW_AT(rows, COIN_PRIV_Z, tau);
+    const coin_priv_pair x = ROW_AT(rows, COIN_PRIV_X, tau);
+    const coin_priv_sc lean = coin_priv_sine_cosine(OF(th, 0));
+    const double rate = f[COIN_PRIV_RATE];
+    coin_state at = {
+        OF(th, 0),
+        angle_of(f + COIN_PRIV_PHI0, f + COIN_PRIV_HEADING, k,
+                 side * OF(phi, 0)),
+        angle_of(f + COIN_PRIV_PSI0, f + COIN_PRIV_ROLL, k, side * OF(psi, 0)),
+        0,
+        0,
+        side * OF(th, 1) * rate,
+        OF(phi, 1) * lean.c * rate,                /* (18) */
+        (OF(psi, 1) - OF(phi, 1) * lean.s) * rate, /* (19) */
+    };
+    carry(&at, f, k, OF(z, 0), side * OF(x, 0));
+    return at;
+}
+
 int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
 {
     if (!o || !out || o->private_frame[0] != COIN_PRIV_FORMAT)
@@ -96,27 +125,8 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
     const int count = (int)pieces, back = (int)before;
     const int piece =
         coin_priv_piece(rank_of(o->private_edges, count, since), back, count);
-    const double *rows = coin_priv_row(o, piece, COIN_PRIV_THETA);
     const double tau = since - o->private_centers[piece];
-    const coin_priv_pair th = ROW_AT(rows, COIN_PRIV_THETA, tau);
-    const coin_priv_pair phi = ROW_AT(rows, COIN_PRIV_PHI, tau);
-    const coin_priv_pair psi = ROW_AT(rows, COIN_PRIV_PSI, tau);
-    const coin_priv_pair z = ROW_AT(rows, COIN_PRIV_Z, tau);
-    const coin_priv_pair x = ROW_AT(rows, COIN_PRIV_X, tau);
-    const coin_priv_sc lean = coin_priv_sine_cosine(OF(th, 0));
-    const double rate = f[COIN_PRIV_RATE];
-    coin_state at = {
-        OF(th, 0),
-        angle_of(f + COIN_PRIV_PHI0, f + COIN_PRIV_HEADING, k,
-                 side * OF(phi, 0)),
-        angle_of(f + COIN_PRIV_PSI0, f + COIN_PRIV_ROLL, k, side * OF(psi, 0)),
-        0,
-        0,
-        side * OF(th, 1) * rate,
-        OF(phi, 1) * lean.c * rate,                /* (18) */
-        (OF(psi, 1) - OF(phi, 1) * lean.s) * rate, /* (19) */
-    };
-    carry(&at, f, k, OF(z, 0), side * OF(x, 0));
+    const coin_state at = state_at(o, piece, tau, side, k);
     if (coin_priv_check_members(&at) != COIN_OK)
         return COIN_ESTEP;
     *out = at;
