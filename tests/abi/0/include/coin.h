@@ -109,7 +109,7 @@ typedef struct coin_force {
 
 /** A motion solved once, to be asked for any time: coin_orbit_init(),
  * coin_orbit_at().  No pointers: it may be copied, stored and shared.  Half a
- * period of theta is held in pieces, each a polynomial of time. */
+ * period of theta is held in pieces, each a polynomial of time: 32 KiB. */
 typedef struct coin_orbit {
     double period;             /**< of theta; 0 if the motion is steady [T] */
     double heading_per_period; /**< what phi gains in it [rad] */
@@ -125,13 +125,13 @@ typedef struct coin_orbit {
                                    heading_per_period is a multiple of 2 pi to
                                    rounding, and else 0 [L] */
     double conditioning;      /**< how strongly a period amplifies rounding,
-                                   >= 1: by how many W, Eq. (47), d(theta)/dt
-                                   changes for a radian at a turning point, W as
-                                   at the start and to a factor of 2 [1] */
-    double private_frame[28]; /**< this and what follows: the library's */
-    double private_edges[24];
-    double private_centers[24];
-    double private_terms[3840];
+                                   >= 1: 1 + (J/2) |dT/dE| s^2/w, with w^2 =
+                                   2E/J and s the larger |d(wX)/dt| at a
+                                   turning point, but no more than w^2 [1] */
+    double private_frame[32]; /**< this and what follows: the library's */
+    double private_edges[48];
+    double private_centers[44];
+    double private_terms[3960];
 } coin_orbit;
 
 /** Status: 0, or negative = error.  Numbers never change meaning. */
@@ -311,14 +311,16 @@ COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
  *         accuracy whose drift the series of Eq. (34) does not reach.
  * Accuracy: a step adds at most 0.1 (|dt| W)^5 radians and radii by COIN_RK4,
  *         2e-4 (|dt| W)^9 by COIN_RK8, 0.6 (|dt| W)^3 and 0.04 (|dt| W)^5 by
- *         the symplectic methods, before the motion's own amplification
- *         (docs/limits.md); as a rule far less (docs/guide.md).  A run of
- *         n steps is n runs of one step to rounding: 8 u per call of angles,
- *         over cos(theta), for steps that are not coarse (COIN_RK4: |dt| W up
- *         to 0.2) and before the motion's own amplification (test_cuts).
- * Cost: four sines and cosines per call, and one per 64 steps (the symplectic
- *         methods: two per drift).  A step has no data-dependent loop and no
- *         branch but its guard. */
+ *         the symplectic methods, in parts of W in the rates, before the
+ *         motion's own amplification, for bodies whose mass lies within the
+ *         rim: I_X <= M a^2/2.  Rounding adds 4 u a step, 4 u/cos(theta) with
+ *         the symplectic methods, and at the end 16 u of the pose
+ *         (docs/limits.md).  As a rule it is far less (docs/guide.md).  A run
+ * of n steps is n runs of one step to rounding: 8 u per call of angles, over
+ * cos(theta), for steps that are not coarse (COIN_RK4: |dt| W up to 0.2) and
+ * before the motion's own amplification (test_cuts). Cost: four sines and
+ * cosines per call, and one per 64 steps (the symplectic methods: two per
+ * drift).  A step has no data-dependent loop and no branch but its guard. */
 COIN_API int32_t coin_run(coin_state *s, const coin_params *p, int32_t method,
                           double dt, uint64_t steps, uint64_t *done);
 
@@ -338,8 +340,8 @@ COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
                              coin_state *out, size_t *done);
 
 /** Moves a coin by any time, to a stated accuracy, however near to flat it
- * passes: order 8 in Sundman's time, Eq. (32), with a step chosen from the
- * state, landing on t, Eq. (54).
+ * passes: extrapolation of order 14 in Sundman's time, Eq. (32), with a step
+ * chosen from the state, landing on t, Eq. (54).
  * @param[in,out] s  the state
  * @param t          the time, of either sign [T]
  * @param tol        1e-13 to 1e-2: the error that the steps may add per natural
@@ -356,11 +358,11 @@ COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
  *         (docs/accuracy.md); rounding adds 1e-15 or so per
  *         unit.  Near flat theta alone cannot hold cos(theta): at a distance d
  *         from flat a call loses u/d of it, one long call nothing.
- * Cost: as |t|; about as 1/tol^(1/8) steps per unit, each 1.3 times one of
+ * Cost: as |t|; about as 1/tol^(1/14) steps per unit, each 1.3 times one of
  *         COIN_RK8, and a pass at distance d costs ln(1/d) units more.  A coin
  *         that bounces near flat with little energy passes often, and one that
  *         turns fast takes a step for every radian or so.  At most 2^20 steps,
- *         some 0.2 s: 40,000 natural units at the least tol, as a rule. */
+ *         some 0.2 s: 160,000 natural units at the least tol, as a rule. */
 COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
                               double tol, double *reached);
 
@@ -385,27 +387,38 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  * points, by power series; mirror and period give the rest.  Eq. (55), (57).
  * @param[out] o  the orbit
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if the motion has no
- *         well-defined period: too close to a separatrix (an unstable steady
- *         motion, say) or to flat (never nearer than 1e-9 at a turning point),
- *         or conditioning above 1e9.
+ *         well-defined period: an unstable steady motion, a motion so close to
+ *         a separatrix that conditioning is 1e12 or more, or so close to flat
+ *         that its pieces do not suffice.  Of motions that come no closer to
+ *         flat than 1e-6 rad on one side, or on both but start elsewhere than
+ *         there, less than 1 in 100 is refused; closer than 1e-9, all are.
  * A steady motion is an orbit too, of period 0.  A steady motion that is
  * unstable, and not upright to the bit, is none: its own rounding leads away.
- * Accuracy: period, heading and roll per period to 1e-15 of conditioning
- *         (test_orbit).
+ * Accuracy: period, heading and roll per period to 1e-15 of conditioning,
+ *         relative to the larger of them and 1 (test_orbit).
  * Cost: docs/models.md; some 46 KiB of stack. */
 COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
                                  const coin_params *p);
 
 /** The state at any time, forward or backward, without stepping.
- * @param o         as coin_orbit_init() left it.  Other bytes do no harm, but
- *                  only such as would be read beyond its end are recognized
+ * @param o         as coin_orbit_init() of this version left it.  Other bytes
+ *                  do no harm, and most are recognized
  * @param t         the time since the state that the orbit was made from [T]
  * @param[out] out  the state
  * @return COIN_OK; COIN_EARG, also for an orbit seen not to be one; COIN_ESTEP
  *         if t is not finite, 2^31 periods or more, or theta, phi, psi, x or z
  *         leaves its range.
- * Accuracy: 1e-14 radians and radii, and 1e-15 of conditioning more for each
- *         period since the start (test_orbit).
+ * Accuracy: 1e-14 rad in theta, phi and psi, and 1e-15 of conditioning more for
+ *         each period since the start, and 4 u W (|t| + period) more, as from a
+ *         rounding of t: W is the motion's fastest rate, Eq. (47), which is
+ *         large in a pass close to flat.  In x and z 1 + radius_max/radius
+ *         times as many radii; in the rates W times as much (test_orbit_edges).
+ *         Besides, 4 u of the state amplified as the motion amplifies an error
+ *         in the lean or a rate: next to an unstable motion heading and roll
+ *         may lose a thousand times 1e-15 conditioning.  In a steady motion
+ *         what coin_steady_at() leaves out, here 16 u of the terms of (39) over
+ *         |lambda^2| in the lean, which heading and roll gather in time (make
+ *         adversary).
  * Cost: less than a textbook Runge-Kutta step, whatever t is. */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
 
@@ -446,7 +459,7 @@ COIN_API double coin_energy(const coin_state *s, const coin_params *p);
  * along the orbit to theta = 0.  Eq. (35), after Eq. (38) near flat.
  * @param[out] K  [2] K_Y, K_Z [1/T]
  * @return COIN_OK; the usual errors.
- * Accuracy: 12 u of the terms of Eq. (35) at every |theta| < pi/2
+ * Accuracy: 16 u of the terms of Eq. (35) at every |theta| < pi/2
  * (test_integrals).  Near flat the terms grow as ln(1/cos theta).  Uses log of
  * libm for |sin theta| > 0.7: the last bit may differ between platforms. */
 COIN_API int32_t coin_integrals(const coin_state *s, const coin_params *p,
@@ -455,7 +468,7 @@ COIN_API int32_t coin_integrals(const coin_state *s, const coin_params *p,
 /** The force of the table on the coin.  Eq. (25)-(28).  The rolling model
  * holds the coin to the table: N may come out negative, see COIN_LIFTS.
  * @return COIN_OK; the usual errors.
- * Accuracy: 8 u of the terms (test_reaction). */
+ * Accuracy: 12 u of the terms (test_reaction). */
 COIN_API int32_t coin_reaction(const coin_state *s, const coin_params *p,
                                coin_force *out);
 
@@ -463,7 +476,7 @@ COIN_API int32_t coin_reaction(const coin_state *s, const coin_params *p,
  * @param[out] out  d/dt of theta, phi, ... in the member of that name; it is
  *                  not a state
  * @return COIN_OK; the usual errors.
- * Accuracy: 8 u of the terms (test_motion). */
+ * Accuracy: 12 u of the terms (test_motion). */
 COIN_API int32_t coin_rates(const coin_state *s, const coin_params *p,
                             coin_state *out);
 
@@ -567,8 +580,11 @@ COIN_API int32_t coin_steady_radii(const coin_state *s, const coin_params *p,
  *         would fall flat on both sides, or it is nearer than 1e-6 to flat.
  * It may be unstable: coin_stability().  Two extrema closer to each other than
  * 0.0005 cos(theta) may both be passed over.
- * Accuracy: docs/models.md (test_steady_near).  Cost: some 5 us, more near
- * flat; a chain of series, 40 terms per radian. */
+ * Accuracy: (39) holds as coin_steady_radii() asks.  coin_integrals() of *out
+ *         are those of s to 64 u of their terms and what a change of 8
+ *         u/cos(theta) of the larger of |wY|, |wZ| in both does to them: near
+ *         flat a double cannot hold the lean any closer (test_steady_near).
+ * Cost: some 5 us, more near flat; a chain of series, 40 terms per radian. */
 COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
                                   coin_state *out);
 
@@ -579,7 +595,7 @@ COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
  * @param[out] out  the state at t
  * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or phi, psi, x
  *         or z leaves its range; COIN_EDOMAIN as coin_steady_radii().
- * Accuracy: 4 u of the angles turned, and as much of the path; then phi, psi, x
+ * Accuracy: 6 u of the angles turned, and as much of the path; then phi, psi, x
  *         and z are rounded, as large as they are (test_steady_at).
  * Cost: three sines and cosines. */
 COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
@@ -613,9 +629,12 @@ COIN_API int32_t coin_stability(const coin_state *s, const coin_params *p,
  *         that of steady, added.
  * Accuracy: the coin stays in the potential's well: the lean is never off by
  *         more than three times its reach (test_wobble_wells).  With A the
- *         largest difference in natural units from both steady motions, an
- *         error of order A^2 in all members, which grows as t; where the lean
- *         grows as exp(lambda t), A is what it has grown to (test_wobble).
+ *         largest of the reach and the differences in natural units from both
+ *         steady motions, in parts of cos(theta), and W of Eq. (47), the error
+ *         is of order A^2 in all members, and grows as t: for I_X <= M a^2 and
+ *         lambda^2 < 0 below 30 A^2 (1 + |t| W) times the larger of 1 and
+ *         W^2/|lambda^2| (make adversary).  Where the lean grows as
+ *         exp(lambda t), A is what it has grown to (test_wobble).
  *         docs/models.md has figures.
  * Cost: that of ten sines and cosines, whatever t. */
 COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,

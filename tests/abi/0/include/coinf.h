@@ -4,7 +4,8 @@
  *
  * What is here is coin.h's, name for name, with float for double: the same
  * sources, equations, units, statuses, order of arguments and promises.  Only
- * what differs is said here.  "u" is 2^-24 = 6.0e-8.
+ * what differs is said here.  "u" is 2^-24 = 6.0e-8, and below the normal
+ * floats, 1.2e-38, bounds do not hold.
  *
  * STATE. A float holds 7 digits, and a loop of many small steps would lose
  * most of them.  So a state keeps, in low, what the rounding of its members
