@@ -60,8 +60,9 @@ def copy(s):
 
 def rate(s, p):
     """W of Eq. (47)."""
-    return math.sqrt((s.wX**2 + s.wY**2)/math.cos(s.theta)**2 + s.wZ**2
-                     + p.gravity/p.radius)
+    c = math.cos(s.theta)
+    return math.sqrt((s.wX**2 + s.wY**2)/c**2 + s.wZ**2
+                     + p.gravity/(p.radius*c))
 
 
 def fastest(lib, start, p, span):

@@ -69,7 +69,8 @@ class Swing:
         return (DISC.IX*wY**2 + DISC.K*wZ**2)/2 + math.cos(theta)     # (48)
 
     def look(self, theta, wX2, wY, wZ):
-        W2 = (wX2 + wY**2)/math.cos(theta)**2 + wZ**2 + 1             # (47)
+        c = math.cos(theta)
+        W2 = (wX2 + wY**2)/c**2 + wZ**2 + 1/c                         # (47)
         self.fastest = max(self.fastest, math.sqrt(W2))
         if W2 > FALLEN**2:
             self.fell = min(self.fell, self.until)
