@@ -37,7 +37,7 @@ COIN_PRIV_INLINE void modified_kick(struct part *c, const struct split *k)
     const coin_priv_variables *y = &c->y;
     const coin_priv_body *b = k->b;
     const double h = k->h, F = coin_priv_rates(&k->f, y).wX;
-    const double dF = coin_priv_fall_slope(b, y);       /* (44) */
+    const double dF = coin_priv_fall_slope(b, y); /* (44) */
     c->y.wX += 2.0 / 3 * h * F * (1 + h * h / 24 * dF); /* (50) */
 }
 
