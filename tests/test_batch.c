@@ -236,6 +236,25 @@ static void a_path_that_overflows_is_not_taken_in_a_lane(void **unused)
     }
 }
 
+/* Single steps as long as they may be of rings that roll fast, whose lean turns
+ * by more than its first stages tell. */
+static void a_turn_that_comes_late_is_that_of_the_coin_alone(void **unused)
+{
+    (void)unused;
+    struct trial t = {.p = disc(), .count = MOST};
+    check_status(coin_params_ring(&t.p, 1, 1, 1, 1), COIN_OK);
+    for (int i = 0; i < 32; ++i) {
+        const double W = 1000, dt = (0.3 + 0.05 * i / 32) / W;
+        for (size_t k = 0; k < MOST; ++k) {
+            const double part = 0.4 + 0.02 * (double)k;
+            t.s[k] =
+                (coin_state){.wX = W * part, .wZ = W * sqrt(1 - part * part)};
+        }
+        check_note("step %g, method %d", dt, i % 2);
+        check_trial(&t, i % 2, i & 2 ? -dt : dt, 1);
+    }
+}
+
 static void no_time_and_no_steps_change_nothing(void **unused)
 {
     (void)unused;
@@ -308,6 +327,7 @@ int main(void)
         TEST(the_first_coin_that_failed_tells_the_status),
         TEST(a_coin_that_is_no_state_leaves_the_others_alone),
         TEST(a_path_that_overflows_is_not_taken_in_a_lane),
+        TEST(a_turn_that_comes_late_is_that_of_the_coin_alone),
         TEST(a_batch_ends_where_its_last_coin_does),
         TEST(no_time_and_no_steps_change_nothing),
         TEST(bad_arguments_touch_nothing),

@@ -280,12 +280,14 @@ static void the_warning_is_that_of_the_largest_rate(void **unused)
     for (int i = 0; i < 1000; ++i) {
         const coin_params p = random_coin(&r);
         const coin_state s = random_state(&r, &p, 1.5);
+        coin_state end = s;
         const int32_t method = i % METHODS;
         const double limit = coin_priv_coarse_limit(method);
         const double dt = limit / fastest_rate(&s, &p) *
                           pow(10, random_between(&r, -0.7, 0.01));
         const int32_t status =
             coin_sample(&s, &p, method, dt, 1, SAMPLES, path, NULL);
+        check_status(coin_run(&end, &p, method, dt, SAMPLES - 1, NULL), status);
         if (status < 0)
             continue;
         double W = 0;

@@ -126,6 +126,19 @@ static void the_square_of_the_rates_has_a_limit(void **unused)
         }
 }
 
+/* Within the limits on W where it begins and ends, it would turn the heading by
+ * 3.6 rad on its way past the table. */
+static void a_step_that_turns_too_far_is_refused(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    const coin_state start = {-1.485, 0, 0, 0, 0, -21.77, -6.788, 21.26};
+    coin_state s = start;
+    check_status(coin_params_body(&p, 1, 1, 1, 1.51994, 0.118894), COIN_OK);
+    check_status(coin_run(&s, &p, COIN_RK8, 0.0044432, 1, NULL), COIN_ESTEP);
+    check_same(&s, &start, sizeof s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -135,6 +148,7 @@ int main(void)
         TEST(what_is_made_of_parameters_is_at_least_1e_minus_300),
         TEST(the_same_of_floats_is_1e_minus_30_to_1e30),
         TEST(the_square_of_the_rates_has_a_limit),
+        TEST(a_step_that_turns_too_far_is_refused),
     };
     return RUN_TESTS(tests);
 }

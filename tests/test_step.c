@@ -140,6 +140,16 @@ static void of_zeros_it_is_a_run_of_one(void **unused)
     }
 }
 
+static void a_step_of_no_time_keeps_the_signs_of_zeros(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state zeros = {-0.0, -0.0, -0.0, -0.0, -0.0, -0.0, -0.0, -0.0};
+    coin_state s = zeros;
+    check_status(coin_step(&s, &p, 0), COIN_OK);
+    check_same(&s, &zeros, sizeof s);
+}
+
 static void a_bad_argument_has_the_status_of_a_run_of_one(void **unused)
 {
     (void)unused;
@@ -174,6 +184,7 @@ int main(void)
         TEST(just_where_angles_end_it_is_a_run_of_one),
         TEST(where_the_table_ends_it_is_a_run_of_one),
         TEST(of_zeros_it_is_a_run_of_one),
+        TEST(a_step_of_no_time_keeps_the_signs_of_zeros),
         TEST(a_bad_argument_has_the_status_of_a_run_of_one),
         TEST(a_negative_zero_is_the_same_in_both),
     };

@@ -37,8 +37,7 @@
 struct outlook {
     coin_priv_run from; /* where the trial begins */
     double span;        /* the time looked at from there */
-    double worst2;      /* the largest W^2 in it; infinite if no step will do:
-                           it ends flat, or W is beyond what a step takes */
+    double worst2;      /* the largest W^2 in it; infinite if it ends flat */
 };
 
 static int seen_enough(int turns, double units)
@@ -69,7 +68,7 @@ static struct outlook look_ahead(coin_priv_run r, double enough)
         turns += wX * r.g.y.wX < 0;
         units = r.g.added.t * sqrt(g_a);
     }
-    if (r.g.y.cth < COIN_PRIV_FLAT || o.worst2 > r.b.w2_max)
+    if (r.g.y.cth < COIN_PRIV_FLAT)
         o.worst2 = (double)INFINITY;
     coin_priv_read_lean(&o.from.g);
     o.span = r.g.added.t - begin;
