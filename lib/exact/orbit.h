@@ -10,8 +10,8 @@
 #ifndef ROLLCOIN_ORBIT_H
 #define ROLLCOIN_ORBIT_H
 
-#include "pair.h"
 #include "../motion/precision.h"
+#include "pair.h"
 
 #include <coin.h>
 

@@ -40,7 +40,7 @@ static void load(coinf_lanes_state *to, coinf_state *const *coin, int count)
 }
 
 static void store(coinf_state *const *coin, int count,
-                    const coinf_lanes_state *from)
+                  const coinf_lanes_state *from)
 {
     for (int k = 0; k < count; ++k)
         for (int i = 0; i < NUMBERS; ++i)
@@ -76,13 +76,14 @@ static void turn_back(coinf_lanes *angle, coinf_lanes *low)
     *low = coinf_lanes_choose(far, near_low, *low);
 }
 
-/* Of each number that of *next where to_be_taken is all ones, of *s where it is 0. */
+/* Of each number that of *next where to_be_taken is all ones, of *s where it is
+ * 0. */
 static void keep(coinf_lanes_state *next, mask to_be_taken,
                  const coinf_lanes_state *s)
 {
     for (int i = 0; i < NUMBERS; ++i)
-        ((coinf_lanes *)next)[i] =
-            coinf_lanes_choose(to_be_taken, ((coinf_lanes *)next)[i], ((const coinf_lanes *)s)[i]);
+        ((coinf_lanes *)next)[i] = coinf_lanes_choose(
+            to_be_taken, ((coinf_lanes *)next)[i], ((const coinf_lanes *)s)[i]);
 }
 
 /* Vector by vector: what the compiler makes of an assignment may be narrower,
@@ -113,10 +114,11 @@ static int step(coinf_lanes_state *s, struct verdict *of,
     const coinf_lanes begin = coinf_lanes_rate2(plan->g_a, &y);
     const coinf_lanes end = coinf_lanes_rate2(plan->g_a, &last);
     of->coarse |= ~((begin <= plan->coarse2) & (end <= plan->coarse2));
-    of->sound =
-        (begin <= plan->most2) & (end <= plan->most2) & coinf_lanes_holds(&next, plan);
+    of->sound = (begin <= plan->most2) & (end <= plan->most2) &
+                coinf_lanes_holds(&next, plan);
     const mask turned =
-        (coinf_lanes_magnitude(next.phi) > 2 * COIN_PRIV_HALF_PI) | (coinf_lanes_magnitude(next.psi) > 2 * COIN_PRIV_HALF_PI);
+        (coinf_lanes_magnitude(next.phi) > 2 * COIN_PRIV_HALF_PI) |
+        (coinf_lanes_magnitude(next.psi) > 2 * COIN_PRIV_HALF_PI);
     if (COIN_PRIV_RARELY(any(~of->sound | turned))) {
         turn_back(&next.phi, &next.low[1]);
         turn_back(&next.psi, &next.low[2]);
@@ -127,7 +129,7 @@ static int step(coinf_lanes_state *s, struct verdict *of,
 }
 
 static void rk4(coinf_state *const *coin, int32_t *status, int count,
-                        const coinf_priv_plan *plan, uint64_t n)
+                const coinf_priv_plan *plan, uint64_t n)
 {
     const coinf_lanes_plan of_all = plan_of(plan);
     const mask none = {0};

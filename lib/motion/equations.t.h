@@ -29,7 +29,7 @@ typedef struct PRIV(field) {
 /* h d/dt of the variables.  Factors are grouped so that no product waits for
  * long: a step takes as long as its longest chain of dependences. */
 COIN_PRIV_INLINE PRIV(variables)
-PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth, q = y->q;
@@ -64,7 +64,7 @@ COIN_PRIV_INLINE void PRIV(path_rates)(real *dx, real *dz, real wXcth, real wZ,
 /* h d/dt of the pose.  The path is that of the centre: the point of contact may
  * run round while the centre rests. */
 COIN_PRIV_INLINE PRIV(pose)
-PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real hwX = f->h * y->wX, hwY = f->h * y->wY, hwZ = f->h * y->wZ;
     const real none = {0};
@@ -77,11 +77,12 @@ PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
     return d;
 }
 
-/* Sundman's form: h d/dtau of the variables, with dt = cos theta dtau.  All of it is
- * the field above times cos theta: a cubic polynomial of variables that the
- * energy bounds, regular down to the table.  q and tan theta have no part. */
+/* Sundman's form: h d/dtau of the variables, with dt = cos theta dtau.  All of
+ * it is the field above times cos theta: a cubic polynomial of variables that
+ * the energy bounds, regular down to the table.  q and tan theta have no part.
+ */
 COIN_PRIV_INLINE PRIV(variables)
-PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth;
@@ -106,7 +107,7 @@ PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 
 /* h d/dtau of the pose and of the time. */
 COIN_PRIV_INLINE PRIV(pose)
-PRIV(sundman_pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(sundman_pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real hwY = f->h * y->wY, hc = f->h * y->cth;
     const real hcwZ = hc * y->wZ, none = {0};
@@ -139,8 +140,8 @@ COIN_PRIV_INLINE void PRIV(normalize)(PRIV(variables) * y)
 
 /* a + w b, member by member. */
 COIN_PRIV_INLINE PRIV(variables)
-PRIV(variables_plus)(const PRIV(variables) * a, scalar w,
-                     const PRIV(variables) * b)
+    PRIV(variables_plus)(const PRIV(variables) * a, scalar w,
+                         const PRIV(variables) * b)
 {
     const real sth = a->sth + w * b->sth, q = a->q + w * b->q;
     const PRIV(variables) r = {

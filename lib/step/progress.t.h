@@ -29,15 +29,11 @@ typedef struct PRIV(progress) {
 
 /* a + w b, member by member; the steps count the time. */
 COIN_PRIV_INLINE PRIV(pose)
-PRIV(pose_plus)(const PRIV(pose) * a, scalar w, const PRIV(pose) * b)
+    PRIV(pose_plus)(const PRIV(pose) * a, scalar w, const PRIV(pose) * b)
 {
     const PRIV(pose) r = {
-        a->theta + w * b->theta,
-        a->phi + w * b->phi,
-        a->psi + w * b->psi,
-        a->x + w * b->x,
-        a->z + w * b->z,
-        a->t,
+        a->theta + w * b->theta, a->phi + w * b->phi, a->psi + w * b->psi,
+        a->x + w * b->x,         a->z + w * b->z,     a->t,
     };
     return r;
 }
@@ -124,7 +120,7 @@ COIN_PRIV_INLINE void PRIV(end_block)(PRIV(progress) * g)
 
 /* The variables at the end of a step, where the pairs are known. */
 COIN_PRIV_INLINE PRIV(variables)
-PRIV(variables_at)(const PRIV(step_end) * end, PRIV(sc) th, PRIV(sc) ph)
+    PRIV(variables_at)(const PRIV(step_end) * end, PRIV(sc) th, PRIV(sc) ph)
 {
     const real q = 1 / th.c;
     const PRIV(variables) next = {
@@ -137,7 +133,7 @@ PRIV(variables_at)(const PRIV(step_end) * end, PRIV(sc) th, PRIV(sc) ph)
  * angles: angles and pairs stay one to rounding, and a run of n steps is n runs
  * of one. */
 COIN_PRIV_INLINE PRIV(variables)
-PRIV(variables_after)(const PRIV(variables) * y, const PRIV(step_end) * end)
+    PRIV(variables_after)(const PRIV(variables) * y, const PRIV(step_end) * end)
 {
     PRIV(sc) th = {y->sth, y->cth}, ph = {y->sph, y->cph};
     PRIV(turn_both)(&th, &ph, end->adds.theta, end->adds.phi);
@@ -145,17 +141,13 @@ PRIV(variables_after)(const PRIV(variables) * y, const PRIV(step_end) * end)
 }
 
 /* Where a run has come to: angles, and x, z [L] from where it started. */
-COIN_PRIV_INLINE PRIV(pose)
-PRIV(pose_of)(const PRIV(progress) * g, real a)
+COIN_PRIV_INLINE PRIV(pose) PRIV(pose_of)(const PRIV(progress) * g, real a)
 {
     const PRIV(pose) *const added = &g->added;
     const PRIV(pose) r = {
-        PRIV(total)(g->theta, added->theta),
-        PRIV(total)(g->phi, added->phi),
-        PRIV(total)(g->psi, added->psi),
-        a * PRIV(total)(g->x, added->x),
-        a * PRIV(total)(g->z, added->z),
-        added->t,
+        PRIV(total)(g->theta, added->theta), PRIV(total)(g->phi, added->phi),
+        PRIV(total)(g->psi, added->psi),     a * PRIV(total)(g->x, added->x),
+        a * PRIV(total)(g->z, added->z),     added->t,
     };
     return r;
 }

@@ -14,9 +14,9 @@ typedef struct PRIV(rk4_fields) {
 /* A stage: the start and a slope.  As a variable, 1/cos theta would be off by
  * tan^2 theta z^2 for a turn z, and the heading by z^3/6, and the path with it:
  * so the one is divided, and the other turned. */
-COIN_PRIV_INLINE PRIV(variables) PRIV(stage)(const PRIV(variables) * y1,
-                                             const PRIV(variables) * d,
-                                             real turn)
+COIN_PRIV_INLINE PRIV(variables)
+    PRIV(stage)(const PRIV(variables) * y1, const PRIV(variables) * d,
+                real turn)
 {
     const PRIV(sc) heading = {y1->sph, y1->cph};
     const PRIV(sc) ph = PRIV(turned_a_little)(heading, turn);

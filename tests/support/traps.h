@@ -38,8 +38,8 @@ struct trap_function {
  * succeed now and then. */
 void traps_run(const struct trap_function *functions, size_t count);
 
-/* Fails unless each symbol of lib/about/rollcoin.map that begins so has a row, or
- * rows whose names go on after it. */
+/* Fails unless each symbol of lib/about/rollcoin.map that begins so has a row,
+ * or rows whose names go on after it. */
 void traps_are_complete(const char *prefix,
                         const struct trap_function *functions, size_t count);
 
