@@ -34,7 +34,7 @@ OTHER_FORMS = {
     "orbit.c lean_at": "test_orbit",
     "orbit.c set_steady": "test_orbit",
     "orbit_at.c carry": "test_orbit_at",
-    "orbit_at.c coin_orbit_at": "test_orbit_at",
+    "orbit_at.c state_at": "test_orbit_at",
     "pose.c angles_of": "test_pose",
     "pose.c angular_velocity": "test_pose",
     "pose.c state_from_motion": "test_pose",
