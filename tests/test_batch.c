@@ -255,6 +255,25 @@ static void a_turn_that_comes_late_is_that_of_the_coin_alone(void **unused)
     }
 }
 
+/* A spin that nods rolls to and fro: it ends where its roll first leaves the
+ * range, though it would be back in it later. */
+static void a_roll_that_leaves_its_range_for_a_while_ends_the_run(void **unused)
+{
+    (void)unused;
+    int ended = 0;
+    for (int i = 0; i < 80; ++i) {
+        struct trial t = {.p = disc(), .count = MOST};
+        for (size_t k = 0; k < MOST; ++k)
+            t.s[k] = (coin_state){.theta = 0.1,
+                                  .psi = (i & 1 ? -0x1p31 : 0x1p31),
+                                  .wY = 3 + 0.01 * (double)k};
+        check_note("%d steps", 5 * i);
+        check_trial(&t, i / 2 % 2, 0.02, (uint64_t)(5 * i));
+        ended += t.want_all == COIN_ESTEP;
+    }
+    check(ended > 30 && ended < 50);
+}
+
 static void no_time_and_no_steps_change_nothing(void **unused)
 {
     (void)unused;
@@ -328,6 +347,7 @@ int main(void)
         TEST(a_coin_that_is_no_state_leaves_the_others_alone),
         TEST(a_path_that_overflows_is_not_taken_in_a_lane),
         TEST(a_turn_that_comes_late_is_that_of_the_coin_alone),
+        TEST(a_roll_that_leaves_its_range_for_a_while_ends_the_run),
         TEST(a_batch_ends_where_its_last_coin_does),
         TEST(no_time_and_no_steps_change_nothing),
         TEST(bad_arguments_touch_nothing),
