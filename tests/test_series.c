@@ -107,8 +107,9 @@ static void the_order_is_that_of_its_highest_power(void **unused)
         /* Powers fall off as those of one number, the circle's radius. */
         double last = 0, middle = 0;
         for (int k = 0; k < 8; ++k) {
-            last = fmax(last, fabs(OF(y.at[32 - k].row[2], 0)));
-            middle = fmax(middle, fabs(OF(y.at[16 - k].row[2], 0)));
+            last = fmax(last, fabs(OF(y.at[COIN_PRIV_ORDER - k].row[2], 0)));
+            middle = fmax(middle,
+                          fabs(OF(y.at[COIN_PRIV_ORDER - 16 - k].row[2], 0)));
         }
         const double radius = pow(middle / last, 1.0 / 16);
         coin_state want = s;

@@ -21,7 +21,10 @@ int32_t coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
     const double half = rates->heading * t / 2; /* (56) */
     const coin_priv_sc h = coin_priv_sincos(half),
                        ph = coin_priv_sincos(s->phi);
-    const double sinc = half == 0 ? 1 : h.s / half;
+    /* One division, which is never 0 by 0 even where a compiler divides before
+     * it looks. */
+    const int turns = half != 0;
+    const double sinc = (turns ? h.s : 1) / (turns ? half : 1);
     const double way = rates->speed * t * sinc; /* (56) */
     coin_state at = *s;
     at.wX = 0;

@@ -203,25 +203,28 @@ static int32_t go_on(coin_state *s, const struct coins *from, int k,
     return coin_priv_run_to_end(&r, of->method, of->steps, s, NULL);
 }
 
-/* Writes the states of the coins that are still in their lanes. */
-static mask store(coin_state *const *where, const struct coins *c, mask in,
-                  const coin_priv_body *b)
+static int32_t alone(coin_state *s, const struct shared *of)
 {
-    const coin_lanes_pose to = coin_lanes_pose_of(&c->g, all(b->a));
+    return coin_run(s, of->p, of->method, of->dt, of->steps, NULL);
+}
+
+/* Writes the states of the coins that are still in their lanes.  One whose path
+ * overflowed goes the way anew by itself. */
+static void store(coin_state *const *where, int32_t *status,
+                  const struct coins *c, mask in, const struct shared *of)
+{
+    const coin_lanes_pose to = coin_lanes_pose_of(&c->g, all(of->b->a));
     const coin_lanes s[8] = {
         to.theta,           to.phi,    to.psi,    c->start[X] + to.x,
         c->start[Z] + to.z, c->g.y.wX, c->g.y.wY, c->g.y.wZ,
     };
-    in &= pose_holds(s);
-    for (int k = 0; k < COIN_PRIV_LANES; ++k)
-        for (int i = 0; in[k] && i < 8; ++i)
+    const mask holds = pose_holds(s);
+    for (int k = 0; k < COIN_PRIV_LANES; ++k) {
+        for (int i = 0; in[k] && holds[k] && i < 8; ++i)
             ((double *)where[k])[i] = s[i][k];
-    return in;
-}
-
-static int32_t alone(coin_state *s, const struct shared *of)
-{
-    return coin_run(s, of->p, of->method, of->dt, of->steps, NULL);
+        if (in[k])
+            status[k] = holds[k] ? COIN_OK : alone(where[k], of);
+    }
 }
 
 /* Blocks of steps, each from where the last one ended; *in becomes 0 for a coin
@@ -264,10 +267,7 @@ COIN_PRIV_INLINE void run(coin_state *const *where, int32_t *status,
             status[k] = alone(where[k], of);
     begin(&c);
     blocks(where, status, &c, &in, of, step, coefficients);
-    const mask stored = store(where, &c, in, of->b);
-    for (int k = 0; k < COIN_PRIV_LANES; ++k)
-        if (in[k])
-            status[k] = stored[k] ? COIN_OK : alone(where[k], of);
+    store(where, status, &c, in, of);
 }
 
 static struct shared shared_of(const coin_params *p, const coin_priv_body *b,

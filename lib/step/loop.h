@@ -81,7 +81,9 @@ COIN_PRIV_INLINE int coin_priv_step_holds(coin_priv_limits *limits, double g_a,
 {
     const int turn_holds = (fabs(end->adds.theta) <= COIN_PRIV_TURN_MAX) &
                            (fabs(end->adds.phi) <= COIN_PRIV_TURN_MAX);
-    return turn_holds && end->least_cth > 0 && next->cth > 0 &&
+    /* No step was found whose end alone is below the table. */
+    const int above = (end->least_cth > 0) & (next->cth > 0);
+    return turn_holds && above &&
            coin_priv_rate2_holds(limits, coin_priv_rate2(g_a, next));
 }
 

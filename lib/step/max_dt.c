@@ -93,8 +93,8 @@ static double apart(const coin_priv_run *c, const coin_priv_run *d)
     return larger(s.z - r.z, e);
 }
 
-/* The error per natural unit of time that steps of dt make over the span, or
- * infinity if they do not get through it.  A span below a natural unit counts
+/* The error per natural unit of time that steps of dt make over the span, at
+ * least 1 if they do not get through it.  A span below a natural unit counts
  * in full: the error goes on growing after it. */
 static double trial(const struct outlook *o, int32_t method, double dt)
 {
@@ -111,9 +111,10 @@ static double trial(const struct outlook *o, int32_t method, double dt)
     c.dt = dt;
     d.dt = dt / 2;
     for (uint64_t i = block; i < n + block; i += block) {
-        if (coin_priv_run_on(&c, method, block) < block ||
-            coin_priv_run_on(&d, method, 2 * block) < 2 * block)
-            return (double)INFINITY;
+        const uint64_t missing = 3 * block -
+                                 coin_priv_run_by(&c, method, block) -
+                                 coin_priv_run_by(&d, method, 2 * block);
+        error = larger((double)missing, error); /* a trial that fails */
         const double t = (double)i * dt * rate;
         error = larger(apart(&c, &d) / (t > least ? t : least), error);
     }
@@ -156,7 +157,7 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
         const double error = trial(&o, method, tried);
         const double wanted = tol * MARGIN / larger(error, ROUNDING);
         const double factor = root(wanted, order);
-        dt = tried * (factor > 4 ? 4 : factor > 0 ? factor : 0.125);
+        dt = tried * (factor > 4 ? 4 : factor);
     }
     return dt < most ? dt : most;
 }

@@ -9,13 +9,10 @@
 int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
                             const coin_params *p, int32_t method, double dt);
 
-/* Up to n steps; returns how many were done.  Of steps of no time as many are
- * done as are asked for. */
-COIN_PRIV_INLINE uint64_t coin_priv_run_on(coin_priv_run *r, int32_t method,
+/* Up to n steps of dt, which is not 0; returns how many were done. */
+COIN_PRIV_INLINE uint64_t coin_priv_run_by(coin_priv_run *r, int32_t method,
                                            uint64_t n)
 {
-    if (r->dt == 0)
-        return n;
     const uint64_t before = r->steps;
     switch (method) {
     case COIN_RK4:
@@ -31,6 +28,14 @@ COIN_PRIV_INLINE uint64_t coin_priv_run_on(coin_priv_run *r, int32_t method,
         coin_priv_symplectic4(r, n);
     }
     return r->steps - before;
+}
+
+/* The same for any dt.  Of steps of no time as many are done as are asked for.
+ */
+COIN_PRIV_INLINE uint64_t coin_priv_run_on(coin_priv_run *r, int32_t method,
+                                           uint64_t n)
+{
+    return r->dt == 0 ? n : coin_priv_run_by(r, method, n);
 }
 
 /* Where it has come to; a run of no steps is where it began, to the bit. */

@@ -20,10 +20,10 @@ static int step(coin_priv_run *r, double tau)
 static uint64_t landing(coin_priv_run *r, int32_t method, uint64_t n)
 {
     workprec_slopes += (method == COIN_RK4 ? 4 : 12) * n;
-    return coin_priv_run_on(r, method, n);
+    return coin_priv_run_by(r, method, n);
 }
 
 #define coin_priv_extrapolate step
-#define coin_priv_run_on landing
+#define coin_priv_run_by landing
 #define coin_advance counted_advance
 #include "../../lib/step/advance.c"
