@@ -89,9 +89,8 @@ static int32_t land(coin_priv_run *r, const struct reach *reach,
     if (rem->sum == 0)
         return COIN_OK;
     r->dt = rem->sum;
-    const int32_t method =
-        left2(r, rem->sum) <= reach->rk4 * reach->rk4 ? COIN_RK4 : COIN_RK8;
-    if (coin_priv_run_by(r, method, 1) == 0)
+    const int brief = left2(r, rem->sum) <= reach->rk4 * reach->rk4;
+    if (coin_priv_run_by(r, brief ? COIN_RK4 : COIN_RK8, 1) == 0)
         return COIN_ESTEP;
     rem->sum = 0;
     return COIN_OK;

@@ -3,6 +3,12 @@
 
 #include "run.h"
 
+void coin_priv_run_from(coin_priv_run *r, const coin_state *s, int32_t method,
+                        double dt)
+{
+    coin_priv_run_from_here(r, s, method, dt);
+}
+
 int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
                             const coin_params *p, int32_t method, double dt)
 {
@@ -13,7 +19,7 @@ int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
         return status;
     if (!(fabs(dt) <= COIN_PRIV_LARGEST))
         return COIN_ESTEP;
-    coin_priv_run_from(r, s, method, dt);
+    coin_priv_run_from_here(r, s, method, dt);
     return COIN_OK;
 }
 
