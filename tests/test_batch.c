@@ -219,6 +219,18 @@ static void a_coin_that_is_no_state_leaves_the_others_alone(void **unused)
     }
 }
 
+static void the_longest_and_the_shortest_steps_are_as_alone(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 4; ++i) {
+        struct trial t = {.p = disc(), .count = MOST};
+        for (size_t k = 0; k < MOST; ++k)
+            t.s[k] = (coin_state){.theta = 0.3, .wZ = 1};
+        check_trial(&t, i % 2, i / 2 ? 1e200 : 1e-200, 1);
+        check_status(t.want_all, i / 2 ? COIN_ESTEP : COIN_OK);
+    }
+}
+
 static void a_path_that_overflows_is_not_taken_in_a_lane(void **unused)
 {
     (void)unused;
@@ -345,6 +357,7 @@ int main(void)
         TEST(the_runge_kutta_methods_have_lanes_where_vectors_are),
         TEST(the_first_coin_that_failed_tells_the_status),
         TEST(a_coin_that_is_no_state_leaves_the_others_alone),
+        TEST(the_longest_and_the_shortest_steps_are_as_alone),
         TEST(a_path_that_overflows_is_not_taken_in_a_lane),
         TEST(a_turn_that_comes_late_is_that_of_the_coin_alone),
         TEST(a_roll_that_leaves_its_range_for_a_while_ends_the_run),

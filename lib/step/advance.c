@@ -88,9 +88,13 @@ static int32_t land(coin_priv_run *r, const struct reach *reach,
 {
     if (rem->sum == 0)
         return COIN_OK;
+    const uint64_t before = r->steps;
     r->dt = rem->sum;
-    const int brief = left2(r, rem->sum) <= reach->rk4 * reach->rk4;
-    if (coin_priv_run_by(r, brief ? COIN_RK4 : COIN_RK8, 1) == 0)
+    if (left2(r, rem->sum) <= reach->rk4 * reach->rk4)
+        coin_priv_rk4(r, 1);
+    else
+        coin_priv_rk8(r, 1);
+    if (r->steps == before)
         return COIN_ESTEP;
     rem->sum = 0;
     return COIN_OK;

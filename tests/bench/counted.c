@@ -17,13 +17,20 @@ static int step(coin_priv_run *r, double tau)
     return coin_priv_extrapolate(r, tau);
 }
 
-static uint64_t landing(coin_priv_run *r, int32_t method, uint64_t n)
+static void landing4(coin_priv_run *r, uint64_t n)
 {
-    workprec_slopes += (method == COIN_RK4 ? 4 : 12) * n;
-    return coin_priv_run_by(r, method, n);
+    workprec_slopes += 4 * n;
+    coin_priv_rk4(r, n);
+}
+
+static void landing8(coin_priv_run *r, uint64_t n)
+{
+    workprec_slopes += 12 * n;
+    coin_priv_rk8(r, n);
 }
 
 #define coin_priv_extrapolate step
-#define coin_priv_run_by landing
+#define coin_priv_rk4 landing4
+#define coin_priv_rk8 landing8
 #define coin_advance counted_advance
 #include "../../lib/step/advance.c"
