@@ -216,11 +216,11 @@ COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
 /** Whether the parameters can be computed with.
  * @return COIN_OK; COIN_EARG null; COIN_EPARAMS if a member is not finite or
  *         not positive, a reserved member is not 0, I_Z > 2 I_X (beyond a
- *         relative 1e-12: no body has that), or of these numbers, in the units
- *         of p, one is below 1e-300 or the sum is above 1e300: M, a, g, I_X,
- * I_Z, M a, M g, M a^2, M g a, g/a; with J = I_X + M a^2, K = I_Z + M a^2 the
- *         ratios I_Z/I_X, M a^2/K, I_X/J, K/J, M g a/J; the square of
- *         coin_critical_roll(). */
+ *         relative 1e-12: no body has that), or if of these numbers, in the
+ *         units of p, one is below 1e-300 or the sum is above 1e300: M, a, g,
+ *         I_X, I_Z, M a, M g, M a^2, M g a, g/a; with J = I_X + M a^2 and
+ *         K = I_Z + M a^2 the ratios I_Z/I_X, M a^2/K, I_X/J, K/J, M g a/J;
+ *         the square of coin_critical_roll(). */
 COIN_API int32_t coin_params_check(const coin_params *p);
 
 /* ---------------------------------------------------------------- state -- */
@@ -641,9 +641,10 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         amplified as the motion amplifies an error in the lean or a rate:
  *         next to an unstable motion heading and roll may lose a thousand times
  *         1e-15 conditioning.  A steady motion also misses what
- *         coin_steady_at() leaves out, here 16 u of the terms of (39) over
- * |lambda^2| in the lean, which heading and roll gather in time (make
- * adversary). Cost: less than a textbook Runge-Kutta step, whatever t is. */
+ *         coin_steady_at() leaves out: here 16 u of the terms of (39) over
+ *         |lambda^2| in the lean, which heading and roll gather in time
+ *         (make adversary).
+ * Cost: less than a textbook Runge-Kutta step, whatever t is. */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
 
 /* --------------------------------------------------------------- models -- */
