@@ -295,10 +295,10 @@ COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
  *
  * A run of n steps is n runs of one step to rounding.  A caller who wants to
  * stop a long run therefore calls with a part of the steps at a time.  Each
- * further call changes the result by at most 8 u of the angles over
- * cos(theta), before the motion's own amplification, for steps that are not
- * coarse (COIN_RK4: |dt| W up to 0.2) (test_cuts).  coin_sample() reports
- * states on the way and keeps the bits of one uninterrupted run.
+ * further call changes the result by at most 8 u/cos(theta) in radians, radii
+ * and natural units of rate, before the motion's own amplification, for steps
+ * that are not coarse (COIN_RK4: |dt| W up to 0.2) (test_cuts).  coin_sample()
+ * reports states on the way and keeps the bits of one uninterrupted run.
  * Accuracy: a step adds at most 0.1 (|dt| W)^5 radians and radii by COIN_RK4,
  *         2e-4 (|dt| W)^9 by COIN_RK8, 0.6 (|dt| W)^3 by COIN_SYMPLECTIC2 and
  *         0.04 (|dt| W)^5 by COIN_SYMPLECTIC4, and as much in parts of W in the
