@@ -88,27 +88,6 @@ pub const COIN_MODEL_ORBIT: _bindgen_ty_4 = 2;
 pub const COIN_MODEL_STEPS: _bindgen_ty_4 = 3;
 pub type _bindgen_ty_4 = ::std::os::raw::c_uint;
 extern "C" {
-    pub fn coin_version() -> u32;
-}
-extern "C" {
-    pub fn coin_version_string() -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn coin_status_string(status: i32) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn coin_sizeof_state() -> u32;
-}
-extern "C" {
-    pub fn coin_sizeof_params() -> u32;
-}
-extern "C" {
-    pub fn coin_sizeof_orbit() -> u32;
-}
-extern "C" {
-    pub fn coin_selftest() -> i32;
-}
-extern "C" {
     pub fn coin_params_disc(p: *mut coin_params, mass: f64, radius: f64, gravity: f64) -> i32;
 }
 extern "C" {
@@ -175,15 +154,6 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
-    pub fn coin_advance(
-        s: *mut coin_state,
-        p: *const coin_params,
-        t: f64,
-        tol: f64,
-        reached: *mut f64,
-    ) -> i32;
-}
-extern "C" {
     pub fn coin_batch_run(
         s: *mut coin_state,
         count: usize,
@@ -195,19 +165,22 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
-    pub fn coin_orbit_init(o: *mut coin_orbit, s: *const coin_state, p: *const coin_params) -> i32;
+    pub fn coin_advance(
+        s: *mut coin_state,
+        p: *const coin_params,
+        t: f64,
+        tol: f64,
+        reached: *mut f64,
+    ) -> i32;
 }
 extern "C" {
-    pub fn coin_orbit_at(o: *const coin_orbit, t: f64, out: *mut coin_state) -> i32;
+    pub fn coin_max_dt(s: *const coin_state, p: *const coin_params, method: i32, tol: f64) -> f64;
 }
 extern "C" {
     pub fn coin_method_name(method: i32) -> *const ::std::os::raw::c_char;
 }
 extern "C" {
     pub fn coin_method_order(method: i32) -> i32;
-}
-extern "C" {
-    pub fn coin_max_dt(s: *const coin_state, p: *const coin_params, method: i32, tol: f64) -> f64;
 }
 extern "C" {
     pub fn coin_energy(s: *const coin_state, p: *const coin_params) -> f64;
@@ -269,6 +242,13 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
+    pub fn coin_steady_near(
+        s: *const coin_state,
+        p: *const coin_params,
+        out: *mut coin_state,
+    ) -> i32;
+}
+extern "C" {
     pub fn coin_steady_radii(
         s: *const coin_state,
         p: *const coin_params,
@@ -277,11 +257,13 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
-    pub fn coin_steady_near(
-        s: *const coin_state,
-        p: *const coin_params,
-        out: *mut coin_state,
-    ) -> i32;
+    pub fn coin_stability(s: *const coin_state, p: *const coin_params, lambda2: *mut f64) -> i32;
+}
+extern "C" {
+    pub fn coin_critical_roll(p: *const coin_params) -> f64;
+}
+extern "C" {
+    pub fn coin_critical_spin(p: *const coin_params) -> f64;
 }
 extern "C" {
     pub fn coin_steady_at(
@@ -290,9 +272,6 @@ extern "C" {
         t: f64,
         out: *mut coin_state,
     ) -> i32;
-}
-extern "C" {
-    pub fn coin_stability(s: *const coin_state, p: *const coin_params, lambda2: *mut f64) -> i32;
 }
 extern "C" {
     pub fn coin_wobble_at(
@@ -304,10 +283,10 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
-    pub fn coin_critical_roll(p: *const coin_params) -> f64;
+    pub fn coin_orbit_init(o: *mut coin_orbit, s: *const coin_state, p: *const coin_params) -> i32;
 }
 extern "C" {
-    pub fn coin_critical_spin(p: *const coin_params) -> f64;
+    pub fn coin_orbit_at(o: *const coin_orbit, t: f64, out: *mut coin_state) -> i32;
 }
 extern "C" {
     pub fn coin_model_needed(
@@ -316,4 +295,25 @@ extern "C" {
         horizon: f64,
         tol: f64,
     ) -> i32;
+}
+extern "C" {
+    pub fn coin_version() -> u32;
+}
+extern "C" {
+    pub fn coin_version_string() -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn coin_status_string(status: i32) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn coin_sizeof_state() -> u32;
+}
+extern "C" {
+    pub fn coin_sizeof_params() -> u32;
+}
+extern "C" {
+    pub fn coin_sizeof_orbit() -> u32;
+}
+extern "C" {
+    pub fn coin_selftest() -> i32;
 }
