@@ -54,7 +54,7 @@ PINNED := -ffp-contract=off -fno-tree-vectorize
 
 CC_USER  = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS)
 CC_LIB   = $(CC_USER) -std=c99 $(PINNED) $(MAPS) -fvisibility=hidden \
-           -I$(SRC)/include
+           -I$(SRC)/include -I$(SRC)/lib
 CC_TEST  = $(CC_USER) -std=c11 $(PINNED) $(MAPS) -I$(SRC)/include -I$(SRC)/lib \
            -I$(SRC)/tests/support $(TEST_SEES)
 DEPENDS  = -MMD -MP -MT $@ -MF $(abspath $@).d
@@ -74,7 +74,7 @@ endif
 .PHONY: force
 
 # -------------------------------------------------------------------- libraries
-SOURCES := $(wildcard $(SRC)/lib/*.c)
+SOURCES := $(wildcard $(SRC)/lib/*.c $(SRC)/lib/real/*.c)
 STATIC  := $(SOURCES:$(SRC)/lib/%.c=$(O)/static/%.o)
 SHARED  := $(SOURCES:$(SRC)/lib/%.c=$(O)/shared/%.o)
 LIB_A   := $(O)/librollcoin.a
@@ -87,11 +87,11 @@ include $(SRC)/lib/float/float.mk
 .PHONY: all
 all: $(LIB_A) $(LIB_SO) $(O)/rollcoin.pc ## the static and the shared library
 
-$(O)/static/%.o: $(SRC)/lib/%.c $(O)/flags | $(O)/static
+$(O)/static/%.o: $(SRC)/lib/%.c $(O)/flags | $(O)/static/real
 	echo "CC  $(@F)"
 	cd $(SRC) && $(CC_LIB) $(DEPENDS) -c -o $(abspath $@) $<
 
-$(O)/shared/%.o: $(SRC)/lib/%.c $(O)/flags | $(O)/shared
+$(O)/shared/%.o: $(SRC)/lib/%.c $(O)/flags | $(O)/shared/real
 	echo "CC  $(@F) (shared)"
 	cd $(SRC) && $(CC_LIB) -fPIC $(DEPENDS) -c -o $(abspath $@) $<
 
@@ -118,14 +118,16 @@ SINGLE_TREE  := $(O)/single/tree
 single: $(SINGLE) ## build/single/coin.h, the library as one header
 
 $(SINGLE): $(SRC)/LICENSE $(SRC)/lib/single.awk $(FLOAT_C) $(FLOAT_H) \
-           $(wildcard $(SRC)/include/*.h $(SRC)/lib/*.[ch]) | $(O)/single
+           $(wildcard $(SRC)/include/*.h $(SRC)/lib/*.[ch]) \
+           $(wildcard $(SRC)/lib/real/*.[ch]) | $(O)/single
 	rm -rf $(SINGLE_TREE)
-	mkdir -p $(SINGLE_TREE)/include $(SINGLE_TREE)/lib
+	mkdir -p $(SINGLE_TREE)/include $(SINGLE_TREE)/lib/real
 	cp $(SRC)/LICENSE $(SINGLE_TREE)
 	cp $(SRC)/include/*.h $(SINGLE_TREE)/include
 	cp $(SRC)/lib/*.[ch] $(FLOAT_C) $(FLOAT_H) $(SINGLE_TREE)/lib
+	cp $(SRC)/lib/real/*.[ch] $(SINGLE_TREE)/lib/real
 	cd $(SINGLE_TREE) && export LC_ALL=C && awk -f $(SRC)/lib/single.awk \
-	    LICENSE include/*.h lib/*.c >$(abspath $@)
+	    LICENSE include/*.h lib/*.c lib/real/*.c >$(abspath $@)
 	echo '#include "coin.h" /* which holds coinf.h */' >$(O)/single/coinf.h
 
 # Folders below the prefix are written relative to it, so that pkg-config can
@@ -145,7 +147,8 @@ $(O)/flags: force | $(O)
 	echo '$(subst ','\'',$(CC_LIB) $(LDFLAGS))' >$@.new
 	cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
-$(O) $(O)/static $(O)/shared $(O)/single $(O)/tests/support:
+$(O) $(O)/static $(O)/static/real $(O)/shared $(O)/shared/real $(O)/single \
+$(O)/tests/support:
 	mkdir -p $@
 
 -include $(wildcard $(O)/*.d $(O)/*/*.d $(O)/*/*/*.d)
@@ -301,7 +304,7 @@ repro-update: ## accept the hashes of this library as the pinned ones
 	+$(GATE) sh $(SRC)/tests/repro/hash.sh update
 
 # -------------------------------------------------------------- format, helpers
-C_FILES = $(foreach d,include lib lib/float tests tests/* docs/examples \
+C_FILES = $(foreach d,include lib lib/float lib/real tests tests/* docs/examples \
             docs/examples/*,\
             $(wildcard $(SRC)/$d/*.[ch]))
 

@@ -109,6 +109,28 @@ typedef struct coin_force {
                           if N <= 0 */
 } coin_force;
 
+/** What slows a coin, and brings it to rest: each term an own law of
+ * resistance.  They add; a term of 0 is not there.  Eq. (64)-(69). */
+typedef struct coin_losses {
+    double damping; /**< alpha: a torque alpha |d(psi)/dt| times the angular
+                         momentum, component by component [1] */
+    double dry;     /**< contour friction: a torque against the roll of the
+                         contact along the rim, whatever its rate
+                         [M L^2/T^2] */
+    double viscous; /**< the same, as that rate [M L^2/T] */
+    double layer;   /**< the same, as its power 3/2: the boundary layer of the
+                         air [M L^2/T^(1/2)] */
+    double gap;     /**< the same, as that rate over cos(theta): the air in the
+                         gap below the coin [M L^2/T] */
+    double rolling; /**< the rolling moment of engines: as dry, times
+                         cos(theta) [M L^2/T^2] */
+    double spin;    /**< pivoting friction: a torque as the turn about the
+                         vertical [M L^2/T] */
+    double soft;    /**< the rate of roll below which dry and rolling fade
+                         [1/T]; 0 stands for sqrt(g/a)/1024, and less than
+                         2^-30 sqrt(g/a) for that */
+} coin_losses;
+
 /** A motion solved once, to be asked for any time: coin_orbit_init(),
  * coin_orbit_at().  No pointers: it may be copied, stored and shared.  Half a
  * period of theta is held in pieces, each a polynomial of time. */
@@ -159,6 +181,11 @@ enum {
     COIN_COARSE = 4,     /**< |dt| W beyond the method's limit of full
                               accuracy, W as in Eq. (47): docs/guide.md */
     COIN_NEARLY_FLAT = 8 /**< cos(theta) < 0.01 */
+};
+
+/** Status: positive, and no warning: never combined with the bits above. */
+enum {
+    COIN_RESTS = 16 /**< done: the coin lies flat */
 };
 
 /** Methods of integration. */
@@ -411,6 +438,35 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         period since the start (test_orbit).
  * Cost: less than a textbook Runge-Kutta step, whatever t is. */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
+
+/* ----------------------------------------------------------- real coins -- */
+
+/** Whether losses can be computed with.
+ * @return COIN_OK; COIN_EARG null; COIN_EPARAMS as coin_params_check(), or a
+ *         member of *l is negative or not finite, or it or its quotient by
+ *         inertia_X or by inertia_Z + mass radius^2 is above 1e60. */
+COIN_API int32_t coin_losses_check(const coin_losses *l, const coin_params *p);
+
+/** The power that the losses take: -d(energy)/dt.  Eq. (69).
+ * @return P >= 0 [M L^2/T^3]; NaN on the usual errors, coin_losses_check(),
+ *         and where it would overflow.
+ * Accuracy: 16 u of the terms (test_losses). */
+COIN_API double coin_losses_power(const coin_state *s, const coin_params *p,
+                                  const coin_losses *l);
+
+/** coin_rates() of a coin with losses.  Eq. (14)-(20), (68).
+ * @param[out] out  as coin_rates()
+ * @return COIN_OK; the usual errors; COIN_EPARAMS also as coin_losses_check();
+ *         COIN_ESTATE also if a rate would overflow.
+ * Accuracy: 16 u of the terms (test_losses). */
+COIN_API int32_t coin_losses_rates(const coin_state *s, const coin_params *p,
+                                   const coin_losses *l, coin_state *out);
+
+/** coin_reaction() of a coin with losses.  Eq. (25)-(28), (70).
+ * @return as coin_losses_rates().
+ * Accuracy: 16 u of the terms (test_losses). */
+COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
+                                      const coin_losses *l, coin_force *out);
 
 /* -------------------------------------------------------------- methods -- */
 
