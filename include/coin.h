@@ -468,6 +468,10 @@ COIN_API int32_t coin_losses_rates(const coin_state *s, const coin_params *p,
 COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
                                       const coin_losses *l, coin_force *out);
 
+COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
+                             const coin_losses *l, double t, double tol,
+                             double *reached);
+
 /* -------------------------------------------------------------- methods -- */
 
 /** A method's name, "rk4" for COIN_RK4; null if there is no such method. */

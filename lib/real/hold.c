@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: MIT */
+#include "pinned.h"
+
+#include "real/hold.h"
+#include "sincos.h"
+
+/* Nearer to flat than this a fall is looked at; so near its acceleration
+ * hardly changes, and one step takes the whole of it. */
+#define NEAR_FLAT 0.05
+
+/* The columns of the extrapolation, of 2, 4, ... midpoint steps: its order is
+ * twice as many. */
+enum { COLUMNS = 7, MEMBERS = 4 };
+
+/* The inertia about the vertical through the contact. */
+static double inertia(const coin_priv_losses *l, double cth)
+{
+    return l->K - (l->K - l->IX) * (cth * cth); /* (72) */
+}
+
+double coin_priv_fall_turn(const coin_priv_fall *f, const coin_priv_losses *l)
+{
+    return f->L / inertia(l, coin_priv_sincos(f->x).s); /* (72) */
+}
+
+coin_priv_fall coin_priv_fall_of(const coin_priv_losses *l,
+                                 const coin_priv_stage *y)
+{
+    const coin_priv_sc from_flat = {y->cth, fabs(y->sth)};
+    const double turn = -y->wZ / y->sth; /* as d(psi)/dt = 0 */
+    const coin_priv_fall f = {
+        coin_priv_angle(from_flat),
+        fabs(y->wX),
+        inertia(l, y->cth) * turn,
+        0,
+    };
+    return f;
+}
+
+/* d/dt. */
+static coin_priv_fall slope(const coin_priv_fall *f, const coin_priv_losses *l,
+                            const coin_priv_body *b)
+{
+    const coin_priv_sc at = coin_priv_sincos(f->x); /* s = cos theta */
+    const double D = inertia(l, at.s), turn = f->L / D;
+    const coin_priv_fall d = {
+        -f->v,
+        at.c * (b->Mga + (l->K - l->IX) * at.s * turn * turn) / l->J, /* (72) */
+        -l->spin * turn,                                              /* (72) */
+        turn,
+    };
+    return d;
+}
+
+static coin_priv_fall moved(const coin_priv_fall *f, const coin_priv_fall *d,
+                            double h)
+{
+    const coin_priv_fall to = {
+        f->x + h * d->x,
+        f->v + h * d->v,
+        f->L + h * d->L,
+        f->phi + h * d->phi,
+    };
+    return to;
+}
+
+/* n midpoint steps. */
+static coin_priv_fall midpoints(const coin_priv_fall *f,
+                                const coin_priv_losses *l,
+                                const coin_priv_body *b, double t, int n)
+{
+    const double h = t / n;
+    coin_priv_fall d = slope(f, l, b), before = *f, now = moved(f, &d, h);
+    for (int i = 1; i < n; ++i) {
+        d = slope(&now, l, b);
+        const coin_priv_fall next = moved(&before, &d, 2 * h);
+        before = now;
+        now = next;
+    }
+    return now;
+}
+
+coin_priv_fall coin_priv_fall_at(const coin_priv_fall *f,
+                                 const coin_priv_losses *l,
+                                 const coin_priv_body *b, double t)
+{
+    coin_priv_fall column[COLUMNS];
+    for (int k = 0; k < COLUMNS; ++k) {
+        column[k] = midpoints(f, l, b, t, 2 * (k + 1));
+        for (int j = k - 1; j >= 0; --j) { /* Aitken and Neville, in 1/n^2 */
+            const double ratio = (double)(k + 1) / (j + 1);
+            const double part = 1 / (ratio * ratio - 1);
+            const coin_priv_fall coarse = column[j];
+            column[j].x = column[j + 1].x + part * (column[j + 1].x - coarse.x);
+            column[j].v = column[j + 1].v + part * (column[j + 1].v - coarse.v);
+            column[j].L = column[j + 1].L + part * (column[j + 1].L - coarse.L);
+            column[j].phi =
+                column[j + 1].phi + part * (column[j + 1].phi - coarse.phi);
+        }
+    }
+    return column[0];
+}
+
+/* With the acceleration it begins with. */
+static double first_guess(const coin_priv_fall *f, const coin_priv_losses *l,
+                          const coin_priv_body *b)
+{
+    const double A = slope(f, l, b).v;
+    return 2 * f->x / (f->v + sqrt(f->v * f->v + 2 * A * f->x));
+}
+
+double coin_priv_fall_time(const coin_priv_fall *f, const coin_priv_losses *l,
+                           const coin_priv_body *b)
+{
+    double t = first_guess(f, l, b);
+    for (int i = 0; i < 4; ++i) { /* Newton: x = 0 */
+        const coin_priv_fall at = coin_priv_fall_at(f, l, b, t);
+        t += at.x / at.v;
+    }
+    return t;
+}
+
+int coin_priv_held(const coin_priv_losses *l, const coin_priv_body *b,
+                   const coin_priv_stage *y, double eps)
+{
+    const double sth = y->sth, cth = y->cth, wX = y->wX;
+    const double u = cth * y->wZ + sth * y->wY;
+    const double small2 = eps * eps * (l->J * wX * wX + b->Mga * cth) / l->IX;
+    if (!(cth < NEAR_FLAT && wX * sth >= 0 && u * u <= small2))
+        return 0;
+    /* The torque along e_Z that holds the contact, at its most, and what the
+     * losses give as long as u is small. */
+    const coin_priv_fall f = coin_priv_fall_of(l, y);
+    const double turn = f.L / inertia(l, cth), small = sqrt(small2);
+    const double A = slope(&f, l, b).v;
+    const double fastest = sqrt(wX * wX + 2 * A * f.x);
+    const double lever =
+        2 * sth * sth * l->K * (l->K - l->IX) / inertia(l, cth) - l->K - b->m;
+    const double need = fabs(turn * lever) * cth * fastest; /* (73) */
+    const double slow = (l->K - l->IX) / l->J * turn * turn;
+    const double time = first_guess(&f, l, b);
+    return need <= small * coin_priv_grip(l, small, cth) &&
+           slow * time * time < 1;
+}

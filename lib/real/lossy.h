@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/* Steps of a coin with losses, in Sundman's time. */
+#ifndef ROLLCOIN_LOSSY_H
+#define ROLLCOIN_LOSSY_H
+
+#include "real/losses.h"
+#include "stepper.h"
+
+/* A coin with losses under way. */
+typedef struct coin_priv_lossy {
+    coin_priv_body b;
+    coin_priv_losses l;
+    coin_priv_carry c;
+} coin_priv_lossy;
+
+/* A step tried: where it leads, and how far it may be off. */
+typedef struct coin_priv_trial {
+    coin_priv_moment next; /* next.pose.t: the time that the step takes */
+    double error;          /* estimated; natural units, radians and radii */
+    int sound;             /* 0: a stage or the end would not be a state */
+} coin_priv_trial;
+
+void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
+                         double tau);
+
+/* Makes the end of a sound trial the present. */
+void coin_priv_lossy_accept(coin_priv_lossy *w, const coin_priv_trial *trial);
+
+/* What a step's length is measured by [1/T]: the rate at which the coin moves
+ * in tau, and the rate at which friction does. */
+double coin_priv_lossy_rate(const coin_priv_lossy *w);
+
+/* The largest tau that does not step over the place where the contact turns
+ * round, d(psi)/dt = 0, where friction is not smooth; infinite without it.
+ * What is below `error` natural units of rate is not resolved. */
+double coin_priv_lossy_bound(const coin_priv_lossy *w, double error);
+
+#endif

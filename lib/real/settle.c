@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: MIT */
+#include "pinned.h"
+
+#include "number.h"
+#include "real/hold.h"
+#include "real/lossy.h"
+#include "state.h"
+#include "sundman.h"
+
+/* Natural units of time beyond which a step would change nothing of t. */
+#define TOO_LONG 1e15
+
+/* The most steps of a call: 0.4 s. */
+#define STEPS_MAX (UINT64_C(1) << 20)
+
+double TUNE_FIRST = 4, TUNE_LONGEST = 1.2, TUNE_K = 4, TUNE_FLOOR = 0.03;
+unsigned long TUNE_TRIES, TUNE_STEPS;
+
+/* |rem| times the fastest rate below which one step lands, by a series to the
+ * second order. */
+#define LAST 1e-5
+
+/* The shortest step, over the rate: it is taken whatever its error. */
+#define SHORTEST 0x1p-20
+
+/* Nearer to flat than this, and too slow to rise, a coin whose losses have no
+ * stop is at its end. */
+#define END 1e-10
+
+/* The last lean that coin_state_check() accepts. */
+#define LAST_LEAN (COIN_PRIV_HALF_PI - DBL_EPSILON)
+
+/* A coin on its way to rest. */
+struct settling {
+    coin_priv_lossy w;
+    coin_priv_sum rem; /* the time still to go */
+    double tol, stride;
+};
+
+/* The tau that the time rem takes, to second order; NaN where that ends. */
+static double tau_of(const coin_priv_stage *y, double rem)
+{
+    const double r = rem / y->cth;
+    return 2 * r / (1 + sqrt(1 - 2 * y->sth * y->wX * r)); /* (54) */
+}
+
+/* What a step may err by. */
+static double allowed(const struct settling *g, double t)
+{
+    const double units = fabs(t) * sqrt(g->w.b.g_a);
+    return TUNE_K * g->tol * (units > TUNE_FLOOR ? units : TUNE_FLOOR);
+}
+
+/* The step by its three rules, or what lands. */
+static double next_tau(const struct settling *g, double rate)
+{
+    const double bound = coin_priv_lossy_bound(&g->w, allowed(g, 0)),
+                 rem = g->rem.sum;
+    double full = g->stride / rate;
+    if (bound < full)
+        full = bound;
+    const double tau = tau_of(&g->w.c.at.y, rem);
+    return fabs(tau) < full ? tau : rem < 0 ? -full : full;
+}
+
+/* The factor from a step to the next: (allowed/error)^(1/8), within limits. */
+static double change(double ratio)
+{
+    const double factor = 0.9 * sqrt(sqrt(sqrt(ratio)));
+    return factor < 2 ? factor > 0.25 ? factor : 0.25 : 2;
+}
+
+/* One step, as long as its error allows. */
+static int32_t step(struct settling *g, double rate)
+{
+    coin_priv_trial trial;
+    for (;;) {
+        const double tau = next_tau(g, rate);
+        coin_priv_lossy_try(&trial, &g->w, tau);
+        ++TUNE_TRIES;
+        const double most = allowed(g, trial.next.pose.t);
+        const double used = fabs(tau) * rate;
+        const int good = trial.sound && trial.error <= most;
+        if (good || (trial.sound && used <= SHORTEST)) {
+            const double next = used * change(most / trial.error);
+            if (next > g->stride || used == g->stride)
+                g->stride = next < TUNE_LONGEST ? next : TUNE_LONGEST;
+            break;
+        }
+        if (used <= SHORTEST)
+            return COIN_ESTEP;
+        g->stride = used * (trial.sound ? change(most / trial.error) : 0.25);
+    }
+    ++TUNE_STEPS;
+    coin_priv_add(&g->rem, -trial.next.pose.t);
+    coin_priv_lossy_accept(&g->w, &trial);
+    return COIN_OK;
+}
+
+/* The coin after a fall, flat or not yet. */
+static void put(coin_priv_carry *c, const coin_priv_fall *f,
+                const coin_priv_losses *l)
+{
+    const coin_priv_sc at = coin_priv_sincos(f->x);
+    const double side = c->at.y.sth < 0 ? -1 : 1;
+    const double turn = coin_priv_fall_turn(f, l);
+    coin_priv_stage *y = &c->at.y;
+    y->sth = side * at.c;
+    y->cth = at.s;
+    y->wX = side * f->v;
+    y->wY = at.s * turn;
+    y->wZ = -y->sth * turn;
+    c->at.pose.phi = coin_priv_heading(y, c->at.pose.phi) + f->phi;
+    const coin_priv_sc ph = coin_priv_sincos(c->at.pose.phi);
+    y->sph = ph.s;
+    y->cph = ph.c;
+    ++c->steps;
+}
+
+/* The fall of a coin whose contact has stopped. */
+static int32_t fall(struct settling *g)
+{
+    const coin_priv_losses *l = &g->w.l;
+    const coin_priv_body *b = &g->w.b;
+    const coin_priv_fall f = coin_priv_fall_of(l, &g->w.c.at.y);
+    const double time = coin_priv_fall_time(&f, l, b);
+    const int flat = time <= g->rem.sum;
+    coin_priv_fall end = coin_priv_fall_at(&f, l, b, flat ? time : g->rem.sum);
+    if (flat)
+        end.x = 0;
+    put(&g->w.c, &end, l);
+    if (flat)
+        coin_priv_add(&g->rem, -time);
+    else
+        g->rem.sum = 0;
+    return flat ? COIN_RESTS : COIN_OK;
+}
+
+/* The time left of a coin so flat and slow that it will not rise again, by the
+ * losses that never stop the contact: (t0 - t)^2 is as its energy. */
+static double time_left(const coin_priv_lossy *w)
+{
+    const coin_priv_stage *y = &w->c.at.y;
+    const double E = (w->l.J * y->wX * y->wX + w->l.IX * y->wY * y->wY) / 2 +
+                     w->b.Mga * y->cth;
+    if (!(y->cth < END && E < 5 * w->b.Mga * y->cth))
+        return (double)INFINITY;
+    return 2 * E * y->cth / coin_priv_slow(&w->l, y).power;
+}
+
+/* Lays the coin flat as it moves. */
+static int32_t lay(struct settling *g, double after)
+{
+    coin_priv_stage *y = &g->w.c.at.y;
+    coin_priv_add(&g->rem, -after);
+    y->sth = y->sth < 0 ? -1 : 1;
+    y->cth = 0;
+    y->wY = 0;
+    y->wX = y->sth * fabs(y->wX);
+    return COIN_RESTS;
+}
+
+/* Moves the coin until the time is over, or it rests, or a step fails or is one
+ * too many. */
+static int32_t approach(struct settling *g)
+{
+    const double most = 10 * g->tol, eps = most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
+    for (;;) {
+        const coin_priv_stage *y = &g->w.c.at.y;
+        const double rem = g->rem.sum;
+        if (rem == 0)
+            return COIN_OK;
+        if (y->cth < COIN_PRIV_FLAT)
+            return lay(g, 0);
+        if (coin_priv_held(&g->w.l, &g->w.b, y, eps))
+            return fall(g);
+        if (time_left(&g->w) <= rem)
+            return lay(g, time_left(&g->w));
+        if (g->w.c.steps == STEPS_MAX)
+            return COIN_ESTEP;
+        const double rate = coin_priv_lossy_rate(&g->w);
+        const int last = fabs(rem) * rate <= LAST * y->cth;
+        const int32_t status = step(g, rate);
+        if (status != COIN_OK)
+            return status;
+        if (last)
+            g->rem.sum = 0;
+        else if ((g->rem.sum < 0) != (rem < 0))
+            g->stride /= 2;
+    }
+}
+
+/* Whether the coin lies flat already. */
+static int at_rest(const coin_state *s)
+{
+    return fabs(s->theta) >= LAST_LEAN && s->wY == 0 && s->wX * s->theta >= 0;
+}
+
+static int32_t ideal(coin_state *s, const coin_params *p, double t, double tol,
+                     double *reached)
+{
+    const int32_t status = coin_advance(s, p, t, tol, reached);
+    return status == COIN_EFLAT ? COIN_RESTS : status;
+}
+
+int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
+                    double t, double tol, double *reached)
+{
+    struct settling g;
+    if (!s || !p || !l || !(tol >= 1e-13 && tol <= 1e-2))
+        return COIN_EARG;
+    if (coin_losses_check(l, p) != COIN_OK)
+        return COIN_EPARAMS;
+    int32_t status = coin_priv_check(s, p, &g.w.b);
+    if (status != COIN_OK)
+        return status;
+    if (!(t >= 0 && t * sqrt(g.w.b.g_a) <= TOO_LONG))
+        return COIN_ESTEP;
+    if (at_rest(s)) {
+        if (reached)
+            *reached = 0;
+        return COIN_RESTS;
+    }
+    if (coin_priv_lossless(l))
+        return ideal(s, p, t, tol, reached);
+    (void)coin_priv_losses_of(&g.w.l, l, &g.w.b);
+    coin_priv_carry_begin(&g.w.c, s);
+    g.rem.sum = t;
+    g.rem.low = 0;
+    g.tol = tol;
+    g.stride = TUNE_FIRST * sqrt(sqrt(sqrt(tol)));
+    if (g.stride > TUNE_LONGEST)
+        g.stride = TUNE_LONGEST;
+    status = approach(&g);
+    coin_state end = coin_priv_state_of(&g.w.c, &g.w.b, s);
+    if (status == COIN_RESTS)
+        end.wY = 0;
+    const int lost = coin_priv_check_members(&end) != COIN_OK;
+    if (!lost)
+        coin_priv_copy(s, &end, sizeof end);
+    if (reached)
+        *reached = lost ? 0 : t - g.rem.sum;
+    return lost ? COIN_ESTEP : status;
+}
