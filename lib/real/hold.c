@@ -30,7 +30,7 @@ coin_priv_fall coin_priv_fall_of(const coin_priv_losses *l,
     const double turn = -y->wZ / y->sth; /* as d(psi)/dt = 0 */
     const coin_priv_fall f = {
         coin_priv_angle(from_flat),
-        fabs(y->wX),
+        y->sth < 0 ? -y->wX : y->wX,
         inertia(l, y->cth) * turn,
         0,
     };
@@ -120,13 +120,20 @@ double coin_priv_fall_time(const coin_priv_fall *f, const coin_priv_losses *l,
     return t;
 }
 
+double coin_priv_rise_time(const coin_priv_fall *f, const coin_priv_losses *l,
+                           const coin_priv_body *b)
+{
+    const double twice = -f->x / f->v, back = -2 * f->v / slope(f, l, b).v;
+    return twice < back ? twice : back;
+}
+
 int coin_priv_held(const coin_priv_losses *l, const coin_priv_body *b,
                    const coin_priv_stage *y, double eps)
 {
     const double sth = y->sth, cth = y->cth, wX = y->wX;
     const double u = cth * y->wZ + sth * y->wY;
     const double small2 = eps * eps * (l->J * wX * wX + b->Mga * cth) / l->IX;
-    if (!(cth < NEAR_FLAT && wX * sth >= 0 && u * u <= small2))
+    if (!(cth < NEAR_FLAT && u * u <= small2))
         return 0;
     /* The torque along e_Z that holds the contact, at its most, and what the
      * losses give as long as u is small. */
@@ -138,7 +145,7 @@ int coin_priv_held(const coin_priv_losses *l, const coin_priv_body *b,
         2 * sth * sth * l->K * (l->K - l->IX) / inertia(l, cth) - l->K - b->m;
     const double need = fabs(turn * lever) * cth * fastest; /* (73) */
     const double slow = (l->K - l->IX) / l->J * turn * turn;
-    const double time = first_guess(&f, l, b);
+    const double time = f.x / fastest;
     return need <= small * coin_priv_grip(l, small, cth) &&
-           slow * time * time < 1;
+           slow * time * time < 0.1;
 }

@@ -5,17 +5,17 @@
 
 #include "real/losses.h"
 
-/* A coin that falls while d(psi)/dt = 0 is held: it turns about the vertical
+/* A coin near flat while d(psi)/dt = 0 is held: it turns about the vertical
  * through its point of contact.  Eq. (72). */
 typedef struct coin_priv_fall {
     double x;   /* the angle from flat, pi/2 - |theta| */
-    double v;   /* -dx/dt, >= 0 */
+    double v;   /* -dx/dt */
     double L;   /* the angular momentum about the vertical */
     double phi; /* the heading gained */
 } coin_priv_fall;
 
-/* Whether the contact has stopped for good, *y being known to fall: within a
- * part eps of the rates that the fall has. */
+/* Whether the contact of a coin near flat has stopped, within a part eps of
+ * the rates that the fall has, and the losses are able to hold it there. */
 int coin_priv_held(const coin_priv_losses *l, const coin_priv_body *b,
                    const coin_priv_stage *y, double eps);
 
@@ -30,6 +30,11 @@ coin_priv_fall coin_priv_fall_at(const coin_priv_fall *f,
 
 /* The time until the coin is flat. */
 double coin_priv_fall_time(const coin_priv_fall *f, const coin_priv_losses *l,
+                           const coin_priv_body *b);
+
+/* A time in which a rising coin at most doubles its angle from flat, or comes
+ * to fall. */
+double coin_priv_rise_time(const coin_priv_fall *f, const coin_priv_losses *l,
                            const coin_priv_body *b);
 
 /* d(phi)/dt. */

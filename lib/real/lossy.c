@@ -55,13 +55,12 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
 #include "march.h"
 #include "real/lossy.h"
 
-/* The friction's own rate goes this much further where it grows as the rate of
- * roll to the power 3/2. */
-#define LAYER_RATE 1.5
+/* How much of the friction's own rate counts: a step of LONGEST in settle.c is
+ * then 4 of its relaxation times, and the method is stable up to 6. */
+#define FRICTION 0.3
 
-/* The part of the way to where dry friction turns round that a step may go. */
-double TUNE_TURN = 0.5;
-#define TURN_ROUND TUNE_TURN
+/* The part of the way to where the contact turns round that a step may go. */
+#define TURN_ROUND 0.5
 
 /* The coin's own rate in tau, as coin_advance() measures its steps by. */
 static double ideal_rate(const coin_priv_body *b, const coin_priv_stage *y)
@@ -79,8 +78,9 @@ double coin_priv_lossy_rate(const coin_priv_lossy *w)
     const double u = cth * y->wZ + sth * y->wY;
     const double grip = coin_priv_grip(l, u, cth);
     const double lever = sth * sth / l->IX + cth * cth / l->K;
-    return ideal_rate(&w->b, y) + LAYER_RATE * grip * lever +
-           l->damping * fabs(u) + l->spin * cth / l->IX; /* (71) */
+    return ideal_rate(&w->b, y) +
+           FRICTION * (grip * lever + l->damping * fabs(u) +
+                       l->spin * cth / l->IX); /* (71) */
 }
 
 /* The u = cos(theta) d(psi)/dt within which friction may be stepped over: the
@@ -141,8 +141,8 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
     trial->next.pose.t = 0;
     coin_priv_moment now = trial->next;
     const double lowest = dop8_step(&trial->next, &now, &f.ideal);
-    trial->sound = lowest > 0 && trial->next.y.cth > 0 &&
-                   coin_priv_angles_hold(&trial->next, w->c.psi.sum, 0);
+    trial->sound = lowest > 0 && trial->next.y.cth > 0;
+    trial->in_range = coin_priv_angles_hold(&trial->next, w->c.psi.sum, 0);
 }
 
 void coin_priv_lossy_accept(coin_priv_lossy *w, const coin_priv_trial *trial)

@@ -17,7 +17,8 @@ typedef struct coin_priv_lossy {
 typedef struct coin_priv_trial {
     coin_priv_moment next; /* next.pose.t: the time that the step takes */
     double error;          /* estimated; natural units, radians and radii */
-    int sound;             /* 0: a stage or the end would not be a state */
+    int sound;             /* 0: a stage or the end would be below the table */
+    int in_range;          /* 0: the end's phi or psi is not a state's */
 } coin_priv_trial;
 
 void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,

@@ -10,17 +10,27 @@
 /* Natural units of time beyond which a step would change nothing of t. */
 #define TOO_LONG 1e15
 
-/* The most steps of a call: 0.4 s. */
-#define STEPS_MAX (UINT64_C(1) << 20)
+/* The most steps of a call, those refused included: 0.4 s. */
+#define TRIES_MAX (UINT64_C(1) << 20)
 
-double TUNE_FIRST = 4, TUNE_LONGEST = 1.2, TUNE_K = 4, TUNE_FLOOR = 0.03;
-unsigned long TUNE_TRIES, TUNE_STEPS;
+/* A call's first step is FIRST tol^(1/8) over the rate, none is longer than
+ * LONGEST: what the first of most motions may be, and what keeps the estimate
+ * of the error good. */
+#define FIRST 4.0
+#define LONGEST 1.2
+
+/* How much more than tol times its time the estimate of a step may be: that is
+ * of order 8, the step's error of order 9.  Measured so that the error stays
+ * below tol per natural unit of time (test_settle).  A step near flat takes
+ * hardly any time, and need not be better than one of BRIEF natural units. */
+#define ESTIMATE 4.0
+#define BRIEF 0.03
 
 /* |rem| times the fastest rate below which one step lands, by a series to the
  * second order. */
 #define LAST 1e-5
 
-/* The shortest step, over the rate: it is taken whatever its error. */
+/* The shortest step, over the rate. */
 #define SHORTEST 0x1p-20
 
 /* Nearer to flat than this, and too slow to rise, a coin whose losses have no
@@ -35,6 +45,7 @@ struct settling {
     coin_priv_lossy w;
     coin_priv_sum rem; /* the time still to go */
     double tol, stride;
+    uint64_t tries;
 };
 
 /* The tau that the time rem takes, to second order; NaN where that ends. */
@@ -44,11 +55,14 @@ static double tau_of(const coin_priv_stage *y, double rem)
     return 2 * r / (1 + sqrt(1 - 2 * y->sth * y->wX * r)); /* (54) */
 }
 
-/* What a step may err by. */
+/* What the estimate of a step may be: by tol, and by rounding. */
 static double allowed(const struct settling *g, double t)
 {
-    const double units = fabs(t) * sqrt(g->w.b.g_a);
-    return TUNE_K * g->tol * (units > TUNE_FLOOR ? units : TUNE_FLOOR);
+    const coin_priv_stage *y = &g->w.c.at.y;
+    const double w0 = sqrt(g->w.b.g_a), units = fabs(t) * w0;
+    const double rates = (fabs(y->wX) + fabs(y->wY) + fabs(y->wZ)) / w0;
+    return ESTIMATE * g->tol * (units > BRIEF ? units : BRIEF) +
+           4 * DBL_EPSILON * (1 + rates);
 }
 
 /* The step by its three rules, or what lands. */
@@ -67,31 +81,27 @@ static double next_tau(const struct settling *g, double rate)
 static double change(double ratio)
 {
     const double factor = 0.9 * sqrt(sqrt(sqrt(ratio)));
-    return factor < 2 ? factor > 0.25 ? factor : 0.25 : 2;
+    return factor > 0.25 ? factor < 2 ? factor : 2 : 0.25;
 }
 
 /* One step, as long as its error allows. */
 static int32_t step(struct settling *g, double rate)
 {
     coin_priv_trial trial;
-    for (;;) {
-        const double tau = next_tau(g, rate);
-        coin_priv_lossy_try(&trial, &g->w, tau);
-        ++TUNE_TRIES;
-        const double most = allowed(g, trial.next.pose.t);
-        const double used = fabs(tau) * rate;
-        const int good = trial.sound && trial.error <= most;
-        if (good || (trial.sound && used <= SHORTEST)) {
-            const double next = used * change(most / trial.error);
-            if (next > g->stride || used == g->stride)
-                g->stride = next < TUNE_LONGEST ? next : TUNE_LONGEST;
-            break;
-        }
-        if (used <= SHORTEST)
+    for (int done = 0; !done;) {
+        const double tau = next_tau(g, rate), used = fabs(tau) * rate;
+        if (++g->tries > TRIES_MAX || g->stride < SHORTEST)
             return COIN_ESTEP;
-        g->stride = used * (trial.sound ? change(most / trial.error) : 0.25);
+        coin_priv_lossy_try(&trial, &g->w, tau);
+        if (trial.sound && !trial.in_range)
+            return COIN_ESTEP;
+        const double most = allowed(g, trial.next.pose.t);
+        const double next =
+            used * (trial.sound ? change(most / trial.error) : 0.25);
+        done = trial.sound && trial.error <= most;
+        if (!done || next > g->stride || used > 0.999 * g->stride)
+            g->stride = next < LONGEST ? next : LONGEST;
     }
-    ++TUNE_STEPS;
     coin_priv_add(&g->rem, -trial.next.pose.t);
     coin_priv_lossy_accept(&g->w, &trial);
     return COIN_OK;
@@ -115,6 +125,27 @@ static void put(coin_priv_carry *c, const coin_priv_fall *f,
     y->sph = ph.s;
     y->cph = ph.c;
     ++c->steps;
+}
+
+/* A part of the rise of a coin whose contact has stopped; 0, and nothing done,
+ * where the contact is not held as far as that. */
+static int rise(struct settling *g, double eps)
+{
+    coin_priv_carry after;
+    const coin_priv_losses *l = &g->w.l;
+    const coin_priv_fall f = coin_priv_fall_of(l, &g->w.c.at.y);
+    const double whole = coin_priv_rise_time(&f, l, &g->w.b);
+    const double time = whole < g->rem.sum ? whole : g->rem.sum;
+    const coin_priv_fall end = coin_priv_fall_at(&f, l, &g->w.b, time);
+    after = g->w.c;
+    put(&after, &end, l);
+    if (!coin_priv_held(l, &g->w.b, &after.at.y, eps))
+        return 0;
+    g->w.c = after;
+    coin_priv_add(&g->rem, -time);
+    if (time < whole)
+        g->rem.sum = 0;
+    return 1;
 }
 
 /* The fall of a coin whose contact has stopped. */
@@ -164,7 +195,8 @@ static int32_t lay(struct settling *g, double after)
  * too many. */
 static int32_t approach(struct settling *g)
 {
-    const double most = 10 * g->tol, eps = most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
+    const double most = 10 * g->tol,
+                 eps = most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
     for (;;) {
         const coin_priv_stage *y = &g->w.c.at.y;
         const double rem = g->rem.sum;
@@ -172,12 +204,14 @@ static int32_t approach(struct settling *g)
             return COIN_OK;
         if (y->cth < COIN_PRIV_FLAT)
             return lay(g, 0);
-        if (coin_priv_held(&g->w.l, &g->w.b, y, eps))
-            return fall(g);
+        if (coin_priv_held(&g->w.l, &g->w.b, y, eps)) {
+            if (y->sth * y->wX >= 0)
+                return fall(g);
+            if (rise(g, eps))
+                continue;
+        }
         if (time_left(&g->w) <= rem)
             return lay(g, time_left(&g->w));
-        if (g->w.c.steps == STEPS_MAX)
-            return COIN_ESTEP;
         const double rate = coin_priv_lossy_rate(&g->w);
         const int last = fabs(rem) * rate <= LAST * y->cth;
         const int32_t status = step(g, rate);
@@ -228,9 +262,10 @@ int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
     g.rem.sum = t;
     g.rem.low = 0;
     g.tol = tol;
-    g.stride = TUNE_FIRST * sqrt(sqrt(sqrt(tol)));
-    if (g.stride > TUNE_LONGEST)
-        g.stride = TUNE_LONGEST;
+    g.tries = 0;
+    g.stride = FIRST * sqrt(sqrt(sqrt(tol)));
+    if (g.stride > LONGEST)
+        g.stride = LONGEST;
     status = approach(&g);
     coin_state end = coin_priv_state_of(&g.w.c, &g.w.b, s);
     if (status == COIN_RESTS)
