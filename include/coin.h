@@ -516,6 +516,16 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
                              const coin_losses *l, double t, double tol,
                              double *reached);
 
+COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
+                                  const coin_losses *l);
+
+COIN_API int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
+                                     const coin_losses *l, double t,
+                                     coin_state *out);
+
+COIN_API int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
+                                 const coin_params *p, double time);
+
 /* -------------------------------------------------------------- methods -- */
 
 /** A method's name, "rk4" for COIN_RK4; null if there is no such method. */

@@ -1,16 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "pinned.h"
 
+#include "real/extrapolate.h"
 #include "real/hold.h"
 #include "sincos.h"
 
 /* Nearer to flat than this a fall is looked at; so near its acceleration
  * hardly changes, and one step takes the whole of it. */
 #define NEAR_FLAT 0.05
-
-/* The columns of the extrapolation, of 2, 4, ... midpoint steps: its order is
- * twice as many. */
-enum { COLUMNS = 7, MEMBERS = 4 };
 
 /* The inertia about the vertical through the contact. */
 static double inertia(const coin_priv_losses *l, double cth)
@@ -52,53 +49,31 @@ static coin_priv_fall slope(const coin_priv_fall *f, const coin_priv_losses *l,
     return d;
 }
 
-static coin_priv_fall moved(const coin_priv_fall *f, const coin_priv_fall *d,
-                            double h)
-{
-    const coin_priv_fall to = {
-        f->x + h * d->x,
-        f->v + h * d->v,
-        f->L + h * d->L,
-        f->phi + h * d->phi,
-    };
-    return to;
-}
+struct problem {
+    const coin_priv_losses *l;
+    const coin_priv_body *b;
+};
 
-/* n midpoint steps. */
-static coin_priv_fall midpoints(const coin_priv_fall *f,
-                                const coin_priv_losses *l,
-                                const coin_priv_body *b, double t, int n)
+static void slopes(double *dy, const double *y, const void *problem)
 {
-    const double h = t / n;
-    coin_priv_fall d = slope(f, l, b), before = *f, now = moved(f, &d, h);
-    for (int i = 1; i < n; ++i) {
-        d = slope(&now, l, b);
-        const coin_priv_fall next = moved(&before, &d, 2 * h);
-        before = now;
-        now = next;
-    }
-    return now;
+    const struct problem *of = (const struct problem *)problem;
+    const coin_priv_fall f = {y[0], y[1], y[2], y[3]};
+    const coin_priv_fall d = slope(&f, of->l, of->b);
+    dy[0] = d.x;
+    dy[1] = d.v;
+    dy[2] = d.L;
+    dy[3] = d.phi;
 }
 
 coin_priv_fall coin_priv_fall_at(const coin_priv_fall *f,
                                  const coin_priv_losses *l,
                                  const coin_priv_body *b, double t)
 {
-    coin_priv_fall column[COLUMNS];
-    for (int k = 0; k < COLUMNS; ++k) {
-        column[k] = midpoints(f, l, b, t, 2 * (k + 1));
-        for (int j = k - 1; j >= 0; --j) { /* Aitken and Neville, in 1/n^2 */
-            const double ratio = (double)(k + 1) / (j + 1);
-            const double part = 1 / (ratio * ratio - 1);
-            const coin_priv_fall coarse = column[j];
-            column[j].x = column[j + 1].x + part * (column[j + 1].x - coarse.x);
-            column[j].v = column[j + 1].v + part * (column[j + 1].v - coarse.v);
-            column[j].L = column[j + 1].L + part * (column[j + 1].L - coarse.L);
-            column[j].phi =
-                column[j + 1].phi + part * (column[j + 1].phi - coarse.phi);
-        }
-    }
-    return column[0];
+    const struct problem of = {l, b};
+    double y[] = {f->x, f->v, f->L, f->phi};
+    (void)coin_priv_extrapolate(y, 4, slopes, &of, t);
+    const coin_priv_fall to = {y[0], y[1], y[2], y[3]};
+    return to;
 }
 
 /* With the acceleration it begins with. */

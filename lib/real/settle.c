@@ -4,6 +4,7 @@
 #include "number.h"
 #include "real/hold.h"
 #include "real/lossy.h"
+#include "real/rest.h"
 #include "state.h"
 #include "sundman.h"
 
@@ -36,9 +37,6 @@
 /* Nearer to flat than this, and too slow to rise, a coin whose losses have no
  * stop is at its end. */
 #define END 1e-10
-
-/* The last lean that coin_state_check() accepts. */
-#define LAST_LEAN (COIN_PRIV_HALF_PI - DBL_EPSILON)
 
 /* A coin on its way to rest. */
 struct settling {
@@ -224,12 +222,6 @@ static int32_t approach(struct settling *g)
     }
 }
 
-/* Whether the coin lies flat already. */
-static int at_rest(const coin_state *s)
-{
-    return fabs(s->theta) >= LAST_LEAN && s->wY == 0 && s->wX * s->theta >= 0;
-}
-
 static int32_t ideal(coin_state *s, const coin_params *p, double t, double tol,
                      double *reached)
 {
@@ -250,7 +242,7 @@ int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
         return status;
     if (!(t >= 0 && t * sqrt(g.w.b.g_a) <= TOO_LONG))
         return COIN_ESTEP;
-    if (at_rest(s)) {
+    if (coin_priv_rests(s)) {
         if (reached)
             *reached = 0;
         return COIN_RESTS;
