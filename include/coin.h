@@ -516,13 +516,50 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
                              const coin_losses *l, double t, double tol,
                              double *reached);
 
+/** The time until a coin lies flat, by the quasi-steady model: it goes through
+ * steady motions, and what the losses take moves it along them.  Eq. (74).
+ * @param s  near a steady motion; that one is followed
+ * @return the time [T]; 0 at rest; +infinity if nothing stops it: without
+ *         losses that act, or by pivoting friction alone; NaN on the usual
+ *         errors and coin_losses_check(), if the state swings about the steady
+ *         motion by more than a tenth of its angle from flat, or if that motion
+ *         is unstable, or becomes so before the coin lies flat.
+ * Accuracy: the last fall is not quasi-steady: with m the loss in natural units
+ *         the error is as m^1.2 to m^1.5, some 5e-4 for a coin that spins for
+ *         seconds (docs/models.md, test_quasisteady).
+ * Cost: some 350 textbook steps. */
 COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
                                   const coin_losses *l);
 
+/** A coin with losses at any time, by the quasi-steady model.  Eq. (74).
+ * @param s         as for coin_time_to_rest()
+ * @param t         the time, >= 0 [T]
+ * @param[out] out  the state at t: wX is the slow change of the lean, not a
+ *                  swing; may be s
+ * @return COIN_OK; COIN_RESTS: the coin lies flat before t, and *out is that,
+ *         |theta| the last lean that coin_state_check() accepts, wX = wY = 0,
+ *         wZ the turn left in its face; the usual errors; COIN_EPARAMS also as
+ *         coin_losses_check(); COIN_ESTEP t negative or not finite, or phi,
+ *         psi, x or z leaves its range; COIN_EDOMAIN the state is not near a
+ *         stable steady motion, or that becomes unstable before t.
+ * Accuracy: until the angle from flat is ten times the loss m in natural units,
+ *         theta, wY and wZ as m^2, phi and psi as m: 70 m at half of the time
+ *         to rest of a spin from 0.1 rad; x and z as phi (test_quasisteady).
+ * Cost: some 350 textbook steps, whatever t. */
 COIN_API int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
                                      const coin_losses *l, double t,
                                      coin_state *out);
 
+/** Losses that let a coin rest after a given time: all terms of *l but soft
+ * times one factor.
+ * @param[in,out] l  at least one term other than spin is not 0
+ * @param s          as for coin_time_to_rest()
+ * @param time       > 0 [T]
+ * @return COIN_OK; the usual errors; COIN_EARG also for time not in range;
+ *         COIN_EPARAMS also as coin_losses_check(); COIN_EDOMAIN if
+ *         coin_time_to_rest() gives no time, or such losses would not pass
+ *         coin_losses_check().
+ * Accuracy, cost: those of coin_time_to_rest(). */
 COIN_API int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
                                  const coin_params *p, double time);
 

@@ -37,7 +37,8 @@ enum { STH, ROOT, WY, WZ, TIME, PHI, PSI, WAY, VARIABLES };
 struct slow {
     coin_priv_body b;
     coin_priv_losses l;
-    double w0; /* 1 over the natural unit of time */
+    double w0;    /* 1 over the natural unit of time */
+    double least; /* the least that the arc grows by in that */
 };
 
 /* d/dt in natural units; ROOT's twice is d(cos theta)/dt over ROOT. */
@@ -70,7 +71,9 @@ static struct rates rates_of(const double *y, const struct slow *q)
 }
 
 /* By the length of the arc that the motion draws in (root of cos theta, rates):
- * short where the time is long, and long where the end comes fast. */
+ * much time where little happens, and little where the end comes fast.  On the
+ * way to a given time the arc grows by 1 at least, as pivoting friction takes
+ * for ever to approach a circle without losses. */
 static void slopes(double *dy, const double *y, const void *problem)
 {
     const struct rates d = rates_of(y, (const struct slow *)problem);
@@ -78,7 +81,8 @@ static void slopes(double *dy, const double *y, const void *problem)
     const double droot = -s * d.dtheta / (2 * root);
     const double arc2 = droot * droot + d.dwY * d.dwY / (1 + y[WY] * y[WY]) +
                         d.dwZ * d.dwZ / (1 + y[WZ] * y[WZ]);
-    const double dt = d.room > 0 ? 1 / sqrt(arc2) : (double)NAN;
+    const double least = ((const struct slow *)problem)->least;
+    const double dt = d.room > 0 ? 1 / (least + sqrt(arc2)) : (double)NAN;
     dy[STH] = c * d.dtheta * dt;
     dy[ROOT] = droot * dt;
     dy[WY] = d.dwY * dt;
@@ -175,6 +179,7 @@ static void land(double *y, const double *before, const struct slow *q,
 static int32_t pass(struct passing *g, double t)
 {
     double h = FIRST;
+    g->q.least = 1 / t;
     while (g->y[ROOT] > END && g->y[TIME] < t) {
         double next[VARIABLES], before[VARIABLES];
         const double most = longest(g);

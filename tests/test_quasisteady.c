@@ -1,0 +1,410 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/methods.h"
+#include "support/random.h"
+
+#include <math.h>
+#include <string.h>
+
+#define HALF_PI 1.5707963267948966
+
+enum { LAWS = 6 };
+
+static const char *const law_names[LAWS] = {"damping", "dry", "viscous",
+                                            "layer",   "gap", "rolling"};
+
+static coin_losses law(int i, double m)
+{
+    coin_losses l = {0};
+    double *const members[LAWS] = {&l.damping, &l.dry, &l.viscous,
+                                   &l.layer,   &l.gap, &l.rolling};
+    *members[i] = m;
+    return l;
+}
+
+static coin_state spin(const coin_params *p, double angle)
+{
+    coin_state s;
+    check_status(coin_steady_spin(&s, p, HALF_PI - angle), COIN_OK);
+    return s;
+}
+
+/* -------------------------------------------------------- against the steps */
+/* The differences to coin_settle() from the same slow start, at a time. */
+struct apart {
+    double lean, rates, phases, path;
+};
+
+static struct apart apart(const coin_state *s, const coin_params *p,
+                          const coin_losses *l, double t)
+{
+    coin_state slow, full;
+    check_status(coin_quasisteady_at(s, p, l, 0, &full), COIN_OK);
+    check_status(coin_quasisteady_at(s, p, l, t, &slow), COIN_OK);
+    check_status(coin_settle(&full, p, l, t, 1e-11, NULL), COIN_OK);
+    const struct apart d = {
+        fabs(slow.theta - full.theta),
+        fmax(fabs(slow.wY - full.wY), fabs(slow.wZ - full.wZ)),
+        fmax(fabs(slow.phi - full.phi), fabs(slow.psi - full.psi)),
+        fmax(fabs(slow.x - full.x), fabs(slow.z - full.z)),
+    };
+    return d;
+}
+
+/* Half of the loss: a quarter of the error in lean and rates, half in phases.
+ */
+static void in_mid_life_lean_errs_as_the_square_and_phases_as_the_loss(
+    void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double m[LAWS] = {2e-3, 1e-4, 4e-5, 2e-5, 4e-6, 2e-3};
+    for (int i = 0; i < LAWS; ++i) {
+        const coin_state s = spin(&p, 0.2);
+        const coin_losses l = law(i, m[i]), half = law(i, m[i] / 2);
+        const double t = coin_time_to_rest(&s, &p, &l) / 3;
+        const struct apart a = apart(&s, &p, &l, t);
+        const struct apart b = apart(&s, &p, &half, 2 * t);
+        check_note("%s", law_names[i]);
+        check_within(a.lean, 0, 1e-5);
+        check_within(a.phases / b.phases, 1.7, 2.3);
+        check_within(a.lean / b.lean, 2.5, 6);
+        check_within(a.rates, 0, 1e-4);
+    }
+}
+
+static void on_a_circle_the_path_errs_as_the_loss(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_state s = circle(&p, 0.4, 1, 1);
+    s.x = 3;
+    s.phi = 2;
+    const coin_losses l = law(2, 1e-3), half = law(2, 5e-4);
+    const struct apart a = apart(&s, &p, &l, 80), b = apart(&s, &p, &half, 160);
+    check_within(a.path, 1e-3, 40 * 1e-3);
+    check_within(b.path, 1e-4, 40 * 5e-4);
+    check_within(a.lean / b.lean, 2.5, 6);
+    check_within(a.phases, 0, 1e-3);
+}
+
+/* The closed law of a coin that rolls upright, and its path. */
+static void a_straight_roll_slows_by_the_closed_laws(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double K = 1.5, m = 1e-3, t = 300;
+    coin_state s, out;
+    check_status(coin_steady_roll(&s, &p, 2), COIN_OK);
+    s.phi = 1;
+    const coin_losses l = law(2, m);
+    check_status(coin_quasisteady_at(&s, &p, &l, t, &out), COIN_OK);
+    const double way = 2 * K / m * (1 - exp(-m * t / K));
+    check_near(out.wZ, 2 * exp(-m * t / K), 1e-10);
+    check_near(out.psi, way, 1e-8);
+    check_near(out.x, -way * cos(1), 1e-8);
+    check_near(out.z, way * sin(1), 1e-8);
+    check(out.theta == 0 && out.wX == 0 && out.phi == 1);
+}
+
+static void an_upright_spin_slows_by_the_closed_law(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_state s, out;
+    check_status(coin_steady_upright_spin(&s, &p, 5), COIN_OK);
+    const coin_losses l = {.spin = 1e-3};
+    check_status(coin_quasisteady_at(&s, &p, &l, 200, &out), COIN_OK);
+    check_near(out.wY, 5 * exp(-1e-3 * 200 / 0.25), 1e-10);
+    check_near(out.phi, 5 * 250 * (1 - exp(-1e-3 * 200 / 0.25)), 1e-7);
+}
+
+/* ----------------------------------------------------------- the time to rest
+ */
+static void the_time_to_rest_errs_less_than_the_laws_of_the_header(
+    void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    /* A loss of each kind, and what the time then errs by, relative. */
+    const struct {
+        double m, error;
+    } at[LAWS] = {{2e-3, 4e-5}, {2e-4, 2e-4}, {2e-5, 1e-3},
+                  {1e-5, 3e-3}, {1e-6, 3e-3}, {2e-3, 8e-3}};
+    for (int i = 0; i < LAWS; ++i) {
+        const coin_losses l = law(i, at[i].m);
+        const coin_state s = spin(&p, 0.1);
+        coin_state full;
+        double when;
+        check_status(coin_quasisteady_at(&s, &p, &l, 0, &full), COIN_OK);
+        check_status(coin_settle(&full, &p, &l, 1e6, 1e-7, &when), COIN_RESTS);
+        check_note("%s", law_names[i]);
+        check_near(coin_time_to_rest(&s, &p, &l) / when, 1, at[i].error);
+    }
+}
+
+/* From small angles it is Eq. (75). */
+static void near_flat_it_is_the_closed_law_of_the_end(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double e = 1e-3, m = 1e-9;
+    const double laws[LAWS] = {
+        1.5 * sqrt(e) / m,    e * sqrt(e) / (2 * m),
+        3 * e * e / (16 * m), e * e * sqrt(sqrt(e)) / (8.48528137 * m),
+        e * e * e / (8 * m),  1.5 * sqrt(e) / m,
+    };
+    for (int i = 0; i < LAWS; ++i) {
+        const coin_losses l = law(i, m);
+        const coin_state s = spin(&p, e);
+        check_note("%s", law_names[i]);
+        check_near(coin_time_to_rest(&s, &p, &l) / laws[i], 1, 3 * e);
+    }
+}
+
+static void past_the_end_the_coin_lies_flat(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = law(1, 1e-3);
+    for (int side = -1; side <= 1; side += 2) {
+        coin_state s = spin(&p, 0.2), out;
+        s.theta *= side;
+        const double T = coin_time_to_rest(&s, &p, &l);
+        check_status(coin_quasisteady_at(&s, &p, &l, T * 1.0001, &out),
+                     COIN_RESTS);
+        check_status(coin_state_check(&out, &p), COIN_OK);
+        check(side * out.theta == 1.5707963267948963);
+        check(out.wX == 0 && out.wY == 0);
+        /* (5/9) e^(3/2), to leading order in e. */
+        check_near(out.wZ, side * 5.0 / 9 * 0.2 * sqrt(0.2), 0.005);
+        check_status(coin_quasisteady_at(&s, &p, &l, T * 0.9999, &out),
+                     COIN_OK);
+        check_within(side * out.theta, 1.56, 1.570796);
+        check(side * out.wX > 0);
+    }
+}
+
+static void the_time_goes_down_as_the_time_goes_on(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.dry = 1e-4, .viscous = 1e-5, .spin = 1e-4};
+    const coin_state s = circle(&p, 0.5, 1.2, 1);
+    const double T = coin_time_to_rest(&s, &p, &l);
+    check_within(T, 1e3, 1e6);
+    for (double part = 0; part < 0.95; part += 0.2) {
+        coin_state at;
+        check_status(coin_quasisteady_at(&s, &p, &l, part * T, &at), COIN_OK);
+        check_near(coin_time_to_rest(&at, &p, &l), (1 - part) * T, 1e-5 * T);
+    }
+}
+
+/* --------------------------------------------------------------------- fits */
+static void fitted_losses_take_the_time_asked(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(161);
+    for (int i = 0; i < 40; ++i) {
+        const coin_params p = random_coin(&r);
+        const double T = natural_time(&p);
+        const double torque = p.mass * p.gravity * p.radius;
+        coin_losses l = {.damping = random_between(&r, 0, 1),
+                         .dry = torque * random_between(&r, 0, 1),
+                         .viscous = torque * T * random_between(&r, 0, 1),
+                         .soft = 1e-3 / T};
+        const coin_losses before = l;
+        const coin_state s = spin(&p, random_between(&r, 0.1, 0.6));
+        const double time = T * random_between(&r, 100, 1000);
+        check_status(coin_losses_fit(&l, &s, &p, time), COIN_OK);
+        check_near(coin_time_to_rest(&s, &p, &l) / time, 1, 1e-8);
+        check(l.soft == before.soft);
+        check_near(l.dry * before.viscous / (before.dry * l.viscous), 1, 8 * U);
+        check_near(l.dry * before.damping / (before.dry * l.damping), 1, 8 * U);
+    }
+}
+
+/* What a game asks: eight seconds, and then the steps take that long. */
+static void a_quarter_fitted_to_8_s_rests_after_8_s(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_disc(&p, 0.00567, 0.01213, 9.80665), COIN_OK);
+    coin_losses l = {.dry = 1};
+    coin_state s = spin(&p, 0.5235987755982988);
+    double when;
+    check_status(coin_losses_fit(&l, &s, &p, 8), COIN_OK);
+    check_status(coin_settle(&s, &p, &l, 20, 1e-6, &when), COIN_RESTS);
+    check_near(when, 8, 0.01);
+    check_near(l.dry / (p.mass * p.gravity * p.radius), 8.5e-4, 2e-5);
+}
+
+/* ------------------------------------------------------------ where it fails
+ */
+static void without_what_stops_it_the_time_is_infinite(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses none = {0}, turn = {.spin = 0.01}, dry = {.dry = 0.01};
+    const coin_state s = spin(&p, 0.5);
+    coin_state up, out, want;
+    check(coin_time_to_rest(&s, &p, &none) == (double)INFINITY);
+    check(coin_time_to_rest(&s, &p, &turn) == (double)INFINITY);
+    check_status(coin_steady_upright_spin(&up, &p, 3), COIN_OK);
+    check(coin_time_to_rest(&up, &p, &dry) == (double)INFINITY);
+    /* And then the motion is a steady one for ever. */
+    check_status(coin_quasisteady_at(&up, &p, &dry, 1e3, &out), COIN_OK);
+    check_status(coin_steady_at(&up, &p, 1e3, &want), COIN_OK);
+    check_same(&out, &want, sizeof out);
+    /* By pivoting alone the coin comes to a circle that has none. */
+    check_status(coin_quasisteady_at(&s, &p, &turn, 1e7, &out), COIN_OK);
+    check_near(out.wY * cos(out.theta), out.wZ * sin(out.theta), 1e-6);
+}
+
+static void a_roll_that_slows_becomes_unstable(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = law(2, 1e-3);
+    coin_state s, out = {.phi = 7};
+    check_status(coin_steady_roll(&s, &p, 2), COIN_OK);
+    /* wZ = 2 exp(-m t/K) reaches the critical rate. */
+    const double edge = 1.5 / 1e-3 * log(2 / coin_critical_roll(&p));
+    check(isnan(coin_time_to_rest(&s, &p, &l)));
+    check_status(coin_quasisteady_at(&s, &p, &l, edge * 0.999, &out), COIN_OK);
+    out.phi = 7;
+    check_status(coin_quasisteady_at(&s, &p, &l, edge * 1.001, &out),
+                 COIN_EDOMAIN);
+    check(out.phi == 7);
+}
+
+static void a_state_that_swings_or_is_unstable_is_refused(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_losses l = law(1, 1e-3);
+    const coin_losses before = l;
+    coin_state s = spin(&p, 0.3), out = {.phi = 7};
+    s.theta += 0.02; /* of 0.3 */
+    check(coin_time_to_rest(&s, &p, &l) > 0);
+    s.theta += 0.06;
+    check(isnan(coin_time_to_rest(&s, &p, &l)));
+    s = spin(&p, 0.3);
+    s.wX = 0.1;
+    check(isnan(coin_time_to_rest(&s, &p, &l)));
+    check_status(coin_quasisteady_at(&s, &p, &l, 1, &out), COIN_EDOMAIN);
+    check_status(coin_losses_fit(&l, &s, &p, 8), COIN_EDOMAIN);
+    check_status(coin_steady_roll(&s, &p, 0.1), COIN_OK);
+    check_status(coin_quasisteady_at(&s, &p, &l, 1, &out), COIN_EDOMAIN);
+    s = (coin_state){.theta = 0.3}; /* falls on its side */
+    check_status(coin_quasisteady_at(&s, &p, &l, 1, &out), COIN_EDOMAIN);
+    check(out.phi == 7);
+    check_same(&l, &before, sizeof l);
+}
+
+static void at_rest_it_rests(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_losses l = law(1, 1e-3);
+    coin_state s = spin(&p, 0.3), out;
+    check_status(coin_settle(&s, &p, &l, 1e4, 1e-6, NULL), COIN_RESTS);
+    check(coin_time_to_rest(&s, &p, &l) == 0);
+    check_status(coin_quasisteady_at(&s, &p, &l, 1, &out), COIN_RESTS);
+    check(out.theta == s.theta && out.wX == 0 && out.wZ == s.wZ);
+    check_status(coin_losses_fit(&l, &s, &p, 8), COIN_EDOMAIN);
+}
+
+/* -------------------------------------------------------------------- errors
+ */
+static void phases_out_of_range_are_a_step_too_far(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = law(2, 1e-9);
+    coin_state s = spin(&p, 0.3), out = {.phi = 7};
+    s.phi = 0x1p31 - 5;
+    check_status(coin_quasisteady_at(&s, &p, &l, 100, &out), COIN_ESTEP);
+    check(out.phi == 7);
+}
+
+static void a_fit_beyond_the_range_of_losses_is_none(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_losses l = law(1, 1e59);
+    const coin_losses before = l;
+    const coin_state s = spin(&p, 0.3);
+    check_status(coin_losses_fit(&l, &s, &p, 1e-100), COIN_EDOMAIN);
+    check_same(&l, &before, sizeof l);
+}
+
+static void errors_come_in_their_order(void **unused)
+{
+    (void)unused;
+    const coin_params good = disc();
+    coin_params bad = good;
+    bad.mass = -1;
+    const coin_losses fine = law(1, 1e-3), wrong = law(1, -1);
+    coin_losses l = fine;
+    const coin_state s = spin(&good, 0.3), flat = {.theta = 2};
+    coin_state out = {.phi = 7};
+    const coin_state swings = {.theta = 0.3};
+    check_status(coin_quasisteady_at(&flat, &bad, &wrong, NAN, NULL),
+                 COIN_EARG);
+    check_status(coin_quasisteady_at(NULL, &bad, &wrong, NAN, &out), COIN_EARG);
+    check_status(coin_quasisteady_at(&flat, NULL, &wrong, NAN, &out),
+                 COIN_EARG);
+    check_status(coin_quasisteady_at(&flat, &bad, NULL, NAN, &out), COIN_EARG);
+    check_status(coin_quasisteady_at(&flat, &bad, &fine, NAN, &out),
+                 COIN_EPARAMS);
+    check_status(coin_quasisteady_at(&flat, &good, &wrong, NAN, &out),
+                 COIN_EPARAMS);
+    check_status(coin_quasisteady_at(&flat, &good, &fine, NAN, &out),
+                 COIN_ESTATE);
+    const double times[] = {NAN, -1, INFINITY};
+    for (int i = 0; i < 3; ++i)
+        check_status(coin_quasisteady_at(&swings, &good, &fine, times[i], &out),
+                     COIN_ESTEP);
+    check_status(coin_quasisteady_at(&swings, &good, &fine, 1, &out),
+                 COIN_EDOMAIN);
+    check(out.phi == 7);
+    check(isnan(coin_time_to_rest(NULL, &good, &fine)));
+    check(isnan(coin_time_to_rest(&s, NULL, &fine)));
+    check(isnan(coin_time_to_rest(&s, &good, NULL)));
+    check(isnan(coin_time_to_rest(&s, &bad, &fine)));
+    check(isnan(coin_time_to_rest(&s, &good, &wrong)));
+    check(isnan(coin_time_to_rest(&flat, &good, &fine)));
+    const double bad_times[] = {0, -1, NAN, INFINITY};
+    for (int i = 0; i < 4; ++i)
+        check_status(coin_losses_fit(&l, &flat, &bad, bad_times[i]), COIN_EARG);
+    check_status(coin_losses_fit(NULL, &s, &good, 1), COIN_EARG);
+    check_status(coin_losses_fit(&l, &s, &bad, 1), COIN_EPARAMS);
+    check_status(coin_losses_fit(&l, &flat, &good, 1), COIN_ESTATE);
+    check_same(&l, &fine, sizeof l);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(in_mid_life_lean_errs_as_the_square_and_phases_as_the_loss),
+        TEST(on_a_circle_the_path_errs_as_the_loss),
+        TEST(a_straight_roll_slows_by_the_closed_laws),
+        TEST(an_upright_spin_slows_by_the_closed_law),
+        TEST(the_time_to_rest_errs_less_than_the_laws_of_the_header),
+        TEST(near_flat_it_is_the_closed_law_of_the_end),
+        TEST(past_the_end_the_coin_lies_flat),
+        TEST(the_time_goes_down_as_the_time_goes_on),
+        TEST(fitted_losses_take_the_time_asked),
+        TEST(a_quarter_fitted_to_8_s_rests_after_8_s),
+        TEST(without_what_stops_it_the_time_is_infinite),
+        TEST(a_roll_that_slows_becomes_unstable),
+        TEST(a_state_that_swings_or_is_unstable_is_refused),
+        TEST(at_rest_it_rests),
+        TEST(phases_out_of_range_are_a_step_too_far),
+        TEST(a_fit_beyond_the_range_of_losses_is_none),
+        TEST(errors_come_in_their_order),
+    };
+    return RUN_TESTS(tests);
+}
