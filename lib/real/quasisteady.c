@@ -160,11 +160,12 @@ static double longest(const struct passing *g)
     return most > 0 ? most : (double)INFINITY;
 }
 
-/* Shortens a step h from the variables before until it lands on the time t. */
+/* Shortens a step h from the variables before until it lands on the time t, to
+ * rounding. */
 static void land(double *y, const double *before, const struct slow *q,
                  double h, double t)
 {
-    for (int i = 0; i < 8 && y[TIME] != t; ++i) {
+    for (int i = 0; i < 4; ++i) { /* Newton */
         double d[VARIABLES];
         slopes(d, y, q);
         h -= (y[TIME] - t) / d[TIME];
@@ -172,6 +173,7 @@ static void land(double *y, const double *before, const struct slow *q,
             y[k] = before[k];
         (void)coin_priv_extrapolate(y, VARIABLES, slopes, q, h);
     }
+    y[TIME] = t;
 }
 
 /* Goes on to the time t: COIN_OK, or COIN_RESTS and the time then, or
