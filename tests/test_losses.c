@@ -231,6 +231,11 @@ static void the_limit_is_over_the_inertia_too(void **unused)
     check_status(coin_losses_check(&l, &p), COIN_OK);
     l.viscous = 1.01e50;
     check_status(coin_losses_check(&l, &p), COIN_EPARAMS);
+    /* A hub of much inertia about a diameter: K is the lesser. */
+    check_status(coin_params_body(&p, 1e-12, 1, 1, 1, 1e-12), COIN_OK);
+    check_status(coin_losses_check(&l, &p), COIN_EPARAMS);
+    l.viscous = 1.9e48;
+    check_status(coin_losses_check(&l, &p), COIN_OK);
 }
 
 static void errors_come_in_their_order(void **unused)

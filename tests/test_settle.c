@@ -426,7 +426,73 @@ static void a_coin_at_rest_stays_there(void **unused)
     check_status(coin_settle(&s, &p, &none, 5, 1e-6, &reached), COIN_RESTS);
     check(reached == 0);
     check_same(&s, &flat, sizeof s);
+    check_status(coin_settle(&s, &p, &l, 5, 1e-6, NULL), COIN_RESTS);
+    check_same(&s, &flat, sizeof s);
     check(coin_losses_power(&s, &p, &l) >= 0);
+}
+
+/* The same lean is no rest if the coin rises or turns. */
+static void a_coin_that_leaves_the_table_does_not_rest(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.damping = 0.01};
+    const coin_state starts[] = {
+        {.theta = -1.5707963267948963, .wX = 0.5},
+        {.theta = 1.5707963267948963, .wX = 0.5, .wY = 0.5, .wZ = 0.2},
+    };
+    for (int i = 0; i < 2; ++i) {
+        coin_state s = starts[i];
+        check_note("start %d", i);
+        check_status(coin_settle(&s, &p, &l, 0.1, 1e-8, NULL), COIN_OK);
+        check_within(cos(s.theta), 0.02, 0.1);
+    }
+}
+
+/* Without a stop, and too close for a pass to be told from a fall. */
+static void a_pass_closer_than_a_double_can_tell_is_a_fall(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.damping = 0.1};
+    coin_state s = {.theta = 1.56, .wX = 0.1, .wZ = 1e-30};
+    double when;
+    check_status(coin_settle(&s, &p, &l, 5, 1e-8, &when), COIN_RESTS);
+    const double e = 1.5707963267948966 - 1.56;
+    check_near(when, (sqrt(0.01 + 1.6 * e) - 0.1) / 0.8, 1e-4);
+    check(s.wY == 0 && s.wX > 0.1);
+}
+
+static void a_coin_that_stands_stays_standing(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.damping = 0.1, .spin = 0.1};
+    const coin_state stands = {.phi = 1, .x = 2};
+    coin_state s = stands;
+    check_status(coin_settle(&s, &p, &l, 100, 1e-8, NULL), COIN_OK);
+    check(s.theta == 0 && s.wX == 0 && s.wY == 0 && s.wZ == 0);
+    check_near(s.phi, 1, U);
+    check_near(s.x, 2, 2 * U);
+}
+
+/* So fast about the vertical that the whole fall is more than one step. */
+static void a_fast_turn_is_held_later(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.dry = 3};
+    const double e = 0.04, turn = 40;
+    coin_state s = {.theta = 1.5707963267948966 - e,
+                    .wY = turn * sin(e),
+                    .wZ = -turn * cos(e)};
+    const double E = coin_energy(&s, &p);
+    double when;
+    check_status(coin_settle(&s, &p, &l, 5, 1e-8, &when), COIN_RESTS);
+    check_within(when, 0.01, 0.2);
+    check_near(s.psi, 0, 1e-3);
+    check_near(coin_energy(&s, &p) / E, 1, 1e-5);
+    check_near(s.wZ / -turn, 1, 2e-3);
 }
 
 /* Each falls as it is held, at once: in the plane, or turning about the
@@ -692,6 +758,10 @@ int main(void)
         TEST(how_often_it_is_called_does_not_matter),
         TEST(violent_launches_come_to_rest_and_gain_no_energy),
         TEST(a_coin_at_rest_stays_there),
+        TEST(a_coin_that_leaves_the_table_does_not_rest),
+        TEST(a_pass_closer_than_a_double_can_tell_is_a_fall),
+        TEST(a_coin_that_stands_stays_standing),
+        TEST(a_fast_turn_is_held_later),
         TEST(a_stopped_contact_near_flat_is_held),
         TEST(a_contact_that_cannot_be_held_rolls_on),
         TEST(a_symmetric_fall_is_an_ideal_one),

@@ -141,7 +141,8 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
     trial->next.pose.t = 0;
     coin_priv_moment now = trial->next;
     const double lowest = dop8_step(&trial->next, &now, &f.ideal);
-    trial->sound = lowest > 0 && trial->next.y.cth > 0;
+    if (!(coin_priv_lesser(lowest, trial->next.y.cth) > 0))
+        trial->error = (double)INFINITY;
     trial->in_range = coin_priv_angles_hold(&trial->next, w->c.psi.sum, 0);
 }
 

@@ -16,8 +16,9 @@ typedef struct coin_priv_lossy {
 /* A step tried: where it leads, and how far it may be off. */
 typedef struct coin_priv_trial {
     coin_priv_moment next; /* next.pose.t: the time that the step takes */
-    double error;          /* estimated; natural units, radians and radii */
-    int sound;             /* 0: a stage or the end would be below the table */
+    double error;          /* estimated; natural units, radians and radii;
+                              infinite if a stage or the end would be below
+                              the table */
     int in_range;          /* 0: the end's phi or psi is not a state's */
 } coin_priv_trial;
 

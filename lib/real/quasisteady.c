@@ -130,11 +130,10 @@ static int32_t begin(struct passing *g, const coin_state *s,
 {
     coin_state near;
     double lambda2 = 0;
-    int32_t status = coin_steady_near(s, p, &near);
-    if (status == COIN_OK)
-        status = coin_stability(&near, p, &lambda2);
+    const int32_t status = coin_steady_near(s, p, &near);
     if (status != COIN_OK)
         return status;
+    (void)coin_stability(&near, p, &lambda2);
     const coin_priv_sc th = coin_priv_sincos(near.theta);
     const double swing2 = (s->theta - near.theta) * (s->theta - near.theta) -
                           s->wX * s->wX / lambda2;

@@ -31,9 +31,6 @@
  * second order. */
 #define LAST 1e-5
 
-/* The shortest step, over the rate. */
-#define SHORTEST 0x1p-20
-
 /* Nearer to flat than this, and too slow to rise, a coin whose losses have no
  * stop is at its end. */
 #define END 1e-10
@@ -68,18 +65,20 @@ static double next_tau(const struct settling *g, double rate)
 {
     const double bound = coin_priv_lossy_bound(&g->w, allowed(g, 0)),
                  rem = g->rem.sum;
+    const double side = rem < 0 ? -1 : 1;
     double full = g->stride / rate;
     if (bound < full)
         full = bound;
     const double tau = tau_of(&g->w.c.at.y, rem);
-    return fabs(tau) < full ? tau : rem < 0 ? -full : full;
+    return fabs(tau) < full ? tau : side * full;
 }
 
-/* The factor from a step to the next: (allowed/error)^(1/8), within limits. */
+/* The factor from a step to the next: about (allowed/error)^(1/8), from 0.2 to
+ * 2. */
 static double change(double ratio)
 {
-    const double factor = 0.9 * sqrt(sqrt(sqrt(ratio)));
-    return factor > 0.25 ? factor < 2 ? factor : 2 : 0.25;
+    const double factor = 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio)));
+    return factor < 2 ? factor : 2;
 }
 
 /* One step, as long as its error allows. */
@@ -88,15 +87,14 @@ static int32_t step(struct settling *g, double rate)
     coin_priv_trial trial;
     for (int done = 0; !done;) {
         const double tau = next_tau(g, rate), used = fabs(tau) * rate;
-        if (++g->tries > TRIES_MAX || g->stride < SHORTEST)
+        if (++g->tries > TRIES_MAX)
             return COIN_ESTEP;
         coin_priv_lossy_try(&trial, &g->w, tau);
-        if (trial.sound && !trial.in_range)
+        if (!trial.in_range)
             return COIN_ESTEP;
         const double most = allowed(g, trial.next.pose.t);
-        const double next =
-            used * (trial.sound ? change(most / trial.error) : 0.25);
-        done = trial.sound && trial.error <= most;
+        const double next = used * change(most / trial.error);
+        done = trial.error <= most;
         if (!done || next > g->stride || used > 0.999 * g->stride)
             g->stride = next < LONGEST ? next : LONGEST;
     }
