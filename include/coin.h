@@ -468,8 +468,8 @@ COIN_API int32_t coin_losses_rates(const coin_state *s, const coin_params *p,
 COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
                                       const coin_losses *l, coin_force *out);
 
-/** Moves a coin with losses by any time, to a stated accuracy, and tells when it
- * has come to rest: order 8 in Sundman's time, Eq. (32), (68), its error
+/** Moves a coin with losses by any time, to a stated accuracy, and tells when
+ * it has come to rest: order 8 in Sundman's time, Eq. (32), (68), its error
  * estimated in each step; and the last fall, once the contact has stopped,
  * Eq. (72), by itself.
  *
@@ -509,7 +509,7 @@ COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
  * Accuracy: of random launches the error stays within tol per natural unit of
  *         time in 99 of 100 (test_settle); the time of rest does not depend on
  *         how many calls it takes, to 1e-9.
- * Cost: some 2 RK8 steps per radian that heading and roll turn by, at 1e-9; more
+ * Cost: some 3 RK8 steps per radian that the contact rolls by, at 1e-9; more
  *         where dry friction holds the contact: dry/(soft cos(theta)) of the
  *         moments of inertia is then the rate that steps have to follow. */
 COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,

@@ -12,10 +12,10 @@
 
 /* The least softening rate, in natural units.  Its square shifts the motion by
  * less than rounding, so that a smaller one would only cost steps. */
-#define SOFT_LEAST 0x1p-30
+#define SOFT_LEAST (1.0 / 1073741824)
 
 /* The softening rate that 0 stands for, in natural units. */
-#define SOFT 0x1p-10
+#define SOFT (1.0 / 1024)
 
 int coin_priv_lossless(const coin_losses *l)
 {

@@ -85,7 +85,7 @@ double coin_priv_lossy_rate(const coin_priv_lossy *w)
 
 /* The u = cos(theta) d(psi)/dt within which friction may be stepped over: the
  * width of the softening; and for the terms that have none the width in which
- * they change the rates by no more than the error.  (72) */
+ * they change the rates by no more than the error: (71). */
 static double zone(const coin_priv_lossy *w, double du, double error)
 {
     const coin_priv_stage *y = &w->c.at.y;

@@ -63,8 +63,8 @@ static struct rates rates_of(const double *y, const struct slow *q)
     const double dtheta = -(F_Y * torque_Y + F_Z * torque_Z) / room; /* (74) */
     const struct rates d = {
         dtheta,
-        (wY * T + b->k1 * wZ) * dtheta + torque_Y, /* (15) */
-        b->k2 * wY * dtheta + torque_Z,            /* (16) */
+        (wY * T + b->k1 * wZ) * dtheta + torque_Y, /* (74) */
+        b->k2 * wY * dtheta + torque_Z,            /* (74) */
         room,
     };
     return d;
@@ -137,8 +137,8 @@ static int32_t begin(struct passing *g, const coin_state *s,
     const coin_priv_sc th = coin_priv_sincos(near.theta);
     const double swing2 = (s->theta - near.theta) * (s->theta - near.theta) -
                           s->wX * s->wX / lambda2;
-    const double most =
-        SWING * coin_priv_angle((coin_priv_sc){th.c, fabs(th.s)});
+    const coin_priv_sc from_flat = {th.c, fabs(th.s)};
+    const double most = SWING * coin_priv_angle(from_flat);
     if (!(lambda2 < 0 && swing2 <= most * most))
         return COIN_EDOMAIN;
     const double w0 = g->q.w0 = sqrt(g->q.b.g_a);

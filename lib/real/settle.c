@@ -43,11 +43,12 @@ struct settling {
     uint64_t tries;
 };
 
-/* The tau that the time rem takes, to second order; NaN where that ends. */
+/* The tau that the time rem takes: rem = c tau - s c wX tau^2/2 + ..., solved;
+ * NaN where that has no solution. */
 static double tau_of(const coin_priv_stage *y, double rem)
 {
     const double r = rem / y->cth;
-    return 2 * r / (1 + sqrt(1 - 2 * y->sth * y->wX * r)); /* (54) */
+    return 2 * r / (1 + sqrt(1 - 2 * y->sth * y->wX * r));
 }
 
 /* What the estimate of a step may be: by tol, and by rounding. */
@@ -156,11 +157,12 @@ static int32_t fall(struct settling *g)
     if (flat)
         end.x = 0;
     put(&g->w.c, &end, l);
-    if (flat)
-        coin_priv_add(&g->rem, -time);
-    else
+    if (!flat) {
         g->rem.sum = 0;
-    return flat ? COIN_RESTS : COIN_OK;
+        return COIN_OK;
+    }
+    coin_priv_add(&g->rem, -time);
+    return COIN_RESTS;
 }
 
 /* The time left of a coin so flat and slow that it will not rise again, by the

@@ -46,10 +46,10 @@ PEER_CXX   = $(CXX) -w $(CFLAGS) -std=c++17 $(PLAIN) $(BENCH_SEES)
 
 # One build of everything, in $(O)/bench/$1.
 define bench_build
-$(BENCH_OUT)/$1 $(BENCH_OUT)/$1/lib:
+$(BENCH_OUT)/$1 $(BENCH_OUT)/$1/lib $(BENCH_OUT)/$1/lib/real:
 	mkdir -p $$@
 
-$(BENCH_OUT)/$1/lib/%.o: $(SRC)/lib/%.c $(O)/flags | $(BENCH_OUT)/$1/lib
+$(BENCH_OUT)/$1/lib/%.o: $(SRC)/lib/%.c $(O)/flags | $(BENCH_OUT)/$1/lib/real
 	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
 
 $(BENCH_OUT)/$1/lib/coinf_%.o: $(O)/float/coinf_%.c $(FLOAT_H) $(O)/flags | \
@@ -195,12 +195,12 @@ longrun: $(BENCH_OUT)/portable/bench_longrun ## what ten million steps do (half 
 # The library's sources once more, with a double that counts.
 COUNTED := $(patsubst $(SRC)/lib/%.c,$(BENCH_OUT)/counted/%.o,$(SOURCES))
 
-$(BENCH_OUT)/counted:
+$(BENCH_OUT)/counted $(BENCH_OUT)/counted/real:
 	mkdir -p $@
 
 $(BENCH_OUT)/counted/%.o: $(SRC)/lib/%.c $(BENCH_SRC)/arithmetic.h \
-                          $(wildcard $(SRC)/lib/*.h) | $(BENCH_OUT)/counted
-	$(CXX) -std=c++20 -O1 -w -fpermissive -x c++ -I$(SRC)/include \
+                          $(wildcard $(SRC)/lib/*.h) | $(BENCH_OUT)/counted/real
+	$(CXX) -std=c++20 -O1 -w -fpermissive -x c++ -I$(SRC)/include -I$(SRC)/lib \
 	    -include $(BENCH_SRC)/arithmetic.h -c -o $@ $<
 
 $(BENCH_OUT)/count: $(BENCH_SRC)/count.cpp $(COUNTED)

@@ -20,7 +20,7 @@ FUZZ_SECONDS ?= 60
 # Only the library tells the fuzzer where it has been; comparisons of doubles
 # tell it little for a third of the time.
 FUZZ_CC   = clang $(WARN) -Werror -std=c11 -O2 -g $(PINNED) $(MAPS) \
-            -I$(SRC)/include $(FUZZ_SANITIZE)
+            -I$(SRC)/include -I$(SRC)/lib $(FUZZ_SANITIZE)
 FUZZ_SANITIZE := -fsanitize=address,undefined,float-cast-overflow \
                  -fno-sanitize-recover=all
 FUZZ_TOLD := -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp
@@ -28,10 +28,10 @@ FUZZ_LIB   = $(SOURCES:$(SRC)/lib/%.c=$(FUZZ_OUT)/lib/%.o) \
              $(FLOAT_SOURCES:%=$(FUZZ_OUT)/lib/coinf_%.o)
 FUZZ_BOTH := $(patsubst %,$(FUZZ_OUT)/%.o,bytes kinds kinds_single examine)
 
-$(FUZZ_OUT) $(FUZZ_OUT)/lib:
+$(FUZZ_OUT) $(FUZZ_OUT)/lib $(FUZZ_OUT)/lib/real:
 	mkdir -p $@
 
-$(FUZZ_OUT)/lib/%.o: $(SRC)/lib/%.c | $(FUZZ_OUT)/lib need-fuzzer
+$(FUZZ_OUT)/lib/%.o: $(SRC)/lib/%.c | $(FUZZ_OUT)/lib/real need-fuzzer
 	$(FUZZ_CC) $(FUZZ_TOLD) $(DEPENDS) -c -o $@ $<
 
 $(FUZZ_OUT)/lib/coinf_%.o: $(O)/float/coinf_%.c $(FLOAT_H) | \

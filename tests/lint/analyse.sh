@@ -15,7 +15,8 @@ try() { "$@" || status=1; }
 try cppcheck --quiet --std=c99 --error-exitcode=1 --inline-suppr \
     --enable=warning,style,performance,portability \
     --suppress=missingIncludeSystem --suppress=badBitmaskCheck \
-    -DCOIN_API= -I"$SRC/include" "$SRC"/lib/*.c "$OUT"/float/*.c
+    -DCOIN_API= -I"$SRC/include" -I"$SRC/lib" "$SRC"/lib/*.c "$SRC"/lib/real/*.c \
+    "$OUT"/float/*.c
 
 # Off for clang: float-equal, as NaN and exact zeros are compared on purpose;
 # double-promotion, as NAN and INFINITY are floats, and gcc keeps watch;
@@ -23,8 +24,8 @@ try cppcheck --quiet --std=c99 --error-exitcode=1 --inline-suppr \
 # and padded, which are no faults.
 off="-Wno-float-equal -Wno-double-promotion -Wno-documentation
     -Wno-declaration-after-statement -Wno-padded"
-own="-std=c99 -O2 -ffp-contract=off -Werror -I$SRC/include"
-for file in "$SRC"/lib/*.c "$OUT"/float/*.c; do
+own="-std=c99 -O2 -ffp-contract=off -Werror -I$SRC/include -I$SRC/lib"
+for file in "$SRC"/lib/*.c "$SRC"/lib/real/*.c "$OUT"/float/*.c; do
     # shellcheck disable=SC2086
     try gcc $own -Wall -Wextra -Wdouble-promotion -fanalyzer \
         -c "$file" -o "$work/analysed.o"
@@ -35,7 +36,8 @@ done
 for cc in g++ clang++; do
     # shellcheck disable=SC2086
     try $cc -x c++ -std=c++11 -Wall -Wextra -Wpedantic -Werror \
-        -I"$SRC/include" -fsyntax-only "$SRC"/lib/*.c "$OUT"/float/*.c
+        -I"$SRC/include" -I"$SRC/lib" -fsyntax-only "$SRC"/lib/*.c \
+        "$SRC"/lib/real/*.c "$OUT"/float/*.c
 done
 for cc in gcc clang; do
     try $MAKE --no-print-directory -f "$SRC/Makefile" "O=$work/$cc" "CC=$cc" \

@@ -24,19 +24,22 @@ FLOORS = [
      {"steady", "steady_at", "steady_near"}],
     [{"run", "step", "batch", "method", "check", "max_dt"}, {"stability"}, {"wobble"},
      {"orbit", "orbit_at", "half", "series"}],
-    [{"selftest"}, {"model"}],
+    [{"selftest"}, {"model"},
+     {"losses", "lossy", "hold", "extrapolate", "rest", "settle",
+      "quasisteady"}],
 ]
 PLACE = {stem: (level, column) for level, floor in enumerate(FLOORS)
          for column, group in enumerate(floor) for stem in group}
 
 
 def problems(lib):
-    files = sorted([*lib.glob("*.[ch]"), *lib.glob("float/*.[ch]")])
+    files = sorted([*lib.glob("*.[ch]"), *lib.glob("float/*.[ch]"),
+                    *lib.glob("real/*.[ch]")])
     stems = {file.stem for file in files}
     yield from (f"{s}: not in the table of layers" for s in stems - set(PLACE))
     yield from (f"{s}: no such file" for s in set(PLACE) - stems)
     for file in files:
-        for seen in re.findall(r'#include "(\w+)\.h"', file.read_text()):
+        for seen in re.findall(r'#include "(?:real/)?(\w+)\.h"', file.read_text()):
             here, there = PLACE.get(file.stem), PLACE.get(seen)
             if here and there and here != there and here[0] <= there[0]:
                 yield f"{file.name} must not see {seen}.h"

@@ -61,7 +61,7 @@ look()
 if test $# -gt 0; then
     look "$@"
 else
-    look static "$OUT"/static/*.o
-    look shared "$OUT"/shared/*.o
+    look static "$OUT"/static/*.o "$OUT"/static/real/*.o
+    look shared "$OUT"/shared/*.o "$OUT"/shared/real/*.o
 fi
 exit $status

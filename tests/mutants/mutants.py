@@ -72,10 +72,11 @@ class Copy:
         return run.stderr if run.returncode else ""
 
     def own_test(self, file):
-        """The test program that is named after a source, if there is one."""
-        own = "test_" + re.split("[/.]", file)[0]
-        is_there = (self.src / f"tests/{own}.c").exists()
-        return [self.out / "tests" / own] if is_there else []
+        """The test programs that are named after a source or its folder."""
+        own = {"test_" + re.split("[/.]", file)[0],
+               "test_" + pathlib.Path(file).stem}
+        return [self.out / "tests" / name for name in sorted(own)
+                if (self.src / f"tests/{name}.c").exists()]
 
     def all_tests(self):
         tests = [t for t in self.out.glob("tests/test_*") if not t.suffix]

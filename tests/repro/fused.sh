@@ -41,9 +41,10 @@ for cc in gcc clang; do
     report "make CC=$cc CFLAGS='-O3 $can_fuse -ffp-contract=fast'"
     rm "$work/objects"
     mkdir "$work/objects"
-    for file in "$SRC"/lib/*.c "$work/make-$cc"/float/*.c; do
+    for file in "$SRC"/lib/*.c "$SRC"/lib/real/*.c "$work/make-$cc"/float/*.c; do
         # shellcheck disable=SC2086
-        $cc -std=gnu11 -O3 $can_fuse -I"$SRC/include" -c "$file" \
+        $cc -std=gnu11 -O3 $can_fuse -I"$SRC/include" -I"$SRC/lib" \
+            -c "$file" \
             -o "$work/objects/$(basename "$file" .c).o"
     done
     report "$cc -std=gnu11 -O3 $can_fuse"

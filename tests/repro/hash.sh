@@ -17,8 +17,8 @@ prints_by()
 {
     rm -f "$work/found.txt"
     # shellcheck disable=SC2086
-    $1 -I"$SRC/include" -I"$work/float" "$here/$2" "$SRC"/lib/*.c \
-        "$work"/float/*.c -o "$work/program" -lm &&
+    $1 -I"$SRC/include" -I"$SRC/lib" -I"$work/float" "$here/$2" \
+        "$SRC"/lib/*.c "$SRC"/lib/real/*.c "$work"/float/*.c -o "$work/program" -lm &&
         "$work/program" >"$work/found.txt"
 }
 

@@ -88,7 +88,7 @@ def E_of(I,v):
     mul=lambda a,r:a*r.numerator//r.denominator
     return (mul(sq(f('wX')),J)+mul(sq(f('wY')),IX)+mul(sq(f('wZ')),K))//2+f('c')
 def agree(a,b):
-    d=abs(a-b); 
+    d=abs(a-b);
     return 99 if d==0 else -float(mpm.log10(mpm.mpf(d)/ONE))
 def scene(name,note,b,L,th0,wX,wY,wZ,times,levels):
     t0=time.time()
@@ -102,7 +102,7 @@ def scene(name,note,b,L,th0,wX,wY,wZ,times,levels):
     worst=99; bal=0
     for (k,val,v),(k2,val2,w) in zip(o1,o2):
         dg=min(agree(p,q) for p,q in zip(v,w)); worst=min(worst,dg)
-        E=E_of(I,w); 
+        E=E_of(I,w);
         if not bal: E0=None
         f.write(','.join([dec(w[ix[q]],32) for q in ('t','th','phi','psi','x','z','wX','wY','wZ','c')]+[dec(E,32),dec(w[ix['W']],32),'%.1f'%dg])+'\n')
     f.close()
