@@ -7,7 +7,7 @@
 struct lossy_field {
     coin_priv_field ideal; /* first: it is what dop8.h hands on */
     const coin_priv_losses *l;
-    double perw, perwZ, perc; /* 1 over what rates and cos theta are held to */
+    double perw, perwZ; /* 1 over what the rates are held to */
     double *error;
 };
 
@@ -30,8 +30,8 @@ COIN_PRIV_INLINE double size2(const struct lossy_field *f,
                               const coin_priv_stage *e)
 {
     const double wX = e->wX * f->perw, wY = e->wY * f->perw;
-    const double wZ = e->wZ * f->perwZ, cth = e->cth * f->perc;
-    return wX * wX + wY * wY + wZ * wZ + cth * cth + e->sth * e->sth +
+    const double wZ = e->wZ * f->perwZ;
+    return wX * wX + wY * wY + wZ * wZ + e->cth * e->cth + e->sth * e->sth +
            e->sph * e->sph + e->cph * e->cph;
 }
 
@@ -111,8 +111,7 @@ static double zone(const coin_priv_lossy *w, double du, double error)
 double coin_priv_lossy_bound(const coin_priv_lossy *w, double error)
 {
     const coin_priv_stage *y = &w->c.at.y;
-    const struct lossy_field f = {
-        coin_priv_field_of(&w->b, 1), &w->l, 0, 0, 0, 0};
+    const struct lossy_field f = {coin_priv_field_of(&w->b, 1), &w->l, 0, 0, 0};
     const coin_priv_stage d = lossy(&f.ideal, y);
     const double u = y->cth * y->wZ + y->sth * y->wY;
     const double du =
@@ -128,13 +127,11 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
     const double natural = sqrt(w->b.g_a);
     const double rate = ideal_rate(&w->b, y);
     const double slow = rate < natural ? rate : natural;
-    const double share = natural / slow;
     struct lossy_field f = {
         coin_priv_field_of(&w->b, tau),
         &w->l,
         1 / slow,
         1 / natural,
-        share * share,
         &trial->error,
     };
     coin_priv_copy(&trial->next, &w->c.at, sizeof trial->next);
