@@ -19,6 +19,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #define HALF_PI 1.5707963267948966
 
@@ -86,14 +87,28 @@ static int launch(struct random *r, double *rise, int *calls)
     return 0;
 }
 
+/* Seconds of the processor that a textbook step takes. */
+static double textbook_step(void)
+{
+    const coin_params p = disc();
+    coin_state s = {0.5, 0, 0, 0, 0, 0.1, 0.8, 1.2};
+    const clock_t begin = clock();
+    textbook_run(&s, &p, 0.001, 200000);
+    return (double)(clock() - begin) / CLOCKS_PER_SEC / 200000;
+}
+
 static void launches(int n)
 {
     struct random r = random_begin(171);
     int rest = 0, errors = 0, most = 0;
-    double rise = 0;
+    double rise = 0, dearest = 0, total = 0;
     for (int i = 0; i < n; ++i) {
         int calls;
+        const clock_t begin = clock();
         const int end = launch(&r, &rise, &calls);
+        const double took = (double)(clock() - begin) / CLOCKS_PER_SEC;
+        dearest = fmax(dearest, took);
+        total += took;
         rest += end > 0;
         errors += end < 0;
         most = calls > most ? calls : most;
@@ -101,6 +116,9 @@ static void launches(int n)
     printf("%d launches: %d rest, %d still move, %d fail; the energy rises by "
            "%.1e at most; %d calls at most\n",
            n, rest, n - rest - errors, errors, rise, most);
+    const double one = textbook_step();
+    printf("the dearest takes %.3g textbook steps, the mean %.3g\n",
+           dearest / one, total / n / one);
     claim(errors == 0, "no launch fails");
     claim(rise < 1e-6, "no call gains energy beyond its tolerance");
 }
