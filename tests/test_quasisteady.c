@@ -160,17 +160,19 @@ static void near_flat_it_is_the_closed_law_of_the_end(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const double e = 1e-3, m = 1e-9;
-    const double laws[LAWS] = {
-        1.5 * sqrt(e) / m,    e * sqrt(e) / (2 * m),
-        3 * e * e / (16 * m), e * e * sqrt(sqrt(e)) / (8.48528137 * m),
-        e * e * e / (8 * m),  1.5 * sqrt(e) / m,
-    };
-    for (int i = 0; i < LAWS; ++i) {
-        const coin_losses l = law(i, m);
+    const double m = 1e-9;
+    for (double e = 1e-3; e > 1e-5; e /= 50) {
+        const double laws[LAWS] = {
+            1.5 * sqrt(e) / m,    e * sqrt(e) / (2 * m),
+            3 * e * e / (16 * m), e * e * sqrt(sqrt(e)) / (6 * sqrt(2) * m),
+            e * e * e / (8 * m),  1.5 * sqrt(e) / m,
+        };
         const coin_state s = spin(&p, e);
-        check_note("%s", law_names[i]);
-        check_near(coin_time_to_rest(&s, &p, &l) / laws[i], 1, 3 * e);
+        for (int i = 0; i < LAWS; ++i) {
+            const coin_losses l = law(i, m);
+            check_note("%s from %g", law_names[i], e);
+            check_near(coin_time_to_rest(&s, &p, &l) / laws[i], 1, 3 * e);
+        }
     }
 }
 

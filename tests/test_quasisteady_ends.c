@@ -71,6 +71,8 @@ static void a_state_that_swings_or_is_unstable_is_refused(void **unused)
     check_status(coin_quasisteady_at(&s, &p, &l, 1, &out), COIN_EDOMAIN);
     check_status(coin_losses_fit(&l, &s, &p, 8), COIN_EDOMAIN);
     check_status(coin_steady_roll(&s, &p, 0.1), COIN_OK);
+    const coin_losses none = {0};
+    check(isnan(coin_time_to_rest(&s, &p, &none)));
     check_status(coin_quasisteady_at(&s, &p, &l, 1, &out), COIN_EDOMAIN);
     s = (coin_state){.theta = 0.3}; /* falls on its side */
     check_status(coin_quasisteady_at(&s, &p, &l, 1, &out), COIN_EDOMAIN);

@@ -221,18 +221,21 @@ static void a_fast_turn_is_held_later(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const coin_losses l = {.dry = 3};
-    const double e = 0.04, turn = 40;
-    coin_state s = {.theta = 1.5707963267948966 - e,
-                    .wY = turn * sin(e),
-                    .wZ = -turn * cos(e)};
-    const double E = coin_energy(&s, &p);
-    double when;
-    check_status(coin_settle(&s, &p, &l, 5, 1e-8, &when), COIN_RESTS);
-    check_within(when, 0.01, 0.2);
-    check_near(s.psi, 0, 1e-3);
-    check_near(coin_energy(&s, &p) / E, 1, 1e-5);
-    check_near(s.wZ / -turn, 1, 2e-3);
+    for (double turn = 40; turn < 200; turn *= 2.5) {
+        const coin_losses l = {.dry = turn * turn / 500};
+        const double e = 0.04;
+        coin_state s = {.theta = 1.5707963267948966 - e,
+                        .wY = turn * sin(e),
+                        .wZ = -turn * cos(e)};
+        const double E = coin_energy(&s, &p);
+        double when;
+        check_note("turn %g", turn);
+        check_status(coin_settle(&s, &p, &l, 5, 1e-10, &when), COIN_RESTS);
+        check_within(when, 0.3 / turn, 3 / turn);
+        check_near(s.psi, 0, 1e-6);
+        check_near(coin_energy(&s, &p) / E, 1, 1e-9);
+        check_near(s.wZ / -turn, 1, 2e-3);
+    }
 }
 
 /* Each falls as it is held, at once: in the plane, or turning about the
@@ -277,11 +280,36 @@ static void a_stopped_contact_near_flat_is_held(void **unused)
                     status =
                         coin_settle(&by, &p, &l, when / 7.5, 1e-8, &reached);
                     sum += reached;
+                    check(reached <= when / 7.5);
                 } while (status == COIN_OK);
                 check_status(status, COIN_RESTS);
                 check_near(sum, when, 1e-12);
                 check_near(by.wZ, s.wZ, 1e-12);
             }
+}
+
+/* A stopped contact that rises: in one call and in ten. */
+static void a_rise_is_held_call_by_call(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.dry = 0.1};
+    const double e = 0.01, turn = 0.5;
+    coin_state s = {.theta = 1.5707963267948966 - e,
+                    .wX = -0.5,
+                    .wY = turn * sin(e),
+                    .wZ = -turn * cos(e)};
+    coin_state parts = s;
+    double reached;
+    check_status(coin_settle(&s, &p, &l, 0.02, 1e-8, NULL), COIN_OK);
+    for (int i = 0; i < 10; ++i) {
+        check_status(coin_settle(&parts, &p, &l, 0.002, 1e-8, &reached),
+                     COIN_OK);
+        check(reached == 0.002);
+        check(parts.psi == 0);
+    }
+    check_within(states_apart(&s, &parts, &p), 0, 1e-13);
+    check_near(s.theta, 1.5707963267948966 - e - 0.01 + 0.4 * 4e-4, 1e-5);
 }
 
 /* Held by too weak a friction a contact does not stay. */
@@ -327,6 +355,7 @@ int main(void)
         TEST(a_coin_that_stands_stays_standing),
         TEST(a_fast_turn_is_held_later),
         TEST(a_stopped_contact_near_flat_is_held),
+        TEST(a_rise_is_held_call_by_call),
         TEST(a_contact_that_cannot_be_held_rolls_on),
         TEST(a_symmetric_fall_is_an_ideal_one),
     };

@@ -198,6 +198,22 @@ static void how_often_it_is_called_does_not_matter(void **unused)
     }
 }
 
+/* Each of them one step, which has to land. */
+static void many_short_calls_add_up(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.viscous = 0.01, .damping = 0.01};
+    coin_state whole = {.theta = 1, .wX = 0.8, .wY = 0.7, .wZ = 0.6};
+    coin_state parts = whole;
+    check_status(coin_settle(&whole, &p, &l, 1000 * 0x1p-18, 1e-12, NULL),
+                 COIN_OK);
+    for (int i = 0; i < 1000; ++i)
+        check_status(coin_settle(&parts, &p, &l, 0x1p-18, 1e-12, NULL),
+                     COIN_OK);
+    check_within(states_apart(&whole, &parts, &p), 0, 1e-12);
+}
+
 static void violent_launches_come_to_rest_and_gain_no_energy(void **unused)
 {
     (void)unused;
@@ -227,6 +243,7 @@ int main(void)
         TEST(the_energy_lost_is_the_integral_of_the_power),
         TEST(of_random_launches_99_of_100_err_by_less_than_tol),
         TEST(how_often_it_is_called_does_not_matter),
+        TEST(many_short_calls_add_up),
         TEST(violent_launches_come_to_rest_and_gain_no_energy),
     };
     return RUN_TESTS(tests);
