@@ -206,10 +206,10 @@ static void many_short_calls_add_up(void **unused)
     const coin_losses l = {.viscous = 0.01, .damping = 0.01};
     coin_state whole = {.theta = 1, .wX = 0.8, .wY = 0.7, .wZ = 0.6};
     coin_state parts = whole;
-    check_status(coin_settle(&whole, &p, &l, 1000 * 0x1p-18, 1e-12, NULL),
+    check_status(coin_settle(&whole, &p, &l, 1000 * 0x1p-19, 1e-12, NULL),
                  COIN_OK);
     for (int i = 0; i < 1000; ++i)
-        check_status(coin_settle(&parts, &p, &l, 0x1p-18, 1e-12, NULL),
+        check_status(coin_settle(&parts, &p, &l, 0x1p-19, 1e-12, NULL),
                      COIN_OK);
     check_within(states_apart(&whole, &parts, &p), 0, 1e-12);
 }

@@ -5,8 +5,9 @@
 #include "real/hold.h"
 #include "sincos.h"
 
-/* Nearer to flat than this a fall is looked at; so near its acceleration
- * hardly changes, and one step takes the whole of it. */
+/* Nearer to flat than this a fall is looked at.  By (72) the angle from flat is
+ * then as the cosine of an angle that grows to a right one at most, however
+ * fast the coin turns: one step takes the whole of it. */
 #define NEAR_FLAT 0.05
 
 /* The inertia about the vertical through the contact. */
@@ -119,8 +120,5 @@ int coin_priv_held(const coin_priv_losses *l, const coin_priv_body *b,
     const double lever =
         2 * sth * sth * l->K * (l->K - l->IX) / inertia(l, cth) - l->K - b->m;
     const double need = fabs(turn * lever) * cth * fastest; /* (73) */
-    const double slow = (l->K - l->IX) / l->J * turn * turn;
-    const double time = f.x / fastest;
-    return need <= small * coin_priv_grip(l, small, cth) &&
-           slow * time * time < 0.1;
+    return need <= small * coin_priv_grip(l, small, cth);
 }
