@@ -179,7 +179,7 @@ static void how_often_it_is_called_does_not_matter(void **unused)
                                 {.gap = 2e-5},
                                 {.damping = 0.01},
                                 {.rolling = 0.01, .spin = 0.01},
-                                {.damping = 0.02, .viscous = 1e-18}};
+                                {.damping = 0.02, .viscous = 1e-24}};
     for (int i = 0; i < 6; ++i) {
         coin_state whole = spun, parts = spun;
         double when, sum = 0, reached;
