@@ -174,12 +174,13 @@ static void how_often_it_is_called_does_not_matter(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const coin_losses laws[] = {{.dry = 0.002},
-                                {.viscous = 0.0005},
-                                {.gap = 2e-5},
-                                {.damping = 0.01},
-                                {.rolling = 0.01, .spin = 0.01},
-                                {.damping = 0.02, .viscous = 1e-24}};
+    const coin_losses laws[] = {
+        {.dry = 0.002},
+        {.viscous = 0.0005},
+        {.gap = 2e-5},
+        {.damping = 0.01},
+        {.rolling = 0.01, .spin = 0.01},
+        {.damping = 0.02, .dry = 1e-20, .viscous = 1e-24}};
     for (int i = 0; i < 6; ++i) {
         coin_state whole = spun, parts = spun;
         double when, sum = 0, reached;
