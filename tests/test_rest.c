@@ -90,7 +90,7 @@ static void the_face_turns_backward_at_the_end_by_any_law(void **unused)
     }
 }
 
-/* Eq. (74): the time to rest of small losses from a small angle. */
+/* Eq. (75): the time to rest of small losses from a small angle. */
 static void the_times_to_rest_are_those_of_the_laws(void **unused)
 {
     (void)unused;
