@@ -378,7 +378,9 @@ COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
  *         it, or phi or psi leaves its range, or 2^20 steps were not enough: s
  *         is then as at *reached, and after so many steps may go on from there;
  *         COIN_EFLAT the coin falls flat, nearer than 1e-30 rad: s is the last
- *         state that a double can hold before, *reached the time of impact.
+ *         state that a double can hold before, *reached the time of impact; a
+ *         coin at rest, as coin_settle() leaves it, is there: for t >= 0
+ *         *reached is 0 and s stays.
  * Accuracy: below tol per unit for all of 2000 random states over 4 units
  *         (docs/accuracy.md); rounding adds 1e-15 or so per
  *         unit.  Near flat theta alone cannot hold cos(theta): at a distance d

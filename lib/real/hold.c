@@ -9,16 +9,16 @@
  * fast the coin turns: one step takes the whole of it. */
 #define NEAR_FLAT 0.05
 
-/* The inertia about the vertical through the contact. */
+/* The inertia D of (72) about the vertical through the contact. */
 static double inertia(const coin_priv_losses *l, double cth)
 {
-    return l->K - (l->K - l->IX) * (cth * cth); /* (72) */
+    return l->K - (l->K - l->IX) * (cth * cth);
 }
 
 double coin_priv_fall_turn(const coin_priv_held_fall *f,
                            const coin_priv_losses *l)
 {
-    return f->L / inertia(l, coin_priv_sincos(f->x).s); /* (72) */
+    return f->L / inertia(l, coin_priv_sincos(f->x).s);
 }
 
 coin_priv_held_fall coin_priv_fall_of(const coin_priv_losses *l,

@@ -19,9 +19,9 @@ COIN_PRIV_INLINE coin_priv_variables lossy(const coin_priv_field *f,
         (const struct lossy_field *)(const void *)f;
     const coin_priv_slowing slow = coin_priv_slow(with->l, y);
     coin_priv_variables d = coin_priv_sundman_rates(f, y);
-    d.wX += f->h * slow.wX; /* (68) */
-    d.wY += f->h * slow.wY; /* (68) */
-    d.wZ += f->h * slow.wZ; /* (68) */
+    d.wX += f->h * slow.wX;
+    d.wY += f->h * slow.wY;
+    d.wZ += f->h * slow.wZ;
     return d;
 }
 
@@ -62,6 +62,9 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
 
 /* The part of the way to where the contact turns round that a step may go. */
 #define TURN_ROUND 0.5
+
+/* 1 over the natural units of tau beyond which that place is out of reach. */
+#define FAR 1e-30
 
 /* The coin's own rate in tau, as coin_advance() measures its steps by. */
 static double ideal_rate(const coin_priv_lossy *w)
@@ -115,6 +118,9 @@ double coin_priv_lossy_bound(const coin_priv_lossy *w, double error)
     const double u = y->cth * y->wZ + y->sth * y->wY;
     const double du =
         fabs(y->cth * d.wZ + y->sth * d.wY + d.cth * y->wZ + d.sth * y->wY);
+    const double w0 = sqrt(w->run.b.g_a);
+    if (!(du > FAR * w0 * (w0 + fabs(u))))
+        return (double)INFINITY;
     const double least = zone(w, du, error);
     return TURN_ROUND * sqrt(u * u + least * least) / du;
 }
@@ -138,5 +144,5 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
         rk8_sums(&trial->next, &trial->adds, &w->run.g.y, &f.ideal);
     coin_priv_normalize(&trial->next);
     const int above = coin_priv_lesser(lowest, trial->next.cth) > 0;
-    trial->error = above && error - error == 0 ? error : (double)INFINITY;
+    trial->error = above && error <= DBL_MAX ? error : (double)INFINITY;
 }

@@ -26,6 +26,10 @@
 #define PART 0.7
 #define END 1e-5
 
+/* Slower than this, per length of arc, the coin does not come nearer to flat.
+ */
+#define NEVER 1e-30
+
 /* Between two points of a path that are farther apart in heading than this, the
  * path is known by its curvature at both, else by its length. */
 #define TURN 1.0
@@ -156,8 +160,7 @@ static double longest(const struct passing *g)
 {
     double d[VARIABLES];
     slopes(d, g->y, &g->q);
-    const double most = -PART * g->y[ROOT] / d[ROOT];
-    return most > 0 ? most : (double)INFINITY;
+    return d[ROOT] < -NEVER ? -PART * g->y[ROOT] / d[ROOT] : (double)INFINITY;
 }
 
 /* Shortens a step h from the variables before until it lands on the time t, to
@@ -181,7 +184,7 @@ static void land(double *y, const double *before, const struct slow *q,
 static int32_t pass(struct passing *g, double t)
 {
     double h = FIRST;
-    g->q.least = 1 / t;
+    g->q.least = 1 / (t + DBL_MIN); /* t may be 0 */
     while (g->y[ROOT] > END && g->y[TIME] < t) {
         double next[VARIABLES], before[VARIABLES];
         const double most = longest(g);

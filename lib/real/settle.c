@@ -43,11 +43,12 @@ struct settling {
 };
 
 /* The tau that the time rem takes: rem = c tau - s c wX tau^2/2 + ..., solved;
- * NaN where that has no solution. */
+ * infinite where that has no solution. */
 static double tau_of(const coin_priv_variables *y, double rem)
 {
     const double r = rem / y->cth;
-    return 2 * r / (1 + sqrt(1 - 2 * y->sth * y->wX * r));
+    const double room = 1 - 2 * y->sth * y->wX * r;
+    return room >= 0 ? 2 * r / (1 + sqrt(room)) : (double)INFINITY;
 }
 
 /* What the estimate of a step may be: by tol, and by rounding. */
@@ -73,10 +74,12 @@ static double next_tau(const struct settling *g, double rate)
     return fabs(tau) < full ? tau : side * full;
 }
 
-/* The factor from a step to the next: about (allowed/error)^(1/8), from 0.2 to
- * 2. */
-static double change(double ratio)
+/* The factor from a step to the next: about (most/error)^(1/8), from 0.2 to 2.
+ */
+static double change(double error, double most)
 {
+    const double least = 1e-9 * most; /* so that nothing divides by 0 */
+    const double ratio = most / (error > least ? error : least);
     const double factor = 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio)));
     return factor < 2 ? factor : 2;
 }
@@ -91,7 +94,7 @@ static int32_t step(struct settling *g, double rate)
             return COIN_ESTEP;
         coin_priv_lossy_try(&trial, &g->w, tau);
         const double most = allowed(g, trial.adds.t);
-        const double next = used * change(most / trial.error);
+        const double next = used * change(trial.error, most);
         done = trial.error <= most;
         if (!done || next > g->stride || used > 0.999 * g->stride)
             g->stride = next < LONGEST ? next : LONGEST;

@@ -127,7 +127,7 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
         return status;
     if (!(fabs(t) * sqrt(b.g_a) <= TOO_LONG))
         return COIN_ESTEP;
-    if (coin_priv_rests(s)) {
+    if (t >= 0 && coin_priv_rests(s)) {
         if (reached)
             *reached = 0;
         return COIN_EFLAT;

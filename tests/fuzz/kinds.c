@@ -65,6 +65,23 @@ static void take_omega(struct bytes *b, const struct world *w, void *to)
         omega[i] = take_rate(b, w->W);
 }
 
+/* Good ones, of up to the size of the coin's own torques; half of them none. */
+static void take_losses(struct bytes *b, const struct world *w, void *to)
+{
+    const double w0 = sqrt(w->p.gravity / w->p.radius);
+    const double torque = w->p.mass * w->p.gravity * w->p.radius;
+    const double unit[] = {
+        1,           torque, torque / w0, torque / (w0 * sqrt(w0)),
+        torque / w0, torque, torque / w0, w0};
+    double x[8];
+    for (int i = 0; i < 8; ++i) {
+        const uint8_t how = take_byte(b);
+        x[i] = how < 128 ? 0 : ldexp(fabs(take_part(b)), -(how % 40)) * unit[i];
+        x[i] = x[i] >= 0 && x[i] < 1e30 ? x[i] : 0;
+    }
+    memcpy(to, x, sizeof x);
+}
+
 static void take_d(struct bytes *b, const struct world *w, void *to)
 {
     union argument *const a = to;
@@ -220,6 +237,11 @@ static int sound_members(const void *of, const struct world *w)
     return coin_axes(of, R) == COIN_OK;
 }
 
+static int sound_losses(const void *of, const struct world *w)
+{
+    return coin_losses_check(of, &w->p) == COIN_OK;
+}
+
 static int sound_orbit(const void *of, const struct world *w)
 {
     const coin_orbit *o = of;
@@ -243,6 +265,8 @@ static const struct kind kinds[] = {
     {'Y', WRITTEN, sizeof(coin_orbit), NULL, sound_orbit},
     {'V', WRITTEN, sizeof(coin_state), NULL, sound_members},
     {'y', READ, sizeof(coin_orbit), take_orbit, NULL},
+    {'l', READ, sizeof(coin_losses), take_losses, NULL},
+    {'L', MOVED, sizeof(coin_losses), take_losses, sound_losses},
     {'q', READ, 4 * sizeof(double), take_q, NULL},
     {'w', READ, 3 * sizeof(double), take_omega, NULL},
     {'1', WRITTEN, sizeof(double), NULL, sound_1},
