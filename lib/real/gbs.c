@@ -46,7 +46,7 @@ double coin_priv_gbs(double *y, size_t n, coin_priv_slopes *slopes,
     for (size_t i = 0; i < n; ++i) {
         const double size = 1 + fabs(table[0][i]);
         const double off = fabs(table[0][i] - table[1][i]) / size;
-        error = off <= error ? error : off; /* NaN is an error too */
+        error = islessequal(off, error) ? error : off; /* NaN is one too */
         y[i] = table[0][i];
     }
     return error;

@@ -34,6 +34,9 @@
  * path is known by its curvature at both, else by its length. */
 #define TURN 1.0
 
+/* 1 over the largest factor of coin_losses_fit(): no loss overflows by it. */
+#define FACTOR_LEAST 1e-240
+
 /* The variables, in natural units: sine of the lean and root of its cosine; the
  * rates; the time; heading, roll and length of the path. */
 enum { STH, ROOT, WY, WZ, TIME, PHI, PSI, WAY, VARIABLES };
@@ -87,7 +90,8 @@ static void slopes(double *dy, const double *y, const void *problem)
     const double arc2 = droot * droot + d.dwY * d.dwY / (1 + y[WY] * y[WY]) +
                         d.dwZ * d.dwZ / (1 + y[WZ] * y[WZ]);
     const double least = ((const struct slow *)problem)->least;
-    const double dt = d.room > 0 ? 1 / (least + sqrt(arc2)) : (double)NAN;
+    const double dt =
+        isgreater(d.room, 0) ? 1 / (least + sqrt(arc2)) : (double)NAN;
     dy[STH] = c * d.dtheta * dt;
     dy[ROOT] = droot * dt;
     dy[WY] = d.dwY * dt;
@@ -160,7 +164,8 @@ static double longest(const struct passing *g)
 {
     double d[VARIABLES];
     slopes(d, g->y, &g->q);
-    return d[ROOT] < -NEVER ? -PART * g->y[ROOT] / d[ROOT] : (double)INFINITY;
+    return isless(d[ROOT], -NEVER) ? -PART * g->y[ROOT] / d[ROOT]
+                                   : (double)INFINITY;
 }
 
 /* Shortens a step h from the variables before until it lands on the time t, to
@@ -192,7 +197,7 @@ static int32_t pass(struct passing *g, double t)
         for (int k = 0; k < VARIABLES; ++k)
             next[k] = before[k] = g->y[k];
         const double error = coin_priv_gbs(next, VARIABLES, slopes, &g->q, h);
-        if (!(error <= ERROR)) {
+        if (!islessequal(error, ERROR)) {
             h /= 2;
             if (h < SHORTEST * g->y[ROOT])
                 return COIN_EDOMAIN;
@@ -298,13 +303,15 @@ int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
     int32_t status = time_to_rest(&now, s, p, l);
     if (status < 0)
         return status;
+    if (!(now > 0 && now * FACTOR_LEAST < time))
+        return COIN_EDOMAIN;
     const double factor = now / time; /* the slow motion is linear in them */
     const coin_losses scaled = {
         l->damping * factor, l->dry * factor, l->viscous * factor,
         l->layer * factor,   l->gap * factor, l->rolling * factor,
         l->spin * factor,    l->soft,
     };
-    if (!(factor > 0) || coin_losses_check(&scaled, p) != COIN_OK)
+    if (coin_losses_check(&scaled, p) != COIN_OK)
         return COIN_EDOMAIN;
     *l = scaled;
     return COIN_OK;
