@@ -70,6 +70,20 @@ class Force(Plain):
     ]
 
 
+class Losses(Plain):
+    """coin_losses."""
+    _fields_ = [
+        ("damping", c_double),
+        ("dry", c_double),
+        ("viscous", c_double),
+        ("layer", c_double),
+        ("gap", c_double),
+        ("rolling", c_double),
+        ("spin", c_double),
+        ("soft", c_double),
+    ]
+
+
 class Orbit(Plain):
     """coin_orbit."""
     _fields_ = [
@@ -102,6 +116,7 @@ SLIPS = 1
 LIFTS = 2
 COARSE = 4
 NEARLY_FLAT = 8
+RESTS = 16
 RK4 = 0
 RK8 = 1
 SYMPLECTIC2 = 2
@@ -143,6 +158,21 @@ PROTOTYPES = {
     "coin_orbit_init": (c_int32, POINTER(Orbit), POINTER(State),
         POINTER(Params)),
     "coin_orbit_at": (c_int32, POINTER(Orbit), c_double, POINTER(State)),
+    "coin_losses_check": (c_int32, POINTER(Losses), POINTER(Params)),
+    "coin_losses_power": (c_double, POINTER(State), POINTER(Params),
+        POINTER(Losses)),
+    "coin_losses_rates": (c_int32, POINTER(State), POINTER(Params),
+        POINTER(Losses), POINTER(State)),
+    "coin_losses_reaction": (c_int32, POINTER(State), POINTER(Params),
+        POINTER(Losses), POINTER(Force)),
+    "coin_settle": (c_int32, POINTER(State), POINTER(Params),
+        POINTER(Losses), c_double, c_double, POINTER(c_double)),
+    "coin_time_to_rest": (c_double, POINTER(State), POINTER(Params),
+        POINTER(Losses)),
+    "coin_quasisteady_at": (c_int32, POINTER(State), POINTER(Params),
+        POINTER(Losses), c_double, POINTER(State)),
+    "coin_losses_fit": (c_int32, POINTER(Losses), POINTER(State),
+        POINTER(Params), c_double),
     "coin_method_name": (c_char_p, c_int32),
     "coin_method_order": (c_int32, c_int32),
     "coin_max_dt": (c_double, POINTER(State), POINTER(Params), c_int32,

@@ -131,7 +131,7 @@ typedef struct coin_losses {
 
 /** A motion solved once, to be asked for any time: coin_orbit_init(),
  * coin_orbit_at().  No pointers: it may be copied, stored and shared.  Half a
- * period of theta is held in pieces, each a polynomial of time. */
+ * period of theta is held in pieces, each a polynomial of time: 32 KiB. */
 typedef struct coin_orbit {
     double period;             /**< of theta; 0 if the motion is steady [T] */
     double heading_per_period; /**< what phi gains in it [rad] */
@@ -147,13 +147,13 @@ typedef struct coin_orbit {
                                    heading_per_period is a multiple of 2 pi to
                                    rounding, and else 0 [L] */
     double conditioning;      /**< how strongly a period amplifies rounding,
-                                   >= 1: by how many W, Eq. (47), d(theta)/dt
-                                   changes for a radian at a turning point, W as
-                                   at the start and to a factor of 2 [1] */
-    double private_frame[28]; /**< this and what follows: the library's */
-    double private_edges[24];
-    double private_centers[24];
-    double private_terms[3840];
+                                   >= 1: 1 + (J/2) |dT/dE| s^2/w, with w^2 =
+                                   2E/J and s the larger |d(wX)/dt| at a
+                                   turning point, but no more than w^2 [1] */
+    double private_frame[32]; /**< this and what follows: the library's */
+    double private_edges[48];
+    double private_centers[44];
+    double private_terms[3960];
 } coin_orbit;
 
 /** Status: 0, or negative = error.  Numbers never change meaning. */
@@ -365,8 +365,8 @@ COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
                              coin_state *out, size_t *done);
 
 /** Moves a coin by any time, to a stated accuracy, however near to flat it
- * passes: order 8 in Sundman's time, Eq. (32), with a step chosen from the
- * state, landing on t, Eq. (54).
+ * passes: extrapolation of order 14 in Sundman's time, Eq. (32), with a step
+ * chosen from the state, landing on t, Eq. (54).
  * @param[in,out] s  the state
  * @param t          the time, of either sign [T]
  * @param tol        1e-13 to 1e-2: the error that the steps may add per natural
@@ -378,16 +378,18 @@ COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
  *         it, or phi or psi leaves its range, or 2^20 steps were not enough: s
  *         is then as at *reached, and after so many steps may go on from there;
  *         COIN_EFLAT the coin falls flat, nearer than 1e-30 rad: s is the last
- *         state that a double can hold before, *reached the time of impact.
+ *         state that a double can hold before, *reached the time of impact; a
+ *         coin at rest, as coin_settle() leaves it, is there: for t >= 0
+ *         *reached is 0 and s stays.
  * Accuracy: below tol per unit for all of 2000 random states over 4 units
  *         (docs/accuracy.md); rounding adds 1e-15 or so per
  *         unit.  Near flat theta alone cannot hold cos(theta): at a distance d
  *         from flat a call loses u/d of it, one long call nothing.
- * Cost: as |t|; about as 1/tol^(1/8) steps per unit, each 1.3 times one of
+ * Cost: as |t|; about as 1/tol^(1/14) steps per unit, each 1.3 times one of
  *         COIN_RK8, and a pass at distance d costs ln(1/d) units more.  A coin
  *         that bounces near flat with little energy passes often, and one that
  *         turns fast takes a step for every radian or so.  At most 2^20 steps,
- *         some 0.2 s: 40,000 natural units at the least tol, as a rule. */
+ *         some 0.2 s: 160,000 natural units at the least tol, as a rule. */
 COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
                               double tol, double *reached);
 
@@ -412,27 +414,32 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  * points, by power series; mirror and period give the rest.  Eq. (55), (57).
  * @param[out] o  the orbit
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if the motion has no
- *         well-defined period: too close to a separatrix (an unstable steady
- *         motion, say) or to flat (never nearer than 1e-9 at a turning point),
- *         or conditioning above 1e9.
+ *         well-defined period: an unstable steady motion, a motion so close to
+ *         a separatrix that conditioning is 1e12 or more, or so close to flat
+ *         that its pieces do not suffice.  Of motions that come no closer to
+ *         flat than 1e-6 rad on one side, or on both but start elsewhere than
+ *         there, less than 1 in 100 is refused; closer than 1e-9, all are.
  * A steady motion is an orbit too, of period 0.  A steady motion that is
  * unstable, and not upright to the bit, is none: its own rounding leads away.
- * Accuracy: period, heading and roll per period to 1e-15 of conditioning
- *         (test_orbit).
+ * Accuracy: period, heading and roll per period to 1e-15 of conditioning,
+ *         relative to the larger of them and 1 (test_orbit).
  * Cost: docs/models.md; some 46 KiB of stack. */
 COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
                                  const coin_params *p);
 
 /** The state at any time, forward or backward, without stepping.
- * @param o         as coin_orbit_init() left it.  Other bytes do no harm, but
- *                  only such as would be read beyond its end are recognized
+ * @param o         as coin_orbit_init() of this version left it.  Other bytes
+ *                  do no harm, and most are recognized
  * @param t         the time since the state that the orbit was made from [T]
  * @param[out] out  the state
  * @return COIN_OK; COIN_EARG, also for an orbit seen not to be one; COIN_ESTEP
  *         if t is not finite, 2^31 periods or more, or theta, phi, psi, x or z
  *         leaves its range.
- * Accuracy: 1e-14 radians and radii, and 1e-15 of conditioning more for each
- *         period since the start (test_orbit).
+ * Accuracy: 1e-14 rad in theta, phi and psi, and 1e-15 of conditioning more for
+ *         each period since the start, and 4 u W (|t| + period) more, as from a
+ *         rounding of t: W is the motion's fastest rate, Eq. (47), which is
+ *         large in a pass close to flat.  In x and z 1 + radius_max/radius
+ *         times as many radii; in the rates W times as much (test_orbit_edges).
  * Cost: less than a textbook Runge-Kutta step, whatever t is. */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
 
