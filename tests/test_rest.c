@@ -167,6 +167,11 @@ static void a_coin_at_rest_stays_there(void **unused)
     check_same(&s, &flat, sizeof s);
     check_status(coin_settle(&s, &p, &l, 5, 1e-6, NULL), COIN_RESTS);
     check_same(&s, &flat, sizeof s);
+    reached = 7;
+    check_status(coin_advance(&s, &p, 5, 1e-6, &reached), COIN_EFLAT);
+    check(reached == 0);
+    check_status(coin_advance(&s, &p, 5, 1e-6, NULL), COIN_EFLAT);
+    check_same(&s, &flat, sizeof s);
     check(coin_losses_power(&s, &p, &l) >= 0);
 }
 

@@ -21,6 +21,9 @@
 #define FIRST 0.05
 #define SHORTEST 1e-6
 
+/* The most steps, those refused included: 0.2 s.  A life takes some 30. */
+#define TRIES_MAX 32768
+
 /* The part of sqrt(cos theta) that a step may take, and where the law of the
  * end takes over. */
 #define PART 0.7
@@ -185,14 +188,16 @@ static void land(double *y, const double *before, const struct slow *q,
 }
 
 /* Goes on to the time t: COIN_OK, or COIN_RESTS and the time then, or
- * COIN_EDOMAIN where the motion becomes unstable. */
+ * COIN_EDOMAIN where the motion becomes unstable, or after too many steps. */
 static int32_t pass(struct passing *g, double t)
 {
     double h = FIRST;
     g->q.least = 1 / (t + DBL_MIN); /* t may be 0 */
-    while (g->y[ROOT] > END && g->y[TIME] < t) {
+    for (int tries = 0; g->y[ROOT] > END && g->y[TIME] < t; ++tries) {
         double next[VARIABLES], before[VARIABLES];
         const double most = longest(g);
+        if (tries == TRIES_MAX)
+            return COIN_EDOMAIN;
         h = h < most ? h : most;
         for (int k = 0; k < VARIABLES; ++k)
             next[k] = before[k] = g->y[k];

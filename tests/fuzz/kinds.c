@@ -37,6 +37,14 @@ static void take_k(struct bytes *b, const struct world *w, void *to)
     memcpy(to, &s, sizeof s);
 }
 
+/* A coin that spins, about a diameter that leans. */
+static void take_spin(struct bytes *b, const struct world *w, void *to)
+{
+    coin_state s = w->s;
+    (void)coin_steady_spin(&s, &w->p, take_lean(b));
+    memcpy(to, &s, sizeof s);
+}
+
 /* Several, of which the first is the world's own. */
 static void take_coins(struct bytes *b, const struct world *w, void *to)
 {
@@ -77,9 +85,10 @@ static void take_losses(struct bytes *b, const struct world *w, void *to)
     for (int i = 0; i < 8; ++i) {
         const uint8_t how = take_byte(b);
         x[i] = how < 128 ? 0 : ldexp(fabs(take_part(b)), -(how % 40)) * unit[i];
-        x[i] = x[i] >= 0 && x[i] < 1e30 ? x[i] : 0;
     }
     memcpy(to, x, sizeof x);
+    if (coin_losses_check(to, &w->p) != COIN_OK)
+        memset(to, 0, sizeof x);
 }
 
 static void take_d(struct bytes *b, const struct world *w, void *to)
@@ -256,6 +265,7 @@ static const struct kind kinds[] = {
     {'P', WRITTEN, sizeof(coin_params), NULL, sound_params},
     {'s', READ, sizeof(coin_state), take_s, NULL},
     {'k', READ, sizeof(coin_state), take_k, NULL},
+    {'E', READ, sizeof(coin_state), take_spin, NULL},
     {'S', MOVED, sizeof(coin_state), take_s, sound_state},
     {'X', MOVED, SAMPLES * sizeof(coin_state), take_coins, NULL},
     {'O', WRITTEN, sizeof(coin_state), NULL, sound_state},

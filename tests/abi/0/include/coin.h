@@ -527,7 +527,8 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
  *         losses that act, or by pivoting friction alone; NaN on the usual
  *         errors and coin_losses_check(), if the state swings about the steady
  *         motion by more than a tenth of its angle from flat, or if that motion
- *         is unstable, or becomes so before the coin lies flat.
+ *         is unstable, or becomes so before the coin lies flat, or if 2^15
+ *         steps are not enough, as for absurdly fast coins.
  * Accuracy: the last fall is not quasi-steady: with m the loss in natural units
  *         the error is as m^1.2 to m^1.5, some 5e-4 for a coin that spins for
  *         seconds (docs/models.md, test_quasisteady).
@@ -545,7 +546,8 @@ COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
  *         wZ the turn left in its face; the usual errors; COIN_EPARAMS also as
  *         coin_losses_check(); COIN_ESTEP t negative or not finite, or phi,
  *         psi, x or z leaves its range; COIN_EDOMAIN the state is not near a
- *         stable steady motion, or that becomes unstable before t.
+ *         stable steady motion, or that becomes unstable before t, or 2^15
+ *         steps are not enough.
  * Accuracy: until the angle from flat is ten times the loss m in natural units,
  *         theta, wY and wZ as m^2, phi and psi as m: 70 m at half of the time
  *         to rest of a spin from 0.1 rad; x and z as phi (test_quasisteady).
