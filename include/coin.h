@@ -107,6 +107,28 @@ typedef struct coin_force {
                           if N <= 0 */
 } coin_force;
 
+/** What slows a coin, and brings it to rest: each term an own law of
+ * resistance.  They add; a term of 0 is not there.  Eq. (64)-(69). */
+typedef struct coin_losses {
+    double damping; /**< alpha: a torque alpha |d(psi)/dt| times the angular
+                         momentum, component by component [1] */
+    double dry;     /**< contour friction: a torque against the roll of the
+                         contact along the rim, whatever its rate
+                         [M L^2/T^2] */
+    double viscous; /**< the same, as that rate [M L^2/T] */
+    double layer;   /**< the same, as its power 3/2: the boundary layer of the
+                         air [M L^2/T^(1/2)] */
+    double gap;     /**< the same, as that rate over cos(theta): the air in the
+                         gap below the coin [M L^2/T] */
+    double rolling; /**< the rolling moment of engines: as dry, times
+                         cos(theta) [M L^2/T^2] */
+    double spin;    /**< pivoting friction: a torque as the turn about the
+                         vertical [M L^2/T] */
+    double soft;    /**< the rate of roll below which dry and rolling fade
+                         [1/T]; 0 stands for sqrt(g/a)/1024, and less than
+                         2^-30 sqrt(g/a) for that */
+} coin_losses;
+
 /** A motion solved once, to be asked for any time: coin_orbit_init(),
  * coin_orbit_at().  It holds half a period of theta, in pieces that are
  * polynomials of time: 32 KiB.  It has no pointers, so that it may be copied,
@@ -170,6 +192,11 @@ enum {
                               is sqrt((wX^2 + wY^2)/cos^2 theta + wZ^2 +
                               g/(a cos theta)) */
     COIN_NEARLY_FLAT = 8 /**< cos(theta) < 0.01 */
+};
+
+/** Status: positive, and no warning: never combined with the bits above. */
+enum {
+    COIN_RESTS = 16 /**< done: the coin lies flat */
 };
 
 /** Methods of integration. */
@@ -360,7 +387,8 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  *         steps were not enough: s is then as at *reached, and after so many
  *         steps another call goes on from there.  COIN_EFLAT: the coin falls
  *         flat, nearer than 1e-30 rad: s is the last state that a double can
- *         hold before, *reached the time of impact.
+ *         hold before, *reached the time of impact.  A coin at rest, as
+ *         coin_settle() leaves it, is there: for t >= 0 *reached is 0.
  * Accuracy: below tol per unit for all of 2000 random states over 4 units
  *         (docs/accuracy.md).  Rounding adds about 1e-15 per unit.  Near flat
  *         theta alone cannot hold cos(theta): each call that begins at a
@@ -676,6 +704,132 @@ COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
  *         answers.  Some 77 KiB of stack. */
 COIN_API int32_t coin_model_needed(const coin_state *s, const coin_params *p,
                                    double horizon, double tol);
+
+/* ----------------------------------------------------------- real coins -- */
+
+/** Whether losses can be computed with.
+ * @return COIN_OK; COIN_EARG null; COIN_EPARAMS as coin_params_check(), or a
+ *         member of *l is negative or not finite, or it or its quotient by
+ *         inertia_X or by inertia_Z + mass radius^2 is above 1e60. */
+COIN_API int32_t coin_losses_check(const coin_losses *l, const coin_params *p);
+
+/** The power that the losses take: -d(energy)/dt.  Eq. (69).
+ * @return P >= 0 [M L^2/T^3]; NaN on the usual errors, coin_losses_check(),
+ *         and where it would overflow.
+ * Accuracy: 16 u of the terms (test_losses). */
+COIN_API double coin_losses_power(const coin_state *s, const coin_params *p,
+                                  const coin_losses *l);
+
+/** coin_rates() of a coin with losses.  Eq. (14)-(20), (68).
+ * @param[out] out  as coin_rates()
+ * @return COIN_OK; the usual errors; COIN_EPARAMS also as coin_losses_check();
+ *         COIN_ESTATE also if a rate would overflow.
+ * Accuracy: 16 u of the terms (test_losses). */
+COIN_API int32_t coin_losses_rates(const coin_state *s, const coin_params *p,
+                                   const coin_losses *l, coin_state *out);
+
+/** coin_reaction() of a coin with losses.  Eq. (25)-(28), (70).
+ * @return as coin_losses_rates().
+ * Accuracy: 16 u of the terms (test_losses). */
+COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
+                                      const coin_losses *l, coin_force *out);
+
+/** Moves a coin with losses by any time, to a stated accuracy, and tells when
+ * it has come to rest: order 8 in Sundman's time, Eq. (32), (68), its error
+ * estimated in each step; and the last fall, once the contact has stopped,
+ * Eq. (72), by itself.
+ *
+ * A disc, spun, until it lies flat:
+ * @code
+ * const coin_losses l = {0, 1e-7, 0, 0, 0, 0, 0, 0};
+ * coin_params p;
+ * coin_state s;
+ * double when;
+ * coin_params_disc(&p, 0.00567, 0.01213, 9.80665);
+ * coin_steady_spin(&s, &p, 1.0);
+ * if (coin_settle(&s, &p, &l, 1e3, 1e-6, &when) == COIN_RESTS)
+ *     printf("flat after %g s\n", when);
+ * @endcode
+ * @param[in,out] s  the state
+ * @param t          the time, >= 0 [T]
+ * @param tol        1e-13 to 1e-2: the error that steps may add per natural
+ *                   unit of time, in radians and radii, before the motion's
+ *                   own amplification [1]
+ * @param[out] reached  the time moved by: t, or what was possible; may be null
+ * @return COIN_OK; COIN_RESTS: the coin lies flat, *reached is when it came to,
+ *         and s how: |theta| the last lean that coin_state_check() accepts, wX
+ *         the speed of its fall, wX theta >= 0, wY = 0, wZ the turn left in
+ *         its face.  From there coin_settle() returns COIN_RESTS and *reached =
+ *         0.  The usual errors; COIN_EARG also for tol out of range;
+ *         COIN_EPARAMS also as coin_losses_check(); COIN_ESTEP: t is negative
+ *         or not finite, or beyond 1e15 natural units, and nothing was moved;
+ *         or phi, psi, x or z leaves its range, or 2^20 steps were not enough:
+ *         the state and *reached are then as far as it came, and another call
+ *         goes on.
+ * Without any loss the state and *reached are those of coin_advance(), which
+ * calls a fall COIN_EFLAT; pivoting friction alone never brings a coin to rest.
+ * The coin is kept on the table, as by coin_advance(): coin_check() tells
+ * whether a real one would slip or lift.  Where losses leave the contact no
+ * stop, as damping and rolling do, the time below cos(theta) = 1e-10 is that of
+ * the law of the end.
+ * Accuracy: of random launches the error stays within tol per natural unit of
+ *         time in 99 of 100 (test_settle); the time of rest does not depend on
+ *         how many calls it takes, to 1e-9.
+ * Cost: some 3 RK8 steps per radian that the contact rolls by, at 1e-9; more
+ *         where dry friction holds the contact: dry/(soft cos(theta)) of the
+ *         moments of inertia is then the rate that steps have to follow. */
+COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
+                             const coin_losses *l, double t, double tol,
+                             double *reached);
+
+/** The time until a coin lies flat, by the quasi-steady model: it goes through
+ * steady motions, and what the losses take moves it along them.  Eq. (74).
+ * @param s  near a steady motion; that one is followed
+ * @return the time [T]; 0 at rest; +infinity if nothing stops it: without
+ *         losses that act, or by pivoting friction alone; NaN on the usual
+ *         errors and coin_losses_check(), if the state swings about the steady
+ *         motion by more than a tenth of its angle from flat, or if that motion
+ *         is unstable, or becomes so before the coin lies flat, or if 2^15
+ *         steps are not enough, as for absurdly fast coins.
+ * Accuracy: the last fall is not quasi-steady: with m the loss in natural units
+ *         the error is as m^1.2 to m^1.5, some 5e-4 for a coin that spins for
+ *         seconds (docs/models.md, test_quasisteady).
+ * Cost: some 350 textbook steps. */
+COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
+                                  const coin_losses *l);
+
+/** A coin with losses at any time, by the quasi-steady model.  Eq. (74).
+ * @param s         as for coin_time_to_rest()
+ * @param t         the time, >= 0 [T]
+ * @param[out] out  the state at t: wX is the slow change of the lean, not a
+ *                  swing; may be s
+ * @return COIN_OK; COIN_RESTS: the coin lies flat before t, and *out is that,
+ *         |theta| the last lean that coin_state_check() accepts, wX = wY = 0,
+ *         wZ the turn left in its face; the usual errors; COIN_EPARAMS also as
+ *         coin_losses_check(); COIN_ESTEP t negative or not finite, or phi,
+ *         psi, x or z leaves its range; COIN_EDOMAIN the state is not near a
+ *         stable steady motion, or that becomes unstable before t, or 2^15
+ *         steps are not enough.
+ * Accuracy: until the angle from flat is ten times the loss m in natural units,
+ *         theta, wY and wZ as m^2, phi and psi as m: 70 m at half of the time
+ *         to rest of a spin from 0.1 rad; x and z as phi (test_quasisteady).
+ * Cost: some 350 textbook steps, whatever t. */
+COIN_API int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
+                                     const coin_losses *l, double t,
+                                     coin_state *out);
+
+/** Losses that let a coin rest after a given time: all terms of *l but soft
+ * times one factor.
+ * @param[in,out] l  at least one term other than spin is not 0
+ * @param s          as for coin_time_to_rest()
+ * @param time       > 0 [T]
+ * @return COIN_OK; the usual errors; COIN_EARG also for time not in range;
+ *         COIN_EPARAMS also as coin_losses_check(); COIN_EDOMAIN if
+ *         coin_time_to_rest() gives no time, or such losses would not pass
+ *         coin_losses_check().
+ * Accuracy, cost: those of coin_time_to_rest(). */
+COIN_API int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
+                                 const coin_params *p, double time);
 
 /* ------------------------------------------------ version and self-test -- */
 

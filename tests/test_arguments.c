@@ -17,6 +17,7 @@ enum { BUFFER = 32768 }; /* what a coin_orbit has room in */
 /* Upright and steady, so that every function accepts it. */
 static const coin_state good_state = {0, 1, 2, 3, 4, 0, 0, 5};
 static const coin_params good_params = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
+static const coin_losses good_losses = {0, 1e-6, 0, 0, 0, 0, 0, 0};
 static const double good_doubles[4] = {0.5, 0.1, 0.2, 0.3};
 
 struct arguments {
@@ -52,6 +53,8 @@ static struct arguments arguments_for(const struct function *f,
             place(&a, i, s, sizeof *s);
         else if (f->kinds[i] == 'd')
             place(&a, i, good_doubles, sizeof good_doubles);
+        else if (f->kinds[i] == 'l')
+            place(&a, i, &good_losses, sizeof good_losses);
         else if (f->kinds[i] == 'b')
             place_orbit(&a, i);
     }

@@ -134,6 +134,45 @@ static int32_t call_coin_orbit_at(const struct trap_case *c)
     return status == COIN_OK ? coin_orbit_at(&orbit, c->t, &out) : status;
 }
 
+/* -------------------------------------------------------------------- losses
+ */
+/* Some of each, of the size of the coin's own torques. */
+static coin_losses losses(const struct trap_case *c)
+{
+    const double w0 = sqrt(c->p.gravity / c->p.radius);
+    const double torque = 1e-3 * c->p.mass * c->p.gravity * c->p.radius;
+    const coin_losses l = {
+        1e-3,        torque, torque / w0, torque / (w0 * sqrt(w0)),
+        torque / w0, torque, torque / w0, 0};
+    return l;
+}
+
+#define WITH_LOSSES(name, expression)                                          \
+    static int32_t call_##name(const struct trap_case *c)                      \
+    {                                                                          \
+        coin_losses l = losses(c);                                             \
+        return expression;                                                     \
+    }
+WITH_LOSSES(coin_losses_check, coin_losses_check(&l, &c->p))
+WITH_LOSSES(coin_losses_power,
+            isnan(coin_losses_power(&c->s, &c->p, &l)) ? COIN_ESTATE : COIN_OK)
+WITH_LOSSES(coin_losses_rates, coin_losses_rates(&c->s, &c->p, &l, &out))
+WITH_LOSSES(coin_settle,
+            coin_settle(copy(&c->s), &c->p, &l, some_time(c), 1e-6, NULL))
+WITH_LOSSES(coin_time_to_rest,
+            isnan(coin_time_to_rest(&c->s, &c->p, &l)) ? COIN_ESTATE : COIN_OK)
+WITH_LOSSES(coin_quasisteady_at,
+            coin_quasisteady_at(&c->s, &c->p, &l, some_time(c), &out))
+WITH_LOSSES(coin_losses_fit,
+            coin_losses_fit(&l, &c->s, &c->p, some_time(c) > 0 ? c->t : 1))
+
+static int32_t call_coin_losses_reaction(const struct trap_case *c)
+{
+    const coin_losses l = losses(c);
+    coin_force force;
+    return coin_losses_reaction(&c->s, &c->p, &l, &force);
+}
+
 CALL(coin_max_dt,
      isnan(coin_max_dt(&c->s, &c->p, COIN_RK4, 1e-6)) ? COIN_ESTATE : COIN_OK)
 CALL(coin_model_needed, coin_model_needed(&c->s, &c->p, c->t, 1e-3))
@@ -230,6 +269,14 @@ static const struct trap_function all[] = {
     ROW(coin_critical_roll),
     ROW(coin_critical_spin),
     ROW(coin_model_needed),
+    ROW(coin_losses_check),
+    ROW(coin_losses_power),
+    ROW(coin_losses_rates),
+    ROW(coin_losses_reaction),
+    ROW(coin_settle),
+    ROW(coin_time_to_rest),
+    ROW(coin_quasisteady_at),
+    ROW(coin_losses_fit),
 };
 
 static void no_call_that_succeeds_traps(void **unused)

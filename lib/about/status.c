@@ -39,5 +39,7 @@ const char *coin_status_string(int32_t status)
 {
     if (status <= 0 && status >= COIN_EBUILD)
         return errors[-status];
+    if (status == COIN_RESTS)
+        return "done: the coin lies flat, at rest";
     return warnings[status > 0 && status < 16 ? status : 0];
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
+#include "../motion/rest.h"
+
 #include "extrapolation.h"
 #include "sundman.h"
 
@@ -128,6 +130,11 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
         return status;
     if (!(fabs(t) * sqrt(b.g_a) <= TOO_LONG))
         return COIN_ESTEP;
+    if (t >= 0 && coin_priv_rests(s)) {
+        if (reached)
+            *reached = 0;
+        return COIN_EFLAT;
+    }
     coin_priv_run r;
     coin_priv_sum rem = {t, 0};
     const struct reach reach = reach_of(tol);

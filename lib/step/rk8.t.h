@@ -5,7 +5,9 @@
  *
  * For either form of the equations of motion: its users define RATES and
  * POSE_RATES, the slopes times h of the variables and of the pose, and
- * EACH_POSE(F), the members of the latter, and get rk8_sums(). */
+ * EACH_POSE(F), the members of the latter, and get rk8_sums().  Who defines
+ * ERROR_TO(f, e5, e3) too is given, variable by variable, the two sums of
+ * slopes that estimate a step's error (ibid., II.5). */
 #include "progress.h"
 
 #include "../motion/kind.h"
@@ -101,6 +103,23 @@ static const scalar B[] = {
     2.01365400804030348374776537501e-1,
     4.47106157277725905176885569043e-2,
 };
+#ifdef ERROR_TO
+static const scalar E5[] = {
+    1.312004499419488073250102996e-2,
+    -1.225156446376204440720569753e0,
+    -4.957589496572501915214079952e-1,
+    1.664377182454986536961530415e0,
+    -3.503288487499736816886487290e-1,
+    3.341791187130174790297318841e-1,
+    8.192320648511571246570742613e-2,
+    -2.235530786388629525884427845e-2,
+};
+static const scalar E3[] = {
+    2.44094488188976377952755905512e-1,
+    7.33846688281611857341361741547e-1,
+    2.20588235294117647058823529412e-2,
+};
+#endif
 /* clang-format on */
 
 /* The variables that slopes move, side by side: a row of the tableau
@@ -245,6 +264,16 @@ COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
     low = PRIV(lesser)(low, s##i.cth)
 #define PATH(i) const PRIV(pose) v##i = POSE_RATES(f, &s##i)
 
+#ifdef ERROR_TO
+#define SUM_E5(m)                                                              \
+    e5.v[m] = E5[0] * d1.v[m] + E5[1] * d6.v[m] + E5[2] * d7.v[m] +            \
+              E5[3] * d8.v[m] + E5[4] * d9.v[m] + E5[5] * d10.v[m] +           \
+              E5[6] * d11.v[m] + E5[7] * d12.v[m];
+#define SUM_E3(m)                                                              \
+    e3.v[m] = (y.v[m] - y0.v[m]) -                                             \
+              (E3[0] * d1.v[m] + E3[1] * d9.v[m] + E3[2] * d12.v[m]);
+#endif
+
 /* One step h from *y1: the variables *end, each by its own sum, and what the
  * step adds to the pose; returns the least cos theta of its stages.  In each
  * row the newest slope is added last: the older part does not wait for it. */
@@ -276,6 +305,14 @@ COIN_PRIV_INLINE real rk8_sums(PRIV(variables) * end, PRIV(pose) * adds,
     STAGE(12, 13);
     PATH(12);
     EACH(SUM)
+#ifdef ERROR_TO
+    struct row e5, e3;
+    EACH(SUM_E5)
+    EACH(SUM_E3)
+    const PRIV(variables) by5 = variables_of_row(&e5);
+    const PRIV(variables) by3 = variables_of_row(&e3);
+    ERROR_TO(f, &by5, &by3);
+#endif
     EACH_POSE(SUM_POSE)
     *end = variables_of_row(&y);
     return low;

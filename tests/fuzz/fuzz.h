@@ -87,7 +87,7 @@ struct function {
     int32_t warnings;
     unsigned progress;
     void (*judge)(const struct outcome *o); /* may be null */
-    int is_number;                          /* NaN is its only error */
+    int is_number; /* NaN is its only error; 2: it may be infinite */
 };
 
 /* Errors as bits. */

@@ -37,6 +37,14 @@ static void take_k(struct bytes *b, const struct world *w, void *to)
     memcpy(to, &s, sizeof s);
 }
 
+/* A coin that spins, about a diameter that leans. */
+static void take_spin(struct bytes *b, const struct world *w, void *to)
+{
+    coin_state s = w->s;
+    (void)coin_steady_spin(&s, &w->p, take_lean(b));
+    memcpy(to, &s, sizeof s);
+}
+
 /* Several, of which the first is the world's own. */
 static void take_coins(struct bytes *b, const struct world *w, void *to)
 {
@@ -63,6 +71,24 @@ static void take_omega(struct bytes *b, const struct world *w, void *to)
     double *const omega = to;
     for (int i = 0; i < 3; ++i)
         omega[i] = take_rate(b, w->W);
+}
+
+/* Good ones, of up to the size of the coin's own torques; half of them none. */
+static void take_losses(struct bytes *b, const struct world *w, void *to)
+{
+    const double w0 = sqrt(w->p.gravity / w->p.radius);
+    const double torque = w->p.mass * w->p.gravity * w->p.radius;
+    const double unit[] = {
+        1,           torque, torque / w0, torque / (w0 * sqrt(w0)),
+        torque / w0, torque, torque / w0, w0};
+    double x[8];
+    for (int i = 0; i < 8; ++i) {
+        const uint8_t how = take_byte(b);
+        x[i] = how < 128 ? 0 : ldexp(fabs(take_part(b)), -(how % 40)) * unit[i];
+    }
+    memcpy(to, x, sizeof x);
+    if (coin_losses_check(to, &w->p) != COIN_OK)
+        memset(to, 0, sizeof x);
 }
 
 static void take_d(struct bytes *b, const struct world *w, void *to)
@@ -220,6 +246,11 @@ static int sound_members(const void *of, const struct world *w)
     return coin_axes(of, R) == COIN_OK;
 }
 
+static int sound_losses(const void *of, const struct world *w)
+{
+    return coin_losses_check(of, &w->p) == COIN_OK;
+}
+
 static int sound_orbit(const void *of, const struct world *w)
 {
     const coin_orbit *o = of;
@@ -234,6 +265,7 @@ static const struct kind kinds[] = {
     {'P', WRITTEN, sizeof(coin_params), NULL, sound_params},
     {'s', READ, sizeof(coin_state), take_s, NULL},
     {'k', READ, sizeof(coin_state), take_k, NULL},
+    {'E', READ, sizeof(coin_state), take_spin, NULL},
     {'S', MOVED, sizeof(coin_state), take_s, sound_state},
     {'X', MOVED, SAMPLES * sizeof(coin_state), take_coins, NULL},
     {'O', WRITTEN, sizeof(coin_state), NULL, sound_state},
@@ -243,6 +275,8 @@ static const struct kind kinds[] = {
     {'Y', WRITTEN, sizeof(coin_orbit), NULL, sound_orbit},
     {'V', WRITTEN, sizeof(coin_state), NULL, sound_members},
     {'y', READ, sizeof(coin_orbit), take_orbit, NULL},
+    {'l', READ, sizeof(coin_losses), take_losses, NULL},
+    {'L', MOVED, sizeof(coin_losses), take_losses, sound_losses},
     {'q', READ, 4 * sizeof(double), take_q, NULL},
     {'w', READ, 3 * sizeof(double), take_omega, NULL},
     {'1', WRITTEN, sizeof(double), NULL, sound_1},

@@ -40,6 +40,7 @@ OTHER_FORMS = {
     "pose.c state_from_motion": "test_pose",
     "series.c coin_priv_series_follow": "test_series",
     "series.c lean_power": "test_series",
+    "settle.c put": "test_rest",
     "stability.c coin_priv_stability": "test_stability",
     "steady_at.c coin_priv_steady_rates": "test_steady_at",
     "steady_near.c look": "test_steady_near",

@@ -128,6 +128,26 @@ static int32_t wobble_at(void *const a[])
     return coin_wobble_at(a[0], a[1], a[2], 1, a[3]);
 }
 
+static int32_t losses_check(void *const a[])
+{
+    return coin_losses_check(a[0], a[1]);
+}
+static int32_t losses_rates(void *const a[])
+{
+    return coin_losses_rates(a[0], a[1], a[2], a[3]);
+}
+static int32_t losses_reaction(void *const a[])
+{
+    return coin_losses_reaction(a[0], a[1], a[2], a[3]);
+}
+static int32_t settle(void *const a[])
+{
+    return coin_settle(a[0], a[1], a[2], 0.1, 1e-6, a[3]);
+}
+static int32_t quasisteady_at(void *const a[])
+{
+    return coin_quasisteady_at(a[0], a[1], a[2], 1, a[3]);
+}
 static int32_t model_needed(void *const a[])
 {
     return coin_model_needed(a[0], a[1], 1, 1e-3);
@@ -166,6 +186,11 @@ const struct function functions[] = {
     {"coin_stability", "spo", stability},
     {"coin_wobble_at", "spso", wobble_at},
     {"coin_model_needed", "sp", model_needed},
+    {"coin_losses_check", "lp", losses_check},
+    {"coin_losses_rates", "splo", losses_rates},
+    {"coin_losses_reaction", "splo", losses_reaction},
+    {"coin_settle", "Spln", settle},
+    {"coin_quasisteady_at", "splo", quasisteady_at},
 };
 
 const size_t function_count = sizeof functions / sizeof *functions;

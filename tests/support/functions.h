@@ -13,7 +13,8 @@ enum { POINTERS = 4 };
  *   p  parameters, read                 P  parameters, written
  *   s  a state, read                    S  a state, moved
  *   o  output, written                  n  output that may be null
- *   d  four doubles, read              b  an orbit, read */
+ *   d  four doubles, read              b  an orbit, read
+ *   l  losses, read */
 struct function {
     const char *name, *kinds;
     int32_t (*call)(void *const a[POINTERS]);

@@ -70,6 +70,20 @@ class Force(Plain):
     ]
 
 
+class Losses(Plain):
+    """coin_losses."""
+    _fields_ = [
+        ("damping", c_double),
+        ("dry", c_double),
+        ("viscous", c_double),
+        ("layer", c_double),
+        ("gap", c_double),
+        ("rolling", c_double),
+        ("spin", c_double),
+        ("soft", c_double),
+    ]
+
+
 class Orbit(Plain):
     """coin_orbit."""
     _fields_ = [
@@ -102,6 +116,7 @@ SLIPS = 1
 LIFTS = 2
 COARSE = 4
 NEARLY_FLAT = 8
+RESTS = 16
 RK4 = 0
 RK8 = 1
 SYMPLECTIC2 = 2

@@ -37,6 +37,18 @@ pub struct coin_force {
     pub ratio: f64,
 }
 #[repr(C)]
+#[derive(Debug, Default, Copy, Clone, PartialEq)]
+pub struct coin_losses {
+    pub damping: f64,
+    pub dry: f64,
+    pub viscous: f64,
+    pub layer: f64,
+    pub gap: f64,
+    pub rolling: f64,
+    pub spin: f64,
+    pub soft: f64,
+}
+#[repr(C)]
 #[derive(Debug, Copy, Clone, PartialEq)]
 pub struct coin_orbit {
     pub period: f64,
@@ -77,16 +89,18 @@ pub const COIN_LIFTS: _bindgen_ty_2 = 2;
 pub const COIN_COARSE: _bindgen_ty_2 = 4;
 pub const COIN_NEARLY_FLAT: _bindgen_ty_2 = 8;
 pub type _bindgen_ty_2 = ::std::os::raw::c_uint;
-pub const COIN_RK4: _bindgen_ty_3 = 0;
-pub const COIN_RK8: _bindgen_ty_3 = 1;
-pub const COIN_SYMPLECTIC2: _bindgen_ty_3 = 2;
-pub const COIN_SYMPLECTIC4: _bindgen_ty_3 = 3;
+pub const COIN_RESTS: _bindgen_ty_3 = 16;
 pub type _bindgen_ty_3 = ::std::os::raw::c_uint;
-pub const COIN_MODEL_STEADY: _bindgen_ty_4 = 0;
-pub const COIN_MODEL_WOBBLE: _bindgen_ty_4 = 1;
-pub const COIN_MODEL_ORBIT: _bindgen_ty_4 = 2;
-pub const COIN_MODEL_STEPS: _bindgen_ty_4 = 3;
+pub const COIN_RK4: _bindgen_ty_4 = 0;
+pub const COIN_RK8: _bindgen_ty_4 = 1;
+pub const COIN_SYMPLECTIC2: _bindgen_ty_4 = 2;
+pub const COIN_SYMPLECTIC4: _bindgen_ty_4 = 3;
 pub type _bindgen_ty_4 = ::std::os::raw::c_uint;
+pub const COIN_MODEL_STEADY: _bindgen_ty_5 = 0;
+pub const COIN_MODEL_WOBBLE: _bindgen_ty_5 = 1;
+pub const COIN_MODEL_ORBIT: _bindgen_ty_5 = 2;
+pub const COIN_MODEL_STEPS: _bindgen_ty_5 = 3;
+pub type _bindgen_ty_5 = ::std::os::raw::c_uint;
 extern "C" {
     pub fn coin_params_disc(p: *mut coin_params, mass: f64, radius: f64, gravity: f64) -> i32;
 }
@@ -175,6 +189,66 @@ extern "C" {
 }
 extern "C" {
     pub fn coin_max_dt(s: *const coin_state, p: *const coin_params, method: i32, tol: f64) -> f64;
+}
+extern "C" {
+    pub fn coin_losses_check(l: *const coin_losses, p: *const coin_params) -> i32;
+}
+extern "C" {
+    pub fn coin_losses_power(
+        s: *const coin_state,
+        p: *const coin_params,
+        l: *const coin_losses,
+    ) -> f64;
+}
+extern "C" {
+    pub fn coin_losses_rates(
+        s: *const coin_state,
+        p: *const coin_params,
+        l: *const coin_losses,
+        out: *mut coin_state,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_losses_reaction(
+        s: *const coin_state,
+        p: *const coin_params,
+        l: *const coin_losses,
+        out: *mut coin_force,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_settle(
+        s: *mut coin_state,
+        p: *const coin_params,
+        l: *const coin_losses,
+        t: f64,
+        tol: f64,
+        reached: *mut f64,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_time_to_rest(
+        s: *const coin_state,
+        p: *const coin_params,
+        l: *const coin_losses,
+    ) -> f64;
+}
+extern "C" {
+    pub fn coin_quasisteady_at(
+        s: *const coin_state,
+        p: *const coin_params,
+        l: *const coin_losses,
+        t: f64,
+        out: *mut coin_state,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_losses_fit(
+        l: *mut coin_losses,
+        s: *const coin_state,
+        p: *const coin_params,
+        time: f64,
+    ) -> i32;
 }
 extern "C" {
     pub fn coin_method_name(method: i32) -> *const ::std::os::raw::c_char;

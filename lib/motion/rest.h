@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef ROLLCOIN_REST_H
+#define ROLLCOIN_REST_H
+
+#include "precision.h"
+
+#include <coin.h>
+
+#include <float.h>
+#include <math.h>
+
+/* The last lean that coin_state_check() accepts: that of a coin at rest. */
+#define COIN_PRIV_LAST_LEAN (COIN_PRIV_HALF_PI - DBL_EPSILON)
+
+/* Whether a coin lies flat. */
+COIN_PRIV_INLINE int coin_priv_rests(const coin_state *s)
+{
+    return fabs(s->theta) >= COIN_PRIV_LAST_LEAN && s->wY == 0 &&
+           s->wX * s->theta >= 0;
+}
+
+#endif

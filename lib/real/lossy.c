@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "losses.h"
+
+/* The coefficients of a step, and where its error goes. */
+struct lossy_field {
+    coin_priv_field ideal; /* first: it is what rk8.t.h hands on */
+    const coin_priv_losses *l;
+    double perw, perwZ; /* 1 over what the rates are held to */
+    double *error;
+};
+
+/* h d/dtau of the variables: the ideal coin's, and the losses. */
+COIN_PRIV_INLINE coin_priv_variables lossy(const coin_priv_field *f,
+                                           const coin_priv_variables *y)
+{
+    const struct lossy_field *with =
+        (const struct lossy_field *)(const void *)f;
+    const coin_priv_slowing slow = coin_priv_slow(with->l, y);
+    coin_priv_variables d = coin_priv_sundman_rates(f, y);
+    d.wX += f->h * slow.wX;
+    d.wY += f->h * slow.wY;
+    d.wZ += f->h * slow.wZ;
+    return d;
+}
+
+/* The sum of squares of the errors. */
+COIN_PRIV_INLINE double size2(const struct lossy_field *f,
+                              const coin_priv_variables *e)
+{
+    const double wX = e->wX * f->perw, wY = e->wY * f->perw;
+    const double wZ = e->wZ * f->perwZ;
+    return wX * wX + wY * wY + wZ * wZ + e->cth * e->cth + e->sth * e->sth +
+           e->sph * e->sph + e->cph * e->cph;
+}
+
+/* The estimate of DOP853: of order 8, from those of order 5 and 3. */
+COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
+                                 const coin_priv_variables *e5,
+                                 const coin_priv_variables *e3)
+{
+    const struct lossy_field *with =
+        (const struct lossy_field *)(const void *)f;
+    const double by5 = size2(with, e5), by3 = size2(with, e3);
+    const double sum = by5 + 0.01 * by3;
+    *with->error = sum > 0 ? by5 / sqrt(sum) : sum;
+}
+
+#define RATES lossy
+#define POSE_RATES coin_priv_sundman_pose_rates
+#define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
+#define ERROR_TO note_error
+#include "../step/rk8.t.h"
+#include "../step/sundman.h"
+
+#include "lossy.h"
+
+/* How much of the friction's own rate counts: a step of LONGEST in settle.c is
+ * then 4 of its relaxation times, and the method is stable up to 6. */
+#define FRICTION 0.3
+
+/* The part of the way to where the contact turns round that a step may go. */
+#define TURN_ROUND 0.5
+
+/* 1 over the natural units of tau beyond which that place is out of reach. */
+#define FAR 1e-30
+
+/* The coin's own rate in tau, as coin_advance() measures its steps by. */
+static double ideal_rate(const coin_priv_lossy *w)
+{
+    return 1 / coin_priv_sundman_tau(&w->run.b, &w->run.g.y, 1);
+}
+
+double coin_priv_lossy_rate(const coin_priv_lossy *w)
+{
+    const coin_priv_variables *y = &w->run.g.y;
+    const coin_priv_losses *l = &w->l;
+    const double sth = y->sth, cth = y->cth;
+    const double u = cth * y->wZ + sth * y->wY;
+    const double grip = coin_priv_grip(l, u, cth);
+    const double lever = sth * sth / l->IX + cth * cth / l->K;
+    return ideal_rate(w) + FRICTION * (grip * lever + l->damping * fabs(u) +
+                                       l->spin * cth / l->IX); /* (71) */
+}
+
+/* The u = cos(theta) d(psi)/dt within which friction may be stepped over: the
+ * width of the softening; and for the terms that have none the width in which
+ * they change the rates by no more than the error: (71). */
+static double zone(const coin_priv_lossy *w, double du, double error)
+{
+    const coin_priv_variables *y = &w->run.g.y;
+    const coin_priv_losses *l = &w->l;
+    const double w0 = sqrt(w->run.b.g_a), turn = error * w0 * du;
+    double least = (double)INFINITY;
+    if (l->solid > 0)
+        least = sqrt(l->soft2) * y->cth;
+    if (l->layer > 0) { /* A^(7/16), a little below A^(2/5) */
+        const double A =
+            turn * l->IX * y->cth * sqrt(y->cth / w0) / (l->layer * w0 * w0);
+        const double root = sqrt(sqrt(sqrt(sqrt(A))));
+        const double cube = root * root * root;
+        least = coin_priv_lesser(w0 * cube * cube * root, least);
+    }
+    if (l->damping > 0) {
+        const double rate = fabs(y->wX) + fabs(y->wY) + fabs(y->wZ);
+        least = coin_priv_lesser(sqrt(turn / (l->damping * rate)), least);
+    }
+    return least;
+}
+
+double coin_priv_lossy_bound(const coin_priv_lossy *w, double error)
+{
+    const coin_priv_variables *y = &w->run.g.y;
+    const struct lossy_field f = {coin_priv_field_of(&w->run.b, 1), &w->l, 0, 0,
+                                  0};
+    const coin_priv_variables d = lossy(&f.ideal, y);
+    const double u = y->cth * y->wZ + y->sth * y->wY;
+    const double du =
+        fabs(y->cth * d.wZ + y->sth * d.wY + d.cth * y->wZ + d.sth * y->wY);
+    const double w0 = sqrt(w->run.b.g_a);
+    if (!(du > FAR * w0 * (w0 + fabs(u))))
+        return (double)INFINITY;
+    const double least = zone(w, du, error);
+    return TURN_ROUND * sqrt(u * u + least * least) / du;
+}
+
+void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
+                         double tau)
+{
+    const double natural = sqrt(w->run.b.g_a);
+    const double rate = ideal_rate(w);
+    const double slow = rate < natural ? rate : natural;
+    double error;
+    const struct lossy_field f = {
+        coin_priv_field_of(&w->run.b, tau),
+        &w->l,
+        1 / slow,
+        1 / natural,
+        &error,
+    };
+    trial->adds.theta = 0; /* the pair holds it */
+    const double lowest =
+        rk8_sums(&trial->next, &trial->adds, &w->run.g.y, &f.ideal);
+    coin_priv_normalize(&trial->next);
+    const int above = coin_priv_lesser(lowest, trial->next.cth) > 0;
+    trial->error = above && error <= DBL_MAX ? error : (double)INFINITY;
+}

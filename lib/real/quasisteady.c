@@ -1,0 +1,355 @@
+/* SPDX-License-Identifier: MIT */
+/* A coin that loses little goes through steady motions, one after the other:
+ * what the losses take moves it along the family of Eq. (39).  Two smooth
+ * equations are left, and no step has to follow a turn. */
+#include "../motion/pinned.h"
+
+#include "../motion/rest.h"
+#include "../motion/state.h"
+
+#include "gbs.h"
+#include "losses.h"
+
+/* A swing about the steady motion of more than this part of the angle from flat
+ * is not small. */
+#define SWING 0.1
+
+/* The error that a step may have, relative or absolute; the first step along
+ * the arc, and the shortest: where one shorter would be needed, the steady
+ * motion becomes unstable. */
+#define ERROR 1e-11
+#define FIRST 0.05
+#define SHORTEST 1e-6
+
+/* The most steps, those refused included: 0.2 s.  A life takes some 30. */
+#define TRIES_MAX 32768
+
+/* The part of sqrt(cos theta) that a step may take, and where the law of the
+ * end takes over. */
+#define PART 0.7
+#define END 1e-5
+
+/* Slower than this, per length of arc, the coin does not come nearer to flat.
+ */
+#define NEVER 1e-30
+
+/* Between two points of a path that are farther apart in heading than this, the
+ * path is known by its curvature at both, else by its length. */
+#define TURN 1.0
+
+/* 1 over the largest factor of coin_losses_fit(): no loss overflows by it. */
+#define FACTOR_LEAST 1e-240
+
+/* The variables, in natural units: sine of the lean and root of its cosine; the
+ * rates; the time; heading, roll and length of the path. */
+enum { STH, ROOT, WY, WZ, TIME, PHI, PSI, WAY, VARIABLES };
+
+struct slow {
+    coin_priv_body b;
+    coin_priv_losses l;
+    double w0;    /* 1 over the natural unit of time */
+    double least; /* the least that the arc grows by in that */
+};
+
+/* d/dt in natural units; ROOT's twice is d(cos theta)/dt over ROOT. */
+struct rates {
+    double dtheta, dwY, dwZ;
+    double room; /* -J lambda^2: > 0 while the steady motion is stable */
+};
+
+static struct rates rates_of(const double *y, const struct slow *q)
+{
+    const coin_priv_body *b = &q->b;
+    const double s = y[STH], c = y[ROOT] * y[ROOT], w0 = q->w0;
+    const coin_priv_variables at = {0, w0 * y[WY], w0 * y[WZ], s, c,
+                                    0, 0,          0,          1};
+    const coin_priv_slowing slow = coin_priv_slow(&q->l, &at);
+    const double wY = y[WY], wZ = y[WZ], T = s / c;
+    const double torque_Y = slow.wY / (c * w0 * w0);   /* over I_X */
+    const double torque_Z = slow.wZ / (c * w0 * w0);   /* over K */
+    const double F_Y = 2 * b->IX * T * wY + b->K * wZ; /* (74) */
+    const double F_Z = b->K * wY;
+    const double F_th = b->IX * wY * wY / (c * c) - b->m * c;
+    const double room = F_th + F_Y * (wY * T + b->k1 * wZ) + F_Z * b->k2 * wY;
+    const double dtheta = -(F_Y * torque_Y + F_Z * torque_Z) / room; /* (74) */
+    const struct rates d = {
+        dtheta,
+        (wY * T + b->k1 * wZ) * dtheta + torque_Y, /* (74) */
+        b->k2 * wY * dtheta + torque_Z,            /* (74) */
+        room,
+    };
+    return d;
+}
+
+/* By the length of the arc that the motion draws in (root of cos theta, rates):
+ * much time where little happens, and little where the end comes fast.  On the
+ * way to a given time the arc grows by 1 at least, as pivoting friction takes
+ * for ever to approach a circle without losses. */
+static void slopes(double *dy, const double *y, const void *problem)
+{
+    const struct rates d = rates_of(y, (const struct slow *)problem);
+    const double s = y[STH], root = y[ROOT], c = root * root;
+    const double droot = -s * d.dtheta / (2 * root);
+    const double arc2 = droot * droot + d.dwY * d.dwY / (1 + y[WY] * y[WY]) +
+                        d.dwZ * d.dwZ / (1 + y[WZ] * y[WZ]);
+    const double least = ((const struct slow *)problem)->least;
+    const double dt =
+        isgreater(d.room, 0) ? 1 / (least + sqrt(arc2)) : (double)NAN;
+    dy[STH] = c * d.dtheta * dt;
+    dy[ROOT] = droot * dt;
+    dy[WY] = d.dwY * dt;
+    dy[WZ] = d.dwZ * dt;
+    dy[TIME] = dt;
+    dy[PHI] = y[WY] / c * dt;
+    dy[PSI] = (y[WZ] + y[WY] * s / c) * dt;
+    dy[WAY] = y[WZ] * dt;
+}
+
+/* A coin on its way through steady motions. */
+struct passing {
+    struct slow q;
+    double y[VARIABLES];
+    double x, z; /* of the centre, in radii, from the start */
+};
+
+/* The centre's way from the variables before to those now. */
+static void draw(struct passing *g, const double *before)
+{
+    const double *y = g->y;
+    const double turn = y[PHI] - before[PHI];
+    if (fabs(turn) < TURN) {
+        const double half = turn / 2;
+        const double sinc = half == 0 ? 1 : coin_priv_sincos(half).s / half;
+        const double way = (y[WAY] - before[WAY]) * sinc;
+        const coin_priv_sc along = coin_priv_sincos(before[PHI] + half);
+        g->x -= way * along.c;
+        g->z += way * along.s;
+        return;
+    }
+    for (int end = 0; end < 2; ++end) {
+        const double *at = end ? y : before;
+        const double radius = at[WZ] * at[ROOT] * at[ROOT] / at[WY];
+        const coin_priv_sc to = coin_priv_sincos(at[PHI]);
+        g->x += (end ? -radius : radius) * to.s;
+        g->z += (end ? -radius : radius) * to.c;
+    }
+}
+
+/* What coin_quasisteady_at() and coin_time_to_rest() begin with, after the
+ * checks: the steady motion next to *s, or COIN_EDOMAIN. */
+static int32_t begin(struct passing *g, const coin_state *s,
+                     const coin_params *p)
+{
+    coin_state near;
+    double lambda2 = 0;
+    const int32_t status = coin_steady_near(s, p, &near);
+    if (status != COIN_OK)
+        return status;
+    (void)coin_stability(&near, p, &lambda2);
+    const coin_priv_sc th = coin_priv_sincos(near.theta);
+    const double swing2 = (s->theta - near.theta) * (s->theta - near.theta) -
+                          s->wX * s->wX / lambda2;
+    const coin_priv_sc from_flat = {th.c, fabs(th.s)};
+    const double most = SWING * coin_priv_angle(from_flat);
+    if (!(lambda2 < 0 && swing2 <= most * most))
+        return COIN_EDOMAIN;
+    const double w0 = g->q.w0 = sqrt(g->q.b.g_a);
+    const double y[VARIABLES] = {th.s, sqrt(th.c), near.wY / w0, near.wZ / w0,
+                                 0,    s->phi,     s->psi,       0};
+    for (int i = 0; i < VARIABLES; ++i)
+        g->y[i] = y[i];
+    g->x = g->z = 0;
+    return COIN_OK;
+}
+
+/* The longest step from here towards flat. */
+static double longest(const struct passing *g)
+{
+    double d[VARIABLES];
+    slopes(d, g->y, &g->q);
+    return isless(d[ROOT], -NEVER) ? -PART * g->y[ROOT] / d[ROOT]
+                                   : (double)INFINITY;
+}
+
+/* Shortens a step h from the variables before until it lands on the time t, to
+ * rounding. */
+static void land(double *y, const double *before, const struct slow *q,
+                 double h, double t)
+{
+    for (int i = 0; i < 4; ++i) { /* Newton */
+        double d[VARIABLES];
+        slopes(d, y, q);
+        h -= (y[TIME] - t) / d[TIME];
+        for (int k = 0; k < VARIABLES; ++k)
+            y[k] = before[k];
+        (void)coin_priv_gbs(y, VARIABLES, slopes, q, h);
+    }
+    y[TIME] = t;
+}
+
+/* Goes on to the time t: COIN_OK, or COIN_RESTS and the time then, or
+ * COIN_EDOMAIN where the motion becomes unstable, or after too many steps. */
+static int32_t pass(struct passing *g, double t)
+{
+    double h = FIRST;
+    g->q.least = 1 / (t + DBL_MIN); /* t may be 0 */
+    for (int tries = 0; g->y[ROOT] > END && g->y[TIME] < t; ++tries) {
+        double next[VARIABLES], before[VARIABLES];
+        const double most = longest(g);
+        if (tries == TRIES_MAX)
+            return COIN_EDOMAIN;
+        h = h < most ? h : most;
+        for (int k = 0; k < VARIABLES; ++k)
+            next[k] = before[k] = g->y[k];
+        const double error = coin_priv_gbs(next, VARIABLES, slopes, &g->q, h);
+        if (!islessequal(error, ERROR)) {
+            h /= 2;
+            if (h < SHORTEST * g->y[ROOT])
+                return COIN_EDOMAIN;
+            continue;
+        }
+        if (next[TIME] > t)
+            land(next, before, &g->q, h, t);
+        for (int k = 0; k < VARIABLES; ++k)
+            g->y[k] = next[k];
+        draw(g, before);
+        h *= error < ERROR / 1000 ? 1.5 : 1;
+    }
+    if (!(g->y[TIME] < t))
+        return COIN_OK;
+    double d[VARIABLES];
+    slopes(d, g->y, &g->q);
+    g->y[TIME] += -g->y[ROOT] * d[TIME] / d[ROOT];
+    return COIN_RESTS;
+}
+
+/* theta of its pair, at most the last lean. */
+static double lean_of(double sth, double cth)
+{
+    const coin_priv_sc pair = {sth, cth};
+    const double theta = coin_priv_angle(pair), most = COIN_PRIV_LAST_LEAN;
+    return theta > most ? most : theta < -most ? -most : theta;
+}
+
+/* The state of where it has come to. */
+static coin_state state_of(const struct passing *g, const coin_state *s,
+                           int rests)
+{
+    const double *y = g->y, w0 = g->q.w0, a = g->q.b.a;
+    const double side = y[STH] < 0 ? -1 : 1, root = rests ? 0 : y[ROOT];
+    const coin_state at = {
+        lean_of(rests ? side : y[STH], root * root),
+        y[PHI],
+        y[PSI],
+        s->x + a * g->x,
+        s->z + a * g->z,
+        rests ? 0 : w0 * rates_of(y, &g->q).dtheta,
+        rests ? 0 : w0 * y[WY],
+        w0 * y[WZ],
+    };
+    return at;
+}
+
+static int32_t check(struct slow *q, const coin_state *s, const coin_params *p,
+                     const coin_losses *l)
+{
+    if (!s || !p || !l)
+        return COIN_EARG;
+    if (coin_losses_check(l, p) != COIN_OK)
+        return COIN_EPARAMS;
+    const int32_t status = coin_priv_check(s, p, &q->b);
+    if (status == COIN_OK)
+        (void)coin_priv_losses_of(&q->l, l, &q->b);
+    return status;
+}
+
+/* Whether a loss other than the pivoting friction acts. */
+static int stops(const struct slow *q, const coin_state *s,
+                 const coin_params *p, const coin_losses *l)
+{
+    return q->l.solid + q->l.fluid + q->l.damping > 0 &&
+           coin_losses_power(s, p, l) > 0;
+}
+
+static int32_t time_to_rest(double *time, const coin_state *s,
+                            const coin_params *p, const coin_losses *l)
+{
+    struct passing g;
+    int32_t status = check(&g.q, s, p, l);
+    if (status != COIN_OK)
+        return status;
+    *time = 0;
+    if (coin_priv_rests(s))
+        return COIN_RESTS;
+    status = begin(&g, s, p);
+    if (status != COIN_OK)
+        return status;
+    *time = (double)INFINITY;
+    if (!stops(&g.q, s, p, l))
+        return COIN_RESTS;
+    status = pass(&g, (double)INFINITY);
+    *time = g.y[TIME] / g.q.w0;
+    return status;
+}
+
+double coin_time_to_rest(const coin_state *s, const coin_params *p,
+                         const coin_losses *l)
+{
+    double time;
+    return time_to_rest(&time, s, p, l) == COIN_RESTS ? time : (double)NAN;
+}
+
+int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
+                        const coin_params *p, double time)
+{
+    double now;
+    if (!(time > 0 && time - time == 0))
+        return COIN_EARG;
+    int32_t status = time_to_rest(&now, s, p, l);
+    if (status < 0)
+        return status;
+    if (!(now > 0 && now * FACTOR_LEAST < time))
+        return COIN_EDOMAIN;
+    const double factor = now / time; /* the slow motion is linear in them */
+    const coin_losses scaled = {
+        l->damping * factor, l->dry * factor, l->viscous * factor,
+        l->layer * factor,   l->gap * factor, l->rolling * factor,
+        l->spin * factor,    l->soft,
+    };
+    if (coin_losses_check(&scaled, p) != COIN_OK)
+        return COIN_EDOMAIN;
+    *l = scaled;
+    return COIN_OK;
+}
+
+int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
+                            const coin_losses *l, double t, coin_state *out)
+{
+    struct passing g;
+    int32_t status = out ? check(&g.q, s, p, l) : COIN_EARG;
+    if (status == COIN_OK && !(t >= 0 && t - t == 0))
+        status = COIN_ESTEP;
+    if (status != COIN_OK)
+        return status;
+    coin_state at = *s;
+    if (coin_priv_rests(s)) {
+        at.wX = 0;
+        *out = at;
+        return COIN_RESTS;
+    }
+    status = begin(&g, s, p);
+    if (status != COIN_OK)
+        return status;
+    if (!(coin_losses_power(s, p, l) > 0)) {
+        (void)coin_steady_near(s, p, &at);
+        return coin_steady_at(&at, p, t, out);
+    }
+    status = pass(&g, t * g.q.w0);
+    if (status < 0)
+        return status;
+    at = state_of(&g, s, status == COIN_RESTS);
+    if (coin_priv_check_members(&at) != COIN_OK)
+        return COIN_ESTEP;
+    *out = at;
+    return status;
+}

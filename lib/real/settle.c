@@ -1,0 +1,278 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "../motion/rest.h"
+#include "../step/sundman.h"
+
+#include "hold.h"
+#include "lossy.h"
+
+/* Natural units of time beyond which a step would change nothing of t. */
+#define TOO_LONG 1e15
+
+/* The most steps of a call, those refused included: 0.4 s. */
+#define TRIES_MAX (UINT64_C(1) << 20)
+
+/* A call's first step is FIRST tol^(1/8) over the rate, none is longer than
+ * LONGEST: what the first of most motions may be, and what keeps the estimate
+ * of the error good. */
+#define FIRST 4.0
+#define LONGEST 1.2
+
+/* How much more than tol times its time the estimate of a step may be: that is
+ * of order 8, the step's error of order 9.  Measured so that the error stays
+ * below tol per natural unit of time (test_settle).  A step near flat takes
+ * hardly any time, and need not be better than one of BRIEF natural units. */
+#define ESTIMATE 4.0
+#define BRIEF 0.03
+
+/* |rem| times the fastest rate below which one step lands, by a series to the
+ * second order. */
+#define LAST 1e-5
+
+/* Nearer to flat than this, and too slow to rise, a coin whose losses have no
+ * stop is at its end. */
+#define END 1e-10
+
+/* A coin on its way to rest. */
+struct settling {
+    coin_priv_lossy w;
+    coin_priv_sum rem; /* the time still to go */
+    double tol, stride;
+    uint64_t tries;
+};
+
+/* The tau that the time rem takes: rem = c tau - s c wX tau^2/2 + ..., solved;
+ * infinite where that has no solution. */
+static double tau_of(const coin_priv_variables *y, double rem)
+{
+    const double r = rem / y->cth;
+    const double room = 1 - 2 * y->sth * y->wX * r;
+    return room >= 0 ? 2 * r / (1 + sqrt(room)) : (double)INFINITY;
+}
+
+/* What the estimate of a step may be: by tol, and by rounding. */
+static double allowed(const struct settling *g, double t)
+{
+    const coin_priv_variables *y = &g->w.run.g.y;
+    const double w0 = sqrt(g->w.run.b.g_a), units = fabs(t) * w0;
+    const double rates = (fabs(y->wX) + fabs(y->wY) + fabs(y->wZ)) / w0;
+    return ESTIMATE * g->tol * (units > BRIEF ? units : BRIEF) +
+           4 * DBL_EPSILON * (1 + rates);
+}
+
+/* The step by its three rules, or what lands. */
+static double next_tau(const struct settling *g, double rate)
+{
+    const double bound = coin_priv_lossy_bound(&g->w, allowed(g, 0)),
+                 rem = g->rem.sum;
+    const double side = rem < 0 ? -1 : 1;
+    double full = g->stride / rate;
+    if (bound < full)
+        full = bound;
+    const double tau = tau_of(&g->w.run.g.y, rem);
+    return fabs(tau) < full ? tau : side * full;
+}
+
+/* The factor from a step to the next: about (most/error)^(1/8), from 0.2 to 2.
+ */
+static double change(double error, double most)
+{
+    const double least = 1e-9 * most; /* so that nothing divides by 0 */
+    const double ratio = most / (error > least ? error : least);
+    const double factor = 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio)));
+    return factor < 2 ? factor : 2;
+}
+
+/* One step, as long as its error allows. */
+static int32_t step(struct settling *g, double rate)
+{
+    coin_priv_trial trial;
+    for (int done = 0; !done;) {
+        const double tau = next_tau(g, rate), used = fabs(tau) * rate;
+        if (++g->tries > TRIES_MAX)
+            return COIN_ESTEP;
+        coin_priv_lossy_try(&trial, &g->w, tau);
+        const double most = allowed(g, trial.adds.t);
+        const double next = used * change(trial.error, most);
+        done = trial.error <= most;
+        if (!done || next > g->stride || used > 0.999 * g->stride)
+            g->stride = next < LONGEST ? next : LONGEST;
+    }
+    if (!coin_priv_sundman_accept(&g->w.run, &trial.next, &trial.adds))
+        return COIN_ESTEP;
+    coin_priv_add(&g->rem, -trial.adds.t);
+    return COIN_OK;
+}
+
+/* The coin after a fall, flat or not yet: its contact stays. */
+static void put(coin_priv_run *r, const coin_priv_held_fall *f,
+                const coin_priv_losses *l)
+{
+    coin_priv_progress *const g = &r->g;
+    coin_priv_variables *const y = &g->y, from = g->y;
+    const coin_priv_sc at = coin_priv_sincos(f->x);
+    const double side = y->sth < 0 ? -1 : 1;
+    const double turn = coin_priv_fall_turn(f, l);
+    g->added.phi += f->phi;
+    const coin_priv_sum phi = {coin_priv_total(g->phi, g->added.phi), 0};
+    const coin_priv_sc ph = coin_priv_angle_pair(phi);
+    y->sth = side * at.c;
+    y->cth = at.s;
+    y->wX = side * f->v;
+    y->wY = at.s * turn;
+    y->wZ = -y->sth * turn;
+    y->sph = ph.s;
+    y->cph = ph.c;
+    g->added.x += y->sth * y->sph - from.sth * from.sph; /* (21) */
+    g->added.z += y->sth * y->cph - from.sth * from.cph; /* (21) */
+    ++r->steps;
+}
+
+/* A part of the rise of a coin whose contact has stopped; 0, and nothing done,
+ * where the contact is not held as far as that. */
+static int rise(struct settling *g, double eps)
+{
+    coin_priv_run after = g->w.run;
+    const coin_priv_losses *l = &g->w.l;
+    const coin_priv_held_fall f = coin_priv_fall_of(l, &g->w.run.g.y);
+    const double whole = coin_priv_rise_time(&f, l, &g->w.run.b);
+    const double time = whole < g->rem.sum ? whole : g->rem.sum;
+    const coin_priv_held_fall end = coin_priv_fall_at(&f, l, &g->w.run.b, time);
+    put(&after, &end, l);
+    if (!coin_priv_held(l, &g->w.run.b, &after.g.y, eps))
+        return 0;
+    g->w.run = after;
+    coin_priv_add(&g->rem, -time);
+    if (time < whole)
+        g->rem.sum = 0;
+    return 1;
+}
+
+/* The fall of a coin whose contact has stopped. */
+static int32_t fall(struct settling *g)
+{
+    const coin_priv_losses *l = &g->w.l;
+    const coin_priv_body *b = &g->w.run.b;
+    const coin_priv_held_fall f = coin_priv_fall_of(l, &g->w.run.g.y);
+    const double time = coin_priv_fall_time(&f, l, b);
+    const int flat = time <= g->rem.sum;
+    coin_priv_held_fall end =
+        coin_priv_fall_at(&f, l, b, flat ? time : g->rem.sum);
+    if (flat)
+        end.x = 0;
+    put(&g->w.run, &end, l);
+    if (!flat) {
+        g->rem.sum = 0;
+        return COIN_OK;
+    }
+    coin_priv_add(&g->rem, -time);
+    return COIN_RESTS;
+}
+
+/* The time left of a coin so flat and slow that it will not rise again, by the
+ * losses that never stop the contact: (t0 - t)^2 is as its energy. */
+static double time_left(const coin_priv_lossy *w)
+{
+    const coin_priv_variables *y = &w->run.g.y;
+    const double E = (w->l.J * y->wX * y->wX + w->l.IX * y->wY * y->wY) / 2 +
+                     w->run.b.Mga * y->cth;
+    if (!(y->cth < END && E < 5 * w->run.b.Mga * y->cth))
+        return (double)INFINITY;
+    return 2 * E * y->cth / coin_priv_slow(&w->l, y).power;
+}
+
+/* Lays the coin flat as it moves. */
+static int32_t lay(struct settling *g, double after)
+{
+    coin_priv_variables *y = &g->w.run.g.y;
+    coin_priv_add(&g->rem, -after);
+    y->sth = y->sth < 0 ? -1 : 1;
+    y->cth = 0;
+    y->wY = 0;
+    y->wX = y->sth * fabs(y->wX);
+    return COIN_RESTS;
+}
+
+/* Moves the coin until the time is over, or it rests, or a step fails or is one
+ * too many. */
+static int32_t approach(struct settling *g)
+{
+    const double most = 10 * g->tol,
+                 eps = most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
+    for (;;) {
+        const coin_priv_variables *y = &g->w.run.g.y;
+        const double rem = g->rem.sum;
+        if (rem == 0)
+            return COIN_OK;
+        if (y->cth < COIN_PRIV_FLAT)
+            return lay(g, 0);
+        if (coin_priv_held(&g->w.l, &g->w.run.b, y, eps)) {
+            if (y->sth * y->wX >= 0)
+                return fall(g);
+            if (rise(g, eps))
+                continue;
+        }
+        if (time_left(&g->w) <= rem)
+            return lay(g, time_left(&g->w));
+        const double rate = coin_priv_lossy_rate(&g->w);
+        const int last = fabs(rem) * rate <= LAST * y->cth;
+        const int32_t status = step(g, rate);
+        if (status != COIN_OK)
+            return status;
+        if (last)
+            g->rem.sum = 0;
+        else if ((g->rem.sum < 0) != (rem < 0))
+            g->stride /= 2;
+    }
+}
+
+static int32_t ideal(coin_state *s, const coin_params *p, double t, double tol,
+                     double *reached)
+{
+    const int32_t status = coin_advance(s, p, t, tol, reached);
+    return status == COIN_EFLAT ? COIN_RESTS : status;
+}
+
+int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
+                    double t, double tol, double *reached)
+{
+    struct settling g;
+    if (!s || !p || !l || !(tol >= 1e-13 && tol <= 1e-2))
+        return COIN_EARG;
+    if (coin_losses_check(l, p) != COIN_OK)
+        return COIN_EPARAMS;
+    int32_t status = coin_priv_check(s, p, &g.w.run.b);
+    if (status != COIN_OK)
+        return status;
+    if (!(t >= 0 && t * sqrt(g.w.run.b.g_a) <= TOO_LONG))
+        return COIN_ESTEP;
+    if (coin_priv_rests(s)) {
+        if (reached)
+            *reached = 0;
+        return COIN_RESTS;
+    }
+    if (coin_priv_lossless(l))
+        return ideal(s, p, t, tol, reached);
+    (void)coin_priv_losses_of(&g.w.l, l, &g.w.run.b);
+    coin_priv_run_from(&g.w.run, s, COIN_RK8, 0);
+    g.rem.sum = t;
+    g.rem.low = 0;
+    g.tol = tol;
+    g.tries = 0;
+    g.stride = FIRST * sqrt(sqrt(sqrt(tol)));
+    if (g.stride > LONGEST)
+        g.stride = LONGEST;
+    status = approach(&g);
+    if (g.w.run.steps > 0)
+        coin_priv_read_lean(&g.w.run.g);
+    coin_state end = coin_priv_run_state(&g.w.run);
+    if (status == COIN_RESTS)
+        end.wY = 0;
+    const int lost = coin_priv_check_members(&end) != COIN_OK;
+    if (!lost)
+        coin_priv_copy_state(s, &end);
+    if (reached)
+        *reached = lost ? 0 : t - g.rem.sum;
+    return lost ? COIN_ESTEP : status;
+}

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/* Coins with losses. */
+#include "fuzz.h"
+
+#include <math.h>
+#include <string.h>
+
+CALL(coin_losses_check, (a[0].p, a[1].p))
+CALL(coin_losses_power, (a[0].p, a[1].p, a[2].p))
+CALL(coin_losses_rates, (a[0].p, a[1].p, a[2].p, a[3].p))
+CALL(coin_losses_reaction, (a[0].p, a[1].p, a[2].p, a[3].p))
+CALL(coin_settle, (a[0].p, a[1].p, a[2].p, a[3].d, a[4].d, a[5].p))
+CALL(coin_time_to_rest, (a[0].p, a[1].p, a[2].p))
+CALL(coin_quasisteady_at, (a[0].p, a[1].p, a[2].p, a[3].d, a[4].p))
+CALL(coin_losses_fit, (a[0].p, a[1].p, a[2].p, a[3].d))
+
+static void judge_power(const struct outcome *o)
+{
+    demand(!(o->result < 0));
+}
+
+/* As of coin_advance(); at rest as coin.h says. */
+static void judge_settle(const struct outcome *o)
+{
+    const double t = o->given[3].d;
+    const coin_state *s = o->left[0].p;
+    double reached;
+    memcpy(&reached, o->left[5].p, sizeof reached);
+    const int untouched =
+        o->result < 0 && same(&reached, o->given[5].p, sizeof reached);
+    if (untouched)
+        demand(same(s, &o->world->s, sizeof *s));
+    else if (o->result == COIN_OK)
+        demand(reached == t);
+    else
+        demand(reached >= 0 && reached <= t &&
+               coin_state_check(s, &o->world->p) == COIN_OK);
+    static const coin_losses none;
+    if (o->result == COIN_RESTS && !same(o->given[2].p, &none, sizeof none))
+        demand(s->wY == 0 && s->wX * s->theta >= 0 && fabs(s->theta) > 1.57);
+}
+
+static void judge_quasisteady(const struct outcome *o)
+{
+    const coin_state *s = o->left[4].p;
+    if (o->result == COIN_RESTS)
+        demand(s->wX == 0 && s->wY == 0);
+}
+
+#define NEAR_STEADY (USUAL | BIT(COIN_EDOMAIN))
+
+const struct function fuzz_functions[] = {
+    ROW(coin_losses_check, "lp", BIT(COIN_EARG) | BIT(COIN_EPARAMS), 0, PLAIN),
+    ROW(coin_losses_power, "spl", 0, 0, 0, judge_power, 1),
+    ROW(coin_losses_rates, "splR", USUAL, 0, PLAIN),
+    ROW(coin_losses_reaction, "splF", USUAL, 0, PLAIN),
+    ROW(coin_settle, "SplTer", USUAL | BIT(COIN_ESTEP), COIN_RESTS,
+        BIT(COIN_ESTEP), judge_settle, 0),
+    ROW(coin_time_to_rest, "spl", 0, 0, 0, judge_power, 2),
+    ROW(coin_quasisteady_at, "splTO", NEAR_STEADY | BIT(COIN_ESTEP), COIN_RESTS,
+        0, judge_quasisteady, 0),
+    ROW(coin_losses_fit, "LEpT", NEAR_STEADY, 0, PLAIN),
+};
+
+END_OF_TABLE;

@@ -1,0 +1,311 @@
+/* SPDX-License-Identifier: MIT */
+/* What coins with losses do over whole lives: too long for `make check`.
+ *     study launches N     random violent launches: do all end, and how
+ *     study exponents      the laws of the end, from the full equations
+ *     study nutation       how a swing grows or dies out near the end
+ *     study calls          the time of rest by calls and tolerances
+ *     study quasi          the error of the quasi-steady model
+ *     study life COIN TOL FPS [CALLS]   one life, or so many calls of it, to be
+ *                          counted: 0 Euler's disk, 1 a quarter; in one call if
+ *                          FPS is 0
+ *     study textbook N     N textbook steps, to be counted
+ * Fails if a figure is not what docs/accuracy.md says. */
+#include "bench/textbook.h"
+#include "support/losses.h"
+
+#include <coin.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#define HALF_PI 1.5707963267948966
+
+enum { LAWS = 6 };
+
+static const char *const names[LAWS] = {"dry", "viscous", "layer",
+                                        "gap", "rolling", "damping"};
+static int failed;
+
+static void claim(int holds, const char *what)
+{
+    printf("%s %s\n", holds ? "ok  " : "FAIL", what);
+    failed |= !holds;
+}
+
+static coin_losses law(int i, double m)
+{
+    coin_losses l = {0};
+    double *const members[LAWS] = {&l.dry, &l.viscous, &l.layer,
+                                   &l.gap, &l.rolling, &l.damping};
+    *members[i] = m;
+    return l;
+}
+
+static coin_params disc(void)
+{
+    coin_params p;
+    coin_params_disc(&p, 1, 1, 1);
+    return p;
+}
+
+/* The slow start of a spin. */
+static coin_state spin(const coin_params *p, const coin_losses *l, double angle)
+{
+    coin_state s;
+    coin_steady_spin(&s, p, HALF_PI - angle);
+    coin_quasisteady_at(&s, p, l, 0, &s);
+    return s;
+}
+
+/* ---------------------------------------------------------------- launches */
+/* One launch: -1 if it fails, 1 if it rests; *rise is what the energy gained at
+ * most in a call, relative. */
+static int launch(struct random *r, double *rise, int *calls)
+{
+    const coin_params p = random_coin(r);
+    const double T = natural_time(&p);
+    const coin_losses l =
+        random_losses(r, &p, exp(random_between(r, log(0.05), 0)));
+    coin_state s = random_state(r, &p, 1.57);
+    const double faster = random_between(r, 1, 4);
+    s.wX *= faster;
+    s.wY *= faster;
+    s.wZ *= faster;
+    double E = coin_energy(&s, &p);
+    for (*calls = 0; *calls < 42; ++*calls) {
+        const double t = (*calls < 40 ? 1 : 500) * T;
+        const int32_t status = coin_settle(&s, &p, &l, t, 1e-6, NULL);
+        const double now = coin_energy(&s, &p);
+        *rise = fmax(*rise, now / E - 1);
+        E = now;
+        if (status == COIN_RESTS || (status < 0 && status != COIN_ESTEP))
+            return status == COIN_RESTS ? 1 : -1;
+    }
+    return 0;
+}
+
+/* Seconds of the processor that a textbook step takes. */
+static double textbook_step(void)
+{
+    const coin_params p = disc();
+    coin_state s = {0.5, 0, 0, 0, 0, 0.1, 0.8, 1.2};
+    const clock_t begin = clock();
+    textbook_run(&s, &p, 0.001, 200000);
+    return (double)(clock() - begin) / CLOCKS_PER_SEC / 200000;
+}
+
+static void launches(int n)
+{
+    struct random r = random_begin(171);
+    int rest = 0, errors = 0, most = 0;
+    double rise = 0, dearest = 0, total = 0;
+    for (int i = 0; i < n; ++i) {
+        int calls;
+        const clock_t begin = clock();
+        const int end = launch(&r, &rise, &calls);
+        const double took = (double)(clock() - begin) / CLOCKS_PER_SEC;
+        dearest = fmax(dearest, took);
+        total += took;
+        rest += end > 0;
+        errors += end < 0;
+        most = calls > most ? calls : most;
+    }
+    printf("%d launches: %d rest, %d still move, %d fail; the energy rises by "
+           "%.1e at most; %d calls at most\n",
+           n, rest, n - rest - errors, errors, rise, most);
+    const double one = textbook_step();
+    printf("the dearest takes %.3g textbook steps, the mean %.3g\n",
+           dearest / one, total / n / one);
+    claim(errors == 0, "no launch fails");
+    claim(rise < 1e-6, "no call gains energy beyond its tolerance");
+}
+
+/* --------------------------------------------------------------- exponents */
+/* The time at which a coin next has this angle from flat. */
+static double time_at(coin_state *s, const coin_params *p, const coin_losses *l,
+                      double angle, double rest)
+{
+    double t = 0, reached;
+    while (HALF_PI - s->theta > angle * (1 + 1e-6)) {
+        const double left = (HALF_PI - s->theta) / angle - 1;
+        const double step = rest * 1e-3 * fmin(left, 1);
+        coin_settle(s, p, l, step, 1e-8, &reached);
+        t += reached;
+    }
+    return t;
+}
+
+/* n of e ~ (t0 - t)^n over a decade of the angle, from the times that its two
+ * halves take. */
+static double exponent(int i, double m, double from)
+{
+    const coin_params p = disc();
+    const coin_losses l = law(i, m);
+    coin_state s = spin(&p, &l, from);
+    const double T = coin_time_to_rest(&s, &p, &l);
+    const double first = time_at(&s, &p, &l, from / sqrt(10), T);
+    const double middle = HALF_PI - s.theta;
+    const double second = time_at(&s, &p, &l, middle * middle / from, T);
+    return log(middle / from) / log(second / first);
+}
+
+static void exponents(void)
+{
+    const double want[LAWS] = {2.0 / 3, 0.5, 4.0 / 9, 1.0 / 3, 2, 2};
+    const double m[LAWS] = {2e-6, 2e-8, 4e-9, 4e-11, 1e-3, 1e-3};
+    for (int i = 0; i < LAWS; ++i) {
+        const double n = exponent(i, m[i], 0.02);
+        printf("%-8s n = %.5f, law %.5f\n", names[i], n, want[i]);
+        claim(fabs(n - want[i]) < 1e-3, names[i]);
+    }
+}
+
+/* ---------------------------------------------------------------- nutation */
+/* The amplitude of the lean about its course, relative to the angle from flat:
+ * half of the spread of a window. */
+static double swing(const coin_state *start, const coin_params *p,
+                    const coin_losses *l)
+{
+    coin_state s = *start, still;
+    double most = 0;
+    coin_steady_near(start, p, &still);
+    const double e = HALF_PI - still.theta;
+    for (int i = 0; i < 60; ++i) {
+        coin_settle(&s, p, l, 0.1 * sqrt(e), 1e-9, NULL);
+        coin_steady_near(&s, p, &still);
+        most = fmax(most, fabs(s.theta - still.theta));
+    }
+    return most / e;
+}
+
+static void nutation(void)
+{
+    const double want[LAWS] = {-0.75, 0.25, 0.75, 0.75, -1.25, 1};
+    const double m[LAWS] = {1e-5, 1e-6, 1e-6, 1e-7, 1e-3, 1e-3};
+    const coin_params p = disc();
+    for (int i = 0; i < LAWS; ++i) {
+        const coin_losses l = law(i, m[i]);
+        coin_state s = spin(&p, &l, 0.05);
+        s.wX += 0.002 * sqrt(0.05);
+        const double first = swing(&s, &p, &l);
+        time_at(&s, &p, &l, 0.02, coin_time_to_rest(&s, &p, &l));
+        coin_state still;
+        coin_steady_near(&s, &p, &still);
+        const double n = log(swing(&s, &p, &l) / first) /
+                         log((HALF_PI - still.theta) / 0.05);
+        printf("%-8s A/e as e^%.3f, law %.2f\n", names[i], n, want[i]);
+        claim(fabs(n - want[i]) < 0.1, names[i]);
+    }
+}
+
+/* ------------------------------------------------------------------- calls */
+static coin_state toy(int quarter, coin_params *p, coin_losses *l)
+{
+    coin_state s;
+    if (quarter)
+        coin_params_disc(p, 0.00567, 0.01213, 9.80665);
+    else
+        coin_params_disc(p, 0.438, 0.0375, 9.80665);
+    *l =
+        law(0, (quarter ? 8.5e-4 : 5.24e-5) * p->mass * p->gravity * p->radius);
+    const double angle = quarter ? 0.5235987755982988 : 0.3054326190990077;
+    coin_steady_spin(&s, p, HALF_PI - angle);
+    s.wX = 0.01 * angle * sqrt(p->gravity / p->radius);
+    return s;
+}
+
+static double life(int quarter, double tol, double fps, double *turns,
+                   int calls_most)
+{
+    coin_params p;
+    coin_losses l;
+    coin_state s = toy(quarter, &p, &l);
+    double when = 0, reached;
+    int32_t status;
+    int done = 0;
+    do {
+        status =
+            coin_settle(&s, &p, &l, fps > 0 ? 1 / fps : 1e3, tol, &reached);
+        when += reached;
+    } while ((status == COIN_OK || status == COIN_ESTEP) &&
+             ++done < calls_most);
+    *turns = s.psi / (4 * HALF_PI);
+    return when;
+}
+
+static void calls(void)
+{
+    for (int quarter = 0; quarter < 2; ++quarter) {
+        double turns;
+        const double T = sqrt((quarter ? 0.01213 : 0.0375) / 9.80665);
+        const double exact = life(quarter, 1e-13, 0, &turns, 100000);
+        printf("%s: rests after %.12g s, %.3f turns\n",
+               quarter ? "quarter" : "Euler's disk", exact, turns);
+        for (double tol = 1e-6; tol > 5e-12; tol /= 10) {
+            const double one = life(quarter, tol, 0, &turns, 100000);
+            const double frames = life(quarter, tol, 60, &turns, 100000);
+            printf("  tol %.0e: one call off by %.1e, 60 a second by %.1e, "
+                   "relative\n",
+                   tol, one / exact - 1, frames / exact - 1);
+            const double most = fmax(10 * tol * T, 1e-9 * exact);
+            claim(fabs(one - exact) < most && fabs(frames - exact) < most,
+                  "the time of rest");
+        }
+    }
+}
+
+/* ------------------------------------------------------------------- quasi */
+static void quasi(void)
+{
+    const coin_params p = disc();
+    printf("loss     m      time    rest, rel.  half-way: theta  wZ       psi"
+           "      of\n");
+    for (int i = 0; i < LAWS; ++i)
+        for (double m = 1e-3; m > (i < 4 ? 9e-7 : 9e-4); m /= 10) {
+            const coin_losses l = law(i, m);
+            coin_state s, h, full;
+            coin_steady_spin(&s, &p, HALF_PI - 0.1);
+            full = spin(&p, &l, 0.1);
+            const double T = coin_time_to_rest(&s, &p, &l);
+            double a, b;
+            coin_quasisteady_at(&s, &p, &l, T / 2, &h);
+            coin_settle(&full, &p, &l, T / 2, 1e-11, &a);
+            const coin_state half = full;
+            coin_settle(&full, &p, &l, 1e9, 1e-9, &b);
+            printf("%-8s %.0e %9.3f %9.1e   %9.1e %9.1e %9.1e %9.1f\n",
+                   names[i], m, T, T / (a + b) - 1, h.theta - half.theta,
+                   h.wZ - half.wZ, h.psi - half.psi, half.psi);
+        }
+}
+
+int main(int count, char **of)
+{
+    const char *what = count > 1 ? of[1] : "";
+    const double number = count > 2 ? atof(of[2]) : 0;
+    double turns;
+    if (!strcmp(what, "launches"))
+        launches((int)number);
+    else if (!strcmp(what, "exponents"))
+        exponents();
+    else if (!strcmp(what, "nutation"))
+        nutation();
+    else if (!strcmp(what, "calls"))
+        calls();
+    else if (!strcmp(what, "quasi"))
+        quasi();
+    else if (!strcmp(what, "life") && count > 4)
+        printf("rests after %.12g s\n",
+               life(number > 0, atof(of[3]), atof(of[4]), &turns,
+                    count > 5 ? atoi(of[5]) : 100000));
+    else if (!strcmp(what, "textbook")) {
+        const coin_params p = disc();
+        coin_state s = {0.5, 0, 0, 0, 0, 0.1, 0.8, 1.2};
+        textbook_run(&s, &p, 0.001, (unsigned long)number);
+        printf("theta = %g\n", s.theta);
+    } else
+        failed = 2;
+    return failed;
+}

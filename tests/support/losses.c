@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+#include "losses.h"
+
+#include <math.h>
+
+const coin_state spun = {.theta = 1.25, .wX = 0.05, .wY = 1.125};
+
+coin_losses losses_in(const coin_losses *l, double M, double L, double T)
+{
+    const double torque = M * L * L / (T * T);
+    const coin_losses r = {
+        l->damping,
+        l->dry * torque,
+        l->viscous * torque * T,
+        l->layer * torque * T * sqrt(T),
+        l->gap * torque * T,
+        l->rolling * torque,
+        l->spin * torque * T,
+        l->soft / T,
+    };
+    return r;
+}
+
+coin_state state_in(const coin_state *s, double L, double T)
+{
+    const coin_state r = {s->theta, s->phi,    s->psi,    s->x * L,
+                          s->z * L, s->wX / T, s->wY / T, s->wZ / T};
+    return r;
+}
+
+int32_t settle(coin_state *s, const coin_params *p, const coin_losses *l,
+               double tol, double *when)
+{
+    return coin_settle(s, p, l, 1e6 * natural_time(p), tol, when);
+}
+coin_losses random_losses(struct random *r, const coin_params *p, double most)
+{
+    double *member;
+    coin_losses l = {0};
+    for (int i = 0; i < 7; ++i) {
+        member = (double *)&l + i;
+        if (random_between(r, 0, 1) < 0.4)
+            *member = most * exp(random_between(r, -8, 0));
+    }
+    if (!(l.damping + l.dry + l.viscous + l.layer + l.gap + l.rolling > 0))
+        l.dry = most * exp(random_between(r, -4, 0));
+    const double T = natural_time(p);
+    return losses_in(&l, p->mass, p->radius, T);
+}

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/* Coins with losses. */
+#ifndef ROLLCOIN_TESTS_LOSSES_H
+#define ROLLCOIN_TESTS_LOSSES_H
+
+#include "random.h"
+
+#include <coin.h>
+
+/* A start of a disc that never turns round: spinning, with a nutation. */
+extern const coin_state spun;
+
+/* Losses and state of natural units in others: mass M, length L, time T. */
+coin_losses losses_in(const coin_losses *l, double M, double L, double T);
+coin_state state_in(const coin_state *s, double L, double T);
+
+/* Some of all terms, up to most in natural units, and not spin alone. */
+coin_losses random_losses(struct random *r, const coin_params *p, double most);
+
+/* coin_settle() for 1e6 natural units. */
+int32_t settle(coin_state *s, const coin_params *p, const coin_losses *l,
+               double tol, double *when);
+
+#endif

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: MIT */
+/* One step of a coin with losses. */
+#include "lossy.h"
+#include "sundman.h"
+
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/methods.h"
+
+#include <math.h>
+
+static coin_priv_lossy lossy(const coin_state *s, const coin_losses *l)
+{
+    const coin_params p = disc();
+    coin_priv_lossy w;
+    check_status(coin_priv_check_body(&w.run.b, &p), COIN_OK);
+    check_status(coin_priv_losses_of(&w.l, l, &w.run.b), COIN_OK);
+    coin_priv_run_from(&w.run, s, COIN_RK8, 0);
+    return w;
+}
+
+/* The largest difference of the rates after a step and after two halves. */
+static double halved(const coin_priv_lossy *w, double tau, double *error)
+{
+    coin_priv_lossy two = *w;
+    coin_priv_trial one, half;
+    coin_priv_lossy_try(&one, w, tau);
+    *error = one.error;
+    for (int i = 0; i < 2; ++i) {
+        coin_priv_lossy_try(&half, &two, tau / 2);
+        check(coin_priv_sundman_accept(&two.run, &half.next, &half.adds));
+    }
+    const coin_priv_variables *a = &one.next, *b = &two.run.g.y;
+    return fmax(fmax(fabs(a->wX - b->wX), fabs(a->wY - b->wY)),
+                fmax(fabs(a->wZ - b->wZ), fabs(a->cph - b->cph)));
+}
+
+static const coin_state start = {.theta = 0.7, .wX = 0.3, .wY = 0.8, .wZ = 1.2};
+static const coin_losses all = {0.02, 0.01, 0.01, 0.01, 0.01, 0.01, 0.02, 0};
+
+static void the_step_is_of_order_8_and_its_estimate_is_larger(void **unused)
+{
+    (void)unused;
+    const coin_priv_lossy w = lossy(&start, &all);
+    double by_long, by_short;
+    const double off = halved(&w, 0.4, &by_long);
+    const double less = halved(&w, 0.2, &by_short);
+    check_within(log2(off / less), 8.2, 9.8);
+    check_within(log2(by_long / by_short), 7, 9);
+    check_within(by_long / off, 3, 3e3);
+    check_within(by_short / less, 3, 3e3);
+}
+
+static void a_step_through_the_table_has_an_infinite_error(void **unused)
+{
+    (void)unused;
+    const coin_state falls = {.theta = 1.4, .wX = 2};
+    const coin_priv_lossy w = lossy(&falls, &all);
+    coin_priv_trial t;
+    coin_priv_lossy_try(&t, &w, 0.1);
+    check(t.error < 1e-6);
+    coin_priv_lossy_try(&t, &w, 1e3);
+    check(isinf(t.error));
+}
+
+/* It is the distance to u = 0 over the speed, by half. */
+static void the_bound_halves_the_way_to_where_the_contact_turns(void **unused)
+{
+    (void)unused;
+    const coin_losses dry = {.dry = 1e-9};
+    const coin_priv_lossy w = lossy(&start, &dry);
+    const double h = 1e-5, c = cos(0.7), s = sin(0.7);
+    const double u = c * 1.2 + s * 0.8;
+    coin_priv_trial t;
+    coin_priv_lossy_try(&t, &w, h);
+    const coin_priv_variables *y = &t.next;
+    const double du = (y->cth * y->wZ + y->sth * y->wY - u) / h;
+    check_near(coin_priv_lossy_bound(&w, 1e-9) * fabs(du) / u, 0.5, 1e-3);
+}
+
+/* Within the width of the softening it is that, and with layer or damping what
+ * the error allows. */
+static void at_the_turn_the_bound_is_the_width(void **unused)
+{
+    (void)unused;
+    const coin_state turn = {
+        .theta = 0.7, .wX = 0.3, .wY = 0.8, .wZ = -0.8 * 0.84228838046307941};
+    const coin_losses laws[] = {{.dry = 1e-9},
+                                {.dry = 1e-9, .soft = 0x1p-12},
+                                {.layer = 0.01},
+                                {.damping = 0.01},
+                                {.viscous = 0.01}};
+    double bound[5];
+    for (int i = 0; i < 5; ++i) {
+        const coin_priv_lossy w = lossy(&turn, &laws[i]);
+        bound[i] = coin_priv_lossy_bound(&w, 1e-9);
+        const double less = coin_priv_lossy_bound(&w, 1e-12);
+        check_note("law %d", i);
+        if (i < 2)
+            check(less == bound[i]);
+        else if (i < 4) /* 1000^(7/16) and 1000^(1/2) */
+            check_near(bound[i] / less, i == 2 ? 20.535 : 31.623, 1e-2);
+        else
+            check(isinf(bound[i]));
+    }
+    check_near(bound[0] / bound[1], 4, 1e-6);
+}
+
+static void friction_shortens_the_step(void **unused)
+{
+    (void)unused;
+    const coin_losses none = {.dry = 1e-12}, one[] = {{.dry = 1},
+                                                      {.viscous = 1},
+                                                      {.damping = 1},
+                                                      {.spin = 1}};
+    const coin_priv_lossy w = lossy(&start, &none);
+    const double least = coin_priv_lossy_rate(&w);
+    const double c = cos(0.7), s = sin(0.7), u = c * 1.2 + s * 0.8;
+    const double lever = 4 * s * s + c * c / 1.5;
+    const double more[] = {lever / hypot(u, c / 1024), lever / c, u, 4 * c};
+    for (int i = 0; i < 4; ++i) {
+        const coin_priv_lossy with = lossy(&start, &one[i]);
+        check_note("law %d", i);
+        check_near(coin_priv_lossy_rate(&with) - least, 0.3 * more[i], 1e-9);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(the_step_is_of_order_8_and_its_estimate_is_larger),
+        TEST(a_step_through_the_table_has_an_infinite_error),
+        TEST(the_bound_halves_the_way_to_where_the_contact_turns),
+        TEST(at_the_turn_the_bound_is_the_width),
+        TEST(friction_shortens_the_step),
+    };
+    return RUN_TESTS(tests);
+}

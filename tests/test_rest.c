@@ -1,0 +1,368 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/losses.h"
+#include "support/methods.h"
+#include "support/random.h"
+
+#include <math.h>
+
+/* ------------------------------------------------------------ exact oracles */
+static void upright_the_laws_are_closed_forms(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double t = 7, K = 1.5, IX = 0.25;
+    const struct {
+        coin_losses l;
+        coin_state start, end;
+    } cases[] = {
+        {{.dry = 0.01, .soft = 1e-8},
+         {.wZ = 2},
+         {.psi = 2 * t - 0.01 * t * t / (2 * K), .wZ = 2 - 0.01 * t / K}},
+        {{.rolling = 0.01, .soft = 1e-8},
+         {.wZ = -2},
+         {.psi = -2 * t + 0.01 * t * t / (2 * K), .wZ = -2 + 0.01 * t / K}},
+        {{.viscous = 0.01},
+         {.wZ = 2},
+         {.psi = 2 * K / 0.01 * (1 - exp(-0.01 * t / K)),
+          .wZ = 2 * exp(-0.01 * t / K)}},
+        {{.gap = 0.01},
+         {.wZ = 2},
+         {.psi = 2 * K / 0.01 * (1 - exp(-0.01 * t / K)),
+          .wZ = 2 * exp(-0.01 * t / K)}},
+        {{.layer = 0.01},
+         {.wZ = 4},
+         {.psi = 4 * t / (1 + 0.01 * t / K), .wZ = 0}},
+        {{.damping = 0.05},
+         {.wZ = 2},
+         {.psi = log(1 + 0.1 * t) / 0.05, .wZ = 2 / (1 + 0.1 * t)}},
+        {{.spin = 0.01},
+         {.wY = 2},
+         {.phi = 2 * IX / 0.01 * (1 - exp(-0.01 * t / IX)),
+          .wY = 2 * exp(-0.01 * t / IX)}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        coin_state s = cases[i].start, want = cases[i].end;
+        if (cases[i].l.layer > 0) { /* d(1/sqrt wZ)/dt = layer/(2 K) */
+            const double a = 0.01 / (2 * K), r = 0.5 + a * t;
+            want.wZ = 1 / (r * r);
+            want.psi = (1 / 0.5 - 1 / r) / a;
+        }
+        want.x = -want.psi;
+        check_note("case %zu", i);
+        check_status(coin_settle(&s, &p, &cases[i].l, t, 1e-12, NULL), COIN_OK);
+        check_within(states_apart(&s, &want, &p), 0, 1e-11);
+        check(s.theta == 0 && s.wX == 0);
+    }
+}
+
+/* Dry friction takes its torque times the angle rolled, however it is rolled.
+ * While the contact is held nothing more is lost. */
+static void dry_friction_allows_a_number_of_turns(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.dry = 0.002, .soft = 0x1p-30};
+    coin_state s = spun;
+    const double E = coin_energy(&s, &p);
+    check_status(settle(&s, &p, &l, 1e-11, NULL), COIN_RESTS);
+    check_near(E - coin_energy(&s, &p), 0.002 * s.psi, 1e-9);
+    check_within(s.psi, 220, 230);
+}
+
+/* Where it lies at last the face turns backward, by the same for each law of
+ * contour friction: (5/9) e0^(3/2) to leading order in the lean e0. */
+static void the_face_turns_backward_at_the_end_by_any_law(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses laws[] = {
+        {.dry = 2e-4}, {.viscous = 2e-5}, {.layer = 2e-5}, {.gap = 2e-6}};
+    for (int i = 0; i < 4; ++i) {
+        const double e0 = 0.1;
+        coin_state s;
+        check_status(coin_steady_spin(&s, &p, 1.5707963267948966 - e0),
+                     COIN_OK);
+        check_status(settle(&s, &p, &laws[i], 1e-8, NULL), COIN_RESTS);
+        check_note("law %d", i);
+        check_near(s.wZ / (5.0 / 9 * e0 * sqrt(e0)), 1, 0.05);
+    }
+}
+
+/* Eq. (75): the time to rest of small losses from a small angle. */
+static void the_times_to_rest_are_those_of_the_laws(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double e = 0.02;
+    const struct {
+        coin_losses l;
+        double time;
+    } laws[] = {
+        {{.dry = 2e-6}, e * sqrt(e) / (2 * 2e-6)},
+        {{.viscous = 1e-7}, 3 * e * e / (16 * 1e-7)},
+        {{.layer = 1e-7}, e * e * sqrt(sqrt(e)) / (8.48528 * 1e-7)},
+        {{.gap = 1e-9}, e * e * e / (8 * 1e-9)},
+        {{.rolling = 1e-3}, 1.5 * sqrt(e) / 1e-3},
+        {{.damping = 1e-3}, 1.5 * sqrt(e) / 1e-3},
+    };
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; ++i) {
+        coin_state s;
+        double when;
+        check_status(coin_steady_spin(&s, &p, 1.5707963267948966 - e), COIN_OK);
+        check_status(settle(&s, &p, &laws[i].l, 1e-5, &when), COIN_RESTS);
+        check_note("law %zu", i);
+        check_near(when / laws[i].time, 1, laws[i].l.rolling > 0 ? 0.08 : 0.02);
+    }
+}
+
+/* A flat coin accelerates by g a/J: what is left of its weight is I_X/J. */
+static void in_the_last_fall_a_fifth_of_the_weight_is_left(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.dry = 0.002};
+    coin_state s = spun;
+    coin_force f;
+    check_status(settle(&s, &p, &l, 1e-6, NULL), COIN_RESTS);
+    check_status(coin_losses_reaction(&s, &p, &l, &f), COIN_OK);
+    check_near(f.normal, 0.2, 1e-12);
+}
+
+/* The shift by the softening is of second order in it. */
+static void the_softening_shifts_rest_by_its_square(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    double when[4];
+    for (int i = 0; i < 4; ++i) {
+        const double soft[] = {1, 0.125, 0.015625, 0x1p-20};
+        const coin_losses l = {.dry = 0.002, .soft = soft[i]};
+        coin_state s = spun;
+        check_status(settle(&s, &p, &l, 1e-11, &when[i]), COIN_RESTS);
+    }
+    check_within((when[0] - when[3]) / (when[1] - when[3]), 40, 90);
+    check_within((when[1] - when[3]) / (when[2] - when[3]), 50, 80);
+}
+
+/* ------------------------------------------------------------------- at rest
+ */
+static void a_coin_at_rest_stays_there(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.dry = 0.002}, none = {0};
+    coin_state s = spun;
+    double reached = 7;
+    check_status(settle(&s, &p, &l, 1e-6, NULL), COIN_RESTS);
+    check_status(coin_state_check(&s, &p), COIN_OK);
+    check(s.theta == 1.5707963267948963 && s.wY == 0 && s.wX > 0);
+    const coin_state flat = s;
+    check_status(coin_settle(&s, &p, &l, 0, 1e-6, &reached), COIN_RESTS);
+    check(reached == 0);
+    reached = 7;
+    check_status(coin_settle(&s, &p, &none, 5, 1e-6, &reached), COIN_RESTS);
+    check(reached == 0);
+    check_same(&s, &flat, sizeof s);
+    check_status(coin_settle(&s, &p, &l, 5, 1e-6, NULL), COIN_RESTS);
+    check_same(&s, &flat, sizeof s);
+    reached = 7;
+    check_status(coin_advance(&s, &p, 5, 1e-6, &reached), COIN_EFLAT);
+    check(reached == 0);
+    check_status(coin_advance(&s, &p, 5, 1e-6, NULL), COIN_EFLAT);
+    check_same(&s, &flat, sizeof s);
+    check(coin_losses_power(&s, &p, &l) >= 0);
+}
+
+/* The same lean is no rest if the coin rises or turns. */
+static void a_coin_that_leaves_the_table_does_not_rest(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.damping = 0.01};
+    const coin_state starts[] = {
+        {.theta = -1.5707963267948963, .wX = 0.5},
+        {.theta = 1.5707963267948963, .wX = 0.5, .wY = 0.5, .wZ = 0.2},
+    };
+    for (int i = 0; i < 2; ++i) {
+        coin_state s = starts[i];
+        check_note("start %d", i);
+        check_status(coin_settle(&s, &p, &l, 0.1, 1e-8, NULL), COIN_OK);
+        check_within(cos(s.theta), 0.02, 0.1);
+    }
+}
+
+/* Without a stop, and too close for a pass to be told from a fall. */
+static void a_pass_closer_than_a_double_can_tell_is_a_fall(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_body(&p, 1, 1, 1, 0.4, 0.5), COIN_OK);
+    const coin_losses l = {.damping = 0.1};
+    coin_state s = {.theta = 1.56, .wX = 0.1, .wZ = 1e-30};
+    double when;
+    check_status(coin_settle(&s, &p, &l, 5, 1e-8, &when), COIN_RESTS);
+    const double e = 1.5707963267948966 - 1.56, A = 1 / 1.4;
+    check_near(when, (sqrt(0.01 + 2 * A * e) - 0.1) / A, 1e-4);
+    check(s.wY == 0 && s.wX > 0.1);
+}
+
+static void a_coin_that_stands_stays_standing(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.damping = 0.1, .spin = 0.1};
+    const coin_state stands = {.phi = 1, .x = 2};
+    coin_state s = stands;
+    check_status(coin_settle(&s, &p, &l, 100, 1e-8, NULL), COIN_OK);
+    check(s.theta == 0 && s.wX == 0 && s.wY == 0 && s.wZ == 0);
+    check_near(s.phi, 1, U);
+    check_near(s.x, 2, 2 * U);
+}
+
+/* The fall of a fast turn is a quarter of an oscillation. */
+static void a_fast_turn_is_held_too(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    for (double turn = 40; turn < 1000; turn *= 10) {
+        const coin_losses l = {.dry = turn * turn / 500};
+        const double e = 0.04;
+        coin_state s = {.theta = 1.5707963267948966 - e,
+                        .wY = turn * sin(e),
+                        .wZ = -turn * cos(e)};
+        const double E = coin_energy(&s, &p);
+        double when;
+        check_note("turn %g", turn);
+        check_status(coin_settle(&s, &p, &l, 5, 1e-10, &when), COIN_RESTS);
+        check_within(when, 0.3 / turn, 3 / turn);
+        check_near(s.psi, 0, 1e-6);
+        check_near(coin_energy(&s, &p) / E, 1, 1e-9);
+        check_near(s.wZ / -turn, 1, 2e-3);
+    }
+}
+
+/* Each falls as it is held, at once: in the plane, or turning about the
+ * vertical, or rising at first. */
+static void a_stopped_contact_near_flat_is_held(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.dry = 0.1, .spin = 0.2};
+    for (int side = -1; side <= 1; side += 2)
+        for (int k = 0; k < 3; ++k)
+            for (double turn = 0; turn < 1; turn += 0.3) {
+                const double e = 0.03, v[] = {0, 0.1, -0.05};
+                coin_state s = {.theta = side * (1.5707963267948966 - e),
+                                .phi = 1,
+                                .wX = side * v[k],
+                                .wY = turn * sin(e),
+                                .wZ = -side * turn * cos(e)};
+                const coin_state start = s;
+                const double E = coin_energy(&s, &p);
+                double when = 0, sum = 0, reached;
+                check_note("side %d, v %g, turn %g", side, v[k], turn);
+                check_status(coin_settle(&s, &p, &l, 9, 1e-8, &when),
+                             COIN_RESTS);
+                /* With the acceleration of the flat coin. */
+                const double A = 0.8;
+                const double fall = (sqrt(v[k] * v[k] + 2 * A * e) - v[k]) / A;
+                check_near(when, fall, 0.02 * fall);
+                check(s.psi == start.psi && s.wY == 0 && side * s.wX > 0);
+                /* Of the energy only the pivoting takes its part. */
+                const double K = 1.5;
+                check_near(E - coin_energy(&s, &p),
+                           K / 2 * turn * turn * (1 - exp(-2 * 0.2 * when / K)),
+                           1e-4 * turn + 1e-12);
+                check_near(s.phi - 1, turn * when, 0.1 * turn * when + 1e-15);
+                /* The point of contact stays. */
+                check_near(s.x, start.x + side * (sin(s.phi) - cos(e) * sin(1)),
+                           1e-7);
+                coin_state by = start;
+                int32_t status;
+                do {
+                    status =
+                        coin_settle(&by, &p, &l, when / 7.5, 1e-8, &reached);
+                    sum += reached;
+                    check(reached <= when / 7.5);
+                } while (status == COIN_OK);
+                check_status(status, COIN_RESTS);
+                check_near(sum, when, 1e-12);
+                check_near(by.wZ, s.wZ, 1e-12);
+            }
+}
+
+/* A stopped contact that rises: in one call and in ten. */
+static void a_rise_is_held_call_by_call(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.dry = 0.1};
+    const double e = 0.01, turn = 0.5;
+    coin_state s = {.theta = 1.5707963267948966 - e,
+                    .wX = -0.5,
+                    .wY = turn * sin(e),
+                    .wZ = -turn * cos(e)};
+    coin_state parts = s;
+    double reached;
+    check_status(coin_settle(&s, &p, &l, 0.02, 1e-8, NULL), COIN_OK);
+    for (int i = 0; i < 10; ++i) {
+        check_status(coin_settle(&parts, &p, &l, 0.002, 1e-8, &reached),
+                     COIN_OK);
+        check(reached == 0.002);
+        check(parts.psi == 0);
+    }
+    check_within(states_apart(&s, &parts, &p), 0, 1e-13);
+    check_near(s.theta, 1.5707963267948966 - e - 0.01 + 0.4 * 4e-4, 1e-5);
+}
+
+/* Held by too weak a friction a contact does not stay. */
+static void a_contact_that_cannot_be_held_rolls_on(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.dry = 1e-9};
+    const double e = 0.03, turn = 2;
+    coin_state s = {.theta = 1.5707963267948966 - e,
+                    .wX = -0.1,
+                    .wY = turn * sin(e),
+                    .wZ = -turn * cos(e)};
+    check_status(coin_settle(&s, &p, &l, 1, 1e-8, NULL), COIN_OK);
+    check(fabs(s.psi) > 1e-6);
+}
+
+static void a_symmetric_fall_is_an_ideal_one(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.damping = 0.1, .dry = 0.1, .viscous = 0.1};
+    coin_state s = {.theta = 0.3}, ideal = s;
+    double when, right;
+    check_status(coin_settle(&s, &p, &l, 99, 1e-10, &when), COIN_RESTS);
+    check_status(coin_advance(&ideal, &p, 99, 1e-10, &right), COIN_EFLAT);
+    check_near(when, right, 1e-9);
+    check_near(s.wX, ideal.wX, 1e-9);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(upright_the_laws_are_closed_forms),
+        TEST(dry_friction_allows_a_number_of_turns),
+        TEST(the_face_turns_backward_at_the_end_by_any_law),
+        TEST(the_times_to_rest_are_those_of_the_laws),
+        TEST(in_the_last_fall_a_fifth_of_the_weight_is_left),
+        TEST(the_softening_shifts_rest_by_its_square),
+        TEST(a_coin_at_rest_stays_there),
+        TEST(a_coin_that_leaves_the_table_does_not_rest),
+        TEST(a_pass_closer_than_a_double_can_tell_is_a_fall),
+        TEST(a_coin_that_stands_stays_standing),
+        TEST(a_fast_turn_is_held_too),
+        TEST(a_stopped_contact_near_flat_is_held),
+        TEST(a_rise_is_held_call_by_call),
+        TEST(a_contact_that_cannot_be_held_rolls_on),
+        TEST(a_symmetric_fall_is_an_ideal_one),
+    };
+    return RUN_TESTS(tests);
+}

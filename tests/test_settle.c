@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/losses.h"
+#include "support/methods.h"
+#include "support/random.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* The scenes of tests/reference/losses. */
+static const struct {
+    const char *name;
+    double inner;
+    coin_losses l;
+    coin_state start;
+} scenes[] = {
+    {"alpha_generic",
+     0,
+     {.damping = 0.05},
+     {.theta = 0.5, .wX = 0.1, .wY = 0.8, .wZ = 1.2}},
+    {"dry_spin", 0, {.dry = 0.002}, {.theta = 1.25, .wX = 0.05, .wY = 1.125}},
+    {"visc_spin",
+     0,
+     {.viscous = 0.0005},
+     {.theta = 1.25, .wX = 0.05, .wY = 1.125}},
+    {"layer_spin",
+     0,
+     {.layer = 0.00025},
+     {.theta = 1.25, .wX = 0.05, .wY = 1.125}},
+    {"mixed_ring",
+     0.5,
+     {0.01, 0.004, 0.002, 0.001, 0.0005, 0, 0.01, 0},
+     {.theta = 0.3, .wY = 0.25, .wZ = 1}},
+};
+
+enum { SCENE_COUNT = sizeof scenes / sizeof *scenes };
+
+/* ----------------------------------------------------------- the reference */
+/* In what units, the error at a row of a scene. */
+static double row_error(int i, const struct table *t, size_t row, double tol,
+                        const double unit[3])
+{
+    const double M = unit[0], L = unit[1], T = unit[2];
+    coin_params p;
+    check_status(coin_params_ring(&p, M, L, L * scenes[i].inner, L / (T * T)),
+                 COIN_OK);
+    const coin_losses l = losses_in(&scenes[i].l, M, L, T);
+    coin_state s = state_in(&scenes[i].start, L, T),
+               want = state_in_row(t, row);
+    want = state_in(&want, L, T);
+    double reached;
+    const double time = table_at(t, row, "t") * T;
+    check_status(coin_settle(&s, &p, &l, time, tol, &reached), COIN_OK);
+    check(reached == time);
+    return states_apart(&s, &want, &p);
+}
+
+/* Near flat the motion amplifies what was before as 1/cos theta. */
+static void every_row_of_the_reference_is_met_in_any_units(void **unused)
+{
+    (void)unused;
+    const double units[][3] = {{1, 1, 1}, {0.00567, 0.01213, 0.0351}};
+    for (int i = 0; i < SCENE_COUNT; ++i) {
+        struct table t;
+        char file[64];
+        snprintf(file, sizeof file, "losses/%s.csv", scenes[i].name);
+        table_load(&t, file);
+        for (size_t row = 0; row < t.rows; ++row)
+            for (int u = 0; u < 2; ++u) {
+                const double time = table_at(&t, row, "t");
+                const double c = table_at(&t, row, "cos_theta");
+                const double sharp = row_error(i, &t, row, 1e-11, units[u]);
+                check_note("%s, row %zu, units %d", scenes[i].name, row, u);
+                check_within(sharp, 0, (1e-11 * time + 1e-13) / sqrt(c));
+                check_within(row_error(i, &t, row, 1e-6, units[u]), 0,
+                             (1e-6 * time + 1e-6) / sqrt(c));
+            }
+    }
+}
+
+static void the_time_of_rest_is_right_to_12_digits(void **unused)
+{
+    (void)unused;
+    struct table t;
+    table_load(&t, "losses/rest_times.csv");
+    check(t.rows == 2);
+    for (size_t row = 0; row < t.rows; ++row) {
+        const coin_params p = disc();
+        const coin_losses l = {.viscous = table_at(&t, row, "viscous"),
+                               .layer = table_at(&t, row, "layer")};
+        const double want = table_at(&t, row, "t_rest");
+        for (double tol = 1e-12; tol < 1e-5; tol *= 100) {
+            coin_state s = spun;
+            double when;
+            check_note("row %zu, tol %g", row, tol);
+            check_status(settle(&s, &p, &l, tol, &when), COIN_RESTS);
+            check_near(when, want, want * (tol + 1e-12));
+            check_near(s.wX, table_at(&t, row, "wX"), 4 * tol + 1e-12);
+            check_near(s.wZ, table_at(&t, row, "wZ"), 4 * tol + 1e-12);
+            check(s.wY == 0 && s.theta > 1.57079632679489);
+        }
+    }
+}
+
+/* --------------------------------------------------------- energy and error */
+/* The integral of the power along the way, by Gauss and Legendre, in panels as
+ * short as the coin is fast. */
+static void the_energy_lost_is_the_integral_of_the_power(void **unused)
+{
+    (void)unused;
+    const double x[4] = {0.1834346424956498, 0.5255324099163290,
+                         0.7966664774136267, 0.9602898564975363};
+    const double w[4] = {0.3626837833783620, 0.3137066458778873,
+                         0.2223810344533745, 0.1012285362903763};
+    for (int i = 1; i < SCENE_COUNT; ++i) {
+        coin_params p;
+        const coin_losses *l = &scenes[i].l;
+        coin_state s = scenes[i].start;
+        check_status(coin_params_ring(&p, 1, 1, scenes[i].inner, 1), COIN_OK);
+        const double E0 = coin_energy(&s, &p);
+        double W = 0, when;
+        coin_state end = s;
+        check_status(settle(&end, &p, l, 1e-13, &when), COIN_RESTS);
+        int32_t status = COIN_OK;
+        while (status == COIN_OK && cos(s.theta) > (l->dry > 0 ? 0.03 : 2e-3)) {
+            const double h =
+                0.15 * cos(s.theta) / (fabs(s.wX) + fabs(s.wY) + cos(s.theta));
+            double done = 0, sum = 0;
+            for (int k = 0; k < 8; ++k) {
+                const int j = k < 4 ? 3 - k : k - 4;
+                const double at = h * (1 + (k < 4 ? -x[j] : x[j])) / 2;
+                coin_settle(&s, &p, l, at - done, 1e-13, NULL);
+                sum += w[j] * coin_losses_power(&s, &p, l);
+                done = at;
+            }
+            W += h / 2 * sum;
+            status = coin_settle(&s, &p, l, h - done, 1e-13, NULL);
+        }
+        check_note("%s", scenes[i].name);
+        check_near((E0 - coin_energy(&s, &p)) / W, 1, 1e-11);
+    }
+}
+
+static void of_random_launches_99_of_100_err_by_less_than_tol(void **unused)
+{
+    (void)unused;
+    const double tols[] = {1e-3, 1e-6, 1e-9, 1e-11};
+    for (int k = 0; k < 4; ++k) {
+        struct random r = random_begin(151);
+        int within = 0;
+        for (int i = 0; i < 200; ++i) {
+            const coin_params p = random_coin(&r);
+            const coin_losses l = random_losses(&r, &p, 0.03);
+            const coin_state start = random_state(&r, &p, 1.57);
+            const double T = natural_time(&p), tol = tols[k];
+            coin_state s = start, exact = start;
+            double when, right;
+            const int32_t status = coin_settle(&s, &p, &l, 4 * T, tol, &when);
+            check_status(coin_settle(&exact, &p, &l, 4 * T, 1e-13, &right),
+                         status);
+            const double error = status == COIN_RESTS
+                                     ? fabs(when - right) / T
+                                     : path_apart(&s, &exact, &p);
+            within += error <= 4 * tol;
+            check_within(error, 0, 40 * tol);
+        }
+        check_within(within, 198, 200);
+    }
+}
+
+/* By frames, by halves or in one call. */
+static void how_often_it_is_called_does_not_matter(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses laws[] = {
+        {.dry = 0.002},
+        {.viscous = 0.0005},
+        {.gap = 2e-5},
+        {.damping = 0.01},
+        {.rolling = 0.01, .spin = 0.01},
+        {.damping = 0.02, .dry = 1e-20, .viscous = 1e-24}};
+    for (int i = 0; i < 6; ++i) {
+        coin_state whole = spun, parts = spun;
+        double when, sum = 0, reached;
+        check_status(settle(&whole, &p, &laws[i], 1e-11, &when), COIN_RESTS);
+        int32_t status;
+        int calls = 0;
+        do {
+            status = coin_settle(&parts, &p, &laws[i], 0.475, 1e-11, &reached);
+            sum += reached;
+            check(status == COIN_RESTS ||
+                  (status == COIN_OK && reached == 0.475));
+        } while (status == COIN_OK && ++calls < 1000);
+        check_note("law %d, %d calls", i, calls);
+        check_near(sum, when, 1e-9 * when);
+        check_near(parts.wX, whole.wX, 1e-7);
+        check_near(parts.wZ, whole.wZ, 1e-7);
+    }
+}
+
+/* Each of them one step, which has to land. */
+static void many_short_calls_add_up(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.viscous = 0.01, .damping = 0.01};
+    coin_state whole = {.theta = 1, .wX = 0.8, .wY = 0.7, .wZ = 0.6};
+    coin_state parts = whole;
+    check_status(coin_settle(&whole, &p, &l, 1000 * 0x1p-19, 1e-12, NULL),
+                 COIN_OK);
+    for (int i = 0; i < 1000; ++i)
+        check_status(coin_settle(&parts, &p, &l, 0x1p-19, 1e-12, NULL),
+                     COIN_OK);
+    check_within(states_apart(&whole, &parts, &p), 0, 1e-12);
+}
+
+static void violent_launches_come_to_rest_and_gain_no_energy(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(152);
+    for (int i = 0; i < 150; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_losses l = random_losses(&r, &p, 1);
+        coin_state s = random_state(&r, &p, 1.57);
+        const double T = natural_time(&p);
+        double E = coin_energy(&s, &p);
+        int32_t status = COIN_OK;
+        for (int k = 0; k < 20 && status == COIN_OK; ++k) {
+            status = coin_settle(&s, &p, &l, T, 1e-6, NULL);
+            const double now = coin_energy(&s, &p);
+            check_within(now, 0, E * (1 + 1e-7) + 1e-15 * p.mass);
+            E = now;
+        }
+        check(status == COIN_OK || status == COIN_RESTS);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(every_row_of_the_reference_is_met_in_any_units),
+        TEST(the_time_of_rest_is_right_to_12_digits),
+        TEST(the_energy_lost_is_the_integral_of_the_power),
+        TEST(of_random_launches_99_of_100_err_by_less_than_tol),
+        TEST(how_often_it_is_called_does_not_matter),
+        TEST(many_short_calls_add_up),
+        TEST(violent_launches_come_to_rest_and_gain_no_energy),
+    };
+    return RUN_TESTS(tests);
+}

@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/losses.h"
+#include "support/methods.h"
+#include "support/random.h"
+
+#include <math.h>
+
+/* ----------------------------------------------------------- without losses */
+static void without_losses_it_is_coin_advance(void **unused)
+{
+    (void)unused;
+    const coin_losses none = {.soft = 0.5};
+    struct random r = random_begin(153);
+    for (int i = 0; i < 100; ++i) {
+        const coin_params p = random_coin(&r);
+        coin_state a = random_state(&r, &p, 1.57), b = a;
+        double reached, right;
+        const double t = 9 * natural_time(&p);
+        check_status(coin_settle(&a, &p, &none, t, 1e-7, &reached), COIN_OK);
+        check_status(coin_advance(&b, &p, t, 1e-7, &right), COIN_OK);
+        check_same(&a, &b, sizeof a);
+        check(reached == right);
+    }
+    const coin_params p = disc();
+    coin_state a = {.theta = 0.3}, b = a;
+    double reached, right;
+    check_status(coin_settle(&a, &p, &none, 9, 1e-7, &reached), COIN_RESTS);
+    check_status(coin_advance(&b, &p, 9, 1e-7, &right), COIN_EFLAT);
+    check_same(&a, &b, sizeof a);
+    check(reached == right);
+}
+
+static void no_time_changes_nothing(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.dry = 0.1};
+    const coin_state before = {0.5, -0.0, 2e9, 1e300, -0.0, 0.1, -0.0, 1.2};
+    coin_state s = before;
+    double reached = 7;
+    check_status(coin_settle(&s, &p, &l, 0, 1e-6, &reached), COIN_OK);
+    check_same(&s, &before, sizeof s);
+    check(reached == 0);
+}
+
+/* ---------------------------------------------------------------- symmetries
+ */
+static void in_units_a_power_of_two_apart_every_bit_is_the_same(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(154);
+    for (int i = 0; i < 20; ++i) {
+        const double L = ldexp(1, (int)random_between(&r, -30, 30));
+        const double T = ldexp(1, 2 * (int)random_between(&r, -20, 20));
+        coin_params p, q;
+        check_status(coin_params_ring(&p, 1, 1, 0.5, 1), COIN_OK);
+        check_status(coin_params_ring(&q, 4, L, L / 2, L / (T * T)), COIN_OK);
+        const coin_losses l = random_losses(&r, &p, 0.5);
+        const coin_losses m = losses_in(&l, 4, L, T);
+        coin_state s = random_state(&r, &p, 1.57);
+        coin_state t = state_in(&s, L, T);
+        double a, b;
+        const int32_t status = coin_settle(&s, &p, &l, 5, 1e-8, &a);
+        check_status(coin_settle(&t, &q, &m, 5 * T, 1e-8, &b), status);
+        s = state_in(&s, L, T);
+        check_same(&t, &s, sizeof s);
+        check(b == a * T);
+    }
+}
+
+static void mirrored_every_bit_is_the_same(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(155);
+    for (int i = 0; i < 20; ++i) {
+        const coin_params p = ring(0.5);
+        const coin_losses l = random_losses(&r, &p, 0.5);
+        coin_state s = random_state(&r, &p, 1.57);
+        coin_state m = {-s.theta, s.phi, -s.psi, -s.x,
+                        -s.z,     -s.wX, s.wY,   -s.wZ};
+        const int32_t status = coin_settle(&s, &p, &l, 5, 1e-8, NULL);
+        check_status(coin_settle(&m, &p, &l, 5, 1e-8, NULL), status);
+        check(m.theta == -s.theta && m.phi == s.phi && m.psi == -s.psi);
+        check(m.x == -s.x && m.z == -s.z && m.wX == -s.wX);
+        check(m.wY == s.wY && m.wZ == -s.wZ);
+    }
+}
+
+/* ------------------------------------------------------------------ statuses
+ */
+static void a_heading_out_of_range_ends_the_way(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.spin = 1e-9};
+    coin_state s = {.phi = 0x1p31 - 100, .wY = 10};
+    double reached = 7;
+    check_status(coin_settle(&s, &p, &l, 20, 1e-6, &reached), COIN_ESTEP);
+    check_status(coin_state_check(&s, &p), COIN_OK);
+    check_within(reached, 9.8, 10);
+    check_near(s.phi, 0x1p31 - 100 + 10 * reached, 1e-3);
+}
+
+static void a_call_takes_2_20_steps_and_the_next_goes_on(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.spin = 1e-12};
+    const double wY = 1e4, way = 1e3;
+    coin_state s = {.wY = wY};
+    double reached;
+    check_status(coin_settle(&s, &p, &l, way, 1e-2, &reached), COIN_ESTEP);
+    check_within(reached, 10, way / 2);
+    check_near(s.phi, wY * reached, 1e-2 * reached);
+    const double before = reached;
+    check_status(coin_settle(&s, &p, &l, 1, 1e-2, &reached), COIN_OK);
+    check_near(s.phi, wY * (before + 1), 1e-2 * before);
+}
+
+/* The path ends where x is beyond all doubles. */
+static void a_path_that_overflows_is_none(void **unused)
+{
+    (void)unused;
+    coin_params big;
+    check_status(coin_params_body(&big, 1e-290, 1e290, 1, 2.5e289, 5e289),
+                 COIN_OK);
+    const coin_losses l = {.damping = 1e-12};
+    coin_state s = {.x = 1.7976931348623155e308, .wZ = -1e-12};
+    const coin_state before = s;
+    double reached = 7;
+    check_status(coin_settle(&s, &big, &l, 1e16, 1e-2, &reached), COIN_ESTEP);
+    check(reached == 0);
+    check_same(&s, &before, sizeof s);
+}
+
+static void the_usual_errors_touch_nothing(void **unused)
+{
+    (void)unused;
+    const coin_params good = disc();
+    coin_params bad = good;
+    bad.radius = -1;
+    const coin_losses fine = {.dry = 0.1}, wrong = {.dry = -1};
+    const coin_state start = spun, flat = {.theta = 2, .wY = 1};
+    const struct {
+        coin_state s;
+        const coin_params *p;
+        const coin_losses *l;
+        double t, tol;
+        int32_t want;
+    } cases[] = {
+        {flat, &bad, &wrong, NAN, 0, COIN_EARG},
+        {flat, &bad, &wrong, NAN, 0.99e-13, COIN_EARG},
+        {flat, &bad, &wrong, NAN, 1.01e-2, COIN_EARG},
+        {flat, &bad, &wrong, NAN, NAN, COIN_EARG},
+        {flat, NULL, &wrong, NAN, 1e-6, COIN_EARG},
+        {flat, &bad, NULL, NAN, 1e-6, COIN_EARG},
+        {flat, &bad, &fine, NAN, 1e-6, COIN_EPARAMS},
+        {flat, &good, &wrong, NAN, 1e-6, COIN_EPARAMS},
+        {flat, &good, &fine, NAN, 1e-6, COIN_ESTATE},
+        {start, &good, &fine, NAN, 1e-6, COIN_ESTEP},
+        {start, &good, &fine, -1e-300, 1e-6, COIN_ESTEP},
+        {start, &good, &fine, INFINITY, 1e-6, COIN_ESTEP},
+        {start, &good, &fine, 1.01e15, 1e-6, COIN_ESTEP},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        coin_state s = cases[i].s;
+        double reached = 7;
+        check_note("case %zu", i);
+        check_status(coin_settle(&s, cases[i].p, cases[i].l, cases[i].t,
+                                 cases[i].tol, &reached),
+                     cases[i].want);
+        check_same(&s, &cases[i].s, sizeof s);
+        check(reached == 7);
+    }
+    check_status(coin_settle(NULL, &good, &fine, 1, 1e-6, NULL), COIN_EARG);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(without_losses_it_is_coin_advance),
+        TEST(no_time_changes_nothing),
+        TEST(in_units_a_power_of_two_apart_every_bit_is_the_same),
+        TEST(mirrored_every_bit_is_the_same),
+        TEST(a_heading_out_of_range_ends_the_way),
+        TEST(a_call_takes_2_20_steps_and_the_next_goes_on),
+        TEST(a_path_that_overflows_is_none),
+        TEST(the_usual_errors_touch_nothing),
+    };
+    return RUN_TESTS(tests);
+}
