@@ -55,7 +55,7 @@ MAPS   := -ffile-prefix-map=$(SRC)=.
 TRAPS  := $(shell set -- -ffp-exception-behavior=maytrap && \
             $(CC) $(CFLAGS) -Werror=unsupported-floating-point-opt $$1 \
             -fsyntax-only -x c /dev/null 2>/dev/null && echo $$1)
-PINNED := -ffp-contract=off -fno-tree-vectorize $(TRAPS)
+PINNED := $(strip -ffp-contract=off -fno-tree-vectorize $(TRAPS))
 HIDDEN := -fvisibility=hidden
 
 CC_USER  = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS)
