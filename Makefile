@@ -43,14 +43,19 @@ VERSION   := $(shell sed -n 's/^\#define COIN_VERSION_[MP][A-Z]* //p' \
 # -fvisibility can undo what the pinned bits and the ABI rest on.
 # -fno-tree-vectorize: gcc's vectorizer fuses a * b - c, d * e + f in one
 # instruction where the processor can (12.2 with -mfma), whatever -ffp-contract
-# says.  The map keeps this folder's name out of the debug information: equal
-# sources give equal bytes wherever they are built.
+# says.  TRAPS: clang may compute what a branch then drops, which raises its
+# exceptions, unless told that they may trap; for some targets it cannot be.
+# The map keeps this folder's name out of the debug information: equal sources
+# give equal bytes wherever they are built.
 CFLAGS ?= -O2 -g
 WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
           -Wstrict-prototypes -Wmissing-prototypes -Wundef -Wcast-qual \
           -Wwrite-strings
 MAPS   := -ffile-prefix-map=$(SRC)=.
-PINNED := -ffp-contract=off -fno-tree-vectorize
+TRAPS  := $(shell set -- -ffp-exception-behavior=maytrap && \
+            $(CC) $(CFLAGS) -Werror=unsupported-floating-point-opt $$1 \
+            -fsyntax-only -x c /dev/null 2>/dev/null && echo $$1)
+PINNED := $(strip -ffp-contract=off -fno-tree-vectorize $(TRAPS))
 HIDDEN := -fvisibility=hidden
 
 CC_USER  = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS)

@@ -38,7 +38,8 @@
  * that does not return COIN_EARG, COIN_EPARAMS, COIN_ESTATE or COIN_ESTEP, or
  * NaN, raises neither division by zero nor invalid nor overflow, so that it may
  * be made with these trapped (test_traps).  Inexact and underflow may be
- * raised.
+ * raised.  clang keeps this promise only with -ffp-exception-behavior=maytrap,
+ * as the Makefile passes it: otherwise it may compute what a branch then drops.
  *
  * ACCURACY. "u" is 2^-53 = 1.1e-16.  "8 u of the terms" bounds an error by 8 u
  * times the sum of the absolute values of the formula's terms, theta taken as

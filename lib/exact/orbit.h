@@ -15,7 +15,7 @@
 
 #include <coin.h>
 
-enum { COIN_PRIV_PIECES = 44, COIN_PRIV_EDGES = 48, COIN_PRIV_TERMS = 18 };
+enum { COIN_PRIV_PIECES = 44, COIN_PRIV_EDGES = 48 };
 
 /* The rows of a piece, each with its terms, the constant one first. */
 enum {
@@ -25,6 +25,7 @@ enum {
     COIN_PRIV_Z,
     COIN_PRIV_X,
     COIN_PRIV_ROWS,
+    COIN_PRIV_TERMS = 18,
     COIN_PRIV_PIECE = COIN_PRIV_ROWS * COIN_PRIV_TERMS
 };
 

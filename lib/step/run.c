@@ -26,7 +26,8 @@ int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
 int32_t coin_priv_run_to_end(coin_priv_run *r, int32_t method, uint64_t steps,
                              coin_state *s, uint64_t *done)
 {
-    uint64_t n = r->steps + coin_priv_run_on(r, method, steps - r->steps);
+    const uint64_t before = r->steps;
+    uint64_t n = before + coin_priv_run_on(r, method, steps - before);
     const coin_state end = coin_priv_run_state(r);
     if (coin_priv_path_holds(&end))
         coin_priv_copy_state(s, &end);

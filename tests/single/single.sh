@@ -63,19 +63,27 @@ for file in "$SRC"/tests/support/*.c; do
     eval $CC -std=c11 -w -O1 -I"$here" "$rooms" "$SEES" $CMOCKA -c "$file" \
         -o "$work/inside/$(basename "$file" .c).o"
 done
-# inside PROGRAM: a test with the code in its own file.
+# inside PROGRAM: a test with the code in its own file, and after it the macros
+# of kind.h, which the code takes back and headers of lib/ that it holds use.
 inside()
 {
     file=$SRC/tests/$(basename "$1").c
     # shellcheck disable=SC2086
     eval $CC -std=c99 -w -O0 -D_POSIX_C_SOURCE=200809L -DCOIN_IMPLEMENTATION \
-        -DCOIN_PRIV=extern -include "$SINGLE" -I"$here" "$rooms" -I"$SRC/tests/support" "$SEES" $CMOCKA "$file" \
+        -DCOIN_PRIV=extern -include "$SINGLE" -include kind.h \
+        -I"$here" "$rooms" -I"$SRC/tests/support" "$SEES" $CMOCKA "$file" \
         "$work/inside/*.o" -o "$work/inside/$(basename "$1")" $CMOCKA_LIBS -lm
 }
+# Two tests compile what the header has compiled already, and so would define it
+# twice: lib/motion/angles.t.h for lanes, and lib/step/lanes.c.
+twice="test_angles test_batch"
 # As many at once as there are processors; one that fails leaves no program to
 # run.
 set --
 for program in $PROGS; do
+    case " $twice " in
+    *" $(basename "$program") "*) continue ;;
+    esac
     inside "$program" &
     set -- "$@" "$work/inside/$(basename "$program")"
     test $(($# % $(nproc))) != 0 || wait
@@ -84,12 +92,24 @@ wait
 passes "each with the code inside, $CC -std=c99" "$@"
 
 # -------------------------------------------------- tests, by a file of its own
+# By a user's flags clang may compute what a branch then drops: it raises
+# exceptions that the source does not, unless -ffp-exception-behavior=maytrap
+# forbids (coin.h, FLOATING POINT).  So the tests of traps are left out there.
+traps="test_traps test_float_traps test_orbit_edges"
 while read -r private compiler; do
     # shellcheck disable=SC2086
     echo '#include <coin.h>' | $compiler "-DCOIN_PRIV=$(echo $private |
         tr _ ' ')" -DCOIN_IMPLEMENTATION -I"$here" -c - -o "$work/coin.o"
+    case $compiler in
+    *maytrap*) left_out= ;;
+    clang*) left_out=$traps ;;
+    *) left_out= ;;
+    esac
     set --
     for program in $PROGS; do
+        case " $left_out " in
+        *" $(basename "$program") "*) continue ;;
+        esac
         # shellcheck disable=SC2086
         $CC "$program.o" $SUPPORT "$work/coin.o" $CMOCKA_LIBS -lm \
             -o "$work/$(basename "$program")" || fail "$program, $compiler"
@@ -99,6 +119,7 @@ while read -r private compiler; do
 done <<END
 extern gcc -x c -std=c99 -O2
 extern clang -x c -std=gnu17 -O3 -march=native
+extern clang -x c -std=c99 -O3 -march=native -ffp-exception-behavior=maytrap
 extern_"C" g++ -x c++ -std=c++11 -O2
 extern_"C" clang++ -x c++ -std=c++20 -O3 -march=native
 END
