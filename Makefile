@@ -278,8 +278,9 @@ GATES_COMMIT  := check format-check lint-quick
 GATES_PUSH    := header-check examples demo-check float-check installcheck \
                  lanes abi pictures-check bindings distcheck lint sanitize \
                  coverage
-GATES_RELEASE := results-check adversary bound tsan abi-seeds bindings-seeds endurance \
-                 fuzz msan repro valgrind single-check cross firmware mutants
+GATES_RELEASE := adversary bound tsan abi-seeds bindings-seeds endurance fuzz \
+                 msan repro valgrind single-check cross firmware
+GATES_HAND    := mutants results-check
 GATES = $(GATES_COMMIT) $(GATES_PUSH) $(GATES_RELEASE)
 EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done
 
@@ -290,7 +291,7 @@ before-commit: ## the gates of a commit: under a minute
 before-push: before-commit ## those and the gates of a push: some minutes
 	+$(call EACH,$(GATES_PUSH))
 
-before-release: before-push ## every gate: half an hour
+before-release: before-push ## every gate of CI: half an hour
 	+$(call EACH,$(GATES_RELEASE))
 
 list-gates: # their names, for .ci/run
@@ -359,7 +360,9 @@ help: ## this list
 	list $(GATES_PUSH); \
 	echo 'Before a release, half an hour: make before-release, which adds'; \
 	list $(GATES_RELEASE); \
+	echo 'By hand before a release: too long for CI, or for a quiet machine'; \
+	list $(GATES_HAND); \
 	echo 'Products, measurements and updates'; \
-	list $(filter-out $(GATES),$(HELP_TARGETS))
+	list $(filter-out $(GATES) $(GATES_HAND),$(HELP_TARGETS))
 HELP_FROM    = $(filter-out %.d,$(MAKEFILE_LIST))
 HELP_TARGETS = $(shell sed -n 's/^\([a-z-]*\):.*\#\# .*/\1/p' $(HELP_FROM))

@@ -82,6 +82,24 @@ static void a_state_that_swings_or_is_unstable_is_refused(void **unused)
     check_same(&l, &before, sizeof l);
 }
 
+/* An absurdly fast spin, which friction hardly slows. */
+static void a_path_of_too_many_steps_is_none(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    coin_state s, out;
+    const coin_losses l = {.viscous = 0x1.6c45707bd991p-64,
+                           .layer = 0x1.d83bf6a7e4f4ep-177,
+                           .spin = 0x1.030ca69ef3ad4p+1,
+                           .soft = 0x1.356ae898352f1p-6};
+    check_status(coin_params_disc(&p, 0x1.9b659b961047p+4, 0x1.486d016f0b85p-32,
+                                  0x1.ca1ccc63f8173p-29),
+                 COIN_OK);
+    check_status(coin_steady_spin(&s, &p, 0x1.921e107914234p+0), COIN_OK);
+    check(isnan(coin_time_to_rest(&s, &p, &l)));
+    check_status(coin_quasisteady_at(&s, &p, &l, 1e300, &out), COIN_EDOMAIN);
+}
+
 static void at_rest_it_rests(void **unused)
 {
     (void)unused;
@@ -93,6 +111,9 @@ static void at_rest_it_rests(void **unused)
     check_status(coin_quasisteady_at(&s, &p, &l, 1, &out), COIN_RESTS);
     check(out.theta == s.theta && out.wX == 0 && out.wZ == s.wZ);
     check_status(coin_losses_fit(&l, &s, &p, 8), COIN_EDOMAIN);
+    s.wX = -1; /* it rises */
+    check(isnan(coin_time_to_rest(&s, &p, &l)));
+    check_status(coin_quasisteady_at(&s, &p, &l, 1, &out), COIN_EDOMAIN);
 }
 
 /* -------------------------------------------------------------------- errors
@@ -170,6 +191,7 @@ int main(void)
         TEST(without_what_stops_it_the_time_is_infinite),
         TEST(a_roll_that_slows_becomes_unstable),
         TEST(a_state_that_swings_or_is_unstable_is_refused),
+        TEST(a_path_of_too_many_steps_is_none),
         TEST(at_rest_it_rests),
         TEST(phases_out_of_range_are_a_step_too_far),
         TEST(a_fit_beyond_the_range_of_losses_is_none),

@@ -173,6 +173,9 @@ static void a_coin_at_rest_stays_there(void **unused)
     check_status(coin_advance(&s, &p, 5, 1e-6, NULL), COIN_EFLAT);
     check_same(&s, &flat, sizeof s);
     check(coin_losses_power(&s, &p, &l) >= 0);
+    s.wX = -s.wX; /* it rises */
+    check_status(coin_advance(&s, &p, 1e-3, 1e-6, NULL), COIN_OK);
+    check(s.theta < flat.theta);
 }
 
 /* The same lean is no rest if the coin rises or turns. */

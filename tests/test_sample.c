@@ -41,6 +41,20 @@ static void samples_have_the_bits_of_a_run(void **unused)
     }
 }
 
+static void samples_of_the_longest_and_the_shortest_steps(void **unused)
+{
+    (void)unused;
+    const coin_state start = scene_state(&scene, 0);
+    coin_state out[2];
+    check_status(
+        coin_sample(&start, &scene.params, COIN_RK4, 1e-200, 7, 2, out, NULL),
+        COIN_OK);
+    check(out[1].theta == start.theta && out[1].wZ == start.wZ);
+    check_status(
+        coin_sample(&start, &scene.params, COIN_RK4, 1e200, 7, 2, out, NULL),
+        COIN_ESTEP);
+}
+
 static void samples_may_start_in_their_own_array(void **unused)
 {
     (void)unused;
@@ -194,6 +208,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(samples_have_the_bits_of_a_run),
+        TEST(samples_of_the_longest_and_the_shortest_steps),
         TEST(samples_may_start_in_their_own_array),
         TEST(samples_may_lie_at_one_time_or_be_none),
         TEST(samples_that_fail_keep_those_before),

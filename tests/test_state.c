@@ -7,10 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-/* --------------------------------------------------------- the state check */
-static const double not_finite[] = {NAN, INFINITY, -INFINITY};
-
-/* A good state with one member replaced; the members are 8 doubles. */
+/* ------------------------------------------------------ the state check -- */
+/* A good state with one of its 8 doubles replaced. */
 static int32_t check_with(size_t member, double value)
 {
     const coin_params p = disc();
@@ -24,8 +22,9 @@ static void every_member_must_be_finite(void **unused)
 {
     (void)unused;
     for (size_t member = 0; member < 8; ++member) {
-        for (size_t i = 0; i < 3; ++i)
-            check_status(check_with(member, not_finite[i]), COIN_ESTATE);
+        check_status(check_with(member, NAN), COIN_ESTATE);
+        check_status(check_with(member, INFINITY), COIN_ESTATE);
+        check_status(check_with(member, -INFINITY), COIN_ESTATE);
         check_status(check_with(member, -0.5), COIN_OK);
     }
 }
@@ -370,11 +369,10 @@ static void an_angular_velocity_that_overflows_is_refused(void **unused)
     const coin_state huge = {0.7, 0.7, 0, 0, 0, 1.7e308, 1.7e308, 1.7e308};
     const coin_state large = {0.7, 0.7, 0, 0, 0, 1e300, 1e300, 1e300};
     double omega[3] = {1, 2, 3};
-    const double before[3] = {1, 2, 3};
     check_status(coin_angular_velocity(&huge, omega), COIN_ESTATE);
-    check_same(omega, before, sizeof omega);
+    check(omega[0] == 1 && omega[1] == 2 && omega[2] == 3);
     check_status(coin_angular_velocity(&large, omega), COIN_OK);
-    check(isfinite(omega[0]) && isfinite(omega[1]) && isfinite(omega[2]));
+    check(isfinite(omega[0] + omega[1] + omega[2]));
 }
 
 int main(void)

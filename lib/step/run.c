@@ -19,7 +19,7 @@ int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
         return status;
     if (!(fabs(dt) <= COIN_PRIV_LARGEST))
         return COIN_ESTEP;
-    coin_priv_run_from_here(r, s, method, dt);
+    coin_priv_run_from(r, s, method, dt);
     return COIN_OK;
 }
 

@@ -191,66 +191,6 @@ extern "C" {
     pub fn coin_max_dt(s: *const coin_state, p: *const coin_params, method: i32, tol: f64) -> f64;
 }
 extern "C" {
-    pub fn coin_losses_check(l: *const coin_losses, p: *const coin_params) -> i32;
-}
-extern "C" {
-    pub fn coin_losses_power(
-        s: *const coin_state,
-        p: *const coin_params,
-        l: *const coin_losses,
-    ) -> f64;
-}
-extern "C" {
-    pub fn coin_losses_rates(
-        s: *const coin_state,
-        p: *const coin_params,
-        l: *const coin_losses,
-        out: *mut coin_state,
-    ) -> i32;
-}
-extern "C" {
-    pub fn coin_losses_reaction(
-        s: *const coin_state,
-        p: *const coin_params,
-        l: *const coin_losses,
-        out: *mut coin_force,
-    ) -> i32;
-}
-extern "C" {
-    pub fn coin_settle(
-        s: *mut coin_state,
-        p: *const coin_params,
-        l: *const coin_losses,
-        t: f64,
-        tol: f64,
-        reached: *mut f64,
-    ) -> i32;
-}
-extern "C" {
-    pub fn coin_time_to_rest(
-        s: *const coin_state,
-        p: *const coin_params,
-        l: *const coin_losses,
-    ) -> f64;
-}
-extern "C" {
-    pub fn coin_quasisteady_at(
-        s: *const coin_state,
-        p: *const coin_params,
-        l: *const coin_losses,
-        t: f64,
-        out: *mut coin_state,
-    ) -> i32;
-}
-extern "C" {
-    pub fn coin_losses_fit(
-        l: *mut coin_losses,
-        s: *const coin_state,
-        p: *const coin_params,
-        time: f64,
-    ) -> i32;
-}
-extern "C" {
     pub fn coin_method_name(method: i32) -> *const ::std::os::raw::c_char;
 }
 extern "C" {
@@ -368,6 +308,66 @@ extern "C" {
         p: *const coin_params,
         horizon: f64,
         tol: f64,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_losses_check(l: *const coin_losses, p: *const coin_params) -> i32;
+}
+extern "C" {
+    pub fn coin_losses_power(
+        s: *const coin_state,
+        p: *const coin_params,
+        l: *const coin_losses,
+    ) -> f64;
+}
+extern "C" {
+    pub fn coin_losses_rates(
+        s: *const coin_state,
+        p: *const coin_params,
+        l: *const coin_losses,
+        out: *mut coin_state,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_losses_reaction(
+        s: *const coin_state,
+        p: *const coin_params,
+        l: *const coin_losses,
+        out: *mut coin_force,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_settle(
+        s: *mut coin_state,
+        p: *const coin_params,
+        l: *const coin_losses,
+        t: f64,
+        tol: f64,
+        reached: *mut f64,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_time_to_rest(
+        s: *const coin_state,
+        p: *const coin_params,
+        l: *const coin_losses,
+    ) -> f64;
+}
+extern "C" {
+    pub fn coin_quasisteady_at(
+        s: *const coin_state,
+        p: *const coin_params,
+        l: *const coin_losses,
+        t: f64,
+        out: *mut coin_state,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_losses_fit(
+        l: *mut coin_losses,
+        s: *const coin_state,
+        p: *const coin_params,
+        time: f64,
     ) -> i32;
 }
 extern "C" {
