@@ -144,5 +144,6 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
         rk8_sums(&trial->next, &trial->adds, &w->run.g.y, &f.ideal);
     coin_priv_normalize(&trial->next);
     const int above = coin_priv_lesser(lowest, trial->next.cth) > 0;
-    trial->error = above & (error <= DBL_MAX) ? error : (double)INFINITY;
+    const int finite = error <= DBL_MAX;
+    trial->error = above & finite ? error : (double)INFINITY;
 }

@@ -27,12 +27,6 @@ OURS = ("rk4", "rk8", "coin_advance")
 SYMPLECTIC = ("symplectic2", "symplectic4")
 TEXTBOOK = "textbook RK4"
 
-# What the ratio to the textbook is to be: error, scenes, by build.
-GOALS = ((1e-6, SCENES[:5], (7, 9)), (1e-9, SCENES[:5], (20, 28)),
-         (1e-12, ("generic", "ring"), (55, 85)),
-         (1e-9, ("nearflat",), (140, 220)))
-PEER_GOAL = (2, 3)
-
 
 def read(name):
     path = FOLDER / f"{name}.csv"
@@ -90,32 +84,6 @@ def peers(build):
         return f"{r[0]:.1f} {r[2]}" if r else "-"
     return table(["scene", *map("{:g}".format, ERRORS)],
                  [[s, *(cell(s, e) for e in ERRORS)] for s in SCENES])
-
-
-def verdict(reached, wanted):
-    """The least, where it is, and whether that is enough."""
-    if not reached or None in reached.values():
-        return "not measured"
-    where = min(reached, key=reached.get)
-    yes = "yes" if reached[where] >= wanted else "**no**"
-    return f"{reached[where]:.1f} ({where}) of {wanted}: {yes}"
-
-
-def goals():
-    def first(r):
-        return r and r[0]
-    rows = []
-    for error, scenes, wanted in GOALS:
-        rows.append([f"textbook RK4 / ours at {error:g}: {', '.join(scenes)}"]
-                    + [verdict({s: first(ratio(b, s, (TEXTBOOK,), error))
-                                for s in scenes}, w)
-                       for b, w in zip(BUILDS, wanted)])
-    for error in ERRORS[1:]:
-        rows.append([f"best peer / ours at {error:g}, every scene"]
-                    + [verdict({s: first(ratio(b, s, PEERS, error))
-                                for s in SCENES}, w)
-                       for b, w in zip(BUILDS, PEER_GOAL)])
-    return table(["the least of", *BUILDS], rows)
 
 
 def steps():
@@ -321,7 +289,7 @@ def orbit_ratios():
 
 
 TABLES = {"orbit": orbit, "orbit ratios": orbit_ratios, "atlas": atlas,
-          "batch": batch, "goals": goals, "steps": steps, "frames": frames,
+          "batch": batch, "steps": steps, "frames": frames,
           "costs": costs, "reliability": reliability,
           "best": best, "longrun": longrun,
           "silent steps": lambda: silent_steps("worst", OURS[:2] + SYMPLECTIC),
