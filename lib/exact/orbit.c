@@ -360,13 +360,9 @@ int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
     if (status != COIN_OK)
         return status;
     coin_orbit made;
-    memset(&made, 0, offsetof(coin_orbit, private_terms));
-    const int pieces = solve(&made, s, &b);
-    if (!pieces)
+    memset(&made, 0, sizeof made);
+    if (!solve(&made, s, &b))
         return COIN_EDOMAIN;
-    const size_t used = offsetof(coin_orbit, private_terms) +
-                        sizeof(double) * COIN_PRIV_PIECE * (size_t)pieces;
-    memset(o, 0, sizeof *o);
-    memcpy(o, &made, used);
+    memcpy(o, &made, sizeof made);
     return COIN_OK;
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# sweep.png: what sweep.c wrote, with axes.  Its colours lose their last two
-# bits of eight: not to be seen, and a third less to store.
+# sweep.png: what sweep.c wrote, with axes.  Its colours keep four bits of
+# eight: bands, as on a map, and two fifths less to store.
 #     gnuplot -e "from='...'" -e "to='...'" sweep.gp
 set terminal pngcairo size 760,760 font "sans,12" background rgb "white"
 set output to."/sweep.png"
@@ -16,4 +16,4 @@ set label "falls" at 62,-42 center front tc rgb "white"
 set label "rolls on" at 0,0 center front tc rgb "white"
 plot from."/sweep.ppm" binary array=(1000,1000) skip=17 flipy \
      format="%uchar%uchar%uchar" origin=(-89.91,-179.82) dx=0.18 dy=0.36 \
-     using (int($1) & 252):(int($2) & 252):(int($3) & 252) with rgbimage
+     using (int($1) & 240):(int($2) & 240):(int($3) & 240) with rgbimage

@@ -205,7 +205,7 @@ static void walk(const char *build, const scene *c, const solver *v,
         const int ok = strcmp(out.status, "ok") == 0;
         if (ok)
             measure(&r, &out, quiet);
-        printf("%s,%s,%s,%.4g,%.3g,%.4g,%.4g,%.4g,%s\n", build, c->name,
+        printf("%s,%s,%s,%.4g,%.3g,%.3g,%.3g,%.3g,%s\n", build, c->name,
                v->name, r.setting, out.error, out.ns / span, out.slopes / span,
                out.textbook, out.status);
         fflush(stdout);

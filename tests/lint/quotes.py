@@ -53,12 +53,18 @@ def count(board, *calls):
     return sum(figure(COUNT, board, call) for call in calls)
 
 
+def further(method):
+    """Instructions of a step of a run, by the table of bounds."""
+    page = (ROOT / "docs/accuracy.md").read_text()
+    return float(re.search(
+        rf"\| {method} \| each further step \|.*\| (\d+) \| \d+ \|\n",
+        page)[1])
+
+
 # A page, what stands there with its figures as groups, and what they are.
 QUOTES = (
-    ("README.md", r"([\d.]+) times faster, (\d+) instructions",
-     ns("textbook RK4") / ns("rk4"), figure(COSTS, "rk4", "instructions")),
-    ("README.md", r"as fast, (\d+) instructions",
-     figure(COSTS, "rk8", "instructions")),
+    ("README.md", r"\| (\d+) with RK4, (\d+) with RK8",
+     further("rk4"), further("rk8")),
     ("README.md", r"\| ([\d.]+), with AVX-512 ([\d.]+)",
      share("portable"), share("native")),
     ("docs/guide.md", r"of RK4 takes (\d+) ns with the two",
