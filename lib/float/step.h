@@ -19,8 +19,9 @@
 int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
                            const coinf_params *p, int32_t method, float dt);
 
-/* One step of *s, whose variables are *y; 0 if it would not be sound, and *s is
- * then untouched.  *warnings becomes COIN_COARSE if the step was. */
+/* One step of *s, whose variables are *y.  Returns 0 and leaves *s untouched if
+ * the step is refused.  *warnings becomes COIN_COARSE if the step was coarse.
+ */
 typedef int coinf_priv_method(coinf_state *s, int32_t *warnings,
                               const coinf_priv_plan *plan,
                               const coinf_priv_variables *y);

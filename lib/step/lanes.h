@@ -5,8 +5,8 @@
 #include "run.h"
 
 /* A run of COIN_PRIV_LANES coins side by side, one in each lane of a vector:
- * where[k] goes as coin_run() would take it, to the same bits, and status[k]
- * becomes what coin_run() returns.  *b is their body, dt finite and not 0.
+ * *where[k] gets the bits that coin_run() would give it, and status[k] becomes
+ * what coin_run() returns.  *b is their body, dt is finite and not 0.
  * A coin whose steps need a closer look leaves its lane and goes on by
  * itself. */
 typedef void coin_priv_lanes_run(coin_state *const *where, int32_t *status,

@@ -38,7 +38,7 @@ adversary: $(ADV_OUT)/adversary ## climb towards the largest unwarned error (EVA
 	half() { $< search $(EVALUATIONS) $(ADV_SEED) $$1 2 $(FUNCTION) \
 	    >$(ADV_OUT)/$$1.csv || test $$? = 1; }; \
 	half 0 & half 1 && wait $$!
-	{ echo '# $(EVALUATIONS) evaluations, seed $(ADV_SEED)'; \
+	{ $(BITS); echo '# $(EVALUATIONS) evaluations, seed $(ADV_SEED)'; \
 	    echo 'function,evaluations,ratio,law,case'; \
 	    cat $(ADV_OUT)/[01].csv; } >$(ADV_OUT)/adversary.csv
 	awk -F, '/^coin/ { printf "%-32s %8d  %-9s %s\n", $$1, $$2, $$3, $$4; \
