@@ -145,5 +145,5 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
     coin_priv_normalize(&trial->next);
     const int above = coin_priv_lesser(lowest, trial->next.cth) > 0;
     const int finite = error <= DBL_MAX;
-    trial->error = above & finite ? error : (double)INFINITY;
+    trial->error = (above & finite) ? error : (double)INFINITY;
 }

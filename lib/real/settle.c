@@ -150,7 +150,7 @@ static int rise(struct settling *g, double eps)
 }
 
 /* The fall of a coin whose contact has stopped. */
-static int32_t fall(struct settling *g)
+static int32_t fall_flat(struct settling *g)
 {
     const coin_priv_losses *l = &g->w.l;
     const coin_priv_body *b = &g->w.run.b;
@@ -209,7 +209,7 @@ static int32_t approach(struct settling *g)
             return lay(g, 0);
         if (coin_priv_held(&g->w.l, &g->w.run.b, y, eps)) {
             if (y->sth * y->wX >= 0)
-                return fall(g);
+                return fall_flat(g);
             if (rise(g, eps))
                 continue;
         }
