@@ -230,6 +230,7 @@ SOUND(2)
 SOUND(3)
 SOUND(4)
 SOUND(9)
+SOUND(16)
 
 static int sound_radius(const void *of, const struct world *w)
 {
@@ -284,6 +285,7 @@ static const struct kind kinds[] = {
     {'3', WRITTEN, 3 * sizeof(double), NULL, sound_3},
     {'4', WRITTEN, 4 * sizeof(double), NULL, sound_4},
     {'9', WRITTEN, 9 * sizeof(double), NULL, sound_9},
+    {'M', WRITTEN, 16 * sizeof(double), NULL, sound_16},
     {'I', WRITTEN, sizeof(double), NULL, sound_radius},
     {'n', PROGRESS, sizeof(uint64_t), NULL, NULL},
     {'z', PROGRESS, sizeof(size_t), NULL, NULL},
