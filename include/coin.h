@@ -520,6 +520,33 @@ COIN_API int32_t coin_check(const coin_state *s, const coin_params *p,
 COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
                              double m[16]);
 
+/** coin_advance() that stops at the first moment from which a real coin would
+ * slip or lift off, or at which it is nearly flat.  Brief excursions within a
+ * step are found as well: from the forces at the ends of a step and their
+ * derivatives, Eq. (87), which bound the forces between.
+ * @param[in,out] s  the state
+ * @param t          the time, of either sign [T]
+ * @param tol        1e-13 to 1e-2: as for coin_advance(); and within how many
+ *                   natural units of time before s none of the bits holds [1]
+ * @param mu         the friction coefficient, >= 0, may be +infinity [1]
+ * @param bits       COIN_SLIPS, COIN_LIFTS, COIN_NEARLY_FLAT, or several,
+ *                   or-ed.  COIN_SLIPS alone does not stop where N <= 0
+ * @param[out] reached  the time moved; may be null
+ * @return COIN_OK: none of the bits held within t, *reached is t, and s has the
+ *         bits that coin_advance() gives it.  Positive: those of the bits that
+ *         hold in s, as coin_check() has them; *reached is the first moment at
+ *         which one was found to.  A bit that holds at the start is returned at
+ *         once, with *reached = 0.  COIN_EARG also for mu < 0 or NaN and for
+ *         bits = 0 or with any other bit; other errors and COIN_EFLAT as
+ *         coin_advance().
+ * Accuracy: no excursion by which F/N exceeds mu by 1e-6 of mu or more is
+ *         missed, wherever it lies (test_until).
+ * Cost: at most twice that of coin_advance() without an event; an event takes
+ *         that of some steps more.  Some 9 KiB of stack. */
+COIN_API int32_t coin_advance_until(coin_state *s, const coin_params *p,
+                                    double t, double tol, double mu,
+                                    int32_t bits, double *reached);
+
 /** How a coin that an engine holds rolls on once it touches the table, if the
  * contact neither slips nor bounces: the angular momentum about the point of
  * contact is kept.  Eq. (86).  A coin that rolls already stays as it is.

@@ -139,6 +139,9 @@ static double some_time(const struct trap_case *c)
     return fmin(c->t, 1e3 / w);
 }
 CALL(coin_advance, coin_advance(copy(&c->s), &c->p, some_time(c), 1e-6, NULL))
+CALL(coin_advance_until,
+     coin_advance_until(copy(&c->s), &c->p, some_time(c), 1e-6, c->mu,
+                        COIN_SLIPS | COIN_LIFTS, NULL))
 CALL(coin_orbit_init, coin_orbit_init(&orbit, &c->s, &c->p))
 
 static int32_t call_coin_orbit_at(const struct trap_case *c)
@@ -256,6 +259,7 @@ static const struct trap_function all[] = {
     ROW(coin_batch_run_rk8),
     ROW(coin_sample),
     ROW(coin_advance),
+    ROW(coin_advance_until),
     ROW(coin_orbit_init),
     ROW(coin_orbit_at),
     ROW(coin_method_name),

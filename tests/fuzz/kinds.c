@@ -169,6 +169,15 @@ static void take_i(struct bytes *b, const struct world *w, void *to)
         a->i = (int32_t)(0x01010101u * take_byte(b));
 }
 
+/* Warning bits: some that can be waited for, or anything. */
+static void take_bits(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    const uint8_t how = take_byte(b);
+    (void)w;
+    a->i = how < 224 ? how & 11 : (int32_t)(0x01010101u * take_byte(b));
+}
+
 static void take_branch(struct bytes *b, const struct world *w, void *to)
 {
     union argument *const a = to;
@@ -299,6 +308,7 @@ static const struct kind kinds[] = {
     {'e', SCALAR, 0, take_tol, NULL},
     {'i', SCALAR, 0, take_i, NULL},
     {'b', SCALAR, 0, take_branch, NULL},
+    {'K', SCALAR, 0, take_bits, NULL},
     {'u', SCALAR, 0, take_u, NULL},
     {'c', SCALAR, 0, take_count, NULL},
 };

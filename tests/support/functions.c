@@ -43,6 +43,10 @@ static int32_t run(void *const a[])
 {
     return coin_run(a[0], a[1], COIN_RK4, 0.01, 3, a[2]);
 }
+static int32_t advance_until(void *const a[])
+{
+    return coin_advance_until(a[0], a[1], 0.01, 1e-6, 1e9, COIN_SLIPS, a[2]);
+}
 static int32_t batch_run(void *const a[])
 {
     return coin_batch_run(a[0], 1, a[1], COIN_RK4, 0.01, 3, NULL);
@@ -172,6 +176,7 @@ const struct function functions[] = {
     {"coin_angular_velocity", "so", angular_velocity},
     {"coin_step", "Sp", step},
     {"coin_run", "Spn", run},
+    {"coin_advance_until", "Spn", advance_until},
     {"coin_batch_run", "Sp", batch_run},
     {"coin_sample", "spon", sample},
     {"coin_integrals", "spo", integrals},
