@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The force along a piece is a curve of degree 13, whose numbers in Bernstein's
- * form lie around it.  The cone of friction and the half-space above the table
- * are convex: a curve whose numbers all lie within lies within, and this is so
- * of most pieces.  Of the others the zeros of polynomials are isolated; the
- * motion itself then says whether, and from when on, a bit holds. */
+/* The force along a stretch is a curve of degree 13, whose numbers in
+ * Bernstein's form lie around it.  The cone of friction and the half-space
+ * above the table are convex: a curve whose numbers all lie within lies within,
+ * and this is so of most stretchs.  Of the others the zeros of polynomials are
+ * isolated; the motion itself then says whether, and from when on, a bit holds.
+ */
 #include "../motion/pinned.h"
 
 #include "../step/sundman.h"
@@ -18,8 +19,8 @@ enum { JOINED = COIN_PRIV_JOINED };
 #define NEARLY_FLAT 0.01
 
 /* A curve over the longest step errs by up to 4 % of the force, 1e-8 over one
- * of SHORT strides.  So a piece is left alone where its numbers keep a tenth of
- * the force from the edge, and else taken in parts that are short. */
+ * of SHORT strides.  So a stretch is left alone where its numbers keep a tenth
+ * of the force from the edge, and else taken in parts that are short. */
 #define KEEP 0.9
 #define SHORT 0.7
 
@@ -27,10 +28,10 @@ enum { JOINED = COIN_PRIV_JOINED };
  * the edge to rounding. */
 enum { PLACES = 8 };
 
-/* A part of a piece, the force along it in Bernstein's form, scaled so that the
- * coin slips where along^2 + across^2 > bound^2. */
+/* A part of a stretch, the force along it in Bernstein's form, scaled so that
+ * the coin slips where along^2 + across^2 > bound^2. */
 struct part {
-    const coin_priv_piece *of;
+    const coin_priv_stretch *of;
     double first, width;
     double along[JOINED + 1], across[JOINED + 1], bound[JOINED + 1];
     double normal[JOINED + 1], cth[JOINED + 1];
@@ -42,8 +43,8 @@ int32_t coin_priv_bits_held(const coin_priv_search *f, const coin_state *s)
     return bits > 0 ? bits & f->bits : 0;
 }
 
-/* The run at x of a piece, without its lean.  No step is made of no time. */
-static coin_priv_run run_to(const coin_priv_piece *w, double x)
+/* The run at x of a stretch, without its lean.  No step is made of no time. */
+static coin_priv_run run_to(const coin_priv_stretch *w, double x)
 {
     coin_priv_run r = w->from;
     r.g.added.t = 0;
@@ -53,7 +54,7 @@ static coin_priv_run run_to(const coin_priv_piece *w, double x)
 }
 
 static coin_priv_moment moment_of(const coin_priv_search *f,
-                                  const coin_priv_piece *w, double x)
+                                  const coin_priv_stretch *w, double x)
 {
     coin_priv_moment m = {x, run_to(w, x), 0};
     coin_priv_read_lean(&m.run.g);
@@ -201,7 +202,7 @@ static int presses(const coin_priv_search *f, const coin_priv_moment *m)
 
 /* A moment within (low, high) from which on a bit holds, to within tol: at the
  * end of the bracket no bit holds at low, at high one does. */
-static void bisect(const coin_priv_search *f, const coin_priv_piece *w,
+static void bisect(const coin_priv_search *f, const coin_priv_stretch *w,
                    double low, coin_priv_moment *high, double tol)
 {
     while (high->x - low > tol) {
@@ -218,8 +219,8 @@ static void bisect(const coin_priv_search *f, const coin_priv_piece *w,
 /* A moment at which a bit holds where two others, at which none does, have N
  * of different signs: between them F exceeds every multiple of N. */
 static coin_priv_moment between(const coin_priv_search *f,
-                                const coin_priv_piece *w, coin_priv_moment low,
-                                coin_priv_moment high)
+                                const coin_priv_stretch *w,
+                                coin_priv_moment low, coin_priv_moment high)
 {
     const int side = presses(f, &high);
     while (side != presses(f, &low)) {
@@ -235,9 +236,9 @@ static coin_priv_moment between(const coin_priv_search *f,
     return high;
 }
 
-/* The part of a piece that lasts no longer than tol: cos theta changes by a
+/* The part of a stretch that lasts no longer than tol: cos theta changes by a
  * factor below 3 in half a step. */
-static double least_part(const coin_priv_search *f, const coin_priv_piece *w)
+static double least_part(const coin_priv_search *f, const coin_priv_stretch *w)
 {
     const double a = w->begin.cth[0], b = w->end.cth[0];
     return f->tol / (3 * fabs(w->tau) * (a > b ? a : b));
@@ -287,11 +288,11 @@ static int first_of_part(coin_priv_moment *out, const coin_priv_search *f,
     return 0;
 }
 
-/* A piece that is not left alone, in parts. */
+/* A stretch that is not left alone, in parts. */
 static int first_in_parts(coin_priv_moment *out, const coin_priv_search *f,
                           struct part *part)
 {
-    const coin_priv_piece *w = part->of;
+    const coin_priv_stretch *w = part->of;
     const coin_priv_body *b = &w->from.b;
     const double stride =
         fabs(w->tau) / coin_priv_sundman_tau(b, &w->from.g.y, 1);
@@ -314,7 +315,7 @@ static int first_in_parts(coin_priv_moment *out, const coin_priv_search *f,
 }
 
 int coin_priv_first_event(coin_priv_moment *out, const coin_priv_search *f,
-                          const coin_priv_piece *w)
+                          const coin_priv_stretch *w)
 {
     struct part part;
     part.of = w;

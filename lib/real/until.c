@@ -16,9 +16,9 @@ struct moving {
     coin_priv_sum rem; /* of t, still to go */
 };
 
-/* The tau between the two ends of a piece that lasts t, by Newton: the integral
- * of cos theta from its series at both ends, to order 14 (Hermite). */
-static double tau_between(const coin_priv_piece *w, double t, double unit,
+/* The tau between the two ends of a stretch that lasts t, by Newton: the
+ * integral of cos theta from its series at both ends, to order 14 (Hermite). */
+static double tau_between(const coin_priv_stretch *w, double t, double unit,
                           double guess)
 {
     static const double weight[] = {1.0 / 2,    3.0 / 26,   5.0 / 156,
@@ -39,10 +39,10 @@ static double tau_between(const coin_priv_piece *w, double t, double unit,
     return h * unit;
 }
 
-/* The next piece: a step in tau, and the last in t if that is near; *last if
+/* The next stretch: a step in tau, and the last in t if that is near; *last if
  * the time is over. */
-static int32_t next_piece(struct moving *g, coin_priv_piece *w, double unit,
-                          int *last)
+static int32_t next_stretch(struct moving *g, coin_priv_stretch *w, double unit,
+                            int *last)
 {
     int32_t status = COIN_OK;
     coin_priv_run *const r = &g->run;
@@ -69,7 +69,7 @@ static int32_t next_piece(struct moving *g, coin_priv_piece *w, double unit,
     return status;
 }
 
-/* Takes the motion back to an event of its latest piece, before which rem was
+/* Takes the motion back to an event of its latest stretch, before which rem was
  * to go; 0 if the event lies beyond the time. */
 static int stop_at(struct moving *g, const coin_priv_moment *event,
                    coin_priv_sum rem)
@@ -84,13 +84,13 @@ static int stop_at(struct moving *g, const coin_priv_moment *event,
 
 static int32_t follow(struct moving *g, const coin_priv_search *f)
 {
-    coin_priv_piece w;
+    coin_priv_stretch w;
     coin_priv_moment m;
     int32_t status = COIN_OK;
     coin_priv_force_of(&w.begin, &g->run.b, &g->run.g.y, f->unit);
     for (int last = g->rem.sum == 0; status == COIN_OK && !last;) {
         const coin_priv_sum rem = g->rem;
-        status = next_piece(g, &w, f->unit, &last);
+        status = next_stretch(g, &w, f->unit, &last);
         if (g->run.steps == w.from.steps)
             break;
         if (coin_priv_first_event(&m, f, &w) && stop_at(g, &m, rem))

@@ -170,6 +170,8 @@ PROTOTYPES = {
         c_double, c_double),
     "coin_matrix": (c_int32, POINTER(State), POINTER(Params),
         POINTER(c_double)),
+    "coin_advance_until": (c_int32, POINTER(State), POINTER(Params),
+        c_double, c_double, c_double, c_int32, POINTER(c_double)),
     "coin_state_from_landing": (c_int32, POINTER(State), POINTER(Params),
         POINTER(c_double), POINTER(c_double), POINTER(c_double), c_double,
         c_double),

@@ -241,6 +241,17 @@ extern "C" {
     pub fn coin_matrix(s: *const coin_state, p: *const coin_params, m: *mut f64) -> i32;
 }
 extern "C" {
+    pub fn coin_advance_until(
+        s: *mut coin_state,
+        p: *const coin_params,
+        t: f64,
+        tol: f64,
+        mu: f64,
+        bits: i32,
+        reached: *mut f64,
+    ) -> i32;
+}
+extern "C" {
     pub fn coin_state_from_landing(
         s: *mut coin_state,
         p: *const coin_params,
