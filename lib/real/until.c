@@ -101,7 +101,8 @@ static int32_t follow(struct moving *g, const coin_priv_search *f)
 }
 
 /* Errors, and what holds at the start. */
-static int32_t begin(struct moving *g, coin_priv_search *f, const coin_state *s)
+static int32_t prepare(struct moving *g, coin_priv_search *f,
+                       const coin_state *s)
 {
     const double w0 = sqrt(g->run.b.g_a);
     if (!(fabs(g->t) * w0 <= COIN_PRIV_TOO_LONG))
@@ -133,7 +134,7 @@ int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
     if (status != COIN_OK)
         return status;
     g.t = t;
-    status = begin(&g, &f, s);
+    status = prepare(&g, &f, s);
     if (status != COIN_OK) {
         if (reached && status != COIN_ESTEP)
             *reached = 0;
