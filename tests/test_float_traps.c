@@ -38,6 +38,7 @@ CALL(coinf_velocity, coinf_velocity(&c->fs, &c->fp, v))
 CALL(coinf_contact, coinf_contact(&c->fs, &c->fp, v, v + 3))
 CALL(coinf_axes, coinf_axes(&c->fs, v))
 CALL(coinf_quaternion, coinf_quaternion(&c->fs, v))
+CALL(coinf_matrix, coinf_matrix(&c->fs, &c->fp, v))
 CALL(coinf_check, coinf_check(&c->fs, &c->fp, COIN_RK4, c->fdt, c->fmu))
 
 static int32_t call_coinf_reaction(const struct trap_case *c)
@@ -56,6 +57,18 @@ static int32_t call_coinf_state_from_motion(const struct trap_case *c)
     for (int i = 0; i < 4; ++i)
         q[i] *= c->fmu > 0 ? 1 : 1e30f;
     return coinf_state_from_motion(&out, &c->fp, q, omega, c->fs.x, c->fs.z);
+}
+
+/* With a velocity that need not be that of rolling. */
+static int32_t call_coinf_state_from_landing(const struct trap_case *c)
+{
+    float q[4], omega[3], at[3];
+    if (coinf_quaternion(&c->fs, q) != COIN_OK ||
+        coinf_angular_velocity(&c->fs, omega) != COIN_OK ||
+        coinf_velocity(&c->fs, &c->fp, at) != COIN_OK)
+        return COIN_ESTATE;
+    return coinf_state_from_landing(&out, &c->fp, q, omega,
+                                    c->fmu > 0 ? at : omega, c->fs.x, c->fs.z);
 }
 
 /* --------------------------------------------------------------------- movers
@@ -90,6 +103,7 @@ static const struct trap_function all[] = {
     ROW(coinf_params_check),
     ROW(coinf_state_check),
     ROW(coinf_state_from_motion),
+    ROW(coinf_state_from_landing),
     ROW(coinf_angular_velocity),
     ROW(coinf_step),
     ROW(coinf_run_rk4),
@@ -104,6 +118,7 @@ static const struct trap_function all[] = {
     ROW(coinf_contact),
     ROW(coinf_axes),
     ROW(coinf_quaternion),
+    ROW(coinf_matrix),
     ROW(coinf_check),
 };
 

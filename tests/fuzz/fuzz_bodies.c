@@ -15,6 +15,8 @@ CALL(coin_params_body, (a[0].p, a[1].d, a[2].d, a[3].d, a[4].d, a[5].d))
 CALL(coin_params_check, (a[0].p))
 CALL(coin_state_check, (a[0].p, a[1].p))
 CALL(coin_state_from_motion, (a[0].p, a[1].p, a[2].p, a[3].p, a[4].d, a[5].d))
+CALL(coin_state_from_landing,
+     (a[0].p, a[1].p, a[2].p, a[3].p, a[4].p, a[5].d, a[6].d))
 CALL(coin_method_order, (a[0].i))
 
 /* Texts count as done if there is one. */
@@ -47,15 +49,26 @@ static void judge_method(const struct outcome *o)
     demand((coin_method_order(method) >= 2) == (o->result >= 0));
 }
 
-static void judge_from_motion(const struct outcome *o)
+/* Angles within half a turn, and the centre as given. */
+static void judge_made(const struct outcome *o, int x, int z)
 {
     const coin_state *s = o->left[0].p;
     const double pi = 2 * 1.5707963267948966;
     if (o->result < 0)
         return;
     demand(s->phi > -pi && s->phi <= pi && s->psi > -pi && s->psi <= pi);
-    demand(same(&s->x, &o->given[4].d, sizeof s->x));
-    demand(same(&s->z, &o->given[5].d, sizeof s->z));
+    demand(same(&s->x, &o->given[x].d, sizeof s->x));
+    demand(same(&s->z, &o->given[z].d, sizeof s->z));
+}
+
+static void judge_from_motion(const struct outcome *o)
+{
+    judge_made(o, 4, 5);
+}
+
+static void judge_from_landing(const struct outcome *o)
+{
+    judge_made(o, 5, 6);
 }
 
 #define MAKES (BIT(COIN_EARG) | BIT(COIN_EPARAMS))
@@ -73,6 +86,7 @@ const struct function fuzz_functions[] = {
     ROW(coin_params_check, "p", MAKES, 0, PLAIN),
     ROW(coin_state_check, "sp", USUAL, 0, PLAIN),
     ROW(coin_state_from_motion, "Opqwdd", USUAL, 0, 0, judge_from_motion, 0),
+    ROW(coin_state_from_landing, "Opqwwdd", USUAL, 0, 0, judge_from_landing, 0),
     ROW(coin_method_name, "i", BIT(COIN_EARG), 0, 0, judge_method, 0),
     ROW(coin_method_order, "i", BIT(COIN_EARG), 15, 0, judge_method, 0),
 };

@@ -143,5 +143,6 @@ const struct kind single_kinds[] = {
     {'C', WRITTEN, 3 * sizeof(float), NULL, sound_3},
     {'D', WRITTEN, 4 * sizeof(float), NULL, sound_4},
     {'N', WRITTEN, 9 * sizeof(float), NULL, sound_9},
+    {'U', WRITTEN, 16 * sizeof(float), NULL, sound_16},
 };
 const size_t single_kind_count = sizeof single_kinds / sizeof *single_kinds;

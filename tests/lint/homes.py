@@ -24,6 +24,7 @@ OTHER_FORMS = {
     "equations.h drift_slopes_of": "test_drift",
     "equations.t.h path_rates": "test_run",
     "equations.t.h sundman_pose_rates": "test_sundman",
+    "force.c next_terms": "test_force",
     "half.c W2_of": "test_orbit",
     "half.c coin_priv_bend": "test_orbit",
     "half.c coin_priv_fall": "test_orbit",

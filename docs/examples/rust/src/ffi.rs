@@ -238,6 +238,31 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
+    pub fn coin_matrix(s: *const coin_state, p: *const coin_params, m: *mut f64) -> i32;
+}
+extern "C" {
+    pub fn coin_advance_until(
+        s: *mut coin_state,
+        p: *const coin_params,
+        t: f64,
+        tol: f64,
+        mu: f64,
+        bits: i32,
+        reached: *mut f64,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_state_from_landing(
+        s: *mut coin_state,
+        p: *const coin_params,
+        q: *const f64,
+        omega: *const f64,
+        v: *const f64,
+        x: f64,
+        z: f64,
+    ) -> i32;
+}
+extern "C" {
     pub fn coin_steady_roll(s: *mut coin_state, p: *const coin_params, wZ: f64) -> i32;
 }
 extern "C" {
