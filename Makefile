@@ -32,11 +32,14 @@ CLANG_FORMAT ?= clang-format
 PYTHON       ?= python3
 
 # ---------------------------------------------------------------------- version
-# The version has one home, coin.h.  The soname has a number of its own, raised
-# by a break of the ABI and by nothing else.
-SOVERSION := 0
-VERSION   := $(shell sed -n 's/^\#define COIN_VERSION_[MP][A-Z]* //p' \
-                     $(SRC)/include/coin.h | paste -sd.)
+# The version has one home, coin.h.  Before 1.0 the soname carries the minor
+# version.  From 1.0 on it has a number of its own, raised by a break of the ABI
+# and by nothing else.
+ABI_NUMBER := 1
+VERSION    := $(shell sed -n 's/^\#define COIN_VERSION_[MP][A-Z]* //p' \
+                      $(SRC)/include/coin.h | paste -sd.)
+SOVERSION  := $(if $(filter 0.%,$(VERSION)),$(basename $(VERSION)),\
+                 $(ABI_NUMBER))
 
 # ------------------------------------------------------------------------ flags
 # The user's flags come first and ours last, so that no -ffp-contract=fast or
