@@ -3,7 +3,8 @@
  * librollcoin: the motion of a coin that rolls without slipping on a table.
  *
  * This header is the whole public API and its reference documentation.
- * Equation numbers, such as Eq. (14), are those of docs/physics.md.
+ * Equation numbers, such as Eq. (14), are those of docs/physics.md; make
+ * install puts docs/ into PREFIX/share/doc/rollcoin.
  *
  * FRAMES. Small letters x y z are the table's frame, y up.  Capital letters
  * X Y Z are the coin's frame: origin at the centre, X horizontal in the
