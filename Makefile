@@ -153,11 +153,12 @@ SINGLE       := $(O)/single/coin.h
 .PHONY: single
 single: $(SINGLE) ## build/single/coin.h, the library as one header
 
-$(SINGLE): $(SRC)/LICENSE $(SRC)/lib/about/single.awk \
+$(SINGLE): $(SRC)/LICENSE $(wildcard $(SRC)/lib/about/single.*) \
            $(wildcard $(SRC)/include/*.h $(SRC)/lib/*/*.[ch]) | $(O)/single
 	cd $(SRC) && export LC_ALL=C && awk -f lib/about/single.awk \
 	    LICENSE include/*.h lib/*/*.c >$(abspath $@)
 	echo '#include "coin.h" /* which holds coinf.h */' >$(O)/single/coinf.h
+	sed 's/@VERSION@/$(VERSION)/' $(SRC)/lib/about/single.md >$(O)/single/README.md
 
 # Everything compiled depends on this file, which changes when the flags do.
 $(O)/flags: force | $(O)
@@ -247,6 +248,7 @@ include $(wildcard $(SRC)/tests/*/*.mk)
 # last commit; in an unpacked release it holds the same folders, and its files
 # keep that date.  distcheck proves the two ways equal.
 TARBALL := $(O)/rollcoin-$(VERSION).tar.xz
+SINGLES := $(O)/rollcoin-single-$(VERSION).tar.xz
 FILES    = cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
            .clang-format .gitignore CHANGELOG.md LICENSE Makefile README.md \
            docs include lib pkgconfig tests -type f \
@@ -254,15 +256,19 @@ FILES    = cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
 EPOCH    = $(or $(SOURCE_DATE_EPOCH),$(shell cd $(SRC) && if test -e .git; \
            then git log -1 --format=%ct; else stat -c %Y Makefile; fi))
 
+# Files of a kind lie together, which saves 1 %.
+PACKED = --no-recursion --format=ustar --mtime=@$(EPOCH) --owner=0 --group=0 \
+         --numeric-owner --mode=u=rwX,go=rX
+
 .PHONY: dist distcheck installcheck consumers
-dist: | $(O) ## rollcoin-VERSION.tar.xz, the same bytes everywhere
-	$(FILES) >$(abspath $(O))/files
-	LC_ALL=C sort -o $(O)/files $(O)/files
-	tar -C $(SRC) -cf $(TARBALL:.xz=) --no-recursion -T $(O)/files \
-	    --format=ustar --mtime=@$(EPOCH) --owner=0 --group=0 \
-	    --numeric-owner --mode=u=rwX,go=rX \
+dist: $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, rollcoin-single-VERSION.tar.xz
+	($(FILES)) | awk -F. '{print $$NF " " $$0}' | LC_ALL=C sort | \
+	    sed 's/^[^ ]* //' >$(O)/files
+	tar -C $(SRC) -cf $(TARBALL:.xz=) $(PACKED) -T $(O)/files \
 	    --transform='flags=r;s,^,rollcoin-$(VERSION)/,'
-	xz -9ef -T1 $(TARBALL:.xz=)
+	tar -C $(O)/single -cf $(SINGLES:.xz=) $(PACKED) README.md coin.h coinf.h \
+	    --transform='flags=r;s,^,rollcoin-single-$(VERSION)/,'
+	xz -fT1 --lzma2=preset=9e,pb=0,lc=4 $(TARBALL:.xz=) $(SINGLES:.xz=)
 
 # What gates are told: this Makefile, and where to work.
 GATE  = MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' SRC='$(SRC)' \
