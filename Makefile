@@ -260,7 +260,7 @@ EPOCH    = $(or $(SOURCE_DATE_EPOCH),$(shell cd $(SRC) && if test -e .git; \
 PACKED = --no-recursion --format=ustar --mtime=@$(EPOCH) --owner=0 --group=0 \
          --numeric-owner --mode=u=rwX,go=rX
 
-.PHONY: dist distcheck installcheck consumers
+.PHONY: dist distcheck installcheck consumers hwcaps
 dist: $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, rollcoin-single-VERSION.tar.xz
 	($(FILES)) | awk -F. '{print $$NF " " $$0}' | LC_ALL=C sort | \
 	    sed 's/^[^ ]* //' >$(O)/files
@@ -281,6 +281,9 @@ installcheck: all ## install, build a client by pkg-config, uninstall
 consumers: all ## CMake and Meson find it; CMake builds the same bits
 	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/consumers.sh
 
+hwcaps: all ## HWCAPS=1: each level of x86-64 is loaded, with the same bits
+	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/hwcaps.sh
+
 distcheck: dist ## the tarball builds, passes and makes itself again
 	+$(GATE) TARBALL=$(abspath $(TARBALL)) sh $(SRC)/tests/install/dist.sh
 
@@ -289,7 +292,7 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 # tier begins with those before it.
 GATES_COMMIT  := check format-check lint-quick
 GATES_PUSH    := header-check examples demo-check float-check installcheck \
-                 consumers lanes abi pictures-check bindings distcheck lint sanitize \
+                 consumers hwcaps lanes abi pictures-check bindings distcheck lint sanitize \
                  coverage
 GATES_RELEASE := adversary bound tsan abi-seeds bindings-seeds endurance fuzz \
                  msan repro valgrind single-check cross firmware

@@ -49,11 +49,23 @@ $(O)/rollcoin.3: $(SRC)/lib/about/man.awk $(SRC)/include/coin.h | $(O)
 	    date -u -r $(EPOCH) +%F) && awk -v version=$(VERSION) \
 	    -v date=$$date -v docs=$(DOCDIR) -f $^ >$@
 
+# ------------------------------------------------------ newer x86-64 processors
+# With HWCAPS=1 the shared library once more for each level, from which the
+# dynamic linker of glibc takes the best that the processor has.  The flags that
+# pin the bits come after -march.
+LEVELS := $(if $(HWCAPS),x86-64-v3 x86-64-v4)
+$(if $(HWCAPS),$(if $(findstring linux,$(filter x86_64-%,$(TARGET))),,\
+    $(error HWCAPS is for Linux on x86-64, not for $(TARGET))))
+
+$(LEVELS:%=$(O)/hwcaps/%/$(REAL_SO)): $(O)/hwcaps/%/$(REAL_SO): force
+	+$(AGAIN) O=$(O)/hwcaps/$* CFLAGS='$(CFLAGS) -march=$*' HWCAPS= $@
+
 # ------------------------------------------------------------ places, and files
 # install puts the files of a place there, uninstall removes just these.
 DOCS   := $(SRC)/docs
 PLACES := $(INCLUDEDIR) $(LIBDIR) $(RUNDIR) $(PKGCONFIGDIR) $(CMAKEDIR) \
-          $(MANDIR)/man3 $(DOCDIR) $(DOCDIR)/docs $(DOCDIR)/docs/figures
+          $(MANDIR)/man3 $(DOCDIR) $(DOCDIR)/docs $(DOCDIR)/docs/figures \
+          $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%)
 
 in.$(INCLUDEDIR)   = $(SRC)/include/coin.h $(SRC)/include/coinf.h
 in.$(PKGCONFIGDIR) = $(O)/rollcoin.pc
@@ -64,6 +76,11 @@ in.$(DOCDIR)/docs  = $(wildcard $(DOCS)/*.md)
 in.$(DOCDIR)/docs/figures = $(wildcard $(DOCS)/figures/*.svg $(DOCS)/figures/*.png)
 in.$(LIBDIR)       = $(LIB_A) $(addprefix $(O)/,$(IMPORT))
 in.$(RUNDIR)      += $(O)/$(REAL_SO)
+$(foreach level,$(LEVELS),\
+    $(eval in.$(LIBDIR)/glibc-hwcaps/$(level) = $(O)/hwcaps/$(level)/$(REAL_SO)))
+
+# Folders, each with a shared library and its links.
+WITH_LINKS = $(addprefix $(DESTDIR),$(RUNDIR) $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%))
 
 # Lines of a recipe, one for each place.
 define put
@@ -82,15 +99,17 @@ TELL_LINKER = test -n '$(DESTDIR)' || test "$$(id -u)" != 0 || \
               ! command -v $(LDCONFIG) >/dev/null || $(LDCONFIG)
 
 .PHONY: install uninstall
-install: $(LIB_A) $(LIB_SO) $(GENERATED) ## to PREFIX, below DESTDIR if that is set
+install: $(LIB_A) $(LIB_SO) $(GENERATED) $(LEVELS:%=$(O)/hwcaps/%/$(REAL_SO)) ## to PREFIX, below DESTDIR if that is set
 	$(foreach place,$(sort $(PLACES)),$(call put,$(place)))
-	for link in $(SO_LINKS); do \
-	    ln -sf $(REAL_SO) $(DESTDIR)$(RUNDIR)/$$link; done
+	for folder in $(WITH_LINKS); do for link in $(SO_LINKS); do \
+	    ln -sf $(REAL_SO) $$folder/$$link; done; done
 	$(TELL_LINKER)
 
 uninstall: ## remove what install put there
 	$(foreach place,$(sort $(PLACES)),$(call take,$(place)))
-	for link in $(SO_LINKS); do rm -f $(DESTDIR)$(RUNDIR)/$$link; done
+	for folder in $(WITH_LINKS); do for link in $(SO_LINKS); do \
+	    rm -f $$folder/$$link; done; done
 	-rmdir $(addprefix $(DESTDIR),$(CMAKEDIR) $(DOCDIR)/docs/figures \
-	    $(DOCDIR)/docs $(DOCDIR)) 2>/dev/null
+	    $(DOCDIR)/docs $(DOCDIR) $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%)) \
+	    2>/dev/null
 	$(TELL_LINKER)
