@@ -183,7 +183,16 @@ COIN_API int32_t coinf_state_from_landing(coinf_state *s, const coinf_params *p,
                                           const float omega[3],
                                           const float v[3], float x, float z);
 
-/* ------------------------------------------------------------ self-test -- */
+/* -------------------------------------------------- sizes and self-test -- */
+
+/** sizeof(coinf_params) as the library was compiled: 32.  For bindings. */
+COIN_API uint32_t coinf_sizeof_params(void);
+
+/** sizeof(coinf_state) as the library was compiled: 64. */
+COIN_API uint32_t coinf_sizeof_state(void);
+
+/** sizeof(coinf_force) as the library was compiled: 24. */
+COIN_API uint32_t coinf_sizeof_force(void);
 
 /** As coin_selftest(), of the functions of this header alone.
  * Cost: some 20 us on a desktop. */

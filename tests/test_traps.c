@@ -30,6 +30,8 @@ CALL(coin_version_string, done(coin_version_string()[0]))
 CALL(coin_status_string, done(coin_status_string(-3)[0]))
 CALL(coin_sizeof_state, done(coin_sizeof_state()))
 CALL(coin_sizeof_params, done(coin_sizeof_params()))
+CALL(coin_sizeof_force, done(coin_sizeof_force()))
+CALL(coin_sizeof_losses, done(coin_sizeof_losses()))
 CALL(coin_sizeof_orbit, done(coin_sizeof_orbit()))
 CALL(coin_params_disc,
      coin_params_disc(&made, c->p.mass, c->p.radius, c->p.gravity))
@@ -240,6 +242,8 @@ static const struct trap_function all[] = {
     ROW(coin_status_string),
     ROW(coin_sizeof_state),
     ROW(coin_sizeof_params),
+    ROW(coin_sizeof_force),
+    ROW(coin_sizeof_losses),
     ROW(coin_sizeof_orbit),
     ROW(coin_selftest),
     ROW(coin_params_disc),

@@ -241,6 +241,8 @@ static uint64_t hash_batch_float(const scene *a, int32_t method)
 }
 
 #ifndef WITHOUT_ORBIT
+#define LENGTH(array) (sizeof(array) / sizeof *(array))
+
 /* The orbit, to ten times forward and back. */
 static uint64_t hash_orbit(const scene *a)
 {
@@ -252,7 +254,12 @@ static uint64_t hash_orbit(const scene *a)
     int i;
     if (status != COIN_OK)
         return h;
-    h = hash_doubles(h, &o, sizeof o / sizeof(double));
+    /* All but the tag, which names the version, and what is spare. */
+    h = hash_doubles(h, &o, offsetof(coin_orbit, reserved) / sizeof(double));
+    h = hash_doubles(h, o.private_frame + 1, LENGTH(o.private_frame) - 1);
+    h = hash_doubles(h, o.private_edges, LENGTH(o.private_edges));
+    h = hash_doubles(h, o.private_centers, LENGTH(o.private_centers));
+    h = hash_doubles(h, o.private_terms, LENGTH(o.private_terms));
     for (i = -10; i <= 10; ++i) {
         h = hash_status(h, coin_orbit_at(&o, 17.3 * i * b.unit, &s));
         h = hash_state(h, &s);

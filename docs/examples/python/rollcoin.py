@@ -14,7 +14,7 @@ names on `lib`, which turns errors into exceptions: lib.coin_step(s, p, 1e-3).
 The functions of this module are those that most programs want; they return what
 C writes through pointers.
 
-The library is librollcoin.so.0 of the system, or the file that the environment
+The library is librollcoin.so.0.1 of the system, or the file that the environment
 variable ROLLCOIN_LIBRARY names.
 """
 import ctypes
@@ -97,10 +97,12 @@ class Orbit(Plain):
         ("radius_max", c_double),
         ("drift", c_double * 2),
         ("conditioning", c_double),
+        ("reserved", c_double * 26),
         ("private_frame", c_double * 32),
         ("private_edges", c_double * 48),
-        ("private_centers", c_double * 44),
-        ("private_terms", c_double * 3960),
+        ("private_centers", c_double * 42),
+        ("private_terms", c_double * 3780),
+        ("private_spare", c_double * 156),
     ]
 
 
@@ -216,8 +218,10 @@ PROTOTYPES = {
     "coin_version": (c_uint32,),
     "coin_version_string": (c_char_p,),
     "coin_status_string": (c_char_p, c_int32),
-    "coin_sizeof_state": (c_uint32,),
     "coin_sizeof_params": (c_uint32,),
+    "coin_sizeof_state": (c_uint32,),
+    "coin_sizeof_force": (c_uint32,),
+    "coin_sizeof_losses": (c_uint32,),
     "coin_sizeof_orbit": (c_uint32,),
     "coin_selftest": (c_int32,),
 }
@@ -253,7 +257,7 @@ def _no_nan(number, function, arguments):
 def _load():
     """The library, every prototype declared, its structs as ours."""
     library = ctypes.CDLL(os.environ.get("ROLLCOIN_LIBRARY",
-                                         "librollcoin.so.0"))
+                                         "librollcoin.so.0.1"))
     for name, (result, *arguments) in PROTOTYPES.items():
         function = getattr(library, name)
         function.restype = result

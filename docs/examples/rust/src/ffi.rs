@@ -61,10 +61,12 @@ pub struct coin_orbit {
     pub radius_max: f64,
     pub drift: [f64; 2usize],
     pub conditioning: f64,
+    pub reserved: [f64; 26usize],
     pub private_frame: [f64; 32usize],
     pub private_edges: [f64; 48usize],
-    pub private_centers: [f64; 44usize],
-    pub private_terms: [f64; 3960usize],
+    pub private_centers: [f64; 42usize],
+    pub private_terms: [f64; 3780usize],
+    pub private_spare: [f64; 156usize],
 }
 impl Default for coin_orbit {
     fn default() -> Self {
@@ -405,10 +407,16 @@ extern "C" {
     pub fn coin_status_string(status: i32) -> *const ::std::os::raw::c_char;
 }
 extern "C" {
+    pub fn coin_sizeof_params() -> u32;
+}
+extern "C" {
     pub fn coin_sizeof_state() -> u32;
 }
 extern "C" {
-    pub fn coin_sizeof_params() -> u32;
+    pub fn coin_sizeof_force() -> u32;
+}
+extern "C" {
+    pub fn coin_sizeof_losses() -> u32;
 }
 extern "C" {
     pub fn coin_sizeof_orbit() -> u32;

@@ -171,7 +171,16 @@ COIN_API int32_t coinf_quaternion(const coinf_state *s, float q[4]);
 COIN_API int32_t coinf_check(const coinf_state *s, const coinf_params *p,
                              int32_t method, float dt, float mu);
 
-/* ------------------------------------------------------------ self-test -- */
+/* -------------------------------------------------- sizes and self-test -- */
+
+/** sizeof(coinf_params) as the library was compiled: 32.  For bindings. */
+COIN_API uint32_t coinf_sizeof_params(void);
+
+/** sizeof(coinf_state) as the library was compiled: 64. */
+COIN_API uint32_t coinf_sizeof_state(void);
+
+/** sizeof(coinf_force) as the library was compiled: 24. */
+COIN_API uint32_t coinf_sizeof_force(void);
 
 /** As coin_selftest(), of the functions of this header alone.
  * Cost: some 20 us on a desktop. */

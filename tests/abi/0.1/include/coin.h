@@ -3,7 +3,8 @@
  * librollcoin: the motion of a coin that rolls without slipping on a table.
  *
  * This header is the whole public API and its reference documentation.
- * Equation numbers, such as Eq. (14), are those of docs/physics.md.
+ * Equation numbers, such as Eq. (14), are those of docs/physics.md; make
+ * install puts docs/ into PREFIX/share/doc/rollcoin.
  *
  * FRAMES. Small letters x y z are the table's frame, y up.  Capital letters
  * X Y Z are the coin's frame: origin at the centre, X horizontal in the
@@ -133,7 +134,9 @@ typedef struct coin_losses {
 /** A motion solved once, to be asked for any time: coin_orbit_init(),
  * coin_orbit_at().  It holds half a period of theta, in pieces that are
  * polynomials of time: 32 KiB.  It has no pointers, so that it may be copied,
- * stored and shared. */
+ * stored, and shared between threads and processes: only for the library that
+ * made it.  A library of another version, or on a machine of another byte
+ * order, returns COIN_EARG for it. */
 typedef struct coin_orbit {
     double period;             /**< of theta; 0 if the motion is steady [T] */
     double heading_per_period; /**< what phi gains in it [rad] */
@@ -153,10 +156,12 @@ typedef struct coin_orbit {
                                    period and w^2 = 2 E/J; s is the larger
                                    |d(wX)/dt| of the two turning points, at
                                    most w^2 [1] */
+    double reserved[26];      /**< 0: room for what a later version adds */
     double private_frame[32]; /**< this and what follows: the library's */
     double private_edges[48];
-    double private_centers[44];
-    double private_terms[3960];
+    double private_centers[42];
+    double private_terms[3780];
+    double private_spare[156]; /**< 0 */
 } coin_orbit;
 
 /** Status: 0, or negative = error.  Numbers never change meaning. */
@@ -653,9 +658,9 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
                                  const coin_params *p);
 
 /** The state at any time, forward or backward, without stepping.
- * @param o         as coin_orbit_init() of this version left it.  Other
- *                  contents do no harm, and most are recognized: an orbit
- *                  carries a tag of its format
+ * @param o         as coin_orbit_init() of the same version left it: an orbit
+ *                  carries a tag of that.  Other contents do no harm, and most
+ *                  are recognized
  * @param t         the time since the state that the orbit was made from [T]
  * @param[out] out  the state
  * @return COIN_OK; COIN_EARG, also for contents that are seen not to be an
@@ -845,13 +850,19 @@ COIN_API const char *coin_version_string(void);
  * bits may be combined: the text then names the set as such. */
 COIN_API const char *coin_status_string(int32_t status);
 
-/** sizeof(coin_state) as the library was compiled: 64.  For bindings. */
-COIN_API uint32_t coin_sizeof_state(void);
-
 /** sizeof(coin_params) as the library was compiled: 64.  For bindings. */
 COIN_API uint32_t coin_sizeof_params(void);
 
-/** sizeof(coin_orbit) as the library was compiled.  For bindings. */
+/** sizeof(coin_state) as the library was compiled: 64. */
+COIN_API uint32_t coin_sizeof_state(void);
+
+/** sizeof(coin_force) as the library was compiled: 48. */
+COIN_API uint32_t coin_sizeof_force(void);
+
+/** sizeof(coin_losses) as the library was compiled: 64. */
+COIN_API uint32_t coin_sizeof_losses(void);
+
+/** sizeof(coin_orbit) as the library was compiled: 32,768. */
 COIN_API uint32_t coin_sizeof_orbit(void);
 
 /** Whether this build computes the pinned bits: steps some coins and compares
