@@ -168,9 +168,10 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  * of time in 98 of 100; a quarter that turns for 8 s, in calls of 1 ms or of
  * 1/60 s, rests within 1e-5 s of the time that coin_settle() gives
  *         (test_float_settle).
- * Cost: a step takes four slopes, and by dry friction a root and a division
- *         each.  Calls of 1 ms take a quarter one step, and four or five within
- *         the last millisecond; docs/embedding.md has the instructions. */
+ * Cost: on a Cortex-M4F 2,230 instructions for a call of one step, by dry
+ *         friction, and 1,088 bytes of stack.  A quarter's 8 s take 8,263 steps
+ *         in 8,019 calls of 1 ms at 1e-3, at most 12 of them in one call
+ *         (docs/embedding.md). */
 COIN_API int32_t coinf_settle(coinf_state *s, const coinf_params *p,
                               const coinf_losses *l, float t, float tol,
                               float *reached);
