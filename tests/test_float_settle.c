@@ -299,8 +299,57 @@ static void a_contact_that_cannot_be_held_rolls_on(void **unused)
     check(fabsf(s.psi) > 1e-6f);
     /* Held where it is, but not where a part of its rise would lead. */
     rises.wX = -0.5f;
-    check_status(coinf_settle(&rises, &p, &fair, 0.2f, 1e-4f, NULL), COIN_OK);
+    const coin_params P = doubles_params(&p);
+    const coin_losses L = doubles_losses(&fair);
+    coin_state want = doubles_state(&rises);
+    check_status(coinf_settle(&rises, &p, &fair, 0.2f, 1e-5f, NULL), COIN_OK);
+    check_status(coin_settle(&want, &P, &L, (double)0.2f, 1e-10, NULL),
+                 COIN_OK);
     check(fabsf(rises.psi) > 1e-6f);
+    check_within(pose_apart(&rises, &want, 1), 0, 1e-5);
+}
+
+/* Closer than where the law of the end may begin, but much too fast for it. */
+static void a_pass_near_flat_is_no_end(void **unused)
+{
+    (void)unused;
+    const coinf_params p = disc_f();
+    const coin_params P = doubles_params(&p);
+    const coinf_losses l = {.damping = 1e-3f};
+    const coin_losses L = doubles_losses(&l);
+    coinf_state s = {.theta = 1.55f, .wX = 0.5f, .wY = 2.4e-4f};
+    coin_state want = doubles_state(&s);
+    check_status(coinf_settle(&s, &p, &l, 0.1f, 1e-5f, NULL), COIN_OK);
+    check_status(coin_settle(&want, &P, &L, (double)0.1f, 1e-10, NULL),
+                 COIN_OK);
+    check(s.wX < -0.3f);
+    check_near((double)s.theta, want.theta, 1e-3);
+}
+
+/* Steps alone would take many calls. */
+static void what_never_stops_ends_by_the_law_of_the_end(void **unused)
+{
+    (void)unused;
+    const coinf_params p = disc_f();
+    const coin_params P = doubles_params(&p);
+    for (int i = 0; i < 2; ++i) {
+        const double e = i ? 0.02 : 1.2e-5, alpha = i ? 1e-2 : 1e-4;
+        const coinf_losses l = {.damping = (float)alpha};
+        const coin_losses L = doubles_losses(&l);
+        coin_state steady;
+        check_status(coin_steady_spin(&steady, &P, 1.5707963267948966 - e),
+                     COIN_OK);
+        coinf_state s = floats_state(&steady);
+        coin_state full = doubles_state(&s);
+        float when;
+        double right = 1.5 * sqrt(e) / alpha;
+        check_status(coinf_settle(&s, &p, &l, 1e3f, i ? 1e-5f : 1e-2f, &when),
+                     COIN_RESTS);
+        if (i)
+            check_status(coin_settle(&full, &P, &L, 1e3, 1e-9, &right),
+                         COIN_RESTS);
+        check_near((double)when / right, 1, i ? 1e-3 : 0.02);
+    }
 }
 
 /* Without a stop, and too close for a pass to be told from a fall. */
@@ -328,6 +377,8 @@ int main(void)
         TEST(a_symmetric_fall_is_an_ideal_one),
         TEST(a_stopped_contact_near_flat_is_held),
         TEST(a_contact_that_cannot_be_held_rolls_on),
+        TEST(a_pass_near_flat_is_no_end),
+        TEST(what_never_stops_ends_by_the_law_of_the_end),
         TEST(a_pass_closer_than_a_float_can_tell_is_a_fall),
     };
     return RUN_TESTS(tests);
