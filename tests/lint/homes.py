@@ -17,6 +17,8 @@ from functions import functions
 
 OTHER_FORMS = {
     "body.c check_any_body": "test_params",
+    "coinf_settle.c longest": "test_float_settle",
+    "coinf_settle.c put": "test_float_settle",
     "coinf_symplectic.c drift": "test_float_run",
     "coinf_symplectic.c half_kick": "test_float_run",
     "coinf_symplectic.c rates_of": "test_float_run",
