@@ -70,11 +70,17 @@ drift "a function added" "$both$update" include/coin.h \
 drift "a kind of type that no binding knows" "pycparser cannot read coin.h" \
     include/coin.h 's/^    double ratio;/    union { int a; } u; double ratio;/'
 
-python=docs/examples/python/rollcoin.py
+drift "a function of floats added" "$both$update" include/coinf.h \
+    's/^COIN_API int32_t coinf_selftest(void);/&\nCOIN_API float coinf_new(void);/'
+
+python=docs/examples/python/src/rollcoin/_declarations.py
 drift "a member swapped in Python" "Python's declarations; Python's layout" \
     $python '/^        ("wY"/{h;d};/^        ("wZ"/{G;}'
 drift "a prototype changed in Python" "differ: Python's declarations$update" \
     $python 's/"coin_step": (c_int32,/"coin_step": (c_double,/'
+drift "a function over tables changed in Python" \
+    "differ: Python's declarations$update" \
+    docs/examples/python/src/rollcoin/tables.h 's/q + 4 \* i/q + 3 * i/'
 drift "a member's type changed in Rust" "differ: Rust's declarations$update" \
     docs/examples/rust/src/ffi.rs '0,/pub wX: f64/s//pub wX: f32/'
 
