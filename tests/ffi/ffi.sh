@@ -17,7 +17,8 @@ export CC
 die() { echo "bindings: $*" >&2; exit 1; }
 differs() { echo "bindings: $1"; failed="$failed; $1"; }
 
-for tool in "$CC" "$CXX" "$PYTHON" "$RUSTC" "$CARGO" "$BINDGEN" rustfmt; do
+for tool in "$CC" "$CXX" "$PYTHON" "$RUSTC" "$CARGO" "$BINDGEN" rustfmt \
+    cargo-clippy pip3 mypy; do
     command -v "${tool%% *}" >/dev/null || die "needs $tool"
 done
 rm -rf "$work"
@@ -66,6 +67,22 @@ grep -q 'Offset of field' "$work/tested.rs" || die "bindgen tests nothing"
     -o "$work/tested" -L "native=$OUT" -l static=rollcoin -l m &&
     "$work/tested" -q >"$work/log" || { cat "$work/log"
     differs "Rust's layout"; }
+# calls NAME FILES...: every function of coin.h is called there, but those that
+# a compiled header makes needless.
+calls()
+{
+    name=$1
+    shift
+    "$PYTHON" "$here/header.py" "$SRC/include" functions |
+        grep -o '\bcoin_[a-z0-9_]*(' |
+        grep -v -e '_sizeof_' -e '_version' -e '_string' |
+        while read -r call; do
+            cat "$@" | grep -qF "$call" || echo "$name lacks $call)"
+        done | grep . && differs "$name's calls" || true
+}
+calls C++ "$examples/cpp/rollcoin.hpp"
+calls Rust "$examples"/rust/src/[!f]*.rs
+
 echo "bindings: $(wc -l <"$work/layout.c.txt") sizes and offsets," \
     "$(grep -c 'pub fn' "$raw") functions in Python and Rust as in coin.h"
 test "${1:-}" != declarations ||
@@ -97,9 +114,21 @@ cp -r "$examples/rust" "$work/rust"
 (
     cd "$work/rust"
     export ROLLCOIN_LIB="$OUT" RUSTC CARGO_TARGET_DIR="$work/cargo"
-    RUSTFLAGS='-D warnings' "$CARGO" test --offline -q
+    export RUSTFLAGS='-D warnings'
+    "$CARGO" clippy --offline -q --all-targets -- -D warnings &&
+        rustfmt --check --edition 2021 src/lib.rs build.rs examples/*.rs &&
+        "$CARGO" test --offline -q
 ) >"$work/log" 2>&1 || { cat "$work/log"; differs "the tests of Rust"; }
 grep '^test result' "$work/log" | head -1
+# Without ROLLCOIN_LIB: the installed library, and the single header.
+(
+    cd "$work/rust"
+    unset ROLLCOIN_LIB
+    export RUSTC CARGO_TARGET_DIR="$work/cargo" ROLLCOIN_CLONE="$SRC"
+    PKG_CONFIG_PATH=$work/stage/lib/pkgconfig "$CARGO" build --offline -q &&
+        grep -rq "native=$work/stage/lib" "$work"/cargo/debug/build/*/output &&
+        PKG_CONFIG_LIBDIR=/nowhere "$CARGO" test --offline -q
+) >"$work/log" 2>&1 || { cat "$work/log"; differs "the crate's library"; }
 
 # ------------------------------------------------------------ the same numbers
 "$OUT/quarter" >"$work/quarter.txt"

@@ -17,6 +17,7 @@ import runpy
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
@@ -527,6 +528,21 @@ class Buffers(unittest.TestCase):
             for frame in made["frames"]:
                 self.assertEqual(frame[k].tobytes(), bytes(s))
                 rc.run(s, made["quarter"], rc.RK8, 1 / 960, 8)
+
+    def test_the_picture_is_drawn(self):
+        with tempfile.TemporaryDirectory() as folder:
+            drawn = pathlib.Path(folder) / "python.svg"
+            argv, sys.argv = sys.argv, ["picture.py", str(drawn)]
+            try:
+                made = runpy.run_path(PYTHON / "picture.py")
+            finally:
+                sys.argv = argv
+            self.assertIn("F/N", drawn.read_text())
+            self.assertLess(drawn.stat().st_size, 40000)
+        p, s = made["quarter"], rc.State.from_buffer_copy(made["path"][-1])
+        self.assertEqual(made["ratio"][-1], rc.reaction(s, p).ratio)
+        self.assertTrue(same(made["contact"][-1],
+                             1e3 * numpy.array(rc.contact(s, p)[0])))
 
     def test_a_batch_tells_of_each_coin_and_raises_if_it_touched_none(self):
         p, s = quarter()
