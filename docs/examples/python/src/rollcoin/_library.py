@@ -105,11 +105,13 @@ def _load() -> ctypes.CDLL:
                           f"above {path.parent.parent}")
     library = ctypes.CDLL(str(path))
     _declare(library)
-    sizes = (library.coin_sizeof_state(), library.coin_sizeof_params(),
-             library.coin_sizeof_orbit())
-    ours = (declared.State, declared.Params, declared.Orbit)
-    if sizes != tuple(map(ctypes.sizeof, ours)):
-        raise ImportError("librollcoin is of another release than rollcoin")
+    for name in declared.PROTOTYPES:
+        prefix, _, struct = name.partition("_sizeof_")
+        kind = struct.title().replace("_", "") + prefix.removeprefix("coin")
+        if struct and getattr(library, name)() != ctypes.sizeof(
+                getattr(declared, kind)):
+            raise ImportError("librollcoin is of another release than "
+                              "rollcoin")
     return library
 
 

@@ -43,7 +43,7 @@ class Plain(Structure):
         """The members that are not 0, the library's own left out."""
         shown = (f"{name}={value!r}" for name, value in self._members()
                  if not name.startswith("private_")
-                 and value not in (0, (0, 0), (0, 0, 0), (0,) * 8))
+                 and (any(value) if isinstance(value, tuple) else value))
         return f"{type(self).__name__}({', '.join(shown)})"
 
 
