@@ -47,6 +47,8 @@ def member(kind):
 
 
 def annotation(kind):
+    if kind.name not in SIMPLE:
+        return python_name(kind.name)
     return f'"Array[{SIMPLE[kind.name]}]"' if kind.length else "float"
 
 
@@ -120,7 +122,7 @@ def first(arguments):
 def over_coins(arguments):
     """Of a function that reads a coin, or moves one by a time."""
     name, kind = first(arguments)
-    return (name in ("s", "d") and kind.pointers == 1
+    return (name == "s" and kind.pointers == 1
             and not any(k.name == "size_t" for k in arguments.values())
             and (kind.const or "reached" in arguments))
 
