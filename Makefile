@@ -297,8 +297,8 @@ GATES_COMMIT  := check format-check lint-quick
 GATES_PUSH    := header-check examples demo-check float-check installcheck \
                  consumers hwcaps lanes abi pictures-check bindings distcheck lint sanitize \
                  coverage
-GATES_RELEASE := adversary bound tsan abi-seeds bindings-seeds endurance fuzz \
-                 msan repro valgrind single-check cross firmware
+GATES_RELEASE := adversary bound tsan abi-seeds bindings-seeds sweeps \
+                 endurance fuzz msan repro valgrind single-check cross firmware
 GATES_HAND    := mutants results-check
 GATES = $(GATES_COMMIT) $(GATES_PUSH) $(GATES_RELEASE)
 EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done
