@@ -134,7 +134,9 @@ bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 	    $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_accuracy $$b || exit 1; \
 	    for p in $(PEERS); do test $$b.$$p = native.ode -o \
 	        $$b.$$p = native.mujoco || $(BENCH_OUT)/$$b/peer_$$p $$b || \
-	        exit 1; done; done; } >$(BENCH_OUT)/accuracy.csv
+	        exit 1; done; done; } >$(BENCH_OUT)/rungs.csv
+	$(PYTHON) $(BENCH_SRC)/rungs.py <$(BENCH_OUT)/rungs.csv \
+	    >$(BENCH_OUT)/accuracy.csv
 	{ $(ABOUT); $(BENCH_OUT)/portable/bench_best; } >$(BENCH_OUT)/best.csv
 	$(BENCH_OUT)/truth >$(BENCH_OUT)/truth.csv
 	$(BENCH_OUT)/truth spins >$(BENCH_OUT)/spins.csv

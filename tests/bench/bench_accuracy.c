@@ -38,9 +38,9 @@ static coin_state state(void)
     return at.s;
 }
 
-/* 2^(-1/8) and 10^(-1/8). */
-#define STEPS 1, 0.9170040432046712, 1e-5, 20e6, 0, begin, go, state
-#define TOLERANCES 1e-2, 0.7498942093324559, 1e-13, 20e6, 0, begin, go, state
+/* 2^(-1/4) and 10^(-1/4). */
+#define STEPS 1, 0.8408964152537145, 1e-5, 20e6, 0, begin, go, state
+#define TOLERANCES 1e-2, 0.5623413251903491, 1e-13, 20e6, 0, begin, go, state
 
 int main(int argc, char **argv)
 {

@@ -10,14 +10,16 @@ FOLDER holds accuracy.csv, steps.csv, ...; what is between the lines
 one of those made here.  With --check nothing is written: a PAGE whose tables
 are others fails.
 
-A ratio compares the cheapest settings that reach an error, each cost taken
-relative to a textbook step timed in the same moments.
+A ratio compares what an error costs, straight in the logarithms between two
+settings, each cost relative to a textbook step timed in the same moments.
 """
 import csv
 import math
 import pathlib
 import re
 import sys
+
+import rungs
 
 FOLDER = pathlib.Path(sys.argv[1])
 BUILDS = ("portable", "native")
@@ -41,26 +43,16 @@ def table(head, rows):
     return "\n".join("| " + " | ".join(map(str, l)) + " |" for l in lines)
 
 
-RUNGS = read("accuracy")
-GOOD = [r for r in RUNGS if r["status"] == "ok"]
-PEERS = {r["method"] for r in GOOD} - {*OURS, TEXTBOOK, *SYMPLECTIC}
-
-
-def reaches(rung, finer, error):
-    """Whether an error is reached, and by the next finer setting too: by one
-    alone it is where two terms of an error happen to cancel."""
-    return all(r["status"] == "ok" and float(r["error"]) <= error
-               for r in (rung, finer))
+CURVES, _ = rungs.curves(FOLDER / "accuracy.csv")
+FRONTS = {key: rungs.front(curve) for key, curve in CURVES.items()}
+PEERS = {method for _, _, method in CURVES} - {*OURS, TEXTBOOK, *SYMPLECTIC}
 
 
 def cheapest(build, scene, methods, error):
     """Cost in textbook steps per unit of time, and whose."""
-    return min(((float(r["ns_per_unit"]) / float(r["textbook_ns"]), r["method"])
-                for r, finer in zip(RUNGS, RUNGS[1:])
-                if r["build"] == finer["build"] == build
-                and r["scene"] == finer["scene"] == scene
-                and r["method"] == finer["method"] and r["method"] in methods
-                and reaches(r, finer, error)), default=None)
+    found = ((rungs.cost_at(FRONTS.get((build, scene, m), []), error), m)
+             for m in methods)
+    return min(((cost, m) for cost, m in found if cost), default=None)
 
 
 def ratio(build, scene, others, error):
