@@ -81,6 +81,27 @@ def curves(path):
     return {key: rungs(columns) for key, columns in found.items()}, ns
 
 
+def elsewhere(path, step):
+    """{(build, scene, method): [rung]} of heyoka.csv, whose costs are in steps
+    that take so many of the textbook's."""
+    found = {}
+    if math.isnan(step):
+        return found
+    for r in table(pathlib.Path(path).read_text().splitlines()):
+        found.setdefault(("portable", r["scene"], "heyoka"), []).append(
+            {"status": "ok", "error": float(r["error"]),
+             "cost": float(r["cost"]) * step, "slopes": math.nan})
+    return found
+
+
+def plain_step(rows):
+    """What a step of RK4 without tangent costs, by steps.csv, in the
+    textbook's."""
+    ns = {r["method"]: float(r["ns_per_step"]) for r in rows
+          if r["build"] == "portable"}
+    return ns.get("RK4 without tangent", math.nan) / ns["textbook RK4"]
+
+
 def rungs(columns):
     cost = iter(columns["cost"])
     out = []

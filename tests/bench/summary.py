@@ -44,8 +44,13 @@ def table(head, rows):
 
 
 CURVES, _ = rungs.curves(FOLDER / "accuracy.csv")
+CURVES |= rungs.elsewhere(pathlib.Path(__file__).parent / "peers/heyoka.csv",
+                          rungs.plain_step(read("steps")))
 FRONTS = {key: rungs.front(curve) for key, curve in CURVES.items()}
-PEERS = {method for _, _, method in CURVES} - {*OURS, TEXTBOOK, *SYMPLECTIC}
+FREE = {m for _, _, m in CURVES if m.startswith("sine-free")}
+HEYOKA = {"heyoka"}
+PEERS = {m for _, _, m in CURVES} - {
+    *OURS, *SYMPLECTIC, *FREE, *HEYOKA, TEXTBOOK, "orbit", "rk4 of floats"}
 
 
 def cheapest(build, scene, methods, error):
@@ -57,7 +62,7 @@ def cheapest(build, scene, methods, error):
 
 def ratio(build, scene, others, error):
     """Their cost over ours, our method, theirs."""
-    ours = cheapest(build, scene, OURS, error)
+    ours = cheapest("native" if build == "fused" else build, scene, OURS, error)
     theirs = cheapest(build, scene, others, error)
     return ours and theirs and (theirs[0] / ours[0], ours[1], theirs[1])
 
@@ -70,12 +75,31 @@ def ratios(build):
                  [[s, *(cell(s, e) for e in ERRORS)] for s in SCENES])
 
 
-def peers(build):
+def peers(others):
+    """The best peer's cost over ours, portable / native / native and fused."""
     def cell(scene, error):
-        r = ratio(build, scene, PEERS, error)
-        return f"{r[0]:.1f} {r[2]}" if r else "-"
-    return table(["scene", *map("{:g}".format, ERRORS)],
-                 [[s, *(cell(s, e) for e in ERRORS)] for s in SCENES])
+        found = (ratio(b, scene, others, error) for b in (*BUILDS, "fused"))
+        return " / ".join(f"{r[0]:.1f}" if r else "-" for r in found)
+    return table(["scene", *map("{:g}".format, ERRORS[1:])],
+                 [[s, *(cell(s, e) for e in ERRORS[1:])] for s in SCENES])
+
+
+def least():
+    """The least of those ratios over all scenes and builds, and where."""
+    def cell(others, error):
+        found = ((ratio(b, s, others, error), b, s)
+                 for b in (*BUILDS, "fused") for s in SCENES)
+        worst = min((f for f in found if f[0]), default=None)
+        if not worst:
+            return "-"
+        r, build, scene = worst
+        return f"{r[0]:.1f}: {r[2]}, {scene}, {build}"
+    return table(["peers", *map("{:g}".format, ERRORS[1:])],
+                 [[name, *(cell(others, e) for e in ERRORS[1:])]
+                  for name, others in (("with their own equations", PEERS),
+                                       ("with our equations", FREE),
+                                       ("heyoka, measured elsewhere", HEYOKA))
+                  ])
 
 
 def steps():
@@ -283,7 +307,9 @@ def orbit_ratios():
 TABLES = {"orbit": orbit, "orbit ratios": orbit_ratios, "atlas": atlas,
           "batch": batch, "steps": steps, "frames": frames,
           "costs": costs, "reliability": reliability,
-          "best": best, "longrun": longrun,
+          "best": best, "longrun": longrun, "least": least,
+          "peers": lambda: peers(PEERS), "peers free": lambda: peers(FREE),
+          "heyoka": lambda: peers(HEYOKA),
           "silent steps": lambda: silent_steps("worst", OURS[:2] + SYMPLECTIC),
           "silent pairs": lambda: silent_steps("astray", OURS[:2]),
           "silent methods": lambda: silent("method"),
@@ -291,7 +317,6 @@ TABLES = {"orbit": orbit, "orbit ratios": orbit_ratios, "atlas": atlas,
           "silent truth": silent_truth, "adversary": adversary}
 for name in BUILDS:
     TABLES[f"ratios {name}"] = lambda b=name: ratios(b)
-    TABLES[f"peers {name}"] = lambda b=name: peers(b)
 
 
 def main():

@@ -20,10 +20,14 @@
 /* How long one rung is measured, and how often at least; and how often anew
  * while the textbook's step, timed in between, says that the machine is busy.
  */
+#ifndef BUDGET
 #define BUDGET 15e6 /* ns */
+#endif
 #define REPEATS 5
 #define LONG 60e6 /* ns: beyond, twice is enough */
+#ifndef ROUNDS
 #define ROUNDS 12
+#endif
 #define BUSY 1.08
 
 /* An error beyond this is no accuracy any more, but another motion. */
