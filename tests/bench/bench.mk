@@ -22,9 +22,12 @@ BENCH_OUT  = $(O)/bench
 BUILDS    := portable native
 FLAGS_portable := -O2
 FLAGS_native   := -O3 -march=native
+# A third build, of peers alone: native, with products and sums fused.
+FUSED          := gsl odeint
+FLAGS_fused    := $(FLAGS_native) -ffp-contract=fast
 
 BENCHES := $(patsubst $(BENCH_SRC)/%.c,%,$(wildcard $(BENCH_SRC)/bench_*.c))
-SHARED_BY_BENCHES := scene workprec atlas counted movers textbook
+SHARED_BY_BENCHES := scene workprec atlas counted movers textbook plain
 PEERS        := gsl odeint cvode ode mujoco
 LIBS_gsl     := -lgsl -lgslcblas
 LIBS_cvode   := -lsundials_cvode -lsundials_nvecserial \
@@ -57,7 +60,8 @@ $(BENCH_OUT)/$1/lib/%.o: %.c $(O)/flags | $(BENCH_OUT)/$1/lib
 $(BENCH_OUT)/$1/%.o: $(BENCH_SRC)/%.c $(O)/flags | $(BENCH_OUT)/$1
 	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
 
-$(BENCH_OUT)/$1/textbook.o: $(BENCH_SRC)/textbook.c | $(BENCH_OUT)/$1
+$(BENCH_OUT)/$1/textbook.o $(BENCH_OUT)/$1/plain.o: $(BENCH_OUT)/$1/%.o: \
+    $(BENCH_SRC)/%.c | $(BENCH_OUT)/$1
 	$$(PEER_CC) $(FLAGS_$1) -c -o $$@ $$<
 
 NEEDED_$1 := $$(SHARED_BY_BENCHES:%=$(BENCH_OUT)/$1/%.o) \
@@ -74,6 +78,12 @@ $(BENCH_OUT)/$1/peer_%: $(BENCH_SRC)/peers/%.cpp $$(NEEDED_$1) | need-peers
 	$$(PEER_CXX) $(FLAGS_$1) -o $$@ $$^ -lm
 endef
 $(foreach b,$(BUILDS),$(eval $(call bench_build,$b)))
+
+$(BENCH_OUT)/native/fused_%: $(BENCH_SRC)/peers/%.c $(NEEDED_native) | need-peers
+	$(PEER_CC) $(FLAGS_fused) -o $@ $^ $(LIBS_$*) -lm
+
+$(BENCH_OUT)/native/fused_%: $(BENCH_SRC)/peers/%.cpp $(NEEDED_native) | need-peers
+	$(PEER_CXX) $(FLAGS_fused) -o $@ $^ -lm
 
 -include $(wildcard $(BENCH_OUT)/*/*.d $(BENCH_OUT)/*/lib/*.d)
 
@@ -116,12 +126,14 @@ COSTS = { $(ABOUT); $(PYTHON) $(BENCH_SRC)/costs.py $(BENCH_OUT); } \
         >$(BENCH_OUT)/costs.csv
 ABOUT = CC='$(CC)' CXX='$(CXX)' sh $(BENCH_SRC)/about.sh \
         'portable: $(FLAGS_portable) $(PLAIN)' \
-        'native: $(FLAGS_native) $(PLAIN)' 'library: $(PINNED) besides'; $(BITS)
+        'native: $(FLAGS_native) $(PLAIN)' 'library: $(PINNED) besides' \
+        'fused: peers alone, $(FLAGS_fused)'; $(BITS)
 EACH_BUILD = for b in $(BUILDS); do
 
 TIMED = build-bench need-charts need-bits $(BENCH_OUT)/truth \
         $(BENCH_OUT)/count \
-        $(foreach b,$(BUILDS),$(PEERS:%=$(BENCH_OUT)/$b/peer_%))
+        $(foreach b,$(BUILDS),$(PEERS:%=$(BENCH_OUT)/$b/peer_%)) \
+        $(FUSED:%=$(BENCH_OUT)/native/fused_%)
 
 # One after the other, whatever -j says: they are timed.
 bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
@@ -134,7 +146,11 @@ bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 	    $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_accuracy $$b || exit 1; \
 	    for p in $(PEERS); do test $$b.$$p = native.ode -o \
 	        $$b.$$p = native.mujoco || $(BENCH_OUT)/$$b/peer_$$p $$b || \
-	        exit 1; done; done; } >$(BENCH_OUT)/accuracy.csv
+	        exit 1; done; done; for p in $(FUSED); do \
+	        $(BENCH_OUT)/native/fused_$$p fused || exit 1; done; \
+	    } >$(BENCH_OUT)/rungs.csv
+	$(PYTHON) $(BENCH_SRC)/rungs.py <$(BENCH_OUT)/rungs.csv \
+	    >$(BENCH_OUT)/accuracy.csv
 	{ $(ABOUT); $(BENCH_OUT)/portable/bench_best; } >$(BENCH_OUT)/best.csv
 	$(BENCH_OUT)/truth >$(BENCH_OUT)/truth.csv
 	$(BENCH_OUT)/truth spins >$(BENCH_OUT)/spins.csv

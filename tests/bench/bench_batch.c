@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* What a step of a coin costs among many: coin_batch_run() against coin_run()
  * in a loop, and the same of floats, in the same windows, beside what its
- * operations must take. bench_batch BUILD            CSV bench_batch BUILD
- * COINS      of that many coins alone */
+ * operations must take.
+ *     bench_batch BUILD          CSV
+ *     bench_batch BUILD COINS    of that many coins alone */
 #include "clock.h"
 #include "lanes.h"
+#define RATE_LANES COIN_PRIV_LANES
+#include "rate.h"
 #include "textbook.h"
 
 #include <coinf.h>
@@ -140,33 +143,12 @@ static void measure(const char *build, size_t count)
     fflush(stdout);
 }
 
-/* Time for an operation of doubles, where many vectors of them are under way:
- * as many additions as products, as in the equations, or nearly. */
-static double best_window(double tare)
-{
-    typedef double lanes __attribute__((vector_size(8 * COIN_PRIV_LANES)));
-    static volatile double one = 1.0000001;
-    const lanes none = {0}, y = none + one;
-    lanes a = y * one, b = a * one, c = b * one, d = c * one, e = d * one,
-          f = e * one, g = f * one, h = g * one, i = h * one, j = i * one,
-          k = j * one, l = k * one;
-    const double begin = clock_ns();
-    for (int n = 0; n < 1000; ++n) {
-        a = a * y, b = b + y, c = c * y, d = d + y, e = e * y, f = f + y;
-        g = g * y, h = h + y, i = i * y, j = j + y, k = k * y, l = l + y;
-    }
-    const double ns = clock_ns() - begin - tare;
-    const lanes sum = a + b + c + d + e + f + g + h + i + j + k + l;
-    one += 0 * sum[0];
-    return ns / (1000.0 * 12 * COIN_PRIV_LANES);
-}
-
 static void best_rate(const char *build)
 {
     const double tare = clock_cost();
     double least = INFINITY;
     for (int i = 0; i < 5000; ++i)
-        least = fmin(least, best_window(tare));
+        least = fmin(least, rate_window(tare));
     printf("%s,operation at best,%d,%.4g,%.4g\n", build, COIN_PRIV_LANES, least,
            1e3 / least);
 }

@@ -3,8 +3,11 @@
  * windows; and what frame rates give on a US quarter.
  *     bench_steps BUILD            CSV
  *     bench_steps run METHOD N     N steps and nothing else, for callgrind */
+#define RATE_LANES 2 /* those of the portable build */
 #include "clock.h"
 #include "movers.h"
+#include "plain.h"
+#include "rate.h"
 #include "scene.h"
 
 #include <math.h>
@@ -13,7 +16,7 @@
 #include <string.h>
 
 #define STEPS 1000
-#define ROUNDS 5000
+#define ROUNDS 2000
 
 static double window(enum mover_kind kind, const scene *c, double tare)
 {
@@ -29,29 +32,35 @@ static double window(enum mover_kind kind, const scene *c, double tare)
     static double name(double tare)                                            \
     {                                                                          \
         volatile double start = 1.0000001;                                     \
-        double x[12], y = start;                                               \
-        for (int i = 0; i < 12; ++i)                                           \
-            x[i] = start;                                                      \
+        double x = start, y = start;                                           \
         const double begin = clock_ns();                                       \
         for (int k = 0; k < STEPS; ++k) {                                      \
             expression                                                         \
         }                                                                      \
         const double ns = clock_ns() - begin - tare;                           \
-        for (int i = 0; i < 12; ++i)                                           \
-            start = x[i];                                                      \
+        start = x;                                                             \
         return ns / ((operations)*STEPS);                                      \
     }
 /* clang-format off */
-CHAIN(latency_add, 4, *x += y; *x += y; *x += y; *x += y;)
-CHAIN(latency_mul, 4, *x *= y; *x *= y; *x *= y; *x *= y;)
-CHAIN(latency_div, 4, *x /= y; *x /= y; *x /= y; *x /= y;)
-CHAIN(latency_sqrt, 2, *x = sqrt(*x); *x = sqrt(*x); (void)y;)
-CHAIN(per_flop, 24,
-      x[0] = x[0] * y + y; x[1] = x[1] * y + y; x[2] = x[2] * y + y;
-      x[3] = x[3] * y + y; x[4] = x[4] * y + y; x[5] = x[5] * y + y;
-      x[6] = x[6] * y + y; x[7] = x[7] * y + y; x[8] = x[8] * y + y;
-      x[9] = x[9] * y + y; x[10] = x[10] * y + y; x[11] = x[11] * y + y;)
+CHAIN(latency_add, 4, x += y; x += y; x += y; x += y;)
+CHAIN(latency_mul, 4, x *= y; x *= y; x *= y; x *= y;)
+CHAIN(latency_div, 4, x /= y; x /= y; x /= y; x /= y;)
+CHAIN(latency_sqrt, 2, x = sqrt(x); x = sqrt(x); (void)y;)
 /* clang-format on */
+
+/* On the scene that the others step, whose unit of time is 1. */
+static double plain_step(double tare)
+{
+    static scene c;
+    if (!c.rows)
+        scene_load(&c, "generic", 20);
+    const struct peer_body b = peer_body_of(&c);
+    double y[8];
+    scene_to_natural(&c, y);
+    const double begin = clock_ns();
+    plain_run(y, &b, 0.05, STEPS);
+    return (clock_ns() - begin - tare) / STEPS;
+}
 
 static const struct {
     const char *name;
@@ -59,7 +68,7 @@ static const struct {
 } probes[] = {
     {"latency add", latency_add},   {"latency mul", latency_mul},
     {"latency div", latency_div},   {"latency sqrt", latency_sqrt},
-    {"per flop at best", per_flop},
+    {"per flop at best", rate_window}, {"RK4 without tangent", plain_step},
 };
 
 enum { PROBES = sizeof probes / sizeof *probes };

@@ -22,4 +22,4 @@ plot file using 2:0:ytic(1) with points pt 7 ps 0.9 lc rgb "#0072B2" \
      '' using 3:($0+0.26) with points pt 2 ps 0.8 lw 1.6 lc rgb "#D55E00" \
          title "its longest chain of operations", \
      '' using 4:($0+0.26) with points pt 6 ps 0.8 lw 1.6 lc rgb "#009E73" \
-         title "its operations, all at the best rate"
+         title "its operations, two abreast, at the best rate"

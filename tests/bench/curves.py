@@ -14,7 +14,10 @@ import math
 import pathlib
 import sys
 
+import rungs
+
 RESULTS, OUT = map(pathlib.Path, sys.argv[1:])
+CURVES, NS = rungs.curves(RESULTS / "accuracy.csv")
 SCENES = ("wobble", "generic", "tumble", "ring", "quarter", "nearflat")
 METHODS = ("textbook RK4", "rk4", "rk8", "coin_advance", "symplectic2",
            "symplectic4", "GSL rk8pd", "odeint rkf78", "odeint dopri5",
@@ -46,15 +49,6 @@ def rows(name):
 
 def number(text):
     return float(text) if text else math.nan
-
-
-def front(points):
-    """Of (error, cost) those that no cheaper point beats."""
-    kept = []
-    for error, cost in sorted(points, key=lambda p: p[1]):
-        if not kept or error < kept[-1][0]:
-            kept.append((error, cost))
-    return kept
 
 
 def thinned(points, gap, decades):
@@ -89,24 +83,22 @@ def spread(labels, low, high):
     return labels
 
 
-def panel(scene, data, column, measure):
+def panel(scene, measure):
     low, high = DECADES[measure]
     decades = high - low
+    step = NS["portable", scene] if measure == "ns" else 1
+    what = "cost" if measure == "ns" else "slopes"
     lines, labels, failures = [], [], []
     for k, method in enumerate(METHODS, 1):
-        mine = [r for r in data if r["method"] == method]
-        good = [(number(r["error"]), number(r[column])) for r in mine
-                if r["status"] == "ok"]
+        mine = CURVES.get(("portable", scene, method), [])
         if measure == "slopes" and k > 11:
-            good = mine = []  # an engine has no right-hand side
-        per_slope = min((number(r["ns_per_unit"]) / number(r["slopes_per_unit"])
-                         for r in mine if r["status"] == "ok"),
-                        default=math.nan)
-        scale = per_slope if measure == "ns" else 1
-        failed = sorted((1, number(r["slopes_per_unit"]) * scale) for r in mine
+            mine = []  # an engine has no right-hand side
+        good = [r for r in mine if r["status"] == "ok"]
+        per_slope = min((r[what] / r["slopes"] for r in good), default=math.nan)
+        failed = sorted((1, r["slopes"] * per_slope * step) for r in mine
                         if r["status"] != "ok")
         failures += [(cost, k) for _, cost in thinned(failed, MARK_GAP, decades)]
-        line = front(good)
+        line = [(error, cost * step) for error, cost in rungs.front(mine, what)]
         lines.append(block(thinned(line, LINE_GAP, decades)))
         if line:
             error, cost = line[-1]
@@ -147,11 +139,9 @@ def by_run(data, *columns):
 
 
 OUT.mkdir(parents=True, exist_ok=True)
-all_rows = [r for r in rows("accuracy") if r["build"] == "portable"]
 for name in SCENES:
-    chosen = [r for r in all_rows if r["scene"] == name]
-    panel(name, chosen, "ns_per_unit", "ns")
-    panel(name, chosen, "slopes_per_unit", "slopes")
+    panel(name, "ns")
+    panel(name, "slopes")
 drifts = rows("longrun")
 chart("energy", by_run(drifts, "energy_rms"), -17, 0)
 chart("integrals", by_run(drifts, "KY_rms", "KZ_rms"), -17, 0)

@@ -10,14 +10,16 @@ FOLDER holds accuracy.csv, steps.csv, ...; what is between the lines
 one of those made here.  With --check nothing is written: a PAGE whose tables
 are others fails.
 
-A ratio compares the cheapest settings that reach an error, each cost taken
-relative to a textbook step timed in the same moments.
+A ratio compares what an error costs, straight in the logarithms between two
+settings, each cost relative to a textbook step timed in the same moments.
 """
 import csv
 import math
 import pathlib
 import re
 import sys
+
+import rungs
 
 FOLDER = pathlib.Path(sys.argv[1])
 BUILDS = ("portable", "native")
@@ -41,31 +43,26 @@ def table(head, rows):
     return "\n".join("| " + " | ".join(map(str, l)) + " |" for l in lines)
 
 
-RUNGS = read("accuracy")
-GOOD = [r for r in RUNGS if r["status"] == "ok"]
-PEERS = {r["method"] for r in GOOD} - {*OURS, TEXTBOOK, *SYMPLECTIC}
-
-
-def reaches(rung, finer, error):
-    """Whether an error is reached, and by the next finer setting too: by one
-    alone it is where two terms of an error happen to cancel."""
-    return all(r["status"] == "ok" and float(r["error"]) <= error
-               for r in (rung, finer))
+CURVES, _ = rungs.curves(FOLDER / "accuracy.csv")
+CURVES |= rungs.elsewhere(pathlib.Path(__file__).parent / "peers/heyoka.csv",
+                          rungs.plain_step(read("steps")))
+FRONTS = {key: rungs.front(curve) for key, curve in CURVES.items()}
+FREE = {m for _, _, m in CURVES if m.startswith("sine-free")}
+HEYOKA = {"heyoka"}
+PEERS = {m for _, _, m in CURVES} - {
+    *OURS, *SYMPLECTIC, *FREE, *HEYOKA, TEXTBOOK, "orbit", "rk4 of floats"}
 
 
 def cheapest(build, scene, methods, error):
     """Cost in textbook steps per unit of time, and whose."""
-    return min(((float(r["ns_per_unit"]) / float(r["textbook_ns"]), r["method"])
-                for r, finer in zip(RUNGS, RUNGS[1:])
-                if r["build"] == finer["build"] == build
-                and r["scene"] == finer["scene"] == scene
-                and r["method"] == finer["method"] and r["method"] in methods
-                and reaches(r, finer, error)), default=None)
+    found = ((rungs.cost_at(FRONTS.get((build, scene, m), []), error), m)
+             for m in methods)
+    return min(((cost, m) for cost, m in found if cost), default=None)
 
 
 def ratio(build, scene, others, error):
     """Their cost over ours, our method, theirs."""
-    ours = cheapest(build, scene, OURS, error)
+    ours = cheapest("native" if build == "fused" else build, scene, OURS, error)
     theirs = cheapest(build, scene, others, error)
     return ours and theirs and (theirs[0] / ours[0], ours[1], theirs[1])
 
@@ -78,12 +75,31 @@ def ratios(build):
                  [[s, *(cell(s, e) for e in ERRORS)] for s in SCENES])
 
 
-def peers(build):
+def peers(others):
+    """The best peer's cost over ours, portable / native / native and fused."""
     def cell(scene, error):
-        r = ratio(build, scene, PEERS, error)
-        return f"{r[0]:.1f} {r[2]}" if r else "-"
-    return table(["scene", *map("{:g}".format, ERRORS)],
-                 [[s, *(cell(s, e) for e in ERRORS)] for s in SCENES])
+        found = (ratio(b, scene, others, error) for b in (*BUILDS, "fused"))
+        return " / ".join(f"{r[0]:.1f}" if r else "-" for r in found)
+    return table(["scene", *map("{:g}".format, ERRORS[1:])],
+                 [[s, *(cell(s, e) for e in ERRORS[1:])] for s in SCENES])
+
+
+def least():
+    """The least of those ratios over all scenes and builds, and where."""
+    def cell(others, error):
+        found = ((ratio(b, s, others, error), b, s)
+                 for b in (*BUILDS, "fused") for s in SCENES)
+        worst = min((f for f in found if f[0]), default=None)
+        if not worst:
+            return "-"
+        r, build, scene = worst
+        return f"{r[0]:.1f}: {r[2]}, {scene}, {build}"
+    return table(["peers", *map("{:g}".format, ERRORS[1:])],
+                 [[name, *(cell(others, e) for e in ERRORS[1:])]
+                  for name, others in (("with their own equations", PEERS),
+                                       ("with our equations", FREE),
+                                       ("heyoka, measured elsewhere", HEYOKA))
+                  ])
 
 
 def steps():
@@ -291,7 +307,9 @@ def orbit_ratios():
 TABLES = {"orbit": orbit, "orbit ratios": orbit_ratios, "atlas": atlas,
           "batch": batch, "steps": steps, "frames": frames,
           "costs": costs, "reliability": reliability,
-          "best": best, "longrun": longrun,
+          "best": best, "longrun": longrun, "least": least,
+          "peers": lambda: peers(PEERS), "peers free": lambda: peers(FREE),
+          "heyoka": lambda: peers(HEYOKA),
           "silent steps": lambda: silent_steps("worst", OURS[:2] + SYMPLECTIC),
           "silent pairs": lambda: silent_steps("astray", OURS[:2]),
           "silent methods": lambda: silent("method"),
@@ -299,7 +317,6 @@ TABLES = {"orbit": orbit, "orbit ratios": orbit_ratios, "atlas": atlas,
           "silent truth": silent_truth, "adversary": adversary}
 for name in BUILDS:
     TABLES[f"ratios {name}"] = lambda b=name: ratios(b)
-    TABLES[f"peers {name}"] = lambda b=name: peers(b)
 
 
 def main():

@@ -20,10 +20,14 @@
 /* How long one rung is measured, and how often at least; and how often anew
  * while the textbook's step, timed in between, says that the machine is busy.
  */
-#define BUDGET 25e6 /* ns */
+#ifndef BUDGET
+#define BUDGET 15e6 /* ns */
+#endif
 #define REPEATS 5
 #define LONG 60e6 /* ns: beyond, twice is enough */
+#ifndef ROUNDS
 #define ROUNDS 12
+#endif
 #define BUSY 1.08
 
 /* An error beyond this is no accuracy any more, but another motion. */
@@ -182,9 +186,9 @@ static double quiet_textbook(const scene *c)
 
 /* Down the ladder until it ends, or takes too long, or gets no better: so many
  * rungs that do not go well below the best are the floor of rounding.  A rung
- * of order 4 goes to 0.71 of the error above. */
-#define IDLE 12
-#define BETTER 0.84
+ * of order 4 goes to 0.5 of the error above. */
+#define IDLE 6
+#define BETTER 0.7
 
 static void walk(const char *build, const scene *c, const solver *v,
                  double *quiet)

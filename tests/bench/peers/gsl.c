@@ -4,13 +4,15 @@
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
+#include <string.h>
 
 static struct {
     const scene *c;
+    int free; /* of sines */
     struct peer_body b;
     gsl_odeiv2_system system;
     gsl_odeiv2_driver *driver;
-    double setting, t, y[8];
+    double setting, t, y[PEER_FREE_SIZE];
 } at;
 
 static int rates(double t, const double y[], double d[], void *body)
@@ -20,21 +22,31 @@ static int rates(double t, const double y[], double d[], void *body)
     return GSL_SUCCESS;
 }
 
+static int free_rates(double t, const double y[], double d[], void *body)
+{
+    (void)t;
+    peer_free_rates(body, y, d);
+    return GSL_SUCCESS;
+}
+
 static void begin(const solver *self, const scene *c, double setting)
 {
-    (void)self;
-    if (at.driver && setting != at.setting) {
+    if (at.driver && (setting != at.setting || self->which != at.free)) {
         gsl_odeiv2_driver_free(at.driver);
         at.driver = NULL;
     }
     at.c = c;
     at.b = peer_body_of(c);
-    at.system.function = rates;
-    at.system.dimension = 8;
+    at.free = self->which;
+    at.system.function = at.free ? free_rates : rates;
+    at.system.dimension = at.free ? PEER_FREE_SIZE : PEER_SIZE;
     at.system.params = &at.b;
     at.setting = setting;
     at.t = 0;
-    scene_to_natural(c, at.y);
+    if (at.free)
+        peer_free_start(c, at.y);
+    else
+        scene_to_natural(c, at.y);
     if (!at.driver)
         at.driver = gsl_odeiv2_driver_alloc_y_new(
             &at.system, gsl_odeiv2_step_rk8pd, 1e-3, setting, setting);
@@ -52,14 +64,18 @@ static int go(double t, unsigned long steps)
 
 static coin_state state(void)
 {
-    return scene_from_natural(at.c, at.y);
+    return at.free ? peer_free_state(at.c, at.y)
+                   : scene_from_natural(at.c, at.y);
 }
 
 int main(int argc, char **argv)
 {
     static const solver list[] = {
         {"GSL rk8pd", 0, 0, PEER_TOLERANCES, 20e6, 0, begin, go, state},
+        {"sine-free GSL rk8pd", 1, 0, PEER_TOLERANCES, 20e6, 0, begin, go,
+         state},
     };
     gsl_set_error_handler_off();
-    return workprec(list, 1, argc, argv);
+    return workprec(list, argc > 1 && strcmp(argv[1], "atlas") == 0 ? 1 : 2, argc,
+                    argv);
 }
