@@ -295,8 +295,8 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 # tier begins with those before it.
 GATES_COMMIT  := check format-check lint-quick
 GATES_PUSH    := header-check examples demo-check float-check installcheck \
-                 consumers hwcaps lanes abi pictures-check bindings distcheck lint sanitize \
-                 coverage
+                 consumers hwcaps lanes abi pictures-check page-check \
+                 bindings distcheck lint sanitize coverage
 GATES_RELEASE := adversary bound tsan abi-seeds bindings-seeds sweeps \
                  endurance fuzz msan repro valgrind single-check cross firmware
 GATES_HAND    := mutants results-check
@@ -355,7 +355,7 @@ repro-update: ## accept the hashes of this library as the pinned ones
 
 # -------------------------------------------------------------- format, helpers
 C_FILES = $(foreach d,include lib/* tests tests/* docs/examples \
-            docs/examples/*,\
+            docs/examples/* docs/page,\
             $(wildcard $(SRC)/$d/*.[ch]))
 
 .PHONY: format format-check clean help
