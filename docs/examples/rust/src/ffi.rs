@@ -455,6 +455,18 @@ pub struct coinf_force {
     pub friction: f32,
     pub ratio: f32,
 }
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone, PartialEq)]
+pub struct coinf_losses {
+    pub damping: f32,
+    pub dry: f32,
+    pub viscous: f32,
+    pub layer: f32,
+    pub gap: f32,
+    pub rolling: f32,
+    pub spin: f32,
+    pub soft: f32,
+}
 extern "C" {
     pub fn coinf_params_disc(p: *mut coinf_params, mass: f32, radius: f32, gravity: f32) -> i32;
 }
@@ -521,6 +533,19 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
+    pub fn coinf_losses_check(l: *const coinf_losses, p: *const coinf_params) -> i32;
+}
+extern "C" {
+    pub fn coinf_settle(
+        s: *mut coinf_state,
+        p: *const coinf_params,
+        l: *const coinf_losses,
+        t: f32,
+        tol: f32,
+        reached: *mut f32,
+    ) -> i32;
+}
+extern "C" {
     pub fn coinf_energy(s: *const coinf_state, p: *const coinf_params) -> f32;
 }
 extern "C" {
@@ -565,6 +590,29 @@ extern "C" {
         dt: f32,
         mu: f32,
     ) -> i32;
+}
+extern "C" {
+    pub fn coinf_matrix(s: *const coinf_state, p: *const coinf_params, m: *mut f32) -> i32;
+}
+extern "C" {
+    pub fn coinf_state_from_landing(
+        s: *mut coinf_state,
+        p: *const coinf_params,
+        q: *const f32,
+        omega: *const f32,
+        v: *const f32,
+        x: f32,
+        z: f32,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coinf_sizeof_params() -> u32;
+}
+extern "C" {
+    pub fn coinf_sizeof_state() -> u32;
+}
+extern "C" {
+    pub fn coinf_sizeof_force() -> u32;
 }
 extern "C" {
     pub fn coinf_selftest() -> i32;

@@ -7,10 +7,10 @@ from typing import Any, Dict, Tuple
 from ._types import INT32, SIZE, UINT32, UINT64, In, Out, Plain
 
 __all__ = ["Params", "State", "Force", "Losses", "Orbit", "Paramsf", "Statef",
-           "Forcef", "OK", "EPARAMS", "ESTATE", "ESTEP", "EARG", "EDOMAIN",
-           "EFLAT", "EBUILD", "SLIPS", "LIFTS", "COARSE", "NEARLY_FLAT",
-           "RESTS", "RK4", "RK8", "SYMPLECTIC2", "SYMPLECTIC4", "MODEL_STEADY",
-           "MODEL_WOBBLE", "MODEL_ORBIT", "MODEL_STEPS"]
+           "Forcef", "Lossesf", "OK", "EPARAMS", "ESTATE", "ESTEP", "EARG",
+           "EDOMAIN", "EFLAT", "EBUILD", "SLIPS", "LIFTS", "COARSE",
+           "NEARLY_FLAT", "RESTS", "RK4", "RK8", "SYMPLECTIC2", "SYMPLECTIC4",
+           "MODEL_STEADY", "MODEL_WOBBLE", "MODEL_ORBIT", "MODEL_STEPS"]
 
 
 class Params(Plain):
@@ -106,10 +106,12 @@ class Orbit(Plain):
     radius_max: float
     drift: "Array[c_double]"
     conditioning: float
+    reserved: "Array[c_double]"
     private_frame: "Array[c_double]"
     private_edges: "Array[c_double]"
     private_centers: "Array[c_double]"
     private_terms: "Array[c_double]"
+    private_spare: "Array[c_double]"
     _fields_ = [
         ("period", c_double),
         ("heading_per_period", c_double),
@@ -121,10 +123,12 @@ class Orbit(Plain):
         ("radius_max", c_double),
         ("drift", c_double * 2),
         ("conditioning", c_double),
+        ("reserved", c_double * 26),
         ("private_frame", c_double * 32),
         ("private_edges", c_double * 48),
-        ("private_centers", c_double * 44),
-        ("private_terms", c_double * 3960),
+        ("private_centers", c_double * 42),
+        ("private_terms", c_double * 3780),
+        ("private_spare", c_double * 156),
     ]
 
 
@@ -184,6 +188,29 @@ class Forcef(Plain):
         ("normal", c_float),
         ("friction", c_float),
         ("ratio", c_float),
+    ]
+
+
+class Lossesf(Plain):
+    """coinf_losses."""
+    __slots__ = ()
+    damping: float
+    dry: float
+    viscous: float
+    layer: float
+    gap: float
+    rolling: float
+    spin: float
+    soft: float
+    _fields_ = [
+        ("damping", c_float),
+        ("dry", c_float),
+        ("viscous", c_float),
+        ("layer", c_float),
+        ("gap", c_float),
+        ("rolling", c_float),
+        ("spin", c_float),
+        ("soft", c_float),
     ]
 
 
@@ -258,6 +285,14 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "coin_quaternion": (c_int32, {"s": In(State), "q": Out(c_double, 4)}),
     "coin_check": (c_int32, {"s": In(State), "p": In(Params), "method": INT32,
         "dt": c_double, "mu": c_double}),
+    "coin_matrix": (c_int32, {"s": In(State), "p": In(Params),
+        "m": Out(c_double, 16)}),
+    "coin_advance_until": (c_int32, {"s": Out(State), "p": In(Params),
+        "t": c_double, "tol": c_double, "mu": c_double, "bits": INT32,
+        "reached": Out(c_double)}),
+    "coin_state_from_landing": (c_int32, {"s": Out(State), "p": In(Params),
+        "q": In(c_double, 4), "omega": In(c_double, 3), "v": In(c_double,
+        3), "x": c_double, "z": c_double}),
     "coin_steady_roll": (c_int32, {"s": Out(State), "p": In(Params),
         "wZ": c_double}),
     "coin_steady_spin": (c_int32, {"s": Out(State), "p": In(Params),
@@ -303,8 +338,10 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "coin_version": (c_uint32, {}),
     "coin_version_string": (c_char_p, {}),
     "coin_status_string": (c_char_p, {"status": INT32}),
-    "coin_sizeof_state": (c_uint32, {}),
     "coin_sizeof_params": (c_uint32, {}),
+    "coin_sizeof_state": (c_uint32, {}),
+    "coin_sizeof_force": (c_uint32, {}),
+    "coin_sizeof_losses": (c_uint32, {}),
     "coin_sizeof_orbit": (c_uint32, {}),
     "coin_selftest": (c_int32, {}),
     "coinf_params_disc": (c_int32, {"p": Out(Paramsf), "mass": c_float,
@@ -329,6 +366,10 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "coinf_batch_run": (c_int32, {"s": Out(Statef, 0), "count": SIZE,
         "p": In(Paramsf), "method": INT32, "dt": c_float, "steps": UINT64,
         "status": Out(c_int32, 0)}),
+    "coinf_losses_check": (c_int32, {"l": In(Lossesf), "p": In(Paramsf)}),
+    "coinf_settle": (c_int32, {"s": Out(Statef), "p": In(Paramsf),
+        "l": In(Lossesf), "t": c_float, "tol": c_float,
+        "reached": Out(c_float)}),
     "coinf_energy": (c_float, {"s": In(Statef), "p": In(Paramsf)}),
     "coinf_integrals": (c_int32, {"s": In(Statef), "p": In(Paramsf),
         "K": Out(c_float, 2)}),
@@ -346,5 +387,13 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "coinf_quaternion": (c_int32, {"s": In(Statef), "q": Out(c_float, 4)}),
     "coinf_check": (c_int32, {"s": In(Statef), "p": In(Paramsf),
         "method": INT32, "dt": c_float, "mu": c_float}),
+    "coinf_matrix": (c_int32, {"s": In(Statef), "p": In(Paramsf),
+        "m": Out(c_float, 16)}),
+    "coinf_state_from_landing": (c_int32, {"s": Out(Statef), "p": In(Paramsf),
+        "q": In(c_float, 4), "omega": In(c_float, 3), "v": In(c_float, 3),
+        "x": c_float, "z": c_float}),
+    "coinf_sizeof_params": (c_uint32, {}),
+    "coinf_sizeof_state": (c_uint32, {}),
+    "coinf_sizeof_force": (c_uint32, {}),
     "coinf_selftest": (c_int32, {}),
 }

@@ -32,6 +32,11 @@ EACH(each_coin_quaternion, (const coin_state *s, double *q),
 EACH(each_coin_check, (const coin_state *s, const coin_params *p,
      int32_t method, double dt, double mu), coin_check(s + i, p, method, dt,
      mu))
+EACH(each_coin_matrix, (const coin_state *s, const coin_params *p, double *m),
+     coin_matrix(s + i, p, m + 16 * i))
+EACH(each_coin_advance_until, (coin_state *s, const coin_params *p, double t,
+     double tol, double mu, int32_t bits, double *reached),
+     coin_advance_until(s + i, p, t, tol, mu, bits, reached + i))
 EACH(each_coin_steady_near, (const coin_state *s, const coin_params *p,
      coin_state *out), coin_steady_near(s + i, p, out + i))
 EACH(each_coin_steady_radii, (const coin_state *s, const coin_params *p,
@@ -75,6 +80,9 @@ EACH(each_coinf_state_check, (const coinf_state *s, const coinf_params *p),
      coinf_state_check(s + i, p))
 EACH(each_coinf_angular_velocity, (const coinf_state *s, float *omega),
      coinf_angular_velocity(s + i, omega + 3 * i))
+EACH(each_coinf_settle, (coinf_state *s, const coinf_params *p,
+     const coinf_losses *l, float t, float tol, float *reached),
+     coinf_settle(s + i, p, l, t, tol, reached + i))
 EACH_NUMBER(each_coinf_energy, float, (const coinf_state *s,
      const coinf_params *p), coinf_energy(s + i, p), coinf_state_check(s + i,
      p))
@@ -96,3 +104,5 @@ EACH(each_coinf_quaternion, (const coinf_state *s, float *q),
      coinf_quaternion(s + i, q + 4 * i))
 EACH(each_coinf_check, (const coinf_state *s, const coinf_params *p,
      int32_t method, float dt, float mu), coinf_check(s + i, p, method, dt, mu))
+EACH(each_coinf_matrix, (const coinf_state *s, const coinf_params *p, float *m),
+     coinf_matrix(s + i, p, m + 16 * i))
