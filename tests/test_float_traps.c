@@ -27,6 +27,7 @@ static int32_t sized(uint32_t size)
 CALL(coinf_sizeof_params, sized(coinf_sizeof_params()))
 CALL(coinf_sizeof_state, sized(coinf_sizeof_state()))
 CALL(coinf_sizeof_force, sized(coinf_sizeof_force()))
+CALL(coinf_sizeof_losses, sized(coinf_sizeof_losses()))
 
 /* Once is enough. */
 static int32_t call_coinf_selftest(const struct trap_case *c)
@@ -137,6 +138,7 @@ static const struct trap_function all[] = {
     ROW(coinf_sizeof_params),
     ROW(coinf_sizeof_state),
     ROW(coinf_sizeof_force),
+    ROW(coinf_sizeof_losses),
     ROW(coinf_selftest),
     ROW(coinf_params_disc),
     ROW(coinf_params_ring),

@@ -15,6 +15,7 @@ static void the_sizes_are_those_of_the_headers(void **unused)
     check(coinf_sizeof_params() == 32 && sizeof(coinf_params) == 32);
     check(coinf_sizeof_state() == 64 && sizeof(coinf_state) == 64);
     check(coinf_sizeof_force() == 24 && sizeof(coinf_force) == 24);
+    check(coinf_sizeof_losses() == 32 && sizeof(coinf_losses) == 32);
 }
 
 int main(void)

@@ -44,3 +44,8 @@ uint32_t coinf_sizeof_force(void)
 {
     return (uint32_t)sizeof(coinf_force);
 }
+
+uint32_t coinf_sizeof_losses(void)
+{
+    return (uint32_t)sizeof(coinf_losses);
+}

@@ -107,8 +107,8 @@ int main(int argc, char **argv)
         {"symplectic2", COIN_SYMPLECTIC2, 1, STEPS},
         {"symplectic4", COIN_SYMPLECTIC4, 3, STEPS},
         {"coin_advance", ADVANCE, 0, TOLERANCES},
-        {"rk4 of floats", SINGLE, 4, 1, 0.8408964152537145, 1e-4, 20e6, 1, begin,
-         go, state},
+        {"rk4 of floats", SINGLE, 4, 1, 0.8408964152537145, 1e-4, 20e6, 1,
+         begin, go, state},
         {"orbit", ORBIT, 0, 1, 0.5, 1, 20e6, 0, begin, go, state},
     };
     const int mapped = argc > 1 && strcmp(argv[1], "atlas") == 0;

@@ -17,6 +17,7 @@ static float f(union argument a)
 CALL(coinf_sizeof_params, ())
 CALL(coinf_sizeof_state, ())
 CALL(coinf_sizeof_force, ())
+CALL(coinf_sizeof_losses, ())
 CALL(coinf_selftest, ())
 CALL(coinf_params_disc, (a[0].p, f(a[1]), f(a[2]), f(a[3])))
 CALL(coinf_params_ring, (a[0].p, f(a[1]), f(a[2]), f(a[3]), f(a[4])))
@@ -111,6 +112,7 @@ const struct function fuzz_functions[] = {
     ROW(coinf_sizeof_params, "", 0, 32, PLAIN),
     ROW(coinf_sizeof_state, "", 0, 64, PLAIN),
     ROW(coinf_sizeof_force, "", 0, 24, PLAIN),
+    ROW(coinf_sizeof_losses, "", 0, 32, PLAIN),
     ROW(coinf_selftest, "", 0, 0, PLAIN),
     ROW(coinf_params_disc, "Gddd", MAKES, 0, PLAIN),
     ROW(coinf_params_ring, "Gdddd", MAKES, 0, PLAIN),

@@ -11,6 +11,8 @@
  * takes a part, line by line the same: every SCENE_STRIDE-th scene;
  * WITHOUT_MAX_DT, which is nine tenths of all steps; WITHOUT_ORBIT, which takes
  * 70 KiB.  Needs sqrt, memcpy and puts of the C library. */
+#include "fnv.h"
+
 #include <coinf.h>
 
 #include <math.h>
@@ -22,10 +24,6 @@ enum { STEPS = 2000, PER_SAMPLE = 100, SAMPLES = STEPS / PER_SAMPLE + 1 };
 #ifndef SCENE_STRIDE
 #define SCENE_STRIDE 1
 #endif
-
-/* FNV-1a, 64 bits. */
-#define FNV_OFFSET UINT64_C(14695981039346656037)
-#define FNV_PRIME UINT64_C(1099511628211)
 
 typedef struct scene {
     const char *name;
@@ -50,36 +48,6 @@ static const scene scenes[] = {
     {"drop", 1, 1, 0, 1, 0.3, 0, 1e-13, 1e-13},
     {"fall", 1, 1, 0.5, 1, -0.3, -0.1, 0, 0},
 };
-
-static uint64_t hash_u64(uint64_t h, uint64_t bits)
-{
-    int i;
-    for (i = 0; i < 8; ++i)
-        h = (h ^ (bits >> 8 * i & 0xff)) * FNV_PRIME;
-    return h;
-}
-
-static uint64_t hash_doubles(uint64_t h, const void *from, size_t count)
-{
-    const unsigned char *at = (const unsigned char *)from;
-    uint64_t bits;
-    size_t i;
-    for (i = 0; i < count; ++i) {
-        memcpy(&bits, at + i * sizeof bits, sizeof bits);
-        h = hash_u64(h, bits);
-    }
-    return h;
-}
-
-static uint64_t hash_state(uint64_t h, const coin_state *s)
-{
-    return hash_doubles(h, s, sizeof *s / sizeof(double));
-}
-
-static uint64_t hash_status(uint64_t h, int32_t status)
-{
-    return hash_u64(h, (uint32_t)status);
-}
 
 /* A scene's beginning. */
 typedef struct start {
