@@ -39,7 +39,22 @@ static inline void svg_escaped(FILE *f, const char *text)
     }
 }
 
-/* Opens a picture on a white ground; null, and errno, if that fails. */
+/* What colours become where a reader prefers a dark scheme; others stay. */
+static inline void svg_dark_scheme(FILE *f)
+{
+    static const char *const DARK[][2] = {{"white", "#0d1117"},
+                                          {SVG_BLACK, "#c9d1d9"},
+                                          {SVG_GREY, "#30363d"},
+                                          {SVG_BLUE, "#3fa7e0"}};
+
+    fputs("<style>\n@media (prefers-color-scheme:dark){\n", f);
+    for (size_t k = 0; k < sizeof DARK / sizeof DARK[0]; ++k)
+        fprintf(f, "[fill=\"%s\"]{fill:%s}[stroke=\"%s\"]{stroke:%s}\n",
+                DARK[k][0], DARK[k][1], DARK[k][0], DARK[k][1]);
+    fputs("}\n</style>\n", f);
+}
+
+/* Opens a picture on a white or dark ground; null, and errno, if that fails. */
 static inline FILE *svg_open(const char *path, int width, int height,
                              const char *title)
 {
@@ -53,8 +68,9 @@ static inline FILE *svg_open(const char *path, int width, int height,
             "font-family=\"Helvetica, Arial, sans-serif\">\n<title>",
             width, height, width, height);
     svg_escaped(f, title);
-    fprintf(f, "</title>\n<rect width=\"100%%\" height=\"100%%\" "
-               "fill=\"white\"/>\n");
+    fputs("</title>\n", f);
+    svg_dark_scheme(f);
+    fputs("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n", f);
     return f;
 }
 

@@ -6,8 +6,9 @@
 PICTURES     := rosettes potential bifurcation precession nearly_flat
 PICTURES_SRC := $(SRC)/tests/pictures
 PICTURES_OUT  = $(O)/pictures
+SCHEMES       = $(PYTHON) $(PICTURES_SRC)/scheme.py $(SRC)
 
-.PHONY: pictures pictures-check need-gnuplot
+.PHONY: pictures pictures-check schemes need-gnuplot
 $(PICTURES_OUT)/%.csv: $(O)/%
 	mkdir -p $(@D)
 	$< >$@
@@ -22,6 +23,9 @@ pictures: $(PICTURES:%=$(PICTURES_OUT)/%.csv) need-gnuplot ## compute and draw w
 
 figures: pictures
 
+schemes: ## titles and a dark scheme for every drawing of docs/figures
+	$(SCHEMES)
+
 # Small, since each pixel is worked out again.
 $(PICTURES_OUT)/sweep.ppm: $(O)/sweep
 	mkdir -p $(@D)
@@ -30,6 +34,7 @@ $(PICTURES_OUT)/sweep.ppm: $(O)/sweep
 pictures-check: $(PICTURES:%=$(PICTURES_OUT)/%.csv) $(PICTURES_OUT)/sweep.ppm ## the numbers behind the pictures against closed forms
 	$(PYTHON) $(PICTURES_SRC)/check.py $(PICTURES_OUT) \
 	    $(SRC)/docs/figures/data
+	$(SCHEMES) --check
 
 need-gnuplot:
 	command -v gnuplot >/dev/null || { echo "the pictures need gnuplot:" \
