@@ -14,6 +14,7 @@ import math
 import pathlib
 import sys
 
+from animation import animation
 from forms import (DISC, PI, Body, Leaf, Pairs, height_of, lambda2, near,
                    on_leaf, pair, potential, slope, slow_circle)
 from sweep import sweep
@@ -251,5 +252,9 @@ for check in (rosettes, potentials, bifurcation, precession, nearly_flat):
     check(table(fresh / f"{name}.csv"))
     check(table(kept / f"{name}.csv"))
     same(fresh / f"{name}.csv", kept / f"{name}.csv")
+drawing = (fresh / "animation.svg").read_text()
+animation(drawing)
+near("animation, as kept",
+     (kept.parent / "animation.svg").read_text() == drawing, 1, 0)
 sweep((fresh / "sweep.ppm").read_bytes())
 print(f"{near.checks} numbers behind the pictures hold")
