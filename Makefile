@@ -176,9 +176,12 @@ uninstall: ## remove what install put there
 EXAMPLES := $(patsubst $(SRC)/docs/examples/%.c,$(O)/%,\
                        $(wildcard $(SRC)/docs/examples/*.c))
 
-.PHONY: demo demo-check examples
+.PHONY: demo live demo-check examples
 demo: $(O)/rolling_quarter ## roll a US quarter: a table, and drawings in build/
 	$(O)/rolling_quarter --out $(O)
+
+live: $(O)/rolling_quarter ## watch a US quarter roll, in the terminal
+	$(O)/rolling_quarter --live
 
 demo-check: $(O)/rolling_quarter ## what the demo prints, draws and refuses
 	PYTHON=$(PYTHON) sh $(SRC)/tests/demo/run.sh $(O)/rolling_quarter

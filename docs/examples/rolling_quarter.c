@@ -5,10 +5,13 @@
  *
  * roll() and print_row() are what a program of your own would do; the rest is
  * the command line (options.h), a choice of coins (scenes.h) and drawings
- * (pictures.h, svg.h). */
+ * (pictures.h, svg.h, live.h). */
+#define _POSIX_C_SOURCE 200809L /* for live.h */
 #include "options.h"
 #include "pictures.h"
 #include "scenes.h"
+
+#include "live.h"
 
 #include <coin.h>
 #include <errno.h>
@@ -101,10 +104,16 @@ static void print_heading(const motion *m, const options *o)
            (unsigned long)o->steps, o->dt, in->time);
     if (o->steps > MOMENTS)
         printf("what follows looks at %d of these moments\n\n", MOMENTS);
+}
+
+static void print_columns(const motion *m, double mu)
+{
+    const units *in = m->scene->body->in;
+
     printf("%9s %7s %8s %8s %8s %8s %7s %7s  validity\n", "time", "lean",
            "heading", "x", "z", "energy", "N/(Mg)", "F/N");
     printf("%9s %7s %8s %8s %8s %8s %17s mu %g\n", in->time, "deg", "deg",
-           in->length, in->length, "error", "", o->mu);
+           in->length, in->length, "error", "", mu);
 }
 
 static void print_validity(int32_t bits)
@@ -183,6 +192,7 @@ static void print_summary(const motion *m, double mu)
 static void print_motion(const motion *m, const options *o)
 {
     print_heading(m, o);
+    print_columns(m, o->mu);
     if (m->count == 0)
         return;
     for (size_t row = 0; row <= ROWS; ++row)
@@ -210,6 +220,14 @@ static int draw(const motion *m, const char *folder)
     return EXIT_SUCCESS;
 }
 
+/* What stands above the picture of --live. */
+static void print_live(const motion *m, const options *o, size_t k)
+{
+    puts(m->scene->story);
+    print_columns(m, o->mu);
+    print_row(m, k);
+}
+
 static int run(const options *o)
 {
     static motion m; /* too large for the stack of some systems */
@@ -220,9 +238,12 @@ static int run(const options *o)
     m.scene = o->scene;
     if (status >= 0)
         status = roll(&m, o);
-    print_motion(&m, o);
+    if (!o->live)
+        print_motion(&m, o);
+    else if (m.count > 0)
+        live(&m, o, print_live);
     if (status >= 0)
-        return draw(&m, o->out);
+        return o->live ? EXIT_SUCCESS : draw(&m, o->out);
     fflush(stdout);
     fail("the coin stopped there", coin_status_string(status));
     if (status == COIN_ESTEP)
@@ -237,6 +258,8 @@ int main(int argc, char **argv)
 
     if (verdict == USAGE_ERROR)
         return 2;
+    if (verdict == RUN && o.live && !isatty(STDOUT_FILENO))
+        return fail("--live", "standard output is not a terminal");
     const int code = verdict == RUN ? run(&o) : EXIT_SUCCESS;
     if (fflush(stdout) != 0 || ferror(stdout))
         return fail("standard output", strerror(errno));

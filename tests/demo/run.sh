@@ -221,9 +221,13 @@ claim "infinitely many steps" \
     refuses 2 "more than 1e+08" --dt 1e-300 --duration 1e300
 claim "less than one step" refuses 2 "shorter" --dt 1 --duration 0.1
 
+# -------------------------------------------------------- in the terminal
+claim "--live plays a circle, stops when told, and wants a terminal" \
+    "$python" "$root/tests/demo/live.py" "$demo"
+
 # ------------------------------------------------------------------- the rest
 claim "--help explains itself" exits 0 --help
-claim "it names every option" test "$(grep -c -e ' --' stdout)" -eq 8
+claim "it names every option" test "$(grep -c -e ' --' stdout)" -eq 9
 claim "a folder's name may be odd" exits 0 --out "an odd %s name"
 claim "its pictures are there" test -s "an odd %s name/quarter_path.svg"
 claim "a run of one step is drawn" exits 0 --duration 0.001 --out out
