@@ -20,7 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROWS = 20 }; /* of the table, after the start */
+enum { ROWS = 20, REST_ROWS = 8 }; /* of the tables, after the start */
 
 /* What is remarkable about a whole motion. */
 typedef struct summary {
@@ -189,6 +189,51 @@ static void print_summary(const motion *m, double mu)
     print_first(m, COIN_COARSE, "the step        is coarse");
 }
 
+/* ----------------------------------------------------------------- rest -- */
+
+/* Dry friction over weight times radius: that of a quarter which, spun from a
+ * lean of 60 degrees, lies flat after 8 s. */
+#define DRY 8.5e-4
+
+static void print_rest_row(const motion *m, const coin_losses *l,
+                           const coin_state *s, double t)
+{
+    const coin_state *from = &m->at[m->count - 1].state;
+    const double E = coin_energy(from, &m->params);
+    coin_state rates = {0};
+
+    coin_losses_rates(s, &m->params, l, &rates);
+    printf("%9.2f %7.2f %8.2f %8.2f %8.3f\n", t, s->theta * DEGREES,
+           (s->psi - from->psi) * DEGREES / 360, rates.psi * DEGREES / 360,
+           coin_energy(s, &m->params) / E);
+}
+
+/* The coin goes on, slowed by friction, until it lies flat. */
+static void print_rest(const motion *m)
+{
+    const coin_params *p = &m->params;
+    const char *unit = m->scene->body->in->time;
+    const coin_losses l = {.dry = DRY * p->mass * p->gravity * p->radius};
+    coin_state s = m->at[m->count - 1].state, flat = s;
+    double rest;
+
+    if (coin_settle(&flat, p, &l, 1e5 * sqrt(p->radius / p->gravity), 1e-6,
+                    &rest) != COIN_RESTS)
+        return;
+    printf("\nAnd then dry friction of %g of its weight times its radius "
+           "stops it:\n\n",
+           DRY);
+    printf("%9s %7s %8s %8s %8s\n", "time", "lean", "contact", "its rate",
+           "energy");
+    printf("%9s %7s %8s %8s %8s\n", unit, "deg", "turns", "", "left");
+    for (int k = 0; k < REST_ROWS; ++k) {
+        print_rest_row(m, &l, &s, rest * k / REST_ROWS);
+        coin_settle(&s, p, &l, rest / REST_ROWS, 1e-6, NULL);
+    }
+    printf("%9.2f   flat; its face turns %.2f times per %s\n", rest,
+           fabs(flat.wZ) * DEGREES / 360, unit);
+}
+
 static void print_motion(const motion *m, const options *o)
 {
     print_heading(m, o);
@@ -200,6 +245,7 @@ static void print_motion(const motion *m, const options *o)
             row * (m->count - 1) / ROWS != (row - 1) * (m->count - 1) / ROWS)
             print_row(m, row * (m->count - 1) / ROWS);
     print_summary(m, o->mu);
+    print_rest(m);
 }
 
 /* -------------------------------------------------------------- drawing -- */
