@@ -17,6 +17,7 @@ import sys
 from animation import animation
 from forms import (DISC, PI, Body, Leaf, Pairs, height_of, lambda2, near,
                    on_leaf, pair, potential, slope, slow_circle)
+from rest import rest
 from sweep import sweep
 
 
@@ -247,7 +248,8 @@ def two_routes():
 
 two_routes()
 fresh, kept = map(pathlib.Path, sys.argv[1:])
-for check in (rosettes, potentials, bifurcation, precession, nearly_flat):
+for check in (rosettes, potentials, bifurcation, precession, nearly_flat,
+              rest):
     name = {"potentials": "potential"}.get(check.__name__, check.__name__)
     check(table(fresh / f"{name}.csv"))
     check(table(kept / f"{name}.csv"))

@@ -3,7 +3,7 @@
 # The pictures of docs/pictures.md: included by the Makefile.  Each comes from
 # a program of docs/examples, which prints its numbers.
 
-PICTURES     := rosettes potential bifurcation precession nearly_flat
+PICTURES     := rosettes potential bifurcation precession nearly_flat rest
 PICTURES_SRC := $(SRC)/tests/pictures
 PICTURES_OUT  = $(O)/pictures
 SCHEMES       = $(PYTHON) $(PICTURES_SRC)/scheme.py $(SRC)
