@@ -17,7 +17,7 @@ import sys
 from animation import animation
 from forms import (DISC, PI, Body, Leaf, Pairs, height_of, lambda2, near,
                    on_leaf, pair, potential, slope, slow_circle)
-from rest import rest
+from rest import fixed, rest
 from sweep import sweep
 
 
@@ -254,6 +254,8 @@ for check in (rosettes, potentials, bifurcation, precession, nearly_flat,
     check(table(fresh / f"{name}.csv"))
     check(table(kept / f"{name}.csv"))
     same(fresh / f"{name}.csv", kept / f"{name}.csv")
+fixed(*([line.split(",") for line in file.read_text().splitlines()[1:]]
+        for file in (fresh / "fixed.csv", kept / "settle.csv")))
 drawing = (fresh / "animation.svg").read_text()
 animation(drawing)
 near("animation, as kept",

@@ -74,3 +74,31 @@ def rest(blocks):
     near("quarter, ends", len(turns) > 20, 1, 0)
     for turn in turns:
         near("quarter, face", turn, turns[-1], 0.02*abs(turns[-1]))
+
+
+def same_size(name, a, b):
+    """Errors that are not rounding agree to a tenth."""
+    if math.isnan(a) or math.isnan(b):
+        near(name, math.isnan(a) and math.isnan(b), 1, 0)
+    elif max(a, b) > 1e-9:
+        near(name, a/b, 1, 0.1)
+
+
+def fixed(fresh, kept):
+    """A quarter's life: coin_settle() always rests, within 10 tol of a life of
+    228 units; fixed steps have their order, and never rest."""
+    last = {}
+    for now, was in zip(fresh, kept, strict=True):
+        method, setting, nine, late, end, how = now
+        near("settle, row", was[:2] == now[:2] and was[-1] == how, 1, 0)
+        for a, b in zip(now[2:5], was[3:6]):
+            same_size(f"{method} {setting}", float(a), float(b))
+        near("settle, end", (how == "rests") == (method == "settle"), 1, 0)
+        if method == "settle":
+            near("settle, rest", float(end), 0, 10*float(setting)*8)
+        elif 1e-8 < float(late) < 1e-3:
+            # Twice: by what is left of the next order.
+            order = {"rk4": 4, "rk8": 8}[method]
+            near(f"{method}, order", math.log2(last[method]/float(late)), order,
+                 1)
+        last[method] = float(late)

@@ -27,3 +27,22 @@ $(REAL_OUT)/study: $(TEST_EXTRA)
 
 $(REAL_OUT):
 	mkdir -p $@
+
+# A chart of docs/pictures.md.  pictures-check computes its errors again; its
+# costs need valgrind.
+.PHONY: real-fixed
+real-fixed: $(REAL_OUT)/fixed $(REAL_OUT)/study need-gnuplot ## errors and costs to rest, beside fixed steps
+	FIXED=$< STUDY=$(REAL_OUT)/study sh $(SRC)/tests/real/fixed.sh \
+	    >$(REAL_OUT)/settle.csv
+	cp $(REAL_OUT)/settle.csv $(SRC)/docs/figures/data
+	gnuplot -e "from='$(REAL_OUT)'" -e "to='$(SRC)/docs/figures'" \
+	    -e "style='$(SRC)/tests/bench/style.gpi'" $(SRC)/tests/real/settle.gp
+	$(SLIM)
+
+$(REAL_OUT)/fixed: $(SRC)/tests/real/fixed.c $(SRC)/tests/bench/textbook.c \
+                   $(LIB_A) | $(REAL_OUT)
+	$(CC_TEST) -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) $(LIB_A) -lm
+
+$(PICTURES_OUT)/fixed.csv: $(REAL_OUT)/fixed
+	mkdir -p $(@D)
+	$< >$@
