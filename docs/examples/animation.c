@@ -42,7 +42,7 @@ static const change MOVE = {"translate", "", X, 2, 1};
 static const change TURN = {"rotate", "", TILT, 1, 1};
 static const change GROW = {"scale", "", SIZE, 1, 2};
 static const change FLAT = {"scale", "1 ", MINOR, 1, 3};
-static const change SPIN = {"rotate", "", ROLL, 1, 0};
+static const change SPIN = {"rotate", "", ROLL, 1, 1};
 static const change TO_FRONT = {"translate", "0 ", FRONT, 1, 3};
 static const change TO_BACK = {"translate", "0 ", BACK, 1, 3};
 static const change CAST = {"translate", "", SHADOW_X, 2, 1};
@@ -376,10 +376,10 @@ int main(void)
     find_orbit();
     set_keys();
     printf("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800\" "
-           "height=\"420\" viewBox=\"0 0 800 420\" role=\"img\">\n"
+           "height=\"400\" viewBox=\"0 0 800 400\" role=\"img\">\n"
            "<title>A US quarter rolls a rosette that closes: %d swings of its "
            "lean, %d turns, %d rolls</title>\n%s%s"
-           "<rect class=\"ground\" width=\"800\" height=\"420\"/>\n",
+           "<rect class=\"ground\" width=\"800\" height=\"400\"/>\n",
            SWINGS, TURNS, ROLLS, STYLE, DEFS);
     draw_table();
     draw_coins();

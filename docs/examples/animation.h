@@ -26,7 +26,7 @@
 
 enum { SWINGS = 7, TURNS = 3, ROLLS = 8 };
 enum { KEYS = 280, PIECES = 70, STILLS = 5 };
-enum { LEFT = 556, RIGHT = 776, TOP = 96, BOTTOM = 296 }; /* of the graph */
+enum { LEFT = 556, RIGHT = 776, TOP = 80, BOTTOM = 280 }; /* of the graph */
 enum { LEAN_AXIS = 40 };                                  /* its range [deg] */
 
 /* What moves, at a key: angles in degrees, and all but the first and the
@@ -52,7 +52,7 @@ static coin_state state[KEYS + 1];
 static double key[KEYS + 1][MEMBERS];
 static double path[KEYS + 1][4]; /* of the contact: x, y, their rates per key */
 
-static const camera CAMERA = {0.62, 0.7846, 15, {0, 0.2, 0}, {258, 208}, 63};
+static const camera CAMERA = {0.62, 0.7846, 15, {0, 0.2, 0}, {258, 190}, 63};
 static const double LIGHT[3] = {-0.42, 0.85, 0.32}; /* where it comes from */
 
 /* --------------------------------------------------------------- motion -- */

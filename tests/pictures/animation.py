@@ -14,8 +14,8 @@ from forms import DISC, PI, Leaf, Pairs, height_of, near
 # What animation.h says of itself.
 LEAN, SWINGS, TURNS, ROLLS = 0.6, 7, 3, 8
 SLOWER, SECONDS = 6, math.sqrt(0.01213/9.80665)
-ELEVATION, DISTANCE, AHEAD, AT, SCALE = 0.62, 15, 0.2, (258, 208), 63
-TOP, BOTTOM, LEANS = 96, 296, 40
+ELEVATION, DISTANCE, AHEAD, AT, SCALE = 0.62, 15, 0.2, (258, 190), 63
+TOP, BOTTOM, LEANS = 80, 280, 40
 KEYS = 280
 PAIRS = Pairs(DISC)
 
