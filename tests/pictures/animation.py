@@ -68,13 +68,13 @@ def friction(leaf, y, E):
     return math.hypot(wX*wY*b.IZ/b.K, wX**2*s - dwX*c - wY*wZ/c)/N
 
 
-def seen(z):
-    """A point z + i x of the table in the picture."""
-    depth = DISTANCE + AHEAD*ELEVATION - math.cos(math.asin(ELEVATION))*z.real
-    across, up = z.imag, (-AHEAD*math.cos(math.asin(ELEVATION))
-                          - ELEVATION*z.real)
+def seen(z, y=0):
+    """A point z + i x at a height y in the picture."""
+    level = math.cos(math.asin(ELEVATION))
+    depth = DISTANCE - ELEVATION*(y - AHEAD) - level*z.real
     f = SCALE*DISTANCE/depth
-    return AT[0] + f*across, AT[1] - f*up
+    return complex(AT[0] + f*z.imag,
+                   AT[1] - f*(level*(y - AHEAD) - ELEVATION*z.real))
 
 
 def contact_path(leaf, ends, parts=2000):
@@ -89,6 +89,37 @@ def contact_path(leaf, ends, parts=2000):
     across = (path[-1].imag*n1.real - path[-1].real*n1.imag)
     centre = n0*across/(n0*n1.conjugate()).imag
     return [point - centre for point in path]
+
+
+def moves(text, kind):
+    """The keys of what moves so, in the order of the drawing."""
+    return [[[float(v) for v in key.split()] for key in values.split(";")]
+            for values in re.findall(rf'type="{kind}" dur=[^v]*values="([^"]*)"',
+                                     text)]
+
+
+def coins(text, ends, radii):
+    """At the ends of the swings, where turn and roll are known, the rim of the
+    coin lies on the ellipse that is drawn, and the mark where it has rolled."""
+    at, turn, size = (moves(text, kind)[1]
+                      for kind in ("translate", "rotate", "scale"))
+    face, roll = moves(text, "scale")[2], moves(text, "rotate")[2]
+    for j in range(2*SWINGS + 1):
+        key, way = j*KEYS//SWINGS//2, cmath.exp(1j*PI*j*TURNS/SWINGS)
+        s, c = math.tanh(ends[j % 2]), 1/math.cosh(ends[j % 2])
+        centre = (s - radii[j % 2])*way                              # (21)
+
+        def on_ellipse(angle):
+            """A point of the rim, undone what moves the coin's circle."""
+            z = centre + way*(1j*math.cos(angle) + s*math.sin(angle))
+            point = seen(z, c + c*math.sin(angle)) - complex(*at[key])
+            point *= cmath.exp(-1j*math.radians(turn[key][0]))/size[key][0]
+            return complex(point.real, point.imag/face[key][1])
+        for k in range(12):
+            near("animation, rim", abs(on_ellipse(PI*k/6)), 1, 0.005)
+        mark = cmath.phase(on_ellipse(PI*j*ROLLS/SWINGS)
+                           / cmath.exp(1j*math.radians(roll[key][0])))
+        near("animation, mark", mark, 0, 0.01)
 
 
 def paths(text):
@@ -142,7 +173,9 @@ def animation(text):
     near("animation, friction", most <= stated < most + 0.01, 1, 0)
     drawn, _ = paths(text)
     near("animation, path", len(drawn), KEYS + 1, 0)
-    want = [complex(*seen(z)) for z in contact_path(leaf, ends)]
+    half = contact_path(leaf, ends)
+    coins(text, ends, (abs(half[0]), abs(half[-1])))
+    want = [seen(z) for z in half]
     for x, y in drawn[:KEYS//SWINGS//2 + 1]:
         near("animation, path", min(abs(complex(x, y) - w) for w in want), 0,
              0.15)
