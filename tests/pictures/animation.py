@@ -117,19 +117,26 @@ def coins(text, ends, radii):
             return complex(point.real, point.imag/face[key][1])
         for k in range(12):
             near("animation, rim", abs(on_ellipse(PI*k/6)), 1, 0.005)
+        # e_Z = c e_h - s e_y shows to the camera, or its back does.
+        level = math.cos(math.asin(ELEVATION))
+        to_eye = (DISTANCE*level - centre)*way.conjugate()
+        front = c*to_eye.real - s*(AHEAD + DISTANCE*ELEVATION - c)
+        near("animation, face", front*face[key][1] > 0, 1, 0)
         mark = cmath.phase(on_ellipse(PI*j*ROLLS/SWINGS)
                            / cmath.exp(1j*math.radians(roll[key][0])))
         near("animation, mark", mark, 0, 0.01)
 
 
 def paths(text):
-    """The ends of the cubics of each path that moves by them."""
+    """The ends and the middles of the cubics of each path."""
     for d in re.findall(r' d="(M[^"]*c[^"]*)"', text):
         start, *cubics = d.split("c")
         at = [float(v) for v in start[1:].split()]
         points = [tuple(at)]
         for cubic in cubics:
             step = [float(v) for v in cubic.split()]
+            points.append(tuple(at[i] + (3*step[i] + 3*step[i + 2]
+                                         + step[i + 4])/8 for i in (0, 1)))
             at = [at[0] + step[4], at[1] + step[5]]
             points.append(tuple(at))
         yield points
@@ -172,10 +179,10 @@ def animation(text):
     stated = float(re.search(r"friction of ([0-9.]+)\.", text)[1])
     near("animation, friction", most <= stated < most + 0.01, 1, 0)
     drawn, _ = paths(text)
-    near("animation, path", len(drawn), KEYS + 1, 0)
+    near("animation, path", len(drawn), 2*KEYS + 1, 0)
     half = contact_path(leaf, ends)
     coins(text, ends, (abs(half[0]), abs(half[-1])))
     want = [seen(z) for z in half]
-    for x, y in drawn[:KEYS//SWINGS//2 + 1]:
+    for x, y in drawn[:KEYS//SWINGS + 1]:
         near("animation, path", min(abs(complex(x, y) - w) for w in want), 0,
              0.15)
