@@ -4,9 +4,9 @@
  *   cc animation.c $(pkg-config --cflags --libs rollcoin) -lm
  *   ./a.out >animation.svg
  *
- * A viewer interpolates between the keys (SMIL): there is no script, so that it
- * moves wherever an image is shown.  Who prefers reduced motion sees a still.
- */
+ * The drawing has no script: a viewer interpolates between its keys (SMIL),
+ * also where it is shown as an image.  Readers who prefer reduced motion get a
+ * still of STILLS coins. */
 #include "animation.h"
 
 #include <string.h>
@@ -20,7 +20,7 @@ static void number(double value, int digits)
 {
     char text[32];
 
-    snprintf(text, sizeof text, "%.*f", digits, value + 0.0);
+    snprintf(text, sizeof text, "%.*f", digits, value);
     char *end = text + strlen(text);
     while (digits > 0 && end[-1] == '0')
         *--end = '\0';

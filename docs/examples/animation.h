@@ -29,8 +29,8 @@ enum { KEYS = 280, PIECES = 70, STILLS = 5 };
 enum { LEFT = 556, RIGHT = 776, TOP = 80, BOTTOM = 280 }; /* of the graph */
 enum { LEAN_AXIS = 40 };                                  /* its range [deg] */
 
-/* What moves, at a key: angles in degrees, and all but the first and the
- * shadow's of the coin in its radii. */
+/* What moves, at a key: angles in degrees, X, Y, SIZE, HEIGHT and the shadow in
+ * pixels, lengths on the coin in half axes of its circle (SIZE). */
 /* clang-format off */
 enum {
     X, Y, SIZE, TILT,                /* the coin's circle: an ellipse */

@@ -31,7 +31,7 @@ static void print_curve(double K_Y, double K_Z)
         to_turn(&s, &p, 1);
         s.phi = 0;
         one_period(&s, &p);
-        printf("nods,%g,%g,%.6e,%.9f\n", K_Y, K_Z, E, s.phi);
+        printf("nods,%g,%g,%.6e,%.7f\n", K_Y, K_Z, E, s.phi);
     }
     printf("\n\n");
 }

@@ -49,6 +49,6 @@ $(REAL_OUT)/fixed: $(SRC)/tests/real/fixed.c $(SRC)/tests/bench/textbook.c \
                    $(LIB_A) | $(REAL_OUT)
 	$(CC_TEST) -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) $(LIB_A) -lm
 
-$(PICTURES_OUT)/fixed.csv: $(REAL_OUT)/fixed
+$(O)/pictures/fixed.csv: $(REAL_OUT)/fixed
 	mkdir -p $(@D)
 	$< >$@
