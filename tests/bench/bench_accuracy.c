@@ -26,15 +26,8 @@ static void begin_single(void)
     const coin_params *p = &at.c->p;
     const coin_state *s = &at.s;
     const coinf_state start = {
-        (float)s->theta,
-        (float)s->phi,
-        (float)s->psi,
-        (float)s->x,
-        (float)s->z,
-        (float)s->wX,
-        (float)s->wY,
-        (float)s->wZ,
-        {0},
+        (float)s->theta, (float)s->phi, (float)s->psi, (float)s->x, (float)s->z,
+        (float)s->wX,    (float)s->wY,  (float)s->wZ,  {0},
     };
     at.single = start;
     coinf_params_body(&at.body, (float)p->mass, (float)p->radius,

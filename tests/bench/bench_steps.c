@@ -66,8 +66,8 @@ static const struct {
     const char *name;
     double (*measure)(double tare);
 } probes[] = {
-    {"latency add", latency_add},   {"latency mul", latency_mul},
-    {"latency div", latency_div},   {"latency sqrt", latency_sqrt},
+    {"latency add", latency_add},      {"latency mul", latency_mul},
+    {"latency div", latency_div},      {"latency sqrt", latency_sqrt},
     {"per flop at best", rate_window}, {"RK4 without tangent", plain_step},
 };
 

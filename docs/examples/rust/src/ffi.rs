@@ -615,5 +615,8 @@ extern "C" {
     pub fn coinf_sizeof_force() -> u32;
 }
 extern "C" {
+    pub fn coinf_sizeof_losses() -> u32;
+}
+extern "C" {
     pub fn coinf_selftest() -> i32;
 }

@@ -241,6 +241,9 @@ COIN_API uint32_t coinf_sizeof_state(void);
 /** sizeof(coinf_force) as the library was compiled: 24. */
 COIN_API uint32_t coinf_sizeof_force(void);
 
+/** sizeof(coinf_losses) as the library was compiled: 32. */
+COIN_API uint32_t coinf_sizeof_losses(void);
+
 /** As coin_selftest(), of the functions of this header alone.
  * Cost: some 20 us on a desktop. */
 COIN_API int32_t coinf_selftest(void);

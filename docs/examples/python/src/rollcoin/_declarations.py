@@ -395,5 +395,6 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "coinf_sizeof_params": (c_uint32, {}),
     "coinf_sizeof_state": (c_uint32, {}),
     "coinf_sizeof_force": (c_uint32, {}),
+    "coinf_sizeof_losses": (c_uint32, {}),
     "coinf_selftest": (c_int32, {}),
 }
