@@ -151,6 +151,9 @@ bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 	    } >$(BENCH_OUT)/rungs.csv
 	$(PYTHON) $(BENCH_SRC)/rungs.py <$(BENCH_OUT)/rungs.csv \
 	    >$(BENCH_OUT)/accuracy.csv
+	{ $(ABOUT); echo build,call,rate,ns,textbook_steps,error; \
+	    $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_frames $$b || exit 1; done; \
+	    } >$(BENCH_OUT)/frames.csv
 	{ $(ABOUT); $(BENCH_OUT)/portable/bench_best; } >$(BENCH_OUT)/best.csv
 	$(BENCH_OUT)/truth >$(BENCH_OUT)/truth.csv
 	$(BENCH_OUT)/truth spins >$(BENCH_OUT)/spins.csv
@@ -169,7 +172,8 @@ charts: bench $(BENCH_OUT)/portable/peer_orbit ## measure, and renew the charts
 	mkdir -p $(RESULTS)
 	$(MAP)
 	$(ORBITS)
-	for t in steps accuracy best reliability costs batch natural atlas; do \
+	for t in steps accuracy frames best reliability costs batch natural \
+	    atlas; do \
 	    cp $(BENCH_OUT)/$$t.csv $(RESULTS)/$$t.csv; done
 	$(DRAW)
 

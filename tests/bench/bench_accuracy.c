@@ -26,15 +26,8 @@ static void begin_single(void)
     const coin_params *p = &at.c->p;
     const coin_state *s = &at.s;
     const coinf_state start = {
-        (float)s->theta,
-        (float)s->phi,
-        (float)s->psi,
-        (float)s->x,
-        (float)s->z,
-        (float)s->wX,
-        (float)s->wY,
-        (float)s->wZ,
-        {0},
+        (float)s->theta, (float)s->phi, (float)s->psi, (float)s->x, (float)s->z,
+        (float)s->wX,    (float)s->wY,  (float)s->wZ,  {0},
     };
     at.single = start;
     coinf_params_body(&at.body, (float)p->mass, (float)p->radius,
@@ -107,8 +100,8 @@ int main(int argc, char **argv)
         {"symplectic2", COIN_SYMPLECTIC2, 1, STEPS},
         {"symplectic4", COIN_SYMPLECTIC4, 3, STEPS},
         {"coin_advance", ADVANCE, 0, TOLERANCES},
-        {"rk4 of floats", SINGLE, 4, 1, 0.8408964152537145, 1e-4, 20e6, 1, begin,
-         go, state},
+        {"rk4 of floats", SINGLE, 4, 1, 0.8408964152537145, 1e-4, 20e6, 1,
+         begin, go, state},
         {"orbit", ORBIT, 0, 1, 0.5, 1, 20e6, 0, begin, go, state},
     };
     const int mapped = argc > 1 && strcmp(argv[1], "atlas") == 0;

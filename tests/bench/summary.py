@@ -76,12 +76,14 @@ def ratios(build):
 
 
 def peers(others):
-    """The best peer's cost over ours, portable / native / native and fused."""
+    """The best peer's cost over ours, portable / native / native and fused, in
+    what builds there are."""
     def cell(scene, error):
         found = (ratio(b, scene, others, error) for b in (*BUILDS, "fused"))
-        return " / ".join(f"{r[0]:.1f}" if r else "-" for r in found)
+        return " / ".join(f"{r[0]:.1f}" for r in found if r)
     return table(["scene", *map("{:g}".format, ERRORS[1:])],
-                 [[s, *(cell(s, e) for e in ERRORS[1:])] for s in SCENES])
+                 [[s, *(cell(s, e) or "-" for e in ERRORS[1:])]
+                  for s in SCENES])
 
 
 def least():
@@ -114,9 +116,19 @@ def steps():
 
 
 def frames():
-    return table(["what", "error after one second"],
-                 [[r["method"], r["ns_per_step"]] for r in read("steps")
-                  if r["build"] == "portable" and "quarter at" in r["method"]])
+    """One call per frame: what it costs at 60 frames/s, and the error after a
+    second at each rate."""
+    found = {}
+    for r in read("frames"):
+        if r["build"] == "portable":
+            found.setdefault(r["call"], {})[r["rate"]] = r
+    rates = list(next(iter(found.values()), {}))
+    return table(["call", "ns", "textbook steps",
+                  *(f"error at {rate}/s" for rate in rates)],
+                 [[call, f"{float(by['60']['ns']):.0f}",
+                   by["60"]["textbook_steps"],
+                   *(rungs.short(float(by[rate]["error"]), 2)
+                     for rate in rates)] for call, by in found.items()])
 
 
 def costs():

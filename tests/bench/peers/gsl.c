@@ -76,6 +76,6 @@ int main(int argc, char **argv)
          state},
     };
     gsl_set_error_handler_off();
-    return workprec(list, argc > 1 && strcmp(argv[1], "atlas") == 0 ? 1 : 2, argc,
-                    argv);
+    const int mapped = argc > 1 && strcmp(argv[1], "atlas") == 0;
+    return workprec(list, mapped ? 1 : 2, argc, argv);
 }
