@@ -30,15 +30,11 @@ def figure(table, row, column):
     return float(table[row][column].replace(",", ""))
 
 
-COSTS = cells("accuracy.md", "costs")
+FRAMES = cells("accuracy.md", "frames")
 BATCH = cells("accuracy.md", "batch")
 RUNS = cells("limits.md", "silent methods")
 COUNT = cells("embedding.md", "firmware", "instructions")
 STACK = cells("embedding.md", "firmware", "stack")
-
-
-def ns(method):
-    return figure(COSTS, method, "ns")
 
 
 def abreast(build):
@@ -61,6 +57,22 @@ def further(method):
         page)[1])
 
 
+def longrun(method, h, steps, column):
+    """The table of long runs, whose rows are told by three columns."""
+    page = (ROOT / "docs/accuracy.md").read_text()
+    head, _, *rows = [[c.strip() for c in line.strip("|").split("|")]
+                      for line in re.search(
+                          r"<!-- longrun -->\n(.*?)\n<!-- end -->", page,
+                          re.S)[1].split("\n")]
+    return next(float(r[head.index(column)]) for r in rows
+                if r[:3] == [method, h, steps])
+
+
+def drift(h):
+    """Of the energy of rk8 in a unit of time."""
+    return longrun("rk8", h, "1e+07", "energy, rms") / 1e7 / float(h)
+
+
 # A page, what stands there with its figures as groups, and what they are.
 QUOTES = (
     ("README.md", r"\| (\d+) with RK4, (\d+) with RK8",
@@ -75,8 +87,13 @@ QUOTES = (
      figure(RUNS, "all", "nothing stated")),
     ("README.md", r"Cortex-M4F \| (\d+) instructions, (\d+) bytes",
      count("m4f", "coinf_step"), figure(STACK, "m4f", "coinf_step")),
-    ("docs/design.md", r"(\d+) ns where the textbook's takes (\d+)",
-     ns("rk4"), ns("textbook RK4")),
+    ("docs/accuracy.md", r"(\d\.\d)e13 steps",
+     longrun("symplectic2", "0.05", "1e+07", "energy, rms") /
+     drift("0.05") / 0.05 / 1e13),
+    ("docs/models.md", r"errs by (\d)e-8 after a second at 60",
+     figure(FRAMES, "one step of RK8", "error at 60/s") * 1e8),
+    ("docs/models.md", r"errs by (\d)e-8 after a second at 1000",
+     figure(FRAMES, "coin_step", "error at 1000/s") * 1e8),
     ("docs/limits.md", r"Of ([\d,]+) random runs",
      figure(RUNS, "all", "runs")),
     ("docs/guide.md", r"`coinf_step` takes (\d+) instructions",

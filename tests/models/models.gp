@@ -23,8 +23,8 @@ set xrange [1e-8:0.1]
 set xtics 1e-8,1e2
 set xlabel "distance from a steady motion [rad]" offset 0,0.3
 set ylabel "error of the pose over 30 units [rad, radii]" offset 0.5,0
-set label 1 "steady" at 1e-6,3e-5 center tc rgb word(colours, 1)
-set label 2 "small wobble" at 3e-6,3e-9 center tc rgb word(colours, 2)
+set label 1 "steady" at 3e-7,3e-2 center tc rgb word(colours, 1)
+set label 2 "small wobble" at 3e-4,1e-9 left tc rgb word(colours, 2)
 set label 3 "orbit" at 1e-3,1.2e-14 center tc rgb "#B07C00"
 set label 4 "largest of 100 dashed" at 0.09,3e-15 right tc rgb "#606060"
 plot for [k=1:3] file using 1:2*k with lines lw 2.2 lc rgb word(colours, k), \
