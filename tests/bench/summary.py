@@ -161,6 +161,25 @@ def batch():
                   for m in ("rk4", "rk8", "rk4 of floats")])
 
 
+def abreast():
+    return table(["build", "coins abreast", "a coin's step, ns",
+                  "in coin_advance, ns", "gain", "busy, coins alike",
+                  "busy, coins of any kind"],
+                 [list(r.values()) for r in read("abreast")])
+
+
+def calls():
+    """What a frame loop calls; instructions are the portable build's."""
+    found = {}
+    for r in read("natural"):
+        found.setdefault(r["call"], {})[r["build"]] = r
+    return table(["call", *(f"{b}, textbook steps" for b in BUILDS),
+                  "instructions"],
+                 [[call, *(by[b]["textbook_steps"] for b in BUILDS),
+                   by["portable"]["instructions"]]
+                  for call, by in found.items()])
+
+
 def reliability():
     head = ("scenes", "method", "tol", "units", "coins", "skipped", "within tol",
             "within 3 tol", "within 10 tol", "median/tol", "worst/tol")
@@ -319,7 +338,7 @@ def orbit_ratios():
 TABLES = {"orbit": orbit, "orbit ratios": orbit_ratios, "atlas": atlas,
           "batch": batch, "steps": steps, "frames": frames,
           "costs": costs, "reliability": reliability,
-          "best": best, "longrun": longrun, "least": least,
+          "best": best, "abreast": abreast, "calls": calls, "longrun": longrun, "least": least,
           "peers": lambda: peers(PEERS), "peers free": lambda: peers(FREE),
           "heyoka": lambda: peers(HEYOKA),
           "silent steps": lambda: silent_steps("worst", OURS[:2] + SYMPLECTIC),
