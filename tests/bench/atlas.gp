@@ -55,9 +55,9 @@ do for [f=1:6] {
     do for [m=1:10] {
         row = m > 6
         slot = row ? m - 7 : m - 1
-        x0 = 0.075 + slot * 0.147 + (slot > (row ? 0 : 3) ? 0.012 : 0)
+        x0 = 0.075 + slot * 0.1455 + (slot > (row ? 0 : 3) ? 0.012 : 0)
         set lmargin at screen x0
-        set rmargin at screen x0 + 0.137
+        set rmargin at screen x0 + 0.1355
         set tmargin at screen (row ? 0.445 : 0.88)
         set bmargin at screen (row ? 0.115 : 0.55)
         if (row) { set yrange [0.56e-12:1.78e-2] } \
