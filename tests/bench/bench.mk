@@ -234,7 +234,8 @@ orbits: $(BENCH_OUT)/portable/peer_orbit need-charts need-bits ## an orbit besid
 	$(DRAW)
 
 results: ## measure anew all that results-check looks at (an hour)
-	+for what in charts models silent adversary longrun figures; do \
+	+for what in charts models silent adversary adversary-update longrun \
+	    figures; do \
 	    $(AGAIN) $$what || exit 1; done
 
 longrun: $(BENCH_OUT)/portable/bench_longrun need-bits ## what ten million steps do (half an hour)
