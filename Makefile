@@ -15,28 +15,40 @@
 SRC := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 O   := build
 
-ifneq ($(words $(CURDIR)),1)
-$(error make cannot work in a folder with a blank in its name)
-endif
-
 PREFIX       ?= /usr/local
 EXEC_PREFIX  ?= $(PREFIX)
+BINDIR       ?= $(EXEC_PREFIX)/bin
 LIBDIR       ?= $(EXEC_PREFIX)/lib
 INCLUDEDIR   ?= $(PREFIX)/include
 PKGCONFIGDIR ?= $(LIBDIR)/pkgconfig
+CMAKEDIR     ?= $(LIBDIR)/cmake/rollcoin
+MANDIR       ?= $(PREFIX)/share/man
+DOCDIR       ?= $(PREFIX)/share/doc/rollcoin
 DESTDIR      ?=
 
+# make reads a blank in a name as two names.
+FOLDERS := CURDIR O DESTDIR PREFIX EXEC_PREFIX BINDIR LIBDIR INCLUDEDIR \
+           PKGCONFIGDIR CMAKEDIR MANDIR DOCDIR
+$(foreach f,$(FOLDERS),$(if $(word 2,x$($f)x),\
+    $(error make cannot work with a blank in $f: '$($f)')))
+$(if $(wildcard $(SRC)/include/coin.h),,\
+    $(error make cannot work with a blank in the name of the sources' folder))
+
 INSTALL      ?= install
+LDCONFIG     ?= ldconfig
 PKG_CONFIG   ?= pkg-config
 CLANG_FORMAT ?= clang-format
 PYTHON       ?= python3
 
 # ---------------------------------------------------------------------- version
-# The version has one home, coin.h.  The soname has a number of its own, raised
-# by a break of the ABI and by nothing else.
-SOVERSION := 0
-VERSION   := $(shell sed -n 's/^\#define COIN_VERSION_[MP][A-Z]* //p' \
-                     $(SRC)/include/coin.h | paste -sd.)
+# The version has one home, coin.h.  Before 1.0 the soname carries the minor
+# version.  From 1.0 on it has a number of its own, raised by a break of the ABI
+# and by nothing else.
+ABI_NUMBER := 1
+VERSION    := $(shell sed -n 's/^\#define COIN_VERSION_[MP][A-Z]* //p' \
+                      $(SRC)/include/coin.h | paste -sd. -)
+SOVERSION  := $(if $(filter 0.%,$(VERSION)),$(basename $(VERSION)),\
+                 $(ABI_NUMBER))
 
 # ------------------------------------------------------------------------ flags
 # The user's flags come first and ours last, so that no -ffp-contract=fast or
@@ -59,7 +71,8 @@ PINNED := $(strip -ffp-contract=off -fno-tree-vectorize $(TRAPS))
 HIDDEN := -fvisibility=hidden
 
 CC_USER  = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS)
-CC_LIB   = $(CC_USER) -std=c99 $(PINNED) $(MAPS) $(HIDDEN) -I$(SRC)/include
+CC_LIB   = $(CC_USER) $(API) -std=c99 $(PINNED) $(MAPS) $(HIDDEN) \
+           -I$(SRC)/include
 CC_TEST  = $(CC_USER) -std=c11 $(PINNED) $(MAPS) -I$(SRC)/include \
            $(addprefix -I,$(sort $(dir $(SOURCES)))) \
            -I$(SRC)/tests/support $(TEST_SEES)
@@ -79,44 +92,60 @@ endif
 .SECONDARY:
 .PHONY: force
 
+# ----------------------------------------------------------------------- target
+# What the linker is told, and what the library is called, by the system that
+# the compiler makes programs for: Linux and the like, Windows, macOS.  On
+# Windows programs are linked to an import library.
+TARGET := $(shell $(CC) -dumpmachine)
+ifneq (,$(findstring mingw,$(TARGET)))
+REAL_SO   = librollcoin-$(SOVERSION).dll
+SO_LINKS  =
+IMPORT    = librollcoin.dll.a
+TO_SHARED = -shared -Wl,--out-implib,$(O)/$(IMPORT)
+API       = -DCOIN_BUILD
+RUNDIR    = $(BINDIR)
+else ifneq (,$(findstring darwin,$(TARGET)))
+REAL_SO   = librollcoin.$(VERSION).dylib
+SO_LINKS  = librollcoin.$(SOVERSION).dylib librollcoin.dylib
+TO_SHARED = -dynamiclib -install_name $(LIBDIR)/librollcoin.$(SOVERSION).dylib
+AR_AS     = rcs
+else
+REAL_SO   = librollcoin.so.$(VERSION)
+SO_LINKS  = librollcoin.so.$(SOVERSION) librollcoin.so
+TO_SHARED = -shared -Wl,-soname,librollcoin.so.$(SOVERSION) -Wl,-z,defs \
+            -Wl,--version-script=$(EXPORTS) -Wl,--build-id=sha1
+endif
+RUNDIR   ?= $(LIBDIR)
+AR_AS    ?= rcsD
+
 # -------------------------------------------------------------------- libraries
 SOURCES := $(wildcard $(SRC)/lib/*/*.c)
-STATIC  := $(patsubst %.c,$(O)/static/%.o,$(notdir $(SOURCES)))
-SHARED  := $(patsubst %.c,$(O)/shared/%.o,$(notdir $(SOURCES)))
-LIB_A   := $(O)/librollcoin.a
-LIB_SO  := $(O)/librollcoin.so
-SONAME  := librollcoin.so.$(SOVERSION)
-REAL_SO := librollcoin.so.$(VERSION)
+OBJECTS := $(patsubst %.c,$(O)/objects/%.o,$(notdir $(SOURCES)))
 EXPORTS := $(SRC)/lib/about/rollcoin.map
+LIB_A   := $(O)/librollcoin.a
+LIB_SO  := $(addprefix $(O)/,$(or $(lastword $(SO_LINKS)),$(REAL_SO)))
 
 # Objects lie in one folder: no two sources have one name.
 vpath %.c $(sort $(dir $(SOURCES)))
 
 .PHONY: all
-all: $(LIB_A) $(LIB_SO) $(O)/rollcoin.pc ## the static and the shared library
+all: $(LIB_A) $(LIB_SO) ## the static and the shared library
 
-$(O)/static/%.o: %.c $(O)/flags | $(O)/static
+# One set of objects for both, so that a plugin can take the static one in.
+$(O)/objects/%.o: %.c $(O)/flags | $(O)/objects
 	echo "CC  $(@F)"
-	cd $(SRC) && $(CC_LIB) $(DEPENDS) -c -o $(abspath $@) $<
-
-$(O)/shared/%.o: %.c $(O)/flags | $(O)/shared
-	echo "CC  $(@F) (shared)"
 	cd $(SRC) && $(CC_LIB) -fPIC $(DEPENDS) -c -o $(abspath $@) $<
 
 # Removed first: ar would keep the object of a source that is gone.
-$(LIB_A): $(STATIC)
+$(LIB_A): $(OBJECTS)
 	rm -f $@
-	$(AR) rcsD $@ $(STATIC)
+	$(AR) $(AR_AS) $@ $(OBJECTS)
 
-$(O)/$(REAL_SO): $(SHARED) $(EXPORTS) $(SRC)/Makefile
-	$(CC_LIB) $(LDFLAGS) -shared -o $@ $(SHARED) -lm \
-	    -Wl,-soname,$(SONAME),--version-script=$(EXPORTS),-z,defs,--build-id=sha1
+$(O)/$(REAL_SO): $(OBJECTS) $(EXPORTS) $(SRC)/Makefile
+	$(CC_LIB) $(LDFLAGS) -o $@ $(OBJECTS) $(TO_SHARED) -lm
 
-$(O)/$(SONAME): $(O)/$(REAL_SO)
+$(addprefix $(O)/,$(SO_LINKS)): $(O)/$(REAL_SO)
 	ln -sf $(REAL_SO) $@
-
-$(LIB_SO): $(O)/$(SONAME)
-	ln -sf $(SONAME) $@
 
 # All of it as one header, for a project or firmware that takes files in.
 SINGLE       := $(O)/single/coin.h
@@ -124,61 +153,40 @@ SINGLE       := $(O)/single/coin.h
 .PHONY: single
 single: $(SINGLE) ## build/single/coin.h, the library as one header
 
-$(SINGLE): $(SRC)/LICENSE $(SRC)/lib/about/single.awk \
+$(SINGLE): $(SRC)/LICENSE $(wildcard $(SRC)/lib/about/single.*) \
            $(wildcard $(SRC)/include/*.h $(SRC)/lib/*/*.[ch]) | $(O)/single
 	cd $(SRC) && export LC_ALL=C && awk -f lib/about/single.awk \
 	    LICENSE include/*.h lib/*/*.c >$(abspath $@)
 	echo '#include "coin.h" /* which holds coinf.h */' >$(O)/single/coinf.h
-
-# Folders below the prefix are written relative to it, so that pkg-config can
-# move the whole by --define-prefix.
-below = $(patsubst $(PREFIX),$${prefix},$(patsubst $(PREFIX)/%,$${prefix}/%,$1))
-PC    = sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' \
-            -e 's|@EXEC_PREFIX@|$(call below,$(EXEC_PREFIX))|' \
-            -e 's|@LIBDIR@|$(call below,$(LIBDIR))|' \
-            -e 's|@INCLUDEDIR@|$(call below,$(INCLUDEDIR))|' \
-            $(SRC)/pkgconfig/rollcoin.pc.in
-
-$(O)/rollcoin.pc: force | $(O)
-	$(PC) >$@
+	sed 's/@VERSION@/$(VERSION)/' $(SRC)/lib/about/single.md >$(O)/single/README.md
 
 # Everything compiled depends on this file, which changes when the flags do.
 $(O)/flags: force | $(O)
 	echo '$(subst ','\'',$(CC_LIB) $(LDFLAGS))' >$@.new
-	cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+	$(if_new)
 
-$(O) $(O)/static $(O)/shared $(O)/single $(O)/tests/support:
+# Keeps a file that is made anew in every run, if it has not changed.
+if_new = cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
+$(O) $(O)/objects $(O)/single $(O)/tests/support:
 	mkdir -p $@
 
 -include $(wildcard $(O)/*.d $(O)/*/*.d $(O)/*/*/*.d)
 
 # ---------------------------------------------------------------------- install
-TO_LIB = $(DESTDIR)$(LIBDIR)
-TO_INC = $(DESTDIR)$(INCLUDEDIR)
-TO_PC  = $(DESTDIR)$(PKGCONFIGDIR)
-
-.PHONY: install uninstall
-install: $(LIB_A) $(LIB_SO) ## to PREFIX, below DESTDIR if that is set
-	$(INSTALL) -d $(TO_INC) $(TO_LIB) $(TO_PC)
-	$(INSTALL) -m 644 $(SRC)/include/coin.h $(SRC)/include/coinf.h $(TO_INC)
-	$(INSTALL) -m 644 $(LIB_A) $(O)/$(REAL_SO) $(TO_LIB)
-	ln -sf $(REAL_SO) $(TO_LIB)/$(SONAME)
-	ln -sf $(SONAME) $(TO_LIB)/librollcoin.so
-	$(PC) >$(TO_PC)/rollcoin.pc
-	chmod 644 $(TO_PC)/rollcoin.pc
-
-uninstall: ## remove what install put there
-	rm -f $(TO_INC)/coin.h $(TO_INC)/coinf.h $(TO_LIB)/librollcoin.a \
-	    $(TO_LIB)/librollcoin.so \
-	    $(TO_LIB)/$(SONAME) $(TO_LIB)/$(REAL_SO) $(TO_PC)/rollcoin.pc
+# The targets install and uninstall, and what they install beside the libraries.
+include $(SRC)/pkgconfig/install.mk
 
 # ------------------------------------------------------------ examples and demo
 EXAMPLES := $(patsubst $(SRC)/docs/examples/%.c,$(O)/%,\
                        $(wildcard $(SRC)/docs/examples/*.c))
 
-.PHONY: demo demo-check examples
+.PHONY: demo live demo-check examples
 demo: $(O)/rolling_quarter ## roll a US quarter: a table, and drawings in build/
 	$(O)/rolling_quarter --out $(O)
+
+live: $(O)/rolling_quarter ## watch a US quarter roll, in the terminal
+	$(O)/rolling_quarter --live
 
 demo-check: $(O)/rolling_quarter ## what the demo prints, draws and refuses
 	PYTHON=$(PYTHON) sh $(SRC)/tests/demo/run.sh $(O)/rolling_quarter
@@ -243,6 +251,7 @@ include $(wildcard $(SRC)/tests/*/*.mk)
 # last commit; in an unpacked release it holds the same folders, and its files
 # keep that date.  distcheck proves the two ways equal.
 TARBALL := $(O)/rollcoin-$(VERSION).tar.xz
+SINGLES := $(O)/rollcoin-single-$(VERSION).tar.xz
 FILES    = cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
            .clang-format .gitignore CHANGELOG.md LICENSE Makefile README.md \
            docs include lib pkgconfig tests -type f \
@@ -250,15 +259,19 @@ FILES    = cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
 EPOCH    = $(or $(SOURCE_DATE_EPOCH),$(shell cd $(SRC) && if test -e .git; \
            then git log -1 --format=%ct; else stat -c %Y Makefile; fi))
 
-.PHONY: dist distcheck installcheck
-dist: | $(O) ## rollcoin-VERSION.tar.xz, the same bytes everywhere
-	$(FILES) >$(abspath $(O))/files
-	LC_ALL=C sort -o $(O)/files $(O)/files
-	tar -C $(SRC) -cf $(TARBALL:.xz=) --no-recursion -T $(O)/files \
-	    --format=ustar --mtime=@$(EPOCH) --owner=0 --group=0 \
-	    --numeric-owner --mode=u=rwX,go=rX \
+# Files of a kind lie together, which saves 1 %.
+PACKED = --no-recursion --format=ustar --mtime=@$(EPOCH) --owner=0 --group=0 \
+         --numeric-owner --mode=u=rwX,go=rX
+
+.PHONY: dist distcheck installcheck consumers hwcaps
+dist: $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, rollcoin-single-VERSION.tar.xz
+	($(FILES)) | awk -F. '{print $$NF " " $$0}' | LC_ALL=C sort | \
+	    sed 's/^[^ ]* //' >$(O)/files
+	tar -C $(SRC) -cf $(TARBALL:.xz=) $(PACKED) -T $(O)/files \
 	    --transform='flags=r;s,^,rollcoin-$(VERSION)/,'
-	xz -9ef -T1 $(TARBALL:.xz=)
+	tar -C $(O)/single -cf $(SINGLES:.xz=) $(PACKED) README.md coin.h coinf.h \
+	    --transform='flags=r;s,^,rollcoin-single-$(VERSION)/,'
+	xz -fT1 --lzma2=preset=9e,pb=0,lc=4 $(TARBALL:.xz=) $(SINGLES:.xz=)
 
 # What gates are told: this Makefile, and where to work.
 GATE  = MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' SRC='$(SRC)' \
@@ -268,6 +281,12 @@ AGAIN = $(MAKE) --no-print-directory -f $(SRC)/Makefile
 installcheck: all ## install, build a client by pkg-config, uninstall
 	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/install.sh
 
+consumers: all ## CMake and Meson find it; CMake builds the same bits
+	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/consumers.sh
+
+hwcaps: all ## HWCAPS=1: each level of x86-64 is loaded, with the same bits
+	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/hwcaps.sh
+
 distcheck: dist ## the tarball builds, passes and makes itself again
 	+$(GATE) TARBALL=$(abspath $(TARBALL)) sh $(SRC)/tests/install/dist.sh
 
@@ -276,10 +295,10 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 # tier begins with those before it.
 GATES_COMMIT  := check format-check lint-quick
 GATES_PUSH    := header-check examples demo-check float-check installcheck \
-                 lanes abi pictures-check bindings distcheck lint sanitize \
-                 coverage
-GATES_RELEASE := adversary bound tsan abi-seeds bindings-seeds endurance fuzz \
-                 msan repro valgrind single-check cross firmware
+                 consumers hwcaps lanes abi pictures-check page-check \
+                 bindings distcheck lint sanitize coverage
+GATES_RELEASE := adversary bound tsan abi-seeds bindings-seeds sweeps \
+                 endurance fuzz msan repro valgrind single-check cross firmware
 GATES_HAND    := mutants results-check
 GATES = $(GATES_COMMIT) $(GATES_PUSH) $(GATES_RELEASE)
 EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done
@@ -309,7 +328,7 @@ valgrind: ## the tests under valgrind
 
 # Unoptimised and unmapped: gcov then sees each branch as it is written, and
 # finds the sources.  Only what ran inside the library's own objects counts.
-COVERED = gcovr --root $(SRC) --filter '$(SRC)/lib/' $(O)/coverage/static
+COVERED = gcovr --root $(SRC) --filter '$(SRC)/lib/' $(O)/coverage/objects
 coverage: ## every line and branch of lib/ runs, or the missing are listed
 	rm -rf $(O)/coverage
 	+$(AGAIN) O=$(O)/coverage check MAPS= \
@@ -336,7 +355,7 @@ repro-update: ## accept the hashes of this library as the pinned ones
 
 # -------------------------------------------------------------- format, helpers
 C_FILES = $(foreach d,include lib/* tests tests/* docs/examples \
-            docs/examples/*,\
+            docs/examples/* docs/page,\
             $(wildcard $(SRC)/$d/*.[ch]))
 
 .PHONY: format format-check clean help

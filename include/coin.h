@@ -3,7 +3,8 @@
  * librollcoin: the motion of a coin that rolls without slipping on a table.
  *
  * This header is the whole public API and its reference documentation.
- * Equation numbers, such as Eq. (14), are those of docs/physics.md.
+ * Equation numbers, such as Eq. (14), are those of docs/physics.md; make
+ * install puts docs/ into PREFIX/share/doc/rollcoin.
  *
  * FRAMES. Small letters x y z are the table's frame, y up.  Capital letters
  * X Y Z are the coin's frame: origin at the centre, X horizontal in the
@@ -133,7 +134,9 @@ typedef struct coin_losses {
 /** A motion solved once, to be asked for any time: coin_orbit_init(),
  * coin_orbit_at().  It holds half a period of theta, in pieces that are
  * polynomials of time: 32 KiB.  It has no pointers, so that it may be copied,
- * stored and shared. */
+ * stored, and shared between threads and processes: only for the library that
+ * made it.  A library of another version, or on a machine of another byte
+ * order, returns COIN_EARG for it. */
 typedef struct coin_orbit {
     double period;             /**< of theta; 0 if the motion is steady [T] */
     double heading_per_period; /**< what phi gains in it [rad] */
@@ -153,10 +156,12 @@ typedef struct coin_orbit {
                                    period and w^2 = 2 E/J; s is the larger
                                    |d(wX)/dt| of the two turning points, at
                                    most w^2 [1] */
+    double reserved[26];      /**< 0: room for what a later version adds */
     double private_frame[32]; /**< this and what follows: the library's */
     double private_edges[48];
-    double private_centers[44];
-    double private_terms[3960];
+    double private_centers[42];
+    double private_terms[3780];
+    double private_spare[156]; /**< 0 */
 } coin_orbit;
 
 /** Status: 0, or negative = error.  Numbers never change meaning. */
@@ -506,6 +511,65 @@ COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
 COIN_API int32_t coin_check(const coin_state *s, const coin_params *p,
                             int32_t method, double dt, double mu);
 
+/* ---------------------------------------------------- games and engines -- */
+
+/** What a renderer loads: the pose as one matrix, body to table, the roll
+ * included.  Eq. (85).
+ * @param[out] m  [16] by columns, as OpenGL, Vulkan and three.js have them: the
+ *                body's three axes and its centre of mass, each with x, y, z
+ *                of the table and then 0, 0, 0, 1.  Element (row, column) is
+ *                m[4 * column + row] [1], the centre [L]
+ * @return COIN_OK; the usual errors.
+ * Accuracy: 8 u in the axes, 4 u in the centre's y; its x and z are those of
+ * the state (test_matrix). */
+COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
+                             double m[16]);
+
+/** coin_advance() that stops at the first moment from which a real coin would
+ * slip or lift off, or at which it is nearly flat.  Brief excursions within a
+ * step are found as well: from the forces at the ends of a step and their
+ * derivatives, Eq. (87), which bound the forces between.
+ * @param[in,out] s  the state
+ * @param t          the time, of either sign [T]
+ * @param tol        1e-13 to 1e-2: as for coin_advance(); and within how many
+ *                   natural units of time before s none of the bits holds [1]
+ * @param mu         the friction coefficient, >= 0, may be +infinity [1]
+ * @param bits       COIN_SLIPS, COIN_LIFTS, COIN_NEARLY_FLAT, or several,
+ *                   or-ed.  COIN_SLIPS alone does not stop where N <= 0
+ * @param[out] reached  the time moved; may be null
+ * @return COIN_OK: none of the bits held within t, *reached is t, and s has the
+ *         bits that coin_advance() gives it.  Positive: those of the bits that
+ *         hold in s, as coin_check() has them; *reached is the first moment at
+ *         which one was found to.  A bit that holds at the start is returned at
+ *         once, with *reached = 0.  COIN_EARG also for mu < 0 or NaN and for
+ *         bits = 0 or with any other bit; other errors and COIN_EFLAT as
+ *         coin_advance().
+ * Accuracy: no excursion by which F/N exceeds mu by 1e-6 of mu or more is
+ *         missed, wherever it lies (test_until).
+ * Cost: at most twice that of coin_advance() without an event; an event takes
+ *         that of some steps more.  Some 9 KiB of stack. */
+COIN_API int32_t coin_advance_until(coin_state *s, const coin_params *p,
+                                    double t, double tol, double mu,
+                                    int32_t bits, double *reached);
+
+/** How a coin that an engine holds rolls on once it touches the table, if the
+ * contact neither slips nor bounces: the angular momentum about the point of
+ * contact is kept.  Eq. (86).  A coin that rolls already stays as it is.
+ * @param[out] s  the state; -pi < phi, psi <= pi
+ * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
+ * @param omega   [3] angular velocity in the table frame, before [1/T]
+ * @param v       [3] velocity of the centre of mass, before.  It may point
+ *                away from the table: what is kept is the same [L/T]
+ * @param x,z     the centre of mass [L]
+ * @return COIN_OK; the usual errors: COIN_ESTATE as coin_state_from_motion(),
+ *         and if v is not finite or the rates would overflow.
+ * Accuracy: that of coin_state_from_motion(); 16 u of the terms in the rates,
+ *         for the angles that come out (test_landing). */
+COIN_API int32_t coin_state_from_landing(coin_state *s, const coin_params *p,
+                                         const double q[4],
+                                         const double omega[3],
+                                         const double v[3], double x, double z);
+
 /* -------------------------------------------------------- steady motion -- */
 
 /** Straight rolling, upright: theta = wX = wY = 0.
@@ -653,9 +717,9 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
                                  const coin_params *p);
 
 /** The state at any time, forward or backward, without stepping.
- * @param o         as coin_orbit_init() of this version left it.  Other
- *                  contents do no harm, and most are recognized: an orbit
- *                  carries a tag of its format
+ * @param o         as coin_orbit_init() of the same version left it: an orbit
+ *                  carries a tag of that.  Other contents do no harm, and most
+ *                  are recognized
  * @param t         the time since the state that the orbit was made from [T]
  * @param[out] out  the state
  * @return COIN_OK; COIN_EARG, also for contents that are seen not to be an
@@ -845,13 +909,19 @@ COIN_API const char *coin_version_string(void);
  * bits may be combined: the text then names the set as such. */
 COIN_API const char *coin_status_string(int32_t status);
 
-/** sizeof(coin_state) as the library was compiled: 64.  For bindings. */
-COIN_API uint32_t coin_sizeof_state(void);
-
 /** sizeof(coin_params) as the library was compiled: 64.  For bindings. */
 COIN_API uint32_t coin_sizeof_params(void);
 
-/** sizeof(coin_orbit) as the library was compiled.  For bindings. */
+/** sizeof(coin_state) as the library was compiled: 64. */
+COIN_API uint32_t coin_sizeof_state(void);
+
+/** sizeof(coin_force) as the library was compiled: 48. */
+COIN_API uint32_t coin_sizeof_force(void);
+
+/** sizeof(coin_losses) as the library was compiled: 64. */
+COIN_API uint32_t coin_sizeof_losses(void);
+
+/** sizeof(coin_orbit) as the library was compiled: 32,768. */
 COIN_API uint32_t coin_sizeof_orbit(void);
 
 /** Whether this build computes the pinned bits: steps some coins and compares

@@ -38,6 +38,7 @@ static double off_by(coin_priv_sc got, coin_priv_sc from, double d)
 static void a_pair_is_turned_to_a_few_u(void **unused)
 {
     (void)unused;
+    check_long_double();
     const struct {
         double most, least_seen, bound;
     } turns[] = {{0.5, 1.2, 2}, {1, 2, 3}, {1.5707963, 3, 5}};
@@ -61,6 +62,7 @@ static void a_little_turn_is_as_good_up_to_its_limit_and_not_beyond(
     void **unused)
 {
     (void)unused;
+    check_long_double();
     struct random r = random_begin(302);
     const double limit = COIN_PRIV_LITTLE_TURN;
     double worst = 0, beyond = 0;

@@ -20,6 +20,15 @@ CALL(coinf_params_body,
                        c->fp.inertia_X, c->fp.inertia_Z))
 CALL(coinf_params_check, coinf_params_check(&c->fp))
 
+static int32_t sized(uint32_t size)
+{
+    return size > 0 ? COIN_OK : COIN_EARG;
+}
+CALL(coinf_sizeof_params, sized(coinf_sizeof_params()))
+CALL(coinf_sizeof_state, sized(coinf_sizeof_state()))
+CALL(coinf_sizeof_force, sized(coinf_sizeof_force()))
+CALL(coinf_sizeof_losses, sized(coinf_sizeof_losses()))
+
 /* Once is enough. */
 static int32_t call_coinf_selftest(const struct trap_case *c)
 {
@@ -38,6 +47,7 @@ CALL(coinf_velocity, coinf_velocity(&c->fs, &c->fp, v))
 CALL(coinf_contact, coinf_contact(&c->fs, &c->fp, v, v + 3))
 CALL(coinf_axes, coinf_axes(&c->fs, v))
 CALL(coinf_quaternion, coinf_quaternion(&c->fs, v))
+CALL(coinf_matrix, coinf_matrix(&c->fs, &c->fp, v))
 CALL(coinf_check, coinf_check(&c->fs, &c->fp, COIN_RK4, c->fdt, c->fmu))
 
 static int32_t call_coinf_reaction(const struct trap_case *c)
@@ -56,6 +66,18 @@ static int32_t call_coinf_state_from_motion(const struct trap_case *c)
     for (int i = 0; i < 4; ++i)
         q[i] *= c->fmu > 0 ? 1 : 1e30f;
     return coinf_state_from_motion(&out, &c->fp, q, omega, c->fs.x, c->fs.z);
+}
+
+/* With a velocity that need not be that of rolling. */
+static int32_t call_coinf_state_from_landing(const struct trap_case *c)
+{
+    float q[4], omega[3], at[3];
+    if (coinf_quaternion(&c->fs, q) != COIN_OK ||
+        coinf_angular_velocity(&c->fs, omega) != COIN_OK ||
+        coinf_velocity(&c->fs, &c->fp, at) != COIN_OK)
+        return COIN_ESTATE;
+    return coinf_state_from_landing(&out, &c->fp, q, omega,
+                                    c->fmu > 0 ? at : omega, c->fs.x, c->fs.z);
 }
 
 /* --------------------------------------------------------------------- movers
@@ -82,7 +104,41 @@ static int32_t call_coinf_batch_run(const struct trap_case *c)
     return coinf_batch_run(s, 40, &c->fp, COIN_RK4, c->fdt, 70, NULL);
 }
 
+/* Some of each loss, of the size of the coin's own torques. */
+static coinf_losses losses(const struct trap_case *c)
+{
+    const double w0 = sqrt(c->p.gravity / c->p.radius);
+    const double torque = 1e-3 * c->p.mass * c->p.gravity * c->p.radius;
+    const coinf_losses l = {1e-3f,
+                            (float)torque,
+                            (float)(torque / w0),
+                            (float)(torque / (w0 * sqrt(w0))),
+                            (float)(torque / w0),
+                            (float)torque,
+                            (float)(torque / w0),
+                            0};
+    return l;
+}
+
+static int32_t call_coinf_losses_check(const struct trap_case *c)
+{
+    const coinf_losses l = losses(c);
+    return coinf_losses_check(&l, &c->fp);
+}
+
+static int32_t call_coinf_settle(const struct trap_case *c)
+{
+    const coinf_losses l = losses(c);
+    const float unit = sqrtf(c->fp.radius / c->fp.gravity);
+    out = c->fs;
+    return coinf_settle(&out, &c->fp, &l, 3 * unit, 1e-4f, NULL);
+}
+
 static const struct trap_function all[] = {
+    ROW(coinf_sizeof_params),
+    ROW(coinf_sizeof_state),
+    ROW(coinf_sizeof_force),
+    ROW(coinf_sizeof_losses),
     ROW(coinf_selftest),
     ROW(coinf_params_disc),
     ROW(coinf_params_ring),
@@ -90,6 +146,7 @@ static const struct trap_function all[] = {
     ROW(coinf_params_check),
     ROW(coinf_state_check),
     ROW(coinf_state_from_motion),
+    ROW(coinf_state_from_landing),
     ROW(coinf_angular_velocity),
     ROW(coinf_step),
     ROW(coinf_run_rk4),
@@ -104,7 +161,10 @@ static const struct trap_function all[] = {
     ROW(coinf_contact),
     ROW(coinf_axes),
     ROW(coinf_quaternion),
+    ROW(coinf_matrix),
     ROW(coinf_check),
+    ROW(coinf_losses_check),
+    ROW(coinf_settle),
 };
 
 static void no_call_that_succeeds_traps(void **unused)

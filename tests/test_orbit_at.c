@@ -270,50 +270,6 @@ static void what_it_cannot_tell_it_refuses(void **unused)
     check_status(coin_orbit_at(&o, 3, &out), COIN_ESTEP);
 }
 
-/* Whatever its bytes, an orbit is not read beyond its end. */
-static void bytes_that_are_no_orbit_do_no_harm(void **unused)
-{
-    (void)unused;
-    coin_params p;
-    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    const coin_state wobbling = {0.1, 0, 0, 0, 0, 0, 0, 1};
-    const coin_orbit o = orbit_of(&wobbling, &p);
-    const double count = o.private_frame[COIN_PRIV_COUNT];
-    const double bad[][2] = {
-        {0, 0},      {-1, 0},        {45, 0},    {(double)NAN, 0},     {1e9, 0},
-        {count, -1}, {count, count}, {1e9, 1e9}, {count, (double)NAN},
-    };
-    coin_state out, before;
-    memset(&out, 0xa5, sizeof out);
-    before = out;
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
-        coin_orbit other = o;
-        other.private_frame[COIN_PRIV_COUNT] = bad[i][0];
-        other.private_frame[COIN_PRIV_BACK] = bad[i][1];
-        check_note("%g pieces, %g of them back", bad[i][0], bad[i][1]);
-        check_status(coin_orbit_at(&other, 1, &out), COIN_EARG);
-        check_same(&out, &before, sizeof out);
-    }
-    coin_orbit noise;
-    memset(&noise, 0xff, sizeof noise); /* all NaN */
-    check_status(coin_orbit_at(&noise, 1, &out), COIN_EARG);
-    noise.period = 0;
-    check_status(coin_orbit_at(&noise, 1, &out), COIN_EARG);
-    noise.private_frame[0] = o.private_frame[0];
-    check_status(coin_orbit_at(&noise, 1, &out), COIN_ESTEP);
-    noise = o; /* edges that no count goes with */
-    memset(noise.private_edges, 0, sizeof noise.private_edges);
-    noise.private_frame[COIN_PRIV_COUNT] = 20;
-    noise.private_frame[COIN_PRIV_BACK] = 0;
-    noise.private_terms[19 * COIN_PRIV_PIECE] = 0.25; /* of the last one */
-    check(at(&noise, 1).theta == 0.25);
-    coin_orbit other = o; /* of another version */
-    other.private_frame[0] *= 2;
-    out = before;
-    check_status(coin_orbit_at(&other, 1, &out), COIN_EARG);
-    check_same(&out, &before, sizeof out);
-}
-
 /* ------------------------------------------------------------ its parts */
 /* Begun at a turning point, before and after are mirrors to the bit. */
 static void a_turning_point_is_a_mirror(void **unused)
@@ -384,7 +340,6 @@ int main(void)
         TEST(reversed_motion_is_reversed_time),
         TEST(units_of_powers_of_two_change_no_bit),
         TEST(what_it_cannot_tell_it_refuses),
-        TEST(bytes_that_are_no_orbit_do_no_harm),
         TEST(a_turning_point_is_a_mirror),
         TEST(products_with_a_number_of_periods_are_exact),
     };

@@ -6,6 +6,7 @@
 #include "support/check.h"
 #include "support/scene.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -116,6 +117,26 @@ static void the_readme_s_program_prints_what_the_readme_shows(void **unused)
     check(strcmp(output, shown) == 0);
 }
 
+/* After the 8 s that it asks for. */
+static void the_guide_s_coin_comes_to_rest_as_it_shows(void **unused)
+{
+    (void)unused;
+    static char text[TEXT], program[TEXT], output[TEXT];
+    char *end;
+    double when;
+    read_text("docs/examples/stop.c", program);
+    read_text("docs/guide.md", text);
+    check(strstr(text, strstr(program, "#include")) != NULL);
+    const char *shown =
+        between(strstr(text, "int main(void)\n{\n    coin_losses"), "```text",
+                "```", &end);
+    compile("", program, "");
+    run_program(output);
+    check(strcmp(output, shown) == 0);
+    check(sscanf(output, "flat after %lf s", &when) == 1);
+    check(fabs(when - 8) < 0.01);
+}
+
 /* 1000 steps in the quarter's first second. */
 static void the_header_s_example_rolls_the_quarter(void **unused)
 {
@@ -157,6 +178,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(the_readme_s_program_prints_what_the_readme_shows),
+        TEST(the_guide_s_coin_comes_to_rest_as_it_shows),
         TEST(the_header_s_example_rolls_the_quarter),
     };
     return cmocka_run_group_tests_name(__FILE__, tests, make_folder,

@@ -30,6 +30,8 @@ CALL(coin_version_string, done(coin_version_string()[0]))
 CALL(coin_status_string, done(coin_status_string(-3)[0]))
 CALL(coin_sizeof_state, done(coin_sizeof_state()))
 CALL(coin_sizeof_params, done(coin_sizeof_params()))
+CALL(coin_sizeof_force, done(coin_sizeof_force()))
+CALL(coin_sizeof_losses, done(coin_sizeof_losses()))
 CALL(coin_sizeof_orbit, done(coin_sizeof_orbit()))
 CALL(coin_params_disc,
      coin_params_disc(&made, c->p.mass, c->p.radius, c->p.gravity))
@@ -62,6 +64,7 @@ CALL(coin_velocity, coin_velocity(&c->s, &c->p, v))
 CALL(coin_contact, coin_contact(&c->s, &c->p, v, v + 3))
 CALL(coin_axes, coin_axes(&c->s, v))
 CALL(coin_quaternion, coin_quaternion(&c->s, v))
+CALL(coin_matrix, coin_matrix(&c->s, &c->p, v))
 
 static int32_t call_coin_reaction(const struct trap_case *c)
 {
@@ -84,6 +87,18 @@ static int32_t call_coin_state_from_motion(const struct trap_case *c)
     for (int i = 0; i < 4; ++i)
         q[i] *= c->mu > 0 ? 1 : 1e200;
     return coin_state_from_motion(&out, &c->p, q, omega, c->s.x, c->s.z);
+}
+
+/* With a velocity that need not be that of rolling. */
+static int32_t call_coin_state_from_landing(const struct trap_case *c)
+{
+    double q[4], omega[3], at[3];
+    if (coin_quaternion(&c->s, q) != COIN_OK ||
+        coin_angular_velocity(&c->s, omega) != COIN_OK ||
+        coin_velocity(&c->s, &c->p, at) != COIN_OK)
+        return COIN_ESTATE;
+    return coin_state_from_landing(&out, &c->p, q, omega,
+                                   c->mu > 0 ? at : omega, c->s.x, c->s.z);
 }
 
 /* ------------------------------------------------------------------- movers */
@@ -126,6 +141,9 @@ static double some_time(const struct trap_case *c)
     return fmin(c->t, 1e3 / w);
 }
 CALL(coin_advance, coin_advance(copy(&c->s), &c->p, some_time(c), 1e-6, NULL))
+CALL(coin_advance_until,
+     coin_advance_until(copy(&c->s), &c->p, some_time(c), 1e-6, c->mu,
+                        COIN_SLIPS | COIN_LIFTS, NULL))
 CALL(coin_orbit_init, coin_orbit_init(&orbit, &c->s, &c->p))
 
 static int32_t call_coin_orbit_at(const struct trap_case *c)
@@ -224,6 +242,8 @@ static const struct trap_function all[] = {
     ROW(coin_status_string),
     ROW(coin_sizeof_state),
     ROW(coin_sizeof_params),
+    ROW(coin_sizeof_force),
+    ROW(coin_sizeof_losses),
     ROW(coin_sizeof_orbit),
     ROW(coin_selftest),
     ROW(coin_params_disc),
@@ -232,6 +252,7 @@ static const struct trap_function all[] = {
     ROW(coin_params_check),
     ROW(coin_state_check),
     ROW(coin_state_from_motion),
+    ROW(coin_state_from_landing),
     ROW(coin_angular_velocity),
     ROW(coin_step),
     ROW(coin_run_rk4),
@@ -242,6 +263,7 @@ static const struct trap_function all[] = {
     ROW(coin_batch_run_rk8),
     ROW(coin_sample),
     ROW(coin_advance),
+    ROW(coin_advance_until),
     ROW(coin_orbit_init),
     ROW(coin_orbit_at),
     ROW(coin_method_name),
@@ -256,6 +278,7 @@ static const struct trap_function all[] = {
     ROW(coin_contact),
     ROW(coin_axes),
     ROW(coin_quaternion),
+    ROW(coin_matrix),
     ROW(coin_check),
     ROW(coin_steady_roll),
     ROW(coin_steady_spin),

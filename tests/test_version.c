@@ -22,19 +22,11 @@ static void the_text_says_the_same(void **unused)
     check(strcmp(coin_version_string(), want) == 0);
 }
 
-static void the_sizes_are_those_of_the_header(void **unused)
-{
-    (void)unused;
-    check(coin_sizeof_state() == 64 && sizeof(coin_state) == 64);
-    check(coin_sizeof_params() == 64 && sizeof(coin_params) == 64);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(the_number_is_that_of_the_header),
         TEST(the_text_says_the_same),
-        TEST(the_sizes_are_those_of_the_header),
     };
     return RUN_TESTS(tests);
 }

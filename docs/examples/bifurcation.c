@@ -8,7 +8,7 @@
  * leans that are steady at given integrals K_Y and K_Z. */
 #include "turning.h"
 
-enum { RATES = 200, THROWN = 100 };
+enum { RATES = 130, THROWN = 100 };
 
 static double lambda2(const coin_state *s, const coin_params *p)
 {
@@ -91,7 +91,7 @@ static void print_fork(double K_Y)
         coin_state found[3];
         const int count = steady_motions(found, &p, K_Y, K_Z);
         for (int i = 0; i < count; ++i)
-            printf("fork %g,%.6f,%.6f,%.6f\n", K_Y, K_Z, found[i].theta,
+            printf("fork %g,%.6f,%.6f,%.5f\n", K_Y, K_Z, found[i].theta,
                    lambda2(&found[i], &p));
     }
     printf("\n\n");

@@ -23,6 +23,7 @@ typedef struct options {
     double dt, duration; /* 0: as the scene has it */
     double mu;
     const char *out;
+    int live;
     uint64_t steps;
 } options;
 
@@ -136,7 +137,8 @@ static int print_help(void)
     for (size_t k = 0; k < OPTION_COUNT; ++k)
         printf("  %-10s %-7s %s\n", OPTIONS[k].name, OPTIONS[k].value,
                OPTIONS[k].help);
-    puts("  --list             the scenes and the methods\n"
+    puts("  --live             play it in the terminal instead\n"
+         "  --list             the scenes and the methods\n"
          "  --help             this text");
     return DONE;
 }
@@ -189,17 +191,22 @@ static int complete(options *o)
  * it was wrong, which stderr then explains. */
 static int options_parse(options *o, char **arguments)
 {
-    const options defaults = {SCENES, COIN_RK4, 0, 0, 0.3, "build", 0};
+    const options defaults = {SCENES, COIN_RK4, 0, 0, 0.3, "build", 0, 0};
 
     *o = defaults;
-    for (char **a = arguments; *a != NULL; a += 2) {
+    for (char **a = arguments; *a != NULL; ++a) {
         if (strcmp(*a, "--help") == 0 || strcmp(*a, "-h") == 0)
             return print_help();
         if (strcmp(*a, "--list") == 0)
             return print_list();
+        if (strcmp(*a, "--live") == 0) {
+            o->live = 1;
+            continue;
+        }
         const int verdict = set_option(o, a[0], a[1]);
         if (verdict != RUN)
             return verdict;
+        ++a;
     }
     return complete(o);
 }

@@ -5,10 +5,13 @@
  *
  * roll() and print_row() are what a program of your own would do; the rest is
  * the command line (options.h), a choice of coins (scenes.h) and drawings
- * (pictures.h, svg.h). */
+ * (pictures.h, svg.h, live.h). */
+#define _POSIX_C_SOURCE 200809L /* for live.h */
 #include "options.h"
 #include "pictures.h"
 #include "scenes.h"
+
+#include "live.h"
 
 #include <coin.h>
 #include <errno.h>
@@ -17,7 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROWS = 20 }; /* of the table, after the start */
+enum { ROWS = 20, REST_ROWS = 8 }; /* of the tables, after the start */
 
 /* What is remarkable about a whole motion. */
 typedef struct summary {
@@ -101,10 +104,16 @@ static void print_heading(const motion *m, const options *o)
            (unsigned long)o->steps, o->dt, in->time);
     if (o->steps > MOMENTS)
         printf("what follows looks at %d of these moments\n\n", MOMENTS);
+}
+
+static void print_columns(const motion *m, double mu)
+{
+    const units *in = m->scene->body->in;
+
     printf("%9s %7s %8s %8s %8s %8s %7s %7s  validity\n", "time", "lean",
            "heading", "x", "z", "energy", "N/(Mg)", "F/N");
     printf("%9s %7s %8s %8s %8s %8s %17s mu %g\n", in->time, "deg", "deg",
-           in->length, in->length, "error", "", o->mu);
+           in->length, in->length, "error", "", mu);
 }
 
 static void print_validity(int32_t bits)
@@ -180,9 +189,55 @@ static void print_summary(const motion *m, double mu)
     print_first(m, COIN_COARSE, "the step        is coarse");
 }
 
+/* ----------------------------------------------------------------- rest -- */
+
+/* Dry friction over weight times radius: that of a quarter which, spun from a
+ * lean of 60 degrees, lies flat after 8 s. */
+#define DRY 8.5e-4
+
+static void print_rest_row(const motion *m, const coin_losses *l,
+                           const coin_state *s, double t)
+{
+    const coin_state *from = &m->at[m->count - 1].state;
+    const double E = coin_energy(from, &m->params);
+    coin_state rates = {0};
+
+    coin_losses_rates(s, &m->params, l, &rates);
+    printf("%9.2f %7.2f %8.2f %8.2f %8.3f\n", t, s->theta * DEGREES,
+           (s->psi - from->psi) * DEGREES / 360, rates.psi * DEGREES / 360,
+           coin_energy(s, &m->params) / E);
+}
+
+/* The coin goes on, slowed by friction, until it lies flat. */
+static void print_rest(const motion *m)
+{
+    const coin_params *p = &m->params;
+    const char *unit = m->scene->body->in->time;
+    const coin_losses l = {.dry = DRY * p->mass * p->gravity * p->radius};
+    coin_state s = m->at[m->count - 1].state, flat = s;
+    double rest;
+
+    if (coin_settle(&flat, p, &l, 1e5 * sqrt(p->radius / p->gravity), 1e-6,
+                    &rest) != COIN_RESTS)
+        return;
+    printf("\nAnd then dry friction of %g of its weight times its radius "
+           "stops it:\n\n",
+           DRY);
+    printf("%9s %7s %8s %8s %8s\n", "time", "lean", "contact", "its rate",
+           "energy");
+    printf("%9s %7s %8s %8s %8s\n", unit, "deg", "turns", "", "left");
+    for (int k = 0; k < REST_ROWS; ++k) {
+        print_rest_row(m, &l, &s, rest * k / REST_ROWS);
+        coin_settle(&s, p, &l, rest / REST_ROWS, 1e-6, NULL);
+    }
+    printf("%9.2f   flat; its face turns %.2f times per %s\n", rest,
+           fabs(flat.wZ) * DEGREES / 360, unit);
+}
+
 static void print_motion(const motion *m, const options *o)
 {
     print_heading(m, o);
+    print_columns(m, o->mu);
     if (m->count == 0)
         return;
     for (size_t row = 0; row <= ROWS; ++row)
@@ -190,6 +245,7 @@ static void print_motion(const motion *m, const options *o)
             row * (m->count - 1) / ROWS != (row - 1) * (m->count - 1) / ROWS)
             print_row(m, row * (m->count - 1) / ROWS);
     print_summary(m, o->mu);
+    print_rest(m);
 }
 
 /* -------------------------------------------------------------- drawing -- */
@@ -210,6 +266,14 @@ static int draw(const motion *m, const char *folder)
     return EXIT_SUCCESS;
 }
 
+/* What stands above the picture of --live. */
+static void print_live(const motion *m, const options *o, size_t k)
+{
+    puts(m->scene->story);
+    print_columns(m, o->mu);
+    print_row(m, k);
+}
+
 static int run(const options *o)
 {
     static motion m; /* too large for the stack of some systems */
@@ -220,9 +284,12 @@ static int run(const options *o)
     m.scene = o->scene;
     if (status >= 0)
         status = roll(&m, o);
-    print_motion(&m, o);
+    if (!o->live)
+        print_motion(&m, o);
+    else if (m.count > 0)
+        live(&m, o, print_live);
     if (status >= 0)
-        return draw(&m, o->out);
+        return o->live ? EXIT_SUCCESS : draw(&m, o->out);
     fflush(stdout);
     fail("the coin stopped there", coin_status_string(status));
     if (status == COIN_ESTEP)
@@ -237,6 +304,8 @@ int main(int argc, char **argv)
 
     if (verdict == USAGE_ERROR)
         return 2;
+    if (verdict == RUN && o.live && !isatty(STDOUT_FILENO))
+        return fail("--live", "standard output is not a terminal");
     const int code = verdict == RUN ? run(&o) : EXIT_SUCCESS;
     if (fflush(stdout) != 0 || ferror(stdout))
         return fail("standard output", strerror(errno));

@@ -11,24 +11,22 @@
 
 #define PI 3.14159265358979323846
 
-enum { POINTS = 160 }; /* in a petal */
-
 typedef struct flower {
     const char *name;
     double inner; /* of the ring, over its radius */
     double theta, wZ;
     double wY_low, wY_high; /* between them the angle is met */
     int turns, petals;
-    int drawn; /* how many petals */
+    int drawn, points; /* how many petals, and points in each */
 } flower;
 
 static const flower FLOWERS[] = {
-    {"four sevenths", 0, 0.5, 0.8, -0.6, -0.3, 4, 7, 7},
-    {"three eighths", 1, 0.2, 0.8, -1, -0.3, 3, 8, 8},
-    {"nine eighths", 0, 0.9, 0.3, 1, 1.5, 9, 8, 8},
-    {"three fifths", 0, 0.9, 0.8, -0.3, 0.3, 3, 5, 5},
-    {"four thirds", 0, 0.2, 0.3, 1, 1.5, 4, 3, 3},
-    {"whole", 1, 0.9, 0.3, 1, 1.5, 1, 1, 9},
+    {"four sevenths", 0, 0.5, 0.8, -0.6, -0.3, 4, 7, 7, 140},
+    {"three eighths", 1, 0.2, 0.8, -1, -0.3, 3, 8, 8, 200},
+    {"nine eighths", 0, 0.9, 0.3, 1, 1.5, 9, 8, 8, 60},
+    {"three fifths", 0, 0.9, 0.8, -0.3, 0.3, 3, 5, 5, 72},
+    {"four thirds", 0, 0.2, 0.3, 1, 1.5, 4, 3, 3, 72},
+    {"whole", 1, 0.9, 0.3, 1, 1.5, 1, 1, 9, 60},
 };
 
 static coin_state start_of(const flower *f, double wY)
@@ -64,8 +62,8 @@ static void draw(const flower *f)
 
     demand(coin_params_ring(&p, 1, 1, f->inner, 1));
     coin_state s = start_of(f, matched(f, &p)), end = s;
-    const double dt = one_period(&end, &p) / POINTS;
-    for (int k = 0; k <= f->drawn * POINTS; ++k) {
+    const double dt = one_period(&end, &p) / f->points;
+    for (int k = 0; k <= f->drawn * f->points; ++k) {
         double r[3], v[3];
         demand(coin_contact(&s, &p, r, v));
         printf("%s,%.4f,%.4f\n", f->name, r[0], r[2]);

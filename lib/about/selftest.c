@@ -5,7 +5,7 @@
 
 /* What every build must give: printed by tests/repro, changed only together
  * with an entry in CHANGELOG.md. */
-#define PINNED UINT64_C(0x4fa83560baa2e7e3)
+#define PINNED UINT64_C(0xc5931c72fdd7b124)
 
 /* FNV-1a over the bits of a state, low byte first whatever the machine. */
 static uint64_t hashed(uint64_t hash, const coin_state *s)

@@ -188,6 +188,14 @@ function note_name(name)
         names[name] = 1
 }
 
+# Static functions that nobody calls are no fault: COIN_API may be static.
+function gcc_and_clang(pragma)
+{
+    put("#if defined(__GNUC__)")
+    put("#pragma GCC diagnostic " pragma)
+    put("#endif")
+}
+
 function gcc_only(pragma)
 {
     put("#if defined(__GNUC__) && !defined(__clang__) && " \
@@ -300,6 +308,8 @@ BEGIN {
     put("#ifndef COIN_API")
     put("#define COIN_API")
     put("#endif")
+    gcc_and_clang("push")
+    gcc_and_clang("ignored \"-Wunused-function\"")
     for (k = 1; k < ARGC; ++k)
         if (ARGV[k] ~ /\.h$/)
             public_header(ARGV[k])
@@ -331,6 +341,7 @@ BEGIN {
     put("#endif")
     gcc_only("pop_options")
     put("#endif")
+    gcc_and_clang("pop")
 }
 
 END {

@@ -16,18 +16,3 @@ const char *coin_version_string(void)
 {
     return VERSION(COIN_VERSION_MAJOR, COIN_VERSION_MINOR, COIN_VERSION_PATCH);
 }
-
-uint32_t coin_sizeof_state(void)
-{
-    return (uint32_t)sizeof(coin_state);
-}
-
-uint32_t coin_sizeof_params(void)
-{
-    return (uint32_t)sizeof(coin_params);
-}
-
-uint32_t coin_sizeof_orbit(void)
-{
-    return (uint32_t)sizeof(coin_orbit);
-}

@@ -15,7 +15,7 @@
 
 #include <coin.h>
 
-enum { COIN_PRIV_PIECES = 44, COIN_PRIV_EDGES = 48 };
+enum { COIN_PRIV_PIECES = 42, COIN_PRIV_EDGES = 48 };
 
 /* The rows of a piece, each with its terms, the constant one first. */
 enum {
@@ -29,9 +29,12 @@ enum {
     COIN_PRIV_PIECE = COIN_PRIV_ROWS * COIN_PRIV_TERMS
 };
 
-/* private_frame[0] of every orbit: the number of this format, in a double that
- * other contents hardly have. */
-#define COIN_PRIV_FORMAT 2.2073158e-107
+/* private_frame[0] of every orbit: a double that other contents hardly have,
+ * and that another version of the library has not. */
+#define COIN_PRIV_VERSION                                                      \
+    (65536.0 * COIN_VERSION_MAJOR + 256.0 * COIN_VERSION_MINOR +               \
+     COIN_VERSION_PATCH)
+#define COIN_PRIV_FORMAT (2.2073158e-107 * (16777216.0 + COIN_PRIV_VERSION))
 
 /* private_frame of an orbit with a period; "in three" as coin_priv_split(). */
 enum {

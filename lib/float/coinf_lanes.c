@@ -108,7 +108,7 @@ static int step(coinf_lanes_state *s, struct verdict *of,
     coinf_lanes_state next;
     coinf_lanes_slope first, rest;
     const coinf_lanes_variables y = coinf_lanes_variables_at(s);
-    coinf_lanes_slopes(&first, &rest, &last, plan, &y);
+    coinf_lanes_slopes(&first, &rest, &last, plan, &y, coinf_lanes_slope_at);
     copy(&next, s);
     coinf_lanes_change(&next, &first, &rest);
     const coinf_lanes begin = coinf_lanes_rate2(plan->g_a, &y);

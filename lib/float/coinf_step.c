@@ -8,7 +8,7 @@ int coinf_priv_rk4(coinf_state *s, int32_t *warnings,
 {
     coinf_priv_slope first, rest;
     coinf_priv_variables last;
-    coinf_priv_slopes(&first, &rest, &last, plan, y);
+    coinf_priv_slopes(&first, &rest, &last, plan, y, coinf_priv_slope_at);
     if (!coinf_priv_rate_holds(warnings, plan, &last))
         return 0;
     coinf_state next = *s;

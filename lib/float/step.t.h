@@ -170,6 +170,11 @@ COIN_PRIV_INLINE PRIV(slope)
     return low;
 }
 
+/* What gives the slope at a stage. */
+typedef PRIV(slope)
+    PRIV(slope_function)(PRIV(variables) * d, const PRIV(plan) * plan,
+                         const PRIV(variables) * y);
+
 /* The classical Runge-Kutta step, as the first slope and the rest of the
  * change: ((f2 - f1) + (f3 - f1))/3 + (f4 - f1)/6.  Rounding a weight to a
  * float then costs a part of the rest only; in a steady motion it would add up.
@@ -177,16 +182,17 @@ COIN_PRIV_INLINE PRIV(slope)
 COIN_PRIV_INLINE void PRIV(slopes)(PRIV(slope) * first, PRIV(slope) * rest,
                                    PRIV(variables) * last,
                                    const PRIV(plan) * plan,
-                                   const PRIV(variables) * y1)
+                                   const PRIV(variables) * y1,
+                                   PRIV(slope_function) * slope_at)
 {
     static const scalar reach[] = {K(0.5), K(0.5), 1};
     static const scalar weight[] = {K(1.0 / 3), K(1.0 / 3), K(1.0 / 6)};
     PRIV(variables) d;
-    *first = PRIV(slope_at)(&d, plan, y1);
+    *first = slope_at(&d, plan, y1);
     *rest = PRIV(left_out)(first, plan, y1);
     for (int i = 0; i < 3; ++i) {
         *last = PRIV(variables_plus)(y1, reach[i], &d);
-        const PRIV(slope) of = PRIV(slope_at)(&d, plan, last);
+        const PRIV(slope) of = slope_at(&d, plan, last);
         PRIV(gather)(rest, weight[i], &of, first);
     }
 }

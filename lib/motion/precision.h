@@ -105,6 +105,19 @@ static inline int coinf_priv_low_holds(const float low[8])
 /* Terms that the drift's series takes: its ratio is at most 0.18. */
 #define COIN_PRIV_SERIES_TERMS 11
 
+/* ---------------------------------------------------------------- losses -- */
+
+/* The largest member of coinf_losses, also over a moment of inertia: far above
+ * any coin's, and so far below overflow that a step's rates stay finite. */
+#define COIN_PRIV_LOSS_MOST 1e9f
+
+/* The least softening rate, in natural units.  Its square shifts the motion by
+ * less than rounding, so that a smaller one would only cost steps. */
+#define COIN_PRIV_SOFT_LEAST (1.0f / 4096)
+
+/* Half the order of extrapolated steps. */
+#define COIN_PRIV_GBS_COLUMNS 4
+
 #else
 
 /* ---------------------------------------------------------------- angles -- */
@@ -200,6 +213,19 @@ static inline int coinf_priv_low_holds(const float low[8])
 
 /* Terms that the drift's series takes: its ratio is at most 0.18. */
 #define COIN_PRIV_SERIES_TERMS 22
+
+/* ---------------------------------------------------------------- losses -- */
+
+/* The largest member of coin_losses, also over a moment of inertia: far above
+ * any coin's, and so far below overflow that a step's rates stay finite. */
+#define COIN_PRIV_LOSS_MOST 1e60
+
+/* The least softening rate, in natural units.  Its square shifts the motion by
+ * less than rounding, so that a smaller one would only cost steps. */
+#define COIN_PRIV_SOFT_LEAST (1.0 / 1073741824)
+
+/* Half the order of extrapolated steps. */
+#define COIN_PRIV_GBS_COLUMNS 7
 
 #endif
 

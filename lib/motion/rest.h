@@ -10,12 +10,12 @@
 #include <math.h>
 
 /* The last lean that coin_state_check() accepts: that of a coin at rest. */
-#define COIN_PRIV_LAST_LEAN (COIN_PRIV_HALF_PI - DBL_EPSILON)
+#define COIN_PRIV_LAST_LEAN (COIN_PRIV_HALF_PI - COIN_PRIV_EPSILON)
 
 /* Whether a coin lies flat. */
-COIN_PRIV_INLINE int coin_priv_rests(const coin_state *s)
+COIN_PRIV_INLINE int PRIV(rests)(const COIN(state) * s)
 {
-    return fabs(s->theta) >= COIN_PRIV_LAST_LEAN && s->wY == 0 &&
+    return FABS(s->theta) >= COIN_PRIV_LAST_LEAN && s->wY == 0 &&
            s->wX * s->theta >= 0;
 }
 

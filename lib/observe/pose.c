@@ -92,6 +92,28 @@ int32_t COIN(quaternion)(const COIN(state) * s, real q[4])
     return COIN_OK;
 }
 
+int32_t COIN(matrix)(const COIN(state) * s, const COIN(params) * p, real m[16])
+{
+    PRIV(body) b;
+    const int32_t status = m ? PRIV(check)(s, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    real R[9];
+    const PRIV(variables) y = PRIV(variables_of)(s);
+    const PRIV(sc) ps = PRIV(sincos)(s->psi);
+    const real center[] = {s->x, b.a * y.cth, s->z};
+    PRIV(axes)(&y, R);
+    for (int i = 0; i < 3; ++i) {
+        m[i] = ps.c * R[i] + ps.s * R[3 + i];     /* (85) */
+        m[4 + i] = ps.c * R[3 + i] - ps.s * R[i]; /* (85) */
+        m[8 + i] = R[6 + i];                      /* (85) */
+        m[12 + i] = center[i];
+    }
+    m[3] = m[7] = m[11] = 0;
+    m[15] = 1;
+    return COIN_OK;
+}
+
 /* The angle of (s, c) in (-pi, pi], whatever its norm; NaN if that is 0 or not
  * finite. */
 static real angle_of(real s, real c)
@@ -144,6 +166,30 @@ int32_t COIN(state_from_motion)(COIN(state) * s, const COIN(params) * p,
     made.wY = omega[0] * R[3] + omega[1] * R[4] + omega[2] * R[5]; /* (7) */
     made.wZ = omega[0] * R[6] + omega[1] * R[7] + omega[2] * R[8]; /* (7) */
     const int32_t status = PRIV(check)(&made, p, &b);
+    if (status == COIN_OK)
+        *s = made;
+    return status;
+}
+
+int32_t COIN(state_from_landing)(COIN(state) * s, const COIN(params) * p,
+                                 const real q[4], const real omega[3],
+                                 const real v[3], real x, real z)
+{
+    PRIV(body) b;
+    COIN(state) made;
+    int32_t status =
+        s && v ? COIN(state_from_motion)(&made, p, q, omega, x, z) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    (void)PRIV(check_body)(&b, p);
+    real R[9];
+    const PRIV(variables) y = PRIV(variables_of)(&made);
+    PRIV(axes)(&y, R);
+    const real vX = v[0] * R[0] + v[1] * R[1] + v[2] * R[2];
+    const real vZ = v[0] * R[6] + v[1] * R[7] + v[2] * R[8];
+    made.wX += b.m / b.J * (vZ / b.a - made.wX); /* (86) */
+    made.wZ -= b.k2 * (vX / b.a + made.wZ);      /* (86) */
+    status = COIN(state_check)(&made, p);
     if (status == COIN_OK)
         *s = made;
     return status;

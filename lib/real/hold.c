@@ -7,27 +7,25 @@
 /* Nearer to flat than this a fall is looked at.  By (72) the angle from flat is
  * then as the cosine of an angle that grows to a right one at most, however
  * fast the coin turns: one step takes the whole of it. */
-#define NEAR_FLAT 0.05
+#define NEAR_FLAT K(0.05)
 
 /* The inertia D of (72) about the vertical through the contact. */
-static double inertia(const coin_priv_losses *l, double cth)
+static real inertia(const PRIV(losses) * l, real cth)
 {
     return l->K - (l->K - l->IX) * (cth * cth);
 }
 
-double coin_priv_fall_turn(const coin_priv_held_fall *f,
-                           const coin_priv_losses *l)
+real PRIV(fall_turn)(const PRIV(held_fall) * f, const PRIV(losses) * l)
 {
-    return f->L / inertia(l, coin_priv_sincos(f->x).s);
+    return f->L / inertia(l, PRIV(sincos)(f->x).s);
 }
 
-coin_priv_held_fall coin_priv_fall_of(const coin_priv_losses *l,
-                                      const coin_priv_variables *y)
+PRIV(held_fall) PRIV(fall_of)(const PRIV(losses) * l, const PRIV(variables) * y)
 {
-    const coin_priv_sc from_flat = {y->cth, fabs(y->sth)};
-    const double turn = -y->wZ / y->sth; /* as d(psi)/dt = 0 */
-    const coin_priv_held_fall f = {
-        coin_priv_angle(from_flat),
+    const PRIV(sc) from_flat = {y->cth, FABS(y->sth)};
+    const real turn = -y->wZ / y->sth; /* as d(psi)/dt = 0 */
+    const PRIV(held_fall) f = {
+        PRIV(angle)(from_flat),
         y->sth < 0 ? -y->wX : y->wX,
         inertia(l, y->cth) * turn,
         0,
@@ -36,13 +34,12 @@ coin_priv_held_fall coin_priv_fall_of(const coin_priv_losses *l,
 }
 
 /* d/dt. */
-static coin_priv_held_fall slope(const coin_priv_held_fall *f,
-                                 const coin_priv_losses *l,
-                                 const coin_priv_body *b)
+static PRIV(held_fall) slope(const PRIV(held_fall) * f, const PRIV(losses) * l,
+                             const PRIV(body) * b)
 {
-    const coin_priv_sc at = coin_priv_sincos(f->x); /* s = cos theta */
-    const double D = inertia(l, at.s), turn = f->L / D;
-    const coin_priv_held_fall d = {
+    const PRIV(sc) at = PRIV(sincos)(f->x); /* s = cos theta */
+    const real D = inertia(l, at.s), turn = f->L / D;
+    const PRIV(held_fall) d = {
         -f->v,
         at.c * (b->Mga + (l->K - l->IX) * at.s * turn * turn) / l->J, /* (72) */
         -l->spin * turn,                                              /* (72) */
@@ -52,74 +49,77 @@ static coin_priv_held_fall slope(const coin_priv_held_fall *f,
 }
 
 struct problem {
-    const coin_priv_losses *l;
-    const coin_priv_body *b;
+    const PRIV(losses) * l;
+    const PRIV(body) * b;
 };
 
-static void slopes(double *dy, const double *y, const void *problem)
+static void slopes(real *dy, const real *y, const void *problem)
 {
     const struct problem *of = (const struct problem *)problem;
-    const coin_priv_held_fall f = {y[0], y[1], y[2], y[3]};
-    const coin_priv_held_fall d = slope(&f, of->l, of->b);
+    const PRIV(held_fall) f = {y[0], y[1], y[2], y[3]};
+    const PRIV(held_fall) d = slope(&f, of->l, of->b);
     dy[0] = d.x;
     dy[1] = d.v;
     dy[2] = d.L;
     dy[3] = d.phi;
 }
 
-coin_priv_held_fall coin_priv_fall_at(const coin_priv_held_fall *f,
-                                      const coin_priv_losses *l,
-                                      const coin_priv_body *b, double t)
+void PRIV(fall_by)(PRIV(held_fall) * f, const PRIV(losses) * l,
+                   const PRIV(body) * b, real t)
 {
     const struct problem of = {l, b};
-    double y[] = {f->x, f->v, f->L, f->phi};
-    (void)coin_priv_gbs(y, 4, slopes, &of, t);
-    const coin_priv_held_fall to = {y[0], y[1], y[2], y[3]};
-    return to;
+    real y[] = {f->x, f->v, f->L, f->phi};
+    (void)PRIV(gbs)(y, 4, slopes, &of, t);
+    f->x = y[0];
+    f->v = y[1];
+    f->L = y[2];
+    f->phi = y[3];
 }
 
 /* With the acceleration it begins with. */
-static double first_guess(const coin_priv_held_fall *f,
-                          const coin_priv_losses *l, const coin_priv_body *b)
+static real first_guess(const PRIV(held_fall) * f, const PRIV(losses) * l,
+                        const PRIV(body) * b)
 {
-    const double A = slope(f, l, b).v;
-    return 2 * f->x / (f->v + sqrt(f->v * f->v + 2 * A * f->x));
+    const real A = slope(f, l, b).v;
+    return 2 * f->x / (f->v + SQRT(f->v * f->v + 2 * A * f->x));
 }
 
-double coin_priv_fall_time(const coin_priv_held_fall *f,
-                           const coin_priv_losses *l, const coin_priv_body *b)
+real PRIV(fall_time)(const PRIV(held_fall) * f, const PRIV(losses) * l,
+                     const PRIV(body) * b)
 {
-    double t = first_guess(f, l, b);
+    real t = first_guess(f, l, b);
     for (int i = 0; i < 4; ++i) { /* Newton: x = 0 */
-        const coin_priv_held_fall at = coin_priv_fall_at(f, l, b, t);
+        PRIV(held_fall) at = *f;
+        PRIV(fall_by)(&at, l, b, t);
         t += at.x / at.v;
     }
     return t;
 }
 
-double coin_priv_rise_time(const coin_priv_held_fall *f,
-                           const coin_priv_losses *l, const coin_priv_body *b)
+real PRIV(rise_time)(const PRIV(held_fall) * f, const PRIV(losses) * l,
+                     const PRIV(body) * b)
 {
-    const double twice = -f->x / f->v, back = -2 * f->v / slope(f, l, b).v;
+    const real twice = -f->x / f->v, back = -2 * f->v / slope(f, l, b).v;
     return twice < back ? twice : back;
 }
 
-int coin_priv_held(const coin_priv_losses *l, const coin_priv_body *b,
-                   const coin_priv_variables *y, double eps)
+int PRIV(held)(const PRIV(losses) * l, const PRIV(body) * b,
+               const PRIV(variables) * y, real eps)
 {
-    const double sth = y->sth, cth = y->cth, wX = y->wX;
-    const double u = cth * y->wZ + sth * y->wY;
-    const double small2 = eps * eps * (l->J * wX * wX + b->Mga * cth) / l->IX;
+    const real cth = y->cth, wX = y->wX;
+    const real u = cth * y->wZ + y->sth * y->wY;
+    const real small2 = eps * eps * (l->J * wX * wX + b->Mga * cth) / l->IX;
     if (!(cth < NEAR_FLAT && u * u <= small2))
         return 0;
     /* The torque along e_Z that holds the contact, at its most, and what the
      * losses give as long as u is small. */
-    const coin_priv_held_fall f = coin_priv_fall_of(l, y);
-    const double turn = f.L / inertia(l, cth), small = sqrt(small2);
-    const double A = slope(&f, l, b).v;
-    const double fastest = sqrt(wX * wX + 2 * A * f.x);
-    const double lever =
-        2 * sth * sth * l->K * (l->K - l->IX) / inertia(l, cth) - l->K - b->m;
-    const double need = fabs(turn * lever) * cth * fastest; /* (73) */
-    return need <= small * coin_priv_grip(l, small, cth);
+    const PRIV(held_fall) f = PRIV(fall_of)(l, y);
+    const real turn = f.L / inertia(l, cth), small = SQRT(small2);
+    const real A = slope(&f, l, b).v;
+    const real fastest = SQRT(wX * wX + 2 * A * f.x);
+    const real twice = l->K * (2 * l->IX - b->IZ);
+    const real lever =
+        (twice + cth * cth * b->IZ * (l->K - l->IX)) / inertia(l, cth);
+    const real need = FABS(turn * lever) * cth * fastest; /* (73) */
+    return need <= small * PRIV(grip)(l, small, cth);
 }

@@ -8,59 +8,69 @@
 #include <math.h>
 
 /* Losses as the slopes read them. */
-typedef struct coin_priv_losses {
-    double damping, dry, viscous, layer, gap, rolling, spin;
-    double soft2;        /* the square of the softening rate */
-    double IX, J, K;     /* the body's inertias */
-    double solid, fluid; /* > 0 if a term of that kind is there */
-} coin_priv_losses;
+typedef struct PRIV(losses) {
+    real damping, dry, viscous, layer, gap, rolling, spin;
+    real soft2;        /* the square of the softening rate */
+    real IX, J, K;     /* the body's inertias */
+    real solid, fluid; /* > 0 if a term of that kind is there */
+} PRIV(losses);
 
 /* What the losses add to the slopes by tau of wX, wY, wZ, and the energy that
  * they take per tau. */
-typedef struct coin_priv_slowing {
-    double wX, wY, wZ, power;
-} coin_priv_slowing;
+typedef struct PRIV(slowing) {
+    real wX, wY, wZ, power;
+} PRIV(slowing);
 
 /* COIN_OK and *out, or COIN_EPARAMS.  l is not null. */
-int32_t coin_priv_losses_of(coin_priv_losses *out, const coin_losses *l,
-                            const coin_priv_body *b);
+int32_t PRIV(losses_of)(PRIV(losses) * out, const COIN(losses) * l,
+                        const PRIV(body) * b);
 
 /* Whether nothing slows the coin. */
-int coin_priv_lossless(const coin_losses *l);
+int PRIV(lossless)(const COIN(losses) * l);
 
 /* -Q/u of the contour friction, u = cos(theta) d(psi)/dt. */
-COIN_PRIV_INLINE double coin_priv_grip(const coin_priv_losses *l, double u,
-                                       double cth)
+COIN_PRIV_INLINE real PRIV(grip)(const PRIV(losses) * l, real u, real cth)
 {
-    double grip = 0;
+    real grip = 0;
     if (l->solid > 0)
         grip = (l->dry + l->rolling * cth) /
-               sqrt(u * u + l->soft2 * (cth * cth)); /* (65) */
+               SQRT(u * u + l->soft2 * (cth * cth)); /* (65) */
     if (l->fluid > 0) {
-        const double q = 1 / cth;
-        grip += q * (l->viscous + l->layer * sqrt(fabs(u * q)) +
+        const real q = 1 / cth;
+        grip += q * (l->viscous + l->layer * SQRT(FABS(u * q)) +
                      l->gap * q); /* (65) */
     }
     return grip;
 }
 
-COIN_PRIV_INLINE coin_priv_slowing coin_priv_slow(const coin_priv_losses *l,
-                                                  const coin_priv_variables *y)
+COIN_PRIV_INLINE PRIV(slowing)
+    PRIV(slow)(const PRIV(losses) * l, const PRIV(variables) * y)
 {
-    const double wX = y->wX, wY = y->wY, wZ = y->wZ;
-    const double sth = y->sth, cth = y->cth;
-    const double u = cth * wZ + sth * wY;
-    const double Q = -u * coin_priv_grip(l, u, cth);
-    const double fade = l->damping * fabs(u); /* (66) */
-    const double wy = wY * cth - wZ * sth;    /* about the vertical */
-    const double turn = l->spin * wy * cth;   /* (67) */
-    const double T2 = l->J * wX * wX + l->IX * wY * wY + l->K * wZ * wZ;
-    const coin_priv_slowing d = {
+    const real wX = y->wX, wY = y->wY, wZ = y->wZ;
+    const real sth = y->sth, cth = y->cth;
+    const real u = cth * wZ + sth * wY;
+    const real Q = -u * PRIV(grip)(l, u, cth);
+    const real fade = l->damping * FABS(u); /* (66) */
+    const real wy = wY * cth - wZ * sth;    /* about the vertical */
+    const real turn = l->spin * wy * cth;   /* (67) */
+    const real T2 = l->J * wX * wX + l->IX * wY * wY + l->K * wZ * wZ;
+    const PRIV(slowing) d = {
         -fade * wX, (Q * sth - turn * cth) / l->IX - fade * wY, /* (68) */
         (Q * cth + turn * sth) / l->K - fade * wZ,              /* (68) */
         fade * T2 + turn * wy - Q * u,                          /* (69) */
     };
     return d;
+}
+
+/* The rate in tau at which the losses slow the rates: (71). */
+COIN_PRIV_INLINE real PRIV(friction_rate)(const PRIV(losses) * l,
+                                          const PRIV(variables) * y)
+{
+    const real sth = y->sth, cth = y->cth;
+    const real u = cth * y->wZ + sth * y->wY;
+    const real grip = PRIV(grip)(l, u, cth);
+    const real lever = sth * sth / l->IX + cth * cth / l->K;
+    return grip * lever + l->damping * FABS(u) + l->spin * cth / l->IX;
 }
 
 #endif

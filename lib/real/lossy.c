@@ -74,14 +74,8 @@ static double ideal_rate(const coin_priv_lossy *w)
 
 double coin_priv_lossy_rate(const coin_priv_lossy *w)
 {
-    const coin_priv_variables *y = &w->run.g.y;
-    const coin_priv_losses *l = &w->l;
-    const double sth = y->sth, cth = y->cth;
-    const double u = cth * y->wZ + sth * y->wY;
-    const double grip = coin_priv_grip(l, u, cth);
-    const double lever = sth * sth / l->IX + cth * cth / l->K;
-    return ideal_rate(w) + FRICTION * (grip * lever + l->damping * fabs(u) +
-                                       l->spin * cth / l->IX); /* (71) */
+    return ideal_rate(w) +
+           FRICTION * coin_priv_friction_rate(&w->l, &w->run.g.y); /* (71) */
 }
 
 /* The u = cos(theta) d(psi)/dt within which friction may be stepped over: the

@@ -138,7 +138,8 @@ static int rise(struct settling *g, double eps)
     const coin_priv_held_fall f = coin_priv_fall_of(l, &g->w.run.g.y);
     const double whole = coin_priv_rise_time(&f, l, &g->w.run.b);
     const double time = whole < g->rem.sum ? whole : g->rem.sum;
-    const coin_priv_held_fall end = coin_priv_fall_at(&f, l, &g->w.run.b, time);
+    coin_priv_held_fall end = f;
+    coin_priv_fall_by(&end, l, &g->w.run.b, time);
     put(&after, &end, l);
     if (!coin_priv_held(l, &g->w.run.b, &after.g.y, eps))
         return 0;
@@ -157,8 +158,8 @@ static int32_t fall_flat(struct settling *g)
     const coin_priv_held_fall f = coin_priv_fall_of(l, &g->w.run.g.y);
     const double time = coin_priv_fall_time(&f, l, b);
     const int flat = time <= g->rem.sum;
-    coin_priv_held_fall end =
-        coin_priv_fall_at(&f, l, b, flat ? time : g->rem.sum);
+    coin_priv_held_fall end = f;
+    coin_priv_fall_by(&end, l, b, flat ? time : g->rem.sum);
     if (flat)
         end.x = 0;
     put(&g->w.run, &end, l);

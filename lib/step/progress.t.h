@@ -20,11 +20,13 @@ typedef struct PRIV(step_end) {
 /* A run under way: its variables, the pose where its block of steps began, and
  * what the steps since then have added to it.  A steady motion adds the same
  * again and again, and to one long sum it would always round alike.  x, z are
- * from where it started, in radii. */
+ * from where it started, in radii.  theta is in `added` alone, one plain sum as
+ * wX, wY and wZ are: next to a steady motion all four change by less than their
+ * rounding, and if one of them kept what the others lose, it would drift. */
 typedef struct PRIV(progress) {
     PRIV(variables) y;
     PRIV(pose) added;
-    PRIV(sum) theta, phi, psi, x, z;
+    PRIV(sum) phi, psi, x, z;
 } PRIV(progress);
 
 /* a + w b, member by member; the steps count the time. */
@@ -70,13 +72,13 @@ COIN_PRIV_INLINE void PRIV(progress_begin)(PRIV(progress) * g,
     g->y.tth = y->tth;
     g->y.sph = y->sph;
     g->y.cph = y->cph;
-    g->added.theta = g->added.phi = g->added.psi = none;
+    g->added.theta = theta;
+    g->added.phi = g->added.psi = none;
     g->added.x = g->added.z = g->added.t = none;
-    g->theta.sum = theta;
     g->phi.sum = phi;
     g->psi.sum = psi;
     g->x.sum = g->z.sum = none;
-    g->theta.low = g->phi.low = g->psi.low = g->x.low = g->z.low = none;
+    g->phi.low = g->psi.low = g->x.low = g->z.low = none;
 }
 
 /* The pair of an angle that a sum holds. */
@@ -95,12 +97,11 @@ COIN_PRIV_INLINE void PRIV(add_block)(PRIV(progress) * g)
 {
     PRIV(pose) *const added = &g->added;
     const real none = {0};
-    PRIV(add)(&g->theta, added->theta);
     PRIV(add)(&g->phi, added->phi);
     PRIV(add)(&g->psi, added->psi);
     PRIV(add)(&g->x, added->x);
     PRIV(add)(&g->z, added->z);
-    added->theta = added->phi = added->psi = added->x = added->z = none;
+    added->phi = added->psi = added->x = added->z = none;
 }
 
 /* Ends a block, and takes the pairs anew from the angles. */
@@ -108,7 +109,7 @@ COIN_PRIV_INLINE void PRIV(end_block)(PRIV(progress) * g)
 {
     PRIV(add_block)(g);
     PRIV(variables) *const y = &g->y;
-    const PRIV(sc) th = PRIV(angle_pair)(g->theta);
+    const PRIV(sc) th = PRIV(sine_cosine)(g->added.theta);
     const PRIV(sc) ph = PRIV(angle_pair)(g->phi);
     y->sth = th.s;
     y->cth = th.c;
@@ -145,9 +146,12 @@ COIN_PRIV_INLINE PRIV(pose) PRIV(pose_of)(const PRIV(progress) * g, real a)
 {
     const PRIV(pose) *const added = &g->added;
     const PRIV(pose) r = {
-        PRIV(total)(g->theta, added->theta), PRIV(total)(g->phi, added->phi),
-        PRIV(total)(g->psi, added->psi),     a * PRIV(total)(g->x, added->x),
-        a * PRIV(total)(g->z, added->z),     added->t,
+        added->theta,
+        PRIV(total)(g->phi, added->phi),
+        PRIV(total)(g->psi, added->psi),
+        a * PRIV(total)(g->x, added->x),
+        a * PRIV(total)(g->z, added->z),
+        added->t,
     };
     return r;
 }

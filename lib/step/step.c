@@ -27,12 +27,12 @@ int32_t coin_step(coin_state *s, const coin_params *p, double dt)
     const coin_priv_rk4_fields k = coin_priv_rk4_fields_of(&b, dt);
     coin_priv_rk4_lean unused;
     const coin_priv_step_end end = coin_priv_rk4_end(&unused, &y, &k);
-    /* A run adds to 0: -0 becomes 0. */
+    /* A run adds all but theta to 0: -0 becomes 0. */
     const coin_priv_pose none = {0, 0, 0, 0, 0, 0};
     const coin_priv_pose adds = coin_priv_pose_plus(&none, 1, &end.adds);
     const coin_priv_variables next = coin_priv_variables_after(&y, &end);
     const coin_state to = {
-        s->theta + adds.theta,
+        s->theta + end.adds.theta,
         s->phi + adds.phi,
         s->psi + adds.psi,
         s->x + b.a * adds.x,

@@ -40,7 +40,5 @@ int coin_priv_sundman_accept(coin_priv_run *r, const coin_priv_variables *y,
 void coin_priv_read_lean(coin_priv_progress *g)
 {
     const coin_priv_sc th = {g->y.sth, g->y.cth};
-    const coin_priv_sum theta = {coin_priv_angle(th), 0};
-    g->theta = theta;
-    g->added.theta = 0;
+    g->added.theta = coin_priv_angle(th);
 }

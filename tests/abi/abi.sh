@@ -3,8 +3,9 @@
 # Compares headers and shared library with the baselines of this soname, in
 # tests/abi/SOVERSION: every difference is a failure, an addition too, until
 # `make abi-update` has accepted it.  docs/abi.md explains each part.
-#     abi.sh [update]    from `make abi`: CC SRC OUT VERSION SOVERSION PYTHON
-# LIBRARY and INCLUDE may name others than the ones just built: seeds.sh.
+#     abi.sh [update | release]
+# From `make abi`: CC SRC OUT VERSION SOVERSION PYTHON.  LIBRARY and INCLUDE may
+# name others than the ones just built.
 set -eu
 here=$SRC/tests/abi
 base=${BASE:-$here/$SOVERSION}
@@ -23,6 +24,13 @@ done
 # abidiff calls any two libraries equal if it is shown no debug information.
 readelf -S "$library" | grep -q '\.debug_info' ||
     die "$library has no debug information: build it with -g"
+case $VERSION in
+0.*)
+    test "$SOVERSION" = "${VERSION%.*}" ||
+        die "before 1.0 the soname carries the minor version: $VERSION is not" \
+            "librollcoin.so.$SOVERSION"
+    ;;
+esac
 readelf -d "$library" | grep -q "SONAME.*\[librollcoin.so.$SOVERSION\]" ||
     die "$library is not librollcoin.so.$SOVERSION"
 
@@ -39,33 +47,64 @@ done
 abidw --no-corpus-path --no-comp-dir-path --no-show-locs "$library" \
     >"$work/new/rollcoin.abi"
 
+# --------------------------------------------------------------- since a release
+# What a release of this soname had stays, and what came since has symbols in
+# nodes that no release has: a program that needs them is then refused by the
+# releases that lack them.
+node_of() { sed -n 's/.*@@*//p' "$1" | LC_ALL=C sort -u; }
+
+grown_since_release()
+{
+    test -d "$base/released" || return 0
+    for list in symbols macros constants functions; do
+        LC_ALL=C comm -23 "$base/released/$list.txt" "$work/new/$list.txt"
+    done >"$work/lost"
+    "$PYTHON" "$here/layout.py" "$base/released/layout.txt" \
+        "$work/new/layout.txt" >>"$work/lost" || :
+    LC_ALL=C comm -13 "$base/released/symbols.txt" "$work/new/symbols.txt" |
+        grep '@' >"$work/added" || :
+    node_of "$base/released/symbols.txt" >"$work/nodes"
+    node_of "$work/added" | LC_ALL=C comm -12 - "$work/nodes" |
+        sed 's/.*/added to & of a release: begin a node in rollcoin.map/' \
+            >>"$work/lost"
+    test ! -s "$work/lost" || { cat "$work/lost"; return 1; }
+}
+grown_since_release || die "a break of the ABI of a release: take it back," \
+    "or raise the number that the soname carries"
+
 # ----------------------------------------------------------------------- update
-if test "${1:-}" = update; then
-    if test "${VERSION%%.*}" -gt 0 && test -d "$base"; then
-        for list in symbols macros constants layout functions; do
-            LC_ALL=C comm -23 "$base/$list.txt" "$work/new/$list.txt"
-        done >"$work/lost"
-        test ! -s "$work/lost" || { cat "$work/lost"; die "a break of the ABI:" \
-            "raise SOVERSION in the Makefile, or take it back"; }
-    fi
+case ${1:-} in
+update)
     mkdir -p "$base"
     cp "$work/new"/* "$base"
-    # From 1.0 on the header of a soname's first release stays.
-    test "${VERSION%%.*}" -gt 0 && test -d "$base/include" ||
+    # The headers of a soname's first release stay.
+    test -d "$base/released" ||
         { rm -rf "$base/include"; cp -r "$include" "$base/include"; }
     echo "abi: accepted as librollcoin.so.$SOVERSION:" \
         "$(wc -l <"$base/symbols.txt") symbols"
     exit
-fi
+    ;;
+release)
+    rm -rf "$base/released"
+    mkdir "$base/released"
+    for list in symbols macros constants layout functions; do
+        cp "$base/$list.txt" "$base/released"
+    done
+    echo "abi: librollcoin.so.$SOVERSION is released as it is"
+    exit
+    ;;
+esac
 
 # ----------------------------------------------------------------------- compare
 for file in symbols.txt macros.txt constants.txt layout.txt functions.txt \
     rollcoin.abi include/coin.h; do
     test -s "$base/$file" || die "there is no $base/$file: make abi-update"
 done
-for list in symbols macros constants layout functions; do
+for list in symbols macros constants functions; do
     diff "$base/$list.txt" "$work/new/$list.txt" || changed $list
 done
+"$PYTHON" "$here/layout.py" "$base/layout.txt" "$work/new/layout.txt" only ||
+    changed layout
 abidiff --suppressions "$here/rollcoin.suppr" --no-show-locs \
     "$base/rollcoin.abi" "$library" || changed types
 

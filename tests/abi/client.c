@@ -5,6 +5,7 @@
 #include "headers.h"
 
 #include <stdio.h>
+#include <string.h>
 
 typedef void any_function(void);
 
@@ -20,6 +21,15 @@ static void print_state(const coin_state *s)
 {
     printf("%a %a %a %a %a %a %a %a\n", s->theta, s->phi, s->psi, s->x, s->z,
            s->wX, s->wY, s->wZ);
+}
+
+/* The reserved members too, whatever they are called. */
+static void print_params(const coin_params *p)
+{
+    double member[8];
+    memcpy(member, p, sizeof member);
+    for (int i = 0; i < 8; ++i)
+        printf("%a\n", member[i]);
 }
 
 static int32_t roll(const coin_params *p)
@@ -54,7 +64,7 @@ int main(void)
 
     while (known < sizeof all / sizeof *all && all[known])
         ++known;
-    printf("%a %a %a\n", p.inertia_X, p.inertia_Z, p.reserved[2]);
+    print_params(&p);
     printf("%u %u\n", (unsigned)(coin_sizeof_state() - sizeof(coin_state)),
            (unsigned)(coin_sizeof_params() - sizeof(coin_params)));
     return (status | roll(&p) | look(&p)) != COIN_OK ||

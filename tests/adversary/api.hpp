@@ -19,6 +19,7 @@
     static constexpr auto params_check = PREFIX##_params_check;                \
     static constexpr auto state_check = PREFIX##_state_check;                  \
     static constexpr auto from_motion = PREFIX##_state_from_motion;            \
+    static constexpr auto from_landing = PREFIX##_state_from_landing;          \
     static constexpr auto angular_velocity = PREFIX##_angular_velocity;        \
     static constexpr auto step = PREFIX##_step;                                \
     static constexpr auto run = PREFIX##_run;                                  \
@@ -32,6 +33,7 @@
     static constexpr auto contact = PREFIX##_contact;                          \
     static constexpr auto axes = PREFIX##_axes;                                \
     static constexpr auto quaternion = PREFIX##_quaternion;                    \
+    static constexpr auto matrix = PREFIX##_matrix;                            \
     static constexpr auto check = PREFIX##_check
 
 struct doubles {

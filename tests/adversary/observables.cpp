@@ -208,6 +208,27 @@ template <class T, class R> double angular_velocity(const scene &s, double)
     return q.v.worst;
 }
 
+/* (85), of unit columns: 8 u of 1, and 4 u of the height. */
+template <class T, class R> double matrix(const scene &s, double)
+{
+    asked<T, R> q(s);
+    typename T::real m[16];
+    R e[9];
+    if (T::matrix(&q.y, &q.p, m) != COIN_OK)
+        return NO_CLAIM;
+    frame_of(q.at, e);
+    const R cps = cosine(q.at.psi), sps = sine(q.at.psi);
+    for (int i = 0; i < 3; ++i) {
+        q.v.hold(R(m[i]), cps * e[i] + sps * e[3 + i], 8 * q.u);
+        q.v.hold(R(m[4 + i]), cps * e[3 + i] - sps * e[i], 8 * q.u);
+        q.v.hold(R(m[8 + i]), e[6 + i], 8 * q.u);
+        q.v.equal(m[4 * i + 3] == 0);
+    }
+    q.hold(m[13], terms<R>().add(q.at.a * q.at.c), 4);
+    q.v.equal(m[12] == q.y.x && m[14] == q.y.z && m[15] == 1);
+    return q.v.worst;
+}
+
 /* The rotation of the scene's angles, each number off by a little. */
 void near_a_rotation(scene *s, const double *)
 {
@@ -250,6 +271,40 @@ template <class T, class R> double from_motion(const scene &s, double)
         a.v.hold(turned_by(R(y.phi) - R(y.psi), 2 * minus), 0, 2 * bound);
     else
         a.v.hold(turned_by(R(y.phi) + R(y.psi), 2 * plus), 0, 2 * bound);
+    return a.v.worst;
+}
+
+/* The angular velocity of the scene, and a velocity that has nothing to do with
+ * it; judged for the angles that come out. */
+template <class T, class R> double from_landing(const scene &s, double)
+{
+    using real = typename T::real;
+    asked<T, R> a(s);
+    const real q[] = {real(s.q[0]), real(s.q[1]), real(s.q[2]), real(s.q[3])};
+    const real w[] = {real(s.wX), real(s.wY), real(s.wZ)};
+    const real v[] = {a.p.radius * w[2], -a.p.radius * w[0],
+                      a.p.radius * w[1]};
+    typename T::state y;
+    if (T::from_landing(&y, &a.p, q, w, v, a.y.x, a.y.z) != COIN_OK ||
+        !a.is_normal())
+        return NO_CLAIM;
+    const moment<R> at(a.p, y);
+    R e[9];
+    frame_of(at, e);
+    terms<R> want[3];
+    for (int i = 0; i < 3; ++i) {
+        want[0].add(at.IX / at.J * w[i] * e[i]);
+        want[0].add(at.m / at.J / at.a * v[i] * e[6 + i]); /* (86) */
+        want[1].add(w[i] * e[3 + i]);
+        want[2].add(at.IZ / at.K * w[i] * e[6 + i]);
+        want[2].add(-at.k2 / at.a * v[i] * e[i]); /* (86) */
+        want[0].size += magnitude(w[i] * e[i]) * at.m / at.J;
+        want[2].size += magnitude(w[i] * e[6 + i]) * at.k2;
+    }
+    a.hold(y.wX, want[0], 16);
+    a.hold(y.wY, want[1], 16);
+    a.hold(y.wZ, want[2], 16);
+    a.v.equal(y.x == a.y.x && y.z == a.y.z);
     return a.v.worst;
 }
 
@@ -354,8 +409,10 @@ void add_observables(std::vector<row> *rows)
     ROW("contact", "8 u of the terms", contact, NO_EDGE);
     ROW("axes", "4 u", axes, NO_EDGE);
     ROW("quaternion", "4 u", quaternion, NO_EDGE);
+    ROW("matrix", "8 u", matrix, NO_EDGE);
     ROW("angular_velocity", "8 u of the terms", angular_velocity, NO_EDGE);
     ROW("state_from_motion", "8 u; over cos theta in phi and psi", from_motion,
         ROTATION);
+    ROW("state_from_landing", "16 u of the terms", from_landing, ROTATION);
     ROW("check", "8 u of the terms of each threshold", check, THRESHOLDS);
 }

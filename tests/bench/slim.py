@@ -23,7 +23,9 @@ def slim(text):
     text = text.replace(DEFAULTS, "")
     text = re.sub(r'<tspan font-family="sans" +', "<tspan ", text)
     text = re.sub(r"rgb\( *(\d+), *(\d+), *(\d+)\)", hexadecimal, text)
-    text = re.sub(r"(\d+\.\d)\d+(?=[ ,)])", r"\1", text)
+    text = re.sub(r"""\b(?:d|points|transform) *= *(['"]).*?\1""",
+                  lambda m: re.sub(r"(\d+\.\d)\d+(?=[\s,)'\"])", r"\1", m[0]),
+                  text, flags=re.S)
     count = 1
     while count:
         text, count = re.subn(r"<g [^>]*>\s*</g>\n?", "", text)

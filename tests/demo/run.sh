@@ -124,6 +124,25 @@ sums_up()
         grep -q '^a real coin  *can do this with mu 0.3$' stdout
 }
 claim "the summary of a quarter's second is right" sums_up
+# Dry friction takes as much energy for each radian, whatever the motion, (69):
+# the energy at the start is (23).
+comes_to_rest()
+{
+    exits 0 --out out && awk '
+        /^And then/ { dry = $6; next }
+        dry && NF == 5 && $1 + 0 > 0 {
+            w2 = 0.01213 / 9.80665
+            E = (25 / 4 + 1.5 * 1600) * w2 / 2 + cos(0.3)
+            lost = dry * 8 * atan2(1, 1) * $3 / E
+            # The last digits of energy and turns.
+            if ((1 - $5 - lost) ^ 2 > 0.0006 ^ 2) { print $0, lost; exit 1 }
+            rows++
+        }
+        / flat; / { flat = $1 > last }
+        { last = $1 }
+        END { exit rows != 7 || !flat }' stdout
+}
+claim "the quarter then comes to rest as dry friction has it" comes_to_rest
 # energy_error EXPONENTS DT: of the summary's energy error at that step.
 energy_error()
 {
@@ -221,9 +240,13 @@ claim "infinitely many steps" \
     refuses 2 "more than 1e+08" --dt 1e-300 --duration 1e300
 claim "less than one step" refuses 2 "shorter" --dt 1 --duration 0.1
 
+# -------------------------------------------------------- in the terminal
+claim "--live plays a circle, stops when told, and wants a terminal" \
+    "$python" "$root/tests/demo/live.py" "$demo"
+
 # ------------------------------------------------------------------- the rest
 claim "--help explains itself" exits 0 --help
-claim "it names every option" test "$(grep -c -e ' --' stdout)" -eq 8
+claim "it names every option" test "$(grep -c -e ' --' stdout)" -eq 9
 claim "a folder's name may be odd" exits 0 --out "an odd %s name"
 claim "its pictures are there" test -s "an odd %s name/quarter_path.svg"
 claim "a run of one step is drawn" exits 0 --duration 0.001 --out out

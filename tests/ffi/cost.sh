@@ -10,8 +10,11 @@ work=$OUT/ffi-cost
 examples=$SRC/docs/examples
 rm -rf "$work"
 mkdir -p "$work"
-export ROLLCOIN_LIBRARY="$OUT/librollcoin.so" PYTHONPATH="$examples/python"
-export PYTHONDONTWRITEBYTECODE=1 PYTHONHASHSEED=0
+export PYTHONPATH="$work/site" PYTHONDONTWRITEBYTECODE=1 PYTHONHASHSEED=0
+
+"$PYTHON" -m pip -q --disable-pip-version-check install \
+    --root-user-action=ignore --no-index --no-deps --target "$work/site" \
+    "$examples/python"
 
 $CC -O2 -I"$SRC/include" "$here/calls.c" "$OUT/librollcoin.a" -lm -o "$work/c"
 $CXX -O2 -std=c++17 -I"$SRC/include" -I"$examples/cpp" "$here/calls.cpp" \
@@ -52,3 +55,5 @@ costs "Python, lib.coin_run()$tab" "$PYTHON" "$here/calls.py" call
 costs "Python, run()$tab" "$PYTHON" "$here/calls.py" run
 costs "Python, a step of sample()$tab" "$PYTHON" "$here/calls.py" sample
 costs "Python, a coin of run_batch()$tab" "$PYTHON" "$here/calls.py" batch
+costs "Python, a row of quaternion()$tab" "$PYTHON" "$here/calls.py" quaternion
+costs "Python, a row of reaction()$tab" "$PYTHON" "$here/calls.py" reaction

@@ -9,7 +9,7 @@ BINDGEN ?= bindgen
 FFI = $(GATE) CXX='$(CXX)' PYTHON=$(DEBIAN_PYTHON) RUSTC='$(RUSTC)' \
       CARGO='$(CARGO)' BINDGEN='$(BINDGEN)'
 
-.PHONY: bindings bindings-update bindings-seeds bindings-cost
+.PHONY: bindings bindings-update bindings-seeds bindings-cost sweeps
 bindings: $(LIB_A) $(LIB_SO) $(O)/quarter ## C++, Python and Rust are as coin.h says, and roll the quarter
 	+$(FFI) sh $(SRC)/tests/ffi/ffi.sh
 
@@ -18,6 +18,9 @@ bindings-update: ## write the declarations of Python and Rust from coin.h
 
 bindings-seeds: $(LIB_SO) ## let coin.h and the bindings drift apart: make bindings must see it
 	+$(FFI) sh $(SRC)/tests/ffi/seeds.sh
+
+sweeps: ## a map has one hash by one process, Dask and MPI, though workers are killed
+	+$(FFI) sh $(SRC)/tests/ffi/sweeps.sh
 
 bindings-cost: $(LIB_A) $(LIB_SO) ## what a call costs from C, C++, Rust and Python
 	+$(FFI) sh $(SRC)/tests/ffi/cost.sh

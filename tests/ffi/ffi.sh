@@ -8,7 +8,7 @@
 set -eu
 here=$SRC/tests/ffi
 examples=$SRC/docs/examples
-module=$examples/python/rollcoin.py
+package=$examples/python/src/rollcoin
 raw=$examples/rust/src/ffi.rs
 work=$OUT/ffi
 failed=
@@ -17,46 +17,48 @@ export CC
 die() { echo "bindings: $*" >&2; exit 1; }
 differs() { echo "bindings: $1"; failed="$failed; $1"; }
 
-for tool in "$CC" "$CXX" "$PYTHON" "$RUSTC" "$CARGO" "$BINDGEN" rustfmt; do
+for tool in "$CC" "$CXX" "$PYTHON" "$RUSTC" "$CARGO" "$BINDGEN" rustfmt \
+    cargo-clippy pip3 mypy; do
     command -v "${tool%% *}" >/dev/null || die "needs $tool"
 done
 rm -rf "$work"
 mkdir -p "$work"
 
 # Python writes no caches into the sources.
-export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$examples/python"
+export PYTHONDONTWRITEBYTECODE=1
 
 # ----------------------------------------------------------------- declarations
 rust_declarations()
 {
-    "$BINDGEN" "$SRC/include/coin.h" "$@" \
-        --allowlist-function 'coin_.*' --allowlist-type 'coin_.*' \
+    "$BINDGEN" "$SRC/include/coinf.h" "$@" \
+        --allowlist-function 'coinf?_.*' --allowlist-type 'coinf?_.*' \
         --allowlist-var 'COIN_.*' --blocklist-type '__u?int.*' \
         --no-doc-comments --size_t-is-usize --with-derive-default \
         --with-derive-partialeq \
         --raw-line '// SPDX-License-Identifier: MIT' \
-        --raw-line '// What coin.h declares: by `make bindings-update`.' \
+        --raw-line '// What coin.h and coinf.h declare: by `make bindings-update`.' \
         -- "-I$SRC/include" -std=c99
 }
-"$PYTHON" "$here/python.py" write "$SRC/include" "$module" \
-    >"$work/rollcoin.py" || die "pycparser cannot read coin.h"
+"$PYTHON" "$here/python.py" declarations "$SRC/include" \
+    >"$work/_declarations.py" || die "pycparser cannot read coin.h"
+"$PYTHON" "$here/python.py" tables "$SRC/include" >"$work/tables.h"
 rust_declarations --no-layout-tests >"$work/ffi.rs" ||
     die "bindgen cannot read coin.h"
 
 if test "${1:-}" = update; then
-    cp "$work/rollcoin.py" "$module"
+    cp "$work/_declarations.py" "$work/tables.h" "$package"
     cp "$work/ffi.rs" "$raw"
     echo "bindings: declarations renewed"
     exit
 fi
-diff "$module" "$work/rollcoin.py" || differs "Python's declarations"
+{ diff "$package/_declarations.py" "$work/_declarations.py" &&
+    diff "$package/tables.h" "$work/tables.h"; } ||
+    differs "Python's declarations"
 diff "$raw" "$work/ffi.rs" || differs "Rust's declarations"
 
 # The same by another route: what the C compiler, ctypes and rustc make of it.
-export ROLLCOIN_LIBRARY="$OUT/librollcoin.so"
-"$PYTHON" "$here/header.py" "$SRC/include" layout |
-    grep '^coin_' >"$work/layout.c.txt"
-"$PYTHON" "$here/python.py" layout "$module" >"$work/layout.py.txt" &&
+"$PYTHON" "$here/header.py" "$SRC/include" layout >"$work/layout.c.txt"
+"$PYTHON" "$here/python.py" layout "$package" >"$work/layout.py.txt" &&
     diff "$work/layout.c.txt" "$work/layout.py.txt" ||
     differs "Python's layout"
 rust_declarations >"$work/tested.rs"
@@ -65,13 +67,40 @@ grep -q 'Offset of field' "$work/tested.rs" || die "bindgen tests nothing"
     -o "$work/tested" -L "native=$OUT" -l static=rollcoin -l m &&
     "$work/tested" -q >"$work/log" || { cat "$work/log"
     differs "Rust's layout"; }
+# calls NAME FILES...: every function of coin.h is called there, but those that
+# a compiled header makes needless.
+calls()
+{
+    name=$1
+    shift
+    "$PYTHON" "$here/header.py" "$SRC/include" functions |
+        grep -o '\bcoin_[a-z0-9_]*(' |
+        grep -v -e '_sizeof_' -e '_version' -e '_string' |
+        while read -r call; do
+            cat "$@" | grep -qF "$call" || echo "$name lacks $call)"
+        done | grep . && differs "$name's calls" || true
+}
+calls C++ "$examples/cpp/rollcoin.hpp"
+calls Rust "$examples"/rust/src/[!f]*.rs
+
 echo "bindings: $(wc -l <"$work/layout.c.txt") sizes and offsets," \
     "$(grep -c 'pub fn' "$raw") functions in Python and Rust as in coin.h"
 test "${1:-}" != declarations ||
     { test -z "$failed" || die "differ:${failed#;}: make bindings-update"; exit; }
 
 # ------------------------------------------------------------------------- tests
-"$PYTHON" "$here/test_python.py" -q || differs "the tests of Python"
+# As a new user has it: in a virtual environment, by pip, without a network,
+# with the library in the package; and then linked to an installed one.
+"$PYTHON" -m venv --system-site-packages --without-pip "$work/venv"
+python=$work/venv/bin/python
+pip="$python -m pip -q --disable-pip-version-check install --no-index --no-deps"
+(
+    cd /
+    $pip "$examples/python" && "$python" "$here/test_python.py" -q &&
+        "$python" -m mypy --cache-dir="$work/mypy" \
+            --config-file "$examples/python/pyproject.toml" "$package"
+) || differs "the tests of Python"
+sh "$here/packages.sh" "$work" "$python" || differs "Python's packages"
 for std in c++17 c++20; do
     for cxx in "$CXX" clang++; do
         # shellcheck disable=SC2086
@@ -85,9 +114,21 @@ cp -r "$examples/rust" "$work/rust"
 (
     cd "$work/rust"
     export ROLLCOIN_LIB="$OUT" RUSTC CARGO_TARGET_DIR="$work/cargo"
-    RUSTFLAGS='-D warnings' "$CARGO" test --offline -q
+    export RUSTFLAGS='-D warnings'
+    "$CARGO" clippy --offline -q --all-targets -- -D warnings &&
+        rustfmt --check --edition 2021 src/lib.rs build.rs examples/*.rs &&
+        "$CARGO" test --offline -q
 ) >"$work/log" 2>&1 || { cat "$work/log"; differs "the tests of Rust"; }
 grep '^test result' "$work/log" | head -1
+# Without ROLLCOIN_LIB: the installed library, and the single header.
+(
+    cd "$work/rust"
+    unset ROLLCOIN_LIB
+    export RUSTC CARGO_TARGET_DIR="$work/cargo" ROLLCOIN_CLONE="$SRC"
+    PKG_CONFIG_PATH=$work/stage/lib/pkgconfig "$CARGO" build --offline -q &&
+        grep -rq "native=$work/stage/lib" "$work"/cargo/debug/build/*/output &&
+        PKG_CONFIG_LIBDIR=/nowhere "$CARGO" test --offline -q
+) >"$work/log" 2>&1 || { cat "$work/log"; differs "the crate's library"; }
 
 # ------------------------------------------------------------ the same numbers
 "$OUT/quarter" >"$work/quarter.txt"
@@ -105,7 +146,7 @@ same()
 $CXX -std=c++17 -I"$SRC/include" "$examples/cpp/quarter.cpp" \
     "$OUT/librollcoin.a" -lm -o "$work/quarter-cpp"
 same C++ "$work/quarter-cpp"
-same Python "$PYTHON" "$examples/python/quarter.py"
+same Python "$python" "$examples/python/quarter.py"
 same "Rust, by cargo" env ROLLCOIN_LIB="$OUT" RUSTC="$RUSTC" \
     CARGO_TARGET_DIR="$work/cargo" "$CARGO" run --offline -q \
     --manifest-path "$work/rust/Cargo.toml" --example quarter
@@ -127,7 +168,7 @@ import sys
 
 guide, examples = map(pathlib.Path, sys.argv[1:])
 text = guide.read_text()
-for name in ("quarter.c", "cpp/quarter.cpp", "python/quarter.py",
+for name in ("quarter.c", "stop.c", "cpp/quarter.cpp", "python/quarter.py",
              "rust/examples/quarter.rs"):
     program = (examples / name).read_text()
     # What follows the head of comments.

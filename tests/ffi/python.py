@@ -1,100 +1,215 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The declarations of docs/examples/python/rollcoin.py, from the header.
+"""What the Python package takes from the headers.
 
-    python.py write INCLUDE MODULE     prints the module with them renewed
-    python.py layout MODULE            prints sizes and offsets as ctypes has
-                                       them, in the form of header.py's
-
-Only coin.h: the single precision of coinf.h is for firmware.
+    python.py declarations INCLUDE   _declarations.py
+    python.py tables INCLUDE         tables.h: the functions over tables
+    python.py layout PACKAGE         sizes and offsets as ctypes has them, in
+                                     the form of header.py's
 """
 import ctypes
-import importlib.util
+import importlib
 import pathlib
 import re
 import sys
+import types
 
 import header
 
 SIMPLE = {"double": "c_double", "float": "c_float", "int32_t": "c_int32",
           "uint32_t": "c_uint32", "uint64_t": "c_uint64", "size_t": "c_size_t"}
-BEGIN = re.compile(r"^# ---- declarations.*\n", re.M)
-END = re.compile(r"^# ---- end of declarations", re.M)
-PREFIX = "coin_"
+WHOLE = {"int32_t": "INT32", "uint32_t": "UINT32", "uint64_t": "UINT64",
+         "size_t": "SIZE"}
+PREFIX = re.compile(r"coin(f?)_")
+
+HEAD = '''\
+# SPDX-License-Identifier: MIT
+"""What coin.h and coinf.h declare: by `make bindings-update`."""
+from ctypes import (Array, c_char_p, c_double, c_float, c_int32, c_size_t,
+                    c_uint32, c_uint64)
+from typing import Any, Dict, Tuple
+
+from ._types import INT32, SIZE, UINT32, UINT64, In, Out, Plain
+
+'''
 
 
 def python_name(struct):
-    return struct.removeprefix(PREFIX).title().replace("_", "")
+    """State of coin_state, Statef of coinf_state."""
+    prefix = PREFIX.match(struct)
+    words = struct[prefix.end():].title().replace("_", "")
+    return words + prefix.group(1)
 
 
-def python_type(kind, argument):
-    """A member's type, or an argument's, where an array is a pointer."""
-    if kind.name == "char" and kind.pointers == 1:
-        return "c_char_p"
+def member(kind):
     base = SIMPLE.get(kind.name) or python_name(kind.name)
-    if kind.length and not argument:
-        return f"{base} * {kind.length}"
-    return f"POINTER({base})" if kind.pointers or kind.length else base
+    return f"{base} * {kind.length}" if kind.length else base
+
+
+def annotation(kind):
+    if kind.name not in SIMPLE:
+        return python_name(kind.name)
+    return f'"Array[{SIMPLE[kind.name]}]"' if kind.length else "float"
+
+
+def argument(kind, counted):
+    """`counted` if another argument says how many there are."""
+    if kind.pointers or kind.length:
+        base = SIMPLE.get(kind.name) or python_name(kind.name)
+        length = f", {kind.length}" if kind.length else (
+            ", 0" if counted and not kind.const else "")
+        return f"{'In' if kind.const else 'Out'}({base}{length})"
+    return WHOLE.get(kind.name) or SIMPLE[kind.name]
+
+
+def result(kind):
+    return "c_char_p" if kind.pointers else SIMPLE[kind.name]
+
+
+def wrapped(text, indent, columns=79):
+    """Lines of at most so many columns, cut after commas."""
+    lines = [""]
+    for part in re.split(r"(?<=,) ", text):
+        if lines[-1] and len(lines[-1]) + len(part) + 1 > columns:
+            lines.append(" " * indent + part)
+        else:
+            lines[-1] += (" " if lines[-1] else "") + part
+    return lines
 
 
 def declarations(include):
     found = header.read(include)
+    constants = header.constants(include)
+    names = [*map(python_name, found.structs),
+             *(name.removeprefix("COIN_") for name in constants)]
+    listed = ", ".join(f'"{name}"' for name in names)
+    yield from wrapped(f"__all__ = [{listed}]", 11, 79)
+    yield ""
     for name, members in found.structs.items():
-        if not name.startswith(PREFIX):
-            continue
-        yield f"class {python_name(name)}(Plain):"
+        yield f"\nclass {python_name(name)}(Plain):"
         yield f'    """{name}."""'
+        yield "    __slots__ = ()"
+        yield from (f"    {m}: {annotation(kind)}"
+                    for m, kind in members.items())
         yield "    _fields_ = ["
-        yield from (f'        ("{member}", {python_type(kind, False)}),'
-                    for member, kind in members.items())
-        yield "    ]\n\n"
-    for name, value in header.constants(include).items():
-        if name.startswith(PREFIX.upper()):
-            yield f"{name.removeprefix(PREFIX.upper())} = {value}"
-    yield "\n# Name: (result, arguments...)"
-    yield "PROTOTYPES = {"
-    for name, (result, arguments) in found.functions.items():
-        if name.startswith(PREFIX):
-            types = [python_type(result, False)]
-            types += [python_type(kind, True) for kind in arguments.values()]
-            yield from wrapped(name, types)
-    yield "}\n\n"
+        yield from (f'        ("{m}", {member(kind)}),'
+                    for m, kind in members.items())
+        yield "    ]\n"
+    yield ""
+    for name, value in constants.items():
+        yield f"{name.removeprefix('COIN_')} = {value}"
+    yield "\n# Name: (result, {argument: type})"
+    yield "PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {"
+    for name, (kind, arguments) in found.functions.items():
+        counted = any(k.name == "size_t" and not k.pointers
+                      for k in arguments.values())
+        listed = ", ".join(f'"{a}": {argument(k, counted)}'
+                           for a, k in arguments.items())
+        line = f'    "{name}": ({result(kind)}, {{{listed}}}),'
+        yield from wrapped(line.strip(), 8, 75)
+    yield "}"
 
 
-def wrapped(name, types):
-    lines = [f'    "{name}": (']
-    for kind in types:
-        if len(lines[-1]) + len(kind) > 76:
-            lines.append(" " * 8)
-        lines[-1] += kind + ", "
-    lines = [line.rstrip() for line in lines]
-    lines[-1] = (lines[-1] if len(types) == 1 else lines[-1][:-1]) + "),"
-    return lines
+def indented(lines):
+    return [f"    {line}" if line.startswith('"') else line for line in lines]
 
 
-def write(include, module):
-    text = pathlib.Path(module).read_text()
-    begin, end = BEGIN.search(text), END.search(text)
-    return (text[:begin.end()] + "\n".join(declarations(include)) + "\n"
-            + text[end.start():])
+# ---------------------------------------------------------------------- tables
+def first(arguments):
+    return next(iter(arguments.items()), (None, None))
 
 
-def layout(module):
-    spec = importlib.util.spec_from_file_location("rollcoin", module)
-    rollcoin = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(rollcoin)
-    for kind in rollcoin.Plain.__subclasses__():
+def over_coins(arguments):
+    """Of a function that reads a coin, or moves one by a time."""
+    name, kind = first(arguments)
+    return (name == "s" and kind.pointers == 1
+            and not any(k.name == "size_t" for k in arguments.values())
+            and (kind.const or "reached" in arguments))
+
+
+def over_times(arguments):
+    """Of a function that gives a state at any time."""
+    last = list(arguments)[-1:]
+    return "t" in arguments and last == ["out"]
+
+
+def declared(name, kind, table):
+    const = "const " if kind.const or (table and name == "t") else ""
+    star = "*" if kind.pointers or kind.length or (table and name == "t") \
+        else ""
+    return f"{const}{kind.name} {star}{name}"
+
+
+def passed(name, kind, table):
+    if not table:
+        return name
+    if not (kind.pointers or kind.length):
+        return f"{name}[i]"
+    return f"{name} + {kind.length} * i" if kind.length else f"{name} + i"
+
+
+def row(name, function, arguments, tables, number=""):
+    """EACH(name, (its arguments), the call), or EACH_NUMBER."""
+    takes = ", ".join(declared(a, k, a in tables)
+                      for a, k in arguments.items())
+    gives = ", ".join(passed(a, k, a in tables) for a, k in arguments.items())
+    call = f"{function}({gives})"
+    if number:
+        check = PREFIX.match(function).group() + "state_check(s + i, p)"
+        line = f"EACH_NUMBER({name}, {number}, ({takes}), {call}, {check})"
+    else:
+        line = f"EACH({name}, ({takes}), {call})"
+    yield from wrapped(line, 5, 80)
+
+
+def outputs(arguments):
+    return {a for a, k in arguments.items()
+            if (k.pointers or k.length) and not k.const}
+
+
+def tables(include):
+    yield "/* SPDX-License-Identifier: MIT */"
+    yield "/* The functions of coin.h and coinf.h that read or move a coin," \
+        " for each of a"
+    yield " * table; and those that give a state at a time, for a table of" \
+        " times: by"
+    yield " * `make bindings-update`. */"
+    for function, (kind, arguments) in header.read(include).functions.items():
+        taken = outputs(arguments)
+        if over_coins(arguments):
+            yield from row(f"each_{function}", function, arguments,
+                           taken | {first(arguments)[0]},
+                           "" if kind.name == "int32_t" else kind.name)
+        if over_times(arguments):
+            yield from row(f"times_{function}", function, arguments,
+                           taken | {"t"})
+
+
+# ---------------------------------------------------------------------- layout
+def layout(package):
+    """Without the package's __init__, which needs the library."""
+    rollcoin = types.ModuleType("rollcoin")
+    rollcoin.__path__ = [package]
+    sys.modules["rollcoin"] = rollcoin
+    declared_there = importlib.import_module("rollcoin._declarations")
+    for kind in declared_there.Plain.__subclasses__():
         name = kind.__doc__.rstrip(".")
         yield f"{name} size {ctypes.sizeof(kind)}"
-        for member, _ in kind._fields_:
-            place = getattr(kind, member)
-            yield f"{name}.{member} offset {place.offset} size {place.size}"
+        for field, _ in kind._fields_:
+            place = getattr(kind, field)
+            yield f"{name}.{field} offset {place.offset} size {place.size}"
+
+
+def main(what, where):
+    if what == "declarations":
+        print(HEAD + "\n".join(indented(declarations(where))))
+    elif what == "tables":
+        print(*tables(where), sep="\n")
+    elif what == "layout":
+        print(*sorted(layout(str(pathlib.Path(where)))), sep="\n")
+    else:
+        sys.exit(__doc__)
 
 
 if __name__ == "__main__":
-    if sys.argv[1:2] == ["write"] and len(sys.argv) == 4:
-        sys.stdout.write(write(sys.argv[2], sys.argv[3]))
-    elif sys.argv[1:2] == ["layout"] and len(sys.argv) == 3:
-        print(*sorted(layout(sys.argv[2])), sep="\n")
-    else:
-        sys.exit(__doc__)
+    main(*(sys.argv[1:] if len(sys.argv) == 3 else ("", "")))

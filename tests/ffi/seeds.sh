@@ -65,16 +65,26 @@ drift "an argument gone" "$both$update" include/coin.h \
     's/const coin_params \*p, double dt);/const coin_params *p);/'
 drift "a constant with another value" "$both$update" include/coin.h \
     's/COIN_ESTEP = -3/COIN_ESTEP = -9/'
-drift "a function added" "$both$update" include/coin.h \
+drift "a function added" "$both; C++'s calls; Rust's calls$update" include/coin.h \
     's/^COIN_API uint32_t coin_version(void);/&\nCOIN_API double coin_new(void);/'
 drift "a kind of type that no binding knows" "pycparser cannot read coin.h" \
     include/coin.h 's/^    double ratio;/    union { int a; } u; double ratio;/'
 
-python=docs/examples/python/rollcoin.py
+drift "a function of floats added" "$both$update" include/coinf.h \
+    's/^COIN_API int32_t coinf_selftest(void);/&\nCOIN_API float coinf_new(void);/'
+
+python=docs/examples/python/src/rollcoin/_declarations.py
 drift "a member swapped in Python" "Python's declarations; Python's layout" \
     $python '/^        ("wY"/{h;d};/^        ("wZ"/{G;}'
 drift "a prototype changed in Python" "differ: Python's declarations$update" \
     $python 's/"coin_step": (c_int32,/"coin_step": (c_double,/'
+drift "a function over tables changed in Python" \
+    "differ: Python's declarations$update" \
+    docs/examples/python/src/rollcoin/tables.h 's/q + 4 \* i/q + 3 * i/'
+drift "a function no longer called in C++" "differ: C++'s calls$update" \
+    docs/examples/cpp/rollcoin.hpp 's/coin_settle(/coin_advance(/'
+drift "a function no longer called in Rust" "differ: Rust's calls$update" \
+    docs/examples/rust/src/losses.rs 's/coin_settle(/coin_advance(/'
 drift "a member's type changed in Rust" "differ: Rust's declarations$update" \
     docs/examples/rust/src/ffi.rs '0,/pub wX: f64/s//pub wX: f32/'
 

@@ -1,18 +1,31 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Errors become exceptions, outputs results, buffers are used in place.
-The library is ROLLCOIN_LIBRARY, the module is on PYTHONPATH."""
+"""Errors become exceptions, outputs results, tables are used in place, and
+nothing wrong is accepted in silence.  The package is installed."""
 import array
 import contextlib
 import copy
+import ctypes
+import inspect
 import io
 import math
+import mmap
 import pathlib
+import pickle
+import re
 import runpy
+import signal
+import subprocess
+import sys
+import tempfile
+import time
 import unittest
 
 import numpy
 import rollcoin as rc
+
+PYTHON = pathlib.Path(__file__).parents[2] / "docs" / "examples" / "python"
+INF = math.inf
 
 
 def quarter():
@@ -20,12 +33,131 @@ def quarter():
             rc.State(theta=0.3, wY=5, wZ=40))
 
 
+def quarterf():
+    return (rc.discf(0.00567, 0.01213, 9.80665),
+            rc.Statef(theta=0.3, wY=5, wZ=40))
+
+
+def random_table(count, kind=rc.State):
+    """States that a step of 1e-3 moves."""
+    random = numpy.random.default_rng(1)
+    table = numpy.zeros(count, kind)
+    for member in rc.State._fields_:
+        table[member[0]] = random.uniform(-1, 1, count)
+    table["wZ"] *= 40
+    return table
+
+
+def same(one, other):
+    """To the bit; NaN is NaN."""
+    return numpy.asarray(one).tobytes() == numpy.asarray(other).tobytes()
+
+
+class Package(unittest.TestCase):
+    # Names that are not those of C without their prefix.
+    NAMES = {"params_disc": "disc", "params_ring": "ring",
+             "params_body": "body", "batch_run": "run_batch",
+             "orbit_init": "orbit", "version_string": "version"}
+
+    def test_every_function_has_one_of_python_that_names_it(self):
+        for full in rc._declarations.PROTOTYPES:
+            prefix, name = full.split("_", 1)
+            self.assertIsNotNone(getattr(rc.lib, full).argtypes)
+            if name == "version" or name.startswith("sizeof_"):
+                continue  # for bindings
+            name = self.NAMES.get(name, name)
+            single = prefix == "coinf" and hasattr(rc, name + "f")
+            function = getattr(rc, name + "f" * single)
+            cited = full if single else "coin_" + full.split("_", 1)[1]
+            self.assertIn(cited + "()", function.__doc__)
+
+    def test_all_that_is_public_is_documented_and_annotated(self):
+        for name in rc.__all__:
+            thing = getattr(rc, name)
+            if inspect.isfunction(thing):
+                self.assertTrue(thing.__doc__, name)
+                hints = inspect.signature(thing)
+                for part in (*hints.parameters.values(),):
+                    self.assertIsNot(part.annotation, part.empty, name)
+                self.assertIsNot(hints.return_annotation, hints.empty, name)
+            elif inspect.isclass(thing):
+                self.assertTrue(thing.__doc__, name)
+        folder = pathlib.Path(rc.__file__).parent
+        self.assertTrue((folder / "py.typed").exists())
+
+    def test_the_version_is_the_librarys(self):
+        number = rc.lib.coin_version()
+        self.assertEqual(rc.__version__, f"{number >> 16}."
+                         f"{number >> 8 & 255}.{number & 255}")
+
+    def test_the_library_in_it_computes_the_pinned_bits(self):
+        rc.selftest()
+        rc.selftestf()
+
+    def test_names_and_texts(self):
+        self.assertEqual(rc.method_name(rc.RK8), "rk8")
+        self.assertEqual(rc.method_order(rc.RK8), 8)
+        self.assertRaises(ValueError, rc.method_name, 99)
+        self.assertRaises(rc.Error, rc.method_order, 99)
+        self.assertEqual(rc.status_string(rc.EFLAT), "the coin falls flat")
+
+    def test_the_readme_shows_a_program(self):
+        text = (PYTHON / "README.md").read_text()
+        program = re.search(r"```python\n(.*?)```", text, re.S).group(1)
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exec(program, {})
+        self.assertEqual(len(printed.getvalue().splitlines()), 2)
+
+
+class Structs(unittest.TestCase):
+    def test_an_unknown_member_is_refused(self):
+        s = rc.State()
+        with self.assertRaises(TypeError):
+            rc.State(thetta=1)
+        with self.assertRaises(AttributeError):
+            s.wz = 40
+        with self.assertRaises(TypeError):
+            rc.State(*range(9))
+        with self.assertRaises(TypeError):
+            rc.State(theta="0.3")
+        for kind in (rc.Params, rc.Force, rc.Losses, rc.Orbit, rc.Statef):
+            with self.assertRaises(AttributeError):
+                kind().nothing = 1
+
+    def test_equal_is_what_has_equal_members(self):
+        p, s = quarter()
+        self.assertEqual(s, rc.State(0.3, wY=5, wZ=40))
+        self.assertNotEqual(s, rc.State(0.3, wY=5))
+        self.assertNotEqual(s, rc.Statef(0.3, wY=5, wZ=40))
+        self.assertNotEqual(s, 3)
+        self.assertNotEqual(rc.State(theta=math.nan),
+                            rc.State(theta=math.nan))
+        self.assertEqual(rc.reaction(s, p), rc.reaction(s, p))
+        self.assertRaises(TypeError, hash, s)
+
+    def test_the_repr_is_short_and_makes_the_same(self):
+        p, s = quarter()
+        self.assertEqual(repr(s), "State(theta=0.3, wY=5.0, wZ=40.0)")
+        for thing in (s, p, rc.reaction(s, p), rc.Losses(dry=1),
+                      rc.Statef(theta=0.5, low=(0.25,) * 8), rc.State()):
+            self.assertEqual(eval(repr(thing), vars(rc)), thing)
+        self.assertLess(len(repr(rc.orbit(s, p))), 500)
+
+    def test_a_copy_is_another(self):
+        s = rc.State(theta=0.5)
+        for other in (copy.copy(s), copy.deepcopy(s),
+                      pickle.loads(pickle.dumps(s))):
+            self.assertEqual(other, s)
+            other.theta = 0.25
+            self.assertEqual(s.theta, 0.5)
+
+
 class Errors(unittest.TestCase):
     def status(self, function, *arguments):
         with self.assertRaises(rc.Error) as caught:
             function(*arguments)
-        text = rc.lib.coin_status_string(caught.exception.status)
-        self.assertEqual(str(caught.exception), text.decode())
+        self.assertIn(rc.status_string(caught.exception.status),
+                      str(caught.exception))
         return caught.exception.status
 
     def test_a_negative_status_is_raised_and_touches_nothing(self):
@@ -52,17 +184,55 @@ class Errors(unittest.TestCase):
         self.assertEqual(caught.exception.status, rc.EFLAT)
         self.assertLess(1, caught.exception.done)
 
-    def test_a_number_that_is_none_is_raised(self):
+    def test_a_number_that_is_none_says_why(self):
         p, s = quarter()
-        s.theta = 2
-        self.assertRaises(ValueError, rc.energy, s, p)
-        self.assertEqual(self.status(rc.reaction, s, p), rc.ESTATE)
-        self.assertEqual(self.status(rc.center, s, p), rc.ESTATE)
+        bad, none = rc.State(theta=2), rc.Losses()
+        self.assertEqual(self.status(rc.energy, bad, p), rc.ESTATE)
+        self.assertEqual(self.status(rc.energy, s, rc.Params()), rc.EPARAMS)
+        self.assertEqual(self.status(rc.energy, rc.Statef(theta=2),
+                                     quarterf()[0]), rc.ESTATE)
+        self.assertEqual(self.status(rc.critical_roll, rc.Params()),
+                         rc.EPARAMS)
+        self.assertEqual(self.status(rc.max_dt, s, p, rc.RK4, 1), rc.EARG)
+        self.assertEqual(self.status(rc.time_to_rest, rc.State(wX=9), p,
+                                     rc.Losses(dry=1e-7)), rc.EDOMAIN)
+        self.assertEqual(self.status(rc.losses_power, s, p,
+                                     rc.Losses(dry=-1)), rc.EPARAMS)
+        self.assertEqual(rc.losses_power(s, p, none), 0)
+        self.assertRaises(ValueError, rc.energy, bad, p)
 
-    def test_the_types_of_arguments_are_checked(self):
+    def test_arguments_out_of_range_or_of_another_type_are_refused(self):
         p, s = quarter()
-        self.assertRaises(Exception, rc.lib.coin_step, p, s, 1e-3)
-        self.assertRaises(Exception, rc.lib.coin_step, s, p, "1e-3")
+        before = bytes(s)
+        for steps in (-1, 1 << 64):
+            self.assertRaises(ValueError, rc.run, s, p, rc.RK4, 1e-3, steps)
+            self.assertRaises(ctypes.ArgumentError, rc.lib.coin_run, s, p,
+                              rc.RK4, 1e-3, steps, None)
+        for bad in (1.5, "1", None):
+            self.assertRaises(TypeError, rc.run, s, p, rc.RK4, 1e-3, bad)
+        for method in (1 << 32, -(1 << 32), 0.0):
+            self.assertRaises(ctypes.ArgumentError, rc.run, s, p, method,
+                              1e-3, 1)
+        self.assertRaises(ctypes.ArgumentError, rc.step, s, p, "1e-3")
+        self.assertRaises(TypeError, rc.step, p, s, 1e-3)
+        self.assertRaises(TypeError, rc.step, s, quarterf()[0], 1e-3)
+        self.assertRaises(TypeError, rc.energy, quarterf()[1], p)
+        self.assertRaises(TypeError, rc.energy, [s], p)
+        self.assertRaises(TypeError, rc.energy, None, p)
+        self.assertRaises(TypeError, rc.rates, s, None)
+        self.assertRaises(ctypes.ArgumentError, rc.steady_roll, 3, 1)
+        self.assertRaises(ValueError, rc.sample, s, p, rc.RK4, 1e-3, -1, 3)
+        self.assertRaises(ValueError, rc.sample, s, p, rc.RK4, 1e-3, 1, -3)
+        self.assertRaises(ValueError, rc.state_from_motion, p, [1, 0, 0],
+                          [0, 0, 0])
+        self.assertRaises(TypeError, rc.energy, s, p, status=numpy.zeros(1))
+        self.assertRaises(ctypes.ArgumentError, rc.lib.coin_center, s, p,
+                          (ctypes.c_double * 2)())
+        self.assertRaises(ctypes.ArgumentError, rc.lib.coin_center, s, p,
+                          (ctypes.c_float * 3)())
+        self.assertEqual(self.status(rc.lib.coin_energy, None, p), rc.EARG)
+        self.assertEqual(self.status(rc.lib.coin_center, s, p, None), rc.EARG)
+        self.assertEqual(bytes(s), before)
 
 
 class Results(unittest.TestCase):
@@ -72,29 +242,271 @@ class Results(unittest.TestCase):
         self.assertEqual(rc.center(s, p)[1], p.radius * math.cos(s.theta))
         self.assertEqual(len(rc.velocity(s, p)), 3)
         self.assertEqual(len(rc.integrals(s, p)), 2)
+        self.assertEqual(len(rc.axes(s)), 9)
+        self.assertEqual([len(v) for v in rc.contact(s, p)], [3, 3])
         self.assertAlmostEqual(sum(q * q for q in rc.quaternion(s)), 1, 15)
         self.assertEqual(rc.check(s, p, rc.RK4, 1e-3, 0.01), rc.SLIPS)
+        self.assertEqual(rc.check(s, p, rc.RK4, 1e-3, INF), 0)
         self.assertEqual(rc.run(s, p, rc.RK4, 1e-2, 1), rc.COARSE)
+        self.assertEqual(rc.step(s, p, 1e-2), rc.COARSE)
         self.assertEqual(rc.advance(s, p, 0.01), 0.01)
+        self.assertLess(0, rc.max_dt(s, p, rc.RK4, 1e-6))
 
-    def test_a_state_shows_its_members_and_copies(self):
-        s = rc.State(theta=0.5, wZ=2)
-        other = copy.copy(s)
-        other.theta = 0.25
-        self.assertEqual(s.theta, 0.5)
-        self.assertIn("theta=0.5", repr(s))
-        self.assertIn("reserved=[0.0, 0.0, 0.0]", repr(rc.Params()))
+    def test_an_engines_motion_comes_back(self):
+        p, s = quarter()
+        back = rc.state_from_motion(p, rc.quaternion(s),
+                                    rc.angular_velocity(s), s.x, s.z)
+        for member, _ in rc.State._fields_:
+            self.assertAlmostEqual(getattr(back, member), getattr(s, member),
+                                   12)
 
-    def test_every_function_of_the_library_is_declared(self):
-        for name in rc.PROTOTYPES:
-            self.assertIsNotNone(getattr(rc.lib, name).argtypes)
+    def test_steady_motions_and_what_swings_about_them(self):
+        p = quarter()[0]
+        circle = rc.steady_circle(p, 0.4, 30)
+        self.assertEqual(len(rc.steady_radii(circle, p)), 2)
+        self.assertLess(rc.stability(circle, p), 0)
+        self.assertEqual(rc.steady_roll(p, 30).wZ, 30)
+        self.assertEqual(rc.steady_upright_spin(p, 9).wY, 9)
+        self.assertGreater(rc.steady_spin(p, 0.5).wY, 0)
+        self.assertAlmostEqual(rc.critical_roll(p) ** 2,
+                               p.gravity / (3 * p.radius), 9)
+        self.assertAlmostEqual(rc.critical_spin(p) ** 2,
+                               0.8 * p.gravity / p.radius, 9)
+        near = copy.copy(circle)
+        near.theta += 1e-5
+        found = rc.steady_near(near, p)
+        self.assertAlmostEqual(found.theta, circle.theta, 4)
+        run, wobble = copy.copy(near), rc.wobble_at(circle, p, near, 0.1)
+        rc.advance(run, p, 0.1)
+        self.assertAlmostEqual(wobble.theta, run.theta, 7)
+        self.assertAlmostEqual(rc.steady_at(circle, p, 0.1).theta, 0.4, 12)
+
+    def test_an_orbit_is_asked_for_one_time_or_many(self):
+        p, s = quarter()
+        o = rc.orbit(s, p)
+        self.assertLess(o.theta_min, o.theta_max)
+        moved = copy.copy(s)
+        rc.advance(moved, p, 0.5, 1e-13)
+        self.assertAlmostEqual(rc.orbit_at(o, 0.5).x, moved.x, 10)
+        times = numpy.linspace(-1, 1, 12).reshape(3, 4)
+        many = rc.orbit_at(o, times)
+        self.assertEqual(many.shape, (3, 4))
+        for at, state in zip(times.flat, many.flat):
+            self.assertEqual(state.tobytes(), bytes(rc.orbit_at(o, at)))
+        status = numpy.zeros(2, numpy.int32)
+        some = rc.orbit_at(o, [0, math.nan], status=status)
+        self.assertEqual(list(status), [0, rc.ESTEP])
+        self.assertTrue(math.isnan(some["theta"][1]))
+        self.assertRaises(rc.Error, rc.orbit_at, o, [0, math.nan])
+        self.assertEqual(rc.model_needed(s, p, 10, 1e-6), rc.MODEL_ORBIT)
+
+    def test_losses_bring_a_coin_to_rest(self):
+        p = quarter()[0]
+        s = rc.steady_spin(p, 1.0)
+        law = rc.Losses(viscous=1e-9)
+        losses = rc.losses_fit(law, s, p, 8.0)
+        self.assertEqual(law, rc.Losses(viscous=1e-9))
+        rc.losses_check(losses, p)
+        self.assertAlmostEqual(rc.time_to_rest(s, p, losses), 8, 2)
+        self.assertEqual(rc.time_to_rest(s, p, rc.Losses()), INF)
+        self.assertGreater(rc.losses_power(s, p, losses), 0)
+        self.assertNotEqual(rc.losses_rates(s, p, losses), rc.rates(s, p))
+        self.assertNotEqual(rc.losses_reaction(s, p, losses),
+                            rc.reaction(s, p))
+        slow = rc.quasisteady_at(s, p, losses, [0, 4, 9])
+        self.assertLess(slow["theta"][0], slow["theta"][1])
+        self.assertEqual(rc.settle(s, p, losses, 1, 1e-6).status, 0)
+        status, reached = rc.settle(s, p, losses, 60, 1e-6)
+        self.assertEqual(status, rc.RESTS)
+        self.assertAlmostEqual(reached, 7, 1)
+
+    def test_floats_are_called_by_the_same_names(self):
+        p, s = quarterf()
+        pd, sd = quarter()
+        self.assertEqual(rc.run(s, p, rc.RK4, 1e-3, 1000), 0)
+        rc.run(sd, pd, rc.RK4, 1e-3, 1000)
+        self.assertAlmostEqual(s.theta, sd.theta, 5)
+        self.assertAlmostEqual(rc.energy(s, p) / rc.energy(sd, pd), 1, 5)
+        self.assertEqual(rc.step(s, p, 1e-3), 0)
+        self.assertAlmostEqual(rc.reaction(s, p).ratio,
+                               rc.reaction(sd, pd).ratio, 2)
+        table = random_table(20, rc.Statef)
+        self.assertEqual(rc.energy(table, p).dtype, numpy.float32)
+        self.assertEqual(rc.quaternion(table).shape, (20, 4))
+        self.assertTrue(same(rc.center(table, p)[7],
+                             numpy.float32(rc.center(table[7], p))))
+        before = table.copy()
+        self.assertFalse(rc.run_batch(table, p, rc.RK4, 1e-3, 3).any())
+        for k in range(20):
+            rc.run(before[k], p, rc.RK4, 1e-3, 3)
+        self.assertTrue(same(before, table))
+        self.assertRaises(TypeError, rc.advance, s, p, 1)
+        self.assertRaises(TypeError, rc.max_dt, s, p, rc.RK4, 1e-6)
+        self.assertRaises(TypeError, rc.losses_power, s, p, rc.Losses())
+        self.assertRaises(TypeError, rc.energy, table, pd)
+        self.assertRaises(TypeError, rc.energy, random_table(3), p)
+        for make in (rc.ringf(1, 1, 0.5, 1), rc.bodyf(1, 1, 1, 0.25, 0.5)):
+            rc.params_check(make)
+
+
+class Tables(unittest.TestCase):
+    READS = {"energy": (), "integrals": 2, "reaction": (), "rates": (),
+             "center": 3, "velocity": 3, "losses_power": ()}
+
+    def test_a_row_is_what_the_coin_itself_gives(self):
+        p, _ = quarter()
+        table = random_table(200)
+        for name in ("energy", "integrals", "reaction", "rates", "center",
+                     "velocity"):
+            many = getattr(rc, name)(table, p)
+            for k in (0, 63, 64, 199):
+                one = getattr(rc, name)(table[k], p)
+                if isinstance(one, ctypes.Structure):
+                    one = numpy.frombuffer(one, type(one))[0]
+                self.assertTrue(same(many[k], one), name)
+        points, speeds = rc.contact(table, p)
+        self.assertTrue(same((points[9], speeds[9]), rc.contact(table[9], p)))
+        for name, width in (("quaternion", 4), ("axes", 9),
+                            ("angular_velocity", 3)):
+            many = getattr(rc, name)(table)
+            self.assertEqual(many.shape, (200, width))
+            self.assertTrue(same(many[5], getattr(rc, name)(table[5])))
+        bits = rc.check(table, p, rc.RK4, 1e-3, 0.1)
+        self.assertEqual(bits.dtype, numpy.int32)
+        self.assertEqual(list(bits), [rc.check(row, p, rc.RK4, 1e-3, 0.1)
+                                      for row in table])
+        self.assertTrue(set(bits) - {0})
+
+    def test_dtype_state_float64_and_flat_buffers_are_one(self):
+        p, _ = quarter()
+        table = random_table(12)
+        numbers = table.view(numpy.float64)
+        want = rc.energy(table, p)
+        self.assertTrue(same(rc.energy(numbers, p), want))
+        self.assertTrue(same(rc.energy(numbers.reshape(12, 8), p), want))
+        self.assertTrue(same(rc.energy(array.array("d", numbers), p), want))
+        self.assertTrue(same(rc.energy(bytearray(table.tobytes()), p), want))
+        self.assertTrue(same(rc.energy(rc.states(table), p), want))
+        self.assertTrue(same(rc.energy(memoryview(numbers), p), want))
+        self.assertEqual(rc.energy(table.reshape(3, 4), p).shape, (3, 4))
+        self.assertEqual(rc.quaternion(numbers.reshape(3, 4, 8)).shape,
+                         (3, 4, 4))
+        self.assertTrue(same(rc.energy(table[::2], p), want[::2]))
+        self.assertTrue(same(rc.energy(table[::-1], p), want[::-1]))
+        table.flags.writeable = False
+        self.assertTrue(same(rc.energy(table, p), want))
+        self.assertEqual(rc.energy(table[:0], p).shape, (0,))
+        self.assertEqual(rc.energy(table[3], p), want[3])
+
+    def test_another_dtype_or_shape_is_refused(self):
+        p, s = quarter()
+        other = numpy.dtype([(name, "f8") for name, _ in rc.State._fields_]
+                            [::-1])
+        floats = numpy.zeros(3, rc.Statef)
+        wrong = [numpy.zeros((8, 8), numpy.float32),
+                 numpy.zeros((8, 8), numpy.int64),
+                 numpy.zeros((8, 8), ">f8"), numpy.zeros((8, 8), complex),
+                 numpy.zeros((8, 8), numpy.uint8), numpy.zeros(8, other),
+                 numpy.zeros((8, 8), object), numpy.zeros((4, 16)),
+                 numpy.zeros((8, 7)), numpy.zeros(7), numpy.zeros((8, 1)),
+                 numpy.zeros(()), numpy.zeros(3, rc.Force),
+                 numpy.ma.zeros((8, 8)), array.array("f", [0] * 64),
+                 array.array("q", [0] * 64), bytearray(65), [s, s], "coins",
+                 None, (rc.Statef * 3)(), floats]
+        for bad in wrong:
+            calls = [lambda: rc.energy(bad, p),
+                     lambda: rc.run_batch(bad, p, rc.RK4, 1e-3, 1),
+                     lambda: rc.advance(bad, p, 1e-3),
+                     lambda: rc.sample(s, p, rc.RK4, 1e-3, 1, bad)]
+            if not any(bad is some for some in wrong[-2:]):  # which states() would take
+                calls.append(lambda: rc.states(bad))
+            for call in calls:
+                with self.assertRaises((TypeError, ValueError),
+                                       msg=repr(bad)) as caught:
+                    call()
+                self.assertNotIsInstance(caught.exception, rc.Error)
+
+    def test_what_moves_needs_memory_of_its_own(self):
+        p, s = quarter()
+        table = random_table(8)
+        before = table.copy()
+        fixed = table.copy()
+        fixed.flags.writeable = False
+        for bad in (table[::2], fixed, bytes(64),
+                    numpy.zeros((8, 16))[:, ::2]):
+            with self.assertRaises((TypeError, ValueError)):
+                rc.run_batch(bad, p, rc.RK4, 1e-3, 1)
+            with self.assertRaises((TypeError, ValueError)):
+                rc.sample(s, p, rc.RK4, 1e-3, 1, bad)
+        with self.assertRaises(ValueError):
+            rc.run(fixed[3], p, rc.RK4, 1e-3, 1)
+        self.assertTrue(same(table, before))
+
+    def test_a_row_is_moved_where_it_is(self):
+        p, _ = quarter()
+        table = random_table(3)
+        alone = rc.State.from_buffer_copy(table[1])
+        rc.run(table[1], p, rc.RK8, 1e-3, 10)
+        rc.run(alone, p, rc.RK8, 1e-3, 10)
+        self.assertEqual(table[1].tobytes(), bytes(alone))
+
+    def test_the_first_row_that_fails_is_named_or_all_in_status(self):
+        p, _ = quarter()
+        table = random_table(200)
+        table["theta"][[70, 150]] = 2
+        status = numpy.zeros(200, numpy.int32)
+        for name in ("energy", "reaction", "center"):
+            with self.assertRaises(rc.Error) as caught:
+                getattr(rc, name)(table, p)
+            self.assertEqual((caught.exception.status, caught.exception.index),
+                             (rc.ESTATE, 70))
+            self.assertIn("row 70", str(caught.exception))
+            found = getattr(rc, name)(table, p, status=status)
+            self.assertEqual(list(numpy.nonzero(status)[0]), [70, 150])
+            numbers = found.view(numpy.float64).reshape(200, -1)
+            self.assertEqual(list(numpy.nonzero(
+                numpy.isnan(numbers).any(axis=1))[0]), [70, 150])
+        with self.assertRaises(rc.Error) as caught:
+            rc.energy(table, rc.Params())
+        self.assertEqual((caught.exception.status, caught.exception.index),
+                         (rc.EPARAMS, None))
+        for bad in (numpy.zeros(199, numpy.int32), numpy.zeros(200), [0] * 200,
+                    numpy.zeros(400, numpy.int32)[::2]):
+            with self.assertRaises(TypeError):
+                rc.energy(table, p, status=bad)
+        status[:] = 1
+        rc.state_check(table, p, status=status)
+        self.assertEqual(list(numpy.nonzero(status)[0]), [70, 150])
+
+    def test_a_table_advances_and_settles_row_by_row(self):
+        p, _ = quarter()
+        table = random_table(40)
+        alone = table.copy()
+        reached = rc.advance(table, p, 0.1, 1e-9)
+        for k in range(40):
+            self.assertEqual(rc.advance(alone[k], p, 0.1, 1e-9), reached[k])
+        self.assertTrue(same(table, alone))
+        losses = rc.Losses(dry=1e-6)
+        said = rc.settle(table, p, losses, 0.5, 1e-6)
+        for k in range(40):
+            self.assertEqual(rc.settle(alone[k], p, losses, 0.5, 1e-6),
+                             (said.status[k], said.reached[k]))
+        self.assertTrue(same(table, alone))
+        table = random_table(40)
+        table["theta"][3] = 2
+        with self.assertRaises(rc.Error) as caught:
+            rc.advance(table, p, 0.1)
+        self.assertEqual(caught.exception.index, 3)
+        status = numpy.zeros(40, numpy.int32)
+        rc.advance(table, p, 0.1, status=status)
+        self.assertEqual(list(numpy.nonzero(status)[0]), [3])
 
 
 class Buffers(unittest.TestCase):
     def test_a_trajectory_is_written_in_place(self):
         p, s = quarter()
         path = numpy.zeros(11, rc.State)
-        rc.sample(s, p, rc.RK8, 1e-2, 10, path)
+        self.assertIs(rc.sample(s, p, rc.RK8, 1e-2, 10, path), path)
         for k in range(11):
             p, s = quarter()
             rc.run(s, p, rc.RK8, 1e-2, 10 * k)
@@ -103,17 +515,33 @@ class Buffers(unittest.TestCase):
         rc.sample(quarter()[1], p, rc.RK8, 1e-2, 10, table)
         self.assertEqual(table.tobytes(), path.tobytes())
         self.assertEqual(len(rc.sample(s, p, rc.RK4, 1e-3, 1, 5)), 5)
+        self.assertEqual(len(rc.sample(s, p, rc.RK4, 1e-3, 1, 0)), 0)
+        self.assertEqual(rc.energy(path[3], p), rc.energy(path, p)[3])
 
     def test_the_launches_are_runs(self):
-        folder = pathlib.Path(rc.__file__).parent
         with contextlib.redirect_stdout(io.StringIO()) as printed:
-            made = runpy.run_path(folder / "launches.py")
+            made = runpy.run_path(PYTHON / "launches.py")
         self.assertEqual(len(printed.getvalue().splitlines()), 13)
         for k, lean in enumerate(made["leans"]):
             s = rc.State(theta=lean, wZ=40)
             for frame in made["frames"]:
                 self.assertEqual(frame[k].tobytes(), bytes(s))
                 rc.run(s, made["quarter"], rc.RK8, 1 / 960, 8)
+
+    def test_the_picture_is_drawn(self):
+        with tempfile.TemporaryDirectory() as folder:
+            drawn = pathlib.Path(folder) / "python.svg"
+            argv, sys.argv = sys.argv, ["picture.py", str(drawn)]
+            try:
+                made = runpy.run_path(PYTHON / "picture.py")
+            finally:
+                sys.argv = argv
+            self.assertIn("F/N", drawn.read_text())
+            self.assertLess(drawn.stat().st_size, 40000)
+        p, s = made["quarter"], rc.State.from_buffer_copy(made["path"][-1])
+        self.assertEqual(made["ratio"][-1], rc.reaction(s, p).ratio)
+        self.assertTrue(same(made["contact"][-1],
+                             1e3 * numpy.array(rc.contact(s, p)[0])))
 
     def test_a_batch_tells_of_each_coin_and_raises_if_it_touched_none(self):
         p, s = quarter()
@@ -129,16 +557,128 @@ class Buffers(unittest.TestCase):
             self.assertRaises(rc.Error, rc.run_batch, coins, bad, method,
                               1e-3, 9)
         self.assertEqual(coins.tobytes(), before)
+        self.assertEqual(rc.run_batch(coins[:0], p, rc.RK4, 1e-3, 1).shape,
+                         (0,))
 
     def test_any_writable_buffer_will_do_and_no_other(self):
         numbers = array.array("d", [0.1] * 16)
         seen = rc.states(numbers)
         seen[1].wZ = 7
         self.assertEqual((len(seen), numbers[15]), (2, 7))
-        self.assertRaises(ValueError, rc.states, bytearray(65))
+        with mmap.mmap(-1, 128) as mapped:
+            mapped[:] = bytes(numbers)
+            self.assertEqual(rc.energy(mapped, quarter()[0]).shape, (2,))
         self.assertRaises(TypeError, rc.states, bytes(64))
-        self.assertRaises((TypeError, ValueError, BufferError), rc.states,
-                          numpy.zeros((8, 8))[:, ::2])
+
+
+class LongRuns(unittest.TestCase):
+    """Cut into parts, in the same places on every machine."""
+
+    def setUp(self):
+        self.whole = rc._move.SLICE
+        rc._move.SLICE = 64
+
+    def tearDown(self):
+        rc._move.SLICE = self.whole
+
+    def cut(self, s, p, method, steps):
+        while steps:
+            rc.lib.coin_run(s, p, method, 1e-3, min(64, steps), None)
+            steps -= min(64, steps)
+        return s
+
+    def status(self, s, p, method, steps):
+        try:
+            return rc.run(s, p, method, 1e-3, steps)
+        except rc.Error as error:
+            return error.status
+
+    def test_a_run_is_calls_of_slice_steps(self):
+        for steps in (0, 1, 64, 65, 200):
+            p, s = quarter()
+            rc.run(s, p, rc.RK8, 1e-3, steps)
+            self.assertEqual(s, self.cut(quarter()[1], p, rc.RK8, steps))
+
+    def test_a_batch_of_any_length_has_the_bits_of_runs(self):
+        p, _ = quarter()
+        for steps in (1, 10, 64, 200):
+            for count in (1, 7, 70):
+                table = random_table(count)
+                alone = table.copy()
+                status = rc.run_batch(table, p, rc.RK4, 1e-3, steps)
+                for k in range(count):
+                    self.assertEqual(
+                        self.status(alone[k], p, rc.RK4, steps), status[k])
+                self.assertTrue(same(table, alone))
+
+    def test_samples_are_cut_where_slice_steps_are_full(self):
+        p, s = quarter()
+        for apart, every in ((0, 64), (1, 64), (10, 6), (64, 1), (200, 1)):
+            path = numpy.zeros(150, rc.State)
+            rc.sample(s, p, rc.RK8, 1e-4, apart, path)
+            self.assertEqual(path[0].tobytes(), bytes(s))
+            if apart > 64:
+                want = copy.copy(s)
+                rc.run(want, p, rc.RK8, 1e-4, apart)
+                self.assertEqual(path[1].tobytes(), bytes(want))
+                continue
+            for k in range(0, 150 - every, every):
+                want = rc.State.from_buffer_copy(path[k])
+                rc.lib.coin_run(want, p, rc.RK8, 1e-4, apart * every, None)
+                self.assertEqual(path[k + every].tobytes(), bytes(want))
+
+    def test_an_error_on_the_way_counts_all_parts(self):
+        p = rc.body(1, 1, 1, 0.25, 0.5)
+        path = numpy.zeros(1000, rc.State)
+        with self.assertRaises(rc.Error) as caught:
+            rc.sample(rc.State(theta=0.3), p, rc.RK8, 0.01, 1, path)
+        done = int(caught.exception.done)
+        self.assertGreater(done, 128)
+        self.assertNotEqual(path[done - 1]["theta"], 0)
+        self.assertEqual(path[done]["theta"], 0)
+        s = rc.State(theta=0.3)
+        with self.assertRaises(rc.Error) as caught:
+            rc.run(s, p, rc.RK8, 0.01, 1000)
+        self.assertGreater(caught.exception.done, 128)
+        self.assertEqual(rc.State.from_buffer_copy(path[done - 1]).theta > 1,
+                         True)
+
+
+class Interrupts(unittest.TestCase):
+    PROGRAM = """
+import numpy, rollcoin as rc
+p = rc.disc(0.00567, 0.01213, 9.80665)
+s = rc.State(theta=0.3, wY=5, wZ=40)
+table = numpy.zeros(4000, rc.State)
+table[:] = numpy.frombuffer(s, rc.State)
+print("begins", flush=True)
+try:
+    {}
+except KeyboardInterrupt:
+    print(s.theta != 0.3 or bool((table["theta"] != 0.3).any()), flush=True)
+"""
+    CALLS = ("rc.run(s, p, rc.SYMPLECTIC4, 1e-3, 10**12)",
+             "rc.run_batch(table, p, rc.SYMPLECTIC4, 1e-3, 10**9)",
+             "rc.run_batch(table, p, rc.RK8, 1e-3, 200000)",
+             "rc.advance(table, p, 1000, 1e-13)",
+             "rc.sample(s, p, rc.RK8, 1e-3, 10**6, table)")
+
+    def test_ctrl_c_stops_a_long_call_within_a_second(self):
+        for call in self.CALLS:
+            child = subprocess.Popen(
+                [sys.executable, "-c", self.PROGRAM.format(call)], text=True,
+                stdout=subprocess.PIPE)
+            self.assertEqual(child.stdout.readline(), "begins\n")
+            time.sleep(0.7)
+            child.send_signal(signal.SIGINT)
+            before = time.monotonic()
+            moved = child.stdout.readline()
+            taken = time.monotonic() - before
+            child.wait()
+            child.stdout.close()
+            # A second of a processor that this test has to itself.
+            self.assertLess(taken, 3, call)
+            self.assertEqual(moved, "True\n", call)
 
 
 if __name__ == "__main__":

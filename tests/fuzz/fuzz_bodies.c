@@ -8,6 +8,8 @@
 CALL(coin_version, ())
 CALL(coin_sizeof_state, ())
 CALL(coin_sizeof_params, ())
+CALL(coin_sizeof_force, ())
+CALL(coin_sizeof_losses, ())
 CALL(coin_sizeof_orbit, ())
 CALL(coin_params_disc, (a[0].p, a[1].d, a[2].d, a[3].d))
 CALL(coin_params_ring, (a[0].p, a[1].d, a[2].d, a[3].d, a[4].d))
@@ -15,6 +17,8 @@ CALL(coin_params_body, (a[0].p, a[1].d, a[2].d, a[3].d, a[4].d, a[5].d))
 CALL(coin_params_check, (a[0].p))
 CALL(coin_state_check, (a[0].p, a[1].p))
 CALL(coin_state_from_motion, (a[0].p, a[1].p, a[2].p, a[3].p, a[4].d, a[5].d))
+CALL(coin_state_from_landing,
+     (a[0].p, a[1].p, a[2].p, a[3].p, a[4].p, a[5].d, a[6].d))
 CALL(coin_method_order, (a[0].i))
 
 /* Texts count as done if there is one. */
@@ -47,15 +51,26 @@ static void judge_method(const struct outcome *o)
     demand((coin_method_order(method) >= 2) == (o->result >= 0));
 }
 
-static void judge_from_motion(const struct outcome *o)
+/* Angles within half a turn, and the centre as given. */
+static void judge_made(const struct outcome *o, int x, int z)
 {
     const coin_state *s = o->left[0].p;
     const double pi = 2 * 1.5707963267948966;
     if (o->result < 0)
         return;
     demand(s->phi > -pi && s->phi <= pi && s->psi > -pi && s->psi <= pi);
-    demand(same(&s->x, &o->given[4].d, sizeof s->x));
-    demand(same(&s->z, &o->given[5].d, sizeof s->z));
+    demand(same(&s->x, &o->given[x].d, sizeof s->x));
+    demand(same(&s->z, &o->given[z].d, sizeof s->z));
+}
+
+static void judge_from_motion(const struct outcome *o)
+{
+    judge_made(o, 4, 5);
+}
+
+static void judge_from_landing(const struct outcome *o)
+{
+    judge_made(o, 5, 6);
 }
 
 #define MAKES (BIT(COIN_EARG) | BIT(COIN_EPARAMS))
@@ -66,6 +81,8 @@ const struct function fuzz_functions[] = {
     ROW(coin_status_string, "i", 0, 0, PLAIN),
     ROW(coin_sizeof_state, "", 0, 64, PLAIN),
     ROW(coin_sizeof_params, "", 0, 64, PLAIN),
+    ROW(coin_sizeof_force, "", 0, 48, PLAIN),
+    ROW(coin_sizeof_losses, "", 0, 64, PLAIN),
     ROW(coin_sizeof_orbit, "", 0, INT32_MAX, PLAIN),
     ROW(coin_params_disc, "Pddd", MAKES, 0, PLAIN),
     ROW(coin_params_ring, "Pdddd", MAKES, 0, PLAIN),
@@ -73,6 +90,7 @@ const struct function fuzz_functions[] = {
     ROW(coin_params_check, "p", MAKES, 0, PLAIN),
     ROW(coin_state_check, "sp", USUAL, 0, PLAIN),
     ROW(coin_state_from_motion, "Opqwdd", USUAL, 0, 0, judge_from_motion, 0),
+    ROW(coin_state_from_landing, "Opqwwdd", USUAL, 0, 0, judge_from_landing, 0),
     ROW(coin_method_name, "i", BIT(COIN_EARG), 0, 0, judge_method, 0),
     ROW(coin_method_order, "i", BIT(COIN_EARG), 15, 0, judge_method, 0),
 };

@@ -7,6 +7,8 @@
 
 CALL(coin_selftest, ())
 CALL(coin_advance, (a[0].p, a[1].p, a[2].d, a[3].d, a[4].p))
+CALL(coin_advance_until,
+     (a[0].p, a[1].p, a[2].d, a[3].d, a[4].d, a[5].i, a[6].p))
 CALL(coin_max_dt, (a[0].p, a[1].p, a[2].i, a[3].d))
 CALL(coin_model_needed, (a[0].p, a[1].p, a[2].d, a[3].d))
 
@@ -28,6 +30,30 @@ static void judge_advance(const struct outcome *o)
                coin_state_check(s, &o->world->p) == COIN_OK);
 }
 
+/* As of coin_advance(); the bits are those asked for that hold, and not before.
+ */
+static void judge_advance_until(const struct outcome *o)
+{
+    const double t = o->given[2].d, mu = o->given[4].d;
+    const int32_t bits = o->given[5].i, got = (int32_t)o->result;
+    const coin_state *s = o->left[0].p;
+    const coin_params *p = &o->world->p;
+    double reached;
+    memcpy(&reached, o->left[6].p, sizeof reached);
+    if (got < 0 && same(&reached, o->given[6].p, sizeof reached)) {
+        demand(same(s, &o->world->s, sizeof *s));
+        return;
+    }
+    demand(fabs(reached) <= fabs(t) && reached * t >= 0);
+    demand(coin_state_check(s, p) == COIN_OK);
+    if (got >= 0)
+        demand((coin_check(s, p, COIN_RK4, 0, mu) & bits) == got);
+    if (got == COIN_OK)
+        demand(reached == t);
+    else if (reached != 0)
+        demand((coin_check(&o->world->s, p, COIN_RK4, 0, mu) & bits) == 0);
+}
+
 /* Not negative, and a few steps of it are not coarse, the pose far from the
  * end of its range. */
 static void judge_max_dt(const struct outcome *o)
@@ -45,6 +71,8 @@ static void judge_max_dt(const struct outcome *o)
 
 const struct function fuzz_functions[] = {
     ROW(coin_advance, "SpTer", USUAL | LANDS, 0, LANDS, judge_advance, 0),
+    ROW(coin_advance_until, "SpTedKr", USUAL | LANDS, 11, LANDS,
+        judge_advance_until, 0),
     ROW(coin_max_dt, "spie", 0, 0, 0, judge_max_dt, 1),
     ROW(coin_selftest, "", 0, 0, PLAIN),
     ROW(coin_model_needed, "spTe", USUAL | LANDS, COIN_MODEL_STEPS, PLAIN),

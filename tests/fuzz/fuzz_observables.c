@@ -14,6 +14,7 @@ CALL(coin_velocity, (a[0].p, a[1].p, a[2].p))
 CALL(coin_contact, (a[0].p, a[1].p, a[2].p, a[3].p))
 CALL(coin_axes, (a[0].p, a[1].p))
 CALL(coin_quaternion, (a[0].p, a[1].p))
+CALL(coin_matrix, (a[0].p, a[1].p, a[2].p))
 CALL(coin_check, (a[0].p, a[1].p, a[2].i, a[3].d, a[4].d))
 
 /* Rows of unit length: 3 products and as many sums of 4 u. */
@@ -38,6 +39,15 @@ static void judge_quaternion(const struct outcome *o)
 {
     if (o->result >= 0)
         demand(fabs(squares(o->left[1].p, 4) - 1) <= UNIT);
+}
+
+static void judge_matrix(const struct outcome *o)
+{
+    const double *m = o->left[2].p;
+    for (int i = 0; i < 3 && o->result >= 0; ++i)
+        demand(fabs(squares(m + 4 * i, 3) - 1) <= UNIT && m[4 * i + 3] == 0);
+    if (o->result >= 0)
+        demand(m[13] > 0 && m[15] == 1);
 }
 
 static void judge_center(const struct outcome *o)
@@ -81,6 +91,7 @@ const struct function fuzz_functions[] = {
     ROW(coin_contact, "sp33", USUAL, 0, 0, judge_contact, 0),
     ROW(coin_axes, "s9", NO_PARAMS, 0, 0, judge_axes, 0),
     ROW(coin_quaternion, "s4", NO_PARAMS, 0, 0, judge_quaternion, 0),
+    ROW(coin_matrix, "spM", USUAL, 0, 0, judge_matrix, 0),
     ROW(coin_check, "spitd", CHECKED, 15, 0, judge_check, 0),
 };
 

@@ -14,6 +14,10 @@ static float f(union argument a)
 }
 
 /* clang-format off */
+CALL(coinf_sizeof_params, ())
+CALL(coinf_sizeof_state, ())
+CALL(coinf_sizeof_force, ())
+CALL(coinf_sizeof_losses, ())
 CALL(coinf_selftest, ())
 CALL(coinf_params_disc, (a[0].p, f(a[1]), f(a[2]), f(a[3])))
 CALL(coinf_params_ring, (a[0].p, f(a[1]), f(a[2]), f(a[3]), f(a[4])))
@@ -22,6 +26,8 @@ CALL(coinf_params_check, (a[0].p))
 CALL(coinf_state_check, (a[0].p, a[1].p))
 CALL(coinf_state_from_motion,
      (a[0].p, a[1].p, a[2].p, a[3].p, f(a[4]), f(a[5])))
+CALL(coinf_state_from_landing,
+     (a[0].p, a[1].p, a[2].p, a[3].p, a[4].p, f(a[5]), f(a[6])))
 CALL(coinf_angular_velocity, (a[0].p, a[1].p))
 CALL(coinf_step, (a[0].p, a[1].p, f(a[2])))
 CALL(coinf_run, (a[0].p, a[1].p, a[2].i, f(a[3]), a[4].u, a[5].p))
@@ -36,7 +42,10 @@ CALL(coinf_velocity, (a[0].p, a[1].p, a[2].p))
 CALL(coinf_contact, (a[0].p, a[1].p, a[2].p, a[3].p))
 CALL(coinf_axes, (a[0].p, a[1].p))
 CALL(coinf_quaternion, (a[0].p, a[1].p))
+CALL(coinf_matrix, (a[0].p, a[1].p, a[2].p))
 CALL(coinf_check, (a[0].p, a[1].p, a[2].i, f(a[3]), f(a[4])))
+CALL(coinf_losses_check, (a[0].p, a[1].p))
+CALL(coinf_settle, (a[0].p, a[1].p, a[2].p, f(a[3]), f(a[4]), a[5].p))
 /* clang-format on */
 
 /* A run is so many runs of one step, to the bit, and ends where one does. */
@@ -79,11 +88,31 @@ static void judge_batch_run(const struct outcome *o)
     demand(same(status, o->left[6].p, sizeof status));
 }
 
+/* As of coin_settle(). */
+static void judge_settle(const struct outcome *o)
+{
+    const coinf_state *s = o->left[0].p;
+    float reached;
+    memcpy(&reached, o->left[5].p, sizeof reached);
+    if (o->result < 0 && same(&reached, o->given[5].p, sizeof reached))
+        demand(same(s, &o->world->sf, sizeof *s));
+    else if (o->result == COIN_OK)
+        demand(reached == f(o->given[3]));
+    else
+        demand(reached >= 0 && reached <= f(o->given[3]));
+    if (o->result == COIN_RESTS)
+        demand(s->wY == 0 && s->wX * s->theta >= 0 && fabsf(s->theta) > 1.57f);
+}
+
 #define MAKES (BIT(COIN_EARG) | BIT(COIN_EPARAMS))
 #define NO_PARAMS (BIT(COIN_EARG) | BIT(COIN_ESTATE))
 #define STEPS (USUAL | BIT(COIN_ESTEP))
 
 const struct function fuzz_functions[] = {
+    ROW(coinf_sizeof_params, "", 0, 32, PLAIN),
+    ROW(coinf_sizeof_state, "", 0, 64, PLAIN),
+    ROW(coinf_sizeof_force, "", 0, 24, PLAIN),
+    ROW(coinf_sizeof_losses, "", 0, 32, PLAIN),
     ROW(coinf_selftest, "", 0, 0, PLAIN),
     ROW(coinf_params_disc, "Gddd", MAKES, 0, PLAIN),
     ROW(coinf_params_ring, "Gdddd", MAKES, 0, PLAIN),
@@ -91,6 +120,7 @@ const struct function fuzz_functions[] = {
     ROW(coinf_params_check, "f", MAKES, 0, PLAIN),
     ROW(coinf_state_check, "gf", USUAL, 0, PLAIN),
     ROW(coinf_state_from_motion, "hfQWdd", USUAL, 0, PLAIN),
+    ROW(coinf_state_from_landing, "hfQWWdd", USUAL, 0, PLAIN),
     ROW(coinf_angular_velocity, "gC", NO_PARAMS, 0, PLAIN),
     ROW(coinf_step, "Hft", STEPS, COIN_COARSE, PLAIN),
     ROW(coinf_run, "Hfitun", STEPS, COIN_COARSE, BIT(COIN_ESTEP), judge_run, 0),
@@ -105,7 +135,11 @@ const struct function fuzz_functions[] = {
     ROW(coinf_contact, "gfCC", USUAL, 0, PLAIN),
     ROW(coinf_axes, "gN", NO_PARAMS, 0, PLAIN),
     ROW(coinf_quaternion, "gD", NO_PARAMS, 0, PLAIN),
+    ROW(coinf_matrix, "gfU", USUAL, 0, PLAIN),
     ROW(coinf_check, "gfitd", STEPS, 15, PLAIN),
+    ROW(coinf_losses_check, "of", BIT(COIN_EARG) | BIT(COIN_EPARAMS), 0, PLAIN),
+    ROW(coinf_settle, "HfoTeK", STEPS, COIN_RESTS, BIT(COIN_ESTEP),
+        judge_settle, 0),
 };
 
 END_OF_TABLE;

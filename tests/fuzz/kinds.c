@@ -169,6 +169,15 @@ static void take_i(struct bytes *b, const struct world *w, void *to)
         a->i = (int32_t)(0x01010101u * take_byte(b));
 }
 
+/* Warning bits: some that can be waited for, or anything. */
+static void take_bits(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    const uint8_t how = take_byte(b);
+    (void)w;
+    a->i = how < 224 ? how & 11 : (int32_t)(0x01010101u * take_byte(b));
+}
+
 static void take_branch(struct bytes *b, const struct world *w, void *to)
 {
     union argument *const a = to;
@@ -230,6 +239,7 @@ SOUND(2)
 SOUND(3)
 SOUND(4)
 SOUND(9)
+SOUND(16)
 
 static int sound_radius(const void *of, const struct world *w)
 {
@@ -284,6 +294,7 @@ static const struct kind kinds[] = {
     {'3', WRITTEN, 3 * sizeof(double), NULL, sound_3},
     {'4', WRITTEN, 4 * sizeof(double), NULL, sound_4},
     {'9', WRITTEN, 9 * sizeof(double), NULL, sound_9},
+    {'M', WRITTEN, 16 * sizeof(double), NULL, sound_16},
     {'I', WRITTEN, sizeof(double), NULL, sound_radius},
     {'n', PROGRESS, sizeof(uint64_t), NULL, NULL},
     {'z', PROGRESS, sizeof(size_t), NULL, NULL},
@@ -297,6 +308,7 @@ static const struct kind kinds[] = {
     {'e', SCALAR, 0, take_tol, NULL},
     {'i', SCALAR, 0, take_i, NULL},
     {'b', SCALAR, 0, take_branch, NULL},
+    {'K', SCALAR, 0, take_bits, NULL},
     {'u', SCALAR, 0, take_u, NULL},
     {'c', SCALAR, 0, take_count, NULL},
 };

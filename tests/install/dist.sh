@@ -25,6 +25,8 @@ $run all check installcheck
 $run examples demo >demo.txt
 $run dist
 cmp "$TARBALL" "build/rollcoin-$VERSION.tar.xz"
+single=rollcoin-single-$VERSION
+cmp "$(dirname "$TARBALL")/$single.tar.xz" "build/$single.tar.xz"
 
 # Root may write to what is read-only, so ask what was.
 written=$(find "$src" -newer "$work/unpacked")

@@ -12,15 +12,23 @@ mkdir -p "$work"
 die() { echo "installcheck: $*" >&2; exit 1; }
 
 # The files and links below a folder must be just those of the library, in
-# include/ and in $2.
+# include/ and in $2, and of its documentation.
 files_are()
 {
-    for file in "$2/librollcoin.a" "$2/librollcoin.so" \
-        "$2/librollcoin.so.$SOVERSION" "$2/librollcoin.so.$VERSION" \
-        "$2/pkgconfig/rollcoin.pc" "${2%%/lib*}/include/coin.h" \
-        "${2%%/lib*}/include/coinf.h"; do
-        echo "$file"
-    done | LC_ALL=C sort >"$work/expected"
+    share=${2%%/lib*}/share
+    {
+        for file in "$2/librollcoin.a" "$2/librollcoin.so" \
+            "$2/librollcoin.so.$SOVERSION" "$2/librollcoin.so.$VERSION" \
+            "$2/pkgconfig/rollcoin.pc" "${2%%/lib*}/include/coin.h" \
+            "${2%%/lib*}/include/coinf.h" "$share/man/man3/rollcoin.3" \
+            "$2/cmake/rollcoin/rollcoin-config.cmake" \
+            "$2/cmake/rollcoin/rollcoin-config-version.cmake"; do
+            echo "$file"
+        done
+        (cd "$SRC" && ls README.md CHANGELOG.md LICENSE docs/*.md \
+            docs/figures/*.svg docs/figures/*.png) |
+            sed "s,^,$share/doc/rollcoin/,"
+    } | LC_ALL=C sort >"$work/expected"
     (cd "$1" && find . ! -type d | sed 's/^.//' | LC_ALL=C sort) >"$work/found"
     diff "$work/expected" "$work/found" || die "wrong files below $1"
 }
@@ -45,23 +53,84 @@ clients_run()
     ! readelf -d "$work/client" | grep -q NEEDED || die "not static"
 }
 
+# Every page of docs/ that a header names is installed.
+docs_are_there()
+{
+    grep -oh 'docs/[a-z]*\.md' "$SRC"/include/*.h | sort -u >"$work/named"
+    test -s "$work/named" || die "the headers name no page"
+    while read -r page; do
+        test -s "$1/$page" || die "$page is named by a header, and not there"
+    done <"$work/named"
+}
+
+# A plugin takes the static library in, which is position-independent, and
+# exports none of its symbols: docs/abi.md has the flag.
+plugin_hides()
+{
+    flag=$(grep -o -- '-Wl,--exclude-libs,[a-z.]*' "$SRC/docs/abi.md" | head -1)
+    echo '#include <coin.h>
+        int plugin(void); int plugin(void) { return coin_selftest(); }' |
+        $CC -I"$SRC/include" -fPIC -shared -Wl,-z,text -Wl,-z,defs "$flag" \
+            -x c - -x none "$1/librollcoin.a" -lm -o "$work/plugin.so" ||
+        die "a plugin cannot take librollcoin.a in"
+    test "$(nm -D --defined-only "$work/plugin.so" | sed 's/.* //')" = plugin ||
+        die "the plugin exports more than its own"
+    echo 'int plugin(void); int main(void) { return plugin(); }' |
+        $CC -x c - -x none "$work/plugin.so" -o "$work/host" -lm &&
+        "$work/host" || die "the plugin does not run"
+}
+
+# refused NAME=VALUE...: make must refuse before anything is made.
+refused()
+{
+    ! $MAKE --no-print-directory -f "$SRC/Makefile" "O=$work/made" "$@" install \
+        >"$work/log" 2>&1 && grep -q 'with a blank in' "$work/log" &&
+        test ! -e "$work/made" && test -z "$(find "$work" -path '*a b*')" ||
+        die "not refused: $*"
+}
+
 unset DESTDIR PKG_CONFIG_PATH PKG_CONFIG_LIBDIR PKG_CONFIG_SYSROOT_DIR
 
+echo "installcheck: names with a blank"
+for folder in O PREFIX DESTDIR LIBDIR MANDIR; do
+    refused "PREFIX=$work/prefix" "$folder=$work/a b"
+done
+
+# Root tells the dynamic linker of the system, and only of what is installed in
+# the system.
 echo "installcheck: below a prefix"
 prefix=$work/prefix
+printf '#!/bin/sh\necho told >>%s\n' "$work/told" >"$work/ldconfig"
+chmod +x "$work/ldconfig"
 run="$MAKE --no-print-directory -f $SRC/Makefile O=$OUT PREFIX=$prefix"
+run="$run LDCONFIG=$work/ldconfig"
 $run install
+test "$(id -u)" != 0 || test "$(cat "$work/told")" = told ||
+    die "the dynamic linker was not told"
 files_are "$prefix" /lib
+docs_are_there "$prefix/share/doc/rollcoin"
+plugin_hides "$prefix/lib"
+test "$($run URL=https://example.org "$OUT/rollcoin.pc" &&
+    sed -n 's/^URL: //p' "$OUT/rollcoin.pc")" = https://example.org ||
+    die "rollcoin.pc has no URL"
+page=$prefix/share/man/man3/rollcoin.3
+mandoc -T lint "$page" >"$work/log" && test ! -s "$work/log" ||
+    { cat "$work/log"; die "rollcoin(3) is not clean"; }
+test "$(grep -cE '^(u?int32_t|double|const char) \*?coin_' "$page")" = \
+    "$(grep -c '^COIN_API' "$SRC/include/coin.h")" ||
+    die "rollcoin(3) has not each function of coin.h"
 (export PKG_CONFIG_LIBDIR="$prefix/lib/pkgconfig"; clients_run "$prefix/lib")
 $run uninstall
 test -z "$(find "$prefix" ! -type d)" || die "uninstall leaves files"
+rm -f "$work/told"
 
 echo "installcheck: staged for a package"
 root=$work/root
 lib=/usr/lib/$($CC -dumpmachine)
 run="$MAKE --no-print-directory -f $SRC/Makefile O=$OUT DESTDIR=$root"
-run="$run PREFIX=/usr LIBDIR=$lib"
+run="$run PREFIX=/usr LIBDIR=$lib LDCONFIG=$work/ldconfig"
 $run install
+test ! -e "$work/told" || die "the dynamic linker was told of a staged library"
 files_are "$root" "$lib"
 ! grep -q "$work" "$root$lib/pkgconfig/rollcoin.pc" ||
     die "rollcoin.pc names the staging folder"

@@ -17,6 +17,8 @@ from functions import functions
 
 OTHER_FORMS = {
     "body.c check_any_body": "test_params",
+    "coinf_settle.c longest": "test_float_settle",
+    "coinf_settle.c put": "test_float_settle",
     "coinf_symplectic.c drift": "test_float_run",
     "coinf_symplectic.c half_kick": "test_float_run",
     "coinf_symplectic.c rates_of": "test_float_run",
@@ -24,6 +26,7 @@ OTHER_FORMS = {
     "equations.h drift_slopes_of": "test_drift",
     "equations.t.h path_rates": "test_run",
     "equations.t.h sundman_pose_rates": "test_sundman",
+    "force.c next_terms": "test_force",
     "half.c W2_of": "test_orbit",
     "half.c coin_priv_bend": "test_orbit",
     "half.c coin_priv_fall": "test_orbit",

@@ -14,7 +14,7 @@ import sys
 
 FLOORS = [
     {"about": {"motion"}},
-    {"float": {"motion", "observe", "step/batch.h"}},
+    {"float": {"motion", "observe", "real", "step/batch.h"}},
     {"exact": {"motion", "step"}, "real": {"motion", "step"}},
     {"step": {"motion"}, "observe": {"motion"}},
     {"motion": set()},

@@ -73,8 +73,7 @@ quoted()
 if test $# -gt 0; then
     look "$@"
 else
-    look static "$OUT"/static/*.o
-    look shared "$OUT"/shared/*.o
-    quoted "$OUT"/static/*.o
+    look the "$OUT"/objects/*.o
+    quoted "$OUT"/objects/*.o
 fi
 exit $status

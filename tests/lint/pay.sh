@@ -42,7 +42,7 @@ done <<END
 - coin_batch_run(&s, 1, &p, COIN_RK4, .01, 9, 0)
 END
 
-for object in "$OUT"/static/*.o; do
+for object in "$OUT"/objects/*.o; do
     name=$(basename "$object" .o)
     test "$(bytes "$object")" -le 8000 || grep -q "\`$name\.c\`" \
         "$SRC/docs/design.md" || {

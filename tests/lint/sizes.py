@@ -18,7 +18,7 @@ COLUMNS = 80
 
 
 def problems(src):
-    files = [f for d in ("include", "lib", "tests", "docs/examples")
+    files = [f for d in ("include", "lib", "tests", "docs/examples", "docs/page")
              for f in sorted((src / d).rglob("*.[ch]"))]
     lib = []
     for file in files:

@@ -19,6 +19,13 @@ nm -g --defined-only "$OUT/librollcoin.a" |
     sed -n 's/.* [A-Z] \(.*\)/\1/p' | grep -v '^coinf*_priv_' |
     LC_ALL=C sort >"$work/global"
 
+# Every struct has a function that returns its size.
+$CC -E -P -DCOIN_API= -I"$SRC/include" "$SRC/include/coinf.h" |
+    sed -n 's/^} \(coinf*\)_\([a-z_]*\);$/\1_sizeof_\2/p' |
+    LC_ALL=C sort >"$work/sizes"
+grep 'sizeof' "$work/declared" | diff "$work/sizes" -
+echo "$(wc -l <"$work/sizes") structs, each with a size"
+
 test -s "$work/declared"
 for list in mapped exported global; do
     echo "declared and $list: $(wc -l <"$work/$list") names"

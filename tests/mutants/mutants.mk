@@ -11,5 +11,5 @@ mutants: ## break the library in many ways: the tests must notice each
 
 # What mutants.py links all tests to once: a mutant changes this file alone,
 # but for tests that see a changed header.
-$(O)/mutant.so: $(STATIC)
-	$(CC_LIB) -shared -o $@ $(STATIC) -lm
+$(O)/mutant.so: $(OBJECTS)
+	$(CC_LIB) -shared -o $@ $(OBJECTS) -lm

@@ -12,10 +12,13 @@ import cmath
 import itertools
 import math
 import pathlib
+import re
 import sys
 
+from animation import animation
 from forms import (DISC, PI, Body, Leaf, Pairs, height_of, lambda2, near,
                    on_leaf, pair, potential, slope, slow_circle)
+from rest import fixed, rest
 from sweep import sweep
 
 
@@ -95,6 +98,23 @@ def rosettes(blocks):
                 0, 6*digit)
         near("rosette, end", abs(path[-1] - path[0]),
              abs(step)*drawn if petals == 1 else 0, 30*digit)
+
+
+def drawn(blocks, drawing):
+    """The rosettes in the drawing are these, each moved and scaled, to its tenths
+    of a pixel."""
+    lines = [[tuple(map(float, point.split(",")))
+              for point in re.findall(r"[-0-9.]+,[-0-9.]+", d)]
+             for d in re.findall(r"<path [^>]*d='(M[^']* L[^']*)'", drawing)]
+    lines = [line for line in lines if len(line) > 100]
+    for block, line in zip(blocks, lines, strict=True):
+        near("drawing, points", len(line), len(block), 0)
+        across, down = zip(*line)
+        x, z = [point[1] for point in block], [point[2] for point in block]
+        scale = (max(across) - min(across))/(max(x) - min(x))
+        for (u, v), a, b in zip(line, x, z):
+            near("drawing", u - min(across), scale*(a - min(x)), 0.25)
+            near("drawing", max(down) - v, scale*(b - min(z)), 0.25)
 
 
 def potentials(blocks):
@@ -190,7 +210,7 @@ def precession(blocks):
         (_, KY, KZ, _, turn), = small
         near("small nods", abs(turn), abs(small_nods(KY, KZ)), 1e-8)
         leaf, y = Leaf(DISC, pairs, KY, KZ), height_of(steady_lean(KY, KZ))
-        for _, _, _, more, nod in nods[::4]:
+        for _, _, _, more, nod in nods[::2]:
             E = leaf.potential(y) + more
             near("nods", nod, leaf.turn(leaf.end(y, E, -1),
                                         leaf.end(y, E, 1), E), 1e-6)
@@ -199,7 +219,7 @@ def precession(blocks):
         limit = passes*PI*math.sqrt(5)
         # What is missing goes as d, and d as 1/sqrt(E); gravity, which adds
         # (1/E) d ln(1/d), is a tenth of it by now.
-        last, before = nods[-1], nods[-41]
+        last, before = nods[-1], nods[-21]
         near("energies", last[3]/before[3], 10, 1e-3)
         near("near flat", abs(last[4] - limit)/abs(before[4] - limit),
              1/math.sqrt(10), 0.04)
@@ -246,10 +266,20 @@ def two_routes():
 
 two_routes()
 fresh, kept = map(pathlib.Path, sys.argv[1:])
-for check in (rosettes, potentials, bifurcation, precession, nearly_flat):
+petals = table(fresh / "rosettes.csv")
+rosettes(petals)
+drawn(petals, (kept.parent / "rosettes.svg").read_text())
+for check in (potentials, bifurcation, precession, nearly_flat,
+              rest):
     name = {"potentials": "potential"}.get(check.__name__, check.__name__)
     check(table(fresh / f"{name}.csv"))
     check(table(kept / f"{name}.csv"))
     same(fresh / f"{name}.csv", kept / f"{name}.csv")
+fixed(*([line.split(",") for line in file.read_text().splitlines()[1:]]
+        for file in (fresh / "fixed.csv", kept / "settle.csv")))
+drawing = (fresh / "animation.svg").read_text()
+animation(drawing)
+near("animation, as kept",
+     (kept.parent / "animation.svg").read_text() == drawing, 1, 0)
 sweep((fresh / "sweep.ppm").read_bytes())
 print(f"{near.checks} numbers behind the pictures hold")

@@ -5,25 +5,50 @@
 REAL_OUT = $(O)/real
 LAUNCHES ?= 10000
 
-.PHONY: real-study real-cost
+.PHONY: real-study real-quasi real-cost
 real-study: $(REAL_OUT)/study ## coins to rest: launches, exponents, error laws
 	$< launches $(LAUNCHES)
 	$< exponents
 	$< nutation
 	$< calls
-	$< quasi
 
-real-cost: $(REAL_OUT)/study ## instructions to rest, in textbook steps
-	STUDY=$(abspath $<) OUT=$(abspath $(REAL_OUT)) \
+real-quasi: $(REAL_OUT)/quasi need-gnuplot need-bits ## errors of the quasi-steady model, and their chart
+	$< laws
+	{ $(BITS); $< csv; } >$(REAL_OUT)/quasi.csv
+	cp $(REAL_OUT)/quasi.csv $(SRC)/tests/bench/results/models_quasi.csv
+	+$(AGAIN) models-figures
+
+real-cost: $(REAL_OUT)/study $(REAL_OUT)/quasi ## instructions to rest, in textbook steps
+	STUDY=$(abspath $<) QUASI=$(abspath $(REAL_OUT)/quasi) OUT=$(abspath $(REAL_OUT)) \
 	    sh $(SRC)/tests/real/cost.sh
 
-$(REAL_OUT)/study: $(SRC)/tests/real/study.c $(SRC)/tests/bench/textbook.c \
-                   $(SRC)/tests/support/losses.c $(LIB_A) | $(REAL_OUT)
+$(REAL_OUT)/%: $(SRC)/tests/real/%.c $(SRC)/tests/real/laws.h \
+               $(SRC)/tests/bench/textbook.c $(SRC)/tests/support/losses.c \
+               $(LIB_A) | $(REAL_OUT)
 	$(CC_TEST) $(CMOCKA) -I$(SRC)/tests $(LDFLAGS) -o $@ \
 	    $(filter %.c,$^) $(filter-out $(O)/tests/support/losses.o,\
 	    $(TEST_EXTRA)) $(LIB_A) $(CMOCKA_LIBS) -lm
 
-$(REAL_OUT)/study: $(TEST_EXTRA)
+$(REAL_OUT)/study $(REAL_OUT)/quasi: $(TEST_EXTRA)
 
 $(REAL_OUT):
 	mkdir -p $@
+
+# A chart of docs/pictures.md.  pictures-check computes its errors again; its
+# costs need valgrind.
+.PHONY: real-fixed
+real-fixed: $(REAL_OUT)/fixed $(REAL_OUT)/study need-gnuplot ## errors and costs to rest, beside fixed steps
+	FIXED=$< STUDY=$(REAL_OUT)/study sh $(SRC)/tests/real/fixed.sh \
+	    >$(REAL_OUT)/settle.csv
+	cp $(REAL_OUT)/settle.csv $(SRC)/docs/figures/data
+	gnuplot -e "from='$(REAL_OUT)'" -e "to='$(SRC)/docs/figures'" \
+	    -e "style='$(SRC)/tests/bench/style.gpi'" $(SRC)/tests/real/settle.gp
+	$(SLIM)
+
+$(REAL_OUT)/fixed: $(SRC)/tests/real/fixed.c $(SRC)/tests/bench/textbook.c \
+                   $(LIB_A) | $(REAL_OUT)
+	$(CC_TEST) -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) $(LIB_A) -lm
+
+$(O)/pictures/fixed.csv: $(REAL_OUT)/fixed
+	mkdir -p $(@D)
+	$< >$@

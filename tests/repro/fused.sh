@@ -37,7 +37,7 @@ report()
 for cc in gcc clang; do
     $MAKE --no-print-directory -f "$SRC/Makefile" "O=$work/make-$cc" "CC=$cc" \
         "CFLAGS=-O3 $can_fuse -ffp-contract=fast" all >/dev/null
-    ln -sfn "$work/make-$cc/static" "$work/objects"
+    ln -sfn "$work/make-$cc/objects" "$work/objects"
     report "make CC=$cc CFLAGS='-O3 $can_fuse -ffp-contract=fast'"
     rm "$work/objects"
     mkdir "$work/objects"

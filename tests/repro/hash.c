@@ -2,15 +2,17 @@
 /* Prints a hash of every bit of many motions: the reference scenes, a coin that
  * nearly falls flat and one that does, by each method, 2000 steps of 0.02
  * natural units of time; some of them in batches, by coin_advance() forward and
- * back, and the steps that coin_max_dt() chooses; the orbit; and the runs in
- * single precision.  The same on every platform and compiler, whatever the size
- * or order of bytes: it takes the bits of each double from the lowest to the
- * highest.
+ * back, and the steps that coin_max_dt() chooses; the orbit; coins with losses
+ * to rest; and the runs in single precision.  The same on every platform and
+ * compiler, whatever the size or order of bytes: it takes the bits of each
+ * double from the lowest to the highest.
  *
  * A processor that is emulated, or has no unit for doubles, or little memory,
  * takes a part, line by line the same: every SCENE_STRIDE-th scene;
  * WITHOUT_MAX_DT, which is nine tenths of all steps; WITHOUT_ORBIT, which takes
  * 70 KiB.  Needs sqrt, memcpy and puts of the C library. */
+#include "fnv.h"
+
 #include <coinf.h>
 
 #include <math.h>
@@ -22,10 +24,6 @@ enum { STEPS = 2000, PER_SAMPLE = 100, SAMPLES = STEPS / PER_SAMPLE + 1 };
 #ifndef SCENE_STRIDE
 #define SCENE_STRIDE 1
 #endif
-
-/* FNV-1a, 64 bits. */
-#define FNV_OFFSET UINT64_C(14695981039346656037)
-#define FNV_PRIME UINT64_C(1099511628211)
 
 typedef struct scene {
     const char *name;
@@ -50,36 +48,6 @@ static const scene scenes[] = {
     {"drop", 1, 1, 0, 1, 0.3, 0, 1e-13, 1e-13},
     {"fall", 1, 1, 0.5, 1, -0.3, -0.1, 0, 0},
 };
-
-static uint64_t hash_u64(uint64_t h, uint64_t bits)
-{
-    int i;
-    for (i = 0; i < 8; ++i)
-        h = (h ^ (bits >> 8 * i & 0xff)) * FNV_PRIME;
-    return h;
-}
-
-static uint64_t hash_doubles(uint64_t h, const void *from, size_t count)
-{
-    const unsigned char *at = (const unsigned char *)from;
-    uint64_t bits;
-    size_t i;
-    for (i = 0; i < count; ++i) {
-        memcpy(&bits, at + i * sizeof bits, sizeof bits);
-        h = hash_u64(h, bits);
-    }
-    return h;
-}
-
-static uint64_t hash_state(uint64_t h, const coin_state *s)
-{
-    return hash_doubles(h, s, sizeof *s / sizeof(double));
-}
-
-static uint64_t hash_status(uint64_t h, int32_t status)
-{
-    return hash_u64(h, (uint32_t)status);
-}
 
 /* A scene's beginning. */
 typedef struct start {
@@ -173,6 +141,38 @@ static uint64_t hash_advance(const scene *a)
     return h;
 }
 
+/* With some of each loss, of a size that brings most coins to rest; call by
+ * call, by a coarse and a fine tolerance. */
+static coin_losses losses_of(const start *b)
+{
+    const double m = b->p.mass * b->p.radius * b->p.radius, w = 1 / b->unit;
+    const coin_losses l = {
+        0.01,          0.008 * m * w * w, 0.004 * m * w, 0.002 * m * sqrt(w),
+        0.001 * m * w, 0.004 * m * w * w, 0.01 * m * w,  0};
+    return l;
+}
+
+static uint64_t hash_settle(const scene *a)
+{
+    uint64_t h = FNV_OFFSET;
+    double tol, reached;
+    int i;
+    for (tol = 1e-3; tol > 0.9e-9; tol /= 1e6) {
+        start b = start_of(a);
+        const coin_losses l = losses_of(&b);
+        for (i = 0; i < 10; ++i) {
+            reached = 0;
+            h = hash_status(
+                h, coin_settle(&b.s, &b.p, &l, 1.7 * b.unit, tol, &reached));
+            h = hash_state(hash_doubles(h, &reached, 1), &b.s);
+        }
+        h = hash_status(
+            h, coin_settle(&b.s, &b.p, &l, 20 * b.unit, 1e-3, &reached));
+        h = hash_state(hash_doubles(h, &reached, 1), &b.s);
+    }
+    return h;
+}
+
 /* A scene in single precision. */
 typedef struct start_float {
     coinf_params p;
@@ -240,7 +240,56 @@ static uint64_t hash_batch_float(const scene *a, int32_t method)
     return h;
 }
 
+static uint64_t hash_reached_float(uint64_t h, float reached)
+{
+    uint32_t bits;
+    memcpy(&bits, &reached, sizeof bits);
+    return hash_u64(h, bits);
+}
+
+/* With losses, call by call. */
+static uint64_t hash_settle_float(const scene *a)
+{
+    start_float b = start_float_of(a);
+    const start exact = start_of(a);
+    const coin_losses of = losses_of(&exact);
+    const coinf_losses l = {(float)of.damping, (float)of.dry, (float)of.viscous,
+                            (float)of.layer,   (float)of.gap, (float)of.rolling,
+                            (float)of.spin,    (float)of.soft};
+    uint64_t h = FNV_OFFSET;
+    float reached = 0;
+    int i;
+    for (i = 0; i < 30; ++i) {
+        h = hash_status(
+            h, coinf_settle(&b.s, &b.p, &l, 32 * b.dt, 1e-4f, &reached));
+        h = hash_state_float(hash_reached_float(h, reached), &b.s);
+    }
+    return h;
+}
+
+/* A US quarter that spins for 8 s, in calls of 1 ms until it rests. */
+static uint64_t hash_life_float(void)
+{
+    const coinf_losses l = {0, 5.7330e-7f, 0, 0, 0, 0, 0, 0};
+    coinf_params p;
+    coinf_state s = {
+        1.04719755f, 0, 0, 0, 0, 0.142f, 40.21f, 0, {0, 0, 0, 0, 0, 0, 0, 0}};
+    uint64_t calls = 0;
+    float reached = 0;
+    int32_t status = coinf_params_disc(&p, 0.00567f, 0.01213f, 9.80665f);
+    while (status == COIN_OK) {
+        status = coinf_settle(&s, &p, &l, 1e-3f, 1e-3f, &reached);
+        ++calls;
+    }
+    return hash_state_float(
+        hash_reached_float(hash_u64(hash_status(FNV_OFFSET, status), calls),
+                           reached),
+        &s);
+}
+
 #ifndef WITHOUT_ORBIT
+#define LENGTH(array) (sizeof(array) / sizeof *(array))
+
 /* The orbit, to ten times forward and back. */
 static uint64_t hash_orbit(const scene *a)
 {
@@ -252,7 +301,12 @@ static uint64_t hash_orbit(const scene *a)
     int i;
     if (status != COIN_OK)
         return h;
-    h = hash_doubles(h, &o, sizeof o / sizeof(double));
+    /* All but the tag, which names the version, and what is spare. */
+    h = hash_doubles(h, &o, offsetof(coin_orbit, reserved) / sizeof(double));
+    h = hash_doubles(h, o.private_frame + 1, LENGTH(o.private_frame) - 1);
+    h = hash_doubles(h, o.private_edges, LENGTH(o.private_edges));
+    h = hash_doubles(h, o.private_centers, LENGTH(o.private_centers));
+    h = hash_doubles(h, o.private_terms, LENGTH(o.private_terms));
     for (i = -10; i <= 10; ++i) {
         h = hash_status(h, coin_orbit_at(&o, 17.3 * i * b.unit, &s));
         h = hash_state(h, &s);
@@ -300,6 +354,10 @@ static uint64_t print_scene(uint64_t all, const scene *a)
     {
         const char *words[] = {"coin", "advance", a->name};
         all = print(all, hash_advance(a), words);
+        words[1] = "settle";
+        all = print(all, hash_settle(a), words);
+        words[1] = "settle_float";
+        all = print(all, hash_settle_float(a), words);
 #ifndef WITHOUT_ORBIT
         words[1] = "orbit";
         all = print(all, hash_orbit(a), words);
@@ -310,12 +368,14 @@ static uint64_t print_scene(uint64_t all, const scene *a)
 
 int main(void)
 {
-    const char *all_of[] = {"all", "of", "these"};
+    const char *const life[] = {"coin", "settle_float", "8_s_at_1_kHz"};
+    const char *const all_of[] = {"all", "of", "these"};
     uint64_t all = FNV_OFFSET;
     size_t i;
 
     for (i = 0; i < sizeof scenes / sizeof *scenes; i += SCENE_STRIDE)
         all = print_scene(all, &scenes[i]);
+    all = print(all, hash_life_float(), life);
     print(0, all, all_of);
     return coin_selftest() != COIN_OK || coinf_selftest() != COIN_OK;
 }

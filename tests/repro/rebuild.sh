@@ -25,7 +25,7 @@ for cc in gcc clang; do
             single >/dev/null
     )
     for file in librollcoin.a "librollcoin.so.$VERSION" "$name.tar.xz" \
-        single/coin.h; do
+        "rollcoin-single-$VERSION.tar.xz" rollcoin.3 single/coin.h; do
         cmp "$work/one/$name/$cc/$file" "$out/$file"
         echo "same bytes  $cc $file"
     done

@@ -3,7 +3,7 @@
 # The whole library as one header, by a user's own flags: all tests pass on it,
 # in the user's file and as a file of its own, as C and as C++; it moves coins
 # by the pinned bits; it keeps its names and its flags to itself.
-# From `make single-check`: CC SRC OUT SINGLE PROGS SUPPORT SEES CMOCKA
+# From `make single-check`: CC SRC OUT SINGLE RELEASE PROGS SUPPORT SEES CMOCKA
 # CMOCKA_LIBS.
 set -eu
 work=$OUT/single/check
@@ -53,6 +53,26 @@ while read -r compiler; do
     done
 done <"$work/dialects"
 echo "clean in $(wc -l <"$work/dialects") dialects"
+
+# ---------------------------------------------------------- as it is released --
+# The tarball's README: its program, all of it static and most of it unused,
+# compiles by its command without a warning, as C and as C++, and prints what it
+# says.
+tar -xJf "$RELEASE" -C "$work"
+released=$work/$(basename "$RELEASE" .tar.xz)
+fenced() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/{/^\`/d;p}" "$released/README.md"; }
+fenced c >"$released/roll.c"
+fenced text >"$work/expected"
+test -s "$work/expected"
+(cd "$released" && sh -ec "$(fenced sh)") | diff "$work/expected" - ||
+    fail "the README of the release"
+for compiler in "gcc -O2 -std=c99" "clang -O2" "g++ -x c++" "clang++ -x c++ -O2"; do
+    # shellcheck disable=SC2086
+    $compiler -Wall -Wextra -pedantic -Werror "$released/roll.c" \
+        -o "$work/roll" -lm && "$work/roll" | diff "$work/expected" - ||
+        fail "the release by $compiler"
+done
+echo "the release of the header compiles without a warning"
 
 # ---------------------------------------------------- tests, in the user's file
 # What sources share is extern here, since tests/support calls some of it.

@@ -37,6 +37,13 @@ void check_that(int holds, const char *what, const char *file, int line)
     fail_at(file, line);
 }
 
+void check_long_double(void)
+{
+    volatile long double one = 1, little = 1e-18L;
+    if (one + little == one)
+        skip();
+}
+
 void check_near_at(double got, double want, double bound, const char *what,
                    const char *file, int line)
 {

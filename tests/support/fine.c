@@ -19,6 +19,7 @@ static real A[STAGES][STAGES], B[STAGES];
 
 static void load_formula(void)
 {
+    check_long_double();
     FILE *f = fopen(TEST_DATA "/dormand-prince-8.csv", "r");
     char line[256], kind, value[128];
     int i, j;

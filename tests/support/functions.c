@@ -27,6 +27,10 @@ static int32_t from_motion(void *const a[])
 {
     return coin_state_from_motion(a[0], a[1], a[2], a[3], 1, 2);
 }
+static int32_t from_landing(void *const a[])
+{
+    return coin_state_from_landing(a[0], a[1], a[2], a[3], a[4], 1, 2);
+}
 static int32_t angular_velocity(void *const a[])
 {
     return coin_angular_velocity(a[0], a[1]);
@@ -38,6 +42,10 @@ static int32_t step(void *const a[])
 static int32_t run(void *const a[])
 {
     return coin_run(a[0], a[1], COIN_RK4, 0.01, 3, a[2]);
+}
+static int32_t advance_until(void *const a[])
+{
+    return coin_advance_until(a[0], a[1], 0.01, 1e-6, 1e9, COIN_SLIPS, a[2]);
 }
 static int32_t batch_run(void *const a[])
 {
@@ -78,6 +86,10 @@ static int32_t axes(void *const a[])
 static int32_t quaternion(void *const a[])
 {
     return coin_quaternion(a[0], a[1]);
+}
+static int32_t matrix(void *const a[])
+{
+    return coin_matrix(a[0], a[1], a[2]);
 }
 static int32_t check_model(void *const a[])
 {
@@ -160,9 +172,11 @@ const struct function functions[] = {
     {"coin_params_check", "p", params_check},
     {"coin_state_check", "sp", state_check},
     {"coin_state_from_motion", "opdd", from_motion},
+    {"coin_state_from_landing", "opddd", from_landing},
     {"coin_angular_velocity", "so", angular_velocity},
     {"coin_step", "Sp", step},
     {"coin_run", "Spn", run},
+    {"coin_advance_until", "Spn", advance_until},
     {"coin_batch_run", "Sp", batch_run},
     {"coin_sample", "spon", sample},
     {"coin_integrals", "spo", integrals},
@@ -173,6 +187,7 @@ const struct function functions[] = {
     {"coin_contact", "spoo", contact},
     {"coin_axes", "so", axes},
     {"coin_quaternion", "so", quaternion},
+    {"coin_matrix", "spo", matrix},
     {"coin_check", "sp", check_model},
     {"coin_steady_roll", "op", steady_roll},
     {"coin_steady_spin", "op", steady_spin},

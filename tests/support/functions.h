@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { POINTERS = 4 };
+enum { POINTERS = 5 };
 
 /* What a pointer is:
  *   p  parameters, read                 P  parameters, written

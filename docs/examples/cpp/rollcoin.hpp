@@ -2,8 +2,9 @@
 // coin.h for C++17: errors become exceptions, outputs become results.
 //
 // Nothing is owned and nothing is hidden: params and state are the plain
-// structs of coin.h, which stays the reference.  Whatever is not wrapped here
-// is called as it is, with check() around it.
+// structs of coin.h, which stays the reference.  Every function of coin.h is
+// here, but those for other languages; those of coinf.h are called as they are,
+// with check() around them.
 #ifndef ROLLCOIN_HPP
 #define ROLLCOIN_HPP
 
@@ -22,6 +23,9 @@ namespace rollcoin
 using params = coin_params;
 using state = coin_state;
 using force = coin_force;
+using losses = coin_losses;
+using orbit = coin_orbit; // 32 KiB
+using vec2 = std::array<double, 2>;
 using vec3 = std::array<double, 3>;
 using quaternion = std::array<double, 4>; // w, x, y, z
 
@@ -32,8 +36,16 @@ enum class method : std::int32_t {
     symplectic4 = COIN_SYMPLECTIC4
 };
 
-// A negative status.  The state is then as before the call; after run() and
-// the like it is the last good one.
+enum class model : std::int32_t {
+    steady = COIN_MODEL_STEADY,
+    wobble = COIN_MODEL_WOBBLE,
+    orbit = COIN_MODEL_ORBIT,
+    steps = COIN_MODEL_STEPS
+};
+
+// A negative status.  The state is then as before the call; after run(),
+// advance(), settle() and sample() it is the last good one, and what their last
+// argument points to says how far they came.
 class error : public std::runtime_error
 {
   public:
@@ -58,13 +70,16 @@ inline std::int32_t check(std::int32_t status)
     return status;
 }
 
-// Of the functions that return a number, which is NaN on bad input.
-inline double check(double number)
+// Of the functions that return a number, which is NaN on bad input: the first
+// check that fails says why.
+inline double check(double number, std::int32_t why)
 {
     if (std::isnan(number))
-        throw std::invalid_argument("coin out of range");
+        throw error(why < 0 ? why : COIN_EDOMAIN);
     return number;
 }
+
+// ------------------------------------------------------------------ parameters
 
 inline params disc(double mass, double radius, double gravity)
 {
@@ -79,6 +94,46 @@ inline params ring(double mass, double radius, double inner_radius,
     params p;
     check(coin_params_ring(&p, mass, radius, inner_radius, gravity));
     return p;
+}
+
+inline params body(double mass, double radius, double gravity, double inertia_X,
+                   double inertia_Z)
+{
+    params p;
+    check(coin_params_body(&p, mass, radius, gravity, inertia_X, inertia_Z));
+    return p;
+}
+
+inline void check(const params &p)
+{
+    check(coin_params_check(&p));
+}
+
+inline void check(const state &s, const params &p)
+{
+    check(coin_state_check(&s, &p));
+}
+
+inline void check(const losses &l, const params &p)
+{
+    check(coin_losses_check(&l, &p));
+}
+
+// ---------------------------------------------------------------------
+// stepping
+inline const char *name(method m)
+{
+    return coin_method_name(static_cast<std::int32_t>(m));
+}
+
+inline std::int32_t order(method m)
+{
+    return check(coin_method_order(static_cast<std::int32_t>(m)));
+}
+
+inline std::int32_t step(state &s, const params &p, double dt)
+{
+    return check(coin_step(&s, &p, dt));
 }
 
 // Returns COIN_COARSE or 0; *done says how far it came if it throws.
@@ -96,19 +151,82 @@ inline std::int32_t advance(state &s, const params &p, double t, double tol,
 }
 
 // count states, steps_per_sample steps apart, the start first.
+inline void sample(const state &start, const params &p, method m, double dt,
+                   std::uint64_t steps_per_sample, std::size_t count,
+                   state *out, std::size_t *done = nullptr)
+{
+    check(coin_sample(&start, &p, static_cast<std::int32_t>(m), dt,
+                      steps_per_sample, count, out, done));
+}
+
 inline std::vector<state> sample(const state &start, const params &p, method m,
                                  double dt, std::uint64_t steps_per_sample,
                                  std::size_t count)
 {
     std::vector<state> path(count);
-    check(coin_sample(&start, &p, static_cast<std::int32_t>(m), dt,
-                      steps_per_sample, count, path.data(), nullptr));
+    sample(start, p, m, dt, steps_per_sample, count, path.data());
     return path;
+}
+
+// Each of count coins gets the bits of run(), and in status what it returns;
+// throws the error of the first that fails, when all are done.
+inline std::int32_t batch_run(state *s, std::size_t count, const params &p,
+                              method m, double dt, std::uint64_t steps,
+                              std::int32_t *status = nullptr)
+{
+    return check(coin_batch_run(s, count, &p, static_cast<std::int32_t>(m), dt,
+                                steps, status));
+}
+
+inline std::int32_t batch_run(std::vector<state> &s, const params &p, method m,
+                              double dt, std::uint64_t steps,
+                              std::int32_t *status = nullptr)
+{
+    return batch_run(s.data(), s.size(), p, m, dt, steps, status);
+}
+
+inline double max_dt(const state &s, const params &p, method m, double tol)
+{
+    const std::int32_t why = coin_state_check(&s, &p);
+    return check(coin_max_dt(&s, &p, static_cast<std::int32_t>(m), tol),
+                 why < 0 ? why : COIN_EARG);
+}
+
+// ---------------------------------------------------------- states,
+// observables Of a coin that an engine holds as a rotation and an angular
+// velocity.
+inline state from_motion(const params &p, const quaternion &q,
+                         const vec3 &omega, double x, double z)
+{
+    state s;
+    check(coin_state_from_motion(&s, &p, q.data(), omega.data(), x, z));
+    return s;
+}
+
+inline vec3 angular_velocity(const state &s)
+{
+    vec3 omega;
+    check(coin_angular_velocity(&s, omega.data()));
+    return omega;
 }
 
 inline double energy(const state &s, const params &p)
 {
-    return check(coin_energy(&s, &p));
+    return check(coin_energy(&s, &p), coin_state_check(&s, &p));
+}
+
+inline vec2 integrals(const state &s, const params &p)
+{
+    vec2 K;
+    check(coin_integrals(&s, &p, K.data()));
+    return K;
+}
+
+inline state rates(const state &s, const params &p)
+{
+    state d;
+    check(coin_rates(&s, &p, &d));
+    return d;
 }
 
 inline force reaction(const state &s, const params &p)
@@ -132,6 +250,25 @@ inline vec3 velocity(const state &s, const params &p)
     return v;
 }
 
+struct moving_point {
+    vec3 place, velocity;
+};
+
+inline moving_point contact(const state &s, const params &p)
+{
+    moving_point c;
+    check(coin_contact(&s, &p, c.place.data(), c.velocity.data()));
+    return c;
+}
+
+// Rows e_X, e_Y, e_Z.
+inline std::array<double, 9> axes(const state &s)
+{
+    std::array<double, 9> R;
+    check(coin_axes(&s, R.data()));
+    return R;
+}
+
 inline quaternion rotation(const state &s)
 {
     quaternion q;
@@ -144,6 +281,165 @@ inline std::int32_t validity(const state &s, const params &p, method m,
                              double dt, double mu)
 {
     return check(coin_check(&s, &p, static_cast<std::int32_t>(m), dt, mu));
+}
+
+// ---------------------------------------------------------------- steady
+// motion
+inline state steady_roll(const params &p, double wZ)
+{
+    state s;
+    check(coin_steady_roll(&s, &p, wZ));
+    return s;
+}
+
+inline state steady_spin(const params &p, double theta)
+{
+    state s;
+    check(coin_steady_spin(&s, &p, theta));
+    return s;
+}
+
+inline state steady_upright_spin(const params &p, double wY)
+{
+    state s;
+    check(coin_steady_upright_spin(&s, &p, wY));
+    return s;
+}
+
+inline state steady_circle(const params &p, double theta, double wZ,
+                           std::int32_t branch)
+{
+    state s;
+    check(coin_steady_circle(&s, &p, theta, wZ, branch));
+    return s;
+}
+
+inline state steady_near(const state &s, const params &p)
+{
+    state out;
+    check(coin_steady_near(&s, &p, &out));
+    return out;
+}
+
+struct radii {
+    double center, contact;
+};
+
+inline radii steady_radii(const state &s, const params &p)
+{
+    radii r;
+    check(coin_steady_radii(&s, &p, &r.center, &r.contact));
+    return r;
+}
+
+// lambda^2.
+inline double stability(const state &s, const params &p)
+{
+    double lambda2;
+    check(coin_stability(&s, &p, &lambda2));
+    return lambda2;
+}
+
+inline double critical_roll(const params &p)
+{
+    return check(coin_critical_roll(&p), coin_params_check(&p));
+}
+
+inline double critical_spin(const params &p)
+{
+    return check(coin_critical_spin(&p), coin_params_check(&p));
+}
+
+// -------------------------------------------------------- motion without
+// stepping
+inline state steady_at(const state &s, const params &p, double t)
+{
+    state out;
+    check(coin_steady_at(&s, &p, t, &out));
+    return out;
+}
+
+inline state wobble_at(const state &steady, const params &p, const state &start,
+                       double t)
+{
+    state out;
+    check(coin_wobble_at(&steady, &p, &start, t, &out));
+    return out;
+}
+
+inline void init(orbit &o, const state &s, const params &p)
+{
+    check(coin_orbit_init(&o, &s, &p));
+}
+
+inline state at(const orbit &o, double t)
+{
+    state out;
+    check(coin_orbit_at(&o, t, &out));
+    return out;
+}
+
+inline model model_needed(const state &s, const params &p, double horizon,
+                          double tol)
+{
+    return static_cast<model>(check(coin_model_needed(&s, &p, horizon, tol)));
+}
+
+// ------------------------------------------------------------------- real
+// coins
+inline double losses_power(const state &s, const params &p, const losses &l)
+{
+    const std::int32_t why = coin_state_check(&s, &p);
+    return check(coin_losses_power(&s, &p, &l),
+                 why < 0 ? why : coin_losses_check(&l, &p));
+}
+
+inline state losses_rates(const state &s, const params &p, const losses &l)
+{
+    state d;
+    check(coin_losses_rates(&s, &p, &l, &d));
+    return d;
+}
+
+inline force losses_reaction(const state &s, const params &p, const losses &l)
+{
+    force f;
+    check(coin_losses_reaction(&s, &p, &l, &f));
+    return f;
+}
+
+// Returns COIN_RESTS if the coin lies flat, else 0.
+inline std::int32_t settle(state &s, const params &p, const losses &l, double t,
+                           double tol, double *reached = nullptr)
+{
+    return check(coin_settle(&s, &p, &l, t, tol, reached));
+}
+
+inline double time_to_rest(const state &s, const params &p, const losses &l)
+{
+    const std::int32_t why = coin_state_check(&s, &p);
+    return check(coin_time_to_rest(&s, &p, &l),
+                 why < 0 ? why : coin_losses_check(&l, &p));
+}
+
+// Returns COIN_RESTS if the coin lies flat by then, else 0.
+inline std::int32_t quasisteady_at(const state &s, const params &p,
+                                   const losses &l, double t, state &out)
+{
+    return check(coin_quasisteady_at(&s, &p, &l, t, &out));
+}
+
+// All terms but soft times one factor, so that the coin rests after time.
+inline losses losses_fit(losses l, const state &s, const params &p, double time)
+{
+    check(coin_losses_fit(&l, &s, &p, time));
+    return l;
+}
+
+// Throws unless this build computes the pinned bits.
+inline void selftest()
+{
+    check(coin_selftest());
 }
 
 } // namespace rollcoin

@@ -5,7 +5,7 @@
 A row of the table is a frame, with all coins side by side.  One call moves
 them all where they lie, without a copy; the rest is numpy's.
 
-    ROLLCOIN_LIBRARY=build/librollcoin.so python3 launches.py
+    python3 launches.py
 """
 import numpy
 import rollcoin as rc

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """A US quarter rolls for a second: the same as quarter.c.
 
-    ROLLCOIN_LIBRARY=build/librollcoin.so python3 quarter.py
+    python3 quarter.py
 """
 import rollcoin as rc
 

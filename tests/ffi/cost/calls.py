@@ -2,7 +2,8 @@
 """As many steps as the second argument says, in the way that the first says:
 "call", one call each; "run", one call of this module's run() each; "sample", a
 state for each step, all in one call; "batch", a step of each of so many coins,
-all in one call."""
+all in one call; the name of a function that reads a coin, one call of that for
+so many."""
 import sys
 
 import rollcoin as rc
@@ -19,5 +20,9 @@ elif way == "run":
         rc.run(s, p, rc.RK4, 1e-3, 1)
 elif way == "batch":
     rc.run_batch(bytearray(bytes(s) * n), p, rc.RK4, 1e-3, 1)
+elif way != "sample":
+    import numpy
+    table = numpy.frombuffer(bytes(s) * n, rc.State)
+    getattr(rc, way)(table, *([] if way == "quaternion" else [p]))
 else:
     rc.sample(s, p, rc.RK4, 1e-3, 1, n)

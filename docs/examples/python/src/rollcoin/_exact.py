@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""Motion without steps.
+
+t is a time, or an array of times: then there is an array of dtype State, of
+the array's shape, and status as in what reads a table."""
+from __future__ import annotations
+
+from typing import Any
+
+from ._declarations import Losses, Orbit, Params, State
+from ._library import lib
+from ._tables import Coin, Status, coin, give, times
+
+__all__ = ["orbit", "orbit_at", "quasisteady_at", "steady_at", "wobble_at"]
+
+
+def _at(name: str, inputs: Any, t: Any, status: Status) -> Any:
+    if hasattr(t, "__len__"):
+        return times(name, t, *inputs, status=status)
+    if status is not None:
+        raise TypeError("status is for arrays of times")
+    return give(name, State, *inputs, t)
+
+
+def steady_at(s: Coin, p: Params, t: Any, *, status: Status = None) -> Any:
+    """The state of a steady motion at any time.  coin_steady_at()"""
+    return _at("steady_at", (coin(s, State), p), t, status)
+
+
+def wobble_at(steady: Coin, p: Params, start: Coin, t: Any, *,
+              status: Status = None) -> Any:
+    """The state of a small wobble about a steady motion, at any time.
+    coin_wobble_at()"""
+    return _at("wobble_at", (coin(steady, State), p, coin(start, State)), t,
+               status)
+
+
+def orbit(s: Coin, p: Params) -> Orbit:
+    """A motion solved for all times: its period and the like, and what
+    orbit_at() is asked about.  coin_orbit_init()"""
+    o = Orbit()
+    lib.coin_orbit_init(o, coin(s, State), p)
+    return o
+
+
+def orbit_at(o: Orbit, t: Any, *, status: Status = None) -> Any:
+    """The state at any time of a motion that orbit() solved.
+    coin_orbit_at()"""
+    return _at("orbit_at", (o,), t, status)
+
+
+def quasisteady_at(s: Coin, p: Params, losses: Losses, t: Any, *,
+                   status: Status = None) -> Any:
+    """The state at any time t >= 0 of a coin with losses, by the quasi-steady
+    model; after it came to rest, as it lies.  coin_quasisteady_at()"""
+    return _at("quasisteady_at", (coin(s, State), p, losses), t, status)

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+//! What moves a coin, or many.
+use crate::status::{checked, checked_to, number};
+use crate::{ffi, Error, Params, Result, State, Status, Stopped};
+use std::ffi::CStr;
+
+/// Methods of integration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Classical Runge-Kutta, order 4.
+    Rk4 = ffi::COIN_RK4 as isize,
+    /// Dormand-Prince, order 8.
+    Rk8 = ffi::COIN_RK8 as isize,
+    /// Kick-drift-kick with the exact drift, order 2.
+    Symplectic2 = ffi::COIN_SYMPLECTIC2 as isize,
+    /// Chin 4A with the exact drift, order 4.
+    Symplectic4 = ffi::COIN_SYMPLECTIC4 as isize,
+}
+
+impl Method {
+    /// "rk4", ...
+    pub fn name(self) -> &'static str {
+        let name =
+            unsafe { CStr::from_ptr(ffi::coin_method_name(self as i32)) };
+        name.to_str().unwrap_or_default()
+    }
+
+    /// The order of convergence.
+    pub fn order(self) -> i32 {
+        unsafe { ffi::coin_method_order(self as i32) }
+    }
+}
+
+impl State {
+    /// One classical Runge-Kutta step.
+    pub fn step(&mut self, p: &Params, dt: f64) -> Result<Status> {
+        checked(unsafe { ffi::coin_step(self, p, dt) })
+    }
+
+    /// Moves by a number of steps; an error says how many were done.
+    pub fn run(
+        &mut self,
+        p: &Params,
+        method: Method,
+        dt: f64,
+        steps: u64,
+    ) -> std::result::Result<Status, Stopped<u64>> {
+        let mut done = 0;
+        let status = unsafe {
+            ffi::coin_run(self, p, method as i32, dt, steps, &mut done)
+        };
+        Ok(checked_to(status, done)?.0)
+    }
+
+    /// Moves by any time to an accuracy; returns the time moved.
+    pub fn advance(
+        &mut self,
+        p: &Params,
+        t: f64,
+        tol: f64,
+    ) -> std::result::Result<f64, Stopped<f64>> {
+        let mut reached = 0.0;
+        let status =
+            unsafe { ffi::coin_advance(self, p, t, tol, &mut reached) };
+        Ok(checked_to(status, reached)?.1)
+    }
+
+    /// Fills `path` with states `steps_per_sample` steps apart, this one first;
+    /// an error says how many were written.
+    pub fn sample(
+        &self,
+        p: &Params,
+        method: Method,
+        dt: f64,
+        steps_per_sample: u64,
+        path: &mut [State],
+    ) -> std::result::Result<Status, Stopped<usize>> {
+        let mut done = 0;
+        let status = unsafe {
+            ffi::coin_sample(
+                self,
+                p,
+                method as i32,
+                dt,
+                steps_per_sample,
+                path.len(),
+                path.as_mut_ptr(),
+                &mut done,
+            )
+        };
+        Ok(checked_to(status, done)?.0)
+    }
+
+    /// The largest step whose error stays below `tol` from this state on; 0 if
+    /// no step would do.
+    pub fn max_dt(&self, p: &Params, method: Method, tol: f64) -> Result<f64> {
+        let dt = unsafe { ffi::coin_max_dt(self, p, method as i32, tol) };
+        number(dt, Some(self), p, None, Error::ARGUMENT)
+    }
+}
+
+/// [`State::run`] for many coins of one body, each with the bits that it gets
+/// alone.  `statuses` takes what coin.h returns for each, and is as long as
+/// `coins`, or empty.  The error is that of the first coin that failed; it
+/// stays at its last good state, and the others go on.
+pub fn batch_run(
+    coins: &mut [State],
+    p: &Params,
+    method: Method,
+    dt: f64,
+    steps: u64,
+    statuses: &mut [i32],
+) -> Result<Status> {
+    let wanted = match statuses.len() {
+        0 => std::ptr::null_mut(),
+        n if n == coins.len() => statuses.as_mut_ptr(),
+        _ => return Err(Error::ARGUMENT),
+    };
+    checked(unsafe {
+        ffi::coin_batch_run(
+            coins.as_mut_ptr(),
+            coins.len(),
+            p,
+            method as i32,
+            dt,
+            steps,
+            wanted,
+        )
+    })
+}

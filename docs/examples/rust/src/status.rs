@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+//! What a call says: done, or why not and how far.
+use crate::{ffi, Losses, Params, State};
+use std::ffi::CStr;
+use std::fmt;
+
+/// A negative status.  The state is then as before the call; see [`Stopped`]
+/// for the calls that keep the progress made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Error(i32);
+
+impl Error {
+    /// Parameters, or losses, out of range.
+    pub const PARAMS: Error = Error(ffi::COIN_EPARAMS as i32);
+    /// State out of range.
+    pub const STATE: Error = Error(ffi::COIN_ESTATE as i32);
+    /// A step or a time that is not finite or too long.
+    pub const STEP: Error = Error(ffi::COIN_ESTEP as i32);
+    /// Another argument out of range.
+    pub const ARGUMENT: Error = Error(ffi::COIN_EARG as i32);
+    /// There is no such motion.
+    pub const DOMAIN: Error = Error(ffi::COIN_EDOMAIN as i32);
+    /// The coin falls flat.
+    pub const FLAT: Error = Error(ffi::COIN_EFLAT as i32);
+    /// This build does not give the pinned bits.
+    pub const BUILD: Error = Error(ffi::COIN_EBUILD as i32);
+
+    /// The number of coin.h.
+    pub fn status(self) -> i32 {
+        self.0
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let text = unsafe { CStr::from_ptr(ffi::coin_status_string(self.0)) };
+        f.write_str(&text.to_string_lossy())
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// What most calls return.
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// An error on the way: the state is the last good one, and `done` says how
+/// far that is, in steps, samples or time.  `?` makes an [`Error`] of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stopped<T> {
+    /// Why.
+    pub error: Error,
+    /// How far.
+    pub done: T,
+}
+
+impl<T> From<Stopped<T>> for Error {
+    fn from(stopped: Stopped<T>) -> Error {
+        stopped.error
+    }
+}
+
+impl<T: fmt::Display> fmt::Display for Stopped<T> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}, after {}", self.error, self.done)
+    }
+}
+
+impl<T: fmt::Display + fmt::Debug> std::error::Error for Stopped<T> {}
+
+/// A status that is no error: done, as a rule without a word.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Status(i32);
+
+impl Status {
+    fn has(self, bit: u32) -> bool {
+        self.0 & bit as i32 != 0
+    }
+    /// The bits of coin.h.
+    pub fn bits(self) -> i32 {
+        self.0
+    }
+    /// A real coin slips.
+    pub fn slips(self) -> bool {
+        self.has(ffi::COIN_SLIPS)
+    }
+    /// A real coin lifts off.
+    pub fn lifts(self) -> bool {
+        self.has(ffi::COIN_LIFTS)
+    }
+    /// A step was beyond the method's limit of full accuracy.
+    pub fn coarse(self) -> bool {
+        self.has(ffi::COIN_COARSE)
+    }
+    /// cos(theta) < 0.01.
+    pub fn nearly_flat(self) -> bool {
+        self.has(ffi::COIN_NEARLY_FLAT)
+    }
+    /// The coin lies flat.
+    pub fn rests(self) -> bool {
+        self.has(ffi::COIN_RESTS)
+    }
+}
+
+pub(crate) fn checked(status: i32) -> Result<Status> {
+    if status < 0 {
+        Err(Error(status))
+    } else {
+        Ok(Status(status))
+    }
+}
+
+/// The same of a call that says how far it came.
+pub(crate) fn checked_to<T>(
+    status: i32,
+    done: T,
+) -> std::result::Result<(Status, T), Stopped<T>> {
+    match checked(status) {
+        Ok(status) => Ok((status, done)),
+        Err(error) => Err(Stopped { error, done }),
+    }
+}
+
+/// What a call writes, if it does well.
+pub(crate) fn filled<T: Default>(call: impl Fn(&mut T) -> i32) -> Result<T> {
+    let mut out = T::default();
+    checked(call(&mut out))?;
+    Ok(out)
+}
+
+/// A number, which is NaN on bad input: of the checks, the first that fails
+/// says why, and else `otherwise`.
+pub(crate) fn number(
+    value: f64,
+    s: Option<&State>,
+    p: &Params,
+    l: Option<&Losses>,
+    otherwise: Error,
+) -> Result<f64> {
+    if !value.is_nan() {
+        return Ok(value);
+    }
+    p.check()?;
+    s.map_or(Ok(()), |s| s.state_check(p))?;
+    l.map_or(Ok(()), |l| l.check(p))?;
+    Err(otherwise)
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//! Steady motions.
+use crate::status::filled;
+use crate::{ffi, Params, Result, State};
+
+impl State {
+    /// Straight rolling, upright.
+    #[allow(non_snake_case)]
+    pub fn steady_roll(p: &Params, wZ: f64) -> Result<State> {
+        filled(|s| unsafe { ffi::coin_steady_roll(s, p, wZ) })
+    }
+
+    /// Spinning with the centre at rest, leaning.
+    pub fn steady_spin(p: &Params, theta: f64) -> Result<State> {
+        filled(|s| unsafe { ffi::coin_steady_spin(s, p, theta) })
+    }
+
+    /// Spinning upright about a diameter.
+    #[allow(non_snake_case)]
+    pub fn steady_upright_spin(p: &Params, wY: f64) -> Result<State> {
+        filled(|s| unsafe { ffi::coin_steady_upright_spin(s, p, wY) })
+    }
+
+    /// Rolling along a circle at a constant lean; `branch` is 1 or -1.
+    #[allow(non_snake_case)]
+    pub fn steady_circle(
+        p: &Params,
+        theta: f64,
+        wZ: f64,
+        branch: i32,
+    ) -> Result<State> {
+        filled(|s| unsafe { ffi::coin_steady_circle(s, p, theta, wZ, branch) })
+    }
+
+    /// The steady motion nearest to this state, of the same integrals.
+    pub fn steady_near(&self, p: &Params) -> Result<State> {
+        filled(|out| unsafe { ffi::coin_steady_near(self, p, out) })
+    }
+
+    /// The radii of the circles of the centre and of the contact.
+    pub fn steady_radii(&self, p: &Params) -> Result<(f64, f64)> {
+        filled(|out: &mut (f64, f64)| unsafe {
+            ffi::coin_steady_radii(self, p, &mut out.0, &mut out.1)
+        })
+    }
+
+    /// lambda^2: > 0, a small lean away grows as exp(sqrt(lambda^2) t).
+    pub fn stability(&self, p: &Params) -> Result<f64> {
+        filled(|lambda2| unsafe { ffi::coin_stability(self, p, lambda2) })
+    }
+}

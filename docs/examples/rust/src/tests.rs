@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+use super::*;
+
+fn quarter() -> (Params, State) {
+    let p = Params::disc(0.00567, 0.01213, 9.80665).unwrap();
+    (
+        p,
+        State {
+            theta: 0.3,
+            wY: 5.0,
+            wZ: 40.0,
+            ..State::default()
+        },
+    )
+}
+
+#[test]
+fn a_negative_status_is_an_error_and_touches_nothing() {
+    let (p, mut s) = quarter();
+    let before = s;
+    assert_eq!(Params::disc(-1.0, 1.0, 1.0), Err(Error::PARAMS));
+    assert_eq!(s.step(&p, 1.0), Err(Error::STEP));
+    assert_eq!(s.step(&p, f64::NAN), Err(Error::STEP));
+    s.theta = 2.0;
+    assert_eq!(s.energy(&p), Err(Error::STATE));
+    assert_eq!(s.energy(&Params::default()), Err(Error::PARAMS));
+    assert_eq!(s.center(&p), Err(Error::STATE));
+    assert_eq!(s.state_check(&p), Err(Error::STATE));
+    s.theta = before.theta;
+    assert_eq!(s, before);
+    assert_eq!(s.max_dt(&p, Method::Rk4, 1.0), Err(Error::ARGUMENT));
+    assert_eq!(Params::default().critical_roll(), Err(Error::PARAMS));
+    assert_eq!(Error::FLAT.to_string(), "the coin falls flat");
+    assert_eq!(Error::BUILD.status(), -7);
+}
+
+#[test]
+fn a_positive_status_is_a_warning() {
+    let (p, mut s) = quarter();
+    assert!(!s.run(&p, Method::Rk8, 1e-2, 10).unwrap().coarse());
+    assert!(s.run(&p, Method::Rk4, 1e-2, 1).unwrap().coarse());
+    let bits = s.check(&p, Method::Rk4, 1e-3, 0.01).unwrap();
+    assert!(bits.slips() && !bits.lifts() && !bits.nearly_flat());
+}
+
+#[test]
+fn an_error_on_the_way_keeps_the_progress() {
+    let p = Params::ring(1.0, 1.0, 0.5, 1.0).unwrap();
+    let start = State {
+        theta: 0.3,
+        ..State::default()
+    };
+    let (mut s, mut again) = (start, start);
+    let stopped = s.run(&p, Method::Rk8, 0.05, 1000).unwrap_err();
+    assert_eq!(stopped.error, Error::STEP);
+    again.run(&p, Method::Rk8, 0.05, stopped.done).unwrap();
+    assert_eq!(s, again);
+    let mut path = [State::default(); 1000];
+    let cut = start
+        .sample(&p, Method::Rk8, 0.05, 1, &mut path)
+        .unwrap_err();
+    assert_eq!(cut.done as u64, stopped.done + 1);
+    assert_eq!(path[cut.done - 1], s);
+    let fall = s.advance(&p, 100.0, 1e-9).unwrap_err();
+    assert_eq!(fall.error, Error::FLAT);
+    assert!(fall.done > 0.0 && s.theta > 1.57);
+    assert_eq!(Error::from(fall), Error::FLAT);
+    assert!(fall
+        .to_string()
+        .starts_with("the coin falls flat, after 0."));
+}
+
+#[test]
+fn steps_runs_and_samples_agree() {
+    let (p, s) = quarter();
+    let (mut one, mut other, mut path) = (s, s, [State::default(); 3]);
+    one.step(&p, 1e-3).unwrap();
+    other.run(&p, Method::Rk4, 1e-3, 1).unwrap();
+    assert_eq!(one, other);
+    other = s;
+    other.run(&p, Method::Rk8, 1e-3, 10).unwrap();
+    s.sample(&p, Method::Rk8, 1e-3, 5, &mut path).unwrap();
+    assert_eq!((path[0], path[2]), (s, other));
+    assert_eq!(one.advance(&p, 0.0, 1e-9).unwrap(), 0.0);
+    assert_eq!((Method::Rk8.name(), Method::Rk8.order()), ("rk8", 8));
+    let dt = s.max_dt(&p, Method::Rk8, 1e-6).unwrap();
+    assert!(dt > 1e-3 && dt < 0.1);
+}
+
+#[test]
+fn a_batch_has_the_bits_of_runs_and_a_status_for_each() {
+    let (p, s) = quarter();
+    let (mut coins, mut statuses) = ([s; 5], [1; 5]);
+    coins[2].theta = 2.0;
+    let first = batch_run(&mut coins, &p, Method::Rk8, 1e-3, 9, &mut statuses);
+    assert_eq!(first, Err(Error::STATE));
+    assert_eq!(statuses, [0, 0, -2, 0, 0]);
+    let mut alone = s;
+    alone.run(&p, Method::Rk8, 1e-3, 9).unwrap();
+    assert_eq!(coins[4], alone);
+    let short = &mut statuses[..3];
+    assert_eq!(
+        batch_run(&mut coins, &p, Method::Rk8, 1e-3, 1, short),
+        Err(Error::ARGUMENT)
+    );
+    assert_eq!(coins[4], alone);
+    coins[2] = s;
+    assert!(batch_run(&mut coins, &p, Method::Rk4, 1e-2, 1, &mut [])
+        .unwrap()
+        .coarse());
+    assert!(batch_run(&mut [], &p, Method::Rk4, 1e-2, 1, &mut []).is_ok());
+}
+
+#[test]
+fn what_is_read_off_a_state_is_consistent() {
+    let (p, s) = quarter();
+    let q = s.quaternion().unwrap();
+    let omega = s.angular_velocity().unwrap();
+    let back = State::from_motion(&p, q, omega, s.x, s.z).unwrap();
+    assert!((back.theta - s.theta).abs() < 1e-14);
+    assert!((back.wZ - s.wZ).abs() < 1e-12);
+    assert!((q.iter().map(|c| c * c).sum::<f64>() - 1.0).abs() < 1e-14);
+    assert_eq!(s.rates(&p).unwrap().theta, s.wX);
+    assert_eq!(s.contact(&p).unwrap().0[1], 0.0);
+    let axes = s.axes().unwrap();
+    assert!((axes[7] + s.theta.sin()).abs() < 1e-14);
+    assert_eq!(s.velocity(&p).unwrap().len(), 3);
+    assert_eq!(s.integrals(&p).unwrap().len(), 2);
+    p.check().unwrap();
+}
+
+#[test]
+fn steady_motions_are_steady() {
+    let (p, _) = quarter();
+    let circle = State::steady_circle(&p, 0.4, 30.0, 1).unwrap();
+    assert!(circle.stability(&p).unwrap() < 0.0);
+    let (center, contact) = circle.steady_radii(&p).unwrap();
+    assert!(center > 0.0 && contact > center);
+    let later = circle.steady_at(&p, 0.1).unwrap();
+    assert!((later.theta - 0.4).abs() < 1e-12);
+    let mut near = circle;
+    near.theta += 1e-5;
+    assert!((near.steady_near(&p).unwrap().theta - 0.4).abs() < 1e-4);
+    let wobble = circle.wobble_at(&p, &near, 0.1).unwrap();
+    near.advance(&p, 0.1, 1e-12).unwrap();
+    assert!((wobble.theta - near.theta).abs() < 1e-7);
+    assert_eq!(State::steady_roll(&p, 9.0).unwrap().wZ, 9.0);
+    assert_eq!(State::steady_upright_spin(&p, 9.0).unwrap().wY, 9.0);
+    let none = State::steady_circle(&p, 0.0, 30.0, 1);
+    assert_eq!(none, Err(Error::DOMAIN));
+    let ratio = p.critical_spin().unwrap() / p.critical_roll().unwrap();
+    assert!((ratio * ratio - 2.4).abs() < 1e-12);
+}
+
+#[test]
+fn an_orbit_gives_any_time() {
+    let (p, mut s) = quarter();
+    assert_eq!(s.model_needed(&p, 10.0, 1e-6), Ok(Model::Orbit));
+    let orbit = Orbit::new(&s, &p).unwrap();
+    assert!(orbit.period > 0.0);
+    let at = orbit.at(0.5).unwrap();
+    s.advance(&p, 0.5, 1e-13).unwrap();
+    assert!((at.theta - s.theta).abs() < 1e-10);
+    assert_eq!(orbit.at(f64::NAN), Err(Error::STEP));
+    assert_eq!(Orbit::default().at(0.0), Err(Error::ARGUMENT));
+}
+
+#[test]
+fn losses_bring_a_coin_to_rest() {
+    let (p, _) = quarter();
+    let mut s = State::steady_spin(&p, 1.0).unwrap();
+    let law = Losses {
+        viscous: 1e-9,
+        ..Losses::default()
+    };
+    let l = law.fit(&s, &p, 8.0).unwrap();
+    l.check(&p).unwrap();
+    assert!((s.time_to_rest(&p, &l).unwrap() - 8.0).abs() < 0.01);
+    assert_eq!(s.time_to_rest(&p, &Losses::default()), Ok(f64::INFINITY));
+    assert!(s.losses_power(&p, &l).unwrap() > 0.0);
+    assert_ne!(s.losses_rates(&p, &l), s.rates(&p));
+    assert_ne!(s.losses_reaction(&p, &l), s.reaction(&p));
+    let (half, status) = s.quasisteady_at(&p, &l, 4.0).unwrap();
+    assert!(half.theta > s.theta && !status.rests());
+    let (_, status) = s.quasisteady_at(&p, &l, 9.0).unwrap();
+    assert!(status.rests());
+    let (status, reached) = s.settle(&p, &l, 60.0, 1e-6).unwrap();
+    assert!(status.rests() && (reached - 8.0).abs() < 0.1);
+    let negative = Losses {
+        dry: -1.0,
+        ..Losses::default()
+    };
+    assert_eq!(s.time_to_rest(&p, &negative), Err(Error::PARAMS));
+    assert_eq!(s.settle(&p, &l, -1.0, 1e-6).unwrap_err().error, Error::STEP);
+}
+
+#[test]
+fn the_library_is_of_this_crates_version_and_computes_its_bits() {
+    assert_eq!(version_string(), env!("CARGO_PKG_VERSION"));
+    let number = version();
+    let text =
+        format!("{}.{}.{}", number >> 16, number >> 8 & 255, number & 255);
+    assert_eq!(text, version_string());
+    selftest().unwrap();
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// address.js: what the hash of the address says.  It holds every number in
+// full, except those that the scene already has.
+
+const LIMITS = { // of the numbers that the library does not judge
+  span: [1e-9, 1e9], dt: [1e-9, 1e9], swings: [0, 1e9], now: [0, 1e9], speed: [1e-9, 1e6],
+  az: [-1e3, 1e3], el: [0.05, 1.55], zoom: [0.05, 50], mu: [0, 1e6],
+};
+const NUMBER = /^[+-]?(\d{1,30}(\.\d{0,30})?|\.\d{1,30})(e[+-]?\d{1,3})?$/i;
+
+const CHOICES = { // of a word, kept as its index
+  method: () => METHODS, race: () => ["0", "1"], play: () => ["0", "1"], scene: sceneNames,
+};
+
+// Puts one part of the address into a state, or says why not.
+function readPart(state, name, text) {
+  const limited = Object.hasOwn(LIMITS, name), x = NUMBER.test(text) ? Number(text) : NaN;
+  const choices = Object.hasOwn(CHOICES, name) && CHOICES[name]();
+  if (choices && !choices.includes(text)) return "it is one of " + choices.join(", ");
+  if (!choices && !limited && !ASKED.includes(name)) return "nothing has that name";
+  if (!choices && !Number.isFinite(x)) return "that is not a number";
+  if (limited && (x < LIMITS[name][0] || x > LIMITS[name][1]))
+    return "it must lie between " + LIMITS[name].join(" and ");
+  state[name] = choices ? choices.indexOf(text) : x;
+  return "";
+}
+
+// The state that an address describes, and what was wrong with it.
+function readAddress(hash) {
+  const complaints = hash.length > 3000 ? ["it is longer than 3000 characters"] : [], seen = new Set();
+  const parts = complaints.length ? [] : hash.replace(/^#/, "").split("&").filter(Boolean);
+  const scene = (parts.find(p => p.startsWith("scene=")) || "").slice(6);
+  const state = defaultsOf(Math.max(sceneNames().indexOf(scene), 0));
+  for (const part of parts) {
+    const [, name, text] = /^([^=]*)=?(.*)$/s.exec(part);
+    const why = seen.has(name) ? "it is there twice" : readPart(state, name, text);
+    seen.add(name);
+    if (why) complaints.push("“" + part.slice(0, 40) + "”: " + why);
+  }
+  const status = take(state);
+  if (status >= 0) return { state, complaints };
+  complaints.push("the numbers together: " + statusWords(status));
+  return { state: defaultsOf(state.scene), complaints };
+}
+
+function addressOf(state) {
+  const usual = defaultsOf(state.scene), parts = ["scene=" + sceneNames()[state.scene]];
+  const written = (name, x) => Object.hasOwn(CHOICES, name) ? CHOICES[name]()[x] : Object.is(x, -0) ? "-0" : x;
+  for (const name of new Set([...ASKED, ...Object.keys(LIMITS), ...Object.keys(CHOICES)]))
+    if (!Object.is(state[name], usual[name])) parts.push(name + "=" + written(name, state[name]));
+  return "#" + parts.join("&");
+}

@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+/* page.h: what the sources of the page share. */
+#ifndef ROLLCOIN_PAGE_H
+#define ROLLCOIN_PAGE_H
+
+#include <coin.h>
+
+/* A function that the page calls. */
+#if defined(__wasm__)
+#define PAGE(name) __attribute__((export_name(#name))) name
+#else
+#define PAGE(name) name
+#endif
+
+enum { KNOTS = 60000 };
+
+/* What the page chooses. */
+typedef struct inputs {
+    coin_state start;
+    double mass, radius, inner_radius, gravity;
+    coin_losses losses;
+    double mu;
+} inputs;
+
+/* A moment of the motion, and what is observed there. */
+typedef struct moment {
+    double t;
+    coin_state state;
+    double contact[2]; /* x, z */
+    double R[3], normal, friction, ratio;
+    double energy;
+    double bits; /* of coin_check() */
+} moment;
+
+/* The motion on the page: what the library took, its body and its orbit, the
+ * present, and the trail. */
+extern struct motion {
+    inputs taken;
+    coin_params body;
+    int lossy;
+    coin_orbit orbit;
+    int32_t orbit_status;
+    moment now, knots[KNOTS];
+    int count;
+    int32_t age; /* of the trail: how many there have been */
+} page;
+
+inputs *page_asked(void);
+void page_scene(int32_t k);
+int32_t page_take(void);
+int32_t page_at(double base, double t);
+double page_time_to_rest(void);
+
+#endif

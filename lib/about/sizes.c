@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/* The size of every public struct, for bindings that no C compiler reads. */
+#include "../motion/pinned.h"
+
+#include <coin.h>
+#include <coinf.h>
+
+uint32_t coin_sizeof_params(void)
+{
+    return (uint32_t)sizeof(coin_params);
+}
+
+uint32_t coin_sizeof_state(void)
+{
+    return (uint32_t)sizeof(coin_state);
+}
+
+uint32_t coin_sizeof_force(void)
+{
+    return (uint32_t)sizeof(coin_force);
+}
+
+uint32_t coin_sizeof_losses(void)
+{
+    return (uint32_t)sizeof(coin_losses);
+}
+
+uint32_t coin_sizeof_orbit(void)
+{
+    return (uint32_t)sizeof(coin_orbit);
+}
+
+uint32_t coinf_sizeof_params(void)
+{
+    return (uint32_t)sizeof(coinf_params);
+}
+
+uint32_t coinf_sizeof_state(void)
+{
+    return (uint32_t)sizeof(coinf_state);
+}
+
+uint32_t coinf_sizeof_force(void)
+{
+    return (uint32_t)sizeof(coinf_force);
+}
+
+uint32_t coinf_sizeof_losses(void)
+{
+    return (uint32_t)sizeof(coinf_losses);
+}

@@ -1,0 +1,4 @@
+/* SPDX-License-Identifier: MIT */
+#include "floats.h"
+
+#include "../real/losses.c"

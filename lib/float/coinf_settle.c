@@ -1,0 +1,249 @@
+/* SPDX-License-Identifier: MIT */
+/* To rest in single precision: Runge-Kutta steps of order 4 in t, as long as
+ * the state allows, and the last fall in closed form.  No step is refused and
+ * done again: the cost of a frame is known beforehand. */
+#include "step.h"
+
+#include "../motion/rest.h"
+#include "../real/hold.h"
+
+/* Natural units of time beyond which a step would change nothing of t. */
+#define TOO_LONG 1e6f
+
+/* The most steps of a call: a second of a Cortex-M4F. */
+#define STEPS_MAX 65536
+
+/* A step is STRIDE tol^(1/4) over the fastest rate, so that the error stays
+ * below tol per natural unit of time (test_float_settle); never longer than
+ * what COIN_COARSE begins at. */
+#define STRIDE 1.6f
+
+/* How much of the friction's own rate counts: a step is then up to 1.2 of its
+ * relaxation times, and the method is stable up to 2.7. */
+#define FRICTION 0.3f
+
+/* The part of the way to where the contact turns round, d(psi)/dt = 0, that a
+ * step may go: friction is not smooth there. */
+#define TURN_ROUND 0.5f
+
+/* The part of the rates of a fall within which a contact has stopped. */
+#define STOPPED 1e-5f
+
+/* Nearer to flat than this, and too slow to rise, a coin whose losses have no
+ * stop is at its end; nearer than the other it lies flat, as a float cannot
+ * hold its lean. */
+#define END 1e-5f
+#define FLAT 3e-8f
+
+/* A coin on its way to rest. */
+struct settling {
+    coinf_priv_body b;
+    coinf_priv_losses l;
+    coinf_state s;
+    float rem, rem_low; /* the time still to go */
+    float stride;
+};
+
+/* What the steps read, and the losses. */
+struct lossy_plan {
+    coinf_priv_plan ideal; /* first: it is what coinf_priv_slopes() hands on */
+    const coinf_priv_losses *l;
+};
+
+/* The slope at a stage: the ideal coin's, and the losses. */
+COIN_PRIV_APART coinf_priv_slope lossy_at(coinf_priv_variables *d,
+                                          const coinf_priv_plan *plan,
+                                          const coinf_priv_variables *y)
+{
+    const struct lossy_plan *with =
+        (const struct lossy_plan *)(const void *)plan;
+    const coinf_priv_slowing slow = coinf_priv_slow(with->l, y);
+    const float h = plan->f.h * y->q; /* dtau = dt/cos(theta) */
+    coinf_priv_slope of = coinf_priv_slope_at(d, plan, y);
+    of.wX = d->wX += h * slow.wX;
+    of.wY = d->wY += h * slow.wY;
+    of.wZ = d->wZ += h * slow.wZ;
+    return of;
+}
+
+/* The longest step from here: a part of 1 over the rates of the coin and of
+ * friction, and no further than half way to where the contact turns round. */
+COIN_PRIV_APART float longest(const struct settling *g,
+                              const coinf_priv_variables *y)
+{
+    const coinf_priv_body *b = &g->b;
+    const coinf_priv_losses *l = &g->l;
+    const float sth = y->sth, cth = y->cth, wY = y->wY, wZ = y->wZ;
+    const float rate =
+        sqrtf(coinf_priv_rate2(b->g_a, y)) +
+        FRICTION * coinf_priv_friction_rate(l, y) * y->q; /* (71) */
+    const float dt = g->stride / rate;
+    if (!(l->solid + l->layer + l->damping > 0))
+        return dt;
+    /* u = cos(theta) d(psi)/dt, and what the ideal coin makes of it. */
+    const float u = cth * wZ + sth * wY;
+    const float du = fabsf(y->wX * (wY * ((b->k2 + 1) * cth + sth * y->tth) +
+                                    wZ * sth * (b->k1 - 1)));
+    const float way = TURN_ROUND * sqrtf(u * u + l->soft2 * (cth * cth));
+    return way < du * dt ? way / du : dt;
+}
+
+/* One step; 0 if it would not be sound. */
+COIN_PRIV_APART int step(struct settling *g, const coinf_priv_variables *y,
+                         float dt)
+{
+    const coinf_priv_body *b = &g->b;
+    const coinf_priv_limits limits = coinf_priv_limits_of(b, COIN_RK4, dt);
+    const struct lossy_plan plan = {
+        {coinf_priv_field_of(b, dt), 0, b->a, b->g_a, b->k1, b->k2,
+         limits.coarse2, limits.most2},
+        &g->l,
+    };
+    coinf_priv_slope first, rest;
+    coinf_priv_variables last;
+    coinf_priv_slopes(&first, &rest, &last, &plan.ideal, y, lossy_at);
+    coinf_state next = g->s;
+    coinf_priv_change(&next, &first, &rest);
+    return coinf_priv_end_step(&g->s, &next, &plan.ideal);
+}
+
+static void pass(struct settling *g, float time)
+{
+    if (time == g->rem)
+        g->rem = 0;
+    else
+        coinf_priv_add(&g->rem, &g->rem_low, -time, 0);
+}
+
+/* The coin after a part of a fall in which its contact stays. */
+static void put(struct settling *g, const coinf_priv_variables *from,
+                const coinf_priv_held_fall *f, const coinf_priv_held_fall *to)
+{
+    coinf_state *s = &g->s;
+    const float side = from->sth < 0 ? -1 : 1;
+    const float turn = coinf_priv_fall_turn(to, &g->l);
+    const coinf_priv_sc at = coinf_priv_sincos(to->x);
+    coinf_priv_add(&s->theta, &s->low[0], side * (f->x - to->x), 0);
+    coinf_priv_add(&s->phi, &s->low[1], to->phi, 0);
+    coinf_priv_reduce(&s->phi, &s->low[1]);
+    const coinf_priv_sc ph = coinf_priv_pair(s->phi, s->low[1]);
+    const float sth = side * at.c, a = g->b.a;
+    coinf_priv_add(&s->x, &s->low[3], a * (sth * ph.s - from->sth * from->sph),
+                   0); /* (21) */
+    coinf_priv_add(&s->z, &s->low[4], a * (sth * ph.c - from->sth * from->cph),
+                   0); /* (21) */
+    s->wX = side * to->v;
+    s->wY = at.s * turn;
+    s->wZ = -sth * turn;
+    s->low[5] = s->low[6] = s->low[7] = 0;
+}
+
+/* Lays the coin flat as it moves. */
+static int32_t lay(struct settling *g)
+{
+    coinf_state *s = &g->s;
+    const float side = s->theta < 0 ? -1 : 1;
+    s->theta = side * COIN_PRIV_LAST_LEAN;
+    s->low[0] = 0;
+    s->wX = side * fabsf(s->wX);
+    s->wY = 0;
+    s->low[5] = s->low[6] = 0;
+    return COIN_RESTS;
+}
+
+/* The fall, or a part of the rise, of a coin whose contact has stopped.
+ * COIN_ESTEP, and nothing done, where a rise is not held. */
+COIN_PRIV_APART int32_t held(struct settling *g, const coinf_priv_variables *y)
+{
+    const coinf_priv_held_fall f = coinf_priv_fall_of(&g->l, y);
+    const int rises = f.v < 0;
+    const float whole = rises ? coinf_priv_rise_time(&f, &g->l, &g->b)
+                              : coinf_priv_fall_time(&f, &g->l, &g->b);
+    const int flat = !rises && whole <= g->rem;
+    const float time = whole < g->rem ? whole : g->rem;
+    const struct settling before = *g;
+    coinf_priv_held_fall to = f;
+    coinf_priv_fall_by(&to, &g->l, &g->b, time);
+    if (flat)
+        to.x = 0;
+    put(g, y, &f, &to);
+    pass(g, time);
+    if (flat)
+        return lay(g);
+    const coinf_priv_variables at = coinf_priv_variables_at(&g->s);
+    if (!rises || coinf_priv_held(&g->l, &g->b, &at, STOPPED))
+        return COIN_OK;
+    *g = before;
+    return COIN_ESTEP;
+}
+
+/* Lays a coin that is so flat and slow that it will not rise again, by the
+ * losses that never stop the contact: (t0 - t)^2 is as its energy.  0, and
+ * nothing done, where it is not, or the time is over before. */
+COIN_PRIV_APART int end(struct settling *g, const coinf_priv_variables *y)
+{
+    const float Mgac = g->b.Mga * y->cth;
+    const float E =
+        (g->l.J * y->wX * y->wX + g->l.IX * y->wY * y->wY) / 2 + Mgac;
+    if (!(y->cth < END && E < 5 * Mgac))
+        return 0;
+    const float power = coinf_priv_slow(&g->l, y).power;
+    if (!(2 * E * y->cth <= power * g->rem))
+        return 0;
+    pass(g, 2 * E * y->cth / power);
+    return 1;
+}
+
+/* Moves the coin until the time is over, or it rests, or a step fails or is one
+ * too many. */
+static int32_t approach(struct settling *g)
+{
+    for (int32_t steps = 0; g->rem > 0; ++steps) {
+        const coinf_priv_variables y = coinf_priv_variables_at(&g->s);
+        if (y.cth < FLAT || end(g, &y))
+            return lay(g);
+        if (coinf_priv_held(&g->l, &g->b, &y, STOPPED)) {
+            const int32_t status = held(g, &y);
+            if (status == COIN_RESTS)
+                return status;
+            if (status == COIN_OK)
+                continue;
+        }
+        const float full = longest(g, &y);
+        const float dt = full < g->rem ? full : g->rem;
+        if (steps == STEPS_MAX || !step(g, &y, dt))
+            return COIN_ESTEP;
+        pass(g, dt);
+    }
+    return COIN_OK;
+}
+
+int32_t coinf_settle(coinf_state *s, const coinf_params *p,
+                     const coinf_losses *l, float t, float tol, float *reached)
+{
+    struct settling g;
+    if (!s || !p || !l || !(tol >= 1e-6f && tol <= 1e-2f))
+        return COIN_EARG;
+    if (coinf_losses_check(l, p) != COIN_OK)
+        return COIN_EPARAMS;
+    int32_t status = coinf_priv_check(s, p, &g.b);
+    if (status != COIN_OK)
+        return status;
+    if (!(t >= 0 && t * sqrtf(g.b.g_a) <= TOO_LONG))
+        return COIN_ESTEP;
+    const float stride = STRIDE * sqrtf(sqrtf(tol));
+    const float most = coinf_priv_coarse_limit(COIN_RK4);
+    g.s = *s;
+    g.rem = t;
+    g.rem_low = 0;
+    g.stride = stride < most ? stride : most;
+    (void)coinf_priv_losses_of(&g.l, l, &g.b);
+    status = coinf_priv_rests(s) ? COIN_RESTS : approach(&g);
+    /* A fall of a body that floats hardly hold may be too fast for them. */
+    const int lost = coinf_priv_check_state(&g.s, &g.b) != COIN_OK;
+    if (!lost)
+        *s = g.s;
+    if (reached)
+        *reached = lost ? 0 : t - g.rem;
+    return lost ? COIN_ESTEP : status;
+}

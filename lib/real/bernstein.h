@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* Polynomials on [0, 1] in Bernstein's form: sums of b_k C(n, k) x^k (1 -
+ * x)^(n - k).  A polynomial lies between the least and the largest of its
+ * numbers b, and has at most as many zeros as these change sign (Descartes). */
+#ifndef ROLLCOIN_BERNSTEIN_H
+#define ROLLCOIN_BERNSTEIN_H
+
+#include "force.h"
+
+/* What two series of that order join to; and the degree of its square. */
+#define COIN_PRIV_JOINED (2 * COIN_PRIV_FORCE_ORDER + 1)
+#define COIN_PRIV_SQUARED (2 * COIN_PRIV_JOINED)
+
+/* The polynomial of degree COIN_PRIV_JOINED that has these terms at 0 and at 1;
+ * the series are in powers of x/h (Hermite). */
+void coin_priv_join(double *b, const double *begin, const double *end,
+                    double h);
+
+/* x^2 + y^2 - z^2, of degree COIN_PRIV_SQUARED, of three of degree
+ * COIN_PRIV_JOINED. */
+void coin_priv_cone(double *b, const double *x, const double *y,
+                    const double *z);
+
+double coin_priv_value(const double *b, int degree, double x);
+
+/* The first place beyond `from` where the polynomial becomes positive, as far
+ * as two zeros next to each other are 2^-13 apart; 2 if there is none. */
+double coin_priv_rise(const double *b, int degree, double from);
+
+#endif

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "force.h"
+
+enum { ORDER = COIN_PRIV_FORCE_ORDER, TERMS = COIN_PRIV_FORCE_TERMS };
+
+/* The series of the variables, with one term more, and of their products in
+ * (32). */
+struct series {
+    double X[TERMS + 1], Y[TERMS + 1], Z[TERMS + 1];
+    double s[TERMS + 1], c[TERMS + 1];
+    double cX[TERMS + 1], sX[TERMS + 1], cZ[TERMS], sY[TERMS];
+    double down[TERMS], up[TERMS]; /* the factors of wY in wX*, of wX in wY* */
+};
+
+/* Term k of a product.  The latest terms, which are waited for, are added
+ * last. */
+COIN_PRIV_INLINE double product(const double *a, const double *b, int k)
+{
+    double sum = 0;
+#pragma GCC unroll 8
+    for (int i = 1; i < k; ++i)
+        sum += a[i] * b[k - i];
+    return k == 0 ? a[0] * b[0] : sum + (a[0] * b[k] + a[k] * b[0]);
+}
+
+/* Terms k of the products, and k + 1 of the variables. */
+COIN_PRIV_INLINE void next_terms(struct series *w, coin_priv_force *out,
+                                 const coin_priv_field *f, int k)
+{
+    const double part = 1.0 / (k + 1);
+    w->cX[k] = product(w->c, w->X, k);
+    w->sX[k] = product(w->s, w->X, k);
+    w->cZ[k] = product(w->c, w->Z, k);
+    w->sY[k] = product(w->s, w->Y, k);
+    w->down[k] = f->KJ * w->cZ[k] + f->XJ * w->sY[k];
+    w->up[k] = w->sY[k] + f->k1 * w->cZ[k];
+    const double cXY = product(w->Y, w->cX, k);
+    const double fall = f->GJ * product(w->s, w->c, k);
+    /* clang-format off */
+    w->X[k + 1] = part * (fall - product(w->Y, w->down, k));    /* (32) */
+    w->Y[k + 1] = part * product(w->X, w->up, k);               /* (32) */
+    w->Z[k + 1] = part * (f->k2 * cXY);                         /* (32) */
+    w->s[k + 1] = part * product(w->c, w->cX, k);               /* (32) */
+    w->c[k + 1] = -part * product(w->c, w->sX, k);              /* (32) */
+    /* clang-format on */
+    out->along[k] = cXY;
+    out->across[k] = product(w->Y, w->Z, k);
+    out->cth[k] = w->c[k];
+}
+
+void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
+                        const coin_priv_variables *y, double unit)
+{
+    const double g_a = unit * unit * b->g_a, share = b->IZ / b->K;
+    const coin_priv_field f = {
+        unit, unit * unit * b->GJ, b->KJ, b->XJ, b->k1, b->k2,
+    };
+    struct series w;
+    w.X[0] = unit * y->wX;
+    w.Y[0] = unit * y->wY;
+    w.Z[0] = unit * y->wZ;
+    w.s[0] = y->sth;
+    w.c[0] = y->cth;
+#pragma GCC unroll 8
+    for (int k = 0; k < TERMS; ++k)
+        next_terms(&w, out, &f, k);
+    w.cX[TERMS] = product(w.c, w.X, TERMS);
+    w.sX[TERMS] = product(w.s, w.X, TERMS);
+    for (int k = 0; k < TERMS; ++k) {
+        out->along[k] *= share;                                /* (87) */
+        out->across[k] += (k + 1) * w.cX[k + 1];               /* (87) */
+        out->normal[k] = g_a * w.c[k] - (k + 1) * w.sX[k + 1]; /* (87) */
+    }
+}

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/* A move by any time: steps in tau until the time left is short, then one step
+ * in t. */
+#ifndef ROLLCOIN_ADVANCE_H
+#define ROLLCOIN_ADVANCE_H
+
+#include "extrapolation.h"
+#include "sundman.h"
+
+/* Natural units of time beyond which a step would change nothing of t. */
+#define COIN_PRIV_TOO_LONG 1e15
+
+/* The most steps of a call: 0.2 s. */
+#define COIN_PRIV_STEPS_MAX (UINT64_C(1) << 20)
+
+/* |rem| W below which one step in t lands, in units of tol^(1/8) for RK8 and of
+ * tol^(3/16) for RK4: measured so that its error stays below tol/10. */
+#define COIN_PRIV_LAST_RK8 1.6
+#define COIN_PRIV_LAST_RK4 0.6
+
+/* A step is STRIDE tol^(1/14) over the rate, at most LONGEST: measured so that
+ * its error stays below tol per natural unit of time (docs/accuracy.md). */
+#define COIN_PRIV_STRIDE 3.0
+#define COIN_PRIV_LONGEST 1.65
+
+/* How far a call may step. */
+typedef struct coin_priv_reach {
+    double stride;   /* in tau, over the rate */
+    double rk8, rk4; /* in t, times W */
+} coin_priv_reach;
+
+/* tol^(1/14) of x = tol^(1/16): x^(8/7) within 0.6 % from tol = 1e-14 up. */
+COIN_PRIV_INLINE double coin_priv_root14(double x)
+{
+    return (0.2127 * x + 0.8261) * x - 0.014;
+}
+
+COIN_PRIV_INLINE coin_priv_reach coin_priv_reach_of(double tol)
+{
+    const double r8 = sqrt(sqrt(sqrt(tol))), r16 = sqrt(r8);
+    const double stride = COIN_PRIV_STRIDE * coin_priv_root14(r16);
+    const coin_priv_reach r = {
+        stride < COIN_PRIV_LONGEST ? stride : COIN_PRIV_LONGEST,
+        COIN_PRIV_LAST_RK8 * r8,
+        COIN_PRIV_LAST_RK4 * r8 * r16,
+    };
+    return r;
+}
+
+/* The tau that the time rem takes from here: t = c0 tau + ... reversed to
+ * third order, with the derivatives c1, c2 of cos theta by t.  (54) */
+COIN_PRIV_INLINE double coin_priv_tau_of(const coin_priv_body *b,
+                                         const coin_priv_variables *y,
+                                         double rem)
+{
+    const coin_priv_field f = coin_priv_field_of(b, 1);
+    const double c = y->cth, r = rem / c;
+    const double dwX = coin_priv_sundman_rates(&f, y).wX / c;
+    const double c1 = -y->sth * y->wX * r; /* times r, r^2: without unit */
+    const double c2 = (-c * y->wX * y->wX - y->sth * dwX) * r * r;
+    return r * (1 - c1 / 2 + (2 * c1 * c1 - c * c2) / 6);
+}
+
+/* The next step in tau: a full one, or what lands on rem if that is less.  The
+ * series holds for a step or so; what it gives beyond is not trusted. */
+COIN_PRIV_INLINE double coin_priv_next_tau(const coin_priv_body *b,
+                                           const coin_priv_variables *y,
+                                           double stride, double rem)
+{
+    const double side = rem < 0 ? -1 : 1;
+    const double full = coin_priv_sundman_tau(b, y, stride);
+    if (!(fabs(rem) < 2 * full * y->cth))
+        return side * full;
+    const double tau = coin_priv_tau_of(b, y, rem);
+    return fabs(tau) < full ? tau : side * full;
+}
+
+/* The square of what is to be compared with a reach in t. */
+COIN_PRIV_INLINE double coin_priv_left2(const coin_priv_run *r, double rem)
+{
+    return rem * rem * coin_priv_rate2(r->b.g_a, &r->g.y);
+}
+
+/* Whether one step in t lands. */
+COIN_PRIV_INLINE int coin_priv_lands(const coin_priv_run *r,
+                                     const coin_priv_reach *reach, double rem)
+{
+    return coin_priv_left2(r, rem) <= reach->rk8 * reach->rk8;
+}
+
+/* A step of tau; each time that one goes too far the next may go only half as
+ * far: however bad the series, that ends.  *r is untouched if the coin is flat,
+ * or the step fails or is one too many. */
+COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r, double tau,
+                                              double *stride,
+                                              coin_priv_sum *rem)
+{
+    const double before = rem->sum;
+    if (r->g.y.cth < COIN_PRIV_FLAT)
+        return COIN_EFLAT;
+    if (r->steps == COIN_PRIV_STEPS_MAX)
+        return COIN_ESTEP;
+    r->g.added.t = 0;
+    if (!coin_priv_extrapolate(r, tau))
+        return COIN_ESTEP;
+    coin_priv_add(rem, -r->g.added.t);
+    if ((rem->sum < 0) != (before < 0))
+        *stride /= 2;
+    return COIN_OK;
+}
+
+/* The last bit of the way, in t. */
+COIN_PRIV_INLINE int32_t coin_priv_land(coin_priv_run *r,
+                                        const coin_priv_reach *reach,
+                                        coin_priv_sum *rem)
+{
+    if (rem->sum == 0)
+        return COIN_OK;
+    const uint64_t before = r->steps;
+    r->dt = rem->sum;
+    if (coin_priv_left2(r, rem->sum) <= reach->rk4 * reach->rk4)
+        coin_priv_rk4(r, 1);
+    else
+        coin_priv_rk8(r, 1);
+    if (r->steps == before)
+        return COIN_ESTEP;
+    rem->sum = 0;
+    return COIN_OK;
+}
+
+/* Ends a call that was to move *s by t, of which rem is left.  A path so long
+ * that x or z overflowed counts as none, as in a run. */
+COIN_PRIV_INLINE int32_t coin_priv_arrive(coin_state *s, const coin_priv_run *r,
+                                          int32_t status, double t, double rem,
+                                          double *reached)
+{
+    const coin_state end = coin_priv_run_state(r);
+    const int lost = !coin_priv_pose_holds(&end);
+    if (!lost)
+        coin_priv_copy_state(s, &end);
+    if (reached)
+        *reached = lost ? 0 : t - rem;
+    return lost ? COIN_ESTEP : status;
+}
+
+#endif

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+#
+# What `make install` puts where: included by the Makefile, which names the
+# folders.
+#
+#   make install URL=https://...    a home page, for rollcoin.pc
+#   make install HWCAPS=1           also for newer x86-64 processors, below
+#   make install LDCONFIG=:         without telling the dynamic linker
+
+URL ?=
+
+# ------------------------------------------------------------------- files made
+# Folders below the prefix are written relative to it, so that the whole can be
+# moved: by pkg-config's --define-prefix, and for CMake by nothing else.
+below = $(patsubst $(PREFIX),$2,$(patsubst $(PREFIX)/%,$2/%,$1))
+none  :=
+blank := $(none) $(none)
+
+# From CMAKEDIR up to the prefix, or the prefix itself if it lies elsewhere.
+UP    = $(subst $(blank),/,$(foreach part,$(subst /, ,$1),..))
+CMAKE_PREFIX = $(if $(filter $(PREFIX)/%,$(CMAKEDIR)),$${CMAKE_CURRENT_LIST_DIR}/$(call \
+               UP,$(patsubst $(PREFIX)/%,%,$(CMAKEDIR))),$(PREFIX))
+
+FILL = sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' \
+           -e 's|@URL@|$(URL)|' -e '/^URL: $$/d' \
+           -e 's|@EXEC_PREFIX@|$(call below,$(EXEC_PREFIX),$${prefix})|' \
+           -e 's|@LIBDIR@|$(call below,$(LIBDIR),$${prefix})|' \
+           -e 's|@INCLUDEDIR@|$(call below,$(INCLUDEDIR),$${prefix})|' \
+           -e 's|@RUNDIR@|$(call below,$(RUNDIR),$${prefix})|' \
+           -e 's|@CMAKE_PREFIX@|$(CMAKE_PREFIX)|' \
+           -e 's|@SOVERSION@|$(SOVERSION)|' \
+           -e 's|@SHARED@|$(REAL_SO)|' -e 's|@IMPORT@|$(IMPORT)|'
+
+CMAKE_FILES := rollcoin-config.cmake rollcoin-config-version.cmake
+GENERATED   := $(addprefix $(O)/,rollcoin.pc rollcoin.3 $(CMAKE_FILES))
+all: $(GENERATED)
+
+$(O)/rollcoin.pc: $(SRC)/pkgconfig/rollcoin.pc.in force | $(O)
+	$(FILL) $< >$@.new
+	$(if_new)
+
+$(addprefix $(O)/,$(CMAKE_FILES)): $(O)/%: $(SRC)/pkgconfig/cmake/%.in force | $(O)
+	$(FILL) $< >$@.new
+	$(if_new)
+
+# A manual page from the groups of coin.h; date is GNU's or BSD's.
+$(O)/rollcoin.3: $(SRC)/lib/about/man.awk $(SRC)/include/coin.h | $(O)
+	export LC_ALL=C && date=$$(date -u -d @$(EPOCH) +%F 2>/dev/null || \
+	    date -u -r $(EPOCH) +%F) && awk -v version=$(VERSION) \
+	    -v date=$$date -v docs=$(DOCDIR) -f $^ >$@
+
+# ------------------------------------------------------ newer x86-64 processors
+# With HWCAPS=1 the shared library once more for each level, from which the
+# dynamic linker of glibc takes the best that the processor has.  The flags that
+# pin the bits come after -march.
+LEVELS := $(if $(HWCAPS),x86-64-v3 x86-64-v4)
+$(if $(HWCAPS),$(if $(findstring linux,$(filter x86_64-%,$(TARGET))),,\
+    $(error HWCAPS is for Linux on x86-64, not for $(TARGET))))
+
+$(LEVELS:%=$(O)/hwcaps/%/$(REAL_SO)): $(O)/hwcaps/%/$(REAL_SO): force
+	+$(AGAIN) O=$(O)/hwcaps/$* CFLAGS='$(CFLAGS) -march=$*' HWCAPS= $@
+
+# ------------------------------------------------------------ places, and files
+# install puts the files of a place there, uninstall removes just these.
+DOCS   := $(SRC)/docs
+PLACES := $(INCLUDEDIR) $(LIBDIR) $(RUNDIR) $(PKGCONFIGDIR) $(CMAKEDIR) \
+          $(MANDIR)/man3 $(DOCDIR) $(DOCDIR)/docs $(DOCDIR)/docs/figures \
+          $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%)
+
+in.$(INCLUDEDIR)   = $(SRC)/include/coin.h $(SRC)/include/coinf.h
+in.$(PKGCONFIGDIR) = $(O)/rollcoin.pc
+in.$(CMAKEDIR)     = $(addprefix $(O)/,$(CMAKE_FILES))
+in.$(MANDIR)/man3  = $(O)/rollcoin.3
+in.$(DOCDIR)       = $(addprefix $(SRC)/,README.md CHANGELOG.md LICENSE)
+in.$(DOCDIR)/docs  = $(wildcard $(DOCS)/*.md)
+in.$(DOCDIR)/docs/figures = $(wildcard $(DOCS)/figures/*.svg $(DOCS)/figures/*.png)
+in.$(LIBDIR)       = $(LIB_A) $(addprefix $(O)/,$(IMPORT))
+in.$(RUNDIR)      += $(O)/$(REAL_SO)
+$(foreach level,$(LEVELS),\
+    $(eval in.$(LIBDIR)/glibc-hwcaps/$(level) = $(O)/hwcaps/$(level)/$(REAL_SO)))
+
+# Folders, each with a shared library and its links.
+WITH_LINKS = $(addprefix $(DESTDIR),$(RUNDIR) $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%))
+
+# Lines of a recipe, one for each place.
+define put
+$(INSTALL) -d $(DESTDIR)$1
+$(INSTALL) -m 644 $(in.$1) $(DESTDIR)$1
+
+endef
+define take
+rm -f $(addprefix $(DESTDIR)$1/,$(notdir $(in.$1)))
+
+endef
+
+# The system's dynamic linker knows what is new after ldconfig; below DESTDIR
+# there is no system, and who is not root cannot tell it.
+TELL_LINKER = test -n '$(DESTDIR)' || test "$$(id -u)" != 0 || \
+              ! command -v $(LDCONFIG) >/dev/null || $(LDCONFIG)
+
+.PHONY: install uninstall
+install: $(LIB_A) $(LIB_SO) $(GENERATED) $(LEVELS:%=$(O)/hwcaps/%/$(REAL_SO)) ## to PREFIX, below DESTDIR if that is set
+	$(foreach place,$(sort $(PLACES)),$(call put,$(place)))
+	for folder in $(WITH_LINKS); do for link in $(SO_LINKS); do \
+	    ln -sf $(REAL_SO) $$folder/$$link; done; done
+	$(TELL_LINKER)
+
+uninstall: ## remove what install put there
+	$(foreach place,$(sort $(PLACES)),$(call take,$(place)))
+	for folder in $(WITH_LINKS); do for link in $(SO_LINKS); do \
+	    rm -f $$folder/$$link; done; done
+	-rmdir $(addprefix $(DESTDIR),$(CMAKEDIR) $(DOCDIR)/docs/figures \
+	    $(DOCDIR)/docs $(DOCDIR) $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%)) \
+	    2>/dev/null
+	$(TELL_LINKER)

@@ -1,0 +1,938 @@
+/* SPDX-License-Identifier: MIT */
+/** @file coin.h
+ * librollcoin: the motion of a coin that rolls without slipping on a table.
+ *
+ * This header is the whole public API and its reference documentation.
+ * Equation numbers, such as Eq. (14), are those of docs/physics.md; make
+ * install puts docs/ into PREFIX/share/doc/rollcoin.
+ *
+ * FRAMES. Small letters x y z are the table's frame, y up.  Capital letters
+ * X Y Z are the coin's frame: origin at the centre, X horizontal in the
+ * coin's plane, Y up in its plane, Z along its axis.  theta is the lean (0 =
+ * upright, +-pi/2 = flat on the table), phi the heading about the vertical,
+ * psi the roll about the axis: the coin is turned by psi about z, then by
+ * theta about x, then by phi about y, all three fixed axes.
+ *
+ * UNITS. Angles are in radians; everything else is in any consistent set of
+ * units.  Dimensions stand in brackets: [M] mass, [L] length, [T] time, [1]
+ * none.  A natural unit of time is sqrt(radius/gravity): 35 ms for a US
+ * quarter.
+ *
+ * ARGUMENTS come in one order: the object acted on, the parameters, scalars,
+ * then outputs.  Every pointer must be valid and not null, except where a
+ * line says "may be null".  An output may be the same object as an input of
+ * the same type.
+ *
+ * STATUS. Functions return an int32_t: 0 is COIN_OK; a negative value is an
+ * error, and then every output and the state are exactly as before; a
+ * positive value means done, with warning bits.  Where several errors apply,
+ * the first of COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN
+ * is returned.  Functions that return a double return NaN on bad input.
+ * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
+ * coin_params_check() and COIN_ESTATE as coin_state_check().
+ *
+ * PROMISES. No allocation, no global state, no output, no errno: every function
+ * is reentrant and bounded in time and stack.  What moves a state gives the
+ * same bits on every platform and compiler (see coin_selftest()).
+ *
+ * FLOATING POINT. No function changes the rounding mode or the traps.  A call
+ * that does not return COIN_EARG, COIN_EPARAMS, COIN_ESTATE or COIN_ESTEP, or
+ * NaN, raises neither division by zero nor invalid nor overflow, so that it may
+ * be made with these trapped (test_traps).  Inexact and underflow may be
+ * raised.  clang keeps this promise only with -ffp-exception-behavior=maytrap,
+ * as the Makefile passes it: otherwise it may compute what a branch then drops.
+ *
+ * ACCURACY. "u" is 2^-53 = 1.1e-16.  "8 u of the terms" bounds an error by 8 u
+ * times the sum of the absolute values of the formula's terms, theta taken as
+ * the exact double that it is.  Bounds hold as long as none of the terms, and
+ * no product in them, is below the normal doubles (2e-308).
+ */
+#ifndef ROLLCOIN_COIN_H
+#define ROLLCOIN_COIN_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define COIN_VERSION_MAJOR 0
+#define COIN_VERSION_MINOR 1
+#define COIN_VERSION_PATCH 0
+
+/* Define COIN_API (empty, or to your own linkage) before including this file
+ * to embed the sources in a program that must not export them. */
+#ifndef COIN_API
+#if defined(_WIN32) && defined(COIN_BUILD)
+#define COIN_API __declspec(dllexport)
+#elif defined(__GNUC__)
+#define COIN_API __attribute__((visibility("default")))
+#else
+#define COIN_API
+#endif
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---------------------------------------------------------------- types -- */
+
+/** A thin axisymmetric body.  Fill it by coin_params_disc(), _ring() or
+ * _body(); every member may be read, and written at your own risk. */
+typedef struct coin_params {
+    double mass;        /**< M, > 0 [M] */
+    double radius;      /**< a, of the rim that rolls, > 0 [L] */
+    double gravity;     /**< g, > 0 [L/T^2] */
+    double inertia_X;   /**< I_X = I_Y, about a diameter, > 0 [M L^2] */
+    double inertia_Z;   /**< I_Z, about the axis, > 0, <= 2 I_X [M L^2] */
+    double reserved[3]; /**< must be 0 */
+} coin_params;
+
+/** Where a coin is and how it turns.  The angular velocity is that of the
+ * body, resolved along the coin's frame.  The height of the centre is implied:
+ * y = radius cos(theta); so is its velocity, by rolling: Eq. (20). */
+typedef struct coin_state {
+    double theta; /**< lean, -pi/2 < theta < pi/2 [rad] */
+    double phi;   /**< heading, |phi| <= 2^31 [rad] */
+    double psi;   /**< roll, |psi| <= 2^31 [rad] */
+    double x;     /**< of the centre [L] */
+    double z;     /**< of the centre [L] */
+    double wX;    /**< omega_X = d(theta)/dt [1/T] */
+    double wY;    /**< omega_Y [1/T] */
+    double wZ;    /**< omega_Z [1/T] */
+} coin_state;
+
+/** The force of the table on the coin. */
+typedef struct coin_force {
+    double R[3];     /**< in the table frame x, y, z [M L/T^2] */
+    double normal;   /**< N = R_y; <= 0 means a real coin would lift off */
+    double friction; /**< F = sqrt(R_x^2 + R_z^2) */
+    double ratio;    /**< F/N, the friction coefficient needed [1]; +infinity
+                          if N <= 0 */
+} coin_force;
+
+/** What slows a coin, and brings it to rest: each term an own law of
+ * resistance.  They add; a term of 0 is not there.  Eq. (64)-(69). */
+typedef struct coin_losses {
+    double damping; /**< alpha: a torque alpha |d(psi)/dt| times the angular
+                         momentum, component by component [1] */
+    double dry;     /**< contour friction: a torque against the roll of the
+                         contact along the rim, whatever its rate
+                         [M L^2/T^2] */
+    double viscous; /**< the same, as that rate [M L^2/T] */
+    double layer;   /**< the same, as its power 3/2: the boundary layer of the
+                         air [M L^2/T^(1/2)] */
+    double gap;     /**< the same, as that rate over cos(theta): the air in the
+                         gap below the coin [M L^2/T] */
+    double rolling; /**< the rolling moment of engines: as dry, times
+                         cos(theta) [M L^2/T^2] */
+    double spin;    /**< pivoting friction: a torque as the turn about the
+                         vertical [M L^2/T] */
+    double soft;    /**< the rate of roll below which dry and rolling fade
+                         [1/T]; 0 stands for sqrt(g/a)/1024, and less than
+                         2^-30 sqrt(g/a) for that */
+} coin_losses;
+
+/** A motion solved once, to be asked for any time: coin_orbit_init(),
+ * coin_orbit_at().  It holds half a period of theta, in pieces that are
+ * polynomials of time: 32 KiB.  It has no pointers, so that it may be copied,
+ * stored, and shared between threads and processes: only for the library that
+ * made it.  A library of another version, or on a machine of another byte
+ * order, returns COIN_EARG for it. */
+typedef struct coin_orbit {
+    double period;             /**< of theta; 0 if the motion is steady [T] */
+    double heading_per_period; /**< what phi gains in it [rad] */
+    double roll_per_period;    /**< what psi gains in it [rad] */
+    double theta_min;          /**< the turning points of the lean [rad] */
+    double theta_max;
+    double center[2];  /**< x, z of the centre of the annulus that the path
+                            of the centre of mass fills; NaN if it drifts
+                            [L] */
+    double radius_min; /**< of the annulus; NaN if it drifts [L] */
+    double radius_max;
+    double drift[2];          /**< x, z of the displacement per period, if
+                                   heading_per_period is a multiple of 2 pi to
+                                   rounding, and else 0 [L] */
+    double conditioning;      /**< how much a period amplifies rounding, >= 1:
+                                   1 + (J/2) |dT/dE| s^2/w.  Here T is the
+                                   period and w^2 = 2 E/J; s is the larger
+                                   |d(wX)/dt| of the two turning points, at
+                                   most w^2 [1] */
+    double reserved[26];      /**< 0: room for what a later version adds */
+    double private_frame[32]; /**< this and what follows: the library's */
+    double private_edges[48];
+    double private_centers[42];
+    double private_terms[3780];
+    double private_spare[156]; /**< 0 */
+} coin_orbit;
+
+/** Status: 0, or negative = error.  Numbers never change meaning. */
+enum {
+    COIN_OK = 0,       /**< done */
+    COIN_EPARAMS = -1, /**< parameters out of range: coin_params_check() */
+    COIN_ESTATE = -2,  /**< state out of range: coin_state_check() */
+    COIN_ESTEP = -3,   /**< a step or a time that is not finite or too long.  A
+                            step is too long beyond the method's limit, if it
+                            would cross the table, or if it turns lean or
+                            heading by more than 1.5 rad: shorten dt, or call
+                            coin_advance().  A time is too long if phi, psi, x
+                            or z would leave its range: take whole turns off,
+                            or begin anew.  It is also too long if one
+                            coin_advance() does not have steps enough: call it
+                            again */
+    COIN_EARG = -4,    /**< null pointer, unknown method or branch, bad
+                            tolerance, mu < 0 */
+    COIN_EDOMAIN = -5, /**< no such steady motion, or the state is not steady,
+                            or too far from it for a small wobble, or its
+                            motion has no well-defined period */
+    COIN_EFLAT = -6,   /**< the coin falls flat within the time asked */
+    COIN_EBUILD = -7   /**< this build does not give the pinned bits:
+                            coin_selftest() */
+};
+
+/** Status: positive = done, with these warning bits. */
+enum {
+    COIN_SLIPS = 1,      /**< N > 0 and F > mu N: a real coin slips */
+    COIN_LIFTS = 2,      /**< N <= 0: a real coin lifts off */
+    COIN_COARSE = 4,     /**< |dt| W is beyond the method's limit of full
+                              accuracy: 0.35 for COIN_RK4, 1 for COIN_RK8, 0.08
+                              and 0.16 for the symplectic methods.  W, Eq. (47),
+                              is sqrt((wX^2 + wY^2)/cos^2 theta + wZ^2 +
+                              g/(a cos theta)) */
+    COIN_NEARLY_FLAT = 8 /**< cos(theta) < 0.01 */
+};
+
+/** Status: positive, and no warning: never combined with the bits above. */
+enum {
+    COIN_RESTS = 16 /**< done: the coin lies flat */
+};
+
+/** Methods of integration. */
+enum {
+    COIN_RK4 = 0,         /**< classical Runge-Kutta, order 4 */
+    COIN_RK8 = 1,         /**< Dormand-Prince, 12 stages, order 8 */
+    COIN_SYMPLECTIC2 = 2, /**< kick-drift-kick with the exact drift, order 2 */
+    COIN_SYMPLECTIC4 = 3  /**< Chin 4A with the exact drift, order 4 */
+};
+
+/** Models of a motion, from the cheapest on: coin_model_needed(). */
+enum {
+    COIN_MODEL_STEADY = 0, /**< a steady motion: coin_steady_at() */
+    COIN_MODEL_WOBBLE = 1, /**< a small swing about one: coin_wobble_at() */
+    COIN_MODEL_ORBIT = 2,  /**< one period, solved: coin_orbit_at() */
+    COIN_MODEL_STEPS = 3   /**< steps */
+};
+
+/* ----------------------------------------------------------- parameters -- */
+
+/** A uniform thin disc: I_X = M a^2/4, I_Z = M a^2/2.  Eq. (29).
+ * @param[out] p   the parameters, reserved members 0
+ * @param mass     M, > 0 [M]
+ * @param radius   a, > 0 [L]
+ * @param gravity  g, > 0 [L/T^2]
+ * @return COIN_OK; COIN_EARG null p; COIN_EPARAMS as coin_params_check(). */
+COIN_API int32_t coin_params_disc(coin_params *p, double mass, double radius,
+                                  double gravity);
+
+/** A thin ring: I_X = M (a^2 + b^2)/4, I_Z = 2 I_X.  Eq. (29).
+ * @param inner_radius  b, 0 (a disc) to radius (a hoop) inclusive [L]
+ * @return as coin_params_disc(); COIN_EPARAMS also if b is out of range. */
+COIN_API int32_t coin_params_ring(coin_params *p, double mass, double radius,
+                                  double inner_radius, double gravity);
+
+/** Any thin axisymmetric body.
+ * @param inertia_X  I_X about a diameter, > 0 [M L^2]
+ * @param inertia_Z  I_Z about the axis, > 0 and <= 2 I_X [M L^2]
+ * @return as coin_params_disc(). */
+COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
+                                  double gravity, double inertia_X,
+                                  double inertia_Z);
+
+/** Whether the parameters can be computed with.
+ * @return COIN_OK; COIN_EARG null; COIN_EPARAMS if a member is not finite or
+ *         not positive, a reserved member is not 0, I_Z > 2 I_X (beyond a
+ *         relative 1e-12: no body has that), or if of these numbers, in the
+ *         units of p, one is below 1e-300 or the sum is above 1e300: M, a, g,
+ *         I_X, I_Z, M a, M g, M a^2, M g a, g/a; with J = I_X + M a^2 and
+ *         K = I_Z + M a^2 the ratios I_Z/I_X, M a^2/K, I_X/J, K/J, M g a/J;
+ *         the square of coin_critical_roll(). */
+COIN_API int32_t coin_params_check(const coin_params *p);
+
+/* ---------------------------------------------------------------- state -- */
+
+/** Whether a state can be computed with.
+ * @return COIN_OK; COIN_EARG null; COIN_EPARAMS; COIN_ESTATE if a member is
+ *         not finite, |theta| >= pi/2, |phi| or |psi| > 2^31 (their sine is
+ *         lost), or the angular velocity is so large that energies or forces
+ *         would overflow. */
+COIN_API int32_t coin_state_check(const coin_state *s, const coin_params *p);
+
+/** The state of a coin that an engine holds as a rotation and an angular
+ * velocity.  Eq. (7), (30).
+ * @param[out] s  the state; -pi < phi, psi <= pi
+ * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
+ * @param omega   [3] angular velocity in the table frame [1/T]
+ * @param x,z     the centre of mass [L]
+ * @return COIN_OK; the usual errors: COIN_ESTATE if q or omega is not finite,
+ *         q is 0, or the coin lies flat.
+ * Accuracy: 8 u in each angle for a unit q; near flat phi and psi are each as
+ * uncertain as u/cos(theta), their sum or difference is not (test_state). */
+COIN_API int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
+                                        const double q[4],
+                                        const double omega[3], double x,
+                                        double z);
+
+/** The angular velocity in the table frame.  Eq. (7).
+ * @param[out] omega  [3] along x, y, z [1/T]
+ * @return COIN_OK; the usual errors, and COIN_ESTATE if a component would
+ *         overflow.
+ * Accuracy: 8 u of the terms (test_pose). */
+COIN_API int32_t coin_angular_velocity(const coin_state *s, double omega[3]);
+
+/* ------------------------------------------------------------- stepping -- */
+
+/** One classical Runge-Kutta step of order 4: coin_run(s, p, COIN_RK4, dt, 1,
+ * null), with the same bits.  Eq. (14)-(20).
+ *
+ * A US quarter, leaning 0.3 rad, for one second:
+ * @code
+ * coin_params p;
+ * coin_state s = {0.3, 0, 0, 0, 0, 0, 5, 40};
+ * coin_params_disc(&p, 0.00567, 0.01213, 9.80665);
+ * for (int i = 0; i < 1000; ++i)
+ *     if (coin_step(&s, &p, 1e-3) < 0)
+ *         return 1;
+ * @endcode
+ * Cost: 1,050 instructions on a desktop, 0.6 of a textbook Runge-Kutta step.
+ *         More than half of them check the arguments and take sines and
+ *         cosines, which coin_run() does once for all of its steps.  On a
+ *         Cortex-M4F 800 bytes of stack. */
+COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
+
+/** Moves a coin by a number of fixed steps.
+ * @param[in,out] s   the state
+ * @param method      COIN_RK4, ...: coin_method_name()
+ * @param dt          the step, any finite value; < 0 runs backward [T]
+ * @param steps       how many; 0 changes nothing
+ * @param[out] done   how many were done; may be null
+ * @return COIN_OK; COIN_COARSE: all done, but a step began or ended with
+ *         |dt| W beyond the method's limit of full accuracy; the usual errors
+ *         and COIN_EARG for an unknown method, with *done untouched;
+ *         COIN_ESTEP if dt is not finite (*done untouched), or if a step is
+ *         refused.  s is then as after the *done steps before.
+ * A step is refused if |dt| W is beyond 1.2 (COIN_SYMPLECTIC2: 1,
+ * COIN_SYMPLECTIC4: 1.4) where it begins or ends; if it would lead through the
+ * table or out of the range of coin_state_check(); or if it turns lean or
+ * heading by more than 1.5 rad.  The symplectic methods also refuse a step
+ * that is coarse and whose drift the series of Eq. (34) does not reach.
+ *
+ * A step adds to theta, phi and psi what the method gives for their rates.
+ *
+ * A run of n steps is n runs of one step to rounding.  A caller who wants to
+ * stop a long run therefore calls with a part of the steps at a time.  Each
+ * further call changes the result by at most 8 u/cos(theta) in radians, radii
+ * and natural units of rate, before the motion's own amplification, for steps
+ * that are not coarse (COIN_RK4: |dt| W up to 0.2) (test_cuts).  coin_sample()
+ * reports states on the way and keeps the bits of one uninterrupted run.
+ * Accuracy: a step adds at most 0.1 (|dt| W)^5 radians and radii by COIN_RK4,
+ *         2e-4 (|dt| W)^9 by COIN_RK8, 0.6 (|dt| W)^3 by COIN_SYMPLECTIC2 and
+ *         0.04 (|dt| W)^5 by COIN_SYMPLECTIC4, and as much in parts of W in the
+ *         rates.  This is before the motion's own amplification, and for bodies
+ *         whose mass lies within the rim: I_X <= M a^2/2.  Rounding adds 4 u a
+ *         step, 4 u/cos(theta) by the symplectic methods, and at the end 16 u
+ *         of the pose (docs/limits.md).  As a rule errors are far smaller
+ *         (docs/guide.md).
+ * Cost: per call the checks and four sines and cosines; per 64 steps as many
+ *         sines and cosines again; the symplectic methods take two more for
+ *         each drift.  A step has no loop whose length depends on data, and no
+ *         branch but its guard. */
+COIN_API int32_t coin_run(coin_state *s, const coin_params *p, int32_t method,
+                          double dt, uint64_t steps, uint64_t *done);
+
+/** A trajectory in one call: out[k] is the state after k * steps_per_sample
+ * steps, out[0] = *start.  The samples lie on one uninterrupted run: out[k]
+ * has the bits of one coin_run() from *start, however often it is sampled.
+ * @param start             where to begin; may be an element of out
+ * @param steps_per_sample  steps between two samples
+ * @param count             how many samples out holds; 0 changes nothing
+ * @param[out] out          [count] states
+ * @param[out] done         how many samples were written; may be null
+ * @return as coin_run(); after COIN_ESTEP on the way out[0 .. *done-1] hold
+ *         the samples before the failing step, and the rest are untouched. */
+COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
+                             int32_t method, double dt,
+                             uint64_t steps_per_sample, size_t count,
+                             coin_state *out, size_t *done);
+
+/** coin_run() for many coins of one body, side by side in the processor's
+ * vectors.  Each coin gets the bits that coin_run() gives it.
+ * @param[in,out] s    [count] states
+ * @param count        how many; 0 is OK
+ * @param method       any; COIN_RK4 and COIN_RK8 use vectors
+ * @param[out] status  [count] what coin_run() returns for each; may be null
+ * @return COIN_EARG, COIN_EPARAMS: nothing was touched.  Else the status of the
+ *         first coin that failed, or all warnings together.  A coin that failed
+ *         is where its last good step left it, and the others go on.
+ * Cost: docs/accuracy.md.  A coin that comes near flat, or whose steps are
+ *         coarse, goes on by itself from there, at the cost of coin_run().
+ *         Coins that are alike gain most. */
+COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
+                                const coin_params *p, int32_t method, double dt,
+                                uint64_t steps, int32_t *status);
+
+/** Moves a coin by any time to a stated accuracy, however near to flat it
+ * passes.  Steps of order 14 by extrapolation, in Sundman's time, Eq. (32),
+ * with a length chosen from the state; one last step in t, Eq. (54).
+ * @param[in,out] s  the state
+ * @param t          the time, of either sign [T]
+ * @param tol        1e-13 to 1e-2: the error that the steps may add per natural
+ *                   unit of time, in radians and radii, before the motion's
+ *                   own amplification [1]
+ * @param[out] reached  the time moved: t, if no error is returned; may be null
+ * @return COIN_OK; the usual errors; COIN_EARG also for tol out of range.
+ *         COIN_ESTEP: t is not finite or is above 1e15 natural units (s and
+ *         *reached are untouched); or phi or psi leaves its range, or 2^20
+ *         steps were not enough: s is then as at *reached, and after so many
+ *         steps another call goes on from there.  COIN_EFLAT: the coin falls
+ *         flat, nearer than 1e-30 rad: s is the last state that a double can
+ *         hold before, *reached the time of impact.  A coin at rest, as
+ *         coin_settle() leaves it, is there: for t >= 0 *reached is 0.
+ * Accuracy: below tol per unit for all of 2000 random states over 4 units
+ *         (docs/accuracy.md).  Rounding adds about 1e-15 per unit.  Near flat
+ *         theta alone cannot hold cos(theta): each call that begins at a
+ *         distance d from flat loses u/d of it; within a call nothing is lost.
+ * Cost: proportional to |t|, and to 1/tol^(1/14).  A step costs 1.3 times one
+ *         of COIN_RK8.  A pass at a distance d from flat costs as much as
+ *         ln(1/d) more units.  Low bounces near flat pass often; a coin that
+ *         turns fast takes a step for every radian or so.  A call takes at most
+ *         2^20 steps, some 0.2 s: as a rule enough for 160,000 natural units
+ *         at the least tol. */
+COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
+                              double tol, double *reached);
+
+/** The largest step of a method whose error stays below tol, from this state
+ * on.  Found by trial.  The motion is followed through one period of theta, for
+ * 4 to 20 natural units.  Where it is at its worst, the method itself is tried
+ * with dt and with dt/2, and the states that both report are compared.
+ * @param tol  1e-13 to 1e-2: error per natural unit of time, in radians and
+ *             radii [1]
+ * @return dt > 0, never so large that a step would be COIN_COARSE.  0 if the
+ *         coin falls flat, or if no step would do: W exceeds every angular
+ *         velocity that coin_state_check() lets pass.  NaN on the usual errors,
+ *         an unknown method, or tol out of range.
+ * Accuracy: the error stays within 2 tol for discs and hoops that spin nearly
+ *         upright (test_max_dt).  docs/accuracy.md says how often it stays
+ *         within tol for random coins.
+ * Cost: that of a run of some hundreds of steps as a rule, and of 40,000 at
+ *         most. */
+COIN_API double coin_max_dt(const coin_state *s, const coin_params *p,
+                            int32_t method, double tol);
+
+/** A method's name, "rk4" for COIN_RK4; null if there is no such method. */
+COIN_API const char *coin_method_name(int32_t method);
+
+/** A method's order of convergence, 4 for COIN_RK4; COIN_EARG if there is no
+ * such method. */
+COIN_API int32_t coin_method_order(int32_t method);
+
+/* ---------------------------------------------------------- observables -- */
+
+/** The energy [M L^2/T^2], constant along every motion.  Eq. (23).
+ * @return E, 0 = at rest at the table's height; NaN on the usual errors.
+ * Accuracy: 8 u of E (test_energy). */
+COIN_API double coin_energy(const coin_state *s, const coin_params *p);
+
+/** The two linear integrals, constant along every motion: wY and wZ carried
+ * along the orbit to theta = 0.  Eq. (35), after Eq. (38) near flat.
+ * @param[out] K  [2] K_Y, K_Z [1/T]
+ * @return COIN_OK; the usual errors.
+ * Accuracy: 16 u of the terms of Eq. (35) at every |theta| < pi/2
+ * (test_integrals).  Near flat the terms grow as ln(1/cos theta).  Uses log of
+ * libm for |sin theta| > 0.7: the last bit may differ between platforms. */
+COIN_API int32_t coin_integrals(const coin_state *s, const coin_params *p,
+                                double K[2]);
+
+/** The force of the table on the coin.  Eq. (25)-(28).  The rolling model
+ * holds the coin to the table: N may come out negative, see COIN_LIFTS.
+ * @return COIN_OK; the usual errors.
+ * Accuracy: 12 u of the terms (test_reaction). */
+COIN_API int32_t coin_reaction(const coin_state *s, const coin_params *p,
+                               coin_force *out);
+
+/** The rates of change of every member.  Eq. (14)-(20).
+ * @param[out] out  d/dt of theta, phi, ... in the member of that name; it is
+ *                  not a state
+ * @return COIN_OK; the usual errors.
+ * Accuracy: 12 u of the terms (test_motion). */
+COIN_API int32_t coin_rates(const coin_state *s, const coin_params *p,
+                            coin_state *out);
+
+/** The centre of mass.
+ * @param[out] r  [3] x, y, z; y = radius cos(theta) [L]
+ * @return COIN_OK; the usual errors.  Accuracy: 4 u (test_pose). */
+COIN_API int32_t coin_center(const coin_state *s, const coin_params *p,
+                             double r[3]);
+
+/** The velocity of the centre of mass.  Eq. (20).
+ * @param[out] v  [3] along x, y, z [L/T]
+ * @return COIN_OK; the usual errors.  Accuracy: 8 u of the terms (test_pose).
+ */
+COIN_API int32_t coin_velocity(const coin_state *s, const coin_params *p,
+                               double v[3]);
+
+/** The point of contact, and how fast it moves along the table (the geometric
+ * point: the coin's own material there is at rest).  Eq. (21), (22).
+ * @param[out] r  [3] the point, y = 0 [L]
+ * @param[out] v  [3] its velocity, y = 0 [L/T]
+ * @return COIN_OK; the usual errors.  Accuracy: 8 u of the terms (test_pose).
+ */
+COIN_API int32_t coin_contact(const coin_state *s, const coin_params *p,
+                              double r[3], double v[3]);
+
+/** The coin's frame.  Eq. (7).
+ * @param[out] R  [9] rows e_X, e_Y, e_Z, each along x, y, z [1]
+ * @return COIN_OK; the usual errors.  Accuracy: 4 u (test_pose). */
+COIN_API int32_t coin_axes(const coin_state *s, double R[9]);
+
+/** The rotation of the body, the roll included.  Eq. (30).
+ * @param[out] q  [4] w, x, y, z, unit norm, body to table; continuous in the
+ *                angles, so q and -q both occur
+ * @return COIN_OK; the usual errors.  Accuracy: 4 u (test_pose). */
+COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
+
+/* ------------------------------------------------------------- validity -- */
+
+/** Whether the rolling model and a step hold for this state.  docs/guide.md
+ * says what to do about each bit.
+ * @param dt  the step in question, any finite value [T]
+ * @param mu  the friction coefficient, >= 0, may be +infinity [1]
+ * @return COIN_OK, or the bits COIN_SLIPS, COIN_LIFTS, COIN_COARSE,
+ *         COIN_NEARLY_FLAT; COIN_EARG also for an unknown method and mu < 0 or
+ *         NaN; the usual errors; COIN_ESTEP dt not finite.
+ * Cost: about one of coin_reaction(). */
+COIN_API int32_t coin_check(const coin_state *s, const coin_params *p,
+                            int32_t method, double dt, double mu);
+
+/* ---------------------------------------------------- games and engines -- */
+
+/** What a renderer loads: the pose as one matrix, body to table, the roll
+ * included.  Eq. (85).
+ * @param[out] m  [16] by columns, as OpenGL, Vulkan and three.js have them: the
+ *                body's three axes and its centre of mass, each with x, y, z
+ *                of the table and then 0, 0, 0, 1.  Element (row, column) is
+ *                m[4 * column + row] [1], the centre [L]
+ * @return COIN_OK; the usual errors.
+ * Accuracy: 8 u in the axes, 4 u in the centre's y; its x and z are those of
+ * the state (test_matrix). */
+COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
+                             double m[16]);
+
+/** coin_advance() that stops at the first moment from which a real coin would
+ * slip or lift off, or at which it is nearly flat.  Brief excursions within a
+ * step are found as well: from the forces at the ends of a step and their
+ * derivatives, Eq. (87), which bound the forces between.
+ * @param[in,out] s  the state
+ * @param t          the time, of either sign [T]
+ * @param tol        1e-13 to 1e-2: as for coin_advance(); and within how many
+ *                   natural units of time before s none of the bits holds [1]
+ * @param mu         the friction coefficient, >= 0, may be +infinity [1]
+ * @param bits       COIN_SLIPS, COIN_LIFTS, COIN_NEARLY_FLAT, or several,
+ *                   or-ed.  COIN_SLIPS alone does not stop where N <= 0
+ * @param[out] reached  the time moved; may be null
+ * @return COIN_OK: none of the bits held within t, *reached is t, and s has the
+ *         bits that coin_advance() gives it.  Positive: those of the bits that
+ *         hold in s, as coin_check() has them; *reached is the first moment at
+ *         which one was found to.  A bit that holds at the start is returned at
+ *         once, with *reached = 0.  COIN_EARG also for mu < 0 or NaN and for
+ *         bits = 0 or with any other bit; other errors and COIN_EFLAT as
+ *         coin_advance().
+ * Accuracy: no excursion by which F/N exceeds mu by 1e-6 of mu or more is
+ *         missed, wherever it lies (test_until).
+ * Cost: at most twice that of coin_advance() without an event; an event takes
+ *         that of some steps more.  Some 9 KiB of stack. */
+COIN_API int32_t coin_advance_until(coin_state *s, const coin_params *p,
+                                    double t, double tol, double mu,
+                                    int32_t bits, double *reached);
+
+/** How a coin that an engine holds rolls on once it touches the table, if the
+ * contact neither slips nor bounces: the angular momentum about the point of
+ * contact is kept.  Eq. (86).  A coin that rolls already stays as it is.
+ * @param[out] s  the state; -pi < phi, psi <= pi
+ * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
+ * @param omega   [3] angular velocity in the table frame, before [1/T]
+ * @param v       [3] velocity of the centre of mass, before.  It may point
+ *                away from the table: what is kept is the same [L/T]
+ * @param x,z     the centre of mass [L]
+ * @return COIN_OK; the usual errors: COIN_ESTATE as coin_state_from_motion(),
+ *         and if v is not finite or the rates would overflow.
+ * Accuracy: that of coin_state_from_motion(); 16 u of the terms in the rates,
+ *         for the angles that come out (test_landing). */
+COIN_API int32_t coin_state_from_landing(coin_state *s, const coin_params *p,
+                                         const double q[4],
+                                         const double omega[3],
+                                         const double v[3], double x, double z);
+
+/* -------------------------------------------------------- steady motion -- */
+
+/** Straight rolling, upright: theta = wX = wY = 0.
+ * @param[out] s  all 8 members, the pose 0
+ * @param wZ      the speed is radius |wZ|, along -x for wZ > 0 [1/T]
+ * @return COIN_OK; COIN_EARG; COIN_EPARAMS; COIN_ESTATE wZ not finite. */
+COIN_API int32_t coin_steady_roll(coin_state *s, const coin_params *p,
+                                  double wZ);
+
+/** Spinning with the centre at rest, leaning: wX = wZ = 0, wY > 0.  Needs no
+ * friction.  Eq. (42).
+ * @param theta  the lean, |theta| < pi/2 [rad]
+ * @return as coin_steady_roll(), COIN_ESTATE for theta. */
+COIN_API int32_t coin_steady_spin(coin_state *s, const coin_params *p,
+                                  double theta);
+
+/** Spinning upright about a diameter: theta = wX = wZ = 0.
+ * @param wY  any finite rate [1/T]
+ * @return as coin_steady_roll(). */
+COIN_API int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
+                                          double wY);
+
+/** Rolling along a circle at a constant lean.  Eq. (40), computed as Eq. (41)
+ * without cancellation.
+ * @param theta   the lean, 0 < |theta| < pi/2 [rad]
+ * @param wZ      any finite rate [1/T]
+ * @param branch  +1 or -1: the root f+ or f- of Eq. (40); the slow precession
+ *                (a large circle for small theta) is the root with
+ *                wY wZ theta > 0
+ * @return as coin_steady_roll(); COIN_EARG other branch; COIN_ESTATE also if
+ *         wY would overflow; COIN_EDOMAIN theta = 0, or wY beyond the smallest
+ *         doubles.
+ * Accuracy: 8 u in wY (test_steady). */
+COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
+                                    double theta, double wZ, int32_t branch);
+
+/** The steady motion nearest to a state: the one with the same two integrals,
+ * at the extremum of the potential that is nearest in lean.  Eq. (39), (48).
+ * @param[out] out  theta, wY, wZ; wX = 0; the pose is that of s
+ * @return COIN_OK; the usual errors; COIN_EDOMAIN if there is none: the coin
+ *         would fall flat on both sides, or the extremum is nearer than 1e-6 to
+ *         flat.
+ * It may be unstable: coin_stability().  Of two extrema closer to each other
+ * than 0.0005 cos(theta) both may be missed.
+ * Accuracy: *out is steady as coin_steady_radii() asks.  coin_integrals() of
+ *         *out are those of s to 64 u of their terms, and to what a change of
+ *         8 u/cos(theta) of the larger of |wY|, |wZ| in both rates makes of
+ *         them: near flat a double cannot hold the lean any closer
+ *         (test_steady_near).
+ * Cost: some 5 us, more near flat; a chain of series, 40 terms per radian. */
+COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
+                                  coin_state *out);
+
+/** The circles that the centre and the contact point of a steady motion
+ * follow.  Eq. (43).
+ * @param[out] center   R_G, of the centre of mass; +infinity if wY = 0 [L]
+ * @param[out] contact  R_C, of the contact point; likewise [L]
+ * @return COIN_OK; the usual errors; COIN_EDOMAIN if the state is not steady:
+ *         |wX| above 1e-9 of the largest of |wY|, |wZ|, sqrt(g/a), or the two
+ *         sides of Eq. (39) apart by more than 1e-9 of the largest of its
+ *         terms and M g a. */
+COIN_API int32_t coin_steady_radii(const coin_state *s, const coin_params *p,
+                                   double *center, double *contact);
+
+/** Linear stability of a steady motion.  Eq. (44).
+ * @param[out] lambda2  lambda^2 [1/T^2]: > 0, a small lean away from it grows
+ *                      as exp(sqrt(lambda^2) t); < 0, it oscillates with the
+ *                      period 2 pi/sqrt(-lambda^2); 0, critical (and stable in
+ *                      fact: docs/physics.md)
+ * @return as coin_steady_radii().
+ * Accuracy: 16 u of the terms (test_stability). */
+COIN_API int32_t coin_stability(const coin_state *s, const coin_params *p,
+                                double *lambda2);
+
+/** The rate |wZ| above which straight rolling is stable: sqrt(g/(3 a)) for a
+ * disc.  Eq. (45).  @return the rate [1/T]; NaN on bad parameters. */
+COIN_API double coin_critical_roll(const coin_params *p);
+
+/** The rate |wY| above which upright spinning is stable: sqrt(4 g/(5 a)) for a
+ * disc.  Eq. (46).  @return the rate [1/T]; NaN on bad parameters. */
+COIN_API double coin_critical_spin(const coin_params *p);
+
+/* ---------------------------------------------- motion without stepping -- */
+
+/** A steady motion at any time, in closed form: nothing is stepped.  Eq. (56).
+ * @param s         a steady state.  It may miss (39) by up to 1e-9; what that
+ *                  does to the motion is left out, and wX comes out 0
+ * @param t         the time, of either sign [T]
+ * @param[out] out  the state at t
+ * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or phi, psi, x
+ *         or z leaves its range; COIN_EDOMAIN as coin_steady_radii().
+ * Accuracy: 6 u of the angles turned, and as much of the path; then phi, psi, x
+ *         and z are rounded, as large as they are (test_steady_at).
+ * Cost: three sines and cosines. */
+COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
+                                double t, coin_state *out);
+
+/** A small wobble about a steady motion, in closed form.  It is linear in the
+ * differences between start and the steady motion.  Eq. (60)-(63).
+ * @param steady    the steady motion, of any pose
+ * @param start     the state at t = 0, near to it in lean and rates; the pose
+ *                  begins where start has it
+ * @param t         the time, of either sign [T]
+ * @param[out] out  the state after t
+ * @return COIN_OK; the usual errors.  COIN_ESTEP: t is not finite, or the
+ *         result is not a state: an unstable lean has grown to the table, or
+ *         phi or psi leaves its range.  COIN_EDOMAIN: steady is not steady, as
+ *         in coin_steady_radii(), or the wobble is not small.  It is not small
+ *         if the steady motion with the integrals of start leans more than 0.1
+ *         from steady, or if what the linear law leaves out of the acceleration
+ *         of the lean could displace it by half of its reach within t.  The
+ *         reach is how far the lean goes from the steady motion with the
+ *         integrals of start, plus the difference in lean between that motion
+ *         and steady.
+ * Accuracy: the lean stays in the well of the potential, and is never off by
+ *         more than three times its reach (test_wobble_wells).  Let A be the
+ *         largest of the reach and of the differences from both steady motions,
+ *         in natural units, over cos(theta), and W that of Eq. (47).  The error
+ *         is of order A^2 in all members, and grows as t.  For I_X <= M a^2 and
+ *         lambda^2 < 0 it is below 30 A^2 (1 + |t| W) times the larger of 1 and
+ *         W^2/|lambda^2| (make adversary).  Where the lean grows as
+ *         exp(lambda t), A is what it has grown to (test_wobble).
+ *         docs/models.md has figures.
+ * Cost: that of ten sines and cosines, whatever t is. */
+COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
+                                const coin_state *start, double t,
+                                coin_state *out);
+
+/** Solves a motion for all times: half a period of theta, between its turning
+ * points, by power series.  Mirror and period give the rest.  Eq. (55), (57).
+ * @param[out] o  the orbit
+ * @return COIN_OK; the usual errors; COIN_EDOMAIN if the motion has no
+ *         well-defined period: it is an unstable steady motion; or it is so
+ *         close to a separatrix that conditioning is 1e12 or more; or it comes
+ *         so close to flat that the pieces of an orbit do not suffice.  Of
+ *         motions that come no closer to flat than 1e-6 rad less than 1 in 100
+ *         is refused, unless they come so close on both sides and start there.
+ *         Closer than 1e-9 rad all are refused.
+ * A stable steady motion is an orbit too, of period 0.  So is an unstable one
+ * that is upright to the bit; any other would leave itself by its own rounding.
+ * Accuracy: period, heading and roll per period to 1e-15 of conditioning,
+ *         relative to the larger of them and 1 (test_orbit).
+ * Cost: docs/models.md; some 46 KiB of stack. */
+COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
+                                 const coin_params *p);
+
+/** The state at any time, forward or backward, without stepping.
+ * @param o         as coin_orbit_init() of the same version left it: an orbit
+ *                  carries a tag of that.  Other contents do no harm, and most
+ *                  are recognized
+ * @param t         the time since the state that the orbit was made from [T]
+ * @param[out] out  the state
+ * @return COIN_OK; COIN_EARG, also for contents that are seen not to be an
+ *         orbit; COIN_ESTEP if t is not finite, 2^31 periods or more, or theta,
+ *         phi, psi, x or z leaves its range.
+ * Accuracy: the sum of these terms.  In theta, phi and psi 1e-14 rad; 1e-15 of
+ *         conditioning for each period since the start; and
+ *         4 u W (|t| + period), as from a rounding of t, where W is the fastest
+ *         rate of the motion, Eq. (47), which is large in a pass close to flat.
+ *         In x and z 1 + radius_max/radius times as many radii; in the rates W
+ *         times as much (test_orbit_edges).  In all members 4 u of the state,
+ *         amplified as the motion amplifies an error in the lean or a rate:
+ *         next to an unstable motion heading and roll may lose a thousand times
+ *         1e-15 conditioning.  A steady motion also misses what
+ *         coin_steady_at() leaves out: here 16 u of the terms of (39) over
+ *         |lambda^2| in the lean, which heading and roll gather in time
+ *         (make adversary).
+ * Cost: less than a textbook Runge-Kutta step, whatever t is. */
+COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
+
+/* --------------------------------------------------------------- models -- */
+
+/** The cheapest model that a scene needs: of the models below, the first that
+ * keeps the pose as near to the full equations as asked.  Found by trial.
+ * @param horizon  how long, of either sign [T]
+ * @param tol      > 0: by how much theta, phi, psi may be off [rad], and x, z
+ *                 [radii] [1]
+ * @return COIN_MODEL_STEADY: coin_steady_at() of coin_steady_near();
+ *         COIN_MODEL_WOBBLE: coin_wobble_at() about the same;
+ *         COIN_MODEL_ORBIT: coin_orbit_init(), coin_orbit_at();
+ *         COIN_MODEL_STEPS: coin_run() or coin_advance().  There is no orbit,
+ *         or it is not known to be so accurate for so long, or rounding grows
+ *         beyond tol in that time, as next to an unstable steady motion.
+ *         Negative: the usual errors; COIN_EARG also for tol not in range;
+ *         COIN_ESTEP horizon not finite, or phi, psi, x or z leaves its range
+ *         before; COIN_EFLAT the coin falls flat before, and within the steps
+ *         that are taken.
+ * Accuracy: of 10,000 scenes none got a model that misses tol; of 20,000
+ *         scenes on unstable circles none got a steady motion or a wobble that
+ *         does.  docs/models.md says how often a cheaper model would have done
+ *         (test_model).
+ * Cost: that of coin_orbit_init(), and of up to 128 looks at the orbit for each
+ *         model that is nearly good enough: 70 to 230 textbook Runge-Kutta
+ *         steps.  Where there is no orbit, up to 64 natural units are stepped:
+ *         1,400 textbook steps as a rule, 8,500 at most.  So ask once for a
+ *         scene, not for a frame, and not at all for fewer than some 40
+ *         answers.  Some 77 KiB of stack. */
+COIN_API int32_t coin_model_needed(const coin_state *s, const coin_params *p,
+                                   double horizon, double tol);
+
+/* ----------------------------------------------------------- real coins -- */
+
+/** Whether losses can be computed with.
+ * @return COIN_OK; COIN_EARG null; COIN_EPARAMS as coin_params_check(), or a
+ *         member of *l is negative or not finite, or it or its quotient by
+ *         inertia_X or by inertia_Z + mass radius^2 is above 1e60. */
+COIN_API int32_t coin_losses_check(const coin_losses *l, const coin_params *p);
+
+/** The power that the losses take: -d(energy)/dt.  Eq. (69).
+ * @return P >= 0 [M L^2/T^3]; NaN on the usual errors, coin_losses_check(),
+ *         and where it would overflow.
+ * Accuracy: 16 u of the terms (test_losses). */
+COIN_API double coin_losses_power(const coin_state *s, const coin_params *p,
+                                  const coin_losses *l);
+
+/** coin_rates() of a coin with losses.  Eq. (14)-(20), (68).
+ * @param[out] out  as coin_rates()
+ * @return COIN_OK; the usual errors; COIN_EPARAMS also as coin_losses_check();
+ *         COIN_ESTATE also if a rate would overflow.
+ * Accuracy: 16 u of the terms (test_losses). */
+COIN_API int32_t coin_losses_rates(const coin_state *s, const coin_params *p,
+                                   const coin_losses *l, coin_state *out);
+
+/** coin_reaction() of a coin with losses.  Eq. (25)-(28), (70).
+ * @return as coin_losses_rates().
+ * Accuracy: 16 u of the terms (test_losses). */
+COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
+                                      const coin_losses *l, coin_force *out);
+
+/** Moves a coin with losses by any time, to a stated accuracy, and tells when
+ * it has come to rest: order 8 in Sundman's time, Eq. (32), (68), its error
+ * estimated in each step; and the last fall, once the contact has stopped,
+ * Eq. (72), by itself.
+ *
+ * A disc, spun, until it lies flat:
+ * @code
+ * const coin_losses l = {0, 1e-7, 0, 0, 0, 0, 0, 0};
+ * coin_params p;
+ * coin_state s;
+ * double when;
+ * coin_params_disc(&p, 0.00567, 0.01213, 9.80665);
+ * coin_steady_spin(&s, &p, 1.0);
+ * if (coin_settle(&s, &p, &l, 1e3, 1e-6, &when) == COIN_RESTS)
+ *     printf("flat after %g s\n", when);
+ * @endcode
+ * @param[in,out] s  the state
+ * @param t          the time, >= 0 [T]
+ * @param tol        1e-13 to 1e-2: the error that steps may add per natural
+ *                   unit of time, in radians and radii, before the motion's
+ *                   own amplification [1]
+ * @param[out] reached  the time moved by: t, or what was possible; may be null
+ * @return COIN_OK; COIN_RESTS: the coin lies flat, *reached is when it came to,
+ *         and s how: |theta| the last lean that coin_state_check() accepts, wX
+ *         the speed of its fall, wX theta >= 0, wY = 0, wZ the turn left in
+ *         its face.  From there coin_settle() returns COIN_RESTS and *reached =
+ *         0.  The usual errors; COIN_EARG also for tol out of range;
+ *         COIN_EPARAMS also as coin_losses_check(); COIN_ESTEP: t is negative
+ *         or not finite, or beyond 1e15 natural units, and nothing was moved;
+ *         or phi, psi, x or z leaves its range, or 2^20 steps were not enough:
+ *         the state and *reached are then as far as it came, and another call
+ *         goes on.
+ * Without any loss the state and *reached are those of coin_advance(), which
+ * calls a fall COIN_EFLAT; pivoting friction alone never brings a coin to rest.
+ * The coin is kept on the table, as by coin_advance(): coin_check() tells
+ * whether a real one would slip or lift.  Where losses leave the contact no
+ * stop, as damping and rolling do, the time below cos(theta) = 1e-10 is that of
+ * the law of the end.
+ * Accuracy: of random launches the error stays within tol per natural unit of
+ *         time in 99 of 100 (test_settle); the time of rest does not depend on
+ *         how many calls it takes, to 1e-9.
+ * Cost: some 3 RK8 steps per radian that the contact rolls by, at 1e-9; more
+ *         where dry friction holds the contact: dry/(soft cos(theta)) of the
+ *         moments of inertia is then the rate that steps have to follow. */
+COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
+                             const coin_losses *l, double t, double tol,
+                             double *reached);
+
+/** The time until a coin lies flat, by the quasi-steady model: it goes through
+ * steady motions, and what the losses take moves it along them.  Eq. (74).
+ * @param s  near a steady motion; that one is followed
+ * @return the time [T]; 0 at rest; +infinity if nothing stops it: without
+ *         losses that act, or by pivoting friction alone; NaN on the usual
+ *         errors and coin_losses_check(), if the state swings about the steady
+ *         motion by more than a tenth of its angle from flat, or if that motion
+ *         is unstable, or becomes so before the coin lies flat, or if 2^15
+ *         steps are not enough, as for absurdly fast coins.
+ * Accuracy: the last fall is not quasi-steady: with m the loss in natural units
+ *         the error is as m^1.2 to m^1.5, some 5e-4 for a coin that spins for
+ *         seconds (docs/models.md, test_quasisteady).
+ * Cost: some 350 textbook steps. */
+COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
+                                  const coin_losses *l);
+
+/** A coin with losses at any time, by the quasi-steady model.  Eq. (74).
+ * @param s         as for coin_time_to_rest()
+ * @param t         the time, >= 0 [T]
+ * @param[out] out  the state at t: wX is the slow change of the lean, not a
+ *                  swing; may be s
+ * @return COIN_OK; COIN_RESTS: the coin lies flat before t, and *out is that,
+ *         |theta| the last lean that coin_state_check() accepts, wX = wY = 0,
+ *         wZ the turn left in its face; the usual errors; COIN_EPARAMS also as
+ *         coin_losses_check(); COIN_ESTEP t negative or not finite, or phi,
+ *         psi, x or z leaves its range; COIN_EDOMAIN the state is not near a
+ *         stable steady motion, or that becomes unstable before t, or 2^15
+ *         steps are not enough.
+ * Accuracy: until the angle from flat is ten times the loss m in natural units,
+ *         theta, wY and wZ as m^2, phi and psi as m: 70 m at half of the time
+ *         to rest of a spin from 0.1 rad; x and z as phi (test_quasisteady).
+ * Cost: some 350 textbook steps, whatever t. */
+COIN_API int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
+                                     const coin_losses *l, double t,
+                                     coin_state *out);
+
+/** Losses that let a coin rest after a given time: all terms of *l but soft
+ * times one factor.
+ * @param[in,out] l  at least one term other than spin is not 0
+ * @param s          as for coin_time_to_rest()
+ * @param time       > 0 [T]
+ * @return COIN_OK; the usual errors; COIN_EARG also for time not in range;
+ *         COIN_EPARAMS also as coin_losses_check(); COIN_EDOMAIN if
+ *         coin_time_to_rest() gives no time, or such losses would not pass
+ *         coin_losses_check().
+ * Accuracy, cost: those of coin_time_to_rest(). */
+COIN_API int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
+                                 const coin_params *p, double time);
+
+/* ------------------------------------------------ version and self-test -- */
+
+/** The library's version, 0xMMmmpp; compare with the COIN_VERSION_ macros to
+ * see that header and library belong together. */
+COIN_API uint32_t coin_version(void);
+
+/** The same as text, "0.1.0". */
+COIN_API const char *coin_version_string(void);
+
+/** What a status means, in English, without a full stop; never null.  Warning
+ * bits may be combined: the text then names the set as such. */
+COIN_API const char *coin_status_string(int32_t status);
+
+/** sizeof(coin_params) as the library was compiled: 64.  For bindings. */
+COIN_API uint32_t coin_sizeof_params(void);
+
+/** sizeof(coin_state) as the library was compiled: 64. */
+COIN_API uint32_t coin_sizeof_state(void);
+
+/** sizeof(coin_force) as the library was compiled: 48. */
+COIN_API uint32_t coin_sizeof_force(void);
+
+/** sizeof(coin_losses) as the library was compiled: 64. */
+COIN_API uint32_t coin_sizeof_losses(void);
+
+/** sizeof(coin_orbit) as the library was compiled: 32,768. */
+COIN_API uint32_t coin_sizeof_orbit(void);
+
+/** Whether this build computes the pinned bits: steps some coins and compares
+ * a hash with the one built in.
+ * @return COIN_OK; COIN_EBUILD if the compiler fused or reordered arithmetic
+ *         (fast-math, contraction), or the rounding mode is not to-nearest.
+ * Cost: some 200 us. */
+COIN_API int32_t coin_selftest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

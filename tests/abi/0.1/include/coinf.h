@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: MIT */
+/** @file coinf.h
+ * librollcoin in single precision, for processors whose doubles are slow.
+ *
+ * What is here is coin.h's, name for name, with float for double: the same
+ * sources, equations, units, statuses, order of arguments and promises.  Only
+ * what differs is said here.  "u" is 2^-24 = 6.0e-8, and below the normal
+ * floats, 1.2e-38, bounds do not hold.
+ *
+ * STATE. A float holds 7 digits, and a loop of many small steps would lose
+ * most of them.  So a state keeps in low what the rounding of its members left
+ * out: theta + low[0] is the lean, and so on.  Functions that move a
+ * state read and write low; those that read a state take its members alone.
+ * Heading and roll come back within half a turn.
+ *
+ * ERROR. Over 20 natural units of time, by coinf_step() with any dt from 1e-3
+ * to 2e-2 units, the pose is within 4e-6 radians and radii of the exact motion
+ * in each scene of tests/reference that amplifies errors less than 100 times
+ * (test_float).  Plain floats err by 1e-4 to 1e-3 there.
+ *
+ * METHODS are COIN_RK4 and COIN_SYMPLECTIC2.
+ */
+#ifndef ROLLCOIN_COINF_H
+#define ROLLCOIN_COINF_H
+
+#include <coin.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---------------------------------------------------------------- types -- */
+
+/** A thin axisymmetric body, as coin_params. */
+typedef struct coinf_params {
+    float mass;        /**< M, > 0 [M] */
+    float radius;      /**< a, of the rim that rolls, > 0 [L] */
+    float gravity;     /**< g, > 0 [L/T^2] */
+    float inertia_X;   /**< I_X = I_Y, about a diameter, > 0 [M L^2] */
+    float inertia_Z;   /**< I_Z, about the axis, > 0, <= 2 I_X [M L^2] */
+    float reserved[3]; /**< must be 0 */
+} coinf_params;
+
+/** Where a coin is and how it turns, as coin_state. */
+typedef struct coinf_state {
+    float theta;  /**< lean, -pi/2 < theta < pi/2 [rad] */
+    float phi;    /**< heading, |phi| <= 4096 [rad] */
+    float psi;    /**< roll, |psi| <= 4096 [rad] */
+    float x;      /**< of the centre [L] */
+    float z;      /**< of the centre [L] */
+    float wX;     /**< omega_X = d(theta)/dt [1/T] */
+    float wY;     /**< omega_Y [1/T] */
+    float wZ;     /**< omega_Z [1/T] */
+    float low[8]; /**< what rounding left out of the above, in their order; 0
+                       at the start, and best 0 for a member that is set */
+} coinf_state;
+
+/** The force of the table on the coin, as coin_force. */
+typedef struct coinf_force {
+    float R[3];     /**< in the table frame x, y, z [M L/T^2] */
+    float normal;   /**< N = R_y; <= 0 means a real coin would lift off */
+    float friction; /**< F = sqrt(R_x^2 + R_z^2) */
+    float ratio;    /**< F/N, the friction coefficient needed [1]; +infinity
+                         if N <= 0 */
+} coinf_force;
+
+/** What slows a coin, as coin_losses. */
+typedef struct coinf_losses {
+    float damping; /**< alpha [1] */
+    float dry;     /**< contour friction [M L^2/T^2] */
+    float viscous; /**< the same, as the rate of roll [M L^2/T] */
+    float layer;   /**< the same, as its power 3/2 [M L^2/T^(1/2)] */
+    float gap;     /**< the same, as that rate over cos(theta) [M L^2/T] */
+    float rolling; /**< the rolling moment of engines [M L^2/T^2] */
+    float spin;    /**< pivoting friction [M L^2/T] */
+    float soft;    /**< the rate of roll below which dry and rolling fade
+                        [1/T]; 0 stands for sqrt(g/a)/1024, and less than
+                        2^-12 sqrt(g/a) for that */
+} coinf_losses;
+
+/* ----------------------------------------------------------- parameters -- */
+
+/** As coin_params_disc(). */
+COIN_API int32_t coinf_params_disc(coinf_params *p, float mass, float radius,
+                                   float gravity);
+
+/** As coin_params_ring(). */
+COIN_API int32_t coinf_params_ring(coinf_params *p, float mass, float radius,
+                                   float inner_radius, float gravity);
+
+/** As coin_params_body(). */
+COIN_API int32_t coinf_params_body(coinf_params *p, float mass, float radius,
+                                   float gravity, float inertia_X,
+                                   float inertia_Z);
+
+/** As coin_params_check(), with 1e-6 for the rounding of I_Z <= 2 I_X, and
+ * 1e-30 to 1e30 for what M a^2, M g a, g/a and the ratios may be. */
+COIN_API int32_t coinf_params_check(const coinf_params *p);
+
+/* ---------------------------------------------------------------- state -- */
+
+/** As coin_state_check().
+ * @return COIN_ESTATE also if |phi| or |psi| > 4096, low is not finite or
+ *         |low[0]| + |low[1]| + |low[2]| > 2^-20. */
+COIN_API int32_t coinf_state_check(const coinf_state *s, const coinf_params *p);
+
+/** As coin_state_from_motion(); sets low to 0. */
+COIN_API int32_t coinf_state_from_motion(coinf_state *s, const coinf_params *p,
+                                         const float q[4], const float omega[3],
+                                         float x, float z);
+
+/** As coin_angular_velocity(). */
+COIN_API int32_t coinf_angular_velocity(const coinf_state *s, float omega[3]);
+
+/* ------------------------------------------------------------- stepping -- */
+
+/** One classical Runge-Kutta step of order 4: what a loop at a fixed rate
+ * calls each time.
+ * @return as coin_step(); the last stage stands for the end of the step where
+ *         limits are looked at.
+ * Cost: on a Cortex-M4F 1,220 instructions, a quarter of them for the checks;
+ *         coinf_run() does those once (docs/guide.md). */
+COIN_API int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt);
+
+/** As coin_run().  A run of n steps is n runs of one step, to the bit.
+ * @param method  COIN_RK4 or COIN_SYMPLECTIC2; any other is COIN_EARG */
+COIN_API int32_t coinf_run(coinf_state *s, const coinf_params *p,
+                           int32_t method, float dt, uint64_t steps,
+                           uint64_t *done);
+
+/** coinf_run() for many coins of one body, side by side in the processor's
+ * vectors.  Each coin gets the bits that coinf_run() gives it.
+ * @param[in,out] s    [count] states
+ * @param count        how many; 0 is OK
+ * @param method       COIN_RK4, which uses vectors, or COIN_SYMPLECTIC2; any
+ *                     other is COIN_EARG
+ * @param[out] status  [count] what coinf_run() returns for each; may be null
+ * @return COIN_EARG, COIN_EPARAMS: nothing was touched; else the status of the
+ *         first coin that failed, else all warnings together.  A coin that
+ *         failed is where its last good step left it, and the others go on.
+ * Cost: docs/accuracy.md; the coins may be of all kinds. */
+COIN_API int32_t coinf_batch_run(coinf_state *s, size_t count,
+                                 const coinf_params *p, int32_t method,
+                                 float dt, uint64_t steps, int32_t *status);
+
+/* --------------------------------------------------------------- losses -- */
+
+/** As coin_losses_check(), with 1e9 for the largest member. */
+COIN_API int32_t coinf_losses_check(const coinf_losses *l,
+                                    const coinf_params *p);
+
+/** Moves a coin that loses energy, and tells when it rests: as coin_settle(),
+ * by Runge-Kutta steps of order 4 in t whose length follows the state.  A loop
+ * at a fixed rate calls it each time.  None of its steps is done twice. Without
+ * any loss it moves an ideal coin, and calls a fall COIN_RESTS.
+ * @param[in,out] s  the state; at rest theta is the last lean that
+ *                   coinf_state_check() accepts
+ * @param t          the time, 0 to 1e6 natural units [T]
+ * @param tol        1e-6 to 1e-2: the error that the steps may add per natural
+ *                   unit of time, in radians and radii [1]
+ * @param[out] reached  the time moved; may be null [T]
+ * @return as coin_settle(), but COIN_ESTEP after 2^16 steps in one call: the
+ *         state and *reached are then as far as it came, and another call goes
+ *         on.
+ * A coin nearer to flat than 3e-8 rad lies flat.  Where losses leave the
+ * contact no stop, the time below cos(theta) = 1e-5 is that of the law of the
+ * end. Accuracy: of random launches the error stays within tol per natural unit
+ * of time in 98 of 100; a quarter that turns for 8 s, in calls of 1 ms or of
+ * 1/60 s, rests within 1e-5 s of the time that coin_settle() gives
+ *         (test_float_settle).
+ * Cost: on a Cortex-M4F 2,230 instructions for a call of one step, by dry
+ *         friction, and 1,088 bytes of stack.  A quarter's 8 s take 8,263 steps
+ *         in 8,019 calls of 1 ms at 1e-3, at most 12 of them in one call
+ *         (docs/embedding.md). */
+COIN_API int32_t coinf_settle(coinf_state *s, const coinf_params *p,
+                              const coinf_losses *l, float t, float tol,
+                              float *reached);
+
+/* ---------------------------------------------------------- observables -- */
+
+/** As coin_energy(). */
+COIN_API float coinf_energy(const coinf_state *s, const coinf_params *p);
+
+/** As coin_integrals(), with logf of libm. */
+COIN_API int32_t coinf_integrals(const coinf_state *s, const coinf_params *p,
+                                 float K[2]);
+
+/** As coin_reaction(). */
+COIN_API int32_t coinf_reaction(const coinf_state *s, const coinf_params *p,
+                                coinf_force *out);
+
+/** As coin_rates(); sets low to 0. */
+COIN_API int32_t coinf_rates(const coinf_state *s, const coinf_params *p,
+                             coinf_state *out);
+
+/** As coin_center(). */
+COIN_API int32_t coinf_center(const coinf_state *s, const coinf_params *p,
+                              float r[3]);
+
+/** As coin_velocity(). */
+COIN_API int32_t coinf_velocity(const coinf_state *s, const coinf_params *p,
+                                float v[3]);
+
+/** As coin_contact(). */
+COIN_API int32_t coinf_contact(const coinf_state *s, const coinf_params *p,
+                               float r[3], float v[3]);
+
+/** As coin_axes(). */
+COIN_API int32_t coinf_axes(const coinf_state *s, float R[9]);
+
+/** As coin_quaternion(). */
+COIN_API int32_t coinf_quaternion(const coinf_state *s, float q[4]);
+
+/* ------------------------------------------------------------- validity -- */
+
+/** As coin_check().
+ * @param method  COIN_RK4 or COIN_SYMPLECTIC2; any other is COIN_EARG */
+COIN_API int32_t coinf_check(const coinf_state *s, const coinf_params *p,
+                             int32_t method, float dt, float mu);
+
+/* ---------------------------------------------------- games and engines -- */
+
+/** As coin_matrix(). */
+COIN_API int32_t coinf_matrix(const coinf_state *s, const coinf_params *p,
+                              float m[16]);
+
+/** As coin_state_from_landing(); sets low to 0. */
+COIN_API int32_t coinf_state_from_landing(coinf_state *s, const coinf_params *p,
+                                          const float q[4],
+                                          const float omega[3],
+                                          const float v[3], float x, float z);
+
+/* -------------------------------------------------- sizes and self-test -- */
+
+/** sizeof(coinf_params) as the library was compiled: 32.  For bindings. */
+COIN_API uint32_t coinf_sizeof_params(void);
+
+/** sizeof(coinf_state) as the library was compiled: 64. */
+COIN_API uint32_t coinf_sizeof_state(void);
+
+/** sizeof(coinf_force) as the library was compiled: 24. */
+COIN_API uint32_t coinf_sizeof_force(void);
+
+/** sizeof(coinf_losses) as the library was compiled: 32. */
+COIN_API uint32_t coinf_sizeof_losses(void);
+
+/** As coin_selftest(), of the functions of this header alone.
+ * Cost: some 20 us on a desktop. */
+COIN_API int32_t coinf_selftest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+#
+# docs/page/index.html, the page that rolls a coin: included by the Makefile.
+#
+#   make page         builds it from docs/page: one file, the library within
+#   make page-check   it gives this computer's bits, works in a browser, and
+#                     its C listing prints its digits
+#
+# The first needs clang, lld and wasi-libc, as `make cross` does, and binaryen
+# and zopfli; the second node and chromium.
+
+PAGE      := $(SRC)/docs/page
+PAGE_OUT  := $(O)/page
+PAGE_HTML := $(PAGE)/index.html
+PAGE_JS   := $(foreach f,core address scene graphs listing main,$(PAGE)/$f.js)
+
+# The objects of the library for doubles, as WebAssembly.  What the page does
+# not call is left out by the linker.
+PAGE_CC    = clang --target=wasm32-wasi -Oz -std=c99 -ffp-contract=off -Wall \
+             -Wextra -Werror -I$(SRC)/include -ffunction-sections \
+             -fdata-sections -fvisibility=hidden $(DEPENDS)
+PAGE_LINK  = -nostartfiles -Wl,--no-entry,--gc-sections,--strip-all \
+             -Wl,-z,stack-size=131072
+PAGE_C    := $(foreach f,page race bits,$(PAGE)/$f.c) \
+             $(SRC)/tests/support/textbook.c
+PAGE_FROM := $(filter-out $(SRC)/lib/float/%,$(SOURCES)) $(PAGE_C)
+PAGE_OBJ  := $(patsubst %.c,$(PAGE_OUT)/%.o,$(notdir $(PAGE_FROM)))
+
+.PHONY: page page-check
+page: $(PAGE_OUT)/index.html ## docs/page/index.html, a coin to play with
+	cp $< $(PAGE_HTML)
+
+$(foreach f,$(PAGE_C),$(eval vpath $(notdir $f) $(dir $f)))
+$(PAGE_OUT)/%.o: %.c $(SRC)/tests/page/page.mk | $(PAGE_OUT)
+	$(PAGE_CC) -c -o $@ $<
+
+$(PAGE_OUT)/linked.wasm: $(PAGE_OBJ)
+	clang --target=wasm32-wasi $(PAGE_LINK) -o $@ $^ -lm
+
+# A tenth smaller, with the same bits: page-check looks at those.
+$(PAGE_OUT)/page.wasm: $(PAGE_OUT)/linked.wasm
+	wasm-opt -Oz -o $@ $<
+
+$(PAGE_OUT)/wasm.txt: $(PAGE_OUT)/page.wasm
+	zopfli -c $< | base64 -w 0 >$@
+	echo >>$@
+
+# This computer's hashes of the scenes: the page compares its own with them.
+$(PAGE_OUT)/hashes: $(SRC)/tests/page/hashes.c $(PAGE_C) $(PAGE)/page.h \
+                    $(LIB_A) | $(PAGE_OUT)
+	$(CC_USER) -std=c99 -Wno-missing-prototypes $(PINNED) \
+	    -I$(SRC)/include -o $@ $(filter-out %.h,$^) -lm
+
+$(PAGE_OUT)/hashes.txt: $(PAGE_OUT)/hashes
+	$< >$@
+
+# What a browser without scripts shows.
+$(PAGE_OUT)/still: $(PAGE)/still.c $(LIB_A) | $(PAGE_OUT)
+	$(CC_USER) -std=c99 -I$(SRC)/include -o $@ $^ -lm
+
+$(PAGE_OUT)/still.svg: $(PAGE_OUT)/still
+	$< >$@
+
+$(PAGE_OUT)/index.html: $(PAGE)/page.html $(PAGE)/style.css $(PAGE_JS) \
+                        $(PAGE)/embed.awk $(PAGE_OUT)/wasm.txt \
+                        $(PAGE_OUT)/hashes.txt $(PAGE_OUT)/still.svg
+	wasm=$(PAGE_OUT)/wasm.txt hashes=$(PAGE_OUT)/hashes.txt \
+	    still=$(PAGE_OUT)/still.svg style=$(PAGE)/style.css \
+	    script='$(PAGE_JS)' awk -f $(PAGE)/embed.awk $(PAGE)/page.html >$@
+
+$(PAGE_OUT):
+	mkdir -p $@
+
+page-check: $(PAGE_OUT)/hashes.txt $(PAGE_OUT)/still.svg $(LIB_A) ## the page has this computer's bits and works in a browser
+	timeout 300 node $(SRC)/tests/page/check.mjs $(SRC) $(PAGE_OUT) '$(CC)' \
+	    $(LIB_A)

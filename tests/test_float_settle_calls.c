@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/check.h"
+
+#include <coinf.h>
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+static coinf_params disc_f(void)
+{
+    coinf_params p;
+    check_status(coinf_params_disc(&p, 1, 1, 1), COIN_OK);
+    return p;
+}
+
+static void no_time_changes_nothing(void **unused)
+{
+    (void)unused;
+    const coinf_params p = disc_f();
+    const coinf_losses l = {.dry = 0.1f};
+    const coinf_state before = {0.5f, -0.0f, 9,    1e30f,  -0.0f,
+                                0.1f, -0.0f, 1.2f, {1e-8f}};
+    coinf_state s = before;
+    float reached = 7;
+    check_status(coinf_settle(&s, &p, &l, 0, 1e-4f, &reached), COIN_OK);
+    check_same(&s, &before, sizeof s);
+    check(reached == 0);
+}
+
+static void a_call_takes_2_16_steps_and_the_next_goes_on(void **unused)
+{
+    (void)unused;
+    const coinf_params p = disc_f();
+    const coinf_losses l = {.spin = 1e-9f};
+    coinf_state s = {.wY = 1e3f};
+    float reached;
+    check_status(coinf_settle(&s, &p, &l, 1e3f, 1e-2f, &reached), COIN_ESTEP);
+    check_within((double)reached, 20, 30); /* 65,536 steps of 0.35 rad */
+    check_status(coinf_settle(&s, &p, &l, 1, 1e-2f, &reached), COIN_OK);
+    check(reached == 1);
+    check_near((double)s.wY, 1e3, 1e-2);
+}
+
+static void a_path_beyond_the_floats_is_refused(void **unused)
+{
+    (void)unused;
+    const coinf_params vast = {1e-20f, 1e10f, 1e10f, 0.25f, 0.5f, {0, 0, 0}};
+    const coinf_losses l = {.damping = 1e-6f};
+    coinf_state s = {.x = -FLT_MAX, .z = -FLT_MAX, .wZ = 1};
+    s.low[3] = -FLT_MAX;
+    const coinf_state before = s;
+    float reached = 7;
+    check_status(coinf_settle(&s, &vast, &l, 0.03f, 1e-4f, &reached),
+                 COIN_ESTEP);
+    check(reached == 0);
+    check_same(&s, &before, sizeof s);
+}
+
+/* It would rest with an angular velocity whose square overflows in products. */
+static void a_fall_too_fast_for_floats_is_refused(void **unused)
+{
+    (void)unused;
+    const coinf_params fast = {2e11f, 1.6f, 5.8e16f, 1.4e11f, 1.4e11f, {0}};
+    const coinf_losses l = {.viscous = 1};
+    check_status(coinf_params_check(&fast), COIN_OK);
+    coinf_state s = {.theta = 1.5685866f, .phi = 1};
+    const coinf_state before = s;
+    float reached = 7;
+    check_status(coinf_settle(&s, &fast, &l, 1e-6f, 1e-4f, &reached),
+                 COIN_ESTEP);
+    check(reached == 0);
+    check_same(&s, &before, sizeof s);
+}
+
+static void the_usual_errors_touch_nothing(void **unused)
+{
+    (void)unused;
+    const coinf_params good = disc_f();
+    coinf_params bad = good;
+    bad.radius = -1;
+    const coinf_losses fine = {.dry = 0.1f}, wrong = {.dry = -1};
+    const coinf_state sound = {.theta = 0.3f, .wY = 1}, lost = {.theta = 2};
+    const struct {
+        const coinf_state *s;
+        const coinf_params *p;
+        const coinf_losses *l;
+        float t, tol;
+        int32_t status;
+    } cases[] = {
+        {NULL, &good, &fine, 1, 1e-4f, COIN_EARG},
+        {&sound, NULL, &fine, 1, 1e-4f, COIN_EARG},
+        {&sound, &good, NULL, 1, 1e-4f, COIN_EARG},
+        {&lost, &bad, &wrong, -1, 0.9e-6f, COIN_EARG},
+        {&sound, &good, &fine, 1, 0.011f, COIN_EARG},
+        {&sound, &good, &fine, 1, NAN, COIN_EARG},
+        {&lost, &bad, &fine, -1, 1e-4f, COIN_EPARAMS},
+        {&lost, &good, &wrong, -1, 1e-4f, COIN_EPARAMS},
+        {&lost, &good, &fine, -1, 1e-4f, COIN_ESTATE},
+        {&sound, &good, &fine, -1, 1e-4f, COIN_ESTEP},
+        {&sound, &good, &fine, 1.1e6f, 1e-4f, COIN_ESTEP},
+        {&sound, &good, &fine, INFINITY, 1e-4f, COIN_ESTEP},
+        {&sound, &good, &fine, NAN, 1e-4f, COIN_ESTEP},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        coinf_state s = cases[i].s ? *cases[i].s : sound;
+        const coinf_state before = s;
+        float reached = 7;
+        check_note("case %zu", i);
+        check_status(coinf_settle(cases[i].s ? &s : NULL, cases[i].p,
+                                  cases[i].l, cases[i].t, cases[i].tol,
+                                  &reached),
+                     cases[i].status);
+        check_same(&s, &before, sizeof s);
+        check(reached == 7);
+    }
+}
+
+static void every_member_of_the_losses_is_checked(void **unused)
+{
+    (void)unused;
+    const coinf_params p = disc_f();
+    const coinf_params bad = {.mass = -1};
+    const coinf_losses none = {0};
+    const float wrong[] = {-1e-30f, -1, NAN, INFINITY, 1.01e9f};
+    for (size_t i = 0; i < sizeof none / sizeof(float); ++i)
+        for (size_t k = 0; k < sizeof wrong / sizeof *wrong; ++k) {
+            coinf_losses l = none;
+            memcpy((char *)&l + i * sizeof(float), &wrong[k], sizeof(float));
+            check_note("member %zu is %g", i, (double)wrong[k]);
+            check_status(coinf_losses_check(&l, &p), COIN_EPARAMS);
+        }
+    check_status(coinf_losses_check(&none, &p), COIN_OK);
+    check_status(coinf_losses_check(&none, &bad), COIN_EPARAMS);
+    check_status(coinf_losses_check(NULL, &p), COIN_EARG);
+    check_status(coinf_losses_check(&none, NULL), COIN_EARG);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(no_time_changes_nothing),
+        TEST(a_call_takes_2_16_steps_and_the_next_goes_on),
+        TEST(a_path_beyond_the_floats_is_refused),
+        TEST(a_fall_too_fast_for_floats_is_refused),
+        TEST(the_usual_errors_touch_nothing),
+        TEST(every_member_of_the_losses_is_checked),
+    };
+    return RUN_TESTS(tests);
+}

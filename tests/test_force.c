@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT */
+/* The force along a motion as a power series of tau, against the force of
+ * states on the way. */
+#include "support/check.h"
+#include "support/random.h"
+
+#include "bernstein.h"
+#include "extrapolation.h"
+#include "sundman.h"
+
+#include <math.h>
+
+enum { LAST = COIN_PRIV_JOINED };
+
+/* A run, its rate, and what is left of it after a part of a natural step. */
+struct stretch {
+    coin_priv_run run;
+    double unit;
+};
+
+static struct stretch random_stretch(struct random *r)
+{
+    struct stretch w;
+    const coin_params p = random_coin(r);
+    const coin_state s = random_state(r, &p, 1.5);
+    check_status(coin_priv_check(&s, &p, &w.run.b), COIN_OK);
+    coin_priv_run_from(&w.run, &s, COIN_RK4, 0);
+    w.unit = coin_priv_sundman_tau(&w.run.b, &w.run.g.y, 1);
+    return w;
+}
+
+static coin_priv_run after(const struct stretch *w, double x)
+{
+    coin_priv_run r = w->run;
+    check(x == 0 || coin_priv_extrapolate(&r, x * w->unit));
+    return r;
+}
+
+struct four {
+    double of[4];
+};
+
+/* cos theta, and that times the force of coin_reaction() over M a, in the unit
+ * of the series. */
+static struct four truth(const struct stretch *w, coin_priv_run *r)
+{
+    coin_priv_read_lean(&r->g);
+    const coin_state s = coin_priv_run_state(r);
+    const coin_priv_body *b = &r->b;
+    const coin_params p = {b->M, b->a, b->g_a * b->a, b->IX, b->IZ, {0, 0, 0}};
+    coin_force f;
+    check_status(coin_reaction(&s, &p, &f), COIN_OK);
+    const double c = cos(s.theta);
+    const double by = c * w->unit * w->unit / (b->M * b->a);
+    const struct four is = {{
+        by * (f.R[0] * cos(s.phi) - f.R[2] * sin(s.phi)),
+        by * (f.R[0] * sin(s.phi) + f.R[2] * cos(s.phi)),
+        by * f.R[1],
+        c,
+    }};
+    return is;
+}
+
+static double sum(const double *terms, double x)
+{
+    double value = 0;
+    for (int k = COIN_PRIV_FORCE_ORDER; k >= 0; --k)
+        value = value * x + terms[k];
+    return value;
+}
+
+static double size_of(const struct four *f)
+{
+    return fabs(f->of[0]) + fabs(f->of[1]) + fabs(f->of[2]);
+}
+
+/* The next term is of the order x^7, its factor a few. */
+static void the_series_give_the_force_further_on(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(191);
+    const double x[] = {0, 0.01, 0.02, -0.02};
+    for (int n = 0; n < 300; ++n) {
+        const struct stretch w = random_stretch(&r);
+        coin_priv_force f;
+        coin_priv_force_of(&f, &w.run.b, &w.run.g.y, w.unit);
+        for (int i = 0; i < 4; ++i) {
+            coin_priv_run to = after(&w, x[i]);
+            const struct four want = truth(&w, &to);
+            const double bound =
+                size_of(&want) * (100 * U / want.of[3] + 1e3 * pow(x[i], 6));
+            check_near(sum(f.along, x[i]), want.of[0], bound);
+            check_near(sum(f.across, x[i]), want.of[1], bound);
+            check_near(sum(f.normal, x[i]), want.of[2], bound);
+            check_near(sum(f.cth, x[i]), want.of[3], 40 * U + pow(x[i], 6));
+        }
+    }
+}
+
+/* As event.c rests on it. */
+static void two_series_join_to_one_curve(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(192);
+    for (int n = 0; n < 1000; ++n) {
+        const struct stretch w = random_stretch(&r);
+        coin_priv_run end = after(&w, 0.7);
+        coin_priv_force f, g;
+        coin_priv_force_of(&f, &w.run.b, &w.run.g.y, w.unit);
+        coin_priv_force_of(&g, &w.run.b, &end.g.y, w.unit);
+        double curve[4][LAST + 1];
+        coin_priv_join(curve[0], f.along, g.along, 0.7);
+        coin_priv_join(curve[1], f.across, g.across, 0.7);
+        coin_priv_join(curve[2], f.normal, g.normal, 0.7);
+        coin_priv_join(curve[3], f.cth, g.cth, 0.7);
+        for (double x = 0; x <= 1; x += 0.125) {
+            coin_priv_run to = after(&w, 0.7 * x);
+            const struct four want = truth(&w, &to);
+            const double size = size_of(&want);
+            for (int i = 0; i < 4; ++i)
+                check_near(coin_priv_value(curve[i], LAST, x), want.of[i],
+                           1e-8 * (i < 3 ? size : 1));
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(the_series_give_the_force_further_on),
+        TEST(two_series_join_to_one_curve),
+    };
+    return RUN_TESTS(tests);
+}

@@ -1,0 +1,334 @@
+/* SPDX-License-Identifier: MIT */
+/* coin_advance_until() against orbits, which take no steps: a fine search for
+ * the first moment at which a bit holds. */
+#include "support/check.h"
+#include "support/random.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* How much F/N may exceed mu, in parts of mu, unnoticed. */
+#define EXCESS 1e-6
+
+enum { TRIED = 400, NEAR = 60, PER_UNIT = 40 };
+
+/* ROLLCOIN_TRIES asks for more. */
+static int tries(int usual)
+{
+    const char *asked = getenv("ROLLCOIN_TRIES");
+    return asked ? atoi(asked) : usual;
+}
+
+struct motion {
+    coin_params p;
+    coin_state s;
+    coin_orbit o;
+    double unit, side; /* side: of time, 1 or -1 */
+};
+
+/* One that has an orbit and that is not so unstable that steps lose it, and
+ * that begins with N > 0. */
+static struct motion any_motion(struct random *r)
+{
+    static struct motion m;
+    coin_force f;
+    do {
+        m.p = random_coin(r);
+        m.s = random_state(r, &m.p, 1.3);
+        m.unit = natural_time(&m.p);
+        m.side = r->drawn % 2 ? 1 : -1;
+        check_status(coin_reaction(&m.s, &m.p, &f), COIN_OK);
+    } while (f.normal <= 0 || coin_orbit_init(&m.o, &m.s, &m.p) != COIN_OK ||
+             m.o.conditioning > 100);
+    return m;
+}
+
+static coin_state after(const struct motion *m, double t)
+{
+    coin_state s;
+    check_status(coin_orbit_at(&m->o, m->side * t, &s), COIN_OK);
+    return s;
+}
+
+/* F/N, infinite where N <= 0. */
+static double ratio(const struct motion *m, double t)
+{
+    const coin_state s = after(m, t);
+    coin_force f;
+    check_status(coin_reaction(&s, &m->p, &f), COIN_OK);
+    return f.ratio;
+}
+
+/* The largest F/N between two times between which it has one maximum, and
+ * where. */
+static double peak(const struct motion *m, double low, double high, double *at)
+{
+    for (int i = 0; i < 50; ++i) {
+        const double a = low + 0.382 * (high - low);
+        const double b = low + 0.618 * (high - low);
+        if (ratio(m, a) < ratio(m, b))
+            low = a;
+        else
+            high = b;
+    }
+    *at = (low + high) / 2;
+    return ratio(m, *at);
+}
+
+/* The largest F/N within a time, by samples and their neighbourhoods. */
+static double largest(const struct motion *m, double t, double *at)
+{
+    const int n = (int)(PER_UNIT * t / m->unit) + 2;
+    double most = 0, before = 0, here = ratio(m, 0), where;
+    for (int k = 0; k <= n; ++k) {
+        const double next = k < n ? ratio(m, (k + 1) * t / n) : 0;
+        if (here >= before && here >= next && here > 0.9 * most) {
+            const double low = fmax(k - 1, 0), high = fmin(k + 1, n);
+            const double top = peak(m, low * t / n, high * t / n, &where);
+            if (fmax(here, top) > most) {
+                most = fmax(here, top);
+                *at = here >= top ? k * t / n : where;
+            }
+        }
+        before = here;
+        here = next;
+    }
+    return most;
+}
+
+/* Calls, and judges: nothing above mu by EXCESS was passed over, nothing below
+ * by as much was stopped at, and the bits are those of coin_check(). */
+static int32_t judged(const struct motion *m, double t, double tol, double mu)
+{
+    const int32_t bits = COIN_SLIPS | COIN_LIFTS;
+    double reached = NAN, at;
+    coin_state s = m->s;
+    const int32_t got =
+        coin_advance_until(&s, &m->p, m->side * t, tol, mu, bits, &reached);
+    check(got >= 0);
+    check_status(coin_check(&s, &m->p, COIN_RK4, 0, mu) & bits, got);
+    reached *= m->side;
+    check(got == 0 ? reached == t : reached >= 0 && reached <= t);
+    const double clear = reached - 2 * tol * m->unit;
+    if (clear > 0)
+        check(largest(m, clear, &at) <= mu * (1 + EXCESS));
+    if (got != 0)
+        check(ratio(m, reached) > mu * (1 - EXCESS));
+    return got;
+}
+
+static void the_first_event_is_that_of_a_fine_search(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(181);
+    int found = 0, none = 0;
+    const int count = tries(TRIED);
+    for (int i = 0; i < count; ++i) {
+        const struct motion m = any_motion(&r);
+        const double t = random_between(&r, 0, 6) * m.unit;
+        const double mu = pow(10, random_between(&r, -1, 1));
+        const int32_t got = judged(&m, t, i % 3 ? 1e-9 : 1e-11, mu);
+        *(got ? &found : &none) += 1;
+    }
+    check(found > count / 10 && none > count / 10);
+}
+
+/* A motion whose largest F/N, of a maximum within, is not too large. */
+static struct motion with_peak(struct random *r, double *t, double *most,
+                               double *at)
+{
+    struct motion m;
+    do {
+        m = any_motion(r);
+        *t = random_between(r, 1, 6) * m.unit;
+        *most = largest(&m, *t, at);
+    } while (*most > 10 || *at < 0.05 * m.unit || *at > *t - 0.05 * m.unit);
+    return m;
+}
+
+static void an_excursion_is_found_that_hardly_exceeds_mu(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(182);
+    const int count = tries(NEAR);
+    for (int i = 0; i < count; ++i) {
+        double t, most, at;
+        const struct motion m = with_peak(&r, &t, &most, &at);
+        check(judged(&m, t, 1e-10, most / (1 + 1.01 * EXCESS)) != 0);
+        check(judged(&m, t, 1e-10, most * (1 + 1.01 * EXCESS)) == 0);
+    }
+}
+
+/* Half the time that F/N exceeds mu around a peak. */
+static double half_width(const struct motion *m, double mu, double at)
+{
+    double inside = 0, outside = 0.05 * m->unit;
+    for (int i = 0; i < 60; ++i) {
+        const double d = (inside + outside) / 2;
+        if (ratio(m, at - d) > mu)
+            inside = d;
+        else
+            outside = d;
+    }
+    return inside;
+}
+
+/* The call begins just before the excursion, or ends just within it. */
+static void an_excursion_at_either_end_is_found(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(183);
+    const int count = tries(NEAR);
+    for (int i = 0; i < count; ++i) {
+        double t, most, at;
+        struct motion m = with_peak(&r, &t, &most, &at);
+        const double mu = most / (1 + 2 * EXCESS), w = half_width(&m, mu, at);
+        const double part = random_between(&r, 1e-3, 1);
+        check(judged(&m, at - w + (1e-3 + part) * w, 1e-10, mu) != 0);
+        m.s = after(&m, at - (1 + part) * w);
+        if (coin_orbit_init(&m.o, &m.s, &m.p) != COIN_OK)
+            continue;
+        check(judged(&m, t, 1e-10, mu) != 0);
+        check(judged(&m, 2 * w, 1e-10, mu) != 0);
+    }
+}
+
+static void without_an_event_it_is_coin_advance(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(184);
+    for (int i = 0; i < 300; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, 1.5);
+        const double t = random_between(&r, -9, 9) * natural_time(&p);
+        const double tol = pow(10, random_between(&r, -13, -2));
+        coin_state want = s, got = s;
+        double to = 7, reached = 7;
+        const int32_t status = coin_advance(&want, &p, t, tol, &to);
+        const int32_t end = coin_advance_until(&got, &p, t, tol, INFINITY,
+                                               COIN_SLIPS, &reached);
+        check_status(end, status);
+        check_same(&got, &want, sizeof got);
+        check(reached == to);
+    }
+}
+
+static void a_bit_that_holds_at_the_start_is_returned_at_once(void **unused)
+{
+    (void)unused;
+    const coin_state leans = {1.5, 0, 0, 0, 0, 0, 0, 0};
+    const coin_state jumps = {0, 0, 0, 0, 0, 2, 0, 0};
+    const coin_state flat = {1.565, 0, 0, 0, 0, 1, 0, 0};
+    const struct {
+        coin_state s;
+        double mu;
+        int32_t bits, want;
+    } of[] = {
+        {leans, 0.1, COIN_SLIPS, COIN_SLIPS},
+        {leans, 0.1, COIN_SLIPS | COIN_LIFTS, COIN_SLIPS},
+        {jumps, 0.1, COIN_LIFTS | COIN_SLIPS, COIN_LIFTS},
+        {flat, 1e9, COIN_NEARLY_FLAT, COIN_NEARLY_FLAT},
+    };
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    for (size_t i = 0; i < sizeof of / sizeof *of; ++i) {
+        coin_state s = of[i].s;
+        double reached = 7;
+        check_note("case %zu", i);
+        check_status(
+            coin_advance_until(&s, &p, 1, 1e-9, of[i].mu, of[i].bits, &reached),
+            of[i].want);
+        check_same(&s, &of[i].s, sizeof s);
+        check(reached == 0);
+    }
+}
+
+static void bad_arguments_are_refused(void **unused)
+{
+    (void)unused;
+    const struct {
+        double t, tol, mu;
+        int32_t bits, want;
+    } bad[] = {
+        {1, 0.5e-13, 1, 1, COIN_EARG},      {1, 2e-2, 1, 1, COIN_EARG},
+        {1, NAN, 1, 1, COIN_EARG},          {1, 1e-9, -1, 1, COIN_EARG},
+        {1, 1e-9, NAN, 1, COIN_EARG},       {1, 1e-9, 1, 0, COIN_EARG},
+        {1, 1e-9, 1, 4, COIN_EARG},         {1, 1e-9, 1, 1 | 16, COIN_EARG},
+        {1, 1e-9, 1, -1, COIN_EARG},        {NAN, 1e-9, 1, 1, COIN_ESTEP},
+        {INFINITY, 1e-9, 1, 1, COIN_ESTEP}, {1e16, 1e-9, 1, 1, COIN_ESTEP},
+    };
+    const coin_state before = {0.1, 0, 0, 0, 0, 0, 0, 5};
+    coin_state s = before;
+    coin_params p, heavy;
+    double reached = 7;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    heavy = p;
+    heavy.mass = -1;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        check_note("case %zu", i);
+        check_status(coin_advance_until(&s, &p, bad[i].t, bad[i].tol, bad[i].mu,
+                                        bad[i].bits, &reached),
+                     bad[i].want);
+        check_same(&s, &before, sizeof s);
+        check(reached == 7);
+    }
+    check_status(coin_advance_until(NULL, &p, 1, 1e-9, 1, 1, NULL), COIN_EARG);
+    check_status(coin_advance_until(&s, NULL, 1, 1e-9, 1, 1, NULL), COIN_EARG);
+    check_status(coin_advance_until(&s, &heavy, NAN, 1e-9, 1, 1, NULL),
+                 COIN_EPARAMS);
+    s.theta = 2;
+    check_status(coin_advance_until(&s, &p, NAN, 1e-9, 1, 1, NULL),
+                 COIN_ESTATE);
+}
+
+static void a_fall_and_a_rest_end_it_as_coin_advance(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    coin_state falls = {0.3, 0, 0, 0, 0, 0, 0, 0}, rests = falls, same = falls;
+    double reached, to;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    check_status(coin_advance(&same, &p, 10, 1e-9, &to), COIN_EFLAT);
+    check_status(coin_advance_until(&falls, &p, 10, 1e-9, INFINITY, COIN_SLIPS,
+                                    &reached),
+                 COIN_EFLAT);
+    check_same(&falls, &same, sizeof falls);
+    check(reached == to);
+    rests.theta = nextafter(1.5707963267948966, 0);
+    check_status(
+        coin_advance_until(&rests, &p, 1, 1e-9, INFINITY, COIN_SLIPS, &reached),
+        COIN_EFLAT);
+    check(reached == 0);
+    check_status(
+        coin_advance_until(&rests, &p, 1, 1e-9, 1, COIN_NEARLY_FLAT, &reached),
+        COIN_NEARLY_FLAT);
+}
+
+static void no_time_changes_nothing(void **unused)
+{
+    (void)unused;
+    const coin_state before = {0.1, 0, 0, 0, 0, 0.1, 0.2, 5};
+    coin_state s = before;
+    coin_params p;
+    double reached = 7;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    check_status(coin_advance_until(&s, &p, 0, 1e-9, 9, COIN_SLIPS, &reached),
+                 COIN_OK);
+    check_same(&s, &before, sizeof s);
+    check(reached == 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(the_first_event_is_that_of_a_fine_search),
+        TEST(an_excursion_is_found_that_hardly_exceeds_mu),
+        TEST(an_excursion_at_either_end_is_found),
+        TEST(without_an_event_it_is_coin_advance),
+        TEST(a_bit_that_holds_at_the_start_is_returned_at_once),
+        TEST(bad_arguments_are_refused),
+        TEST(a_fall_and_a_rest_end_it_as_coin_advance),
+        TEST(no_time_changes_nothing),
+    };
+    return RUN_TESTS(tests);
+}
