@@ -193,8 +193,10 @@ def best():
         return min(float(r["coin_advance"]), float(r["rk8"])) / float(r["limit"])
     named = [r for r in rows if not r["scene"].startswith("random")]
     drawn = [r for r in rows if r["scene"].startswith("random")]
-    lines = [[r["scene"], r["units"], r["amp"], r["coin_advance"], r["rk8"],
-              r["limit"], r["reached"]] for r in named]
+    def error(r, method):
+        return "refused" if r[method] == "inf" else r[method]
+    lines = [[r["scene"], r["units"], r["amp"], error(r, "coin_advance"),
+              error(r, "rk8"), r["limit"], r["reached"]] for r in named]
     worst = max(drawn, key=share)
     within = sum(share(r) <= 1 for r in drawn)
     lines.append([f"{len(drawn)} random, the worst of which", worst["units"],
