@@ -10,7 +10,7 @@ array method[10] = ["rk4", "rk8", "symplectic2", "symplectic4", \
 array outcome[6] = ["right", "place wrong, energy right", "energy lost", \
     "energy gained", "through the table, or no number", "refused"]
 array shade[6] = ["#009E73", "#F0E442", "#56B4E9", "#D55E00", "#000000", \
-    "#D0D0D0"]
+    "#F0F0F0"]
 
 # Of each family: what it is, what is across, the ends of that, the least step,
 # and places to be marked: across, or steps.
@@ -55,9 +55,9 @@ do for [f=1:6] {
     do for [m=1:10] {
         row = m > 6
         slot = row ? m - 7 : m - 1
-        x0 = 0.062 + slot * 0.149 + (slot > (row ? 0 : 3) ? 0.012 : 0)
+        x0 = 0.075 + slot * 0.1455 + (slot > (row ? 0 : 3) ? 0.012 : 0)
         set lmargin at screen x0
-        set rmargin at screen x0 + 0.139
+        set rmargin at screen x0 + 0.1355
         set tmargin at screen (row ? 0.445 : 0.88)
         set bmargin at screen (row ? 0.115 : 0.55)
         if (row) { set yrange [0.56e-12:1.78e-2] } \
@@ -65,7 +65,7 @@ do for [f=1:6] {
         set ytics 1e-12,(row ? 1e2 : 10),10
         set format y (slot == 0 ? "10^{%T}" : "")
         set ylabel (slot > 0 ? "" : row ? "tolerance" : \
-            "step [natural units]") offset (row ? 0.5 : 1.2),0
+            "step [natural units]") offset 1.2,0
         set xlabel (row || m > 4 ? across[f] : "") offset 0,0.7 font ",11"
         set title method[m] noenhanced offset 0,-0.8 font ",11" \
             textcolor rgb (m < 5 || m == 7 ? "#000000" : "#606060")
@@ -85,7 +85,7 @@ do for [f=1:6] {
         }
         # The first panel draws what belongs to all.
         if (m == 1) {
-            set label title[f] at screen 0.062,0.965 font ",14"
+            set label title[f] at screen 0.075,0.965 font ",14"
             do for [k=1:7] {
                 y = 0.43 - k * 0.042
                 set object k rectangle from screen 0.69,y-0.014 \
@@ -97,11 +97,17 @@ do for [f=1:6] {
             set object 8 rectangle from screen 0.69,y-0.014 \
                 to screen 0.725,y+0.014 fillcolor rgb "#FFFFFF" \
                 fillstyle transparent pattern 5 noborder
+            set object 9 rectangle from screen 0.69,0.164 \
+                to screen 0.725,0.192 fillcolor rgb "#909090" \
+                fillstyle transparent pattern 2 noborder
         }
         file = from."/atlas_".family."_".system("echo '".method[m]. \
             "' | tr ' ' _").".dat"
         plot for [k=1:6] file index k-1 with filledcurves closed \
                  fillcolor rgb shade[k] fillstyle solid 1 noborder, \
+             file index 5 with filledcurves closed \
+                 fillcolor rgb "#909090" fillstyle transparent pattern 2 \
+                 noborder, \
              file index 6 with filledcurves closed \
                  fillcolor rgb "#FFFFFF" fillstyle transparent pattern 5 \
                  noborder

@@ -6,6 +6,8 @@
 #   make bench      measure, and print what came out    (ten minutes)
 #   make charts     the same and the atlas, then renew tests/bench/results, the
 #                   pictures and the tables of docs/accuracy.md, docs/limits.md
+#                   (twelve minutes)
+#   make results    all that results-check looks at          (an hour)
 #   make figures    pictures and tables from tests/bench/results as they are
 #   make atlas      the maps of docs/limits.md, not timed   (three minutes)
 #   make natural    the calls of a frame loop                (one minute)
@@ -88,7 +90,7 @@ $(BENCH_OUT)/native/fused_%: $(BENCH_SRC)/peers/%.cpp $(NEEDED_native) | need-pe
 -include $(wildcard $(BENCH_OUT)/*/*.d $(BENCH_OUT)/*/lib/*.d)
 
 .PHONY: build-bench need-peers need-charts need-bits results-check bench \
-        charts figures longrun costs batch atlas atlas-check orbits natural
+        charts results figures longrun costs batch atlas atlas-check orbits natural
 build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%))
 
 # A peer that is missing would make our curve look better than it is.
@@ -151,6 +153,12 @@ bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 	    } >$(BENCH_OUT)/rungs.csv
 	$(PYTHON) $(BENCH_SRC)/rungs.py <$(BENCH_OUT)/rungs.csv \
 	    >$(BENCH_OUT)/accuracy.csv
+	{ $(ABOUT); echo build,call,rate,ns,textbook_steps,error; \
+	    $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_frames $$b || exit 1; done; \
+	    } >$(BENCH_OUT)/frames.csv
+	{ $(ABOUT); echo build,lanes,abreast_ns,alone_ns,gain,busy_alike,busy_any; \
+	    $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_abreast $$b || exit 1; done; \
+	    } >$(BENCH_OUT)/abreast.csv
 	{ $(ABOUT); $(BENCH_OUT)/portable/bench_best; } >$(BENCH_OUT)/best.csv
 	$(BENCH_OUT)/truth >$(BENCH_OUT)/truth.csv
 	$(BENCH_OUT)/truth spins >$(BENCH_OUT)/spins.csv
@@ -169,7 +177,8 @@ charts: bench $(BENCH_OUT)/portable/peer_orbit ## measure, and renew the charts
 	mkdir -p $(RESULTS)
 	$(MAP)
 	$(ORBITS)
-	for t in steps accuracy best reliability costs batch natural atlas; do \
+	for t in steps accuracy frames abreast best reliability costs batch \
+	    natural atlas; do \
 	    cp $(BENCH_OUT)/$$t.csv $(RESULTS)/$$t.csv; done
 	$(DRAW)
 
@@ -179,9 +188,11 @@ figures: need-charts ## draw the charts from the kept results
 
 # What becomes of a coin under every step: not timed, so at any time.
 MAPPED := bench_accuracy peer_gsl peer_odeint
-MAP     = { $(ABOUT); echo family,method,x,outcomes; for p in $(MAPPED); do \
-              $(BENCH_OUT)/portable/$$p atlas || exit 1; done; \
-              } >$(BENCH_OUT)/atlas.csv
+MAP     = for p in $(MAPPED); do ( $(BENCH_OUT)/portable/$$p atlas \
+              >$(BENCH_OUT)/$$p.csv || rm $(BENCH_OUT)/$$p.csv ) & done; wait; \
+          { $(ABOUT); echo family,method,x,outcomes; \
+            cat $(MAPPED:%=$(BENCH_OUT)/%.csv) || exit 1; \
+          } >$(BENCH_OUT)/atlas.csv
 
 atlas: $(MAPPED:%=$(BENCH_OUT)/portable/%) need-charts need-bits ## the maps of docs/limits.md (3 minutes)
 	mkdir -p $(RESULTS)
@@ -221,6 +232,11 @@ ORBITS  = for what in costs ratios phase; do { $(ABOUT); \
 orbits: $(BENCH_OUT)/portable/peer_orbit need-charts need-bits ## an orbit beside steps (two minutes)
 	$(ORBITS)
 	$(DRAW)
+
+results: ## measure anew all that results-check looks at (an hour)
+	+for what in charts models silent adversary adversary-update longrun \
+	    figures; do \
+	    $(AGAIN) $$what || exit 1; done
 
 longrun: $(BENCH_OUT)/portable/bench_longrun need-bits ## what ten million steps do (half an hour)
 	mkdir -p $(RESULTS)

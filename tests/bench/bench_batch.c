@@ -20,7 +20,7 @@
 enum { STEPS = 256, MOST = 1000000 };
 
 /* Whoever measures takes turns with the others for so long [ns]. */
-#define PATIENCE 1e9
+#define PATIENCE 4e8
 
 static coin_params p;
 static coinf_params pf;

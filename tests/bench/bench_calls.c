@@ -16,7 +16,7 @@
 #include <string.h>
 
 /* Calls of a window, a multiple of COINS; windows of each call. */
-enum { CALLS = 1024, COINS = 64, ROUNDS = 2000 };
+enum { CALLS = 1024, COINS = 64, ROUNDS = 1000 };
 
 #define DT 0.05
 

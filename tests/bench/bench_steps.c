@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What a step costs: of every method, against the textbook's in the same
- * windows; and what frame rates give on a US quarter.
+ * windows.
  *     bench_steps BUILD            CSV
  *     bench_steps run METHOD N     N steps and nothing else, for callgrind */
 #define RATE_LANES 2 /* those of the portable build */
@@ -94,23 +94,6 @@ static void cost_of_steps(const char *build, const scene *c)
         printf("%s,%s,%.4g,\n", build, probes[k].name, least[MOVERS + k]);
 }
 
-/* The error of a second of the quarter at a frame rate; one step per frame. */
-static void frames(const char *build, const scene *c, enum mover_kind kind,
-                   int rate)
-{
-    mover m = mover_at(kind, &c->row[0].s, &c->p, 1.0 / rate);
-    double worst = 0;
-    for (int i = 1, k = 1; i <= rate; ++i) {
-        if (mover_go(&m, 1))
-            worst = NAN;
-        for (; k < c->rows && c->row[k].t < (i + 0.5) / rate; ++k)
-            if (fabs(c->row[k].t - (double)i / rate) < 1e-9)
-                worst = fmax(worst, scene_error(c, &m.s, &c->row[k].s, 0));
-    }
-    printf("%s,quarter at %d/s: %s,%.3g,\n", build, rate, mover_name(kind),
-           worst);
-}
-
 static int run_only(char **argv)
 {
     scene c;
@@ -133,10 +116,5 @@ int main(int argc, char **argv)
     scene c;
     scene_load(&c, "generic", 20);
     cost_of_steps(build, &c);
-    scene_load(&c, "quarter", 1);
-    frames(build, &c, MOVER_RK4, 120);
-    frames(build, &c, MOVER_RK4, 60);
-    frames(build, &c, MOVER_TEXTBOOK, 60);
-    frames(build, &c, MOVER_RK8, 60);
     return 0;
 }

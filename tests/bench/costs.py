@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 OUT = pathlib.Path(sys.argv[1])
-OBJECTS = {"rk4": "rk4", "rk8": "rk8", "rk8 in tau": "sundman",
+OBJECTS = {"rk4": "rk4", "rk8": "rk8", "order 14 in tau": "extrapolation",
            "symplectic2": "symplectic", "symplectic4": "symplectic",
            "textbook RK4": "textbook"}
 
@@ -57,7 +57,7 @@ def main():
         counted[name] = [float(n) for n in numbers]
     print("method,ns,chain_ns,flop_ns,instructions,additions,products,"
           "divisions,roots,code_bytes")
-    for method in ("textbook RK4", "rk4", "rk8", "rk8 in tau",
+    for method in ("textbook RK4", "rk4", "rk8", "order 14 in tau",
                    "symplectic2", "symplectic4"):
         ins = (instructions(method, 6400) - instructions(method, 3200)) / 3200
         code = code_bytes(OBJECTS[method]) if method in OBJECTS else ""

@@ -7,11 +7,12 @@
 
 #include <coin.h>
 
+#include "../../lib/step/extrapolation.h"
 #include "../../lib/step/sundman.h"
 
 arithmetic operations;
 
-enum { SUNDMAN = 100, STEPS = 3200 };
+enum { EXTRAPOLATED = 100, STEPS = 3200 };
 
 static coin_params disc;
 static coin_state generic;
@@ -24,13 +25,13 @@ static counted latest(const coin_state &s)
     return when;
 }
 
-static coin_state sundman(uint64_t n)
+static coin_state extrapolate(uint64_t n)
 {
     coin_priv_run r;
     coin_priv_check(&generic, &disc, &r.b);
     coin_priv_run_from(&r, &generic, COIN_RK8, 0);
     for (; n > 0; --n)
-        coin_priv_sundman_step(&r, 0.05);
+        coin_priv_extrapolate(&r, 0.05);
     coin_priv_read_lean(&r.g);
     return coin_priv_run_state(&r);
 }
@@ -38,8 +39,8 @@ static coin_state sundman(uint64_t n)
 static counted run(int which, uint64_t n)
 {
     coin_state s = generic;
-    if (which == SUNDMAN)
-        s = sundman(n);
+    if (which == EXTRAPOLATED)
+        s = extrapolate(n);
     else
         coin_run(&s, &disc, which, 0.05, n, nullptr);
     return latest(s);
@@ -75,7 +76,7 @@ int main(int argc, char **argv)
     generic.wZ = 1.2;
     report("rk4", COIN_RK4);
     report("rk8", COIN_RK8);
-    report("rk8 in tau", SUNDMAN);
+    report("order 14 in tau", EXTRAPOLATED);
     report("symplectic2", COIN_SYMPLECTIC2);
     report("symplectic4", COIN_SYMPLECTIC4);
     return 0;

@@ -7,38 +7,55 @@ failed runs, and where each curve's label goes.
 
 Work against precision is that of the portable build.  A curve leaves out the
 rungs that a cheaper one beats, as all do below the floor of rounding; the CSV
-has them.
+has them.  Of several methods in one curve the cheapest counts at each error.
 """
 import csv
 import math
 import pathlib
 import sys
 
+import labels
 import rungs
 
 RESULTS, OUT = map(pathlib.Path, sys.argv[1:])
 CURVES, NS = rungs.curves(RESULTS / "accuracy.csv")
 SCENES = ("wobble", "generic", "tumble", "ring", "quarter", "nearflat")
-METHODS = ("textbook RK4", "rk4", "rk8", "coin_advance", "symplectic2",
-           "symplectic4", "GSL rk8pd", "odeint rkf78", "odeint dopri5",
-           "odeint rkf78 fixed", "CVODE Adams", "ODE rim contact",
-           "MuJoCo ellipsoid")
-LABELS = {"odeint rkf78 fixed": "rkf78 fixed", "odeint rkf78": "rkf78",
-          "odeint dopri5": "dopri5", "ODE rim contact": "ODE",
-          "MuJoCo ellipsoid": "MuJoCo", "CVODE Adams": "CVODE"}
-# The axes, which accuracy.gp draws: decades of cost and of error in a panel,
-# and which part of its height a line of text takes.
-DECADES = {"ns": (1.7, 8), "slopes": (0, 6)}
-ERROR_DECADES = 22
+PEERS = ("GSL rk8pd", "odeint rkf78", "odeint dopri5", "odeint rkf78 fixed",
+         "CVODE Adams")
+FREE = ("sine-free GSL rk8pd", "sine-free odeint rkf78 fixed")
+
+# What a curve is called, its line of style.gpi, and whose it is.
+TIMES = (("textbook RK4", 1, ("textbook RK4",)), ("rk4", 2, ("rk4",)),
+         ("rk8", 3, ("rk8",)), ("coin_advance", 4, ("coin_advance",)),
+         ("floats", 15, ("rk4 of floats",)),
+         ("best peer", 7, PEERS), ("our equations", 8, FREE),
+         ("ODE, MuJoCo", 12, ("ODE rim contact", "MuJoCo ellipsoid")),
+         ("heyoka", 16, ("heyoka",)), ("orbit", 14, ("orbit",)))
+SLOPES = (("RK4", 1, ("textbook RK4",)), ("rk8", 3, ("rk8",)),
+          ("coin_advance", 4, ("coin_advance",)),
+          *((m.removeprefix("odeint ").removeprefix("GSL "), 7 + k, (m,))
+            for k, m in enumerate(PEERS)))
+
+# The axes, which accuracy.gp draws: (from, to) of error and of cost, and the
+# pixels of a panel.
+ERRORS = 1e-16, 1e4
+COSTS = {"ns": (20, 1e8), "slopes": (2, 1e6)}
+FAILED_FROM, FAILED = 12, 300 # the band of failed runs, and its middle
+PANEL = 335, 312
+SECOND = 1e3, 1e9, 690, 440 # of the README's picture
+FRAMES = {"ns": (40, 700), "error": (1e-15, 0.1)}
+QUARTER = 0.0351704 # its natural unit of time [s]
+
+# Points drawn are at least these pixels apart: a line then bends within two
+# pixels of where it should, and the marks of failures stay apart.
+LINE_GAP = 5
+MARK_GAP = 9
+
+# A line of text, in parts of the height of the long runs' charts.
 LINE = 0.052
 
-# Points drawn are at least these parts of a panel apart: a line then bends
-# within two pixels of where it should, and the marks of failures stay apart.
-LINE_GAP = 0.013
-MARK_GAP = 0.03
-
 # Lines of style.gpi for the methods of the long runs.
-COLOURS = {"rk4": 2, "rk8": 3, "rk8 in tau": 4, "symplectic2": 5,
+COLOURS = {"rk4": 2, "rk8": 3, "order 14 in tau": 4, "symplectic2": 5,
            "symplectic4": 6}
 
 
@@ -51,20 +68,120 @@ def number(text):
     return float(text) if text else math.nan
 
 
-def thinned(points, gap, decades):
-    """The points (error, cost) without those nearer than gap to the last one
-    kept; the ends stay."""
+def thinned(points, gap, panel):
+    """The points without those nearer than gap to the last one kept; the ends
+    stay."""
     kept = points[:1]
-    for error, cost in points[1:-1]:
-        across = math.log10(error / kept[-1][0]) / ERROR_DECADES
-        up = math.log10(cost / kept[-1][1]) / decades
-        if math.hypot(across, up) >= gap:
-            kept.append((error, cost))
+    for point in points[1:-1]:
+        if math.dist(panel.pixel(*point), panel.pixel(*kept[-1])) >= gap:
+            kept.append(point)
     return kept + points[1:][-1:]
+
+
+def cheapest(scene, methods, what):
+    """(error, cost) of the front of several methods, without the rungs that
+    gain next to nothing."""
+    fronts = [rungs.front(CURVES.get(("portable", scene, m), []), what)
+              for m in methods]
+    ends = [math.log10(error) for front in fronts for error, _ in front]
+    line = fronts[0]
+    if len(methods) > 1 and ends:
+        grid = [10**(k/8) for k in range(math.floor(8*max(ends)),
+                                         math.floor(8*min(ends)) - 1, -1)]
+        costs = [[rungs.cost_at(f, e) for f in fronts] for e in grid]
+        line = [(e, min(filter(None, c))) for e, c in zip(grid, costs) if any(c)]
+    kept = line[:1]
+    for error, cost in line[1:]:
+        if error < 0.8 * kept[-1][0]:
+            kept.append((error, cost))
+    return kept
 
 
 def block(points):
     return "\n".join(f"{x:g} {y:g}" for x, y in points) or "nan nan"
+
+
+def failures(scene, shown, what, scale, panel):
+    """(cost, style) of failed runs: their steps at the cost of others."""
+    found = []
+    for _, style, methods in shown:
+        for m in methods:
+            mine = CURVES.get(("portable", scene, m), [])
+            each = min((r[what] / r["slopes"] for r in mine
+                        if r["status"] == "ok" and r["slopes"]),
+                       default=math.nan)
+            failed = sorted((FAILED, r["slopes"] * each * scale) for r in mine
+                            if r["status"] != "ok")
+            found += [(cost, style)
+                      for _, cost in thinned(failed, MARK_GAP, panel)]
+    return found
+
+
+def write_labels(stem, of, named, style, end=math.inf):
+    """Labels and, in a file of their own, leaders; style by name."""
+    places = labels.place(of, named, end)
+    missing = [n for n, line in named.items() if line and n not in places]
+    if missing:
+        print(f"{stem.name}: no room for", *missing, file=sys.stderr)
+    stem.with_suffix(".labels").write_text("".join(
+        f'{x:g} {y:g} "{name.partition(chr(9))[0]}" {style[name]}\n'
+        for name, (x, y, _) in places.items()) or 'nan nan "" 1\n')
+    stem.with_suffix(".leaders").write_text("".join(
+        f"{a:g} {b:g}\n{c:g} {d:g}\n\n"
+        for a, b, c, d in (l for *_, l in places.values() if l)) or "nan nan\n")
+
+
+def panel(stem, scene, shown, what, scale, of, marks=()):
+    """What is drawn in a panel: blocks in the order shown, labels, failures;
+    marks are points (x, y) with a name, of a style."""
+    lines = {name: [(e, c * scale) for e, c in cheapest(scene, methods, what)]
+             for name, _, methods in shown}
+    stem.with_suffix(".dat").write_text("\n\n\n".join(
+        block(thinned(line, LINE_GAP, of)) for line in lines.values()) + "\n")
+    named = {f"{name}\t{k}": [point] for k, (name, point, _) in enumerate(marks)}
+    style = {name: k for name, k, _ in shown} | {
+        f"{name}\t{k}": s for k, (name, _, s) in enumerate(marks)}
+    write_labels(stem, of, lines | named, style, FAILED_FROM)
+    failed = failures(scene, shown, what, scale, of)
+    stem.with_suffix(".failed").write_text(
+        "".join(f"{c:g} {k}\n" for c, k in failed) or "nan 1\n")
+    stem.with_suffix(".marks").write_text("".join(
+        f"{x:g} {y:g} {k}\n" for _, (x, y), k in marks) or "nan nan 1\n")
+
+
+def rates():
+    """Where frame rates lie on the curves of fixed steps: the error of a frame
+    loop, and its steps at the cost of a run's."""
+    ns = {r["method"]: number(r["ns_per_step"]) for r in rows("steps")
+          if r["build"] == "portable"}
+    of = {"textbook RK4": ("textbook RK4", 1), "coin_step": ("rk4", 2),
+          "one step of RK8": ("rk8", 3)}
+    return [("" if r["call"] == "textbook RK4" else f"{r['rate']}/s",
+             (number(r["error"]), number(r["rate"]) * ns[of[r["call"]][0]]),
+             of[r["call"]][1])
+            for r in rows("frames")
+            if r["build"] == "portable" and r["call"] in of]
+
+
+def frame_loop():
+    """One call per frame: what it takes, and the error after a second, against
+    the frame rate."""
+    style = {"textbook RK4": 1, "coin_step": 2, "one step of RK8": 3,
+             "coin_advance 1e-6": 4, "coin_advance 1e-9": 4,
+             "coin_orbit_at": 14, "coinf_step": 15}
+    calls = [r for r in rows("frames") if r["build"] == "portable"]
+    for column, (low, high) in FRAMES.items():
+        curves = {name: [(number(r["rate"]), number(r[column]))
+                         for r in calls if r["call"] == name] for name in style}
+        if column == "error":  # coin_step's errors are the textbook's
+            del curves["textbook RK4"]
+        stem = OUT / f"frame_{column}"
+        stem.with_suffix(".dat").write_text(
+            "\n\n\n".join(map(block, curves.values())) + "\n")
+        stem.with_suffix(".styles").write_text(
+            " ".join(str(style[name]) for name in curves) + "\n")
+        write_labels(stem, labels.Panel(310, 330, (50, 1200), (low, high), 12),
+                     curves, style)
 
 
 def spread(labels, low, high):
@@ -83,34 +200,25 @@ def spread(labels, low, high):
     return labels
 
 
-def panel(scene, measure):
-    low, high = DECADES[measure]
-    decades = high - low
-    step = NS["portable", scene] if measure == "ns" else 1
-    what = "cost" if measure == "ns" else "slopes"
-    lines, labels, failures = [], [], []
-    for k, method in enumerate(METHODS, 1):
-        mine = CURVES.get(("portable", scene, method), [])
-        if measure == "slopes" and k > 11:
-            mine = []  # an engine has no right-hand side
-        good = [r for r in mine if r["status"] == "ok"]
-        per_slope = min((r[what] / r["slopes"] for r in good), default=math.nan)
-        failed = sorted((1, r["slopes"] * per_slope * step) for r in mine
-                        if r["status"] != "ok")
-        failures += [(cost, k) for _, cost in thinned(failed, MARK_GAP, decades)]
-        line = [(error, cost * step) for error, cost in rungs.front(mine, what)]
-        lines.append(block(thinned(line, LINE_GAP, decades)))
-        if line:
-            error, cost = line[-1]
-            labels.append((math.log10(cost), LABELS.get(method, method), k,
-                           error, cost))
-    stem = OUT / f"{measure}_{scene}"
-    stem.with_suffix(".dat").write_text("\n\n\n".join(lines) + "\n")
-    stem.with_suffix(".failed").write_text(
-        "".join(f"{c:g} {k}\n" for c, k in failures) or "nan 1\n")
-    stem.with_suffix(".labels").write_text("".join(
-        f'{10 ** y:g} "{text}" {k} {error:g} {cost:g}\n'
-        for y, text, k, error, cost in spread(labels, low, high)))
+def batch(build):
+    """Where the labels of the ways of a batch go."""
+    style = {"textbook rk4": 1, "rk4 alone": 2, "rk4 abreast": 2,
+             "rk8 alone": 3, "rk8 abreast": 3, "rk4 of floats": 15,
+             "rk4 of floats abreast": 15}
+    took = [r for r in rows("batch") if r["build"] == build]
+    best = next(number(r["ns_per_step"]) for r in took
+                if r["way"] == "operation at best")
+    named = {way: [(number(r["coins"]), number(r["million_per_second"]))
+                   for r in took if r["way"] == way] for way in style}
+    for r in rows("costs"):
+        if r["method"] in ("rk4", "rk8"):
+            limit = 1e3 / best / sum(number(r[k]) for k in (
+                "additions", "products", "divisions"))
+            name = f"all operations of {r['method']} at the best rate"
+            named[name] = [(1.2, limit), (8e5, limit)]
+            style[name] = style[f"{r['method']} alone"]
+    write_labels(OUT / f"batch_{build}",
+                 labels.Panel(324, 320, (1, 1e6), (4, 500)), named, style)
 
 
 def chart(name, data, low, high, scale=math.log10, back=lambda v: 10 ** v):
@@ -139,9 +247,19 @@ def by_run(data, *columns):
 
 
 OUT.mkdir(parents=True, exist_ok=True)
+CURVES |= rungs.elsewhere(pathlib.Path(__file__).parent / "peers/heyoka.csv",
+                          rungs.plain_step(rows("steps")))
 for name in SCENES:
-    panel(name, "ns")
-    panel(name, "slopes")
+    panel(OUT / f"ns_{name}", name, TIMES, "cost", NS["portable", name],
+          labels.Panel(*PANEL, ERRORS, COSTS["ns"]))
+    panel(OUT / f"slopes_{name}", name, SLOPES, "slopes", 1,
+          labels.Panel(*PANEL, ERRORS, COSTS["slopes"]))
+panel(OUT / "second", "quarter", TIMES, "cost",
+      NS["portable", "quarter"] / QUARTER,
+      labels.Panel(*SECOND[2:], (1e-15, 5), SECOND[:2], 12), rates())
+frame_loop()
+for name in ("portable", "native"):
+    batch(name)
 drifts = rows("longrun")
 chart("energy", by_run(drifts, "energy_rms"), -17, 0)
 chart("integrals", by_run(drifts, "KY_rms", "KZ_rms"), -17, 0)

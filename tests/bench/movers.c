@@ -13,7 +13,7 @@ static const struct {
     {"textbook RK4", COIN_RK4},
     {"rk4", COIN_RK4},
     {"rk8", COIN_RK8},
-    {"rk8 in tau", COIN_RK8},
+    {"order 14 in tau", COIN_RK8},
     {"symplectic2", COIN_SYMPLECTIC2},
     {"symplectic4", COIN_SYMPLECTIC4},
 };

@@ -10,7 +10,7 @@ costs = results."/orbit_costs.csv"
 
 array way[6] = ["orbit", "rk4", "rk8", "coin_advance", "textbook RK4", \
                 "GSL rk8pd"]
-array look[6] = [6, 2, 3, 4, 1, 8]
+array look[6] = [14, 2, 3, 4, 1, 7]
 only(k, column, value, x) = \
     strcol(1) eq way[k] && column(column) == value ? column(x) : NaN
 
@@ -43,7 +43,7 @@ set xlabel "time [natural units]" offset 0,0.4
 set ylabel "phase against the orbit's [rad]" offset 1.5,0
 phases = results."/orbit_phase.csv"
 array run[8] = ["textbook RK4 0.05", "rk4 0.05", "rk4 0.01", "rk8 0.1", \
-    "rk8 0.05", "rk8 in tau 0.1", "symplectic2 0.01", "symplectic4 0.1"]
+    "rk8 0.05", "order 14 in tau 0.1", "symplectic2 0.01", "symplectic4 0.1"]
 array line[8] = [1, 2, 2, 3, 3, 4, 5, 6]
 is(k) = strcol(1)." ".strcol(2) eq run[k]
 last(k) = system("awk -F, '$1\" \"$2 == \"".run[k]."\" {x = $3*1.2\",\"$4} ".\

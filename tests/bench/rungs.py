@@ -9,7 +9,7 @@ quarter of the room.
 A cost is in steps of the textbook's RK4 per natural unit of time, each relative
 to one timed at the same moments; what that step took when it was quickest is
 kept for each build and scene.  Of the rungs below the floor of rounding two are
-kept.
+kept.  Settings and right-hand sides are those of the portable build.
 """
 import csv
 import math
@@ -62,7 +62,8 @@ def kept(lines):
                 ("cost", [short(float(r["ns_per_unit"])
                                 / float(r["textbook_ns"]))
                           for r, ok in zip(ran, good) if ok])):
-            yield ",".join([*key, quantity, " ".join(values)])
+            if key[0] == "portable" or quantity in ("error", "cost"):
+                yield ",".join([*key, quantity, " ".join(values)])
 
 
 def curves(path):
@@ -105,7 +106,9 @@ def plain_step(rows):
 def rungs(columns):
     cost = iter(columns["cost"])
     out = []
-    for error, slopes in zip(columns["error"], columns["slopes"], strict=True):
+    unknown = [math.nan] * len(columns["error"])
+    for error, slopes in zip(columns["error"], columns.get("slopes", unknown),
+                             strict=True):
         good = error[0].isdigit()
         out.append({"status": "ok" if good else error,
                     "error": float(error) if good else math.nan,

@@ -76,12 +76,14 @@ def ratios(build):
 
 
 def peers(others):
-    """The best peer's cost over ours, portable / native / native and fused."""
+    """The best peer's cost over ours, portable / native / native and fused, in
+    what builds there are."""
     def cell(scene, error):
         found = (ratio(b, scene, others, error) for b in (*BUILDS, "fused"))
-        return " / ".join(f"{r[0]:.1f}" if r else "-" for r in found)
+        return " / ".join(f"{r[0]:.1f}" for r in found if r)
     return table(["scene", *map("{:g}".format, ERRORS[1:])],
-                 [[s, *(cell(s, e) for e in ERRORS[1:])] for s in SCENES])
+                 [[s, *(cell(s, e) or "-" for e in ERRORS[1:])]
+                  for s in SCENES])
 
 
 def least():
@@ -114,9 +116,19 @@ def steps():
 
 
 def frames():
-    return table(["what", "error after one second"],
-                 [[r["method"], r["ns_per_step"]] for r in read("steps")
-                  if r["build"] == "portable" and "quarter at" in r["method"]])
+    """One call per frame: what it costs at 60 frames/s, and the error after a
+    second at each rate."""
+    found = {}
+    for r in read("frames"):
+        if r["build"] == "portable":
+            found.setdefault(r["call"], {})[r["rate"]] = r
+    rates = list(next(iter(found.values()), {}))
+    return table(["call", "ns", "textbook steps",
+                  *(f"error at {rate}/s" for rate in rates)],
+                 [[call, f"{float(by['60']['ns']):.0f}",
+                   by["60"]["textbook_steps"],
+                   *(rungs.short(float(by[rate]["error"]), 2)
+                     for rate in rates)] for call, by in found.items()])
 
 
 def costs():
@@ -149,6 +161,25 @@ def batch():
                   for m in ("rk4", "rk8", "rk4 of floats")])
 
 
+def abreast():
+    return table(["build", "coins abreast", "a coin's step, ns",
+                  "in coin_advance, ns", "gain", "busy, coins alike",
+                  "busy, coins of any kind"],
+                 [list(r.values()) for r in read("abreast")])
+
+
+def calls():
+    """What a frame loop calls; instructions are the portable build's."""
+    found = {}
+    for r in read("natural"):
+        found.setdefault(r["call"], {})[r["build"]] = r
+    return table(["call", *(f"{b}, textbook steps" for b in BUILDS),
+                  "instructions"],
+                 [[call, *(by[b]["textbook_steps"] for b in BUILDS),
+                   by["portable"]["instructions"]]
+                  for call, by in found.items()])
+
+
 def reliability():
     head = ("scenes", "method", "tol", "units", "coins", "skipped", "within tol",
             "within 3 tol", "within 10 tol", "median/tol", "worst/tol")
@@ -162,8 +193,10 @@ def best():
         return min(float(r["coin_advance"]), float(r["rk8"])) / float(r["limit"])
     named = [r for r in rows if not r["scene"].startswith("random")]
     drawn = [r for r in rows if r["scene"].startswith("random")]
-    lines = [[r["scene"], r["units"], r["amp"], r["coin_advance"], r["rk8"],
-              r["limit"], r["reached"]] for r in named]
+    def error(r, method):
+        return "refused" if r[method] == "inf" else r[method]
+    lines = [[r["scene"], r["units"], r["amp"], error(r, "coin_advance"),
+              error(r, "rk8"), r["limit"], r["reached"]] for r in named]
     worst = max(drawn, key=share)
     within = sum(share(r) <= 1 for r in drawn)
     lines.append([f"{len(drawn)} random, the worst of which", worst["units"],
@@ -307,7 +340,7 @@ def orbit_ratios():
 TABLES = {"orbit": orbit, "orbit ratios": orbit_ratios, "atlas": atlas,
           "batch": batch, "steps": steps, "frames": frames,
           "costs": costs, "reliability": reliability,
-          "best": best, "longrun": longrun, "least": least,
+          "best": best, "abreast": abreast, "calls": calls, "longrun": longrun, "least": least,
           "peers": lambda: peers(PEERS), "peers free": lambda: peers(FREE),
           "heyoka": lambda: peers(HEYOKA),
           "silent steps": lambda: silent_steps("worst", OURS[:2] + SYMPLECTIC),

@@ -21,7 +21,7 @@
  * while the textbook's step, timed in between, says that the machine is busy.
  */
 #ifndef BUDGET
-#define BUDGET 15e6 /* ns */
+#define BUDGET 8e6 /* ns */
 #endif
 #define REPEATS 5
 #define LONG 60e6 /* ns: beyond, twice is enough */
@@ -185,10 +185,11 @@ static double quiet_textbook(const scene *c)
 }
 
 /* Down the ladder until it ends, or takes too long, or gets no better: so many
- * rungs that do not go well below the best are the floor of rounding.  A rung
- * of order 4 goes to 0.5 of the error above. */
-#define IDLE 6
-#define BETTER 0.7
+ * rungs that do not go below the best are the floor of rounding.  A rung of
+ * order 4 goes to 0.5 of the error above, one of a solver that chooses its
+ * steps only to 0.8 at times. */
+#define IDLE 8
+#define BETTER 0.9
 
 static void walk(const char *build, const scene *c, const solver *v,
                  double *quiet)

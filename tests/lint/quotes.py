@@ -30,15 +30,12 @@ def figure(table, row, column):
     return float(table[row][column].replace(",", ""))
 
 
-COSTS = cells("accuracy.md", "costs")
+FRAMES = cells("accuracy.md", "frames")
+CALLS = cells("accuracy.md", "calls")
 BATCH = cells("accuracy.md", "batch")
 RUNS = cells("limits.md", "silent methods")
 COUNT = cells("embedding.md", "firmware", "instructions")
 STACK = cells("embedding.md", "firmware", "stack")
-
-
-def ns(method):
-    return figure(COSTS, method, "ns")
 
 
 def abreast(build):
@@ -61,10 +58,54 @@ def further(method):
         page)[1])
 
 
+def same(said, truth):
+    """Whether a figure is the truth, rounded to the digits that it has."""
+    mantissa, e, power = said.replace(",", "").partition("e")
+    unit = 10.0**(int(power or 0) - len(mantissa.partition(".")[2]))
+    return abs(float(mantissa + e + power) - truth) <= 0.5001 * unit
+
+
+def quarter(call, *rates):
+    return [figure(FRAMES, call, f"error at {rate}/s") for rate in rates]
+
+
+def longrun(method, h, steps, column):
+    """The table of long runs, whose rows are told by three columns."""
+    page = (ROOT / "docs/accuracy.md").read_text()
+    head, _, *rows = [[c.strip() for c in line.strip("|").split("|")]
+                      for line in re.search(
+                          r"<!-- longrun -->\n(.*?)\n<!-- end -->", page,
+                          re.S)[1].split("\n")]
+    return next(float(r[head.index(column)]) for r in rows
+                if r[:3] == [method, h, steps])
+
+
+def drift(h):
+    """Of the energy of rk8 in a unit of time."""
+    return longrun("rk8", h, "1e+07", "energy, rms") / 1e7 / float(h)
+
+
 # A page, what stands there with its figures as groups, and what they are.
 QUOTES = (
     ("README.md", r"\| (\d+) with RK4, (\d+) with RK8",
      further("rk4"), further("rk8")),
+    ("README.md", r"takes (\d+) \| \d+ with RK4",
+     figure(CALLS, "textbook RK4 step", "instructions")),
+    ("README.md", r"\| ([\d.]+) of the time, (\d+) instructions",
+     figure(CALLS, "coin_step", "portable, textbook steps"),
+     figure(CALLS, "coin_step", "instructions")),
+    ("README.md", r"\| (\S+) after 1 s \| its scene",
+     *quarter("coin_step", 120)),
+    ("docs/guide.md", r"per call a coin costs ([\d.]+) of a",
+     figure(CALLS, "coin_batch_run of one step per coin of 64",
+            "portable, textbook steps")),
+    *(("docs/guide.md", rf"\| {rate} \| \S+ \| (\S+) \| (\S+) \|",
+       *quarter("coin_step", rate), *quarter("one step of RK8", rate))
+      for rate in (60, 120, 240)),
+    ("docs/guide.md", r"\| 1000 \| \S+ \| (\S+) \|",
+     *quarter("coin_step", 1000)),
+    ("docs/accuracy.md", r"per frame \| (\S+) after a second of a quarter",
+     *quarter("one step of RK8", 60)),
     ("README.md", r"\| ([\d.]+), with AVX-512 ([\d.]+)",
      share("portable"), share("native")),
     ("docs/guide.md", r"of RK4 takes (\d+) ns with the two",
@@ -75,8 +116,13 @@ QUOTES = (
      figure(RUNS, "all", "nothing stated")),
     ("README.md", r"Cortex-M4F \| (\d+) instructions, (\d+) bytes",
      count("m4f", "coinf_step"), figure(STACK, "m4f", "coinf_step")),
-    ("docs/design.md", r"(\d+) ns where the textbook's takes (\d+)",
-     ns("rk4"), ns("textbook RK4")),
+    ("docs/accuracy.md", r"(\d\.\d)e13 steps",
+     longrun("symplectic2", "0.05", "1e+07", "energy, rms") /
+     drift("0.05") / 0.05 / 1e13),
+    ("docs/models.md", r"errs by (\d)e-8 after a second at 60",
+     figure(FRAMES, "one step of RK8", "error at 60/s") * 1e8),
+    ("docs/models.md", r"errs by (\d)e-8 after a second at 1000",
+     figure(FRAMES, "coin_step", "error at 1000/s") * 1e8),
     ("docs/limits.md", r"Of ([\d,]+) random runs",
      figure(RUNS, "all", "runs")),
     ("docs/guide.md", r"`coinf_step` takes (\d+) instructions",
@@ -103,8 +149,7 @@ for page, pattern, *truths in QUOTES:
         continue
     groups = found[0] if isinstance(found[0], tuple) else found
     for said, truth in zip(groups, truths, strict=True):
-        digits = len(said.partition(".")[2])
-        if abs(float(said.replace(",", "")) - truth) > 0.5001 * 10**-digits:
+        if not same(said, truth):
             wrong.append(f"{page}: {said} for {truth:g} in {pattern}")
 print(f"{len(QUOTES)} quotes of tables")
 sys.exit("\n".join(wrong) if wrong else 0)

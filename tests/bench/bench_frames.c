@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: MIT */
+/* A frame loop: one call per frame moves a US quarter for a second.  What the
+ * call costs, and how far the quarter is from where it should be.
+ *     bench_frames BUILD          CSV */
+#include "clock.h"
+#include "scene.h"
+#include "textbook.h"
+
+#include <coinf.h>
+
+#include <math.h>
+#include <stdio.h>
+
+enum { ROUNDS = 400 };
+
+static scene c;
+static coin_state s;
+static coinf_state single;
+static coinf_params body;
+static coin_orbit orbit;
+static double t;
+
+static int by_textbook(double dt)
+{
+    textbook_run(&s, &c.p, dt, 1);
+    return 0;
+}
+
+static int by_step(double dt)
+{
+    return coin_step(&s, &c.p, dt);
+}
+
+static int by_rk8(double dt)
+{
+    return coin_run(&s, &c.p, COIN_RK8, dt, 1, NULL);
+}
+
+static int by_advance6(double dt)
+{
+    return coin_advance(&s, &c.p, dt, 1e-6, NULL);
+}
+
+static int by_advance9(double dt)
+{
+    return coin_advance(&s, &c.p, dt, 1e-9, NULL);
+}
+
+static int by_orbit(double dt)
+{
+    t += dt;
+    return coin_orbit_at(&orbit, t, &s);
+}
+
+static int by_single(double dt)
+{
+    return coinf_step(&single, &body, (float)dt);
+}
+
+/* The first is the yardstick. */
+static const struct call {
+    const char *name;
+    int (*make)(double dt);
+} calls[] = {
+    {"textbook RK4", by_textbook},      {"coin_step", by_step},
+    {"one step of RK8", by_rk8},        {"coin_advance 1e-6", by_advance6},
+    {"coin_advance 1e-9", by_advance9}, {"coin_orbit_at", by_orbit},
+    {"coinf_step", by_single},
+};
+
+enum { CALLS = sizeof calls / sizeof *calls };
+
+static const int rates[] = {60, 120, 240, 1000};
+
+enum { RATES = sizeof rates / sizeof *rates };
+
+static void begin(void)
+{
+    const coin_state *from = &c.row[0].s;
+    const coinf_state start = {
+        (float)from->theta, (float)from->phi, (float)from->psi,
+        (float)from->x,     (float)from->z,   (float)from->wX,
+        (float)from->wY,    (float)from->wZ,  {0},
+    };
+    s = *from;
+    single = start;
+    t = 0;
+}
+
+/* A second of calls [ns per call]. */
+static double second(const struct call *call, int rate, double tare)
+{
+    int worst = 0;
+    begin();
+    const double from = clock_ns();
+    for (int i = 0; i < rate; ++i)
+        worst |= call->make(1.0 / rate);
+    const double ns = (clock_ns() - from - tare) / rate;
+    return worst < 0 ? (double)NAN : ns;
+}
+
+/* After the second, which is the last row of the scene. */
+static double error_of(const struct call *call, int rate)
+{
+    second(call, rate, 0);
+    if (call->make == by_single) {
+        const coinf_state *f = &single;
+        const coin_state end = {f->theta, f->phi, f->psi, f->x,
+                                f->z,     f->wX,  f->wY,  f->wZ};
+        s = end;
+    }
+    return scene_error(&c, &s, &c.row[c.rows - 1].s, 1);
+}
+
+static int prepare(void)
+{
+    scene_load(&c, "quarter", 1);
+    const coin_params *p = &c.p;
+    return fabs(c.row[c.rows - 1].t - 1) < 1e-12 &&
+           coin_orbit_init(&orbit, &c.row[0].s, p) >= 0 &&
+           coinf_params_body(&body, (float)p->mass, (float)p->radius,
+                             (float)p->gravity, (float)p->inertia_X,
+                             (float)p->inertia_Z) == COIN_OK;
+}
+
+/* All take turns, so that each sees the machine's quiet moments. */
+int main(int argc, char **argv)
+{
+    static double least[RATES][CALLS];
+    const double tare = clock_cost();
+    if (!prepare())
+        return 1;
+    for (int i = 0; i < ROUNDS; ++i)
+        for (int r = 0; r < RATES; ++r)
+            for (int k = 0; k < CALLS; ++k) {
+                const double ns = second(&calls[k], rates[r], tare);
+                least[r][k] = i == 0 ? ns : fmin(least[r][k], ns);
+            }
+    for (int k = 0; k < CALLS; ++k)
+        for (int r = 0; r < RATES; ++r)
+            printf("%s,%s,%d,%.4g,%.3g,%.2g\n", argc > 1 ? argv[1] : "unnamed",
+                   calls[k].name, rates[r], least[r][k],
+                   least[r][k] / least[r][0], error_of(&calls[k], rates[r]));
+    return 0;
+}
