@@ -211,7 +211,7 @@ HEAD = """# rolling coin reference trajectory, scene %(name)s: %(note)s
 """
 def fmt(v):
     if v == 0: return '0'
-    s = mpmath.nstr(v, 32, min_fixed=1, max_fixed=0, strip_zeros=False)
+    s = mpmath.nstr(v, 18, min_fixed=1, max_fixed=0, strip_zeros=False)
     m, _, e = s.partition('e')
     return m + 'e' + (e or '+0')
 
