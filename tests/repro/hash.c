@@ -187,20 +187,17 @@ static coin_losses losses_of(const start *b)
 static uint64_t hash_settle(const scene *a)
 {
     uint64_t h = FNV_OFFSET;
-    double tol, reached;
+    double tol, reached = 0;
     int i;
     for (tol = 1e-3; tol > 0.9e-9; tol /= 1e6) {
         start b = start_of(a);
         const coin_losses l = losses_of(&b);
-        for (i = 0; i < 10; ++i) {
-            reached = 0;
-            h = hash_status(
-                h, coin_settle(&b.s, &b.p, &l, 1.7 * b.unit, tol, &reached));
+        for (i = 0; i < 11; ++i) {
+            const double t = (i < 10 ? 1.7 : 20) * b.unit;
+            h = hash_status(h, coin_settle(&b.s, &b.p, &l, t,
+                                           i < 10 ? tol : 1e-3, &reached));
             h = hash_state(hash_doubles(h, &reached, 1), &b.s);
         }
-        h = hash_status(
-            h, coin_settle(&b.s, &b.p, &l, 20 * b.unit, 1e-3, &reached));
-        h = hash_state(hash_doubles(h, &reached, 1), &b.s);
     }
     return h;
 }
