@@ -173,8 +173,7 @@ static uint64_t hash_advance(const scene *a)
     return h;
 }
 
-/* With some of each loss, of a size that brings most coins to rest; call by
- * call, by a coarse and a fine tolerance. */
+/* Some of each loss, so that most coins come to rest. */
 static coin_losses losses_of(const start *b)
 {
     const double m = b->p.mass * b->p.radius * b->p.radius, w = 1 / b->unit;
@@ -224,14 +223,21 @@ static start_float start_float_of(const scene *a)
     return b;
 }
 
+static uint64_t hash_floats(uint64_t h, const void *from, size_t count)
+{
+    const unsigned char *at = (const unsigned char *)from;
+    uint32_t bits;
+    size_t i;
+    for (i = 0; i < count; ++i) {
+        memcpy(&bits, at + i * sizeof bits, sizeof bits);
+        h = hash_u64(h, bits);
+    }
+    return h;
+}
+
 static uint64_t hash_state_float(uint64_t h, const coinf_state *s)
 {
-    uint32_t bits[sizeof *s / sizeof(uint32_t)];
-    size_t i;
-    memcpy(bits, s, sizeof bits);
-    for (i = 0; i < sizeof bits / sizeof *bits; ++i)
-        h = hash_u64(h, bits[i]);
-    return h;
+    return hash_floats(h, s, sizeof *s / sizeof(float));
 }
 
 /* The same runs in single precision, in two parts. */
@@ -269,13 +275,6 @@ static uint64_t hash_batch_float(const scene *a, int32_t method)
     return h;
 }
 
-static uint64_t hash_reached_float(uint64_t h, float reached)
-{
-    uint32_t bits;
-    memcpy(&bits, &reached, sizeof bits);
-    return hash_u64(h, bits);
-}
-
 /* With losses, call by call. */
 static uint64_t hash_settle_float(const scene *a)
 {
@@ -291,7 +290,7 @@ static uint64_t hash_settle_float(const scene *a)
     for (i = 0; i < 30; ++i) {
         h = hash_status(
             h, coinf_settle(&b.s, &b.p, &l, 32 * b.dt, 1e-4f, &reached));
-        h = hash_state_float(hash_reached_float(h, reached), &b.s);
+        h = hash_state_float(hash_floats(h, &reached, 1), &b.s);
     }
     return h;
 }
@@ -310,10 +309,8 @@ static uint64_t hash_life_float(void)
         status = coinf_settle(&s, &p, &l, 1e-3f, 1e-3f, &reached);
         ++calls;
     }
-    return hash_state_float(
-        hash_reached_float(hash_u64(hash_status(FNV_OFFSET, status), calls),
-                           reached),
-        &s);
+    calls = hash_u64(hash_status(FNV_OFFSET, status), calls);
+    return hash_state_float(hash_floats(calls, &reached, 1), &s);
 }
 
 #ifndef WITHOUT_ORBIT
