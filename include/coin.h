@@ -818,7 +818,7 @@ COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
  *         theta, wY and wZ as m^2, phi and psi as m: 70 m at half of the time
  *         to rest of a spin from 0.1 rad; x and z as phi (test_quasisteady).
  *         The model itself is solved to 1e-9.
- * Cost: some 350 textbook steps at most, whatever t. */
+ * Cost: up to 230 textbook steps, whatever t. */
 COIN_API int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
                                      const coin_losses *l, double t,
                                      coin_state *out);
