@@ -838,8 +838,10 @@ COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
  * stop, as damping and rolling do, the time below cos(theta) = 1e-10 is that of
  * the law of the end.
  * Accuracy: of random launches the error stays within tol per natural unit of
- *         time in 99 of 100 (test_settle); the time of rest does not depend on
- *         how many calls it takes, to 1e-9.
+ *         time in 99 of 100 (test_settle), and where the contact does not turn
+ *         round within 10 tol per radius of speed in all that were searched
+ *         (docs/limits.md); the time of rest does not depend on how many calls
+ *         it takes, to 1e-9.
  * Cost: some 3 RK8 steps per radian that the contact rolls by, at 1e-9; more
  *         where dry friction holds the contact: dry/(soft cos(theta)) of the
  *         moments of inertia is then the rate that steps have to follow. */
@@ -858,8 +860,9 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
  *         steps are not enough, as for absurdly fast coins.
  * Accuracy: the last fall is not quasi-steady: with m the loss in natural units
  *         the error is as m^1.2 to m^1.5, some 5e-4 for a coin that spins for
- *         seconds (docs/models.md, test_quasisteady).
- * Cost: some 350 textbook steps. */
+ *         seconds (docs/models.md, test_quasisteady).  The model itself is
+ *         solved to 1e-6 of the time.
+ * Cost: up to 610 textbook steps. */
 COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
                                   const coin_losses *l);
 
@@ -878,7 +881,8 @@ COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
  * Accuracy: until the angle from flat is ten times the loss m in natural units,
  *         theta, wY and wZ as m^2, phi and psi as m: 70 m at half of the time
  *         to rest of a spin from 0.1 rad; x and z as phi (test_quasisteady).
- * Cost: some 350 textbook steps, whatever t. */
+ *         The model itself is solved to 1e-9.
+ * Cost: up to 230 textbook steps, whatever t. */
 COIN_API int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
                                      const coin_losses *l, double t,
                                      coin_state *out);

@@ -8,22 +8,6 @@
 
 #define TURN 6.283185307179586
 
-/* What coin_settle() gets of the same numbers. */
-static coin_losses doubles_losses(const coinf_losses *l)
-{
-    const coin_losses d = {l->damping, l->dry,     l->viscous, l->layer,
-                           l->gap,     l->rolling, l->spin,    l->soft};
-    return d;
-}
-
-static coinf_losses floats_losses(const coin_losses *l)
-{
-    const coinf_losses f = {(float)l->damping, (float)l->dry, (float)l->viscous,
-                            (float)l->layer,   (float)l->gap, (float)l->rolling,
-                            (float)l->spin,    (float)l->soft};
-    return f;
-}
-
 static coinf_params disc_f(void)
 {
     coinf_params p;
@@ -352,6 +336,23 @@ static void what_never_stops_ends_by_the_law_of_the_end(void **unused)
     }
 }
 
+/* Where the time is over before, steps go on. */
+static void the_law_of_the_end_waits_for_its_time(void **unused)
+{
+    (void)unused;
+    const coinf_params p = disc_f();
+    const coin_params P = doubles_params(&p);
+    const coinf_losses l = {.damping = 1e-3f};
+    coin_state steady;
+    check_status(coin_steady_spin(&steady, &P, 1.5707963267948966 - 9e-6),
+                 COIN_OK);
+    coinf_state s = floats_state(&steady);
+    float when;
+    check_status(coinf_settle(&s, &p, &l, 1, 1e-2f, NULL), COIN_OK);
+    check_status(coinf_settle(&s, &p, &l, 100, 1e-2f, &when), COIN_RESTS);
+    check_near((double)when, 1.5 * sqrt(9e-6) / 1e-3 - 1, 0.05);
+}
+
 /* Without a stop, and too close for a pass to be told from a fall. */
 static void a_pass_closer_than_a_float_can_tell_is_a_fall(void **unused)
 {
@@ -379,6 +380,7 @@ int main(void)
         TEST(a_contact_that_cannot_be_held_rolls_on),
         TEST(a_pass_near_flat_is_no_end),
         TEST(what_never_stops_ends_by_the_law_of_the_end),
+        TEST(the_law_of_the_end_waits_for_its_time),
         TEST(a_pass_closer_than_a_float_can_tell_is_a_fall),
     };
     return RUN_TESTS(tests);

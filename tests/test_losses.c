@@ -71,20 +71,39 @@ static struct torque torque_of(const coin_state *s, const coin_params *p,
     return t;
 }
 
+/* A random coin with losses in some state. */
+struct drawn {
+    coin_params p;
+    coin_losses l;
+    coin_state s;
+    double J, K;
+};
+
+static struct drawn draw(struct random *r)
+{
+    struct drawn d;
+    d.p = random_coin(r);
+    d.l = random_losses(r, &d.p);
+    d.s = random_state(r, &d.p, 1.5);
+    const double m = d.p.mass * d.p.radius * d.p.radius;
+    d.J = d.p.inertia_X + m;
+    d.K = d.p.inertia_Z + m;
+    return d;
+}
+
 static void rates_differ_from_the_ideal_ones_by_the_torques(void **unused)
 {
     (void)unused;
     struct random r = random_begin(141);
     for (int i = 0; i < 2000; ++i) {
-        const coin_params p = random_coin(&r);
-        const coin_losses l = random_losses(&r, &p);
-        const coin_state s = random_state(&r, &p, 1.5);
-        const double m = p.mass * p.radius * p.radius;
-        const double J = p.inertia_X + m, K = p.inertia_Z + m;
+        const struct drawn of = draw(&r);
+        const coin_params p = of.p;
+        const coin_state s = of.s;
+        const double J = of.J, K = of.K;
         coin_state ideal, got;
         check_status(coin_rates(&s, &p, &ideal), COIN_OK);
-        check_status(coin_losses_rates(&s, &p, &l, &got), COIN_OK);
-        const struct torque t = torque_of(&s, &p, &l);
+        check_status(coin_losses_rates(&s, &p, &of.l, &got), COIN_OK);
+        const struct torque t = torque_of(&s, &p, &of.l);
         const double slack = 200 * U * t.terms;
         check(got.theta == ideal.theta && got.phi == ideal.phi &&
               got.psi == ideal.psi && got.x == ideal.x && got.z == ideal.z);
@@ -104,19 +123,18 @@ static void the_power_is_what_the_energy_loses(void **unused)
     (void)unused;
     struct random r = random_begin(142);
     for (int i = 0; i < 2000; ++i) {
-        const coin_params p = random_coin(&r);
-        const coin_losses l = random_losses(&r, &p);
-        const coin_state s = random_state(&r, &p, 1.5);
-        const double m = p.mass * p.radius * p.radius;
-        const double J = p.inertia_X + m, K = p.inertia_Z + m;
+        const struct drawn of = draw(&r);
+        const coin_params p = of.p;
+        const coin_state s = of.s;
+        const double J = of.J, K = of.K;
         coin_state d;
-        const double P = coin_losses_power(&s, &p, &l);
+        const double P = coin_losses_power(&s, &p, &of.l);
         check(P >= 0);
-        const struct torque t = torque_of(&s, &p, &l);
+        const struct torque t = torque_of(&s, &p, &of.l);
         const double w = fabs(s.wX) + fabs(s.wY) + fabs(s.wZ);
         check_near(P, -(t.X * s.wX + t.Y * s.wY + t.Z * s.wZ),
                    200 * U * t.terms * w);
-        check_status(coin_losses_rates(&s, &p, &l, &d), COIN_OK);
+        check_status(coin_losses_rates(&s, &p, &of.l, &d), COIN_OK);
         const double terms[] = {
             J * s.wX * d.wX, p.inertia_X * s.wY * d.wY, K * s.wZ * d.wZ,
             -p.mass * p.gravity * p.radius * sin(s.theta) * s.wX};

@@ -214,6 +214,30 @@ static void the_time_goes_down_as_the_time_goes_on(void **unused)
     }
 }
 
+/* A step that ends near rest has to be cut to land on the time asked. */
+static void the_lean_changes_by_its_rate_up_to_the_end(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double m[LAWS] = {1e-2, 1e-3, 1e-4, 1e-4, 6e-4, 1e-2};
+    for (int i = 0; i < LAWS; ++i) {
+        const coin_losses l = law(i, m[i]);
+        const coin_state s = spin(&p, 0.187);
+        const double T = coin_time_to_rest(&s, &p, &l);
+        for (double left = 0.5; left > 1e-3; left *= 0.6) {
+            const double t = (1 - left) * T, d = 1e-3 * left * T;
+            coin_state before, at, after;
+            check_status(coin_quasisteady_at(&s, &p, &l, t - d, &before),
+                         COIN_OK);
+            check_status(coin_quasisteady_at(&s, &p, &l, t, &at), COIN_OK);
+            check_status(coin_quasisteady_at(&s, &p, &l, t + d, &after),
+                         COIN_OK);
+            check_note("%s, %g left", law_names[i], left);
+            check_near((after.theta - before.theta) / (2 * d * at.wX), 1, 1e-5);
+        }
+    }
+}
+
 /* --------------------------------------------------------------------- fits */
 static void fitted_losses_take_the_time_asked(void **unused)
 {
@@ -264,6 +288,7 @@ int main(void)
         TEST(near_flat_it_is_the_closed_law_of_the_end),
         TEST(past_the_end_the_coin_lies_flat),
         TEST(the_time_goes_down_as_the_time_goes_on),
+        TEST(the_lean_changes_by_its_rate_up_to_the_end),
         TEST(fitted_losses_take_the_time_asked),
         TEST(a_quarter_fitted_to_8_s_rests_after_8_s),
     };

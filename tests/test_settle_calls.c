@@ -32,6 +32,41 @@ static void without_losses_it_is_coin_advance(void **unused)
     check(reached == right);
 }
 
+/* What a game does: all of them a frame further, until the last one rests. */
+static void many_coins_in_a_loop_settle_as_each_alone(void **unused)
+{
+    (void)unused;
+    enum { COINS = 24, FRAMES = 240 };
+    const coin_params p = ring(0.5);
+    coin_losses l[COINS];
+    coin_state start[COINS], s[COINS];
+    int at_rest[COINS] = {0}, resting = 0;
+    struct random r = random_begin(157);
+    for (int i = 0; i < COINS; ++i) {
+        l[i] = random_losses(&r, &p, 0.5);
+        l[i].dry += 0.05;
+        start[i] = s[i] = random_state(&r, &p, 1.5);
+    }
+    for (int frame = 0; frame < FRAMES; ++frame)
+        for (int i = 0; i < COINS; ++i)
+            if (!at_rest[i] &&
+                coin_settle(&s[i], &p, &l[i], 0.5, 1e-6, NULL) == COIN_RESTS) {
+                at_rest[i] = frame + 1;
+                ++resting;
+            }
+    check_within(resting, COINS - 2, COINS); /* some may stand upright */
+    for (int i = 0; i < COINS; ++i) {
+        coin_state alone = start[i];
+        int32_t status = COIN_OK;
+        int frames = 0;
+        for (; status == COIN_OK && frames < FRAMES; ++frames)
+            status = coin_settle(&alone, &p, &l[i], 0.5, 1e-6, NULL);
+        check_note("coin %d", i);
+        check(frames == (at_rest[i] ? at_rest[i] : FRAMES));
+        check_same(&alone, &s[i], sizeof alone);
+    }
+}
+
 static void no_time_changes_nothing(void **unused)
 {
     (void)unused;
@@ -181,6 +216,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(without_losses_it_is_coin_advance),
+        TEST(many_coins_in_a_loop_settle_as_each_alone),
         TEST(no_time_changes_nothing),
         TEST(in_units_a_power_of_two_apart_every_bit_is_the_same),
         TEST(mirrored_every_bit_is_the_same),

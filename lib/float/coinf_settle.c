@@ -17,6 +17,7 @@
  * below tol per natural unit of time (test_float_settle); never longer than
  * what COIN_COARSE begins at. */
 #define STRIDE 1.6f
+#define LONGEST 0.35f
 
 /* How much of the friction's own rate counts: a step is then up to 1.2 of its
  * relaxation times, and the method is stable up to 2.7. */
@@ -93,10 +94,9 @@ COIN_PRIV_APART int step(struct settling *g, const coinf_priv_variables *y,
                          float dt)
 {
     const coinf_priv_body *b = &g->b;
-    const coinf_priv_limits limits = coinf_priv_limits_of(b, COIN_RK4, dt);
     const struct lossy_plan plan = {
-        {coinf_priv_field_of(b, dt), 0, b->a, b->g_a, b->k1, b->k2,
-         limits.coarse2, limits.most2},
+        {coinf_priv_field_of(b, dt), 0, b->a, b->g_a, b->k1, b->k2, b->w2_max,
+         b->w2_max},
         &g->l,
     };
     coinf_priv_slope first, rest;
@@ -232,11 +232,10 @@ int32_t coinf_settle(coinf_state *s, const coinf_params *p,
     if (!(t >= 0 && t * sqrtf(g.b.g_a) <= TOO_LONG))
         return COIN_ESTEP;
     const float stride = STRIDE * sqrtf(sqrtf(tol));
-    const float most = coinf_priv_coarse_limit(COIN_RK4);
     g.s = *s;
     g.rem = t;
     g.rem_low = 0;
-    g.stride = stride < most ? stride : most;
+    g.stride = stride < LONGEST ? stride : LONGEST;
     (void)coinf_priv_losses_of(&g.l, l, &g.b);
     status = coinf_priv_rests(s) ? COIN_RESTS : approach(&g);
     /* A fall of a body that floats hardly hold may be too fast for them. */

@@ -24,6 +24,9 @@
 /* The most steps, those refused included: 0.2 s.  A life takes some 30. */
 #define TRIES_MAX 32768
 
+/* The most tries to land on a time. */
+#define LANDINGS_MAX 40
+
 /* The part of sqrt(cos theta) that a step may take, and where the law of the
  * end takes over. */
 #define PART 0.7
@@ -172,14 +175,22 @@ static double longest(const struct passing *g)
 }
 
 /* Shortens a step h from the variables before until it lands on the time t, to
- * rounding. */
+ * rounding: Newton, and halves where that leaves the step, as near the end time
+ * hardly grows with the arc. */
 static void land(double *y, const double *before, const struct slow *q,
                  double h, double t)
 {
-    for (int i = 0; i < 4; ++i) { /* Newton */
+    double least = 0, most = h;
+    for (int i = 0; i < LANDINGS_MAX; ++i) {
         double d[VARIABLES];
+        const double off = y[TIME] - t;
+        if (fabs(off) <= 4 * DBL_EPSILON * t)
+            break;
+        *(off > 0 ? &most : &least) = h;
         slopes(d, y, q);
-        h -= (y[TIME] - t) / d[TIME];
+        h -= off / d[TIME];
+        if (!(h > least && h < most))
+            h = (least + most) / 2;
         for (int k = 0; k < VARIABLES; ++k)
             y[k] = before[k];
         (void)coin_priv_gbs(y, VARIABLES, slopes, q, h);

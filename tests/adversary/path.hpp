@@ -5,11 +5,10 @@
 #ifndef ROLLCOIN_ADVERSARY_PATH_HPP
 #define ROLLCOIN_ADVERSARY_PATH_HPP
 
-#include "number.hpp"
+#include "losses.hpp"
+#include "midpoint.hpp"
 
-#include <array>
 #include <cstdint>
-#include <type_traits>
 
 template <class R> class path
 {
@@ -32,6 +31,7 @@ template <class R> class path
 
     R a, w; /* the radius, and natural units of rate in the coin's own */
     R most_W = 0; /* the largest W where a step began */
+    const losses<R> *slow = nullptr; /* what slows the coin, or null */
 
     /* Follows the motion; false if it falls flat or takes too long. */
     bool follow(R t)
@@ -126,12 +126,8 @@ template <class R> class path
     static constexpr int MOST_TURN = 80; /* radians: what a truth costs */
 
   private:
-    static constexpr int COLUMNS = 11;
-    /* Of a step: radians of the fastest rate, and the last correction that is
-     * none. */
-    static constexpr bool LONG = std::is_same_v<R, long double>;
-    static constexpr double REACH = LONG ? 0.6 : 0.3;
-    static constexpr double NONE = LONG ? 0x1p-58 : 1e-26;
+    /* Radians of the fastest rate in a step. */
+    static constexpr double REACH = std::is_same_v<R, long double> ? 0.6 : 0.3;
     static constexpr int MOST_STEPS = int(2 * MOST_TURN / REACH);
 
     R IX, IZ;
@@ -183,53 +179,24 @@ template <class R> class path
         d[5] = (-(1 + IZ) * wY * wZ - IX * wY * wY * T + s) / (1 + IX);
         d[6] = wX * wY * T + IZ / IX * wX * wZ; /* (15) */
         d[7] = wX * wY / (1 + IZ);              /* (16) */
-    }
-
-    /* The change in H by n substeps. */
-    void midpoint(const vector &d0, R H, int n, vector &out) const
-    {
-        const R h = H / n;
-        vector last = {}, d;
-        for (int i = 0; i < 8; ++i)
-            out[i] = h * d0[i];
-        for (int k = 1; k < n; ++k) {
-            rates(out, d);
-            for (int i = 0; i < 8; ++i) {
-                const R next = last[i] + 2 * h * d[i];
-                last[i] = out[i];
-                out[i] = next;
-            }
-        }
+        if (slow)
+            slow->add(IX, IZ, s, c, wX, wY, wZ, &d[5]);
     }
 
     bool step(R H)
     {
-        vector table[COLUMNS], d0;
+        vector change;
         const R W = fastest();
         sph0 = sphi0 * cosine(y[1]) + cphi0 * sine(y[1]);
         cph0 = cphi0 * cosine(y[1]) - sphi0 * sine(y[1]);
-        rates(vector(), d0);
-        for (int k = 0; k < COLUMNS; ++k) {
-            midpoint(d0, H, 2 * k + 2, table[k]);
-            R error = 0;
-            for (int j = k - 1; j >= 0; --j) {
-                const R ratio = R(k + 1) / (j + 1), f = ratio * ratio - 1;
-                error = 0;
-                for (int i = 0; i < 8; ++i) {
-                    const R off = (table[j + 1][i] - table[j][i]) / f;
-                    table[j][i] = table[j + 1][i] + off;
-                    error = larger(error, magnitude(off) / (i < 5 ? R(1) : W));
-                }
-            }
-            if (!(error < 1)) /* also NaN */
-                return false;
-            if (k >= 3 && error < R(NONE)) {
-                for (int i = 0; i < 8; ++i)
-                    y[i] += table[0][i];
-                return cth(y[0]) > 0;
-            }
-        }
-        return false;
+        const vector sizes = {1, 1, 1, 1, 1, W, W, W};
+        if (!extrapolated<R, 8>(
+                [this](const vector &v, vector &d) { rates(v, d); }, sizes, H,
+                change))
+            return false;
+        for (int i = 0; i < 8; ++i)
+            y[i] += change[i];
+        return cth(y[0]) > 0;
     }
 };
 

@@ -33,6 +33,7 @@ void add_observables(std::vector<row> *rows);
 void add_steady(std::vector<row> *rows);
 void add_steps(std::vector<row> *rows);
 void add_motions(std::vector<row> *rows);
+void add_losses(std::vector<row> *rows);
 
 /* Keeps the worst of several outputs. */
 template <class R> struct verdict {

@@ -25,8 +25,8 @@ struct errors {
 static struct errors errors_of(int i, double m)
 {
     const coin_params p = disc();
-    const coin_losses l = law(i, m);
-    coin_state start, slow, full = spin(&p, &l, 0.1);
+    const coin_losses l = one_loss(i, m);
+    coin_state start, slow, full = slow_spin(&p, &l, 0.1);
     struct errors e = {0, 0, 0, 0, 0};
     double when = 0;
     coin_steady_spin(&start, &p, HALF_PI - 0.1);
@@ -59,8 +59,8 @@ static void csv(void)
         for (int k = 0; k < 7; ++k) {
             const double m = first[i] * pow(10, -0.5 * k);
             const struct errors e = errors_of(i, m);
-            printf("%s,%.3g,%.5g,%.4g,%.2e,%.2e,%.2e\n", names[i], m, e.time,
-                   e.rolled, e.rest, e.lean, e.roll);
+            printf("%s,%.3g,%.5g,%.4g,%.2e,%.2e,%.2e\n", loss_names[i], m,
+                   e.time, e.rolled, e.rest, e.lean, e.roll);
         }
 }
 
@@ -77,8 +77,8 @@ static void laws(void)
         const double rest = log10(a.rest / b.rest);
         const double lean = log10(a.lean / b.lean);
         const double roll = log10(a.roll / b.roll);
-        printf("%-8s %31.2f  %.2f  %.2f\n", names[i], rest, lean, roll);
-        claim(fabs(lean - 2) < 0.03 && fabs(roll - 1) < 0.03, names[i]);
+        printf("%-8s %31.2f  %.2f  %.2f\n", loss_names[i], rest, lean, roll);
+        claim(fabs(lean - 2) < 0.03 && fabs(roll - 1) < 0.03, loss_names[i]);
         claim(fabs(rest - law_of_rest[i]) < 0.03, "the time to rest");
     }
 }
@@ -89,7 +89,7 @@ static double ask(int what, int i, int n)
     const coin_params p = disc();
     double sum = 0;
     for (int k = 0; k < n; ++k) {
-        coin_losses l = law(i, first[i] / 10);
+        coin_losses l = one_loss(i, first[i] / 10);
         coin_state s, out;
         coin_steady_spin(&s, &p, HALF_PI - 0.05 - 0.55 * (k % 16) / 15);
         if (what == 0)

@@ -6,10 +6,8 @@ REAL_OUT = $(O)/real
 LAUNCHES ?= 10000
 
 .PHONY: real-study real-quasi real-cost
-real-study: $(REAL_OUT)/study ## coins to rest: launches, exponents, error laws
+real-study: $(REAL_OUT)/study ## coins to rest: launches, and the time by calls and tolerances
 	$< launches $(LAUNCHES)
-	$< exponents
-	$< nutation
 	$< calls
 
 real-quasi: $(REAL_OUT)/quasi need-gnuplot need-bits ## errors of the quasi-steady model, and their chart

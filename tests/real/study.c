@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What coins with losses do over whole lives: too long for `make check`.
  *     study launches N     random violent launches: do all end, and how
- *     study exponents      the laws of the end, from the full equations
- *     study nutation       how a swing grows or dies out near the end
  *     study calls          the time of rest by calls and tolerances
  *     study life COIN TOL FPS [CALLS]   one life, or so many calls of it, to be
  *                          counted: 0 Euler's disk, 1 a quarter; in one call if
@@ -96,84 +94,6 @@ static void launches(int n)
     claim(rise < 1e-6, "no call gains energy beyond its tolerance");
 }
 
-/* --------------------------------------------------------------- exponents */
-/* The time at which a coin next has this angle from flat. */
-static double time_at(coin_state *s, const coin_params *p, const coin_losses *l,
-                      double angle, double rest)
-{
-    double t = 0, reached;
-    while (HALF_PI - s->theta > angle * (1 + 1e-6)) {
-        const double left = (HALF_PI - s->theta) / angle - 1;
-        const double step = rest * 1e-3 * fmin(left, 1);
-        coin_settle(s, p, l, step, 1e-8, &reached);
-        t += reached;
-    }
-    return t;
-}
-
-/* n of e ~ (t0 - t)^n over a decade of the angle, from the times that its two
- * halves take. */
-static double exponent(int i, double m, double from)
-{
-    const coin_params p = disc();
-    const coin_losses l = law(i, m);
-    coin_state s = spin(&p, &l, from);
-    const double T = coin_time_to_rest(&s, &p, &l);
-    const double first = time_at(&s, &p, &l, from / sqrt(10), T);
-    const double middle = HALF_PI - s.theta;
-    const double second = time_at(&s, &p, &l, middle * middle / from, T);
-    return log(middle / from) / log(second / first);
-}
-
-static void exponents(void)
-{
-    const double want[LAWS] = {2.0 / 3, 0.5, 4.0 / 9, 1.0 / 3, 2, 2};
-    const double m[LAWS] = {2e-6, 2e-8, 4e-9, 4e-11, 1e-3, 1e-3};
-    for (int i = 0; i < LAWS; ++i) {
-        const double n = exponent(i, m[i], 0.02);
-        printf("%-8s n = %.5f, law %.5f\n", names[i], n, want[i]);
-        claim(fabs(n - want[i]) < 1e-3, names[i]);
-    }
-}
-
-/* ---------------------------------------------------------------- nutation */
-/* The amplitude of the lean about its course, relative to the angle from flat:
- * half of the spread of a window. */
-static double swing(const coin_state *start, const coin_params *p,
-                    const coin_losses *l)
-{
-    coin_state s = *start, still;
-    double most = 0;
-    coin_steady_near(start, p, &still);
-    const double e = HALF_PI - still.theta;
-    for (int i = 0; i < 60; ++i) {
-        coin_settle(&s, p, l, 0.1 * sqrt(e), 1e-9, NULL);
-        coin_steady_near(&s, p, &still);
-        most = fmax(most, fabs(s.theta - still.theta));
-    }
-    return most / e;
-}
-
-static void nutation(void)
-{
-    const double want[LAWS] = {-0.75, 0.25, 0.75, 0.75, -1.25, 1};
-    const double m[LAWS] = {1e-5, 1e-6, 1e-6, 1e-7, 1e-3, 1e-3};
-    const coin_params p = disc();
-    for (int i = 0; i < LAWS; ++i) {
-        const coin_losses l = law(i, m[i]);
-        coin_state s = spin(&p, &l, 0.05);
-        s.wX += 0.002 * sqrt(0.05);
-        const double first = swing(&s, &p, &l);
-        time_at(&s, &p, &l, 0.02, coin_time_to_rest(&s, &p, &l));
-        coin_state still;
-        coin_steady_near(&s, &p, &still);
-        const double n = log(swing(&s, &p, &l) / first) /
-                         log((HALF_PI - still.theta) / 0.05);
-        printf("%-8s A/e as e^%.3f, law %.2f\n", names[i], n, want[i]);
-        claim(fabs(n - want[i]) < 0.1, names[i]);
-    }
-}
-
 /* ------------------------------------------------------------------- calls */
 static coin_state toy(int quarter, coin_params *p, coin_losses *l)
 {
@@ -182,8 +102,8 @@ static coin_state toy(int quarter, coin_params *p, coin_losses *l)
         coin_params_disc(p, 0.00567, 0.01213, 9.80665);
     else
         coin_params_disc(p, 0.438, 0.0375, 9.80665);
-    *l =
-        law(0, (quarter ? 8.5e-4 : 5.24e-5) * p->mass * p->gravity * p->radius);
+    *l = one_loss(DRY, (quarter ? 8.5e-4 : 5.24e-5) * p->mass * p->gravity *
+                           p->radius);
     const double angle = quarter ? 0.5235987755982988 : 0.3054326190990077;
     coin_steady_spin(&s, p, HALF_PI - angle);
     s.wX = 0.01 * angle * sqrt(p->gravity / p->radius);
@@ -237,10 +157,6 @@ int main(int count, char **of)
     double turns;
     if (!strcmp(what, "launches"))
         launches((int)number);
-    else if (!strcmp(what, "exponents"))
-        exponents();
-    else if (!strcmp(what, "nutation"))
-        nutation();
     else if (!strcmp(what, "calls"))
         calls();
     else if (!strcmp(what, "life") && count > 4)

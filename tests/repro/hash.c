@@ -141,8 +141,7 @@ static uint64_t hash_advance(const scene *a)
     return h;
 }
 
-/* With some of each loss, of a size that brings most coins to rest; call by
- * call, by a coarse and a fine tolerance. */
+/* Some of each loss, so that most coins come to rest. */
 static coin_losses losses_of(const start *b)
 {
     const double m = b->p.mass * b->p.radius * b->p.radius, w = 1 / b->unit;
@@ -155,20 +154,17 @@ static coin_losses losses_of(const start *b)
 static uint64_t hash_settle(const scene *a)
 {
     uint64_t h = FNV_OFFSET;
-    double tol, reached;
+    double tol, reached = 0;
     int i;
     for (tol = 1e-3; tol > 0.9e-9; tol /= 1e6) {
         start b = start_of(a);
         const coin_losses l = losses_of(&b);
-        for (i = 0; i < 10; ++i) {
-            reached = 0;
-            h = hash_status(
-                h, coin_settle(&b.s, &b.p, &l, 1.7 * b.unit, tol, &reached));
+        for (i = 0; i < 11; ++i) {
+            const double t = (i < 10 ? 1.7 : 20) * b.unit;
+            h = hash_status(h, coin_settle(&b.s, &b.p, &l, t,
+                                           i < 10 ? tol : 1e-3, &reached));
             h = hash_state(hash_doubles(h, &reached, 1), &b.s);
         }
-        h = hash_status(
-            h, coin_settle(&b.s, &b.p, &l, 20 * b.unit, 1e-3, &reached));
-        h = hash_state(hash_doubles(h, &reached, 1), &b.s);
     }
     return h;
 }
@@ -195,14 +191,21 @@ static start_float start_float_of(const scene *a)
     return b;
 }
 
+static uint64_t hash_floats(uint64_t h, const void *from, size_t count)
+{
+    const unsigned char *at = (const unsigned char *)from;
+    uint32_t bits;
+    size_t i;
+    for (i = 0; i < count; ++i) {
+        memcpy(&bits, at + i * sizeof bits, sizeof bits);
+        h = hash_u64(h, bits);
+    }
+    return h;
+}
+
 static uint64_t hash_state_float(uint64_t h, const coinf_state *s)
 {
-    uint32_t bits[sizeof *s / sizeof(uint32_t)];
-    size_t i;
-    memcpy(bits, s, sizeof bits);
-    for (i = 0; i < sizeof bits / sizeof *bits; ++i)
-        h = hash_u64(h, bits[i]);
-    return h;
+    return hash_floats(h, s, sizeof *s / sizeof(float));
 }
 
 /* The same runs in single precision, in two parts. */
@@ -240,13 +243,6 @@ static uint64_t hash_batch_float(const scene *a, int32_t method)
     return h;
 }
 
-static uint64_t hash_reached_float(uint64_t h, float reached)
-{
-    uint32_t bits;
-    memcpy(&bits, &reached, sizeof bits);
-    return hash_u64(h, bits);
-}
-
 /* With losses, call by call. */
 static uint64_t hash_settle_float(const scene *a)
 {
@@ -262,7 +258,7 @@ static uint64_t hash_settle_float(const scene *a)
     for (i = 0; i < 30; ++i) {
         h = hash_status(
             h, coinf_settle(&b.s, &b.p, &l, 32 * b.dt, 1e-4f, &reached));
-        h = hash_state_float(hash_reached_float(h, reached), &b.s);
+        h = hash_state_float(hash_floats(h, &reached, 1), &b.s);
     }
     return h;
 }
@@ -281,10 +277,8 @@ static uint64_t hash_life_float(void)
         status = coinf_settle(&s, &p, &l, 1e-3f, 1e-3f, &reached);
         ++calls;
     }
-    return hash_state_float(
-        hash_reached_float(hash_u64(hash_status(FNV_OFFSET, status), calls),
-                           reached),
-        &s);
+    calls = hash_u64(hash_status(FNV_OFFSET, status), calls);
+    return hash_state_float(hash_floats(calls, &reached, 1), &s);
 }
 
 #ifndef WITHOUT_ORBIT

@@ -1,9 +1,31 @@
 /* SPDX-License-Identifier: MIT */
 #include "losses.h"
 
+#include "check.h"
+
 #include <math.h>
 
 const coin_state spun = {.theta = 1.25, .wX = 0.05, .wY = 1.125};
+
+const char *const loss_names[LAWS] = {"dry", "viscous", "layer",
+                                      "gap", "rolling", "damping"};
+
+coin_losses one_loss(int law, double m)
+{
+    coin_losses l = {0};
+    double *const members[LAWS] = {&l.dry, &l.viscous, &l.layer,
+                                   &l.gap, &l.rolling, &l.damping};
+    *members[law] = m;
+    return l;
+}
+
+coin_state slow_spin(const coin_params *p, const coin_losses *l, double angle)
+{
+    coin_state s;
+    check_status(coin_steady_spin(&s, p, 1.5707963267948966 - angle), COIN_OK);
+    check_status(coin_quasisteady_at(&s, p, l, 0, &s), COIN_OK);
+    return s;
+}
 
 coin_losses losses_in(const coin_losses *l, double M, double L, double T)
 {

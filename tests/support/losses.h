@@ -10,6 +10,15 @@
 /* A start of a disc that never turns round: spinning, with a nutation. */
 extern const coin_state spun;
 
+/* The losses that stop a coin, one at a time. */
+enum { DRY, VISCOUS, LAYER, GAP, ROLLING, DAMPING, LAWS };
+extern const char *const loss_names[LAWS];
+coin_losses one_loss(int law, double m);
+
+/* A spin at an angle from flat, which already slows as by the quasi-steady
+ * model: its loss hardly makes it swing. */
+coin_state slow_spin(const coin_params *p, const coin_losses *l, double angle);
+
 /* Losses and state of natural units in others: mass M, length L, time T. */
 coin_losses losses_in(const coin_losses *l, double M, double L, double T);
 coin_state state_in(const coin_state *s, double L, double T);
