@@ -24,10 +24,6 @@ enum { JOINED = COIN_PRIV_JOINED };
 #define KEEP 0.9
 #define SHORT 0.7
 
-/* The most places of a part that are looked at: more only where all of it is at
- * the edge to rounding. */
-enum { PLACES = 8 };
-
 /* A part of a stretch, the force along it in Bernstein's form, scaled so that
  * the coin slips where along^2 + across^2 > bound^2. */
 struct part {
@@ -195,9 +191,10 @@ static struct place next_place(const coin_priv_search *f, const struct part *w,
 /* Whether the coin is held down: the sign of N. */
 static int presses(const coin_priv_search *f, const coin_priv_moment *m)
 {
-    coin_force force;
+    coin_force force = {{0, 0, 0}, 0, 0, 0};
     const coin_state s = coin_priv_run_state(&m->run);
-    return coin_reaction(&s, f->p, &force) == COIN_OK && force.normal > 0;
+    (void)coin_reaction(&s, f->p, &force);
+    return force.normal > 0;
 }
 
 /* A moment within (low, high) from which on a bit holds, to within tol: at the
@@ -207,8 +204,6 @@ static void bisect(const coin_priv_search *f, const coin_priv_stretch *w,
 {
     while (high->x - low > tol) {
         const coin_priv_moment m = moment_of(f, w, low + (high->x - low) / 2);
-        if (!(m.x > low && m.x < high->x))
-            break;
         if (m.bits != 0)
             *high = m;
         else
@@ -257,7 +252,7 @@ static coin_priv_moment locate(const coin_priv_search *f, const struct part *w,
     coin_priv_moment high = moment_of(f, w->of, lesser(from + width, middle));
     if (high.bits == 0 && high.x < middle)
         high = moment_of(f, w->of, middle);
-    if (high.bits == 0 && (f->bits & COIN_SLIPS))
+    if (high.bits == 0)
         high = between(f, w->of, moment_of(f, w->of, low > 0 ? low : 0),
                        moment_of(f, w->of, lesser(to + width, 1)));
     if (high.bits == 0)
@@ -273,11 +268,12 @@ static coin_priv_moment locate(const coin_priv_search *f, const struct part *w,
     return high;
 }
 
+/* The places are zeros of polynomials, and so few. */
 static int first_of_part(coin_priv_moment *out, const coin_priv_search *f,
                          const struct part *w)
 {
     struct place at = {-1, 2};
-    for (int i = 0; i < PLACES; ++i) {
+    for (;;) {
         at = next_place(f, w, at.from);
         if (at.from > 1)
             return 0;
@@ -285,7 +281,6 @@ static int first_of_part(coin_priv_moment *out, const coin_priv_search *f,
         if (out->bits != 0)
             return 1;
     }
-    return 0;
 }
 
 /* A stretch that is not left alone, in parts. */

@@ -39,47 +39,57 @@ static double tau_between(const coin_priv_stretch *w, double t, double unit,
     return h * unit;
 }
 
+/* Steps in tau: one, and those that lead back from beyond the time.  None if
+ * the time left is short. */
+static int32_t step(struct moving *g, coin_priv_stretch *w)
+{
+    coin_priv_run *const r = &g->run;
+    int32_t status = COIN_OK;
+    w->tau = 0;
+    do {
+        if (coin_priv_lands(r, &g->reach, g->rem.sum))
+            break;
+        const double tau =
+            coin_priv_next_tau(&r->b, &r->g.y, g->stride, g->rem.sum);
+        status = coin_priv_advance_by(r, tau, &g->stride, &g->rem);
+        w->tau += status == COIN_OK ? tau : 0;
+    } while (status == COIN_OK && g->rem.sum * g->t < 0);
+    return status;
+}
+
 /* The next stretch: a step in tau, and the last in t if that is near; *last if
  * the time is over. */
 static int32_t next_stretch(struct moving *g, coin_priv_stretch *w, double unit,
                             int *last)
 {
-    int32_t status = COIN_OK;
     coin_priv_run *const r = &g->run;
     const double rem = g->rem.sum;
     w->from = g->run;
-    w->tau = 0;
-    if (!coin_priv_lands(r, &g->reach, rem)) {
-        w->tau = coin_priv_next_tau(&r->b, &r->g.y, g->stride, rem);
-        status = coin_priv_advance_by(r, w->tau, &g->stride, &g->rem);
-    }
+    int32_t status = step(g, w);
     *last = status == COIN_OK && coin_priv_lands(r, &g->reach, g->rem.sum);
+    const coin_priv_variables y = r->g.y;
+    const double left = g->rem.sum;
     if (*last) {
-        const double guess =
-            w->tau + coin_priv_tau_of(&r->b, &r->g.y, g->rem.sum);
         if (r->steps > 0)
             coin_priv_read_lean(&r->g);
         status = coin_priv_land(r, &g->reach, &g->rem);
-        coin_priv_force_of(&w->end, &r->b, &r->g.y, unit);
-        if (status == COIN_OK)
-            w->tau = tau_between(w, rem, unit, guess);
-        return status;
     }
     coin_priv_force_of(&w->end, &r->b, &r->g.y, unit);
+    if (*last && status == COIN_OK)
+        w->tau = tau_between(w, rem, unit,
+                             w->tau + coin_priv_tau_of(&r->b, &y, left));
     return status;
 }
 
 /* Takes the motion back to an event of its latest stretch, before which rem was
- * to go; 0 if the event lies beyond the time. */
-static int stop_at(struct moving *g, const coin_priv_moment *event,
-                   coin_priv_sum rem)
+ * to go; not beyond the time by a last bit. */
+static void stop_at(struct moving *g, const coin_priv_moment *event,
+                    coin_priv_sum rem)
 {
     coin_priv_add(&rem, -event->run.g.added.t);
-    if (rem.sum * g->t < 0)
-        return 0;
+    const double side = g->t < 0 ? -1 : 1, left = side * rem.sum;
     g->run = event->run;
-    g->rem = rem;
-    return 1;
+    g->rem.sum = side * (left + fabs(left)) / 2;
 }
 
 static int32_t follow(struct moving *g, const coin_priv_search *f)
@@ -93,8 +103,10 @@ static int32_t follow(struct moving *g, const coin_priv_search *f)
         status = next_stretch(g, &w, f->unit, &last);
         if (g->run.steps == w.from.steps)
             break;
-        if (coin_priv_first_event(&m, f, &w) && stop_at(g, &m, rem))
+        if (coin_priv_first_event(&m, f, &w)) {
+            stop_at(g, &m, rem);
             return m.bits;
+        }
         w.begin = w.end;
     }
     return status;
