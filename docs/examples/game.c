@@ -98,7 +98,7 @@ static int32_t draw(const coin_state *s, const coin_params *p, float out[16])
  */
 static int32_t roll_by_fixed_steps(struct game_coin *c)
 {
-    float m[16];
+    float m[16] = {0};
     int32_t status = COIN_OK, seen = COIN_OK;
     c->owed = 0;
     for (int frame = 0; frame < 60 && status >= 0; ++frame) {
