@@ -33,10 +33,21 @@ struct part {
     double normal[JOINED + 1], cth[JOINED + 1];
 };
 
-int32_t coin_priv_bits_held(const coin_priv_search *f, const coin_state *s)
+static int32_t bits_of(const coin_priv_search *f, const coin_state *s)
 {
     const int32_t bits = coin_check(s, f->p, COIN_RK4, 0, f->mu);
     return bits > 0 ? bits & f->bits : 0;
+}
+
+int32_t coin_priv_bits_held(const coin_priv_search *f, const coin_state *s,
+                            const coin_priv_force *at)
+{
+    const double A = at->along[0], B = at->across[0], C = at->normal[0];
+    const double mu = f->mu < 1 ? f->mu : 1, F2 = A * A + B * B;
+    const double room = KEEP * mu * C;
+    const int is_clear =
+        (C > 0) & (F2 <= room * room) & (at->cth[0] > (1 + KEEP) * NEARLY_FLAT);
+    return is_clear ? 0 : bits_of(f, s);
 }
 
 /* The run at x of a stretch, without its lean.  No step is made of no time. */
@@ -55,7 +66,7 @@ static coin_priv_moment moment_of(const coin_priv_search *f,
     coin_priv_moment m = {x, run_to(w, x), 0};
     coin_priv_read_lean(&m.run.g);
     const coin_state s = coin_priv_run_state(&m.run);
-    m.bits = coin_priv_bits_held(f, &s);
+    m.bits = bits_of(f, &s);
     return m;
 }
 

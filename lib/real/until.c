@@ -92,53 +92,50 @@ static void stop_at(struct moving *g, const coin_priv_moment *event,
     g->rem.sum = side * (left + fabs(left)) / 2;
 }
 
-static int32_t follow(struct moving *g, const coin_priv_search *f)
+static int32_t follow(struct moving *g, coin_priv_stretch *w,
+                      const coin_priv_search *f)
 {
-    coin_priv_stretch w;
     coin_priv_moment m;
     int32_t status = COIN_OK;
-    coin_priv_force_of(&w.begin, &g->run.b, &g->run.g.y, f->unit);
     for (int last = g->rem.sum == 0; status == COIN_OK && !last;) {
         const coin_priv_sum rem = g->rem;
-        status = next_stretch(g, &w, f->unit, &last);
-        if (g->run.steps == w.from.steps)
+        status = next_stretch(g, w, f->unit, &last);
+        if (g->run.steps == w->from.steps)
             break;
-        if (coin_priv_first_event(&m, f, &w)) {
+        if (coin_priv_first_event(&m, f, w)) {
             stop_at(g, &m, rem);
             return m.bits;
         }
-        w.begin = w.end;
+        w->begin = w->end;
     }
     return status;
 }
 
 /* Errors, and what holds at the start. */
-static int32_t prepare(struct moving *g, coin_priv_search *f,
-                       const coin_state *s)
+static int32_t prepare(struct moving *g, coin_priv_stretch *w,
+                       coin_priv_search *f, const coin_state *s)
 {
     const double w0 = sqrt(g->run.b.g_a);
     if (!(fabs(g->t) * w0 <= COIN_PRIV_TOO_LONG))
         return COIN_ESTEP;
-    const int32_t bits = coin_priv_bits_held(f, s);
-    if (bits != 0)
-        return bits;
-    if (g->t >= 0 && coin_priv_rests(s))
-        return COIN_EFLAT;
+    coin_priv_run_from(&g->run, s, COIN_RK4, 0);
+    g->run.limits.coarse2 = g->run.limits.most2 = (double)INFINITY;
     g->reach = coin_priv_reach_of(f->tol);
     g->stride = g->reach.stride;
     g->rem.sum = g->t;
     g->rem.low = 0;
-    coin_priv_run_from(&g->run, s, COIN_RK4, 0);
-    g->run.limits.coarse2 = g->run.limits.most2 = (double)INFINITY;
     f->unit = coin_priv_sundman_tau(&g->run.b, &g->run.g.y, 1);
     f->tol /= w0;
-    return COIN_OK;
+    coin_priv_force_of(&w->begin, &g->run.b, &g->run.g.y, f->unit);
+    const int32_t bits = coin_priv_bits_held(f, s, &w->begin);
+    return bits == 0 && g->t >= 0 && coin_priv_rests(s) ? COIN_EFLAT : bits;
 }
 
 int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
                            double tol, double mu, int32_t bits, double *reached)
 {
     struct moving g;
+    coin_priv_stretch w;
     coin_priv_search f = {p, mu, tol, 0, bits};
     const int good = tol >= 1e-13 && tol <= 1e-2 && mu >= 0 && bits != 0 &&
                      (bits & ~EVERY_BIT) == 0;
@@ -146,15 +143,15 @@ int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
     if (status != COIN_OK)
         return status;
     g.t = t;
-    status = prepare(&g, &f, s);
+    status = prepare(&g, &w, &f, s);
     if (status != COIN_OK) {
         if (reached && status != COIN_ESTEP)
             *reached = 0;
         return status;
     }
-    status = follow(&g, &f);
+    status = follow(&g, &w, &f);
     if (status < 0 && g.run.steps > 0)
         coin_priv_read_lean(&g.run.g);
     status = coin_priv_arrive(s, &g.run, status, t, g.rem.sum, reached);
-    return status == COIN_OK ? coin_priv_bits_held(&f, s) : status;
+    return status == COIN_OK ? coin_priv_bits_held(&f, s, &w.begin) : status;
 }
