@@ -506,6 +506,68 @@ COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
 COIN_API int32_t coin_check(const coin_state *s, const coin_params *p,
                             int32_t method, double dt, double mu);
 
+/* ---------------------------------------------------- games and engines -- */
+
+/** What a renderer loads: the pose as one matrix, body to table, the roll
+ * included.  Eq. (85).
+ * @param[out] m  [16] by columns, as OpenGL, Vulkan and three.js have them: the
+ *                body's three axes and its centre of mass, each with x, y, z
+ *                of the table and then 0, 0, 0, 1.  Element (row, column) is
+ *                m[4 * column + row] [1], the centre [L]
+ * @return COIN_OK; the usual errors.
+ * Accuracy: 8 u in the axes, 4 u in the centre's y; its x and z are those of
+ * the state (test_matrix). */
+COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
+                             double m[16]);
+
+/** coin_advance() that stops at the first moment from which a real coin would
+ * slip or lift off, or at which it is nearly flat.  Brief excursions within a
+ * step are found as well: from the forces at the ends of a step and their
+ * derivatives, Eq. (87), which bound the forces between.
+ * @param[in,out] s  the state
+ * @param t          the time, of either sign [T]
+ * @param tol        1e-13 to 1e-2: as for coin_advance(); and within how many
+ *                   natural units of time before s none of the bits holds [1]
+ * @param mu         the friction coefficient, >= 0, may be +infinity [1]
+ * @param bits       COIN_SLIPS, COIN_LIFTS, COIN_NEARLY_FLAT, or several,
+ *                   or-ed.  COIN_SLIPS alone does not stop where N <= 0
+ * @param[out] reached  the time moved; may be null
+ * @return COIN_OK: none of the bits held within t, *reached is t, and s has the
+ *         bits that coin_advance() gives it.  Positive: those of the bits that
+ *         hold in s, as coin_check() has them; *reached is the first moment at
+ *         which one was found to.  A bit that holds at the start is returned at
+ *         once, with *reached = 0.  COIN_EARG also for mu < 0 or NaN and for
+ *         bits = 0 or with any other bit; other errors and COIN_EFLAT as
+ *         coin_advance().
+ * Accuracy: no excursion by which F/N exceeds mu by 1e-6 of mu or more is
+ *         missed, wherever it lies (test_until).
+ *         This is of the motion that the steps give: where tol is above 1e-6
+ *         they err by more than that themselves.
+ * Cost: some twice that of coin_advance() where no event is near, and 0.25 us
+ *         more for calls of a step or less; an event takes that of ten to forty
+ *         steps.  Some 10 KiB of stack. */
+COIN_API int32_t coin_advance_until(coin_state *s, const coin_params *p,
+                                    double t, double tol, double mu,
+                                    int32_t bits, double *reached);
+
+/** How a coin that an engine holds rolls on once it touches the table, if the
+ * contact neither slips nor bounces: the angular momentum about the point of
+ * contact is kept.  Eq. (86).  A coin that rolls already stays as it is.
+ * @param[out] s  the state; -pi < phi, psi <= pi
+ * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
+ * @param omega   [3] angular velocity in the table frame, before [1/T]
+ * @param v       [3] velocity of the centre of mass, before.  It may point
+ *                away from the table: what is kept is the same [L/T]
+ * @param x,z     the centre of mass [L]
+ * @return COIN_OK; the usual errors: COIN_ESTATE as coin_state_from_motion(),
+ *         and if v is not finite or the rates would overflow.
+ * Accuracy: that of coin_state_from_motion(); 16 u of the terms in the rates,
+ *         for the angles that come out (test_landing). */
+COIN_API int32_t coin_state_from_landing(coin_state *s, const coin_params *p,
+                                         const double q[4],
+                                         const double omega[3],
+                                         const double v[3], double x, double z);
+
 /* -------------------------------------------------------- steady motion -- */
 
 /** Straight rolling, upright: theta = wX = wY = 0.

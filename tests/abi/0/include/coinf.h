@@ -171,6 +171,18 @@ COIN_API int32_t coinf_quaternion(const coinf_state *s, float q[4]);
 COIN_API int32_t coinf_check(const coinf_state *s, const coinf_params *p,
                              int32_t method, float dt, float mu);
 
+/* ---------------------------------------------------- games and engines -- */
+
+/** As coin_matrix(). */
+COIN_API int32_t coinf_matrix(const coinf_state *s, const coinf_params *p,
+                              float m[16]);
+
+/** As coin_state_from_landing(); sets low to 0. */
+COIN_API int32_t coinf_state_from_landing(coinf_state *s, const coinf_params *p,
+                                          const float q[4],
+                                          const float omega[3],
+                                          const float v[3], float x, float z);
+
 /* ------------------------------------------------------------ self-test -- */
 
 /** As coin_selftest(), of the functions of this header alone.
