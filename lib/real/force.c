@@ -70,8 +70,8 @@ void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
             next_terms(&w, out, &f, k);
     }
     for (int k = 0; k < TERMS; ++k) {
-        out->along[k] *= share;                                /* (87) */
-        out->across[k] += (k + 1) * w.cX[k + 1];               /* (87) */
-        out->normal[k] = g_a * w.c[k] - (k + 1) * w.sX[k + 1]; /* (87) */
+        out->along[k] *= share;                                /* (92) */
+        out->across[k] += (k + 1) * w.cX[k + 1];               /* (92) */
+        out->normal[k] = g_a * w.c[k] - (k + 1) * w.sX[k + 1]; /* (92) */
     }
 }
