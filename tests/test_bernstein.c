@@ -104,6 +104,8 @@ static void what_only_touches_or_falls_is_no_rise(void **unused)
 {
     (void)unused;
     const double twice[] = {0.3, 0.3}, falls[] = {0.3}, end[] = {1};
+    const double none[SQUARE + 1] = {0};
+    check(coin_priv_rise(none, SQUARE, -1) == 2);
     double b[SQUARE + 1];
     with_zeros(b, twice, 2, -1);
     check(coin_priv_rise(b, SQUARE, -1) == 2);

@@ -213,6 +213,41 @@ static void without_an_event_it_is_coin_advance(void **unused)
     }
 }
 
+/* Where the series (54) leads far beyond the time, and where heading or roll
+ * leave their range on the way or in the last bit of it. */
+static void its_ends_are_those_of_coin_advance_too(void **unused)
+{
+    (void)unused;
+    const double far = 2147483648.0;
+    const struct {
+        coin_state s;
+        double t, tol;
+    } of[] = {
+        {{0x1.79f3cbf1f06d6p+0, 0, 0, 0, 0, 0x1.70a703047fd94p+2,
+          -0x1.218a21df2d8bbp+3, -0x1.e1920540bab3dp+1},
+         0x1.a64a0c7ea61d7p-1,
+         0x1.715ba20886dfbp-13},
+        {{0.3, far, 0, 0, 0, 0, 1, 1}, 1, 1e-9},
+        {{0.3, far - 0.7, 0, 0, 0, 0, 1, 1}, 5, 1e-9},
+        {{0.3, far, 0, 0, 0, 0, 1, 1}, 1e-3, 1e-9},
+        {{0, 0, far - 0.7, 0, 0, 0, 0, 1}, 0.7 + 1e-5, 1e-6},
+    };
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    for (size_t i = 0; i < sizeof of / sizeof *of; ++i) {
+        coin_state want = of[i].s, got = of[i].s;
+        double to = 7, reached = 7;
+        check_note("case %zu", i);
+        const int32_t status = coin_advance(&want, &p, of[i].t, of[i].tol, &to);
+        check(status == (i == 0 ? COIN_OK : COIN_ESTEP));
+        check_status(coin_advance_until(&got, &p, of[i].t, of[i].tol, INFINITY,
+                                        COIN_SLIPS, &reached),
+                     status);
+        check_same(&got, &want, sizeof got);
+        check(reached == to);
+    }
+}
+
 static void a_bit_that_holds_at_the_start_is_returned_at_once(void **unused)
 {
     (void)unused;
@@ -325,6 +360,7 @@ int main(void)
         TEST(an_excursion_is_found_that_hardly_exceeds_mu),
         TEST(an_excursion_at_either_end_is_found),
         TEST(without_an_event_it_is_coin_advance),
+        TEST(its_ends_are_those_of_coin_advance_too),
         TEST(a_bit_that_holds_at_the_start_is_returned_at_once),
         TEST(bad_arguments_are_refused),
         TEST(a_fall_and_a_rest_end_it_as_coin_advance),

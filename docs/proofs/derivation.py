@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Derives the equations of motion of physics.md again and asserts each.
 
-usage:  python3 docs/proofs/derivation.py     Eq. (1)-(32), (85)-(87);
+usage:  python3 docs/proofs/derivation.py     Eq. (1)-(32), (90)-(92);
                                               needs sympy >= 1.9
 then:   docs/proofs/consequences.py           Eq. (33)-(54), after this one
 
@@ -138,7 +138,7 @@ twice = [turn(i, 2*t).applyfunc(sp.expand_trig)
 holds(30, sp.Matrix(quaternion.to_rotation_matrix())
       - twice[0]*twice[1]*twice[2])
 rolled = frame*turn(2, ps)
-holds(85, rolled.col(0) - cos(ps)*eX - sin(ps)*eY,
+holds(90, rolled.col(0) - cos(ps)*eX - sin(ps)*eY,
       rolled.col(1) - cos(ps)*eY + sin(ps)*eX, rolled.col(2) - eZ)
 vX, vY, vZ = sp.symbols('v_X v_Y v_Z')           # of the centre, before landing
 
@@ -149,7 +149,7 @@ def about_contact(w, v):
 
 
 after = column(wX + m/J*(vZ/a - wX), wY, wZ - k2*(vX/a + wZ))
-holds(86, about_contact(after, column(-a*after[2], 0, a*after[0]))
+holds(91, about_contact(after, column(-a*after[2], 0, a*after[0]))
       - about_contact(column(wX, wY, wZ), column(vX, vY, vZ)))
 
 # ---- the forms without sines and cosines to call, (31), (32)
@@ -161,7 +161,7 @@ holds(32, c*J*eq14 - s*(M*g*a*c - IX*wY**2) + K*wY*wZ*c,
       c*eq15 - wX*(wY*s + k1*wZ*c), c*D(ps) - wZ*c - wY*s, c*D(S) - wY*C,
       c*D(contact[0]) + a*C*(c*wZ + wY*s),
       c*D(contact[2]) - a*S*(c*wZ + wY*s))
-holds(87, c*R.dot(eX)/(M*a) - c*wX*wY*IZ/K,
+holds(92, c*R.dot(eX)/(M*a) - c*wX*wY*IZ/K,
       c*R.dot(eh)/(M*a) - c*D(c*wX) - wY*wZ,
       c*R[1]/(M*a) - g/a*c + c*D(s*wX))
 print('%d identities hold: %s' % (

@@ -104,9 +104,9 @@ int32_t COIN(matrix)(const COIN(state) * s, const COIN(params) * p, real m[16])
     const real center[] = {s->x, b.a * y.cth, s->z};
     PRIV(axes)(&y, R);
     for (int i = 0; i < 3; ++i) {
-        m[i] = ps.c * R[i] + ps.s * R[3 + i];     /* (85) */
-        m[4 + i] = ps.c * R[3 + i] - ps.s * R[i]; /* (85) */
-        m[8 + i] = R[6 + i];                      /* (85) */
+        m[i] = ps.c * R[i] + ps.s * R[3 + i];     /* (90) */
+        m[4 + i] = ps.c * R[3 + i] - ps.s * R[i]; /* (90) */
+        m[8 + i] = R[6 + i];                      /* (90) */
         m[12 + i] = center[i];
     }
     m[3] = m[7] = m[11] = 0;
@@ -187,8 +187,8 @@ int32_t COIN(state_from_landing)(COIN(state) * s, const COIN(params) * p,
     PRIV(axes)(&y, R);
     const real vX = v[0] * R[0] + v[1] * R[1] + v[2] * R[2];
     const real vZ = v[0] * R[6] + v[1] * R[7] + v[2] * R[8];
-    made.wX += b.m / b.J * (vZ / b.a - made.wX); /* (86) */
-    made.wZ -= b.k2 * (vX / b.a + made.wZ);      /* (86) */
+    made.wX += b.m / b.J * (vZ / b.a - made.wX); /* (91) */
+    made.wZ -= b.k2 * (vX / b.a + made.wZ);      /* (91) */
     status = COIN(state_check)(&made, p);
     if (status == COIN_OK)
         *s = made;

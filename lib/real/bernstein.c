@@ -147,12 +147,12 @@ double coin_priv_rise(const double *b, int degree, double from)
             cut(pile[++top], now, degree);
             continue;
         }
-        double place = 2;
+        double place = -2;
         if (before < 0 && of.first > 0)
             place = at;
         else if (of.first < 0 && of.last > 0)
             place = at + width * zero(now, degree);
-        if (place < 2 && place > from)
+        if (place > from)
             return place;
         before = of.last != 0 ? of.last : before;
         at += width;

@@ -24,10 +24,6 @@ enum { JOINED = COIN_PRIV_JOINED };
 #define KEEP 0.9
 #define SHORT 0.7
 
-/* The most places of a part that are looked at: more only where all of it is at
- * the edge to rounding. */
-enum { PLACES = 8 };
-
 /* A part of a stretch, the force along it in Bernstein's form, scaled so that
  * the coin slips where along^2 + across^2 > bound^2. */
 struct part {
@@ -37,10 +33,21 @@ struct part {
     double normal[JOINED + 1], cth[JOINED + 1];
 };
 
-int32_t coin_priv_bits_held(const coin_priv_search *f, const coin_state *s)
+static int32_t bits_of(const coin_priv_search *f, const coin_state *s)
 {
     const int32_t bits = coin_check(s, f->p, COIN_RK4, 0, f->mu);
     return bits > 0 ? bits & f->bits : 0;
+}
+
+int32_t coin_priv_bits_held(const coin_priv_search *f, const coin_state *s,
+                            const coin_priv_force *at)
+{
+    const double A = at->along[0], B = at->across[0], C = at->normal[0];
+    const double mu = f->mu < 1 ? f->mu : 1, F2 = A * A + B * B;
+    const double room = KEEP * mu * C;
+    const int is_clear =
+        (C > 0) & (F2 <= room * room) & (at->cth[0] > (1 + KEEP) * NEARLY_FLAT);
+    return is_clear ? 0 : bits_of(f, s);
 }
 
 /* The run at x of a stretch, without its lean.  No step is made of no time. */
@@ -59,7 +66,7 @@ static coin_priv_moment moment_of(const coin_priv_search *f,
     coin_priv_moment m = {x, run_to(w, x), 0};
     coin_priv_read_lean(&m.run.g);
     const coin_state s = coin_priv_run_state(&m.run);
-    m.bits = coin_priv_bits_held(f, &s);
+    m.bits = bits_of(f, &s);
     return m;
 }
 
@@ -195,9 +202,10 @@ static struct place next_place(const coin_priv_search *f, const struct part *w,
 /* Whether the coin is held down: the sign of N. */
 static int presses(const coin_priv_search *f, const coin_priv_moment *m)
 {
-    coin_force force;
+    coin_force force = {{0, 0, 0}, 0, 0, 0};
     const coin_state s = coin_priv_run_state(&m->run);
-    return coin_reaction(&s, f->p, &force) == COIN_OK && force.normal > 0;
+    (void)coin_reaction(&s, f->p, &force);
+    return force.normal > 0;
 }
 
 /* A moment within (low, high) from which on a bit holds, to within tol: at the
@@ -207,8 +215,6 @@ static void bisect(const coin_priv_search *f, const coin_priv_stretch *w,
 {
     while (high->x - low > tol) {
         const coin_priv_moment m = moment_of(f, w, low + (high->x - low) / 2);
-        if (!(m.x > low && m.x < high->x))
-            break;
         if (m.bits != 0)
             *high = m;
         else
@@ -257,7 +263,7 @@ static coin_priv_moment locate(const coin_priv_search *f, const struct part *w,
     coin_priv_moment high = moment_of(f, w->of, lesser(from + width, middle));
     if (high.bits == 0 && high.x < middle)
         high = moment_of(f, w->of, middle);
-    if (high.bits == 0 && (f->bits & COIN_SLIPS))
+    if (high.bits == 0)
         high = between(f, w->of, moment_of(f, w->of, low > 0 ? low : 0),
                        moment_of(f, w->of, lesser(to + width, 1)));
     if (high.bits == 0)
@@ -273,11 +279,12 @@ static coin_priv_moment locate(const coin_priv_search *f, const struct part *w,
     return high;
 }
 
+/* The places are zeros of polynomials, and so few. */
 static int first_of_part(coin_priv_moment *out, const coin_priv_search *f,
                          const struct part *w)
 {
     struct place at = {-1, 2};
-    for (int i = 0; i < PLACES; ++i) {
+    for (;;) {
         at = next_place(f, w, at.from);
         if (at.from > 1)
             return 0;
@@ -285,7 +292,6 @@ static int first_of_part(coin_priv_moment *out, const coin_priv_search *f,
         if (out->bits != 0)
             return 1;
     }
-    return 0;
 }
 
 /* A stretch that is not left alone, in parts. */

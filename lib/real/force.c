@@ -25,13 +25,12 @@ COIN_PRIV_INLINE double product(const double *a, const double *b, int k)
     return k == 0 ? a[0] * b[0] : sum + (a[0] * b[k] + a[k] * b[0]);
 }
 
-/* Terms k of the products, and k + 1 of the variables. */
+/* Terms k of the products but c X and s X, which are there, and k + 1 of the
+ * variables. */
 COIN_PRIV_INLINE void next_terms(struct series *w, coin_priv_force *out,
                                  const coin_priv_field *f, int k)
 {
     const double part = 1.0 / (k + 1);
-    w->cX[k] = product(w->c, w->X, k);
-    w->sX[k] = product(w->s, w->X, k);
     w->cZ[k] = product(w->c, w->Z, k);
     w->sY[k] = product(w->s, w->Y, k);
     w->down[k] = f->KJ * w->cZ[k] + f->XJ * w->sY[k];
@@ -64,13 +63,15 @@ void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
     w.s[0] = y->sth;
     w.c[0] = y->cth;
 #pragma GCC unroll 8
-    for (int k = 0; k < TERMS; ++k)
-        next_terms(&w, out, &f, k);
-    w.cX[TERMS] = product(w.c, w.X, TERMS);
-    w.sX[TERMS] = product(w.s, w.X, TERMS);
+    for (int k = 0; k <= TERMS; ++k) {
+        w.cX[k] = product(w.c, w.X, k);
+        w.sX[k] = product(w.s, w.X, k);
+        if (k < TERMS)
+            next_terms(&w, out, &f, k);
+    }
     for (int k = 0; k < TERMS; ++k) {
-        out->along[k] *= share;                                /* (87) */
-        out->across[k] += (k + 1) * w.cX[k + 1];               /* (87) */
-        out->normal[k] = g_a * w.c[k] - (k + 1) * w.sX[k + 1]; /* (87) */
+        out->along[k] *= share;                                /* (92) */
+        out->across[k] += (k + 1) * w.cX[k + 1];               /* (92) */
+        out->normal[k] = g_a * w.c[k] - (k + 1) * w.sX[k + 1]; /* (92) */
     }
 }

@@ -9,7 +9,7 @@
 #define COIN_PRIV_FORCE_ORDER 6
 #define COIN_PRIV_FORCE_TERMS (COIN_PRIV_FORCE_ORDER + 1)
 
-/* Series about a state: cos theta, and by (87) cos theta times the force over
+/* Series about a state: cos theta, and by (92) cos theta times the force over
  * M a along e_X, e_h and the vertical. */
 typedef struct coin_priv_force {
     double along[COIN_PRIV_FORCE_TERMS];

@@ -39,94 +39,103 @@ static double tau_between(const coin_priv_stretch *w, double t, double unit,
     return h * unit;
 }
 
+/* Steps in tau: one, and those that lead back from beyond the time.  None if
+ * the time left is short. */
+static int32_t step(struct moving *g, coin_priv_stretch *w)
+{
+    coin_priv_run *const r = &g->run;
+    int32_t status = COIN_OK;
+    w->tau = 0;
+    do {
+        if (coin_priv_lands(r, &g->reach, g->rem.sum))
+            break;
+        const double tau =
+            coin_priv_next_tau(&r->b, &r->g.y, g->stride, g->rem.sum);
+        status = coin_priv_advance_by(r, tau, &g->stride, &g->rem);
+        w->tau += status == COIN_OK ? tau : 0;
+    } while (status == COIN_OK && g->rem.sum * g->t < 0);
+    return status;
+}
+
 /* The next stretch: a step in tau, and the last in t if that is near; *last if
  * the time is over. */
 static int32_t next_stretch(struct moving *g, coin_priv_stretch *w, double unit,
                             int *last)
 {
-    int32_t status = COIN_OK;
     coin_priv_run *const r = &g->run;
     const double rem = g->rem.sum;
     w->from = g->run;
-    w->tau = 0;
-    if (!coin_priv_lands(r, &g->reach, rem)) {
-        w->tau = coin_priv_next_tau(&r->b, &r->g.y, g->stride, rem);
-        status = coin_priv_advance_by(r, w->tau, &g->stride, &g->rem);
-    }
+    int32_t status = step(g, w);
     *last = status == COIN_OK && coin_priv_lands(r, &g->reach, g->rem.sum);
+    const coin_priv_variables y = r->g.y;
+    const double left = g->rem.sum;
     if (*last) {
-        const double guess =
-            w->tau + coin_priv_tau_of(&r->b, &r->g.y, g->rem.sum);
         if (r->steps > 0)
             coin_priv_read_lean(&r->g);
         status = coin_priv_land(r, &g->reach, &g->rem);
-        coin_priv_force_of(&w->end, &r->b, &r->g.y, unit);
-        if (status == COIN_OK)
-            w->tau = tau_between(w, rem, unit, guess);
-        return status;
     }
     coin_priv_force_of(&w->end, &r->b, &r->g.y, unit);
+    if (*last && status == COIN_OK)
+        w->tau = tau_between(w, rem, unit,
+                             w->tau + coin_priv_tau_of(&r->b, &y, left));
     return status;
 }
 
 /* Takes the motion back to an event of its latest stretch, before which rem was
- * to go; 0 if the event lies beyond the time. */
-static int stop_at(struct moving *g, const coin_priv_moment *event,
-                   coin_priv_sum rem)
+ * to go; not beyond the time by a last bit. */
+static void stop_at(struct moving *g, const coin_priv_moment *event,
+                    coin_priv_sum rem)
 {
     coin_priv_add(&rem, -event->run.g.added.t);
-    if (rem.sum * g->t < 0)
-        return 0;
+    const double side = g->t < 0 ? -1 : 1, left = side * rem.sum;
     g->run = event->run;
-    g->rem = rem;
-    return 1;
+    g->rem.sum = side * (left + fabs(left)) / 2;
 }
 
-static int32_t follow(struct moving *g, const coin_priv_search *f)
+static int32_t follow(struct moving *g, coin_priv_stretch *w,
+                      const coin_priv_search *f)
 {
-    coin_priv_stretch w;
     coin_priv_moment m;
     int32_t status = COIN_OK;
-    coin_priv_force_of(&w.begin, &g->run.b, &g->run.g.y, f->unit);
     for (int last = g->rem.sum == 0; status == COIN_OK && !last;) {
         const coin_priv_sum rem = g->rem;
-        status = next_stretch(g, &w, f->unit, &last);
-        if (g->run.steps == w.from.steps)
+        status = next_stretch(g, w, f->unit, &last);
+        if (g->run.steps == w->from.steps)
             break;
-        if (coin_priv_first_event(&m, f, &w) && stop_at(g, &m, rem))
+        if (coin_priv_first_event(&m, f, w)) {
+            stop_at(g, &m, rem);
             return m.bits;
-        w.begin = w.end;
+        }
+        w->begin = w->end;
     }
     return status;
 }
 
 /* Errors, and what holds at the start. */
-static int32_t prepare(struct moving *g, coin_priv_search *f,
-                       const coin_state *s)
+static int32_t prepare(struct moving *g, coin_priv_stretch *w,
+                       coin_priv_search *f, const coin_state *s)
 {
     const double w0 = sqrt(g->run.b.g_a);
     if (!(fabs(g->t) * w0 <= COIN_PRIV_TOO_LONG))
         return COIN_ESTEP;
-    const int32_t bits = coin_priv_bits_held(f, s);
-    if (bits != 0)
-        return bits;
-    if (g->t >= 0 && coin_priv_rests(s))
-        return COIN_EFLAT;
+    coin_priv_run_from(&g->run, s, COIN_RK4, 0);
+    g->run.limits.coarse2 = g->run.limits.most2 = (double)INFINITY;
     g->reach = coin_priv_reach_of(f->tol);
     g->stride = g->reach.stride;
     g->rem.sum = g->t;
     g->rem.low = 0;
-    coin_priv_run_from(&g->run, s, COIN_RK4, 0);
-    g->run.limits.coarse2 = g->run.limits.most2 = (double)INFINITY;
     f->unit = coin_priv_sundman_tau(&g->run.b, &g->run.g.y, 1);
     f->tol /= w0;
-    return COIN_OK;
+    coin_priv_force_of(&w->begin, &g->run.b, &g->run.g.y, f->unit);
+    const int32_t bits = coin_priv_bits_held(f, s, &w->begin);
+    return bits == 0 && g->t >= 0 && coin_priv_rests(s) ? COIN_EFLAT : bits;
 }
 
 int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
                            double tol, double mu, int32_t bits, double *reached)
 {
     struct moving g;
+    coin_priv_stretch w;
     coin_priv_search f = {p, mu, tol, 0, bits};
     const int good = tol >= 1e-13 && tol <= 1e-2 && mu >= 0 && bits != 0 &&
                      (bits & ~EVERY_BIT) == 0;
@@ -134,15 +143,15 @@ int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
     if (status != COIN_OK)
         return status;
     g.t = t;
-    status = prepare(&g, &f, s);
+    status = prepare(&g, &w, &f, s);
     if (status != COIN_OK) {
         if (reached && status != COIN_ESTEP)
             *reached = 0;
         return status;
     }
-    status = follow(&g, &f);
+    status = follow(&g, &w, &f);
     if (status < 0 && g.run.steps > 0)
         coin_priv_read_lean(&g.run.g);
     status = coin_priv_arrive(s, &g.run, status, t, g.rem.sum, reached);
-    return status == COIN_OK ? coin_priv_bits_held(&f, s) : status;
+    return status == COIN_OK ? coin_priv_bits_held(&f, s, &w.begin) : status;
 }

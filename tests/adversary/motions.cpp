@@ -54,6 +54,52 @@ template <class R> double advance(const scene &s, double enough)
                                                        s.t / 16, 16));
 }
 
+/* By what part of mu F/N exceeds it on a path, 1 where N <= 0: in natural
+ * units, M = a = g = 1. */
+template <class R>
+R excess(const path<R> &at, const coin_params &p, const R &mu)
+{
+    struct {
+        R mass, radius, gravity, inertia_X, inertia_Z;
+    } body = {1, 1, 1, 0, 0};
+    struct {
+        R theta, phi, psi, x, z, wX, wY, wZ;
+    } y = {at.lean(), 0, 0, 0, 0, at.at()[5], at.at()[6], at.at()[7]};
+    const R m = R(p.mass) * p.radius * p.radius;
+    body.inertia_X = p.inertia_X / m;
+    body.inertia_Z = p.inertia_Z / m;
+    const table_force<R> f = force_of(moment<R>(body, y));
+    return f.normal.value > 0 ? f.friction / (mu * f.normal.value) - 1 : R(1);
+}
+
+/* No excursion that exceeds mu by 1e-6 of it lies before the moment reached;
+ * looked for at 48 moments, of motions that amplify errors little. */
+template <class R> double until(const scene &s, double)
+{
+    constexpr double TOL = 1e-12;
+    constexpr int LOOKS = 48;
+    const coin_params p = params_of<doubles>(s);
+    const coin_state start = state_of<doubles>(s);
+    coin_state end = start;
+    path<R> truth(p, start);
+    double reached = 0;
+    if (truth.is_long(R(s.t)) ||
+        coin_advance_until(&end, &p, s.t, TOL, s.tol, COIN_SLIPS | COIN_LIFTS,
+                           &reached) < 0)
+        return NO_CLAIM;
+    const R side = reached < 0 ? -1 : 1;
+    const R clear = R(reached) - side * 2 * TOL / truth.w;
+    R worst = 0;
+    for (int k = 0; k < LOOKS && clear * side > 0; ++k) {
+        if (!truth.follow(clear / LOOKS) || truth.cos_theta() < R(1e-3))
+            return NO_CLAIM;
+        worst = larger(worst, excess(truth, p, R(s.tol)));
+    }
+    if (worst > 0 && growth(p, start, reached / 16, 16) > 1000)
+        return NO_CLAIM;
+    return double(worst / R(1e-6));
+}
+
 /* ------------------------------------------------------------------ orbits */
 
 /* W at its largest in a period. */
@@ -203,6 +249,13 @@ void horizon(scene *s, const double *g)
     s->z = s->a * (6 * g[21] - 3);
 }
 
+/* The friction coefficient. */
+void until_it_slips(scene *s, const double *g)
+{
+    horizon(s, g);
+    s->tol = std::pow(10, 3 * g[24] - 2);
+}
+
 /* The same, and most beside a steady circle: the leans and rolls between which
  * some are unstable. */
 void about_circles(scene *s, const double *g)
@@ -249,6 +302,8 @@ void add_motions(std::vector<row> *rows)
     const row made[] = {
         MOTION(advance, "coin_advance", "2 tol a radius of speed + rounding",
                200, horizon),
+        MOTION(until, "coin_advance_until", "F/N over mu by 1e-6 of mu", 200,
+               until_it_slips),
         MOTION(orbit, "coin_orbit_at", "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + period) + 4 u amplified",
                40, about_circles),
         MOTION(model, "coin_model_needed", "tol", 10, about_circles),

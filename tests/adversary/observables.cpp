@@ -208,7 +208,7 @@ template <class T, class R> double angular_velocity(const scene &s, double)
     return q.v.worst;
 }
 
-/* (85), of unit columns: 8 u of 1, and 4 u of the height. */
+/* (90), of unit columns: 8 u of 1, and 4 u of the height. */
 template <class T, class R> double matrix(const scene &s, double)
 {
     asked<T, R> q(s);
@@ -294,10 +294,10 @@ template <class T, class R> double from_landing(const scene &s, double)
     terms<R> want[3];
     for (int i = 0; i < 3; ++i) {
         want[0].add(at.IX / at.J * w[i] * e[i]);
-        want[0].add(at.m / at.J / at.a * v[i] * e[6 + i]); /* (86) */
+        want[0].add(at.m / at.J / at.a * v[i] * e[6 + i]); /* (91) */
         want[1].add(w[i] * e[3 + i]);
         want[2].add(at.IZ / at.K * w[i] * e[6 + i]);
-        want[2].add(-at.k2 / at.a * v[i] * e[i]); /* (86) */
+        want[2].add(-at.k2 / at.a * v[i] * e[i]); /* (91) */
         want[0].size += magnitude(w[i] * e[i]) * at.m / at.J;
         want[2].size += magnitude(w[i] * e[6 + i]) * at.k2;
     }

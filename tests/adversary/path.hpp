@@ -72,6 +72,10 @@ template <class R> class path
         return root((y[5] * y[5] + y[6] * y[6]) / (c * c) + y[7] * y[7] +
                     1 / c);
     }
+    R lean() const
+    {
+        return base * half_pi<R>() + y[0];
+    }
     R cos_theta() const
     {
         return cth(y[0]);
