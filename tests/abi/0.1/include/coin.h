@@ -514,7 +514,7 @@ COIN_API int32_t coin_check(const coin_state *s, const coin_params *p,
 /* ---------------------------------------------------- games and engines -- */
 
 /** What a renderer loads: the pose as one matrix, body to table, the roll
- * included.  Eq. (85).
+ * included.  Eq. (90).
  * @param[out] m  [16] by columns, as OpenGL, Vulkan and three.js have them: the
  *                body's three axes and its centre of mass, each with x, y, z
  *                of the table and then 0, 0, 0, 1.  Element (row, column) is
@@ -528,7 +528,7 @@ COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
 /** coin_advance() that stops at the first moment from which a real coin would
  * slip or lift off, or at which it is nearly flat.  Brief excursions within a
  * step are found as well: from the forces at the ends of a step and their
- * derivatives, Eq. (87), which bound the forces between.
+ * derivatives, Eq. (92), which bound the forces between.
  * @param[in,out] s  the state
  * @param t          the time, of either sign [T]
  * @param tol        1e-13 to 1e-2: as for coin_advance(); and within how many
@@ -546,15 +546,18 @@ COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
  *         coin_advance().
  * Accuracy: no excursion by which F/N exceeds mu by 1e-6 of mu or more is
  *         missed, wherever it lies (test_until).
- * Cost: at most twice that of coin_advance() without an event; an event takes
- *         that of some steps more.  Some 9 KiB of stack. */
+ *         This is of the motion that the steps give: where tol is above 1e-6
+ *         they err by more than that themselves.
+ * Cost: some twice that of coin_advance() where no event is near, and 0.25 us
+ *         more for calls of a step or less; an event takes that of ten to forty
+ *         steps.  Some 10 KiB of stack. */
 COIN_API int32_t coin_advance_until(coin_state *s, const coin_params *p,
                                     double t, double tol, double mu,
                                     int32_t bits, double *reached);
 
 /** How a coin that an engine holds rolls on once it touches the table, if the
  * contact neither slips nor bounces: the angular momentum about the point of
- * contact is kept.  Eq. (86).  A coin that rolls already stays as it is.
+ * contact is kept.  Eq. (91).  A coin that rolls already stays as it is.
  * @param[out] s  the state; -pi < phi, psi <= pi
  * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
  * @param omega   [3] angular velocity in the table frame, before [1/T]
@@ -838,8 +841,10 @@ COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
  * stop, as damping and rolling do, the time below cos(theta) = 1e-10 is that of
  * the law of the end.
  * Accuracy: of random launches the error stays within tol per natural unit of
- *         time in 99 of 100 (test_settle); the time of rest does not depend on
- *         how many calls it takes, to 1e-9.
+ *         time in 99 of 100 (test_settle), and where the contact does not turn
+ *         round within 10 tol per radius of speed in all that were searched
+ *         (docs/limits.md); the time of rest does not depend on how many calls
+ *         it takes, to 1e-9.
  * Cost: some 3 RK8 steps per radian that the contact rolls by, at 1e-9; more
  *         where dry friction holds the contact: dry/(soft cos(theta)) of the
  *         moments of inertia is then the rate that steps have to follow. */
@@ -858,8 +863,9 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
  *         steps are not enough, as for absurdly fast coins.
  * Accuracy: the last fall is not quasi-steady: with m the loss in natural units
  *         the error is as m^1.2 to m^1.5, some 5e-4 for a coin that spins for
- *         seconds (docs/models.md, test_quasisteady).
- * Cost: some 350 textbook steps. */
+ *         seconds (docs/models.md, test_quasisteady).  The model itself is
+ *         solved to 1e-6 of the time.
+ * Cost: up to 610 textbook steps. */
 COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
                                   const coin_losses *l);
 
@@ -878,7 +884,8 @@ COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
  * Accuracy: until the angle from flat is ten times the loss m in natural units,
  *         theta, wY and wZ as m^2, phi and psi as m: 70 m at half of the time
  *         to rest of a spin from 0.1 rad; x and z as phi (test_quasisteady).
- * Cost: some 350 textbook steps, whatever t. */
+ *         The model itself is solved to 1e-9.
+ * Cost: up to 230 textbook steps, whatever t. */
 COIN_API int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
                                      const coin_losses *l, double t,
                                      coin_state *out);
