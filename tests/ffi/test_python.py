@@ -184,6 +184,12 @@ class Errors(unittest.TestCase):
         self.assertEqual(caught.exception.status, rc.EFLAT)
         self.assertLess(1, caught.exception.done)
 
+    def test_an_error_reaches_another_process(self):
+        error = rc.Error(rc.ESTEP, 7, 3)
+        other = pickle.loads(pickle.dumps(error))
+        self.assertEqual((other.status, other.done, other.index, str(other)),
+                         (rc.ESTEP, 7, 3, str(error)))
+
     def test_a_number_that_is_none_says_why(self):
         p, s = quarter()
         bad, none = rc.State(theta=2), rc.Losses()
@@ -449,6 +455,30 @@ class Tables(unittest.TestCase):
         rc.run(table[1], p, rc.RK8, 1e-3, 10)
         rc.run(alone, p, rc.RK8, 1e-3, 10)
         self.assertEqual(table[1].tobytes(), bytes(alone))
+
+    def test_rows_and_tables_of_any_making(self):
+        p, _ = quarter()
+        table = random_table(6)
+        want = rc.energy(table, p)
+        records = table.view(numpy.recarray)
+        self.assertTrue(same(rc.energy(records, p), want))
+        self.assertEqual(rc.energy(records[2], p), want[2])
+        rc.step(table[::2][1], p, 1e-3)
+        self.assertNotEqual(table["psi"][2], random_table(6)["psi"][2])
+        self.assertTrue(same(table[[0, 1, 3]], random_table(6)[[0, 1, 3]]))
+        odd = numpy.frombuffer(bytearray(1 + table.nbytes), rc.State, offset=1)
+        odd[:] = random_table(6)
+        self.assertTrue(same(rc.energy(odd, p), want))
+        with self.assertRaises(ValueError):
+            rc.step(odd[0], p, 1e-3)
+        alone = table[0].copy()
+        rc.step(alone, p, 1e-3)
+        self.assertNotEqual(alone, table[0])
+        with self.assertRaises(ValueError):
+            rc.run_batch(odd, p, rc.RK4, 1e-3, 1)
+        grid = numpy.asfortranarray(random_table(6).reshape(2, 3))
+        self.assertTrue(same(rc.energy(grid, p), want))
+        self.assertEqual(rc.energy(random_table(1).reshape(()), p).shape, ())
 
     def test_the_first_row_that_fails_is_named_or_all_in_status(self):
         p, _ = quarter()

@@ -100,8 +100,8 @@ def _record(value: Any, write: bool) -> Any:
 
 def _in_place(row: Any, kind: Type[Any]) -> Any:
     """The memory of a row, which is that of the array it was taken from."""
-    if row.base is None or not row.flags.writeable:
-        raise ValueError("a row that cannot be written")
+    if not (row.flags.writeable and row.flags.aligned):
+        raise ValueError("a row to be moved must be writable and aligned")
     address = row.__array_interface__["data"][0]
     memory: Any = ctypes.cast(address, ctypes.POINTER(kind))
     memory._row = row  # which keeps the array
