@@ -47,11 +47,18 @@ Tag: {tag}
 
 # --------------------------------------------------------------------- compiling
 def run(*command):
-    """What a command prints; it does not see the flags of an outer make."""
+    """What a command prints; it does not see the flags of an outer make.  Its
+    own words are the error, if it fails."""
     environment = {name: value for name, value in os.environ.items()
                    if name not in ("MAKEFLAGS", "MAKELEVEL", "MFLAGS")}
-    return subprocess.run(command, check=True, text=True, env=environment,
-                          stdout=subprocess.PIPE).stdout
+    try:
+        return subprocess.run(command, check=True, text=True, env=environment,
+                              stdout=subprocess.PIPE).stdout
+    except FileNotFoundError:
+        raise SystemExit(f"rollcoin: needs {command[0]}") from None
+    except subprocess.CalledProcessError as error:
+        raise SystemExit(f"rollcoin: {command[0]} failed: "
+                         f"{error.returncode}") from None
 
 
 def single_header(folder):
@@ -98,18 +105,37 @@ def tag():
     return f"py3-none-{platform}"
 
 
+def info():
+    return f"rollcoin-{version()}.dist-info"
+
+
+def metadata():
+    """{name: bytes} of what says what the package is."""
+    readme = (HERE / "README.md").read_text()
+    text = METADATA.format(version=version()) + readme
+    return {f"{info()}/METADATA": text.encode(),
+            f"{info()}/WHEEL": WHEEL.format(tag=tag()).encode()}
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """Without which pip would build twice."""
+    folder = pathlib.Path(metadata_directory)
+    (folder / info()).mkdir()
+    for name, data in metadata().items():
+        (folder / name).write_bytes(data)
+    return info()
+
+
+prepare_metadata_for_build_editable = prepare_metadata_for_build_wheel
+
+
 def wheel(folder, files):
     """Writes a wheel of {name: bytes}; returns its name."""
-    info = f"rollcoin-{version()}.dist-info"
-    readme = (HERE / "README.md").read_text()
-    files = {**files,
-             f"{info}/METADATA": (METADATA.format(version=version())
-                                  + readme).encode(),
-             f"{info}/WHEEL": WHEEL.format(tag=tag()).encode()}
+    files = {**files, **metadata()}
     record = [f"{name},{digest(data)},{len(data)}"
               for name, data in sorted(files.items())]
-    files[f"{info}/RECORD"] = "\n".join([*record, f"{info}/RECORD,,",
-                                         ""]).encode()
+    files[f"{info()}/RECORD"] = "\n".join([*record, f"{info()}/RECORD,,",
+                                           ""]).encode()
     name = f"rollcoin-{version()}-{tag()}.whl"
     with zipfile.ZipFile(pathlib.Path(folder) / name, "w",
                          zipfile.ZIP_DEFLATED) as archive:

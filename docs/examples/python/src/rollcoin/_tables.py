@@ -100,8 +100,8 @@ def _record(value: Any, write: bool) -> Any:
 
 def _in_place(row: Any, kind: Type[Any]) -> Any:
     """The memory of a row, which is that of the array it was taken from."""
-    if row.base is None or not row.flags.writeable:
-        raise ValueError("a row that cannot be written")
+    if not (row.flags.writeable and row.flags.aligned):
+        raise ValueError("a row to be moved must be writable and aligned")
     address = row.__array_interface__["data"][0]
     memory: Any = ctypes.cast(address, ctypes.POINTER(kind))
     memory._row = row  # which keeps the array
@@ -295,12 +295,22 @@ def _rows_of(full: str, prefix: str, shape: Tuple[int, ...], status: Any,
         some = call(length, statuses.ctypes.data + 4 * first, *before,
                     *arguments(first), *places)
         worst = min(worst, some)
-    if worst < 0 and status is None:
-        bad = statuses.reshape(-1)
-        index = int(numpy.argmax(bad < 0))
-        whole = bad[index] in (EARG, EPARAMS)  # of no row in particular
-        raise Error(int(bad[index]), index=None if whole else index)
+    if worst < 0:
+        _failed(statuses.reshape(-1), outs, status is None)
     return outs[0] if len(outs) == 1 else tuple(outs) or statuses
+
+
+def _failed(statuses: Any, outs: list[Any], raises: bool) -> None:
+    """Raises for the first row that failed, or makes NaN of all of them."""
+    import numpy
+    bad = statuses < 0
+    if raises:
+        index = int(numpy.argmax(bad))
+        whole = statuses[index] in (EARG, EPARAMS)  # of no row in particular
+        raise Error(int(statuses[index]), index=None if whole else index)
+    for out in outs:
+        real = numpy.float32 if _single(out.dtype) else numpy.float64
+        out.view(real).reshape(len(bad), -1)[bad] = numpy.nan
 
 
 def _statuses(status: Any, shape: Tuple[int, ...]) -> Any:
@@ -315,15 +325,13 @@ def _statuses(status: Any, shape: Tuple[int, ...]) -> Any:
 
 
 def _empty(shape: Tuple[int, ...], kind: Any, length: int) -> Any:
-    """NaN, where a row fails."""
     import numpy
-    if length > 1:
-        shape = (*shape, length)
-    out = numpy.empty(shape, numpy.dtype(kind))
-    real = out.view(numpy.float32 if _single(kind) else numpy.float64)
-    real.fill(numpy.nan)
-    return out
+    return numpy.empty((*shape, length) if length > 1 else shape,
+                       numpy.dtype(kind))
 
 
-def _single(kind: Any) -> bool:
-    return kind is c_float or kind.__name__.endswith("f")
+def _single(dtype: Any) -> bool:
+    """Whether an array holds floats, alone or in structs."""
+    while dtype.fields:
+        dtype = dtype[0]
+    return bool(dtype.base.itemsize == 4)
