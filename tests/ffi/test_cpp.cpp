@@ -108,6 +108,24 @@ static void observables()
     CHECK(rollcoin::body(1, 1, 1, 0.25, 0.5).inertia_Z == 0.5);
 }
 
+static void games()
+{
+    auto s = start;
+    double reached = 1;
+    CHECK(rollcoin::matrix(s, p)[12] == s.x);
+    const auto landed = rollcoin::from_landing(
+        p, rollcoin::rotation(s), rollcoin::angular_velocity(s),
+        rollcoin::velocity(s, p), s.x, s.z);
+    CHECK(std::fabs(landed.wZ - s.wZ) < 1e-11);
+    const double most = rollcoin::reaction(s, p).ratio;
+    rollcoin::advance(s, p, 0.05, 1e-9); // half a period of the lean
+    const double mu = (most + rollcoin::reaction(s, p).ratio) / 2;
+    CHECK(rollcoin::advance_until(s, p, 1, 1e-9, mu, COIN_SLIPS, &reached) ==
+          COIN_SLIPS);
+    CHECK(reached < 0.06 &&
+          std::fabs(rollcoin::reaction(s, p).ratio - mu) < 1e-6);
+}
+
 static void steady()
 {
     const auto circle = rollcoin::steady_circle(p, 0.4, 30, 1);
@@ -193,6 +211,7 @@ int main()
     numbers();
     batches();
     observables();
+    games();
     steady();
     orbits();
     rest();

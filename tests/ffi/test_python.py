@@ -267,6 +267,38 @@ class Results(unittest.TestCase):
             self.assertAlmostEqual(getattr(back, member), getattr(s, member),
                                    12)
 
+    def test_games_get_a_matrix_a_landing_and_the_first_slip(self):
+        p, s = quarter()
+        m = numpy.reshape(rc.matrix(s, p), (4, 4)).T
+        self.assertTrue(same(m[:3, 3], rc.center(s, p)))
+        self.assertAlmostEqual(numpy.linalg.det(m), 1, 14)
+        self.assertEqual(rc.matrix(random_table(5), p).shape, (5, 16))
+        self.assertEqual(len(rc.matrix(*quarterf()[::-1])), 16)
+        for make, (p, s) in ((4, quarter()), (2, quarterf())):
+            landed = rc.state_from_landing(
+                p, rc.quaternion(s), rc.angular_velocity(s),
+                rc.velocity(s, p))
+            self.assertAlmostEqual(landed.wZ, s.wZ, make)
+        p, s = quarter()
+        most = rc.reaction(s, p).ratio
+        rc.advance(s, p, 0.05)  # half a period of the lean
+        mu = (most + rc.reaction(s, p).ratio) / 2
+        found = rc.advance_until(s, p, 1, mu, rc.SLIPS)
+        self.assertEqual(found.status, rc.SLIPS)
+        self.assertAlmostEqual(rc.reaction(s, p).ratio, mu, 6)
+        self.assertLess(found.reached, 0.06)
+        self.assertEqual(rc.advance_until(s, p, 1, INF, rc.SLIPS), (0, 1))
+        with self.assertRaises(rc.Error):
+            rc.advance_until(s, p, 1, 0.1, 0)
+        table = random_table(9)
+        alone = table.copy()
+        many = rc.advance_until(table, p, 0.1, 0.2, rc.SLIPS | rc.LIFTS)
+        for k in range(9):
+            self.assertEqual(rc.advance_until(alone[k], p, 0.1, 0.2,
+                                              rc.SLIPS | rc.LIFTS),
+                             (many.status[k], many.reached[k]))
+        self.assertTrue(same(table, alone))
+
     def test_steady_motions_and_what_swings_about_them(self):
         p = quarter()[0]
         circle = rc.steady_circle(p, 0.4, 30)

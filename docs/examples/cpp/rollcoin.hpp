@@ -150,6 +150,15 @@ inline std::int32_t advance(state &s, const params &p, double t, double tol,
     return check(coin_advance(&s, &p, t, tol, reached));
 }
 
+// advance() that stops at the first moment at which one of bits holds; returns
+// those that hold.
+inline std::int32_t advance_until(state &s, const params &p, double t,
+                                  double tol, double mu, std::int32_t bits,
+                                  double *reached = nullptr)
+{
+    return check(coin_advance_until(&s, &p, t, tol, mu, bits, reached));
+}
+
 // count states, steps_per_sample steps apart, the start first.
 inline void sample(const state &start, const params &p, method m, double dt,
                    std::uint64_t steps_per_sample, std::size_t count,
@@ -200,6 +209,16 @@ inline state from_motion(const params &p, const quaternion &q,
 {
     state s;
     check(coin_state_from_motion(&s, &p, q.data(), omega.data(), x, z));
+    return s;
+}
+
+// How a coin that an engine holds rolls on once it touches the table.
+inline state from_landing(const params &p, const quaternion &q,
+                          const vec3 &omega, const vec3 &v, double x, double z)
+{
+    state s;
+    check(coin_state_from_landing(&s, &p, q.data(), omega.data(), v.data(), x,
+                                  z));
     return s;
 }
 
@@ -267,6 +286,14 @@ inline std::array<double, 9> axes(const state &s)
     std::array<double, 9> R;
     check(coin_axes(&s, R.data()));
     return R;
+}
+
+// What a renderer loads, by columns.
+inline std::array<double, 16> matrix(const state &s, const params &p)
+{
+    std::array<double, 16> m;
+    check(coin_matrix(&s, &p, m.data()));
+    return m;
 }
 
 inline quaternion rotation(const state &s)

@@ -130,6 +130,26 @@ fn what_is_read_off_a_state_is_consistent() {
 }
 
 #[test]
+fn games_get_a_matrix_a_landing_and_the_first_slip() {
+    let (p, mut s) = quarter();
+    let m = s.matrix(&p).unwrap();
+    assert_eq!(m[12..15], s.center(&p).unwrap());
+    let (q, omega) = (s.quaternion().unwrap(), s.angular_velocity().unwrap());
+    let v = s.velocity(&p).unwrap();
+    let landed = State::from_landing(&p, q, omega, v, s.x, s.z).unwrap();
+    assert!((landed.wZ - s.wZ).abs() < 1e-11);
+    let most = s.reaction(&p).unwrap().ratio;
+    s.advance(&p, 0.05, 1e-9).unwrap(); // half a period of the lean
+    let mu = (most + s.reaction(&p).unwrap().ratio) / 2.0;
+    let slips = ffi::COIN_SLIPS as i32;
+    let (status, reached) = s.advance_until(&p, 1.0, 1e-9, mu, slips).unwrap();
+    assert!(status.slips() && reached < 0.06);
+    assert!((s.reaction(&p).unwrap().ratio - mu).abs() < 1e-6);
+    let refused = s.advance_until(&p, 1.0, 1e-9, mu, 0).unwrap_err();
+    assert_eq!(refused.error, Error::ARGUMENT);
+}
+
+#[test]
 fn steady_motions_are_steady() {
     let (p, _) = quarter();
     let circle = State::steady_circle(&p, 0.4, 30.0, 1).unwrap();

@@ -11,9 +11,9 @@ from ._tables import (AnyParams, Coin, Coins, Status, coin, function, kind_of,
                      read)
 
 __all__ = ["body", "bodyf", "disc", "discf", "losses_check", "losses_fit",
-           "params_check", "ring", "ringf", "state_check", "state_from_motion",
-           "steady_circle", "steady_near", "steady_roll", "steady_spin",
-           "steady_upright_spin"]
+           "params_check", "ring", "ringf", "state_check",
+           "state_from_landing", "state_from_motion", "steady_circle",
+           "steady_near", "steady_roll", "steady_spin", "steady_upright_spin"]
 
 
 # ------------------------------------------------------------------- parameters
@@ -104,6 +104,21 @@ def state_from_motion(p: AnyParams, q: Sequence[float],
     s = kind()
     function("state_from_motion", kind)(s, p, vector(q, 4, real),
                                         vector(omega, 3, real), x, z)
+    return s
+
+
+def state_from_landing(p: AnyParams, q: Sequence[float],
+                       omega: Sequence[float], v: Sequence[float],
+                       x: float = 0, z: float = 0) -> Any:
+    """The State in which a body of an engine rolls on once it touches the
+    table, if the contact neither slips nor bounces: as state_from_motion(),
+    and v is the velocity of its centre.  coin_state_from_landing()"""
+    kind = kind_of(p)
+    real = c_float if kind is Statef else c_double
+    s = kind()
+    function("state_from_landing", kind)(
+        s, p, vector(q, 4, real), vector(omega, 3, real), vector(v, 3, real),
+        x, z)
     return s
 
 

@@ -16,8 +16,8 @@ from ._library import Error, lib
 from ._tables import (AnyParams, Coin, Coins, Status, Table, coin, function,
                      is_numpy, kind_of, one, read, table)
 
-__all__ = ["SLICE", "Settled", "advance", "run", "run_batch", "sample",
-           "settle", "step"]
+__all__ = ["SLICE", "Settled", "Until", "advance", "advance_until", "run",
+           "run_batch", "sample", "settle", "step"]
 
 SLICE = 1 << 18
 """How many steps run(), run_batch() and sample() do in one call of the library.
@@ -178,6 +178,21 @@ def advance(s: Coins, p: Params, t: float, tol: float = 1e-9, *,
     """Moves s, a State, a row or a table, by any time t to an accuracy;
     returns the time moved, of a table an array.  coin_advance()"""
     return _moved("advance", s, (p, t, tol), status)[1]
+
+
+class Until(NamedTuple):
+    """What advance_until() returns."""
+    status: Any
+    """The bits that hold now, or 0; of a table an array."""
+    reached: Any
+    """The time moved by; of a table an array."""
+
+
+def advance_until(s: Coins, p: Params, t: float, mu: float, bits: int,
+                  tol: float = 1e-9, *, status: Status = None) -> Until:
+    """advance() that stops at the first moment at which one of bits holds:
+    SLIPS, LIFTS, NEARLY_FLAT, or several, or-ed.  coin_advance_until()"""
+    return Until(*_moved("advance_until", s, (p, t, tol, mu, bits), status))
 
 
 class Settled(NamedTuple):

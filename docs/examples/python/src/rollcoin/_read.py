@@ -16,9 +16,9 @@ from ._tables import AnyParams, Coins, Status, read
 
 __all__ = ["angular_velocity", "axes", "center", "check", "contact",
            "critical_roll", "critical_spin", "energy", "integrals",
-           "losses_power", "losses_rates", "losses_reaction", "max_dt",
-           "model_needed", "quaternion", "rates", "reaction", "stability",
-           "steady_radii", "time_to_rest", "velocity"]
+           "losses_power", "losses_rates", "losses_reaction", "matrix",
+           "max_dt", "model_needed", "quaternion", "rates", "reaction",
+           "stability", "steady_radii", "time_to_rest", "velocity"]
 
 
 def energy(s: Coins, p: AnyParams, *, status: Status = None) -> Any:
@@ -66,6 +66,12 @@ def axes(s: Coins, *, status: Status = None) -> Any:
 def quaternion(s: Coins, *, status: Status = None) -> Any:
     """The rotation w, x, y, z of the body.  coin_quaternion()"""
     return read("quaternion", s, status=status)
+
+
+def matrix(s: Coins, p: AnyParams, *, status: Status = None) -> Any:
+    """The pose as a renderer loads it: 16 numbers, by columns, of the 4x4
+    matrix body to table.  coin_matrix()"""
+    return read("matrix", s, p, status=status)
 
 
 def angular_velocity(s: Coins, *, status: Status = None) -> Any:
