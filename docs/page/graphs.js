@@ -35,7 +35,7 @@ const GRAPHS = {
       curve(column(AT.t), column(AT.ratio, r => Math.min(r, 1e9)))],
     now: s => [m.now, s[AT.ratio]], say: s => short(s[AT.ratio], 4) },
   phase: { curves: () => [curve(column(AT.theta, degrees), column(AT.wX))],
-    x: () => around0(AT.theta, 0.5, degrees), y: () => around0(AT.wX, 1e-3 / unit()),
+    x: () => around0(AT.theta, 0.5, degrees), y: () => around0(AT.wX, 0.02 / unit()),
     now: s => [degrees(s[AT.theta]), s[AT.wX]], say: s => short(s[AT.wX], 4) },
   error: { y: () => [-16, 2], tick: y => "10" + raised(y),
     curves: () => raceCurves(1, e => Math.log10(Math.max(e, 1e-16))),

@@ -107,7 +107,8 @@ function showTime(time) {
   }
   $("scrub").value = motion.end ? m.now / motion.end : 0;
   $("scrub").setAttribute("aria-valuetext", clock);
-  $("clock").textContent = `${m.swings ? power(m.swings, 0) + " swings + " : ""}${clock} of ${short(motion.end)}`;
+  const far = m.swings ? m.swings.toLocaleString("en") + " swings + " : "";
+  $("clock").textContent = `${far}${clock} of ${short(motion.end)}`;
   [0, 1].forEach(showRacer);
   if (!playing) [$("listing").textContent, $("digits").textContent] = [listing(), digits()];
 }

@@ -16,6 +16,10 @@
 /* The C listing of the page names the same tolerance. */
 #define TOLERANCE 1e-12
 
+/* The longest time between two knots of the trail, in natural units: the graphs
+ * draw straight lines between them. */
+#define LONGEST 0.06
+
 static const coin_losses NO_LOSSES = {0, 0, 0, 0, 0, 0, 0, 0};
 struct motion page;
 static inputs asked;
@@ -28,21 +32,19 @@ int32_t PAGE(page_scene_count)(void)
     return SCENE_COUNT;
 }
 
-/* The words of scene k: its name, its story, its units of time and length. */
+/* The words of scene k: its name, its story, its unit of time. */
 const char *PAGE(page_scene_word)(int32_t k, int32_t which)
 {
     const scene *s = &SCENES[k];
-    const char *words[] = {s->name, s->story, s->body->in->time,
-                           s->body->in->length};
+    const char *words[] = {s->name, s->story, s->body->in->time};
     return words[which];
 }
 
-/* Its numbers: step, duration, and how many of its unit of length are shown
- * for one. */
+/* Its numbers: step and duration. */
 double PAGE(page_scene_number)(int32_t k, int32_t which)
 {
     const scene *s = &SCENES[k];
-    const double numbers[] = {s->dt, s->duration, s->body->in->shown};
+    const double numbers[] = {s->dt, s->duration};
     return numbers[which];
 }
 
@@ -54,6 +56,11 @@ void PAGE(page_scene)(int32_t k)
     const inputs in = {s->start,   b->mass,   b->radius, b->inner_radius,
                        b->gravity, NO_LOSSES, 0.3};
     asked = in;
+}
+
+static double unit(void)
+{
+    return sqrt(page.taken.radius / page.taken.gravity);
 }
 
 /* The largest W of the trail, Eq. (47). */
@@ -199,7 +206,7 @@ moment *PAGE(page_now)(void)
 }
 
 /* The coin at base + t by one call from the start: what the C listing gives.
- * base > 0 needs an orbit. */
+ * base > 0 needs an orbit.  A coin that falls flat is shown as it lies. */
 int32_t PAGE(page_at)(double base, double t)
 {
     coin_state s = page.taken.start;
@@ -273,7 +280,7 @@ void PAGE(page_trail)(double base)
         page.knots[0] = page.now;
     page.count = 1;
     ++page.age;
-    stride = 0.01 * sqrt(page.taken.radius / page.taken.gravity);
+    stride = 0.01 * unit();
 }
 
 /* Whether two moments are close enough for a straight line between them: the
@@ -286,7 +293,7 @@ static double gap(const moment *m, const moment *next)
                          page.taken.radius;
     const double turn = 0.25 * fabs(b->phi - a->phi);
     return fmax(chord / 0.12,
-                fmax(turn / 0.12, fabs(b->theta - a->theta) / 0.1));
+                fmax(turn / 0.12, fabs(b->theta - a->theta) / 0.05));
 }
 
 /* Lengthens the trail by up to count knots, until `end`.  COIN_OK: there is
@@ -299,7 +306,7 @@ int32_t PAGE(page_trail_on)(double end, int32_t count)
         if (!(left > 0) || page.count == KNOTS)
             return COIN_RESTS;
         coin_state s = m->state;
-        double h = fmin(stride, left);
+        double h = fmin(fmin(stride, LONGEST * unit()), left);
         const int32_t status = moved(&s, h, &h);
         if (status < 0 && status != COIN_EFLAT)
             return status;
@@ -307,7 +314,7 @@ int32_t PAGE(page_trail_on)(double end, int32_t count)
         observe(next, m->t + h, &s);
         const double g = gap(m, next);
         stride *= fmin(1.5, fmax(0.3, 0.8 / g));
-        if (g > 1 && stride > 1e-12 * end)
+        if (g > 1 && stride > 1e-12 * unit())
             continue;
         ++page.count;
         if (status == COIN_RESTS || status == COIN_EFLAT)

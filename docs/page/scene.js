@@ -163,12 +163,11 @@ function drawGhost(c, camera, which) {
   line(c, camera, [coin.point(hole(), coin.psi, 0), coin.point(1, coin.psi, 0)], color, 2);
 }
 
-// The reaction, 1.3 radii long when it is the weight, and the cone that friction
-// allows it.
+// The reaction, 1.3 radii long when it is the weight and 2 at most, and the cone
+// that friction allows it.
 function drawForce(c, camera) {
-  const s = motion.moment, from = contact(s), scale = 1.3 / weight(), color = knotColor(s[AT.bits]);
-  const height = clamp(s[AT.normal] * scale, 0, 3);
-  const force = [...s.subarray(AT.R, AT.R + 3)].map(x => x * scale), long = Math.hypot(...force);
+  const s = motion.moment, from = contact(s), R = [...s.subarray(AT.R, AT.R + 3)], color = knotColor(s[AT.bits]);
+  const scale = Math.min(1.3 / weight(), 2 / Math.hypot(...R)), height = s[AT.normal] * scale;
   if (height > 0 && m.mu > 0 && m.mu < 10) {
     const rim = around(48, u => sum(from, height, [m.mu * Math.cos(u), 1, m.mu * Math.sin(u)]));
     const tip = camera.to(from), slope = ([x, y]) => (x - tip[0]) / (tip[1] - y || 1);
@@ -177,8 +176,7 @@ function drawForce(c, camera) {
     stroke(c, polyline([sides[0], tip, sides.pop()]), COLORS.good + "90", 1.4);
     area(c, camera, [rim], COLORS.good + "20");
   }
-  if (!(long > 0.01)) return;
-  const to = sum(from, Math.min(1, 3.5 / long), force), [ax, ay] = camera.to(from), [bx, by] = camera.to(to);
+  const to = sum(from, scale, R), [ax, ay] = camera.to(from), [bx, by] = camera.to(to);
   const turn = Math.atan2(by - ay, bx - ax), barb = u => [bx + 9 * Math.cos(turn + u), by + 9 * Math.sin(turn + u)];
   line(c, camera, [from, to], color, 2.5);
   stroke(c, polyline([barb(2.6), [bx, by], barb(-2.6)]), color, 2.5);
@@ -199,7 +197,8 @@ function drawWorld(c, camera, coin) {
 function drawStage() {
   const { c, w, h } = cleared($("stage")), coin = coinFrom(motion.moment, AT.theta);
   const fit = 0.15 + Math.max(2.5 * h / w, Math.cos(m.el) + 2.5 * Math.sin(m.el)), [x, z] = motion.center;
-  const camera = cameraAt([x, 0.3, z], fit * tableRadius() / m.zoom, w / 2, 0.48 * h, 1.15 * h);
+  const middle = [x, 0.3, z], target = sum(middle, Math.max(0, 1 - 1 / m.zoom), sum(coin.center, -1, middle));
+  const camera = cameraAt(target, fit * tableRadius() / m.zoom, w / 2, 0.48 * h, 1.15 * h);
   drawWorld(c, camera, coin);
   Object.assign(stage, { coinAt: camera.to(coin.center), coinSize: 1.15 * h / camera.view(coin.center)[2] });
   if (stage.coinSize < 36) drawInset(c, w, coin);

@@ -8,8 +8,9 @@ import { join } from "node:path";
 export class Browser {
   constructor(program = process.env.CHROMIUM || "chromium") {
     this.folder = mkdtempSync(join(tmpdir(), "rollcoin-page-"));
-    const options = ["--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--hide-scrollbars",
-      "--disable-extensions", "--disable-background-networking", "--remote-debugging-pipe",
+    const options = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+      "--no-first-run", "--hide-scrollbars", "--disable-extensions", "--disable-background-networking",
+      "--remote-debugging-pipe",
       "--user-data-dir=" + this.folder];
     this.process = spawn(program, options, { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
     this.process.on("error", error => { throw error; });
@@ -56,17 +57,20 @@ export class Browser {
     }];
     for (const domain of ["Page", "Runtime", "Network", "Log"])
       await this.send(domain + ".enable");
-    await this.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: mobile ? 2 : 1, mobile });
+    await this.send("Emulation.setDeviceMetricsOverride",
+      { width, height, deviceScaleFactor: mobile ? 2 : 1, mobile });
     await this.send("Emulation.setTouchEmulationEnabled", { enabled: mobile });
     await this.send("Emulation.setEmulatedMedia", { features: media });
     await this.send("Page.navigate", { url: address });
-    await this.until("document.readyState === 'complete' && /self-test (passed|failed)$/.test(document.getElementById('selftest').textContent)");
+    await this.until("document.readyState === 'complete' && " +
+      "/self-test (passed|failed)$/.test(document.getElementById('selftest').textContent)");
   }
 
   async evaluate(expression) {
-    const { result, exceptionDetails } = await this.send("Runtime.evaluate", { expression, returnByValue: true, awaitPromise: true });
-    if (exceptionDetails)
-      throw new Error(expression + ": " + (exceptionDetails.exception?.description || exceptionDetails.text));
+    const { result, exceptionDetails: wrong } = await this.send("Runtime.evaluate",
+      { expression, returnByValue: true, awaitPromise: true });
+    if (wrong)
+      throw new Error(expression + ": " + (wrong.exception?.description || wrong.text));
     return result.value;
   }
 
