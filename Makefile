@@ -144,6 +144,8 @@ $(LIB_A): $(OBJECTS)
 $(O)/$(REAL_SO): $(OBJECTS) $(EXPORTS) $(SRC)/Makefile
 	$(CC_LIB) $(LDFLAGS) -o $@ $(OBJECTS) $(TO_SHARED) -lm
 
+# The name to link to comes with the name to load.
+$(LIB_SO): $(addprefix $(O)/,$(firstword $(SO_LINKS)))
 $(addprefix $(O)/,$(SO_LINKS)): $(O)/$(REAL_SO)
 	ln -sf $(REAL_SO) $@
 
