@@ -144,6 +144,8 @@ $(LIB_A): $(OBJECTS)
 $(O)/$(REAL_SO): $(OBJECTS) $(EXPORTS) $(SRC)/Makefile
 	$(CC_LIB) $(LDFLAGS) -o $@ $(OBJECTS) $(TO_SHARED) -lm
 
+# The name to link to comes with the name to load.
+$(LIB_SO): $(addprefix $(O)/,$(firstword $(SO_LINKS)))
 $(addprefix $(O)/,$(SO_LINKS)): $(O)/$(REAL_SO)
 	ln -sf $(REAL_SO) $@
 
@@ -263,7 +265,7 @@ EPOCH    = $(or $(SOURCE_DATE_EPOCH),$(shell cd $(SRC) && if test -e .git; \
 PACKED = --no-recursion --format=ustar --mtime=@$(EPOCH) --owner=0 --group=0 \
          --numeric-owner --mode=u=rwX,go=rX
 
-.PHONY: dist distcheck installcheck consumers hwcaps
+.PHONY: dist distcheck installcheck consumers hwcaps debian-check windows
 dist: $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, rollcoin-single-VERSION.tar.xz
 	($(FILES)) | awk -F. '{print $$NF " " $$0}' | LC_ALL=C sort | \
 	    sed 's/^[^ ]* //' >$(O)/files
@@ -287,6 +289,13 @@ consumers: all ## CMake and Meson find it; CMake builds the same bits
 hwcaps: all ## HWCAPS=1: each level of x86-64 is loaded, with the same bits
 	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/hwcaps.sh
 
+debian-check: dist ## Debian packages from docs/examples/debian, their test, lintian
+	+$(GATE) SOVERSION=$(SOVERSION) TARBALL=$(abspath $(TARBALL)) \
+	    sh $(SRC)/tests/install/debian.sh
+
+windows: ## the DLL and the tests, by mingw-w64 and wine
+	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/windows.sh
+
 distcheck: dist ## the tarball builds, passes and makes itself again
 	+$(GATE) TARBALL=$(abspath $(TARBALL)) sh $(SRC)/tests/install/dist.sh
 
@@ -297,8 +306,9 @@ GATES_COMMIT  := check format-check lint-quick
 GATES_PUSH    := header-check examples demo-check float-check installcheck \
                  consumers hwcaps lanes abi pictures-check page-check \
                  bindings distcheck lint sanitize coverage
-GATES_RELEASE := adversary bound tsan abi-seeds bindings-seeds sweeps \
-                 endurance fuzz msan repro valgrind single-check cross firmware
+GATES_RELEASE := adversary bound debian-check tsan abi-seeds bindings-seeds \
+                 sweeps endurance fuzz windows msan repro valgrind \
+                 single-check cross firmware
 GATES_HAND    := mutants results-check
 GATES = $(GATES_COMMIT) $(GATES_PUSH) $(GATES_RELEASE)
 EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done

@@ -17,9 +17,9 @@ none  :=
 blank := $(none) $(none)
 
 # From CMAKEDIR up to the prefix, or the prefix itself if it lies elsewhere.
-UP    = $(subst $(blank),/,$(foreach part,$(subst /, ,$1),..))
-CMAKE_PREFIX = $(if $(filter $(PREFIX)/%,$(CMAKEDIR)),$${CMAKE_CURRENT_LIST_DIR}/$(call \
-               UP,$(patsubst $(PREFIX)/%,%,$(CMAKEDIR))),$(PREFIX))
+inside = $(subst /, ,$(patsubst $(PREFIX)/%,%,$(filter $(PREFIX)/%,$(CMAKEDIR))))
+UP     = $(subst $(blank),,$(foreach part,$(inside),/..))
+CMAKE_PREFIX = $(if $(inside),$${CMAKE_CURRENT_LIST_DIR}$(UP),$(PREFIX))
 
 FILL = sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' \
            -e 's|@URL@|$(URL)|' -e '/^URL: $$/d' \
@@ -39,15 +39,17 @@ $(O)/rollcoin.pc: $(SRC)/pkgconfig/rollcoin.pc.in force | $(O)
 	$(FILL) $< >$@.new
 	$(if_new)
 
-$(addprefix $(O)/,$(CMAKE_FILES)): $(O)/%: $(SRC)/pkgconfig/cmake/%.in force | $(O)
+$(CMAKE_FILES:%=$(O)/%): $(O)/%: $(SRC)/pkgconfig/cmake/%.in force | $(O)
 	$(FILL) $< >$@.new
 	$(if_new)
 
 # A manual page from the groups of coin.h; date is GNU's or BSD's.
-$(O)/rollcoin.3: $(SRC)/lib/about/man.awk $(SRC)/include/coin.h | $(O)
+$(O)/rollcoin.3: $(SRC)/lib/about/man.awk $(SRC)/include/coin.h force | $(O)
 	export LC_ALL=C && date=$$(date -u -d @$(EPOCH) +%F 2>/dev/null || \
 	    date -u -r $(EPOCH) +%F) && awk -v version=$(VERSION) \
-	    -v date=$$date -v docs=$(DOCDIR) -f $^ >$@
+	    -v date=$$date -v docs=$(DOCDIR) \
+	    -f $(filter-out force,$^) >$@.new
+	$(if_new)
 
 # ------------------------------------------------------ newer x86-64 processors
 # With HWCAPS=1 the shared library once more for each level, from which the
@@ -73,14 +75,15 @@ in.$(CMAKEDIR)     = $(addprefix $(O)/,$(CMAKE_FILES))
 in.$(MANDIR)/man3  = $(O)/rollcoin.3
 in.$(DOCDIR)       = $(addprefix $(SRC)/,README.md CHANGELOG.md LICENSE)
 in.$(DOCDIR)/docs  = $(wildcard $(DOCS)/*.md)
-in.$(DOCDIR)/docs/figures = $(wildcard $(DOCS)/figures/*.svg $(DOCS)/figures/*.png)
+in.$(DOCDIR)/docs/figures = $(wildcard $(DOCS)/figures/*.[sp][vn]g)
 in.$(LIBDIR)       = $(LIB_A) $(addprefix $(O)/,$(IMPORT))
 in.$(RUNDIR)      += $(O)/$(REAL_SO)
-$(foreach level,$(LEVELS),\
-    $(eval in.$(LIBDIR)/glibc-hwcaps/$(level) = $(O)/hwcaps/$(level)/$(REAL_SO)))
+$(foreach level,$(LEVELS),$(eval \
+    in.$(LIBDIR)/glibc-hwcaps/$(level) = $(O)/hwcaps/$(level)/$(REAL_SO)))
 
 # Folders, each with a shared library and its links.
-WITH_LINKS = $(addprefix $(DESTDIR),$(RUNDIR) $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%))
+WITH_LINKS = $(addprefix $(DESTDIR),$(RUNDIR) \
+             $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%))
 
 # Lines of a recipe, one for each place.
 define put
@@ -99,7 +102,8 @@ TELL_LINKER = test -n '$(DESTDIR)' || test "$$(id -u)" != 0 || \
               ! command -v $(LDCONFIG) >/dev/null || $(LDCONFIG)
 
 .PHONY: install uninstall
-install: $(LIB_A) $(LIB_SO) $(GENERATED) $(LEVELS:%=$(O)/hwcaps/%/$(REAL_SO)) ## to PREFIX, below DESTDIR if that is set
+install: $(LEVELS:%=$(O)/hwcaps/%/$(REAL_SO))
+install: $(LIB_A) $(LIB_SO) $(GENERATED) ## to PREFIX, below DESTDIR if that is set
 	$(foreach place,$(sort $(PLACES)),$(call put,$(place)))
 	for folder in $(WITH_LINKS); do for link in $(SO_LINKS); do \
 	    ln -sf $(REAL_SO) $$folder/$$link; done; done

@@ -357,13 +357,14 @@ static void its_size_is_as_promised(void **unused)
 static void a_motion_too_fast_for_its_time_is_refused(void **unused)
 {
     (void)unused;
-    const coin_params p = {0x1.8000ccccccccdp+4, 1.5,
-                           0x1p+37 + 0x1p+36,    0x1.ae500d80667fdp+4,
-                           0x1.9a244cde61b1dp+4, {0, 0, 0}};
     const coin_state s = {
-        -0x1.921fb54425338p+0,  0, 0, 0, 0, -0x1.4e76255b08abfp+73,
-        -0x1.6cb0b8f7f6a5dp+16, 0};
+        .theta = -0x1.921fb47d1d489p+0,
+        .wX = 0x1.81ab3d2e64d98p+72,
+        .wY = -0x1.166382edfb1fp+6,
+    };
+    coin_params p;
     coin_orbit o;
+    check_status(coin_params_disc(&p, 1, 1, 0x1.4bcb327a05ab5p-3), COIN_OK);
     check_status(coin_orbit_init(&o, &s, &p), COIN_EDOMAIN);
 }
 

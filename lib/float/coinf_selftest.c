@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
 #include "floats.h"
 
 /* What every build must give: as in lib/about/selftest.c. */

@@ -10,7 +10,7 @@
 #include <float.h>
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) ||                 \
-    defined(__RECIPROCAL_MATH__)
+    defined(__RECIPROCAL_MATH__) || defined(_M_FP_FAST)
 #error "librollcoin needs IEEE arithmetic as written: no fast-math, no -Ofast"
 #endif
 
@@ -28,6 +28,8 @@
                      "no-tree-loop-vectorize")
 /* Nor is a loop that copies, coin_priv_copy(), to become a memcpy(). */
 #pragma GCC optimize("no-tree-loop-distribute-patterns")
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
 #endif
 
 /* A step's parts become one piece of straight code, whatever their size; what

@@ -209,7 +209,7 @@ fw_figures  = $(PYTHON) $(FW)/figures.py $1 $(FW_OUT) $(SRC)/docs/embedding.md \
               '$(notdir $(basename $(SOURCES)))' \
               $(foreach m,$2,$m=$(call FW_TOOLS,$m))
 
-.PHONY: firmware firmware-update cross cross-update
+.PHONY: firmware firmware-update cross cross-update cross-x87
 firmware: $(BOARDS:%=$(FW_OUT)/%/same) $(BOARDS:%=$(FW_OUT)/%/as-host)
 firmware: $(FW_OUT)/m0/late.txt $(call fw_needs,$(BOARDS)) ## equal hashes without an operating system
 	$(call fw_figures,firmware,$(BOARDS))
@@ -218,8 +218,17 @@ firmware: $(FW_OUT)/m0/late.txt $(call fw_needs,$(BOARDS)) ## equal hashes witho
 firmware-update: $(call fw_needs,$(BOARDS)) ## write docs/embedding.md's tables
 	$(call fw_figures,firmware,$(BOARDS)) --update
 
-cross: $(CROSS:%=$(FW_OUT)/%/same) $(call fw_needs,$(CROSS)) ## equal hashes from other processors, and wasm
+cross: $(CROSS:%=$(FW_OUT)/%/same) $(call fw_needs,$(CROSS)) cross-x87 ## equal hashes from other processors, and wasm
 	$(call fw_figures,cross,$(CROSS))
+
+# The x87 keeps more digits than a double has: every source refuses it, and says
+# which flags help.
+cross-x87:
+	for source in $(SOURCES); do \
+	    ! i686-linux-gnu-gcc -I$(SRC)/include -fsyntax-only $$source \
+	        2>$(O)/x87 && grep -q 'error.*i386 -msse2 -mfpmath=sse' $(O)/x87 || \
+	        { echo "$$source compiles for the x87"; exit 1; }; done
+	echo "i686 without SSE2 is refused, by all of $(words $(SOURCES)) sources"
 
 cross-update: $(call fw_needs,$(CROSS)) ## write docs/embedding.md's tables of them
 	$(call fw_figures,cross,$(CROSS)) --update

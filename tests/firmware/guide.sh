@@ -8,7 +8,8 @@ set -eu
 work=$OUT/firmware/guide
 rm -rf "$work"
 mkdir -p "$work/docs/examples"
-cp -r "$SRC/Makefile" "$SRC/LICENSE" "$SRC/include" "$SRC/lib" "$work"
+cp -r "$SRC/Makefile" "$SRC/LICENSE" "$SRC/include" "$SRC/lib" \
+    "$SRC/pkgconfig" "$work"
 cp -r "$SRC/docs/examples/firmware" "$work/docs/examples"
 
 # part FROM TO: those lines of the guide.
