@@ -254,19 +254,21 @@ include $(wildcard $(SRC)/tests/*/*.mk)
 # keep that date.  distcheck proves the two ways equal.
 TARBALL := $(O)/rollcoin-$(VERSION).tar.xz
 SINGLES := $(O)/rollcoin-single-$(VERSION).tar.xz
+PAGE    := docs/page/index.html
 FILES    = cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
            .clang-format .gitignore CHANGELOG.md LICENSE Makefile README.md \
            docs include lib pkgconfig tests -type f \
-           ! -path '*/__pycache__/*'; fi
+           ! -path '*/__pycache__/*'; fi | grep -vx $(PAGE)
 EPOCH    = $(or $(SOURCE_DATE_EPOCH),$(shell cd $(SRC) && if test -e .git; \
            then git log -1 --format=%ct; else stat -c %Y Makefile; fi))
 
-# Files of a kind lie together, which saves 1 %.
+# Files of a kind lie together, which saves 1 %.  The page, which is made and
+# does not pack, is a file of its own.
 PACKED = --no-recursion --format=ustar --mtime=@$(EPOCH) --owner=0 --group=0 \
          --numeric-owner --mode=u=rwX,go=rX
 
 .PHONY: dist distcheck installcheck consumers hwcaps debian-check windows
-dist: $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, rollcoin-single-VERSION.tar.xz
+dist: $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, the single header's, the page
 	($(FILES)) | awk -F. '{print $$NF " " $$0}' | LC_ALL=C sort | \
 	    sed 's/^[^ ]* //' >$(O)/files
 	tar -C $(SRC) -cf $(TARBALL:.xz=) $(PACKED) -T $(O)/files \
@@ -274,6 +276,8 @@ dist: $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, rollcoin-single-VERSION.tar.x
 	tar -C $(O)/single -cf $(SINGLES:.xz=) $(PACKED) README.md coin.h coinf.h \
 	    --transform='flags=r;s,^,rollcoin-single-$(VERSION)/,'
 	xz -fT1 --lzma2=preset=9e,pb=0,lc=4 $(TARBALL:.xz=) $(SINGLES:.xz=)
+	test ! -e $(SRC)/$(PAGE) || \
+	    cp $(SRC)/$(PAGE) $(O)/rollcoin-page-$(VERSION).html
 
 # What gates are told: this Makefile, and where to work.
 GATE  = MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' SRC='$(SRC)' \
