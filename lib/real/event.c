@@ -2,7 +2,7 @@
 /* The force along a stretch is a curve of degree 13, whose numbers in
  * Bernstein's form lie around it.  The cone of friction and the half-space
  * above the table are convex: a curve whose numbers all lie within lies within,
- * and this is so of most stretchs.  Of the others the zeros of polynomials are
+ * and this is so of most stretches.  Of the others the zeros of polynomials are
  * isolated; the motion itself then says whether, and from when on, a bit holds.
  */
 #include "../motion/pinned.h"
