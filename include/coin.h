@@ -28,7 +28,8 @@
  * output and the state are exactly as before, unless the function says
  * otherwise: one that moves a state by many steps may stop on the way, and says
  * where.  Where several errors apply, the first of COIN_EARG, COIN_EPARAMS,
- * COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned.  Functions that return a double return NaN on bad input.
+ * COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned.  Functions that return a
+ * double return NaN on bad input.
  * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
  * coin_params_check() and COIN_ESTATE as coin_state_check().
  *

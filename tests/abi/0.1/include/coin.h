@@ -23,11 +23,13 @@
  * line says "may be null".  An output may be the same object as an input of
  * the same type.
  *
- * STATUS. Functions return an int32_t: 0 is COIN_OK; a negative value is an
- * error, and then every output and the state are exactly as before; a
- * positive value means done, with warning bits.  Where several errors apply,
- * the first of COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN
- * is returned.  Functions that return a double return NaN on bad input.
+ * STATUS. Functions return an int32_t: 0 is COIN_OK; a positive value means
+ * done, with warning bits; a negative value is an error.  After an error every
+ * output and the state are exactly as before, unless the function says
+ * otherwise: one that moves a state by many steps may stop on the way, and says
+ * where.  Where several errors apply, the first of COIN_EARG, COIN_EPARAMS,
+ * COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned.  Functions that return a
+ * double return NaN on bad input.
  * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
  * coin_params_check() and COIN_ESTATE as coin_state_check().
  *

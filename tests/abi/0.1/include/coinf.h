@@ -164,10 +164,11 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  *         on.
  * A coin nearer to flat than 3e-8 rad lies flat.  Where losses leave the
  * contact no stop, the time below cos(theta) = 1e-5 is that of the law of the
- * end. Accuracy: of random launches the error stays within tol per natural unit
- * of time in 98 of 100; a quarter that turns for 8 s, in calls of 1 ms or of
+ * end.
+ * Accuracy: of random launches the error stays within tol per natural unit of
+ * time in 98 of 100; a quarter that turns for 8 s, in calls of 1 ms or of
  * 1/60 s, rests within 1e-5 s of the time that coin_settle() gives
- *         (test_float_settle).
+ * (test_float_settle).
  * Cost: on a Cortex-M4F 2,230 instructions for a call of one step, by dry
  *         friction, and 1,088 bytes of stack.  A quarter's 8 s take 8,263 steps
  *         in 8,019 calls of 1 ms at 1e-3, at most 12 of them in one call
