@@ -52,7 +52,7 @@ int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
                                : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    if (!(fabsf(dt) <= COIN_PRIV_LARGEST))
+    if (!coinf_priv_is_finite(dt))
         return COIN_ESTEP;
     const coinf_priv_limits limits = coinf_priv_limits_of(&b, method, dt);
     plan->f = coinf_priv_field_of(&b, dt);

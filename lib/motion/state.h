@@ -4,10 +4,10 @@
 
 #include "body.h"
 
-/* Whether the path has not overflowed; a comparison with NaN is false. */
+/* Whether the path has not overflowed. */
 COIN_PRIV_INLINE int PRIV(path_holds)(const COIN(state) * s)
 {
-    return FABS(s->x) <= COIN_PRIV_LARGEST && FABS(s->z) <= COIN_PRIV_LARGEST;
+    return PRIV(is_finite)(s->x) && PRIV(is_finite)(s->z);
 }
 
 /* Lean, heading, roll and path alone. */
@@ -23,9 +23,8 @@ COIN_PRIV_INLINE int PRIV(pose_holds)(const COIN(state) * s)
  */
 COIN_PRIV_INLINE int32_t PRIV(check_members)(const COIN(state) * s)
 {
-    const int good = PRIV(pose_holds)(s) && FABS(s->wX) <= COIN_PRIV_LARGEST &&
-                     FABS(s->wY) <= COIN_PRIV_LARGEST &&
-                     FABS(s->wZ) <= COIN_PRIV_LARGEST;
+    const int good = PRIV(pose_holds)(s) && PRIV(is_finite)(s->wX) &&
+                     PRIV(is_finite)(s->wY) && PRIV(is_finite)(s->wZ);
     return good ? COIN_OK : COIN_ESTATE;
 }
 

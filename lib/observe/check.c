@@ -14,7 +14,7 @@ int32_t COIN(check)(const COIN(state) * s, const COIN(params) * p,
                                : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    if (!(FABS(dt) <= COIN_PRIV_LARGEST))
+    if (!PRIV(is_finite)(dt))
         return COIN_ESTEP;
     const PRIV(variables) y = PRIV(variables_here)(s);
     const COIN(force) f = PRIV(reaction)(&b, &y);

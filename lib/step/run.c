@@ -17,7 +17,7 @@ int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
     const int32_t status = coin_priv_check_here(s, p, &r->b);
     if (status != COIN_OK)
         return status;
-    if (!(fabs(dt) <= COIN_PRIV_LARGEST))
+    if (!coin_priv_is_finite(dt))
         return COIN_ESTEP;
     coin_priv_run_from(r, s, method, dt);
     return COIN_OK;

@@ -16,7 +16,7 @@ int32_t coin_step(coin_state *s, const coin_params *p, double dt)
     const int32_t status = coin_priv_check_here(s, p, &b);
     if (status != COIN_OK)
         return status;
-    if (!(fabs(dt) <= COIN_PRIV_LARGEST))
+    if (!coin_priv_is_finite(dt))
         return COIN_ESTEP;
     if (dt == 0)
         return COIN_OK;
