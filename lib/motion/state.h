@@ -41,10 +41,11 @@ COIN_PRIV_INLINE int32_t PRIV(check_state)(const COIN(state) * s,
 
 /* The checks that nearly every public function begins with: COIN_EARG,
  * COIN_EPARAMS, COIN_ESTATE in this order.  After COIN_OK *b holds the body.
- * Inline, for functions that take no longer than their checks. */
-COIN_PRIV_INLINE int32_t PRIV(check_here)(const COIN(state) * s,
-                                          const COIN(params) * p,
-                                          PRIV(body) * b)
+ * Inline in the caller, for functions that take no longer than their checks.
+ */
+COIN_PRIV_INLINE int32_t PRIV(check_inline)(const COIN(state) * s,
+                                            const COIN(params) * p,
+                                            PRIV(body) * b)
 {
     if (!s || !p)
         return COIN_EARG;
@@ -59,7 +60,7 @@ COIN_PRIV_INLINE int32_t PRIV(check_here)(const COIN(state) * s,
     return status;
 }
 
-/* The same out of line. */
+/* The same as a function. */
 int32_t PRIV(check)(const COIN(state) * s, const COIN(params) * p,
                     PRIV(body) * b);
 
