@@ -22,7 +22,7 @@ static coin_priv_run begun(const coin_state *s, const coin_params *p)
     coin_priv_run c;
     memset(&c, 0, sizeof c);
     check_status(coin_priv_check(s, p, &c.b), COIN_OK);
-    coin_priv_run_from(&c, s, COIN_RK4, 0);
+    coin_priv_run_unlimited(&c, s);
     return c;
 }
 

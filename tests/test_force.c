@@ -24,7 +24,7 @@ static struct stretch random_stretch(struct random *r)
     const coin_params p = random_coin(r);
     const coin_state s = random_state(r, &p, 1.5);
     check_status(coin_priv_check(&s, &p, &w.run.b), COIN_OK);
-    coin_priv_run_from(&w.run, &s, COIN_RK4, 0);
+    coin_priv_run_unlimited(&w.run, &s);
     w.unit = coin_priv_sundman_tau(&w.run.b, &w.run.g.y, 1);
     return w;
 }

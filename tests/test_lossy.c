@@ -15,7 +15,7 @@ static coin_priv_lossy lossy(const coin_state *s, const coin_losses *l)
     coin_priv_lossy w;
     check_status(coin_priv_check_body(&w.run.b, &p), COIN_OK);
     check_status(coin_priv_losses_of(&w.l, l, &w.run.b), COIN_OK);
-    coin_priv_run_from(&w.run, s, COIN_RK8, 0);
+    coin_priv_run_unlimited(&w.run, s);
     return w;
 }
 

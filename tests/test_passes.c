@@ -93,7 +93,7 @@ static void a_sundman_step_is_sound_or_not_done(void **unused)
         coin_priv_run run;
         memset(&run, 0, sizeof run);
         check_status(coin_priv_check_body(&run.b, &p), COIN_OK);
-        coin_priv_run_from(&run, &s, COIN_RK8, 0);
+        coin_priv_run_unlimited(&run, &s);
         const coin_priv_run before = run;
         if (coin_priv_extrapolate(&run, random_between(&r, -6, 6))) {
             check(run.g.y.cth > 0 && run.steps == 1);

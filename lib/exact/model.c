@@ -187,7 +187,7 @@ static int32_t follow(const struct scene *scene, int good[2])
     coin_priv_sum t = {0, 0};
     double compared = 0;
     r.b = scene->b;
-    coin_priv_run_from(&r, scene->start, COIN_RK4, 0);
+    coin_priv_run_unlimited(&r, scene->start);
     for (;;) {
         const double passed = fabs(t.sum);
         if (passed >= all * (compared / EVERYWHERE)) {

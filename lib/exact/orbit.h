@@ -79,8 +79,8 @@ COIN_PRIV_INLINE coin_priv_pair coin_priv_row_at(const double *row, double t)
     coin_priv_pair sum = coin_priv_pair_load(row + COIN_PRIV_TERMS - 2);
     coin_priv_pair slope = coin_priv_pair_both(0);
 #define COIN_PRIV_POWER(k)                                                     \
-    slope = coin_priv_pair_add(sum, slope, u);                                 \
-    sum = coin_priv_pair_add(coin_priv_pair_load(row + (k)), sum, u)
+    slope = coin_priv_pair_add_product(sum, slope, u);                         \
+    sum = coin_priv_pair_add_product(coin_priv_pair_load(row + (k)), sum, u)
     COIN_PRIV_POWER(14);
     COIN_PRIV_POWER(12);
     COIN_PRIV_POWER(10);

@@ -9,9 +9,10 @@
 #if defined(__GNUC__) && !defined(__TINYC__)
 typedef double coin_priv_pair __attribute__((vector_size(16)));
 #define COIN_PRIV_OF(pair, i) (pair)[i]
-COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_add(coin_priv_pair sum,
-                                                   coin_priv_pair a,
-                                                   coin_priv_pair b)
+/* sum + a b. */
+COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_add_product(coin_priv_pair sum,
+                                                           coin_priv_pair a,
+                                                           coin_priv_pair b)
 {
     return sum + a * b;
 }
@@ -26,9 +27,9 @@ typedef struct coin_priv_pair {
     double v[2];
 } coin_priv_pair;
 #define COIN_PRIV_OF(pair, i) (pair).v[i]
-COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_add(coin_priv_pair sum,
-                                                   coin_priv_pair a,
-                                                   coin_priv_pair b)
+COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_add_product(coin_priv_pair sum,
+                                                           coin_priv_pair a,
+                                                           coin_priv_pair b)
 {
     sum.v[0] = sum.v[0] + a.v[0] * b.v[0];
     sum.v[1] = sum.v[1] + a.v[1] * b.v[1];

@@ -6,12 +6,12 @@
 #include <string.h>
 
 #define OF COIN_PRIV_OF
-#define ADD coin_priv_pair_add
+#define ADD_PRODUCT coin_priv_pair_add_product
 #define BOTH coin_priv_pair_both
 
 static inline coin_priv_pair times(coin_priv_pair a, double by)
 {
-    return ADD(BOTH(0), a, BOTH(by));
+    return ADD_PRODUCT(BOTH(0), a, BOTH(by));
 }
 
 /* 1/n, n up to the order. */
@@ -42,26 +42,26 @@ static void lean_power(coin_priv_series *s, struct factors *f,
     coin_priv_pair thr = BOTH(0), thX = BOTH(0), vYX = BOTH(0);
     double uY = 0;
     for (int j = 1; j < k; ++j) {
-        thr = ADD(thr, f->th[j], f->r[k - j]);
-        thX = ADD(thX, f->th[j], f->wX[k - j]);
-        vYX = ADD(vYX, f->vY[j], f->wX[k - j]);
+        thr = ADD_PRODUCT(thr, f->th[j], f->r[k - j]);
+        thX = ADD_PRODUCT(thX, f->th[j], f->wX[k - j]);
+        vYX = ADD_PRODUCT(vYX, f->vY[j], f->wX[k - j]);
         uY += f->u[j] * OF(f->vY[k - j], 1);
     }
     f->th[k] = p->th;
     f->wX[k] = BOTH(wX);
     if (!is_first)
-        thr = ADD(thr, f->th[k], f->r[0]);
+        thr = ADD_PRODUCT(thr, f->th[k], f->r[0]);
     const double r = (wY - OF(thr, 0)) * f->over;       /* (18) */
     const double rs = OF(thr, 1) + OF(f->th[0], 1) * r; /* wY tan theta */
     f->r[k] = BOTH(r);
     f->u[k] = law->KJ * wZ + law->XJ * rs;
     f->vY[k] = coin_priv_pair_of(rs + law->k1 * wZ, wY);
-    thX = ADD(thX, f->th[0], f->wX[k]);
-    vYX = ADD(vYX, f->vY[0], f->wX[k]);
+    thX = ADD_PRODUCT(thX, f->th[0], f->wX[k]);
+    vYX = ADD_PRODUCT(vYX, f->vY[0], f->wX[k]);
     uY += f->u[0] * wY;
     if (!is_first) {
-        thX = ADD(thX, f->th[k], f->wX[0]);
-        vYX = ADD(vYX, f->vY[k], f->wX[0]);
+        thX = ADD_PRODUCT(thX, f->th[k], f->wX[0]);
+        vYX = ADD_PRODUCT(vYX, f->vY[k], f->wX[0]);
         uY += f->u[k] * OF(f->vY[0], 1);
     }
     const double by = over_n[k + 1];
@@ -98,9 +98,9 @@ void coin_priv_series_follow(coin_priv_series *s)
         wZ[k] = BOTH(OF(s->at[k].row[2], 1));
         for (int j = 0; j <= k; ++j) {
             const coin_priv_pair ph = s->at[j].ph;
-            phr = ADD(phr, ph, r[k - j]);
-            phg = ADD(phg, ph, g[k - j]);
-            phZ = ADD(phZ, ph, wZ[k - j]);
+            phr = ADD_PRODUCT(phr, ph, r[k - j]);
+            phg = ADD_PRODUCT(phg, ph, g[k - j]);
+            phZ = ADD_PRODUCT(phZ, ph, wZ[k - j]);
         }
         const double by = over_n[k + 1];
         const double dx = OF(phg, 1) - OF(phZ, 0); /* (20) */
@@ -115,7 +115,7 @@ coin_priv_pair coin_priv_series_path(const coin_priv_series *s, double t)
 {
     coin_priv_pair sum = BOTH(0);
     for (int k = COIN_PRIV_ORDER + 1; k-- > 0;)
-        sum = ADD(s->at[k].row[COIN_PRIV_PATH], sum, BOTH(t));
+        sum = ADD_PRODUCT(s->at[k].row[COIN_PRIV_PATH], sum, BOTH(t));
     return sum;
 }
 
@@ -127,10 +127,10 @@ coin_priv_point coin_priv_series_at(const coin_priv_series *s, double t)
     coin_priv_pair roll = p->row[1];
     coin_priv_pair spin = p->row[2], th = p->th;
     while (p-- != s->at) {
-        angles = ADD(p->row[0], angles, by);
-        roll = ADD(p->row[1], roll, by);
-        spin = ADD(p->row[2], spin, by);
-        th = ADD(p->th, th, by);
+        angles = ADD_PRODUCT(p->row[0], angles, by);
+        roll = ADD_PRODUCT(p->row[1], roll, by);
+        spin = ADD_PRODUCT(p->row[2], spin, by);
+        th = ADD_PRODUCT(p->th, th, by);
     }
     coin_priv_point sum = s->at[0];
     sum.row[0] = angles;
@@ -152,7 +152,7 @@ static void economize(coin_priv_pair (*b)[3], int degree)
             m *= -0.25 * ((n - 2 * j + 2) * (n - 2 * j + 1)) *
                  (over_n[j] * over_n[n - j]);
             for (int i = 0; i < 3; ++i)
-                low[i] = ADD(low[i], b[n][i], BOTH(-m));
+                low[i] = ADD_PRODUCT(low[i], b[n][i], BOTH(-m));
         }
     }
 }

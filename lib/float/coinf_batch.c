@@ -4,7 +4,7 @@
 /* Coins that wait for each other, to go side by side, and what they share. */
 struct group {
     coinf_priv_plan plan;
-    coinf_priv_lanes_run *run; /* null if each goes alone */
+    coinf_priv_group_run *run; /* null if each goes alone */
     size_t index[COINF_PRIV_LANES];
     int size;
 };
@@ -40,7 +40,7 @@ int32_t coinf_batch_run(coinf_state *s, size_t count, const coinf_params *p,
     coinf_priv_check_body(&b, p);
     r.size = 0;
     r.run =
-        shared == COIN_OK && dt != 0 ? coinf_priv_lanes_run_of(method) : NULL;
+        shared == COIN_OK && dt != 0 ? coinf_priv_group_run_of(method) : NULL;
     for (size_t i = 0; i < count; ++i) {
         const int32_t code = r.run
                                  ? coinf_priv_check_state(&s[i], &b)

@@ -48,7 +48,7 @@ static void store(coinf_state *const *coin, int count,
                 ((const float *)from)[i * COINF_PRIV_LANES + k];
 }
 
-static coinf_lanes_plan plan_of(const coinf_priv_plan *p)
+static coinf_lanes_plan plan_for_all(const coinf_priv_plan *p)
 {
     const coinf_lanes none = {0};
     const coinf_lanes_plan of_all = {
@@ -101,13 +101,13 @@ struct verdict {
 
 /* One step of each coin; 0 if it would be sound for none.  A coin whose step
  * would not be sound stays where it is, and so will at the next. */
-static int step(coinf_lanes_state *s, struct verdict *of,
-                const coinf_lanes_plan *plan)
+static int step_of_each(coinf_lanes_state *s, struct verdict *of,
+                        const coinf_lanes_plan *plan)
 {
     coinf_lanes_variables last;
     coinf_lanes_state next;
     coinf_lanes_slope first, rest;
-    const coinf_lanes_variables y = coinf_lanes_variables_at(s);
+    const coinf_lanes_variables y = coinf_lanes_variables_with_low(s);
     coinf_lanes_slopes(&first, &rest, &last, plan, &y, coinf_lanes_slope_at);
     copy(&next, s);
     coinf_lanes_change(&next, &first, &rest);
@@ -128,29 +128,29 @@ static int step(coinf_lanes_state *s, struct verdict *of,
     return any(of->sound);
 }
 
-static void rk4(coinf_state *const *coin, int32_t *status, int count,
-                const coinf_priv_plan *plan, uint64_t n)
+static void run_rk4(coinf_state *const *coin, int32_t *status, int count,
+                    const coinf_priv_plan *plan, uint64_t n)
 {
-    const coinf_lanes_plan of_all = plan_of(plan);
+    const coinf_lanes_plan of_all = plan_for_all(plan);
     const mask none = {0};
     struct verdict of = {~none, none};
     coinf_lanes_state s;
     load(&s, coin, count);
-    while (n > 0 && step(&s, &of, &of_all))
+    while (n > 0 && step_of_each(&s, &of, &of_all))
         --n;
     store(coin, count, &s);
     for (int k = 0; k < count; ++k)
         status[k] = !of.sound[k] ? COIN_ESTEP : of.coarse[k] & COIN_COARSE;
 }
 
-coinf_priv_lanes_run *coinf_priv_lanes_run_of(int32_t method)
+coinf_priv_group_run *coinf_priv_group_run_of(int32_t method)
 {
-    return method == COIN_RK4 ? rk4 : NULL;
+    return method == COIN_RK4 ? run_rk4 : NULL;
 }
 
 #else
 
-coinf_priv_lanes_run *coinf_priv_lanes_run_of(int32_t method)
+coinf_priv_group_run *coinf_priv_group_run_of(int32_t method)
 {
     (void)method;
     return NULL;

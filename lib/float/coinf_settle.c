@@ -90,8 +90,8 @@ COIN_PRIV_APART float longest(const struct settling *g,
 }
 
 /* One step; 0 if it would not be sound. */
-COIN_PRIV_APART int step(struct settling *g, const coinf_priv_variables *y,
-                         float dt)
+COIN_PRIV_APART int lossy_step(struct settling *g,
+                               const coinf_priv_variables *y, float dt)
 {
     const coinf_priv_body *b = &g->b;
     const struct lossy_plan plan = {
@@ -104,7 +104,7 @@ COIN_PRIV_APART int step(struct settling *g, const coinf_priv_variables *y,
     coinf_priv_slopes(&first, &rest, &last, &plan.ideal, y, lossy_at);
     coinf_state next = g->s;
     coinf_priv_change(&next, &first, &rest);
-    return coinf_priv_end_step(&g->s, &next, &plan.ideal);
+    return coinf_priv_finish_step(&g->s, &next, &plan.ideal);
 }
 
 static void pass(struct settling *g, float time)
@@ -112,7 +112,7 @@ static void pass(struct settling *g, float time)
     if (time == g->rem)
         g->rem = 0;
     else
-        coinf_priv_add(&g->rem, &g->rem_low, -time, 0);
+        coinf_priv_add_parts(&g->rem, &g->rem_low, -time, 0);
 }
 
 /* The coin after a part of a fall in which its contact stays. */
@@ -123,15 +123,17 @@ static void put(struct settling *g, const coinf_priv_variables *from,
     const float side = from->sth < 0 ? -1 : 1;
     const float turn = coinf_priv_fall_turn(to, &g->l);
     const coinf_priv_sc at = coinf_priv_sincos(to->x);
-    coinf_priv_add(&s->theta, &s->low[0], side * (f->x - to->x), 0);
-    coinf_priv_add(&s->phi, &s->low[1], to->phi, 0);
+    coinf_priv_add_parts(&s->theta, &s->low[0], side * (f->x - to->x), 0);
+    coinf_priv_add_parts(&s->phi, &s->low[1], to->phi, 0);
     coinf_priv_reduce(&s->phi, &s->low[1]);
-    const coinf_priv_sc ph = coinf_priv_pair(s->phi, s->low[1]);
+    const coinf_priv_sc ph = coinf_priv_sine_cosine_with_low(s->phi, s->low[1]);
     const float sth = side * at.c, a = g->b.a;
-    coinf_priv_add(&s->x, &s->low[3], a * (sth * ph.s - from->sth * from->sph),
-                   0); /* (21) */
-    coinf_priv_add(&s->z, &s->low[4], a * (sth * ph.c - from->sth * from->cph),
-                   0); /* (21) */
+    coinf_priv_add_parts(&s->x, &s->low[3],
+                         a * (sth * ph.s - from->sth * from->sph),
+                         0); /* (21) */
+    coinf_priv_add_parts(&s->z, &s->low[4],
+                         a * (sth * ph.c - from->sth * from->cph),
+                         0); /* (21) */
     s->wX = side * to->v;
     s->wY = at.s * turn;
     s->wZ = -sth * turn;
@@ -153,7 +155,8 @@ static int32_t lay(struct settling *g)
 
 /* The fall, or a part of the rise, of a coin whose contact has stopped.
  * COIN_ESTEP, and nothing done, where a rise is not held. */
-COIN_PRIV_APART int32_t held(struct settling *g, const coinf_priv_variables *y)
+COIN_PRIV_APART int32_t fall_or_rise(struct settling *g,
+                                     const coinf_priv_variables *y)
 {
     const coinf_priv_held_fall f = coinf_priv_fall_of(&g->l, y);
     const int rises = f.v < 0;
@@ -170,7 +173,7 @@ COIN_PRIV_APART int32_t held(struct settling *g, const coinf_priv_variables *y)
     pass(g, time);
     if (flat)
         return lay(g);
-    const coinf_priv_variables at = coinf_priv_variables_at(&g->s);
+    const coinf_priv_variables at = coinf_priv_variables_with_low(&g->s);
     if (!rises || coinf_priv_held(&g->l, &g->b, &at, STOPPED))
         return COIN_OK;
     *g = before;
@@ -199,11 +202,11 @@ COIN_PRIV_APART int end(struct settling *g, const coinf_priv_variables *y)
 static int32_t approach(struct settling *g)
 {
     for (int32_t steps = 0; g->rem > 0; ++steps) {
-        const coinf_priv_variables y = coinf_priv_variables_at(&g->s);
+        const coinf_priv_variables y = coinf_priv_variables_with_low(&g->s);
         if (y.cth < FLAT || end(g, &y))
             return lay(g);
         if (coinf_priv_held(&g->l, &g->b, &y, STOPPED)) {
-            const int32_t status = held(g, &y);
+            const int32_t status = fall_or_rise(g, &y);
             if (status == COIN_RESTS)
                 return status;
             if (status == COIN_OK)
@@ -211,7 +214,7 @@ static int32_t approach(struct settling *g)
         }
         const float full = longest(g, &y);
         const float dt = full < g->rem ? full : g->rem;
-        if (steps == STEPS_MAX || !step(g, &y, dt))
+        if (steps == STEPS_MAX || !lossy_step(g, &y, dt))
             return COIN_ESTEP;
         pass(g, dt);
     }

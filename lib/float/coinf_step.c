@@ -3,8 +3,9 @@
 
 /* A last stage that is too fast is near the table, long before one could be
  * below. */
-int coinf_priv_rk4(coinf_state *s, int32_t *warnings,
-                   const coinf_priv_plan *plan, const coinf_priv_variables *y)
+int coinf_priv_step_rk4(coinf_state *s, int32_t *warnings,
+                        const coinf_priv_plan *plan,
+                        const coinf_priv_variables *y)
 {
     coinf_priv_slope first, rest;
     coinf_priv_variables last;
@@ -13,11 +14,11 @@ int coinf_priv_rk4(coinf_state *s, int32_t *warnings,
         return 0;
     coinf_state next = *s;
     coinf_priv_change(&next, &first, &rest);
-    return coinf_priv_end_step(s, &next, plan);
+    return coinf_priv_finish_step(s, &next, plan);
 }
 
-int coinf_priv_end_step(coinf_state *s, coinf_state *next,
-                        const coinf_priv_plan *plan)
+int coinf_priv_finish_step(coinf_state *s, coinf_state *next,
+                           const coinf_priv_plan *plan)
 {
     if (!coinf_priv_holds(next, plan))
         return 0;
@@ -51,7 +52,7 @@ int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
                                : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    if (!(fabsf(dt) <= COIN_PRIV_LARGEST))
+    if (!coinf_priv_is_finite(dt))
         return COIN_ESTEP;
     const coinf_priv_limits limits = coinf_priv_limits_of(&b, method, dt);
     plan->f = coinf_priv_field_of(&b, dt);
@@ -65,10 +66,11 @@ int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
     return COIN_OK;
 }
 
-int coinf_priv_step(coinf_state *s, int32_t *warnings,
-                    const coinf_priv_plan *plan, coinf_priv_method *method)
+int coinf_priv_step_by(coinf_state *s, int32_t *warnings,
+                       const coinf_priv_plan *plan,
+                       coinf_priv_step_function *method)
 {
-    const coinf_priv_variables y = coinf_priv_variables_at(s);
+    const coinf_priv_variables y = coinf_priv_variables_with_low(s);
     return coinf_priv_rate_holds(warnings, plan, &y) &&
            method(s, warnings, plan, &y);
 }
@@ -80,6 +82,7 @@ int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt)
     const int32_t status = coinf_priv_plan_of(&plan, s, p, COIN_RK4, dt);
     if (status != COIN_OK || dt == 0)
         return status;
-    return coinf_priv_step(s, &warnings, &plan, coinf_priv_rk4) ? warnings
-                                                                : COIN_ESTEP;
+    return coinf_priv_step_by(s, &warnings, &plan, coinf_priv_step_rk4)
+               ? warnings
+               : COIN_ESTEP;
 }

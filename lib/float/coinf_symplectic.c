@@ -38,7 +38,7 @@ static void half_kick(coinf_state *s, const coinf_priv_plan *plan,
 {
     const float hdwX =
         coinf_priv_rates(&plan->f, y).wX + coinf_priv_fall_low(plan, y);
-    coinf_priv_add(&s->wX, &s->low[5], hdwX / 2, 0); /* (50) */
+    coinf_priv_add_parts(&s->wX, &s->low[5], hdwX / 2, 0); /* (50) */
     y->wX = s->wX;
 }
 
@@ -51,15 +51,16 @@ static int shift(coinf_state *s, const coinf_priv_plan *plan,
 {
     const coinf_priv_sc lean = {y->sth, y->cth};
     const coinf_priv_sc by = coinf_priv_turn_adds(lean, turn);
-    const coinf_priv_sc th = coinf_priv_pair(s->theta, s->low[0]);
+    const coinf_priv_sc th =
+        coinf_priv_sine_cosine_with_low(s->theta, s->low[0]);
     const float c2 = y->cth * y->cth;
     float dp, dwZ;
     if (!(fabsf(by.s) * (1 + fabsf(y->sth)) <= COIN_PRIV_SERIES_REACH * c2))
         return 0;
     coinf_priv_legendre_change(&dp, &dwZ, y->wY * y->cth, y->wZ, plan->k1,
                                plan->k2, y->sth, c2, by.s); /* (49) */
-    coinf_priv_add(&s->wY, &s->low[6], (dp - y->wY * by.c) / th.c, 0);
-    coinf_priv_add(&s->wZ, &s->low[7], dwZ, 0);
+    coinf_priv_add_parts(&s->wY, &s->low[6], (dp - y->wY * by.c) / th.c, 0);
+    coinf_priv_add_parts(&s->wZ, &s->low[7], dwZ, 0);
     y->wY = s->wY;
     y->wZ = s->wZ;
     y->sth = th.s;
@@ -76,28 +77,28 @@ static int drift(coinf_state *s, const coinf_priv_plan *plan,
     const coinf_priv_variables y0 = *y;
     const struct rates r0 = rates_of(&plan->f, &y0);
     const float turn = plan->f.h * y->wX; /* (17) */
-    coinf_priv_add(&s->theta, &s->low[0], turn, 0);
+    coinf_priv_add_parts(&s->theta, &s->low[0], turn, 0);
     if (!shift(s, plan, y, turn))
         return 0;
     struct rates r1 = rates_of(&plan->f, y);
-    coinf_priv_add(&s->phi, &s->low[1],
-                   hermite(r0.phi, r1.phi, r0.dphi, r1.dphi), 0);
-    coinf_priv_add(&s->psi, &s->low[2],
-                   hermite(r0.psi, r1.psi, r0.dpsi, r1.dpsi), 0);
-    const coinf_priv_sc ph = coinf_priv_pair(s->phi, s->low[1]);
+    coinf_priv_add_parts(&s->phi, &s->low[1],
+                         hermite(r0.phi, r1.phi, r0.dphi, r1.dphi), 0);
+    coinf_priv_add_parts(&s->psi, &s->low[2],
+                         hermite(r0.psi, r1.psi, r0.dpsi, r1.dpsi), 0);
+    const coinf_priv_sc ph = coinf_priv_sine_cosine_with_low(s->phi, s->low[1]);
     y->sph = ph.s;
     y->cph = ph.c;
     r1 = rates_of(&plan->f, y);
-    coinf_priv_add(&s->x, &s->low[3],
-                   plan->a * hermite(r0.x, r1.x, r0.dx, r1.dx), 0);
-    coinf_priv_add(&s->z, &s->low[4],
-                   plan->a * hermite(r0.z, r1.z, r0.dz, r1.dz), 0);
+    coinf_priv_add_parts(&s->x, &s->low[3],
+                         plan->a * hermite(r0.x, r1.x, r0.dx, r1.dx), 0);
+    coinf_priv_add_parts(&s->z, &s->low[4],
+                         plan->a * hermite(r0.z, r1.z, r0.dz, r1.dz), 0);
     return 1;
 }
 
-int coinf_priv_symplectic2(coinf_state *s, int32_t *warnings,
-                           const coinf_priv_plan *plan,
-                           const coinf_priv_variables *y0)
+int coinf_priv_step_symplectic2(coinf_state *s, int32_t *warnings,
+                                const coinf_priv_plan *plan,
+                                const coinf_priv_variables *y0)
 {
     coinf_state next = *s;
     coinf_priv_variables y = *y0;
@@ -106,5 +107,5 @@ int coinf_priv_symplectic2(coinf_state *s, int32_t *warnings,
         return 0;
     half_kick(&next, plan, &y);
     return coinf_priv_rate_holds(warnings, plan, &y) &&
-           coinf_priv_end_step(s, &next, plan);
+           coinf_priv_finish_step(s, &next, plan);
 }

@@ -22,11 +22,11 @@ int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
 /* One step of *s, whose variables are *y.  Returns 0 and leaves *s untouched if
  * the step is refused.  *warnings becomes COIN_COARSE if the step was coarse.
  */
-typedef int coinf_priv_method(coinf_state *s, int32_t *warnings,
-                              const coinf_priv_plan *plan,
-                              const coinf_priv_variables *y);
+typedef int coinf_priv_step_function(coinf_state *s, int32_t *warnings,
+                                     const coinf_priv_plan *plan,
+                                     const coinf_priv_variables *y);
 
-coinf_priv_method coinf_priv_rk4, coinf_priv_symplectic2;
+coinf_priv_step_function coinf_priv_step_rk4, coinf_priv_step_symplectic2;
 
 /* Whether W is within the limit; notes if it is beyond that of full accuracy.
  * NaN is not. */
@@ -41,12 +41,13 @@ COIN_PRIV_INLINE int coinf_priv_rate_holds(int32_t *warnings,
 }
 
 /* One step of *s; 0 if it would not be sound. */
-int coinf_priv_step(coinf_state *s, int32_t *warnings,
-                    const coinf_priv_plan *plan, coinf_priv_method *method);
+int coinf_priv_step_by(coinf_state *s, int32_t *warnings,
+                       const coinf_priv_plan *plan,
+                       coinf_priv_step_function *method);
 
 /* Ends a step: *s becomes *next, its heading and roll within half a turn, if
  * that is a sound state. */
-int coinf_priv_end_step(coinf_state *s, coinf_state *next,
-                        const coinf_priv_plan *plan);
+int coinf_priv_finish_step(coinf_state *s, coinf_state *next,
+                           const coinf_priv_plan *plan);
 
 #endif

@@ -38,7 +38,8 @@ typedef struct PRIV(plan) {
 
 /* Adds a part, and a small one that its digits could not hold, to a sum and
  * what that has left out so far. */
-COIN_PRIV_INLINE void PRIV(add)(real *sum, real *low, real part, real small)
+COIN_PRIV_INLINE void PRIV(add_parts)(real *sum, real *low, real part,
+                                      real small)
 {
     const real large = *sum + part, of_part = large - *sum;
     const real off = (*sum - (large - of_part)) + (part - of_part);
@@ -52,7 +53,7 @@ typedef struct PRIV(halves) {
     real high, low;
 } PRIV(halves);
 
-COIN_PRIV_INLINE PRIV(halves) PRIV(split)(real a)
+COIN_PRIV_INLINE PRIV(halves) PRIV(halves_of)(real a)
 {
     const real t = K(4097) * a, high = t - (t - a); /* 4097 = 2^12 + 1 */
     const PRIV(halves) h = {high, a - high};
@@ -62,7 +63,7 @@ COIN_PRIV_INLINE PRIV(halves) PRIV(split)(real a)
 /* What the rounding of a b leaves out, to the bit: Dekker's product. */
 PART real PRIV(residue)(real a, real b)
 {
-    const PRIV(halves) x = PRIV(split)(a), y = PRIV(split)(b);
+    const PRIV(halves) x = PRIV(halves_of)(a), y = PRIV(halves_of)(b);
     const real off = x.high * y.high - a * b;
     return ((off + x.high * y.low) + x.low * y.high) + x.low * y.low;
 }
@@ -70,7 +71,7 @@ PART real PRIV(residue)(real a, real b)
 /* ---------------------------------------------------------------- angles -- */
 
 /* Sine and cosine of an angle and its remainder. */
-PART PRIV(sc) PRIV(pair)(real angle, real low)
+PART PRIV(sc) PRIV(sine_cosine_with_low)(real angle, real low)
 {
     const PRIV(sc) of = PRIV(sine_cosine)(angle);
     const PRIV(sc) pair = {of.s + of.c * low, of.c - of.s * low};
@@ -78,10 +79,10 @@ PART PRIV(sc) PRIV(pair)(real angle, real low)
 }
 
 /* A state as the equations read it. */
-PART PRIV(variables) PRIV(variables_at)(const PRIV(state) * s)
+PART PRIV(variables) PRIV(variables_with_low)(const PRIV(state) * s)
 {
-    const PRIV(sc) th = PRIV(pair)(s->theta, s->low[0]);
-    const PRIV(sc) ph = PRIV(pair)(s->phi, s->low[1]);
+    const PRIV(sc) th = PRIV(sine_cosine_with_low)(s->theta, s->low[0]);
+    const PRIV(sc) ph = PRIV(sine_cosine_with_low)(s->phi, s->low[1]);
     const real q = K(1) / th.c;
     const PRIV(variables) y = {
         s->wX, s->wY, s->wZ, th.s, th.c, q, th.s * q, ph.s, ph.c,
@@ -96,9 +97,9 @@ PART void PRIV(reduce)(real *angle, real *low)
         (*angle * (K(0.25) / COIN_PRIV_HALF_PI) + COIN_PRIV_ROUNDER) -
         COIN_PRIV_ROUNDER;
     const real none = {0};
-    PRIV(add)(angle, low, turns * (-4 * COIN_PRIV_P1), none);
-    PRIV(add)(angle, low, turns * (-4 * COIN_PRIV_P2), none);
-    PRIV(add)(angle, low, turns * (-4 * COIN_PRIV_P3), none);
+    PRIV(add_parts)(angle, low, turns * (-4 * COIN_PRIV_P1), none);
+    PRIV(add_parts)(angle, low, turns * (-4 * COIN_PRIV_P2), none);
+    PRIV(add_parts)(angle, low, turns * (-4 * COIN_PRIV_P3), none);
 }
 
 /* ---------------------------------------------------------------- slopes -- */
@@ -201,14 +202,14 @@ COIN_PRIV_INLINE void PRIV(slopes)(PRIV(slope) * first, PRIV(slope) * rest,
 COIN_PRIV_INLINE void PRIV(change)(PRIV(state) * s, const PRIV(slope) * first,
                                    const PRIV(slope) * rest)
 {
-    PRIV(add)(&s->theta, &s->low[0], first->theta, rest->theta);
-    PRIV(add)(&s->phi, &s->low[1], first->phi, rest->phi);
-    PRIV(add)(&s->psi, &s->low[2], first->psi, rest->psi);
-    PRIV(add)(&s->x, &s->low[3], first->x, rest->x);
-    PRIV(add)(&s->z, &s->low[4], first->z, rest->z);
-    PRIV(add)(&s->wX, &s->low[5], first->wX, rest->wX);
-    PRIV(add)(&s->wY, &s->low[6], first->wY, rest->wY);
-    PRIV(add)(&s->wZ, &s->low[7], first->wZ, rest->wZ);
+    PRIV(add_parts)(&s->theta, &s->low[0], first->theta, rest->theta);
+    PRIV(add_parts)(&s->phi, &s->low[1], first->phi, rest->phi);
+    PRIV(add_parts)(&s->psi, &s->low[2], first->psi, rest->psi);
+    PRIV(add_parts)(&s->x, &s->low[3], first->x, rest->x);
+    PRIV(add_parts)(&s->z, &s->low[4], first->z, rest->z);
+    PRIV(add_parts)(&s->wX, &s->low[5], first->wX, rest->wX);
+    PRIV(add_parts)(&s->wY, &s->low[6], first->wY, rest->wY);
+    PRIV(add_parts)(&s->wZ, &s->low[7], first->wZ, rest->wZ);
 }
 
 /* Whether a step may end here: all ones or 0, and 0 for NaN. */

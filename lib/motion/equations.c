@@ -3,5 +3,5 @@
 
 PRIV(variables) PRIV(variables_of)(const COIN(state) * s)
 {
-    return PRIV(variables_here)(s);
+    return PRIV(variables_inline)(s);
 }

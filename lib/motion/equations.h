@@ -8,9 +8,10 @@
 
 #include "equations.t.h"
 
-/* Most leans need no reduction, and so are known sooner: a step waits for
- * them. */
-COIN_PRIV_INLINE PRIV(variables) PRIV(variables_here)(const COIN(state) * s)
+/* The variables of a state, inline in the caller.  The lean is reduced only
+ * where that is needed: its sine and cosine are then known sooner, and a step
+ * waits for them. */
+COIN_PRIV_INLINE PRIV(variables) PRIV(variables_inline)(const COIN(state) * s)
 {
     const PRIV(sc) ph = PRIV(sine_cosine)(s->phi);
     const PRIV(sc) th = FABS(s->theta) <= K(0.5) * COIN_PRIV_HALF_PI
@@ -31,7 +32,7 @@ COIN_PRIV_INLINE PRIV(field) PRIV(field_of)(const PRIV(body) * b, real h)
     return f;
 }
 
-/* variables_here() out of line, for functions that may take a little longer. */
+/* The same as a function, for callers that may take a little longer. */
 PRIV(variables) PRIV(variables_of)(const COIN(state) * s);
 
 /* The rows e_X, e_Y, e_Z of the coin's frame in the table's. */

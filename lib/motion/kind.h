@@ -1,13 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /* The template mechanism.
  *
- * What exists for several kinds of number is written once, for a type `real`.
- * A source of lib/ is compiled for doubles as it stands, and for floats by a
- * file of lib/float that defines COIN_PRIV_FLOAT and includes it.  A file named
- * *.t.h has no include guard: it is included once for each kind that a source
- * needs.  COIN_PRIV_PAIR, defined before it, selects vectors of two numbers,
- * COIN_PRIV_ABREAST vectors as wide as the processor's; without either, real is
- * one number.
+ * Code for several kinds of number is written once, for a type `real`.  A
+ * source X.c is compiled for doubles as it stands.  If floats need it too, a
+ * file coinf_X.c of lib/float defines COIN_PRIV_FLOAT and includes X.c.
+ *
+ * A file named *.t.h is a template.  It has no include guard: a source includes
+ * it once for each kind that it needs.  A macro, defined before the include and
+ * undefined after it, selects the kind:
+ *
+ *     none               one number
+ *     COIN_PRIV_PAIR     a vector of two numbers
+ *     COIN_PRIV_ABREAST  a vector as wide as the processor's
+ *
+ * This file gives these names their meaning for the kind selected:
  *
  *     real          a number, or a vector of numbers
  *     scalar        one number: double or float

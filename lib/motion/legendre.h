@@ -34,7 +34,7 @@ PRIV(flat) PRIV(legendre_flat)(real kap, real v, real ln_v);
  * Pre: |e| (1 + |u|) <= COIN_PRIV_SERIES_REACH c2, c2 = 1 - u^2, which makes
  * the series' ratio 0.18.  Accuracy: 6 u of the terms of the change
  * (test_drift).
- * Cost: 22 terms, always. */
+ * Cost: COIN_PRIV_SERIES_TERMS terms, always: 22, and 11 for floats. */
 #define COIN_PRIV_SERIES_REACH K(0.18)
 
 /* 1/((n + 1)(n + 2)): a division costs a step as much as three products. */

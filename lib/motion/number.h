@@ -6,4 +6,10 @@
 
 #include "number.t.h"
 
+/* Not NaN either: a comparison with it is false. */
+COIN_PRIV_INLINE int PRIV(is_finite)(real x)
+{
+    return FABS(x) <= COIN_PRIV_LARGEST;
+}
+
 #endif

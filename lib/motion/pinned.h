@@ -26,7 +26,7 @@
 #elif defined(__GNUC__) && !defined(__TINYC__)
 #pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize",               \
                      "no-tree-loop-vectorize")
-/* Nor is a loop that copies, coin_priv_copy(), to become a memcpy(). */
+/* The loop of coin_priv_copy_state() must not become a memcpy() either. */
 #pragma GCC optimize("no-tree-loop-distribute-patterns")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)

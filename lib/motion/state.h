@@ -4,10 +4,10 @@
 
 #include "body.h"
 
-/* Whether the path has not overflowed; a comparison with NaN is false. */
+/* Whether the path has not overflowed. */
 COIN_PRIV_INLINE int PRIV(path_holds)(const COIN(state) * s)
 {
-    return FABS(s->x) <= COIN_PRIV_LARGEST && FABS(s->z) <= COIN_PRIV_LARGEST;
+    return PRIV(is_finite)(s->x) && PRIV(is_finite)(s->z);
 }
 
 /* Lean, heading, roll and path alone. */
@@ -23,9 +23,8 @@ COIN_PRIV_INLINE int PRIV(pose_holds)(const COIN(state) * s)
  */
 COIN_PRIV_INLINE int32_t PRIV(check_members)(const COIN(state) * s)
 {
-    const int good = PRIV(pose_holds)(s) && FABS(s->wX) <= COIN_PRIV_LARGEST &&
-                     FABS(s->wY) <= COIN_PRIV_LARGEST &&
-                     FABS(s->wZ) <= COIN_PRIV_LARGEST;
+    const int good = PRIV(pose_holds)(s) && PRIV(is_finite)(s->wX) &&
+                     PRIV(is_finite)(s->wY) && PRIV(is_finite)(s->wZ);
     return good ? COIN_OK : COIN_ESTATE;
 }
 
@@ -42,10 +41,11 @@ COIN_PRIV_INLINE int32_t PRIV(check_state)(const COIN(state) * s,
 
 /* The checks that nearly every public function begins with: COIN_EARG,
  * COIN_EPARAMS, COIN_ESTATE in this order.  After COIN_OK *b holds the body.
- * Inline, for functions that take no longer than their checks. */
-COIN_PRIV_INLINE int32_t PRIV(check_here)(const COIN(state) * s,
-                                          const COIN(params) * p,
-                                          PRIV(body) * b)
+ * Inline in the caller, for functions that take no longer than their checks.
+ */
+COIN_PRIV_INLINE int32_t PRIV(check_inline)(const COIN(state) * s,
+                                            const COIN(params) * p,
+                                            PRIV(body) * b)
 {
     if (!s || !p)
         return COIN_EARG;
@@ -60,7 +60,7 @@ COIN_PRIV_INLINE int32_t PRIV(check_here)(const COIN(state) * s,
     return status;
 }
 
-/* The same out of line. */
+/* The same as a function. */
 int32_t PRIV(check)(const COIN(state) * s, const COIN(params) * p,
                     PRIV(body) * b);
 

@@ -10,13 +10,13 @@ int32_t COIN(check)(const COIN(state) * s, const COIN(params) * p,
 {
     PRIV(body) b;
     const int32_t status = PRIV(method_is_known)(method) && mu >= 0
-                               ? PRIV(check_here)(s, p, &b)
+                               ? PRIV(check_inline)(s, p, &b)
                                : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    if (!(FABS(dt) <= COIN_PRIV_LARGEST))
+    if (!PRIV(is_finite)(dt))
         return COIN_ESTEP;
-    const PRIV(variables) y = PRIV(variables_here)(s);
+    const PRIV(variables) y = PRIV(variables_inline)(s);
     const COIN(force) f = PRIV(reaction)(&b, &y);
     const real W = SQRT(PRIV(rate2)(b.g_a, &y));
     int32_t bits = 0;

@@ -5,7 +5,7 @@
 real COIN(energy)(const COIN(state) * s, const COIN(params) * p)
 {
     PRIV(body) b;
-    if (PRIV(check_here)(s, p, &b) != COIN_OK)
+    if (PRIV(check_inline)(s, p, &b) != COIN_OK)
         return NAN;
     const real wX = s->wX, wY = s->wY, wZ = s->wZ;
     const real cth = PRIV(sine_cosine)(s->theta).c;

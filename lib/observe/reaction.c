@@ -7,10 +7,10 @@ int32_t COIN(reaction)(const COIN(state) * s, const COIN(params) * p,
                        COIN(force) * out)
 {
     PRIV(body) b;
-    const int32_t status = out ? PRIV(check_here)(s, p, &b) : COIN_EARG;
+    const int32_t status = out ? PRIV(check_inline)(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    const PRIV(variables) y = PRIV(variables_here)(s);
+    const PRIV(variables) y = PRIV(variables_inline)(s);
     *out = PRIV(reaction)(&b, &y);
     return COIN_OK;
 }

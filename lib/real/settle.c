@@ -257,7 +257,7 @@ int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
     if (coin_priv_lossless(l))
         return ideal(s, p, t, tol, reached);
     (void)coin_priv_losses_of(&g.w.l, l, &g.w.run.b);
-    coin_priv_run_from(&g.w.run, s, COIN_RK8, 0);
+    coin_priv_run_unlimited(&g.w.run, s);
     g.rem.sum = t;
     g.rem.low = 0;
     g.tol = tol;

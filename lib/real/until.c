@@ -121,8 +121,7 @@ static int32_t prepare(struct moving *g, coin_priv_stretch *w,
     const double w0 = sqrt(g->run.b.g_a);
     if (!(fabs(t) * w0 <= COIN_PRIV_TOO_LONG))
         return COIN_ESTEP;
-    coin_priv_run_from(&g->run, s, COIN_RK4, 0);
-    g->run.limits.coarse2 = g->run.limits.most2 = (double)INFINITY;
+    coin_priv_run_unlimited(&g->run, s);
     g->reach = coin_priv_reach_of(f->tol);
     g->stride = g->reach.stride;
     g->t = t;

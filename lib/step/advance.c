@@ -37,8 +37,7 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
     coin_priv_sum rem = {t, 0};
     const coin_priv_reach reach = coin_priv_reach_of(tol);
     r.b = b;
-    coin_priv_run_from(&r, s, COIN_RK4, 0);
-    r.limits.coarse2 = r.limits.most2 = (double)INFINITY;
+    coin_priv_run_unlimited(&r, s);
     status = approach(&r, &reach, &rem);
     if (r.steps > 0)
         coin_priv_read_lean(&r.g);

@@ -17,22 +17,13 @@ typedef struct coin_priv_run {
     uint64_t steps; /* done so far */
 } coin_priv_run;
 
-/* A run from *s, whose body r->b is. */
-COIN_PRIV_INLINE void coin_priv_run_from_here(coin_priv_run *r,
-                                              const coin_state *s,
-                                              int32_t method, double dt)
-{
-    const coin_priv_variables y = coin_priv_variables_here(s);
-    coin_priv_copy_state(&r->start, s);
-    r->limits = coin_priv_limits_of(&r->b, method, dt);
-    r->dt = dt;
-    coin_priv_progress_begin(&r->g, &y, s->theta, s->phi, s->psi);
-    r->steps = 0;
-}
-
-/* The same out of line. */
+/* A run from *s by steps of dt; r->b is the body. */
 void coin_priv_run_from(coin_priv_run *r, const coin_state *s, int32_t method,
                         double dt);
+
+/* A run from *s by steps whose lengths are chosen one by one: r->dt is 0, and W
+ * has no limit. */
+void coin_priv_run_unlimited(coin_priv_run *r, const coin_state *s);
 
 /* One step from *y by a method's coefficients: where it leads, and the
  * variables there.  end->least_cth is 0 if the step cannot be made. */

@@ -140,7 +140,7 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
     const coin_state lean = {s->theta, 0, 0, 0, 0, s->wX, s->wY, s->wZ};
     coin_priv_run start;
     start.b = b;
-    coin_priv_run_from(&start, &lean, method, 0);
+    coin_priv_run_unlimited(&start, &lean);
     const double worst2 = look_ahead(start, 0).worst2;
     if (worst2 > b.w2_max)
         return 0;

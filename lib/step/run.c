@@ -6,7 +6,18 @@
 void coin_priv_run_from(coin_priv_run *r, const coin_state *s, int32_t method,
                         double dt)
 {
-    coin_priv_run_from_here(r, s, method, dt);
+    const coin_priv_variables y = coin_priv_variables_inline(s);
+    coin_priv_copy_state(&r->start, s);
+    r->limits = coin_priv_limits_of(&r->b, method, dt);
+    r->dt = dt;
+    coin_priv_progress_begin(&r->g, &y, s->theta, s->phi, s->psi);
+    r->steps = 0;
+}
+
+void coin_priv_run_unlimited(coin_priv_run *r, const coin_state *s)
+{
+    coin_priv_run_from(r, s, COIN_RK4, 0);
+    r->limits.coarse2 = r->limits.most2 = (double)INFINITY;
 }
 
 int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
@@ -14,10 +25,10 @@ int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
 {
     if (!coin_priv_method_is_known(method))
         return COIN_EARG;
-    const int32_t status = coin_priv_check_here(s, p, &r->b);
+    const int32_t status = coin_priv_check_inline(s, p, &r->b);
     if (status != COIN_OK)
         return status;
-    if (!(fabs(dt) <= COIN_PRIV_LARGEST))
+    if (!coin_priv_is_finite(dt))
         return COIN_ESTEP;
     coin_priv_run_from(r, s, method, dt);
     return COIN_OK;

@@ -13,14 +13,14 @@
 int32_t coin_step(coin_state *s, const coin_params *p, double dt)
 {
     coin_priv_body b;
-    const int32_t status = coin_priv_check_here(s, p, &b);
+    const int32_t status = coin_priv_check_inline(s, p, &b);
     if (status != COIN_OK)
         return status;
-    if (!(fabs(dt) <= COIN_PRIV_LARGEST))
+    if (!coin_priv_is_finite(dt))
         return COIN_ESTEP;
     if (dt == 0)
         return COIN_OK;
-    const coin_priv_variables y = coin_priv_variables_here(s);
+    const coin_priv_variables y = coin_priv_variables_inline(s);
     coin_priv_limits limits = coin_priv_limits_of(&b, COIN_RK4, dt);
     if (!coin_priv_rate2_holds(&limits, coin_priv_rate2(b.g_a, &y)))
         return COIN_ESTEP;

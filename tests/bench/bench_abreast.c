@@ -109,7 +109,7 @@ static double step_alone(double tare)
     const coin_state s = {.theta = 0.5, .wX = 0.1, .wY = 0.8, .wZ = 1.2};
     coin_priv_run r;
     coin_priv_check(&s, &disc, &r.b);
-    coin_priv_run_from(&r, &s, COIN_RK4, 0);
+    coin_priv_run_unlimited(&r, &s);
     const double begin = clock_ns();
     for (int i = 0; i < 64; ++i)
         coin_priv_extrapolate(&r, 1e-3);

@@ -29,7 +29,7 @@ static coin_state extrapolate(uint64_t n)
 {
     coin_priv_run r;
     coin_priv_check(&generic, &disc, &r.b);
-    coin_priv_run_from(&r, &generic, COIN_RK8, 0);
+    coin_priv_run_unlimited(&r, &generic);
     for (; n > 0; --n)
         coin_priv_extrapolate(&r, 0.05);
     coin_priv_read_lean(&r.g);

@@ -28,7 +28,7 @@ mover mover_at(enum mover_kind kind, const coin_state *s, const coin_params *p,
 {
     mover m = {.kind = kind, .p = *p, .s = *s, .h = h};
     if (coin_priv_check(s, p, &m.run.b) == COIN_OK)
-        coin_priv_run_from(&m.run, s, COIN_RK8, 0);
+        coin_priv_run_unlimited(&m.run, s);
     return m;
 }
 

@@ -55,8 +55,9 @@ arm-none-eabi-nm -u "$work/control.o" | grep -q __aeabi_dmul
 rm "$work/control.o"
 
 compile -Os
-core=$(code coinf_priv_rk4 coinf_priv_residue coinf_priv_pair \
-    coinf_priv_variables_at coinf_priv_reduce coinf_priv_end_step)
+core=$(code coinf_priv_step_rk4 coinf_priv_residue \
+    coinf_priv_sine_cosine_with_low coinf_priv_variables_with_low \
+    coinf_priv_reduce coinf_priv_finish_step)
 echo "-Os: the stepping core is $core bytes, at most $CORE_MOST"
 compile -O2
 test "$core" -le $CORE_MOST

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the losses take, and the rates and the reaction that are left. */
+/* At a state: the power that the losses take, and the rates and the reaction
+ * of a coin with them. */
 #include "../motion/pinned.h"
 
 #include "../motion/state.h"
