@@ -123,7 +123,8 @@ DRAW = for py in curves atlas; do $(PYTHON) $(BENCH_SRC)/$$py.py $(RESULTS) \
        for f in $(BENCH_SRC)/*.gp; do gnuplot -e "from='$(BENCH_OUT)/curves'" \
            -e "results='$(RESULTS)'" -e "to='$(SRC)/docs/figures'" $$f || \
            exit 1; done && $(SLIM)
-SLIM = $(PYTHON) $(BENCH_SRC)/slim.py $(SRC)/docs/figures/*.svg && $(SCHEMES)
+SLIMMER = $(PYTHON) $(BENCH_SRC)/slim.py $(SRC)/docs/figures/*.svg
+SLIM = $(SLIMMER) && $(SCHEMES) && $(SLIMMER)
 COSTS = { $(ABOUT); $(PYTHON) $(BENCH_SRC)/costs.py $(BENCH_OUT); } \
         >$(BENCH_OUT)/costs.csv
 ABOUT = CC='$(CC)' CXX='$(CXX)' sh $(BENCH_SRC)/about.sh \
