@@ -64,7 +64,7 @@ static struct four truth(const struct stretch *w, coin_priv_run *r)
 static double sum(const double *terms, double x)
 {
     double value = 0;
-    for (int k = COIN_PRIV_FORCE_ORDER; k >= 0; --k)
+    for (int k = COIN_PRIV_FORCE_TERMS - 1; k >= 0; --k)
         value = value * x + terms[k];
     return value;
 }
@@ -83,7 +83,8 @@ static void the_series_give_the_force_further_on(void **unused)
     for (int n = 0; n < 300; ++n) {
         const struct stretch w = random_stretch(&r);
         coin_priv_force f;
-        coin_priv_force_of(&f, &w.run.b, &w.run.g.y, w.unit);
+        coin_priv_force_of(&f, &w.run.b, &w.run.g.y, w.unit,
+                           COIN_PRIV_FORCE_TERMS);
         for (int i = 0; i < 4; ++i) {
             coin_priv_run to = after(&w, x[i]);
             const struct four want = truth(&w, &to);
@@ -106,13 +107,18 @@ static void two_series_join_to_one_curve(void **unused)
         const struct stretch w = random_stretch(&r);
         coin_priv_run end = after(&w, 0.7);
         coin_priv_force f, g;
-        coin_priv_force_of(&f, &w.run.b, &w.run.g.y, w.unit);
-        coin_priv_force_of(&g, &w.run.b, &end.g.y, w.unit);
+        coin_priv_force_of(&f, &w.run.b, &w.run.g.y, w.unit,
+                           COIN_PRIV_FORCE_TERMS);
+        coin_priv_force_of(&g, &w.run.b, &end.g.y, w.unit,
+                           COIN_PRIV_FORCE_TERMS);
         double curve[4][LAST + 1];
-        coin_priv_join(curve[0], f.along, g.along, 0.7);
-        coin_priv_join(curve[1], f.across, g.across, 0.7);
-        coin_priv_join(curve[2], f.normal, g.normal, 0.7);
-        coin_priv_join(curve[3], f.cth, g.cth, 0.7);
+        coin_priv_join(curve[0], f.along, g.along, 0.7, 1,
+                       COIN_PRIV_FORCE_TERMS);
+        coin_priv_join(curve[1], f.across, g.across, 0.7, 1,
+                       COIN_PRIV_FORCE_TERMS);
+        coin_priv_join(curve[2], f.normal, g.normal, 0.7, 1,
+                       COIN_PRIV_FORCE_TERMS);
+        coin_priv_join(curve[3], f.cth, g.cth, 0.7, 1, COIN_PRIV_FORCE_TERMS);
         for (double x = 0; x <= 1; x += 0.125) {
             coin_priv_run to = after(&w, 0.7 * x);
             const struct four want = truth(&w, &to);
