@@ -14,8 +14,7 @@
 enum {
     JOINED = COIN_PRIV_JOINED,
     ALL = COIN_PRIV_FORCE_TERMS,
-    FEW = COIN_PRIV_FORCE_FEW,
-    DEGREE_OF_FEW = COIN_PRIV_DEGREE(FEW)
+    FEW = COIN_PRIV_FORCE_FEW
 };
 
 /* The bits that are about the force. */
@@ -23,12 +22,6 @@ enum {
 
 /* How often a curve is halved. */
 enum { CUTS = 5 };
-
-/* A curve over a stretch of h strides errs by less than (h/these)^(2 terms) of
- * the forces at both ends, and cos theta by less of its values there
- * (test_force). */
-#define CONVERGE 2.85
-#define CONVERGE_FEW 2.5
 
 /* ------------------------------------------------------ beyond any doubt -- */
 /* Whether number k lies in the cone; those at the ends are points of the curve.
@@ -47,8 +40,8 @@ COIN_PRIV_INLINE int is_within(const coin_priv_curve *w, int degree)
     return in;
 }
 
-/* The parts of the curve still to be looked at lie in a pile, the next one on
- * top. */
+/* Whether the curve stays in the cone, its begin being there.  The parts still
+ * to be looked at lie in a pile, the next one on top. */
 COIN_PRIV_INLINE int stays_within(coin_priv_curve pile[CUTS + 1], int terms)
 {
     const int degree = COIN_PRIV_DEGREE(terms);
@@ -135,10 +128,11 @@ static int stays_off_flat(const coin_priv_force *begin,
     return is_above(c, COIN_PRIV_NEARLY_FLAT + off, COIN_PRIV_DEGREE(terms));
 }
 
-/* What a curve may err by, in parts of the forces. */
+/* What a curve may err by, in parts of the forces: (stride/reach)^(2 terms). */
 static double error_of(double stride, int terms)
 {
-    const double x = stride / (terms == FEW ? CONVERGE_FEW : CONVERGE);
+    const double x =
+        stride / (terms == FEW ? COIN_PRIV_FEW_REACH : COIN_PRIV_REACH);
     const double x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
     return terms == FEW ? x8 : x8 * x4 * x2;
 }

@@ -20,6 +20,12 @@ typedef struct coin_priv_search {
     int32_t bits;
 } coin_priv_search;
 
+/* A curve over a stretch of h strides errs by less than (h/these)^(2 terms) of
+ * the forces at both ends, and cos theta by less of its values there
+ * (test_force). */
+#define COIN_PRIV_REACH 2.85
+#define COIN_PRIV_FEW_REACH 2.5
+
 /* Whether the force is so near the edge that few terms will not do for a
  * stretch of so many strides. */
 int coin_priv_is_near(const coin_priv_search *f, const coin_priv_force *at,
