@@ -16,11 +16,6 @@
  * series at it, by rounding. */
 #define ROUNDED 1e-9
 
-static double lesser(double a, double b)
-{
-    return a < b ? a : b;
-}
-
 static int32_t bits_of(const coin_priv_search *f, const coin_state *s)
 {
     const int32_t bits = coin_check(s, f->p, COIN_RK4, 0, f->mu);
@@ -115,15 +110,16 @@ static coin_priv_moment locate(const coin_priv_search *f,
 {
     const double tol = least_part(f, w->of);
     const double from = w->first + w->width * at.from;
-    const double to = w->first + w->width * lesser(at.to, 1);
+    const double to = w->first + w->width * coin_priv_lesser(at.to, 1);
     const double middle = from + (to - from) / 2;
     double width = tol / 4, low = from - width;
-    coin_priv_moment high = moment_of(f, w->of, lesser(from + width, middle));
+    coin_priv_moment high =
+        moment_of(f, w->of, coin_priv_lesser(from + width, middle));
     if (high.bits == 0 && high.x < middle)
         high = moment_of(f, w->of, middle);
     if (high.bits == 0)
         high = between(f, w->of, moment_of(f, w->of, low > 0 ? low : 0),
-                       moment_of(f, w->of, lesser(to + width, 1)));
+                       moment_of(f, w->of, coin_priv_lesser(to + width, 1)));
     if (high.bits == 0)
         return high;
     for (; low > 0; low = from - width) {
@@ -158,8 +154,11 @@ static int first_in_parts(coin_priv_moment *out, const coin_priv_search *f,
 {
     const int parts = 1 + (int)(stride / SHORT);
     const double h = w->tau / w->unit / parts;
-    coin_priv_part part = {.of = w, .first = 0, .width = 1.0 / parts};
+    coin_priv_part part;
     coin_priv_force begin = w->begin, end;
+    part.of = w;
+    part.first = 0;
+    part.width = 1.0 / parts;
     for (int i = 1; i <= parts; ++i) {
         end = w->end;
         if (i < parts) {

@@ -176,11 +176,6 @@ void coin_priv_join_part(coin_priv_part *w, const coin_priv_search *f,
         c->bound[k] = f->more * w->normal[k];
 }
 
-static double lesser(double a, double b)
-{
-    return a < b ? a : b;
-}
-
 static void negate(double *b, int degree)
 {
     for (int k = 0; k <= degree; ++k)
@@ -225,7 +220,7 @@ static coin_priv_place slip(const coin_priv_part *w, double from)
     for (int k = 0; k <= JOINED; ++k)
         rest[k] = w->normal[k];
     const coin_priv_place up = positive(rest, JOINED, from > 0 ? from : 0);
-    r.to = lesser(r.to, coin_priv_rise(rest, JOINED, r.from));
+    r.to = coin_priv_lesser(r.to, coin_priv_rise(rest, JOINED, r.from));
     return earlier(r, up);
 }
 

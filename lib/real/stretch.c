@@ -27,7 +27,7 @@ COIN_PRIV_INLINE double tau_between(const coin_priv_stretch *w,
 
 static double tau_of(const coin_priv_stretch *w, int terms)
 {
-    static const double all[] = {1.0 / 2,    3.0 / 26,   5.0 / 156, 5.0 / 572,
+    static const double all[] = {1.0 / 2,    3.0 / 26,   5.0 / 156,  5.0 / 572,
                                  3.0 / 1430, 1.0 / 2574, 1.0 / 24024};
     static const double few[] = {1.0 / 2, 3.0 / 28, 1.0 / 42, 1.0 / 280};
     return terms == COIN_PRIV_FORCE_FEW

@@ -4,10 +4,9 @@
  *     against scenes        ratios at equal errors on the chart's scenes
  *     against coins         ratios at equal tol over 300 random coins
  *     against frames        short calls beside the textbook's step
- *     against until         what coin_advance_until() costs, calls of one length
- *                           after each other, in the older coin_advance()
- * A ratio above 1 says how many times faster these sources are, but the last
- * how many times dearer. */
+ *     against until         what coin_advance_until() costs, calls of one
+ * length after each other, in the older coin_advance() A ratio above 1 says how
+ * many times faster these sources are, but the last how many times dearer. */
 #include "clock.h"
 #include "scene.h"
 #include "textbook.h"
