@@ -68,31 +68,18 @@ static double size_of(const coin_priv_force *f)
     return fabs(f->along[0]) + fabs(f->across[0]) + fabs(f->normal[0]);
 }
 
-/* The scales that the cone gives the force: where only lifting counts it is the
- * half-space. */
-static double less_of(const coin_priv_search *f)
-{
-    return f->bits & COIN_SLIPS ? f->less : 0;
-}
-
-static double more_of(const coin_priv_search *f)
-{
-    return f->bits & COIN_SLIPS ? f->more : 1;
-}
-
 /* How far a force may move towards the edge where its three parts err by 1. */
 static double slack(const coin_priv_search *f)
 {
-    return 1.5 * less_of(f) + more_of(f);
+    return 1.5 * f->less + f->more;
 }
 
 /* Whether a force is in the cone, and off its edge. */
 static int is_held(const coin_priv_search *f, const coin_priv_force *at,
                    double off)
 {
-    const double less = less_of(f);
-    const double A = less * at->along[0], B = less * at->across[0];
-    const double C = more_of(f) * at->normal[0] - off;
+    const double A = f->less * at->along[0], B = f->less * at->across[0];
+    const double C = f->more * at->normal[0] - off;
     return (A * A + B * B <= C * C) & (C >= 0);
 }
 
@@ -101,11 +88,10 @@ static int stays_held(const coin_priv_search *f, const coin_priv_force *begin,
                       const coin_priv_force *end, double h, double off)
 {
     coin_priv_curve pile[CUTS + 1], *const c = pile;
-    const double less = less_of(f), more = more_of(f);
     const int terms = end->terms;
-    coin_priv_join(c->along, begin->along, end->along, h, less, terms);
-    coin_priv_join(c->across, begin->across, end->across, h, less, terms);
-    coin_priv_join(c->bound, begin->normal, end->normal, h, more, terms);
+    coin_priv_join(c->along, begin->along, end->along, h, f->less, terms);
+    coin_priv_join(c->across, begin->across, end->across, h, f->less, terms);
+    coin_priv_join(c->bound, begin->normal, end->normal, h, f->more, terms);
     for (int k = 0; k <= COIN_PRIV_DEGREE(terms); ++k)
         c->bound[k] -= off;
     return terms > FEW ? stays_within(pile, ALL) : stays_within(pile, FEW);

@@ -11,9 +11,9 @@
 /* COIN_NEARLY_FLAT begins at this cos theta. */
 #define COIN_PRIV_NEARLY_FLAT 0.01
 
-/* What is looked for: bits of coin_check(), within a time tol [T].  The coin
- * slips where less F > more N: those are 1/mu and 1, or 1 and mu, so that
- * neither is above 1. */
+/* What is looked for: bits of coin_check(), within a time tol [T].  No
+ * bit holds where less F < more N: those are 1/mu and 1, or 1 and mu, so that
+ * neither is above 1; and 0 and 1 if slipping does not count. */
 typedef struct coin_priv_search {
     const coin_params *p;
     double mu, less, more, tol;

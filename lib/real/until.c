@@ -124,10 +124,13 @@ int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
 {
     struct moving g;
     coin_priv_stretch w;
-    coin_priv_search f = {p,   mu,  mu > 1 ? 1 / mu : 1, mu > 1 ? 1 : mu,
-                          tol, bits};
+    coin_priv_search f = {p, mu, 0, 1, tol, bits};
     const int good = tol >= 1e-13 && tol <= 1e-2 && mu >= 0 && bits != 0 &&
                      (bits & ~EVERY_BIT) == 0;
+    if (bits & COIN_SLIPS) {
+        f.less = mu > 1 ? 1 / mu : 1;
+        f.more = mu > 1 ? 1 : mu;
+    }
     int32_t status = good ? prepare(&g, &w, &f, s, t) : COIN_EARG;
     if (status != COIN_OK) {
         if (reached && (status > 0 || status == COIN_EFLAT))
