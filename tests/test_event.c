@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Events whose place is known in closed form. */
 #include "support/check.h"
+#include "support/random.h"
 
 #include <math.h>
 
@@ -80,6 +81,32 @@ static void the_briefest_slip_before_it_lifts_is_found(void **unused)
     }
 }
 
+/* Where N goes to 0 F/N exceeds every mu before; each search has steps of its
+ * own. */
+static void a_coin_slips_before_it_lifts_whatever_mu(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(186);
+    for (int lifted = 0; lifted < 300;) {
+        const coin_params p = random_coin(&r);
+        const coin_state start = random_state(&r, &p, 1.3);
+        const double unit = natural_time(&p);
+        const double mu = pow(10, random_between(&r, 0, 9));
+        coin_state s = start;
+        double lifts, slips;
+        if (coin_advance_until(&s, &p, 2 * unit, 1e-9, 1, COIN_LIFTS, &lifts) !=
+                COIN_LIFTS ||
+            lifts == 0)
+            continue;
+        s = start;
+        check_status(
+            coin_advance_until(&s, &p, 2 * unit, 1e-6, mu, COIN_SLIPS, &slips),
+            COIN_SLIPS);
+        check(slips <= lifts + 1e-5 * unit);
+        ++lifted;
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -87,6 +114,7 @@ int main(void)
         TEST(nearly_flat_begins_at_a_hundredth),
         TEST(a_pass_within_a_step_is_found),
         TEST(the_briefest_slip_before_it_lifts_is_found),
+        TEST(a_coin_slips_before_it_lifts_whatever_mu),
     };
     return RUN_TESTS(tests);
 }

@@ -192,22 +192,24 @@ static coin_priv_place below_least(const double *b, double least, double from)
     return positive(left, JOINED, from);
 }
 
-/* Where the force leaves the cone while N > 0, and where N becomes so. */
+/* Where the force leaves the cone, and where N comes from or goes to 0: next to
+ * such a place F exceeds every multiple of N, if only for a moment. */
 static coin_priv_place slip(const coin_priv_part *w, double from)
 {
-    double cone[COIN_PRIV_SQUARED + 1], rest[JOINED + 1];
-    coin_priv_place r = {from, 2};
-    do {
-        coin_priv_cone(cone, w->force.along, w->force.across, w->force.bound);
-        r = positive(cone, COIN_PRIV_SQUARED, r.from);
-    } while (r.from < 2 && coin_priv_value(w->normal, JOINED, r.from) <= 0);
+    double cone[COIN_PRIV_SQUARED + 1], left[JOINED + 1];
+    const double inside = from > 0 ? from : 0;
+    coin_priv_cone(cone, w->force.along, w->force.across, w->force.bound);
+    coin_priv_place r = positive(cone, COIN_PRIV_SQUARED, from);
     if (is_above(w->normal, 0, JOINED))
         return r;
     for (int k = 0; k <= JOINED; ++k)
-        rest[k] = w->normal[k];
-    const coin_priv_place up = positive(rest, JOINED, from > 0 ? from : 0);
-    r.to = coin_priv_lesser(r.to, coin_priv_rise(rest, JOINED, r.from));
-    return earlier(r, up);
+        left[k] = -w->normal[k];
+    const double down = coin_priv_rise(left, JOINED, inside);
+    r.to = coin_priv_lesser(r.to, coin_priv_rise(left, JOINED, r.from));
+    negate(left, JOINED);
+    const coin_priv_place up = positive(left, JOINED, inside);
+    const coin_priv_place falls = {down, down};
+    return earlier(earlier(r, up), falls);
 }
 
 coin_priv_place coin_priv_next_place(const coin_priv_search *f,
