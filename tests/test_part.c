@@ -3,8 +3,8 @@
 #include "support/check.h"
 #include "support/random.h"
 
+#include "event.h"
 #include "extrapolation.h"
-#include "part.h"
 #include "sundman.h"
 
 #include <math.h>
@@ -14,8 +14,9 @@ enum { SAMPLES = 64 };
 /* A stretch of so many strides, and the largest F/N found on it; infinite where
  * the coin would lift off. */
 struct sample {
+    coin_params p;
     coin_priv_stretch w;
-    double ratio;
+    double ratio, at; /* at: 0 to 1 */
 };
 
 static double ratio_of(const coin_priv_force *f)
@@ -27,13 +28,24 @@ static double ratio_of(const coin_priv_force *f)
                : (double)INFINITY;
 }
 
+/* F/N at x of a stretch, which then ends there. */
+static double ratio_at(coin_priv_stretch *w, double x)
+{
+    coin_priv_run to = w->from;
+    coin_priv_force f;
+    check(x == 0 || coin_priv_extrapolate(&to, x * w->tau));
+    w->to = to.g.y;
+    coin_priv_force_of(&f, &to.b, &to.g.y, w->unit, COIN_PRIV_FORCE_FEW);
+    return ratio_of(&f);
+}
+
 static struct sample sample_of(struct random *r, double stride)
 {
     struct sample m;
     coin_priv_stretch *const w = &m.w;
-    const coin_params p = random_coin(r);
-    const coin_state s = random_state(r, &p, 1.3);
-    check_status(coin_priv_check(&s, &p, &w->from.b), COIN_OK);
+    m.p = random_coin(r);
+    const coin_state s = random_state(r, &m.p, 1.3);
+    check_status(coin_priv_check(&s, &m.p, &w->from.b), COIN_OK);
     coin_priv_run_from(&w->from, &s, COIN_RK4, 0);
     w->unit = coin_priv_sundman_tau(&w->from.b, &w->from.g.y, 1);
     w->tau = stride * w->unit;
@@ -41,12 +53,11 @@ static struct sample sample_of(struct random *r, double stride)
     w->begin.terms = 0;
     m.ratio = 0;
     for (int i = 0; i <= SAMPLES; ++i) {
-        coin_priv_run to = w->from;
-        coin_priv_force f;
-        check(i == 0 || coin_priv_extrapolate(&to, i * w->tau / SAMPLES));
-        w->to = to.g.y;
-        coin_priv_force_of(&f, &to.b, &to.g.y, w->unit, COIN_PRIV_FORCE_FEW);
-        m.ratio = fmax(m.ratio, ratio_of(&f));
+        const double x = (double)i / SAMPLES, ratio = ratio_at(w, x);
+        if (ratio > m.ratio) {
+            m.ratio = ratio;
+            m.at = x;
+        }
     }
     return m;
 }
@@ -101,11 +112,53 @@ static void most_of_what_holds_no_bit_is_cleared(void **unused)
     check(few[2] > 100 && few[1] < 0.02 * few[2]);
 }
 
+/* Around the largest sample, by sections. */
+static void refine_peak(struct sample *m)
+{
+    double low = m->at - 1.0 / SAMPLES, high = m->at + 1.0 / SAMPLES;
+    for (int i = 0; i < 40; ++i) {
+        const double a = low + 0.382 * (high - low);
+        const double b = low + 0.618 * (high - low);
+        if (ratio_at(&m->w, a) < ratio_at(&m->w, b))
+            low = a;
+        else
+            high = b;
+    }
+    m->at = (low + high) / 2;
+    m->ratio = fmax(m->ratio, ratio_at(&m->w, m->at));
+    (void)ratio_at(&m->w, 1);
+}
+
+/* Of the motion within one step, however long, 1e-6 of mu is enough. */
+static void the_briefest_excursion_within_a_step_is_found(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(213);
+    for (int n = 0; n < 300;) {
+        struct sample m = sample_of(&r, random_between(&r, 0.5, 1.5));
+        if (m.ratio < 0.05 || m.ratio > 100 || m.at < 0.05 || m.at > 0.95)
+            continue;
+        refine_peak(&m);
+        coin_priv_search f = search_of(m.ratio / (1 + 1e-6));
+        coin_priv_moment got;
+        f.p = &m.p;
+        f.tol *= natural_time(&m.p);
+        check(coin_priv_first_event(&got, &f, &m.w));
+        check(got.bits == COIN_SLIPS);
+        f = search_of(m.ratio * (1 + 1e-6));
+        f.p = &m.p;
+        m.w.begin.terms = 0;
+        check(!coin_priv_first_event(&got, &f, &m.w));
+        ++n;
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(what_is_cleared_holds_no_bit),
         TEST(most_of_what_holds_no_bit_is_cleared),
+        TEST(the_briefest_excursion_within_a_step_is_found),
     };
     return RUN_TESTS(tests);
 }
