@@ -20,10 +20,13 @@ static void a_falling_disc_lifts_where_its_energy_says(void **unused)
     check_near(cos(s.theta), 0.5, 1e-9);
     check(reached > 1);
     /* Held to the table it comes down on it again, where it would slip. */
-    check_status(
-        coin_advance_until(&s, &p, 100, 1e-11, 1, COIN_SLIPS, &reached),
-        COIN_SLIPS);
-    check_near(cos(s.theta), 1.0 / 6, 1e-9);
+    for (double mu = 1; mu < 1e7; mu *= 10) {
+        coin_state on = s;
+        check_status(
+            coin_advance_until(&on, &p, 100, 1e-11, mu, COIN_SLIPS, &reached),
+            COIN_SLIPS);
+        check_near(cos(on.theta), 1.0 / 6, 1e-9);
+    }
 }
 
 /* Slow in the end: cos(theta) = 0.01 is passed on the way down. */
@@ -78,7 +81,7 @@ static void the_place_is_as_accurate_for_a_fast_coin(void **unused)
             COIN_LIFTS);
         /* N/Mg as above, with the energy of the lean at the start. */
         const double c = cos(s.theta), top = cos(lean);
-        check_near(1 - 0.8 * (1 + 2 * top * c - 3 * c * c), 0, 1e-9);
+        check_near(1 - 0.8 * (1 + 2 * top * c - 3 * c * c), 0, 3e-7);
     }
 }
 
