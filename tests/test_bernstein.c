@@ -148,6 +148,46 @@ static void the_cone_is_the_sum_of_squares(void **unused)
     }
 }
 
+/* By either way to cut. */
+static void two_halves_are_the_whole(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(205);
+    for (int n = 0; n < 100; ++n) {
+        const int terms = n % 2 ? COIN_PRIV_FORCE_FEW : COIN_PRIV_FORCE_TERMS;
+        const int degree = COIN_PRIV_DEGREE(terms);
+        double whole[LAST + 1], first[LAST + 1], second[LAST + 1];
+        for (int k = 0; k <= degree; ++k)
+            second[k] = whole[k] = random_between(&r, -1, 1);
+        if (n % 4 < 2)
+            coin_priv_cut(first, second, degree);
+        else
+            coin_priv_cut_joined(first, second, terms);
+        for (double t = 0; t <= 1; t += 0.0625) {
+            check_near(coin_priv_value(first, degree, t),
+                       coin_priv_value(whole, degree, t / 2), 100 * U);
+            check_near(coin_priv_value(second, degree, t),
+                       coin_priv_value(whole, degree, (1 + t) / 2), 100 * U);
+        }
+    }
+}
+
+/* From b = x^2: its series at both ends, times 3. */
+static void what_joins_has_the_terms_of_both_ends(void **unused)
+{
+    (void)unused;
+    const double begin[COIN_PRIV_FORCE_TERMS] = {0, 0, 0.25};
+    const double end[COIN_PRIV_FORCE_TERMS] = {1, 1, 0.25};
+    for (int few = 0; few < 2; ++few) {
+        const int terms = few ? COIN_PRIV_FORCE_FEW : COIN_PRIV_FORCE_TERMS;
+        double b[LAST + 1];
+        coin_priv_join(b, begin, end, 2, 3, terms);
+        for (double x = 0; x <= 1; x += 0.0625)
+            check_near(coin_priv_value(b, COIN_PRIV_DEGREE(terms), x),
+                       3 * x * x, 40 * U);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -157,6 +197,8 @@ int main(void)
         TEST(what_only_touches_or_falls_is_no_rise),
         TEST(a_rise_at_a_cut_is_found),
         TEST(the_cone_is_the_sum_of_squares),
+        TEST(two_halves_are_the_whole),
+        TEST(what_joins_has_the_terms_of_both_ends),
     };
     return RUN_TESTS(tests);
 }

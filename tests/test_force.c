@@ -4,8 +4,8 @@
 #include "support/check.h"
 #include "support/random.h"
 
-#include "bernstein.h"
 #include "extrapolation.h"
+#include "part.h"
 #include "sundman.h"
 
 #include <math.h>
@@ -64,7 +64,7 @@ static struct four truth(const struct stretch *w, coin_priv_run *r)
 static double sum(const double *terms, double x)
 {
     double value = 0;
-    for (int k = COIN_PRIV_FORCE_ORDER; k >= 0; --k)
+    for (int k = COIN_PRIV_FORCE_TERMS - 1; k >= 0; --k)
         value = value * x + terms[k];
     return value;
 }
@@ -83,7 +83,8 @@ static void the_series_give_the_force_further_on(void **unused)
     for (int n = 0; n < 300; ++n) {
         const struct stretch w = random_stretch(&r);
         coin_priv_force f;
-        coin_priv_force_of(&f, &w.run.b, &w.run.g.y, w.unit);
+        coin_priv_force_of(&f, &w.run.b, &w.run.g.y, w.unit,
+                           COIN_PRIV_FORCE_TERMS);
         for (int i = 0; i < 4; ++i) {
             coin_priv_run to = after(&w, x[i]);
             const struct four want = truth(&w, &to);
@@ -97,30 +98,76 @@ static void the_series_give_the_force_further_on(void **unused)
     }
 }
 
-/* As event.c rests on it. */
+/* The curves over a stretch of h strides err by less than (h/reach)^(2 terms)
+ * of the forces at its ends, as part.c rests on it, and by rounding. */
+static void joined_within(const struct stretch *w, double h, int terms,
+                          double reach)
+{
+    const int degree = COIN_PRIV_DEGREE(terms);
+    const double part = pow(h / reach, 2 * terms) + 1e-12;
+    coin_priv_run end = after(w, h);
+    coin_priv_run begin = w->run;
+    const struct four first = truth(w, &begin), last = truth(w, &end);
+    coin_priv_force f, g;
+    coin_priv_force_of(&f, &w->run.b, &w->run.g.y, w->unit, terms);
+    coin_priv_force_of(&g, &w->run.b, &end.g.y, w->unit, terms);
+    double curve[4][LAST + 1];
+    coin_priv_join(curve[0], f.along, g.along, h, 1, terms);
+    coin_priv_join(curve[1], f.across, g.across, h, 1, terms);
+    coin_priv_join(curve[2], f.normal, g.normal, h, 1, terms);
+    coin_priv_join(curve[3], f.cth, g.cth, h, 1, terms);
+    const double size = size_of(&first) + size_of(&last);
+    const double cths = first.of[3] + last.of[3];
+    for (double x = 0; x <= 1; x += 0.125) {
+        coin_priv_run to = after(w, h * x);
+        const struct four want = truth(w, &to);
+        for (int i = 0; i < 4; ++i)
+            check_near(coin_priv_value(curve[i], degree, x), want.of[i],
+                       part * (i < 3 ? size : cths));
+    }
+}
+
 static void two_series_join_to_one_curve(void **unused)
 {
     (void)unused;
     struct random r = random_begin(192);
     for (int n = 0; n < 1000; ++n) {
         const struct stretch w = random_stretch(&r);
-        coin_priv_run end = after(&w, 0.7);
-        coin_priv_force f, g;
-        coin_priv_force_of(&f, &w.run.b, &w.run.g.y, w.unit);
-        coin_priv_force_of(&g, &w.run.b, &end.g.y, w.unit);
-        double curve[4][LAST + 1];
-        coin_priv_join(curve[0], f.along, g.along, 0.7);
-        coin_priv_join(curve[1], f.across, g.across, 0.7);
-        coin_priv_join(curve[2], f.normal, g.normal, 0.7);
-        coin_priv_join(curve[3], f.cth, g.cth, 0.7);
-        for (double x = 0; x <= 1; x += 0.125) {
-            coin_priv_run to = after(&w, 0.7 * x);
-            const struct four want = truth(&w, &to);
-            const double size = size_of(&want);
-            for (int i = 0; i < 4; ++i)
-                check_near(coin_priv_value(curve[i], LAST, x), want.of[i],
-                           1e-8 * (i < 3 ? size : 1));
+        for (double h = 0.2; h < 1.45; h += 0.2) {
+            joined_within(&w, h, COIN_PRIV_FORCE_TERMS, COIN_PRIV_REACH);
+            joined_within(&w, h, COIN_PRIV_FORCE_FEW, COIN_PRIV_FEW_REACH);
         }
+    }
+}
+
+/* The tau of a stretch is found from its time, by a guess that is as far off as
+ * the step in t, of a stretch that ends with one, makes it. */
+static void the_tau_of_a_stretch_is_that_of_its_time(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(193);
+    for (int n = 0; n < 1000; ++n) {
+        const struct stretch of = random_stretch(&r);
+        const double h = random_between(&r, 0.01, 1.2);
+        const double tau = h * of.unit * (n % 2 ? 1 : -1);
+        const double guess = tau * (1 + random_between(&r, -3e-3, 3e-3));
+        coin_priv_stretch w = {of.run,
+                               of.run.g.y,
+                               of.unit,
+                               guess,
+                               0,
+                               {0, {0}, {0}, {0}, {0}},
+                               {0, {0}, {0}, {0}, {0}}};
+        coin_priv_run end = of.run;
+        check(coin_priv_extrapolate(&end, tau));
+        w.to = end.g.y;
+        w.t = end.g.added.t;
+        coin_priv_stretch_know(&w, COIN_PRIV_FORCE_FEW);
+        check_near(w.tau, tau,
+                   fabs(tau) * (pow(h / COIN_PRIV_FEW_REACH, 8) + 1e-9));
+        coin_priv_stretch_know(&w, COIN_PRIV_FORCE_TERMS);
+        check_near(w.tau, tau,
+                   fabs(tau) * (pow(h / COIN_PRIV_REACH, 14) + 1e-13));
     }
 }
 
@@ -129,6 +176,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(the_series_give_the_force_further_on),
         TEST(two_series_join_to_one_curve),
+        TEST(the_tau_of_a_stretch_is_that_of_its_time),
     };
     return RUN_TESTS(tests);
 }

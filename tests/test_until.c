@@ -7,8 +7,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* How much F/N may exceed mu, in parts of mu, unnoticed. */
-#define EXCESS 1e-6
+/* How much F/N may exceed mu, in parts of mu, unnoticed: 1e-6 of the motion as
+ * computed.  That errs by tol per unit of time, and by more where errors grow.
+ */
+static double excess_of(double tol)
+{
+    return tol < 1e-8 ? 1e-6 : 100 * tol;
+}
 
 enum { TRIED = 400, NEAR = 60, PER_UNIT = 40 };
 
@@ -96,11 +101,12 @@ static double largest(const struct motion *m, double t, double *at)
     return most;
 }
 
-/* Calls, and judges: nothing above mu by EXCESS was passed over, nothing below
- * by as much was stopped at, and the bits are those of coin_check(). */
+/* Calls, and judges: nothing above mu by the excess was passed over, nothing
+ * below by as much was stopped at, and the bits are those of coin_check(). */
 static int32_t judged(const struct motion *m, double t, double tol, double mu)
 {
     const int32_t bits = COIN_SLIPS | COIN_LIFTS;
+    const double excess = excess_of(tol);
     double reached = NAN, at;
     coin_state s = m->s;
     const int32_t got =
@@ -111,9 +117,9 @@ static int32_t judged(const struct motion *m, double t, double tol, double mu)
     check(got == 0 ? reached == t : reached >= 0 && reached <= t);
     const double clear = reached - 2 * tol * m->unit;
     if (clear > 0)
-        check(largest(m, clear, &at) <= mu * (1 + EXCESS));
+        check(largest(m, clear, &at) <= mu * (1 + excess));
     if (got != 0)
-        check(ratio(m, reached) > mu * (1 - EXCESS));
+        check(ratio(m, reached) > mu * (1 - excess));
     return got;
 }
 
@@ -127,7 +133,8 @@ static void the_first_event_is_that_of_a_fine_search(void **unused)
         const struct motion m = any_motion(&r);
         const double t = random_between(&r, 0, 6) * m.unit;
         const double mu = pow(10, random_between(&r, -1, 1));
-        const int32_t got = judged(&m, t, i % 3 ? 1e-9 : 1e-11, mu);
+        const double tols[] = {1e-11, 1e-9, 1e-6};
+        const int32_t got = judged(&m, t, tols[i % 3], mu);
         *(got ? &found : &none) += 1;
     }
     check(found > count / 10 && none > count / 10);
@@ -154,8 +161,11 @@ static void an_excursion_is_found_that_hardly_exceeds_mu(void **unused)
     for (int i = 0; i < count; ++i) {
         double t, most, at;
         const struct motion m = with_peak(&r, &t, &most, &at);
-        check(judged(&m, t, 1e-10, most / (1 + 1.01 * EXCESS)) != 0);
-        check(judged(&m, t, 1e-10, most * (1 + 1.01 * EXCESS)) == 0);
+        for (double tol = 1e-10; tol < 1e-5; tol *= 1e4) {
+            const double beyond = 1 + 1.01 * excess_of(tol);
+            check(judged(&m, t, tol, most / beyond) != 0);
+            check(judged(&m, t, tol, most * beyond) == 0);
+        }
     }
 }
 
@@ -182,7 +192,8 @@ static void an_excursion_at_either_end_is_found(void **unused)
     for (int i = 0; i < count; ++i) {
         double t, most, at;
         struct motion m = with_peak(&r, &t, &most, &at);
-        const double mu = most / (1 + 2 * EXCESS), w = half_width(&m, mu, at);
+        const double mu = most / (1 + 2 * excess_of(1e-10)),
+                     w = half_width(&m, mu, at);
         const double part = random_between(&r, 1e-3, 1);
         check(judged(&m, at - w + (1e-3 + part) * w, 1e-10, mu) != 0);
         m.s = after(&m, at - (1 + part) * w);
@@ -204,7 +215,7 @@ static void without_an_event_it_is_coin_advance(void **unused)
         const double tol = pow(10, random_between(&r, -13, -2));
         coin_state want = s, got = s;
         double to = 7, reached = 7;
-        const int32_t status = coin_advance(&want, &p, t, tol, &to);
+        const int32_t status = coin_advance(&want, &p, t, fmin(tol, 1e-6), &to);
         const int32_t end = coin_advance_until(&got, &p, t, tol, INFINITY,
                                                COIN_SLIPS, &reached);
         check_status(end, status);
@@ -238,7 +249,8 @@ static void its_ends_are_those_of_coin_advance_too(void **unused)
         coin_state want = of[i].s, got = of[i].s;
         double to = 7, reached = 7;
         check_note("case %zu", i);
-        const int32_t status = coin_advance(&want, &p, of[i].t, of[i].tol, &to);
+        const double tol = fmin(of[i].tol, 1e-6);
+        const int32_t status = coin_advance(&want, &p, of[i].t, tol, &to);
         check(status == (i == 0 ? COIN_OK : COIN_ESTEP));
         check_status(coin_advance_until(&got, &p, of[i].t, of[i].tol, INFINITY,
                                         COIN_SLIPS, &reached),

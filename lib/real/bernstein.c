@@ -14,9 +14,10 @@ enum { HALVINGS = 13 };
 /* Binomial coefficients of both degrees. */
 static const double binomial[] = {1,    13,   78,  286, 715, 1287, 1716,
                                   1716, 1287, 715, 286, 78,  13,   1};
-/* One over the first half of these. */
+/* One over the first half of these, and of those of few terms. */
 static const double share[] = {1.0,       1.0 / 13,   1.0 / 78,  1.0 / 286,
                                1.0 / 715, 1.0 / 1287, 1.0 / 1716};
+static const double share_of_few[] = {1.0, 1.0 / 7, 1.0 / 21, 1.0 / 35};
 static const double binomial_of_squares[] = {
     1,       26,      325,     2600,    14950,   65780,   230230,
     657800,  1562275, 3124550, 5311735, 7726160, 9657700, 10400600,
@@ -26,25 +27,40 @@ static const double binomial_of_squares[] = {
 
 /* The first half of the numbers, from the terms at 0; `step` is 1, or -1 where
  * they are counted from the end. */
-COIN_PRIV_INLINE void half_of(double *b, int step, const double *terms,
-                              double h)
+COIN_PRIV_INLINE void half_of(double *b, int step, const double *of, double h,
+                              double scale, const double *shares, int terms)
 {
-    double power = 1;
-    for (int k = 0; k < COIN_PRIV_FORCE_TERMS; ++k) {
-        b[step * k] = (power * share[k]) * terms[k];
+    double power = scale, sum[COIN_PRIV_FORCE_TERMS];
+#pragma GCC unroll 8
+    for (int k = 0; k < terms; ++k) {
+        sum[k] = (power * shares[k]) * of[k];
         power *= h;
     }
 #pragma GCC unroll 8
-    for (int k = 1; k < COIN_PRIV_FORCE_TERMS; ++k)
+    for (int k = 1; k < terms; ++k)
 #pragma GCC unroll 8
-        for (int i = COIN_PRIV_FORCE_ORDER; i >= k; --i)
-            b[step * i] += b[step * (i - 1)];
+        for (int i = terms - 1; i >= k; --i)
+            sum[i] += sum[i - 1];
+#pragma GCC unroll 8
+    for (int k = 0; k < terms; ++k)
+        b[step * k] = sum[k];
 }
 
-void coin_priv_join(double *b, const double *begin, const double *end, double h)
+COIN_PRIV_INLINE void join_of(double *b, const double *begin, const double *end,
+                              double h, double scale, const double *shares,
+                              int terms)
 {
-    half_of(b, 1, begin, h);
-    half_of(b + JOINED, -1, end, -h);
+    half_of(b, 1, begin, h, scale, shares, terms);
+    half_of(b + COIN_PRIV_DEGREE(terms), -1, end, -h, scale, shares, terms);
+}
+
+void coin_priv_join(double *b, const double *begin, const double *end, double h,
+                    double scale, int terms)
+{
+    if (terms == COIN_PRIV_FORCE_FEW)
+        join_of(b, begin, end, h, scale, share_of_few, COIN_PRIV_FORCE_FEW);
+    else
+        join_of(b, begin, end, h, scale, share, COIN_PRIV_FORCE_TERMS);
 }
 
 void coin_priv_cone(double *b, const double *x, const double *y,
@@ -95,14 +111,40 @@ static struct signs signs_of(const double *b, int degree)
     return r;
 }
 
-/* Cuts at 1/2: b becomes the second part, first the first (de Casteljau). */
-static void cut(double *first, double *b, int degree)
+void coin_priv_cut(double *first, double *b, int degree)
 {
     for (int k = 0; k <= degree; ++k) {
         first[k] = b[0];
         for (int i = 0; i < degree - k; ++i)
             b[i] = 0.5 * (b[i] + b[i + 1]);
     }
+}
+
+/* The same of the numbers that series join to, in registers: the halves are
+ * taken at the end. */
+COIN_PRIV_INLINE void cut_joined(double *first, double *b, int degree)
+{
+    double sum[JOINED + 1], half = 1;
+#pragma GCC unroll 16
+    for (int i = 0; i <= degree; ++i)
+        sum[i] = b[i];
+#pragma GCC unroll 16
+    for (int k = 0; k <= degree; ++k) {
+        first[k] = half * sum[0];
+        b[degree - k] = half * sum[degree - k];
+#pragma GCC unroll 16
+        for (int i = 0; i < degree - k; ++i)
+            sum[i] += sum[i + 1];
+        half *= 0.5;
+    }
+}
+
+void coin_priv_cut_joined(double *first, double *b, int terms)
+{
+    if (terms == COIN_PRIV_FORCE_FEW)
+        cut_joined(first, b, COIN_PRIV_DEGREE(COIN_PRIV_FORCE_FEW));
+    else
+        cut_joined(first, b, JOINED);
 }
 
 /* The zero of a polynomial that begins below 0 and ends above, from above: by
@@ -145,7 +187,7 @@ double coin_priv_rise(const double *b, int degree, double from)
         const int is_open = of.changes > (now[degree] != 0);
         if (is_open && top < HALVINGS && at + width > from) {
             widths[top] = widths[top + 1] = width / 2;
-            cut(pile[++top], now, degree);
+            coin_priv_cut(pile[++top], now, degree);
             continue;
         }
         double place = -2;

@@ -7,14 +7,20 @@
 
 #include "force.h"
 
-/* What two series of that order join to; and the degree of its square. */
-#define COIN_PRIV_JOINED (2 * COIN_PRIV_FORCE_ORDER + 1)
+/* The degree of what series of so many terms join to; and, of all terms, that
+ * of its square. */
+#define COIN_PRIV_DEGREE(terms) (2 * (terms)-1)
+#define COIN_PRIV_JOINED COIN_PRIV_DEGREE(COIN_PRIV_FORCE_TERMS)
 #define COIN_PRIV_SQUARED (2 * COIN_PRIV_JOINED)
 
-/* The polynomial of degree COIN_PRIV_JOINED that has these terms at 0 and at 1;
- * the series are in powers of x/h (Hermite). */
-void coin_priv_join(double *b, const double *begin, const double *end,
-                    double h);
+/* `scale` times the polynomial that has these terms at 0 and at 1; the series
+ * are in powers of x/h (Hermite). */
+void coin_priv_join(double *b, const double *begin, const double *end, double h,
+                    double scale, int terms);
+
+/* Cuts at 1/2: b becomes the second part, first the first (de Casteljau). */
+void coin_priv_cut(double *first, double *b, int degree);
+void coin_priv_cut_joined(double *first, double *b, int terms);
 
 /* x^2 + y^2 - z^2, of degree COIN_PRIV_SQUARED, of three of degree
  * COIN_PRIV_JOINED. */

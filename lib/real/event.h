@@ -4,25 +4,7 @@
 #ifndef ROLLCOIN_EVENT_H
 #define ROLLCOIN_EVENT_H
 
-#include "../step/extrapolation.h"
-
-#include "bernstein.h"
-
-/* What is looked for: bits of coin_check(), within a time tol [T].  The unit
- * of time of the series is that of a step of stride 1. */
-typedef struct coin_priv_search {
-    const coin_params *p;
-    double mu, tol, unit;
-    int32_t bits;
-} coin_priv_search;
-
-/* A stretch of the motion: a tau from where a run stood, and the force at both
- * ends. */
-typedef struct coin_priv_stretch {
-    coin_priv_run from;
-    double tau;
-    coin_priv_force begin, end;
-} coin_priv_stretch;
+#include "part.h"
 
 /* A moment of a stretch: how far in it, 0 to 1, the run that leads there, whose
  * added.t is the time since the stretch began, and the bits that hold. */
@@ -40,6 +22,6 @@ int32_t coin_priv_bits_held(const coin_priv_search *f, const coin_state *s,
 /* The first event of a stretch at whose begin none of the bits holds, within
  * tol of where the event begins; 0 if there is none. */
 int coin_priv_first_event(coin_priv_moment *out, const coin_priv_search *f,
-                          const coin_priv_stretch *w);
+                          coin_priv_stretch *w);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "force.h"
 
-enum { ORDER = COIN_PRIV_FORCE_ORDER, TERMS = COIN_PRIV_FORCE_TERMS };
+enum { TERMS = COIN_PRIV_FORCE_TERMS };
 
 /* The series of the variables, with one term more, and of their products in
  * (32). */
@@ -50,7 +50,7 @@ COIN_PRIV_INLINE void next_terms(struct series *w, coin_priv_force *out,
 }
 
 void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
-                        const coin_priv_variables *y, double unit)
+                        const coin_priv_variables *y, double unit, int terms)
 {
     const double g_a = unit * unit * b->g_a, share = b->IZ / b->K;
     const coin_priv_field f = {
@@ -63,13 +63,14 @@ void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
     w.s[0] = y->sth;
     w.c[0] = y->cth;
 #pragma GCC unroll 8
-    for (int k = 0; k <= TERMS; ++k) {
+    for (int k = 0; k <= TERMS && k <= terms; ++k) {
         w.cX[k] = product(w.c, w.X, k);
         w.sX[k] = product(w.s, w.X, k);
-        if (k < TERMS)
+        if (k < TERMS && k < terms)
             next_terms(&w, out, &f, k);
     }
-    for (int k = 0; k < TERMS; ++k) {
+    out->terms = terms;
+    for (int k = 0; k < terms; ++k) {
         out->along[k] *= share;                                /* (92) */
         out->across[k] += (k + 1) * w.cX[k + 1];               /* (92) */
         out->normal[k] = g_a * w.c[k] - (k + 1) * w.sX[k + 1]; /* (92) */

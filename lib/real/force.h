@@ -5,21 +5,23 @@
 
 #include "../motion/equations.h"
 
-/* The highest power. */
-#define COIN_PRIV_FORCE_ORDER 6
-#define COIN_PRIV_FORCE_TERMS (COIN_PRIV_FORCE_ORDER + 1)
+/* How many terms: all, or the few that short stretches need. */
+#define COIN_PRIV_FORCE_TERMS 7
+#define COIN_PRIV_FORCE_FEW 4
 
-/* Series about a state: cos theta, and by (92) cos theta times the force over
- * M a along e_X, e_h and the vertical. */
+/* The first terms of series about a state: cos theta, and by (92) cos theta
+ * times the force over M a along e_X, e_h and the vertical. */
 typedef struct coin_priv_force {
+    int terms; /* how many are known */
     double along[COIN_PRIV_FORCE_TERMS];
     double across[COIN_PRIV_FORCE_TERMS];
     double normal[COIN_PRIV_FORCE_TERMS];
     double cth[COIN_PRIV_FORCE_TERMS];
 } coin_priv_force;
 
-/* In powers of tau/unit; the force is in that unit of time. */
+/* In powers of tau/unit; the force is in that unit of time.  terms is one of
+ * the two numbers above. */
 void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
-                        const coin_priv_variables *y, double unit);
+                        const coin_priv_variables *y, double unit, int terms);
 
 #endif

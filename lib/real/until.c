@@ -8,6 +8,10 @@
 
 #define EVERY_BIT (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT)
 
+/* The tol of the steps is no larger: longer steps err by more than may be
+ * missed of an excursion. */
+#define COARSEST 1e-6
+
 /* A motion under way. */
 struct moving {
     coin_priv_run run;
@@ -15,29 +19,6 @@ struct moving {
     double t, stride;
     coin_priv_sum rem; /* of t, still to go */
 };
-
-/* The tau between the two ends of a stretch that lasts t, by Newton: the
- * integral of cos theta from its series at both ends, to order 14 (Hermite). */
-static double tau_between(const coin_priv_stretch *w, double t, double unit,
-                          double guess)
-{
-    static const double weight[] = {1.0 / 2,    3.0 / 26,   5.0 / 156,
-                                    5.0 / 572,  3.0 / 1430, 1.0 / 2574,
-                                    1.0 / 24024};
-    double of[COIN_PRIV_FORCE_TERMS], h = guess / unit;
-    for (int k = 0; k < COIN_PRIV_FORCE_TERMS; ++k)
-        of[k] = weight[k] * (k % 2 ? w->begin.cth[k] - w->end.cth[k]
-                                   : w->begin.cth[k] + w->end.cth[k]);
-    for (int i = 0; i < 3; ++i) {
-        double value = 0, slope = 0;
-        for (int k = COIN_PRIV_FORCE_ORDER; k >= 0; --k) {
-            slope = slope * h + (k + 1) * of[k];
-            value = value * h + of[k];
-        }
-        h -= (value * h - t / unit) / slope;
-    }
-    return h * unit;
-}
 
 /* Steps in tau: one, and those that lead back from beyond the time.  None if
  * the time left is short. */
@@ -58,30 +39,32 @@ static int32_t step(struct moving *g, coin_priv_stretch *w)
 
 /* The next stretch: a step in tau, and the last in t if that is near; *last if
  * the time is over. */
-static int32_t next_stretch(struct moving *g, coin_priv_stretch *w, double unit,
-                            int *last)
+static int32_t next_stretch(struct moving *g, coin_priv_stretch *w, int *last)
 {
     coin_priv_run *const r = &g->run;
     const double rem = g->rem.sum;
     w->from = g->run;
+    w->t = 0;
     int32_t status = step(g, w);
     *last = status == COIN_OK && coin_priv_lands(r, &g->reach, g->rem.sum);
-    const coin_priv_variables y = r->g.y;
-    const double left = g->rem.sum;
     if (*last) {
+        const double left = g->rem.sum;
+        const double tau = coin_priv_tau_of(&r->b, &r->g.y, left);
         if (r->steps > 0)
             coin_priv_read_lean(&r->g);
         status = coin_priv_land(r, &g->reach, &g->rem);
+        if (status == COIN_OK && left != 0) {
+            w->tau += tau;
+            w->t = rem;
+        }
     }
-    coin_priv_force_of(&w->end, &r->b, &r->g.y, unit);
-    if (*last && status == COIN_OK)
-        w->tau = tau_between(w, rem, unit,
-                             w->tau + coin_priv_tau_of(&r->b, &y, left));
+    w->to = r->g.y;
     return status;
 }
 
-/* Takes the motion back to an event of its latest stretch, before which rem was
- * to go; not beyond the time by a last bit. */
+/* The motion has gone on to the end of a stretch, at whose begin the time `rem`
+ * was left.  Puts it back to the event found in the stretch.  The time left is
+ * not of the other sign, which rounding could give it. */
 static void stop_at(struct moving *g, const coin_priv_moment *event,
                     coin_priv_sum rem)
 {
@@ -98,7 +81,7 @@ static int32_t follow(struct moving *g, coin_priv_stretch *w,
     int32_t status = COIN_OK;
     for (int last = g->rem.sum == 0; status == COIN_OK && !last;) {
         const coin_priv_sum rem = g->rem;
-        status = next_stretch(g, w, f->unit, &last);
+        status = next_stretch(g, w, &last);
         if (g->run.steps == w->from.steps)
             break;
         if (coin_priv_first_event(&m, f, w)) {
@@ -121,14 +104,15 @@ static int32_t prepare(struct moving *g, coin_priv_stretch *w,
     if (!(fabs(t) * w0 <= COIN_PRIV_TOO_LONG))
         return COIN_ESTEP;
     coin_priv_run_unlimited(&g->run, s);
-    g->reach = coin_priv_reach_of(f->tol);
+    g->reach = coin_priv_reach_of(f->tol < COARSEST ? f->tol : COARSEST);
     g->stride = g->reach.stride;
     g->t = t;
     g->rem.sum = t;
     g->rem.low = 0;
-    f->unit = coin_priv_sundman_tau(&g->run.b, &g->run.g.y, 1);
+    w->unit = coin_priv_sundman_tau(&g->run.b, &g->run.g.y, 1);
     f->tol /= w0;
-    coin_priv_force_of(&w->begin, &g->run.b, &g->run.g.y, f->unit);
+    coin_priv_force_of(&w->begin, &g->run.b, &g->run.g.y, w->unit,
+                       COIN_PRIV_FORCE_FEW);
     const int32_t bits = coin_priv_bits_held(f, s, &w->begin);
     return bits == 0 && t >= 0 && coin_priv_rests(s) ? COIN_EFLAT : bits;
 }
@@ -138,9 +122,13 @@ int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
 {
     struct moving g;
     coin_priv_stretch w;
-    coin_priv_search f = {p, mu, tol, 0, bits};
+    coin_priv_search f = {p, mu, 0, 1, tol, bits};
     const int good = tol >= 1e-13 && tol <= 1e-2 && mu >= 0 && bits != 0 &&
                      (bits & ~EVERY_BIT) == 0;
+    if (bits & COIN_SLIPS) {
+        f.less = mu > 1 ? 1 / mu : 1;
+        f.more = mu > 1 ? 1 : mu;
+    }
     int32_t status = good ? prepare(&g, &w, &f, s, t) : COIN_EARG;
     if (status != COIN_OK) {
         if (reached && (status > 0 || status == COIN_EFLAT))

@@ -4,7 +4,9 @@
  *     against scenes        ratios at equal errors on the chart's scenes
  *     against coins         ratios at equal tol over 300 random coins
  *     against frames        short calls beside the textbook's step
- * A ratio above 1 says how many times faster these sources are. */
+ *     against until         what coin_advance_until() costs, calls of one
+ * length after each other, in the older coin_advance() A ratio above 1 says how
+ * many times faster these sources are, but the last how many times dearer. */
 #include "clock.h"
 #include "scene.h"
 #include "textbook.h"
@@ -224,6 +226,85 @@ static void frames(void)
     frames_of("generic", 0.01, 1e-12);
 }
 
+/* ------------------------------------------------------ stops at events -- */
+enum { REACH = 20, LENGTHS = 15, SEARCHES = 4 };
+
+/* What is looked for, and does not occur. */
+struct search {
+    double mu;
+    int32_t bits;
+};
+
+static double largest_ratio(const scene *c)
+{
+    coin_state s = c->row[0].s;
+    double most = 0;
+    for (double t = 0; t < 1.01 * REACH; t += 0.002) {
+        coin_force f;
+        coin_reaction(&s, &c->p, &f);
+        most = fmax(most, f.ratio);
+        coin_advance(&s, &c->p, 0.002 * c->unit, 1e-11, NULL);
+    }
+    return most;
+}
+
+static double until_ns(const scene *c, double length, double tol,
+                       const struct search *f)
+{
+    const int calls = (int)ceil(REACH / length);
+    coin_state s = c->row[0].s;
+    const double begin = clock_ns(), t = length * c->unit;
+    for (int i = 0; i < calls; ++i) {
+        if (!f)
+            old_coin_advance(&s, &c->p, t, tol, NULL);
+        else if (coin_advance_until(&s, &c->p, t, tol, f->mu, f->bits, NULL))
+            return NAN;
+    }
+    return (clock_ns() - begin) / calls;
+}
+
+/* The costs in those of the older coin_advance(), whose ns come first. */
+static void until_row(const scene *c, double length, double tol,
+                      const struct search f[SEARCHES])
+{
+    double old = INFINITY, ns[SEARCHES];
+    for (int k = 0; k < SEARCHES; ++k)
+        ns[k] = INFINITY;
+    for (int j = 0; j < 200; ++j) {
+        old = fmin(old, until_ns(c, length, tol, NULL));
+        for (int k = 0; k < SEARCHES; ++k)
+            ns[k] = fmin(ns[k], until_ns(c, length, tol, &f[k]));
+    }
+    printf("%s,%g,%g,%.0f", c->name, tol, length, old);
+    for (int k = 0; k < SEARCHES; ++k)
+        printf(",%.2f", ns[k] / old);
+    puts("");
+}
+
+static void until(void)
+{
+    static const double lengths[LENGTHS] = {0.02, 0.05, 0.1, 0.15, 0.2,
+                                            0.24, 0.3,  0.4, 0.48, 0.6,
+                                            1,    1.5,  2.5, 5,    20};
+    const char *names[] = {"generic", "tumble", "wobble", "quarter", "ring"};
+    puts("scene,tol,length,old ns,mu 2,mu 1.1,mu 1.0001,nearly flat");
+    for (int k = 0; k < 5; ++k) {
+        scene c;
+        scene_load(&c, names[k], 0);
+        const double most = largest_ratio(&c);
+        const int32_t both_bits = COIN_SLIPS | COIN_LIFTS;
+        const struct search f[SEARCHES] = {
+            {2 * most, both_bits},
+            {1.1 * most, both_bits},
+            {1.0001 * most, both_bits},
+            {2 * most, both_bits | COIN_NEARLY_FLAT},
+        };
+        for (double tol = 1e-6; tol > 5e-13; tol /= 1000)
+            for (int i = 0; i < LENGTHS; ++i)
+                until_row(&c, lengths[i], tol, f);
+    }
+}
+
 int main(int argc, char **argv)
 {
     const char *what = argc > 1 ? argv[1] : "";
@@ -233,6 +314,8 @@ int main(int argc, char **argv)
         random_coins();
     else if (strcmp(what, "frames") == 0)
         frames();
+    else if (strcmp(what, "until") == 0)
+        until();
     else
         return 2;
     return 0;

@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: MIT */
+/* The cone of friction and the half-space above the table are convex: a curve
+ * of force whose numbers in Bernstein's form all lie within lies within.  Where
+ * that does not decide, it may for the halves of the curve.  Of the few curves
+ * left the zeros of polynomials are isolated. */
+#include "../motion/pinned.h"
+
+#include "../step/sundman.h"
+
+#include "part.h"
+
+#include <math.h>
+
+enum {
+    JOINED = COIN_PRIV_JOINED,
+    ALL = COIN_PRIV_FORCE_TERMS,
+    FEW = COIN_PRIV_FORCE_FEW
+};
+
+/* The bits that are about the force. */
+#define ON_FORCE (COIN_SLIPS | COIN_LIFTS)
+
+/* How often a curve is halved. */
+enum { CUTS = 5 };
+
+/* ------------------------------------------------------ beyond any doubt -- */
+/* Whether number k lies in the cone; those at the ends are points of the curve.
+ */
+COIN_PRIV_INLINE int is_in_cone(const coin_priv_curve *w, int k)
+{
+    const double A = w->along[k], B = w->across[k], C = w->bound[k];
+    return (A * A + B * B <= C * C) & (C >= 0);
+}
+
+COIN_PRIV_INLINE int is_within(const coin_priv_curve *w, int degree)
+{
+    int in = 1;
+    for (int k = 0; k <= degree; ++k)
+        in &= is_in_cone(w, k);
+    return in;
+}
+
+/* Whether the curve stays in the cone, its begin being there.  The parts still
+ * to be looked at lie in a pile, the next one on top. */
+COIN_PRIV_INLINE int stays_within(coin_priv_curve pile[CUTS + 1], int terms)
+{
+    const int degree = COIN_PRIV_DEGREE(terms);
+    int cuts[CUTS + 1] = {0};
+    for (int top = 0; top >= 0;) {
+        coin_priv_curve *const now = &pile[top], *const half = &pile[top + 1];
+        if (is_within(now, degree)) {
+            --top;
+            continue;
+        }
+        if (cuts[top] == CUTS || !is_in_cone(now, degree))
+            return 0;
+        coin_priv_cut_joined(half->along, now->along, terms);
+        coin_priv_cut_joined(half->across, now->across, terms);
+        coin_priv_cut_joined(half->bound, now->bound, terms);
+        cuts[top + 1] = ++cuts[top];
+        ++top;
+    }
+    return 1;
+}
+
+static double size_of(const coin_priv_force *f)
+{
+    return fabs(f->along[0]) + fabs(f->across[0]) + fabs(f->normal[0]);
+}
+
+/* How far a force may move towards the edge where its three parts err by 1. */
+static double slack(const coin_priv_search *f)
+{
+    return 1.5 * f->less + f->more;
+}
+
+/* Whether a force is in the cone, and off its edge. */
+static int is_held(const coin_priv_search *f, const coin_priv_force *at,
+                   double off)
+{
+    const double A = f->less * at->along[0], B = f->less * at->across[0];
+    const double C = f->more * at->normal[0] - off;
+    return (A * A + B * B <= C * C) & (C >= 0);
+}
+
+/* Whether the force stays there all along. */
+static int stays_held(const coin_priv_search *f, const coin_priv_force *begin,
+                      const coin_priv_force *end, double h, double off)
+{
+    coin_priv_curve pile[CUTS + 1], *const c = pile;
+    const int terms = end->terms;
+    coin_priv_join(c->along, begin->along, end->along, h, f->less, terms);
+    coin_priv_join(c->across, begin->across, end->across, h, f->less, terms);
+    coin_priv_join(c->bound, begin->normal, end->normal, h, f->more, terms);
+    for (int k = 0; k <= COIN_PRIV_DEGREE(terms); ++k)
+        c->bound[k] -= off;
+    return terms > FEW ? stays_within(pile, ALL) : stays_within(pile, FEW);
+}
+
+static int is_above(const double *b, double least, int degree)
+{
+    int above = 1;
+    for (int k = 0; k <= degree; ++k)
+        above &= b[k] > least;
+    return above;
+}
+
+static int stays_off_flat(const coin_priv_force *begin,
+                          const coin_priv_force *end, double h, double off)
+{
+    double c[JOINED + 1];
+    const int terms = end->terms;
+    coin_priv_join(c, begin->cth, end->cth, h, 1, terms);
+    return is_above(c, COIN_PRIV_NEARLY_FLAT + off, COIN_PRIV_DEGREE(terms));
+}
+
+/* What a curve may err by, in parts of the forces: (stride/reach)^(2 terms). */
+static double error_of(double stride, int terms)
+{
+    const double x =
+        stride / (terms == FEW ? COIN_PRIV_FEW_REACH : COIN_PRIV_REACH);
+    const double x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
+    return terms == FEW ? x8 : x8 * x4 * x2;
+}
+
+int coin_priv_is_near(const coin_priv_search *f, const coin_priv_force *at,
+                      double stride)
+{
+    const double off = 2 * slack(f) * error_of(stride, FEW) * size_of(at);
+    return (f->bits & ON_FORCE) != 0 && !is_held(f, at, off);
+}
+
+int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *begin,
+                       const coin_priv_force *end, double h, double stride)
+{
+    const double part = error_of(stride, end->terms);
+    const double off = slack(f) * part * (size_of(begin) + size_of(end));
+    const double rise = part * (begin->cth[0] + end->cth[0]);
+    if ((f->bits & ON_FORCE) &&
+        !(is_held(f, begin, off) && is_held(f, end, off) &&
+          stays_held(f, begin, end, h, off)))
+        return 0;
+    return !(f->bits & COIN_NEARLY_FLAT) || stays_off_flat(begin, end, h, rise);
+}
+
+/* --------------------------------------------- where a bit holds in a part */
+void coin_priv_join_part(coin_priv_part *w, const coin_priv_search *f,
+                         const coin_priv_force *begin,
+                         const coin_priv_force *end)
+{
+    const double h = w->width * w->of->tau / w->of->unit;
+    coin_priv_curve *const c = &w->force;
+    if (f->bits & COIN_NEARLY_FLAT)
+        coin_priv_join(w->cth, begin->cth, end->cth, h, 1, ALL);
+    if (f->bits & ON_FORCE)
+        coin_priv_join(w->normal, begin->normal, end->normal, h, 1, ALL);
+    if (!(f->bits & COIN_SLIPS))
+        return;
+    coin_priv_join(c->along, begin->along, end->along, h, f->less, ALL);
+    coin_priv_join(c->across, begin->across, end->across, h, f->less, ALL);
+    for (int k = 0; k <= JOINED; ++k)
+        c->bound[k] = f->more * w->normal[k];
+}
+
+static void negate(double *b, int degree)
+{
+    for (int k = 0; k <= degree; ++k)
+        b[k] = -b[k];
+}
+
+static coin_priv_place earlier(coin_priv_place a, coin_priv_place b)
+{
+    return a.from <= b.from ? a : b;
+}
+
+/* Where a polynomial is positive next, which is negated. */
+static coin_priv_place positive(double *b, int degree, double from)
+{
+    coin_priv_place r = {coin_priv_rise(b, degree, from), 2};
+    negate(b, degree);
+    if (r.from < 2)
+        r.to = coin_priv_rise(b, degree, r.from);
+    return r;
+}
+
+/* Where b < least. */
+static coin_priv_place below_least(const double *b, double least, double from)
+{
+    double left[JOINED + 1];
+    for (int k = 0; k <= JOINED; ++k)
+        left[k] = least - b[k];
+    return positive(left, JOINED, from);
+}
+
+/* Where the force leaves the cone, and where N comes from or goes to 0: next to
+ * such a place F exceeds every multiple of N, if only for a moment. */
+static coin_priv_place slip(const coin_priv_part *w, double from)
+{
+    double cone[COIN_PRIV_SQUARED + 1], left[JOINED + 1];
+    const double inside = from > 0 ? from : 0;
+    coin_priv_cone(cone, w->force.along, w->force.across, w->force.bound);
+    coin_priv_place r = positive(cone, COIN_PRIV_SQUARED, from);
+    if (is_above(w->normal, 0, JOINED))
+        return r;
+    for (int k = 0; k <= JOINED; ++k)
+        left[k] = -w->normal[k];
+    const double down = coin_priv_rise(left, JOINED, inside);
+    r.to = coin_priv_lesser(r.to, coin_priv_rise(left, JOINED, r.from));
+    negate(left, JOINED);
+    const coin_priv_place up = positive(left, JOINED, inside);
+    const coin_priv_place falls = {down, down};
+    return earlier(earlier(r, up), falls);
+}
+
+coin_priv_place coin_priv_next_place(const coin_priv_search *f,
+                                     const coin_priv_part *w, double from)
+{
+    coin_priv_place r = {2, 2};
+    if ((f->bits & COIN_SLIPS) && !is_within(&w->force, JOINED))
+        r = slip(w, from);
+    if ((f->bits & COIN_LIFTS) && !is_above(w->normal, 0, JOINED))
+        r = earlier(r, below_least(w->normal, 0, from));
+    if ((f->bits & COIN_NEARLY_FLAT) &&
+        !is_above(w->cth, COIN_PRIV_NEARLY_FLAT, JOINED))
+        r = earlier(r, below_least(w->cth, COIN_PRIV_NEARLY_FLAT, from));
+    return r;
+}

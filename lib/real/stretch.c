@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "stretch.h"
+
+/* The tau between the two ends of a stretch that lasts t, by Newton: the
+ * integral of cos theta from its series at both ends (Hermite). */
+COIN_PRIV_INLINE double tau_between(const coin_priv_stretch *w,
+                                    const double *weight, int terms, int times)
+{
+    double of[COIN_PRIV_FORCE_TERMS], h = w->tau / w->unit;
+#pragma GCC unroll 8
+    for (int k = 0; k < terms; ++k)
+        of[k] = weight[k] * (k % 2 ? w->begin.cth[k] - w->end.cth[k]
+                                   : w->begin.cth[k] + w->end.cth[k]);
+    for (int i = 0; i < times; ++i) {
+        double value = 0, slope = 0;
+#pragma GCC unroll 8
+        for (int k = terms - 1; k >= 0; --k) {
+            slope = slope * h + (k + 1) * of[k];
+            value = value * h + of[k];
+        }
+        h -= (value * h - w->t / w->unit) / slope;
+    }
+    return h * w->unit;
+}
+
+static double tau_of(const coin_priv_stretch *w, int terms)
+{
+    static const double all[] = {1.0 / 2,    3.0 / 26,   5.0 / 156,  5.0 / 572,
+                                 3.0 / 1430, 1.0 / 2574, 1.0 / 24024};
+    static const double few[] = {1.0 / 2, 3.0 / 28, 1.0 / 42, 1.0 / 280};
+    return terms == COIN_PRIV_FORCE_FEW
+               ? tau_between(w, few, COIN_PRIV_FORCE_FEW, 2)
+               : tau_between(w, all, COIN_PRIV_FORCE_TERMS, 3);
+}
+
+void coin_priv_stretch_know(coin_priv_stretch *w, int terms)
+{
+    const coin_priv_body *b = &w->from.b;
+    if (w->begin.terms < terms)
+        coin_priv_force_of(&w->begin, b, &w->from.g.y, w->unit, terms);
+    coin_priv_force_of(&w->end, b, &w->to, w->unit, terms);
+    if (w->t != 0)
+        w->tau = tau_of(w, terms);
+}
