@@ -14,8 +14,8 @@
     coin_priv_row_at((rows) + COIN_PRIV_TERMS * (row), t)
 
 /* The rank of the piece that a time is in: the number of edges, without the
- * first, that are not beyond it.  They are counted by steps of 16, then of 1; no
- * comparison waits for another, as in a search by halves. */
+ * first, that are not beyond it.  They are counted by steps of 16, then of 1;
+ * no comparison waits for another, as in a search by halves. */
 static inline int rank_of(const double *edge, int count, double t)
 {
     int rank = 0;
