@@ -30,7 +30,7 @@ typedef coinf_state coinf_priv_state;
  * limits on W^2, Eq. (47), where a step begins and ends. */
 typedef struct PRIV(plan) {
     PRIV(field) f;
-    real KJ_low; /* (KJ + KJ_low)/GJ is K/(M g a), in the digits of two floats */
+    real KJ_low; /* (KJ + KJ_low)/GJ is K/(M g a), in twice a float's digits */
     real a, g_a, k1, k2;
     real coarse2, most2; /* coarse2 <= most2 */
 } PRIV(plan);
