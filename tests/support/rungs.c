@@ -78,9 +78,9 @@ static coin_state random_start(struct random *r, const coin_params *p, int kind)
     return s;
 }
 
-/* Half of the circles are as coin_steady_circle() gives them.  A deviation of
- * 1e-15, by rounding, grows to the tolerance in 0.5 to 1.2 times the horizon.
- */
+/* Half of the circles are as coin_steady_circle() gives them.  The horizon is
+ * 0.5 to 1.2 times the time in which a deviation of 1e-15, by rounding, grows
+ * to the tolerance. */
 static void begin_unstable(struct rung_scene *scene, struct random *r)
 {
     const coin_params *p = &scene->params;
