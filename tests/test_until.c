@@ -230,7 +230,7 @@ static void its_ends_are_those_of_coin_advance_too(void **unused)
         {{0.3, far, 0, 0, 0, 0, 1, 1}, 1, 1e-9},
         {{0.3, far - 0.7, 0, 0, 0, 0, 1, 1}, 5, 1e-9},
         {{0.3, far, 0, 0, 0, 0, 1, 1}, 1e-3, 1e-9},
-        {{0, 0, far - 0.7, 0, 0, 0, 0, 1}, 0.7 + 1e-5, 1e-6},
+        {{0, 0, far - 2, 0, 0, 0, 0, 1}, 2 + 1e-5, 1e-6},
     };
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);

@@ -49,8 +49,7 @@ static int32_t step(struct moving *g, coin_priv_stretch *w)
     do {
         if (coin_priv_lands(r, &g->reach, g->rem.sum))
             break;
-        const double tau =
-            coin_priv_next_tau(&r->b, &r->g.y, g->stride, g->rem.sum);
+        const double tau = coin_priv_next_tau(r, g->stride, g->rem.sum);
         status = coin_priv_advance_by(r, tau, &g->stride, &g->rem);
         w->tau += status == COIN_OK ? tau : 0;
     } while (status == COIN_OK && g->rem.sum * g->t < 0);

@@ -12,7 +12,7 @@ static int32_t approach(coin_priv_run *r, const coin_priv_reach *reach,
     double stride = reach->stride;
     int32_t status = COIN_OK;
     while (status == COIN_OK && !coin_priv_lands(r, reach, rem->sum)) {
-        const double tau = coin_priv_next_tau(&r->b, &r->g.y, stride, rem->sum);
+        const double tau = coin_priv_next_tau(r, stride, rem->sum);
         status = coin_priv_advance_by(r, tau, &stride, rem);
     }
     return status;
@@ -35,9 +35,9 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
     }
     coin_priv_run r;
     coin_priv_sum rem = {t, 0};
-    const coin_priv_reach reach = coin_priv_reach_of(tol);
     r.b = b;
     coin_priv_run_unlimited(&r, s);
+    const coin_priv_reach reach = coin_priv_reach_of(tol);
     status = approach(&r, &reach, &rem);
     if (r.steps > 0)
         coin_priv_read_lean(&r.g);

@@ -18,15 +18,30 @@
 #define COIN_PRIV_LAST_RK8 1.6
 #define COIN_PRIV_LAST_RK4 0.6
 
+/* A call that ends by its first step may step further if lean and heading turn
+ * slowly.  RK8 may where they turn by less than SLOW_RK8 tol^(1/8) and the call
+ * lasts for LASTING natural units of time: measured so that its error stays
+ * below tol/2 per unit. */
+#define COIN_PRIV_ONLY_RK8 4.7
+#define COIN_PRIV_SLOW_RK8 0.5
+#define COIN_PRIV_LASTING 0.25
+
 /* A step is STRIDE tol^(1/14) over the rate, at most LONGEST: measured so that
  * its error stays below tol per natural unit of time (docs/accuracy.md). */
 #define COIN_PRIV_STRIDE 3.0
 #define COIN_PRIV_LONGEST 1.65
 
+/* An only step may be so many strides long, but no longer than LONGEST, where
+ * lean and heading turn by less than SLOW: measured as ONLY_RK8 was. */
+#define COIN_PRIV_ONLY 1.75
+#define COIN_PRIV_SLOW 0.1
+
 /* How far a call may step. */
 typedef struct coin_priv_reach {
     double stride;   /* in tau, over the rate */
     double rk8, rk4; /* in t, times W */
+    double only_rk8; /* the same for an only step */
+    double slow;     /* what lean and heading may turn by in that */
 } coin_priv_reach;
 
 /* tol^(1/14) of x = tol^(1/16): x^(8/7) within 0.6 % from tol = 1e-14 up. */
@@ -43,6 +58,8 @@ COIN_PRIV_INLINE coin_priv_reach coin_priv_reach_of(double tol)
         stride < COIN_PRIV_LONGEST ? stride : COIN_PRIV_LONGEST,
         COIN_PRIV_LAST_RK8 * r8,
         COIN_PRIV_LAST_RK4 * r8 * r16,
+        coin_priv_lesser(COIN_PRIV_ONLY_RK8 * r8, 1),
+        COIN_PRIV_SLOW_RK8 * r8,
     };
     return r;
 }
@@ -61,18 +78,37 @@ COIN_PRIV_INLINE double coin_priv_tau_of(const coin_priv_body *b,
     return r * (1 - c1 / 2 + (2 * c1 * c1 - c * c2) / 6);
 }
 
+/* Whether lean and heading turn by less than an angle in the time rem; near the
+ * table only by so much less as cos theta is.  0 after the first step. */
+COIN_PRIV_INLINE int coin_priv_is_slow(const coin_priv_run *r, double rem,
+                                       double angle)
+{
+    if (r->steps > 0)
+        return 0;
+    const coin_priv_variables *y = &r->g.y;
+    const coin_priv_field f = coin_priv_field_of(&r->b, rem);
+    const double wX = fabs(y->wX) + fabs(coin_priv_rates(&f, y).wX) / 2;
+    const double turn2 = (wX * wX + y->wY * y->wY) * (rem * rem);
+    return turn2 <= (angle * angle) * (y->cth * y->cth);
+}
+
 /* The next step in tau: a full one, or what lands on rem if that is less.  The
  * series holds for a step or so; what it gives beyond is not trusted. */
-COIN_PRIV_INLINE double coin_priv_next_tau(const coin_priv_body *b,
-                                           const coin_priv_variables *y,
+COIN_PRIV_INLINE double coin_priv_next_tau(const coin_priv_run *r,
                                            double stride, double rem)
 {
     const double side = rem < 0 ? -1 : 1;
-    const double full = coin_priv_sundman_tau(b, y, stride);
-    if (!(fabs(rem) < 2 * full * y->cth))
+    const double full = coin_priv_sundman_tau(&r->b, &r->g.y, stride);
+    if (!(fabs(rem) < 2 * full * r->g.y.cth))
         return side * full;
-    const double tau = coin_priv_tau_of(b, y, rem);
-    return fabs(tau) < full ? tau : side * full;
+    const double tau = coin_priv_tau_of(&r->b, &r->g.y, rem);
+    if (fabs(tau) < full)
+        return tau;
+    const double only =
+        coin_priv_lesser(COIN_PRIV_ONLY, COIN_PRIV_LONGEST / stride) * full;
+    const int lands =
+        fabs(tau) < only && coin_priv_is_slow(r, rem, COIN_PRIV_SLOW);
+    return lands ? tau : side * full;
 }
 
 /* The square of what is to be compared with a reach in t. */
@@ -85,7 +121,12 @@ COIN_PRIV_INLINE double coin_priv_left2(const coin_priv_run *r, double rem)
 COIN_PRIV_INLINE int coin_priv_lands(const coin_priv_run *r,
                                      const coin_priv_reach *reach, double rem)
 {
-    return coin_priv_left2(r, rem) <= reach->rk8 * reach->rk8;
+    const double left2 = coin_priv_left2(r, rem);
+    const double units2 = rem * rem * r->b.g_a;
+    return left2 <= reach->rk8 * reach->rk8 ||
+           (left2 <= reach->only_rk8 * reach->only_rk8 &&
+            units2 >= COIN_PRIV_LASTING * COIN_PRIV_LASTING &&
+            coin_priv_is_slow(r, rem, reach->slow));
 }
 
 /* A step of tau; each time that one goes too far the next may go only half as

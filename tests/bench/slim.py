@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Takes out of gnuplot's drawings what a reader does not see: empty groups,
 attributes that are the default or the group's, and digits of a pixel after the
-first.
+first.  Points of lines and polygons are written relative to the point before,
+which packs better.
 
     slim.py DRAWING.svg...
 
@@ -19,6 +20,30 @@ def hexadecimal(colour):
     return "#" + "".join(f"{int(part):02X}" for part in colour.groups())
 
 
+def relative(pieces):
+    """Points "x,y x,y ..." of one piece after another as differences."""
+    at = [0, 0]
+    for piece in pieces:
+        steps = []
+        for point in piece.split():
+            tenths = [round(10 * float(v)) for v in point.split(",")]
+            steps.append(",".join(f"{(new - old) / 10:g}"
+                                  for new, old in zip(tenths, at)))
+            at = tenths
+        yield " ".join(steps)
+
+
+def lines(path):
+    parts = re.split(r"([ML])", path[2])
+    parts[2::2] = relative(parts[2::2])
+    return path[1] + "".join(parts).strip().lower() + path[3]
+
+
+def closed(polygon):
+    points, = relative([polygon[2]])
+    return f"<path{polygon[1]}d = 'm{points}z'"
+
+
 def slim(text):
     text = text.replace(DEFAULTS, "")
     text = re.sub(r'<tspan font-family="sans" +', "<tspan ", text)
@@ -26,6 +51,8 @@ def slim(text):
     text = re.sub(r"""\b(?:d|points|transform) *= *(['"]).*?\1""",
                   lambda m: re.sub(r"(\d+\.\d)\d+(?=[\s,)'\"])", r"\1", m[0]),
                   text, flags=re.S)
+    text = re.sub(r"(\bd *= *')(M[ML\d.,\s-]*)(')", lines, text)
+    text = re.sub(r"<polygon([^>]*)points = '(.*?)'", closed, text, flags=re.S)
     count = 1
     while count:
         text, count = re.subn(r"<g [^>]*>\s*</g>\n?", "", text)

@@ -17,6 +17,7 @@ import csv
 import math
 import pathlib
 import re
+import statistics
 import sys
 
 import rungs
@@ -28,6 +29,7 @@ ERRORS = (1e-3, 1e-6, 1e-9, 1e-12)
 OURS = ("rk4", "rk8", "coin_advance")
 SYMPLECTIC = ("symplectic2", "symplectic4")
 TEXTBOOK = "textbook RK4"
+GROWTH_FROM = 1e5 # steps, after which a long run shows its law
 
 
 def read(name):
@@ -216,6 +218,25 @@ def longrun():
                    r["KY_rms"], r["KZ_rms"], r["phase_rms"]] for r in rows])
 
 
+def growth():
+    """Powers of time with which errors grow, by least squares in logarithms
+    from GROWTH_FROM on."""
+    runs = {}
+    for r in read("longrun"):
+        if r["starts"] != "1" and float(r["steps"]) >= GROWTH_FROM:
+            runs.setdefault((r["method"], r["h"]), []).append(r)
+    def power(rows, column):
+        if not all(float(r[column]) > 0 for r in rows):
+            return ""
+        points = [[math.log(float(r[name])) for r in rows]
+                  for name in ("t", column)]
+        return f"{statistics.linear_regression(*points).slope:.2f}"
+    return table(["method", "h", "energy", "K_Y", "K_Z", "phase"],
+                 [[*run, *(power(rows, name + "_rms")
+                           for name in ("energy", "KY", "KZ", "phase"))]
+                  for run, rows in runs.items()])
+
+
 def atlas():
     """How often each letter of atlas.c; a warning makes it small."""
     of = {}
@@ -340,7 +361,8 @@ def orbit_ratios():
 TABLES = {"orbit": orbit, "orbit ratios": orbit_ratios, "atlas": atlas,
           "batch": batch, "steps": steps, "frames": frames,
           "costs": costs, "reliability": reliability,
-          "best": best, "abreast": abreast, "calls": calls, "longrun": longrun, "least": least,
+          "best": best, "abreast": abreast, "calls": calls, "longrun": longrun,
+          "growth": growth, "least": least,
           "peers": lambda: peers(PEERS), "peers free": lambda: peers(FREE),
           "heyoka": lambda: peers(HEYOKA),
           "silent steps": lambda: silent_steps("worst", OURS[:2] + SYMPLECTIC),

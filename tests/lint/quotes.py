@@ -36,6 +36,10 @@ BATCH = cells("accuracy.md", "batch")
 RUNS = cells("limits.md", "silent methods")
 COUNT = cells("embedding.md", "firmware", "instructions")
 STACK = cells("embedding.md", "firmware", "stack")
+STEPS = cells("accuracy.md", "steps")
+GROWTH = cells("accuracy.md", "growth")
+WALKS = [figure(GROWTH, row, integral) for row in GROWTH
+         if row.startswith("symplectic") for integral in ("K_Y", "K_Z")]
 
 
 def abreast(build):
@@ -80,6 +84,11 @@ def longrun(method, h, steps, column):
                 if r[:3] == [method, h, steps])
 
 
+def portable_step(method):
+    """In ns."""
+    return float(STEPS[method]["portable, ns (textbook's / it)"].split()[0])
+
+
 def drift(h):
     """Of the energy of rk8 in a unit of time."""
     return longrun("rk8", h, "1e+07", "energy, rms") / 1e7 / float(h)
@@ -119,6 +128,13 @@ QUOTES = (
     ("docs/accuracy.md", r"(\d\.\d)e13 steps",
      longrun("symplectic2", "0.05", "1e+07", "energy, rms") /
      drift("0.05") / 0.05 / 1e13),
+    ("docs/accuracy.md", r"13 steps, which take (\d+) days",
+     longrun("symplectic2", "0.05", "1e+07", "energy, rms") / drift("0.05") /
+     0.05 * portable_step("rk8") / 86400e9),
+    ("docs/accuracy.md", r"`rk8` divides it by about (\d+)0\.",
+     drift("0.1") / drift("0.05") / 10),
+    ("docs/accuracy.md", r"grows as `t\^([\d.]+)` to `t\^([\d.]+)` here",
+     min(WALKS), max(WALKS)),
     ("docs/models.md", r"errs by (\d)e-8 after a second at 60",
      figure(FRAMES, "one step of RK8", "error at 60/s") * 1e8),
     ("docs/models.md", r"errs by (\d)e-8 after a second at 1000",

@@ -103,10 +103,11 @@ def rosettes(blocks):
 def drawn(blocks, drawing):
     """The rosettes in the drawing are these, each moved and scaled, to its tenths
     of a pixel."""
-    lines = [[tuple(map(float, point.split(",")))
-              for point in re.findall(r"[-0-9.]+,[-0-9.]+", d)]
-             for d in re.findall(r"<path [^>]*d='(M[^']* L[^']*)'", drawing)]
-    lines = [line for line in lines if len(line) > 100]
+    steps = [[complex(*map(float, step.split(",")))
+              for step in re.findall(r"[-0-9.]+,[-0-9.]+", d)]
+             for d in re.findall(r"<path [^>]*d='(m[^']*l[^']*)'", drawing)]
+    lines = [[(point.real, point.imag) for point in itertools.accumulate(line)]
+             for line in steps if len(line) > 100]
     for block, line in zip(blocks, lines, strict=True):
         near("drawing, points", len(line), len(block), 0)
         across, down = zip(*line)

@@ -189,8 +189,8 @@ def states(rng, natural_time):
     for digits in (1.5, 3, 6, 9, 12):
         gap = 10 ** -(digits + rng.random())
         th = rng.choice((-1, 1)) * (HALF_PI - gap)
-        for faster in (gap, 1 / gap):
-            yield [th] + pose() + [rate(), rate() * faster, rate()]
+        faster = rng.choice((gap, 1 / gap))
+        yield [th] + pose() + [rate(), rate() * faster, rate()]
 
 
 PARAMS = 'mass radius gravity inertia_X inertia_Z'.split()

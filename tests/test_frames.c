@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+/* coin_advance() over times so short that one step will do. */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/methods.h"
+#include "support/random.h"
+
+#include "advance.h"
+
+#include <math.h>
+
+/* A US quarter as it rolls on the charts of docs/accuracy.md. */
+static const coin_state rolling = {.theta = 0.3, .wY = 5, .wZ = 40};
+
+static coin_params quarter(void)
+{
+    coin_params p;
+    check_status(coin_params_disc(&p, 0.00567, 0.01213, 9.80665), COIN_OK);
+    return p;
+}
+
+static void a_frame_of_a_quarter_is_one_step_of_rk8(void **unused)
+{
+    (void)unused;
+    const coin_params p = quarter();
+    coin_state s = rolling;
+    for (int i = 0; i < 60; ++i) {
+        coin_state by_run = s;
+        check_note("frame %d", i);
+        check_status(coin_run(&by_run, &p, COIN_RK8, 1.0 / 60, 1, NULL),
+                     COIN_OK);
+        check_status(coin_advance(&s, &p, 1.0 / 60, 1e-6, NULL), COIN_OK);
+        check_same(&s, &by_run, sizeof s);
+    }
+}
+
+/* At 1e-9 a stride is 0.59 of the frame. */
+static void at_1e_9_it_is_one_step_in_tau(void **unused)
+{
+    (void)unused;
+    const coin_params p = quarter();
+    const coin_priv_reach reach = coin_priv_reach_of(1e-9);
+    coin_state s = rolling;
+    for (int i = 0; i < 60; ++i) {
+        coin_priv_run r;
+        check_status(coin_priv_check(&s, &p, &r.b), COIN_OK);
+        coin_priv_run_from(&r, &s, COIN_RK4, 0);
+        const double full = coin_priv_sundman_tau(&r.b, &r.g.y, reach.stride);
+        check_note("frame %d", i);
+        check(!coin_priv_lands(&r, &reach, 1.0 / 60));
+        check(coin_priv_next_tau(&r, reach.stride, 1.0 / 60) > 1.6 * full);
+        /* Not after the first step, and not in a coin that turns fast. */
+        r.steps = 1;
+        check(coin_priv_next_tau(&r, reach.stride, 1.0 / 60) == full);
+        r.steps = 0;
+        r.g.y.wX = 12;
+        check(coin_priv_next_tau(&r, reach.stride, 1.0 / 60) <= full);
+        check_status(coin_advance(&s, &p, 1.0 / 60, 1e-9, NULL), COIN_OK);
+    }
+}
+
+static void until_an_event_frames_have_the_same_bits(void **unused)
+{
+    (void)unused;
+    const coin_params p = quarter();
+    const double tols[] = {1e-6, 1e-9};
+    for (int k = 0; k < 2; ++k) {
+        coin_state s = rolling, want = rolling;
+        for (int i = 0; i < 60; ++i) {
+            check_note("frame %d, tol %g", i, tols[k]);
+            check_status(coin_advance(&want, &p, 1.0 / 60, tols[k], NULL),
+                         COIN_OK);
+            check_status(coin_advance_until(&s, &p, 1.0 / 60, tols[k], INFINITY,
+                                            COIN_LIFTS, NULL),
+                         COIN_OK);
+            check_same(&s, &want, sizeof s);
+        }
+    }
+}
+
+/* Leans, headings and rolls that turn fast or slowly beside each other: within
+ * tol per natural unit of time, beside 400 steps of RK8, which err by less than
+ * 400^-8 of what one would. */
+static void however_a_coin_turns_the_error_is_below_tol_per_unit(void **unused)
+{
+    (void)unused;
+    const double tols[] = {1e-3, 1e-5, 1e-6, 1e-7, 1e-9, 1e-11};
+    struct random r = random_begin(93);
+    for (int i = 0; i < 3000; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const double theta = random_between(&r, -1.2, 1.2);
+        const double slow = cos(theta) * exp(random_between(&r, -3, 0.7));
+        const coin_state start = {
+            .theta = theta,
+            .wX = random_between(&r, -slow, slow),
+            .wY = random_between(&r, -slow, slow),
+            .wZ = random_between(&r, -4, 4),
+        };
+        const double t = random_between(&r, 0.05, 0.8);
+        const double tol = tols[i % 6];
+        coin_state s = start, exact = start;
+        check_note("motion %d, tol %g, t %g", i, tol, t);
+        check_status(coin_advance(&s, &p, t, tol, NULL), COIN_OK);
+        check_status(coin_run(&exact, &p, COIN_RK8, t / 400, 400, NULL),
+                     COIN_OK);
+        check_within(path_apart(&s, &exact, &p), 0, tol * t + 4e-15);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(a_frame_of_a_quarter_is_one_step_of_rk8),
+        TEST(at_1e_9_it_is_one_step_in_tau),
+        TEST(until_an_event_frames_have_the_same_bits),
+        TEST(however_a_coin_turns_the_error_is_below_tol_per_unit),
+    };
+    return RUN_TESTS(tests);
+}
