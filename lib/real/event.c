@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The force along a stretch is a curve of degree 13, whose numbers in
- * Bernstein's form lie around it.  The cone of friction and the half-space
- * above the table are convex: a curve whose numbers all lie within lies within,
- * and this is so of most stretches.  Of the others the zeros of polynomials are
- * isolated; the motion itself then says whether, and from when on, a bit holds.
- */
+/* The force along a stretch is approximated by a curve of degree 13, which lies
+ * in the convex hull of the points of its Bernstein form.  The cone of friction
+ * and the half-space above the table are convex.  If all points lie in such a
+ * set, so does the curve, as in most stretches.  In the others the zeros of
+ * polynomials are isolated, and the motion itself then decides whether, and
+ * from when on, a bit holds. */
 #include "../motion/pinned.h"
 
 #include "../step/sundman.h"
@@ -18,9 +18,10 @@ enum { JOINED = COIN_PRIV_JOINED };
 /* COIN_NEARLY_FLAT begins at this cos theta. */
 #define NEARLY_FLAT 0.01
 
-/* A curve over the longest step errs by up to 4 % of the force, 1e-8 over one
- * of SHORT strides.  So a stretch is left alone where its numbers keep a tenth
- * of the force from the edge, and else taken in parts that are short. */
+/* The error of a curve is up to 4 % of the force over the longest step, and
+ * 1e-8 over one of SHORT strides.  So a stretch has no event if its points keep
+ * a tenth of the force from the edge.  Otherwise it is examined in parts of
+ * SHORT. */
 #define KEEP 0.9
 #define SHORT 0.7
 
@@ -50,7 +51,7 @@ int32_t coin_priv_bits_held(const coin_priv_search *f, const coin_state *s,
     return is_clear ? 0 : bits_of(f, s);
 }
 
-/* The run at x of a stretch, without its lean.  No step is made of no time. */
+/* The run at x of a stretch, without theta.  No step is made for x = 0. */
 static coin_priv_run run_to(const coin_priv_stretch *w, double x)
 {
     coin_priv_run r = w->from;
@@ -71,7 +72,7 @@ static coin_priv_moment moment_of(const coin_priv_search *f,
 }
 
 /* ----------------------------------------------------- a part's polynomials */
-/* Between two forces, x = first to first + width; only what the bits ask for.
+/* The polynomials of a part between two forces; only those that the bits need.
  */
 static void join(struct part *w, const coin_priv_search *f,
                  const coin_priv_force *begin, const coin_priv_force *end)
@@ -165,7 +166,7 @@ static struct place below_least(const double *b, double least, double from)
     return positive(left, JOINED, from);
 }
 
-/* Where the force leaves the cone while N > 0, and where N becomes so. */
+/* Where the force next leaves the cone while N > 0, or N becomes positive. */
 static struct place slip(const struct part *w, double from)
 {
     double cone[COIN_PRIV_SQUARED + 1], rest[JOINED + 1];
@@ -208,8 +209,8 @@ static int presses(const coin_priv_search *f, const coin_priv_moment *m)
     return force.normal > 0;
 }
 
-/* A moment within (low, high) from which on a bit holds, to within tol: at the
- * end of the bracket no bit holds at low, at high one does. */
+/* Moves *high to the moment from which on a bit holds, to within tol.  No bit
+ * holds at low; one does at high. */
 static void bisect(const coin_priv_search *f, const coin_priv_stretch *w,
                    double low, coin_priv_moment *high, double tol)
 {
@@ -250,8 +251,8 @@ static double least_part(const coin_priv_search *f, const coin_priv_stretch *w)
     return f->tol / (3 * fabs(w->tau) * (a > b ? a : b));
 }
 
-/* The moment from which on a bit holds, within tol, at or next to a place of a
- * part, as the motion itself says; its bits are 0 if none does. */
+/* The moment from which on a bit holds, to within tol, at or next to a place of
+ * a part, by the motion itself; its bits are 0 if none holds there. */
 static coin_priv_moment locate(const coin_priv_search *f, const struct part *w,
                                struct place at)
 {
@@ -279,7 +280,8 @@ static coin_priv_moment locate(const coin_priv_search *f, const struct part *w,
     return high;
 }
 
-/* The places are zeros of polynomials, and so few. */
+/* The first event of a part; 0 if there is none.  The places are zeros of
+ * polynomials, so that their number is bounded. */
 static int first_of_part(coin_priv_moment *out, const coin_priv_search *f,
                          const struct part *w)
 {
@@ -294,7 +296,7 @@ static int first_of_part(coin_priv_moment *out, const coin_priv_search *f,
     }
 }
 
-/* A stretch that is not left alone, in parts. */
+/* The first event of a stretch, part by part. */
 static int first_in_parts(coin_priv_moment *out, const coin_priv_search *f,
                           struct part *part)
 {

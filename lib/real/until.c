@@ -39,7 +39,7 @@ static double tau_between(const coin_priv_stretch *w, double t, double unit,
     return h * unit;
 }
 
-/* Steps in tau: one, and those that lead back from beyond the time.  None if
+/* Steps in tau: one, and others that lead back if it passes the time.  None if
  * the time left is short. */
 static int32_t step(struct moving *g, coin_priv_stretch *w)
 {
