@@ -3,8 +3,8 @@
 
 #include <coin.h>
 
-/* What every build must give: printed by tests/repro, changed only together
- * with an entry in CHANGELOG.md. */
+/* The hash that every build must give.  tests/repro prints it.  It changes only
+ * together with an entry in CHANGELOG.md. */
 #define PINNED UINT64_C(0xc5931c72fdd7b124)
 
 /* FNV-1a over the bits of a state, low byte first whatever the machine. */

@@ -8,20 +8,20 @@
 
 #define OF COIN_PRIV_OF
 
-/* What the last power of a series may be worth where it is left. */
+/* The largest value of a series' last terms within its reach. */
 #define LEFT_OUT 1e-17
 
-/* The longest step, over the fastest rate W of (47): from one turning point to
- * the next there are pi/2 of it at least.  With little spin a series does not
- * see the table and leads past it, to where no turning point may lie. */
+/* The longest reach of a series, over the fastest rate W of (47); a swing takes
+ * pi/2 over W at least.  With little spin, a series of a longer reach would
+ * lead past the table. */
 #define LONGEST 1.2
 
-/* How much farther than it reaches a series may be asked: its error is then
- * 1.05^32 times as large. */
+/* A series may be used up to this many times its reach: its error is then
+ * 1.05^28 times as large. */
 #define BEYOND 1.05
 
-/* Faster than this, over the start's W, a motion is not followed: powers of
- * its time would overflow. */
+/* A motion whose W exceeds that of the start by this factor is not followed:
+ * powers of its rates would overflow. */
 #define FASTEST 1e8
 
 static double larger(double a, double b)
@@ -62,7 +62,7 @@ static double reach_of(const coin_priv_half *h, const coin_priv_series *s)
         for (int i = 0; i < COIN_PRIV_PATH; ++i)
             last = larger(larger(last, OF(p[k].row[i], 0)), OF(p[k].row[i], 1));
     const double longest = LONGEST / sqrt(W2_of(h, p));
-    /* Its power below stays a number. */
+    /* So that its power does not overflow. */
     const double most = longest < 1e10 ? longest : 1e10;
     double power = 1;
     for (int k = 0; k < COIN_PRIV_ORDER; ++k)
@@ -70,14 +70,15 @@ static double reach_of(const coin_priv_half *h, const coin_priv_series *s)
     return last * power <= LEFT_OUT ? most : root_28(LEFT_OUT / last);
 }
 
-double coin_priv_fall(const coin_priv_law *law, const coin_priv_point *p)
+double coin_priv_point_fall(const coin_priv_law *law, const coin_priv_point *p)
 {
     const double s = OF(p->th, 1), tan = s / OF(p->th, 0);
     const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
     return law->GJ * s - (law->KJ * wZ + law->XJ * wY * tan) * wY; /* (14) */
 }
 
-double coin_priv_bend(const coin_priv_law *law, const coin_priv_point *p)
+double coin_priv_point_fall_slope(const coin_priv_law *law,
+                                  const coin_priv_point *p)
 {
     const double c = OF(p->th, 0), tan = OF(p->th, 1) / c;
     const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
@@ -87,8 +88,8 @@ double coin_priv_bend(const coin_priv_law *law, const coin_priv_point *p)
            law->XJ * wY * (2 * dwY * tan + wY * (1 + tan * tan)); /* (44) */
 }
 
-/* The root of wX between 0 and end, by Newton's steps, or halves where those
- * lead out of the bracket, which shrinks each time. */
+/* The root of wX between 0 and end: by Newton's method, or by halving where a
+ * step would leave the bracket, which shrinks each time. */
 static double root(const coin_priv_series *s, double end, double toward)
 {
     double low = 0, high = end, t = end, step;
@@ -115,8 +116,8 @@ static double root(const coin_priv_series *s, double end, double toward)
     return t;
 }
 
-/* A point as the series gives it, put back on the unit circles. */
-static void settle(coin_priv_point *p)
+/* Normalizes the pair of the lean, and takes that of the heading from phi. */
+static void normalize(coin_priv_point *p)
 {
     const double c = OF(p->th, 0), s = OF(p->th, 1);
     const double more = 1 + (1 - (c * c + s * s)) / 2;
@@ -125,7 +126,8 @@ static void settle(coin_priv_point *p)
     p->ph = coin_priv_pair_of(ph.c, ph.s);
 }
 
-/* The point of a series a time t on begins another; 0 if it is too fast. */
+/* Begins a series at the point that another has at the time t; 0 if the coin is
+ * too fast there. */
 static int begin_at(const coin_priv_half *h, coin_priv_series *to,
                     const coin_priv_series *from, double t)
 {
@@ -133,15 +135,15 @@ static int begin_at(const coin_priv_half *h, coin_priv_series *to,
     coin_priv_point *p = to->at;
     *p = coin_priv_series_at(from, t);
     p->row[COIN_PRIV_PATH] = coin_priv_pair_of(0, 0);
-    settle(p);
+    normalize(p);
     if (!(W2_of(h, p) < most))
         return 0;
     coin_priv_series_fill(to, &h->law);
     return 1;
 }
 
-/* The series h->now, which other ones reach to from the piece before, becomes
- * a piece: its path follows and joins on to that of a series before. */
+/* Makes the series h->now a piece.  Its path is computed, and moved so that at
+ * the time `joint` after its centre it is where the piece before has it. */
 static void add_piece(coin_priv_half *h, double center, double joint,
                       coin_priv_pair path)
 {
@@ -165,16 +167,17 @@ static int turns_within(const coin_priv_half *h, const coin_priv_series *s,
     return !(wX_of(&p) * h->toward > 0);
 }
 
-/* How far beyond its end a piece's neighbour has its centre: that far back it
- * must reach, though its reach may change along the way as it did before. */
+/* How far beyond the end of a piece the centre of the next one is placed.  The
+ * next one must reach back that far: the estimate assumes that the reach goes
+ * on changing as it did from the piece's centre to its end. */
 static double beyond(double reach, double at_end)
 {
     return at_end < reach ? at_end * reach / (2 * reach - at_end) : at_end;
 }
 
-/* The piece after another, where that ends.  A series about the end leads to
- * its centre, or is the piece if it reaches a turning point.  Returns 0 if
- * there is no way on. */
+/* Adds the piece that begins where another ends.  A series about that end leads
+ * to the new centre; if it reaches a turning point, it is the piece itself.
+ * Returns 0 if no piece can be added. */
 static int go_on(coin_priv_half *h, int from, double side)
 {
     const double end = h->o->private_centers[from] + side * h->reach[from];
@@ -194,7 +197,7 @@ static int go_on(coin_priv_half *h, int from, double side)
         const double before = step,
                      center = end + side * (back > 0 ? back : step);
         step = fabs(center - end);
-        /* A time so short that rounding swallows it leads no farther. */
+        /* A time that rounding loses leads no farther. */
         if ((back > 0 && !(step < before)) ||
             !begin_at(h, &h->now, between, center - end))
             return 0;
@@ -222,8 +225,8 @@ static coin_priv_turn turn_at(const coin_priv_half *h, int piece, double tau)
     return turn;
 }
 
-/* Adds pieces from the start to the turning point on one side; 0 if there is
- * none to be found. */
+/* Adds pieces from the start to the turning point on one side; 0 if none is
+ * found. */
 static int walk(coin_priv_half *h, coin_priv_turn *turn, double side)
 {
     int piece = 0;
@@ -236,7 +239,7 @@ static int walk(coin_priv_half *h, coin_priv_turn *turn, double side)
     return 1;
 }
 
-/* The power of two below W. */
+/* The largest power of two that is not above W. */
 static double rate_of(double W2)
 {
     double rate = 1;

@@ -6,22 +6,22 @@
 #include "orbit.h"
 #include "series.h"
 
-/* A turning point: the time since the start, in two parts, and what the way
- * from the start to it adds. */
+/* A turning point: the time from the start to it, in two parts, its lean, and
+ * what the motion from the start to it adds to the rest of the pose. */
 typedef struct coin_priv_turn {
     double time, low;
     double theta, phi, psi, z, x;
 } coin_priv_turn;
 
-/* Half a period in the making: from A to B through the start, whose pose is
- * taken as 0. */
+/* Half a period while it is computed: from A to B through the start.  Heading,
+ * roll and path are measured from the start. */
 typedef struct coin_priv_half {
-    coin_orbit *o;            /* gets the pieces */
-    coin_priv_law law;        /* in the orbit's unit of time, as g_a */
-    double g_a, rate;         /* 1 over that unit */
-    coin_priv_series now;     /* about the latest centre */
-    coin_priv_series between; /* about the end of a piece */
-    int count, back;
+    coin_orbit *o;                  /* gets the pieces */
+    coin_priv_law law;              /* in the orbit's unit of time, as g_a */
+    double g_a, rate;               /* 1 over that unit */
+    coin_priv_series now;           /* about the latest centre */
+    coin_priv_series between;       /* about the end of a piece */
+    int count, back;                /* pieces; those before the start's */
     double toward;                  /* -1 or 1: of wX between A and B */
     double reach[COIN_PRIV_PIECES]; /* of each piece to both sides */
     double joint[COIN_PRIV_PIECES]; /* from its centre to the piece before it */
@@ -29,14 +29,16 @@ typedef struct coin_priv_half {
 } coin_priv_half;
 
 /* d(wX)/dt and lambda^2 at a point. */
-double coin_priv_fall(const coin_priv_law *law, const coin_priv_point *p);
-double coin_priv_bend(const coin_priv_law *law, const coin_priv_point *p);
+double coin_priv_point_fall(const coin_priv_law *law, const coin_priv_point *p);
+double coin_priv_point_fall_slope(const coin_priv_law *law,
+                                  const coin_priv_point *p);
 
-/* The series about the start, in *h. */
+/* Computes the series about the start, in *h. */
 void coin_priv_half_begin(coin_priv_half *h, coin_orbit *o, const coin_state *s,
                           const coin_priv_body *b);
 
-/* The pieces, and both turning points; 0 if there are too few pieces. */
+/* Computes the pieces and both turning points; 0 if that takes more pieces than
+ * there are, or is not possible. */
 int coin_priv_half_solve(coin_priv_half *h);
 
 #endif

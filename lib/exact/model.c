@@ -7,30 +7,30 @@
 #include "steady.h"
 #include "wobble.h"
 
-/* A model is compared with the orbit at so many times in the last two periods
- * of the horizon, and at so many all over it. */
+/* A model is compared with the orbit at AT_THE_END times in the last two
+ * periods of the horizon, and at EVERYWHERE times all over it. */
 #define AT_THE_END 32
 #define EVERYWHERE 96
 
-/* A model must keep to this part of the tolerance where it is compared; the
- * rest is for the times between. */
+/* The difference may be this part of the tolerance where a model is compared.
+ * The rest is for the times between. */
 #define KEPT 0.5
 
 /* The part of the tolerance that the error of the full motion may take. */
 #define OWN 0.25
 
-/* Where there is no orbit, the motion is stepped no further than this many
- * natural units, and by no more than this many steps: it is unstable or next
- * to the table, and by then no cheaper model is left. */
+/* Where there is no orbit, the motion is followed by steps, for at most
+ * TIME_MAX natural units and STEPS_MAX steps.  It is unstable or next to the
+ * table, so that no cheaper model holds for longer. */
 #define TIME_MAX 64.0
 #define STEPS_MAX 4096
 
-/* A steady motion whose lean is farther off than this is not looked for: to
- * swing so far is no small swing. */
+/* No steady motion is looked for whose lean differs by more than this: such a
+ * swing would not be small. */
 #define NEAR 0.5
 
-/* The stride of these steps, half of coin_advance()'s at its least tol: so many
- * places are compared. */
+/* The stride of these steps: half of what coin_advance() takes at its least
+ * tol, because a model is compared at many places. */
 #define STRIDE 0.15
 
 /* Rounding of the acceleration next to a steady motion, in parts of its terms:
@@ -76,7 +76,7 @@ static double apart(const coin_state *s, const coin_state *r, double a)
     return most;
 }
 
-/* Whether a model has the state `is` at t, to within what it must keep to. */
+/* Whether a model gives the state `is` at t, within KEPT of the tolerance. */
 static int keeps(const struct scene *scene, int32_t model, double t,
                  const coin_state *is)
 {
@@ -89,9 +89,10 @@ static int keeps(const struct scene *scene, int32_t model, double t,
     return (status == COIN_OK) & (apart(is, &said, b->a) <= KEPT * scene->tol);
 }
 
-/* Whether the full motion is known next to the steady one: next to an unstable
- * one, steps may rest where the coin itself leaves, since rounding moves the
- * place of rest.  The wobble tells how far that is apart at the end. */
+/* Whether steps give the full motion next to the steady one.  Rounding moves
+ * the steady motion; if it is unstable, steps may stay at it where the coin
+ * itself leaves.  Two wobbles, apart by the rounding, tell the difference at
+ * the end. */
 static int is_known(const struct scene *scene)
 {
     const coin_priv_body *b = &scene->b;
@@ -178,7 +179,7 @@ static int32_t judge_by_orbit(struct scene *scene, const coin_orbit *o)
 }
 
 /* -------------------------------------------------------------- by steps -- */
-/* Steps over the horizon, and clears good[] of a model once it is off.
+/* Steps over the horizon, and clears good[] of a model when it differs.
  * COIN_MODEL_STEPS if these are too many steps, and the usual statuses. */
 static int32_t follow(const struct scene *scene, int good[2])
 {

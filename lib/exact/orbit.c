@@ -9,19 +9,19 @@
 
 #define OF COIN_PRIV_OF
 
-/* A period that amplifies rounding by more is none. */
+/* Orbits conditioned worse than this are refused. */
 #define WORST 1e12
 
-/* And a lean nearer to flat than 1/WORST is rounded by WORST times as much as
- * the rates there can bear. */
+/* So are those that come nearer to flat: a lean within 1/WORST of it is rounded
+ * by WORST times as much as the rates there admit. */
 #define HIGHEST (COIN_PRIV_HALF_PI - 1e-9)
 
-/* Headings per period nearer to a multiple of 2 pi than this, in half turns:
- * the path drifts, since rounding cannot tell it from one. */
+/* If half the heading per period is nearer to a multiple of pi than this, the
+ * path is taken to drift: the difference is rounding. */
 #define STRAIGHT 1e-15
 
-/* Parts of a piece, of which none has two extremes of the distance: with two,
- * the radii of 6000 coins are already those with 60, to rounding. */
+/* Parts of a piece, so short that none has two extremes of the distance.  Even
+ * with 2 parts the radii of 6000 coins were those with 60, to rounding. */
 #define LOOKS 4
 
 /* ------------------------------------------------------------- the frame -- */
@@ -116,8 +116,8 @@ static void set_angles(const coin_priv_half *h, const coin_state *s, double a)
 
 /* ------------------------------------------------------------ the annulus --
  */
-/* The path seen from the annulus' centre, on A's axis: where it is, and half
- * the rate of its distance squared. */
+/* A point of the path, from the centre of the annulus, which is on A's axis;
+ * and half the rate of its squared distance. */
 struct sight {
     double z, x, rate;
 };
@@ -128,7 +128,7 @@ static coin_priv_pair row_at(const coin_orbit *o, int piece, int row, double t)
     return coin_priv_row_at(coin_priv_row(o, piece, row), t);
 }
 
-/* From a piece, at a time after its centre. */
+/* The point of a piece at a time after its centre. */
 static struct sight look(const coin_orbit *o, int piece, double t,
                          double center)
 {
@@ -148,8 +148,9 @@ static void widen(coin_orbit *o, struct sight seen)
         o->radius_max = distance;
 }
 
-/* Widens the annulus by what a piece does from one time, seen so, to another:
- * where the rate changes its sign, by the secant with halved weights. */
+/* Widens the annulus to the points of a piece from one time, where it is as
+ * `seen`, to another.  An extreme is where the rate changes its sign; it is
+ * found by the secant with halved weights (Illinois). */
 static struct sight look_along(coin_orbit *o, int piece, double from,
                                struct sight seen, double to, double center)
 {
@@ -171,9 +172,9 @@ static struct sight look_along(coin_orbit *o, int piece, double from,
     return end;
 }
 
-/* Center and radii in the frame of A.  A and B are extremes themselves; what
- * is looked at begins and ends a part of a piece aside, where the rate's sign
- * is more than rounding.  An extreme nearer to them differs by 1e-12. */
+/* The radii of the annulus, in the frame of A.  A and B are extremes
+ * themselves.  The search leaves out a 1024th of a piece at both, where the
+ * rate's sign is rounding; an extreme there would differ by 1e-12. */
 static void set_annulus(const coin_priv_half *h, double center, double half)
 {
     coin_orbit *o = h->o;
@@ -250,9 +251,10 @@ static coin_priv_point lean_at(const coin_orbit *o, int piece, double t)
 static double stretch(const coin_priv_law *law, const coin_priv_point *p,
                       double k)
 {
-    const double kv = k * OF(p->row[1], 1), a = coin_priv_fall(law, p);
+    const double kv = k * OF(p->row[1], 1), a = coin_priv_point_fall(law, p);
     const double Q = a * a + kv * kv;
-    return (k * k + coin_priv_bend(law, p)) * (kv - a) * (kv + a) / (Q * Q);
+    return (k * k + coin_priv_point_fall_slope(law, p)) * (kv - a) * (kv + a) /
+           (Q * Q);
 }
 
 /* 1 + J/2 |dT/dE| s^2/w with w^2 = 2E/J, and s the larger acceleration of theta
@@ -268,8 +270,8 @@ static double conditioning_of(const coin_priv_half *h, double half)
     const double wY = OF(A.row[2], 0), wZ = OF(A.row[2], 1);
     const double w2 = law->XJ * wY * wY + law->KJ * wZ * wZ +
                       2 * law->GJ * OF(A.th, 0); /* (23) */
-    const double at_A = fabs(coin_priv_fall(law, &A));
-    const double at_B = fabs(coin_priv_fall(law, &B));
+    const double at_A = fabs(coin_priv_point_fall(law, &A));
+    const double at_B = fabs(coin_priv_point_fall(law, &B));
     const double larger = at_A > at_B ? at_A : at_B;
     const double s = larger < w2 ? larger : w2;
     const double k = 2 * COIN_PRIV_HALF_PI / half;
@@ -290,12 +292,12 @@ static double conditioning_of(const coin_priv_half *h, double half)
     return 1 + fabs(sum) * (s * s / sqrt(w2));
 }
 
-/* Whether the lean does not swing, or no more than it is rounded, or its
- * acceleration is no more than what rounding leaves of its terms. */
+/* Whether the lean is constant to rounding: its swing is below the rounding of
+ * the lean, or its acceleration below that of its terms. */
 static int is_steady(const coin_priv_half *h, double L)
 {
     const coin_priv_point *p = h->now.at;
-    const double wX = OF(p->row[1], 1), dwX = coin_priv_fall(&h->law, p);
+    const double wX = OF(p->row[1], 1), dwX = coin_priv_point_fall(&h->law, p);
     const double c = OF(p->th, 0), s = OF(p->th, 1);
     const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
     const double terms = h->law.GJ * fabs(s) + h->law.KJ * fabs(wY * wZ) +
@@ -331,9 +333,9 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
     o->conditioning = 1;
     o->private_frame[0] = COIN_PRIV_FORMAT;
     coin_priv_half_begin(&h, o, s, b);
-    const double L = coin_priv_bend(&h.law, h.now.at);
+    const double L = coin_priv_point_fall_slope(&h.law, h.now.at);
     if (is_steady(&h, L)) {
-        /* Unstable and not upright, it is so by its rounding alone. */
+        /* An unstable motion that is not upright is steady only by rounding. */
         if (!(L < 0) && s->theta != 0)
             return 0;
         set_steady(&h, s, b->a);

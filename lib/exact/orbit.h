@@ -6,7 +6,7 @@
  * polynomials of the time since the piece's centre, and the rates follow from
  * their derivatives.  Units are radii and a power of two times 1 T near 1/W,
  * so that nothing overflows and no input is rounded.  The path is in the frame
- * of A: it begins there, with phi = psi = 0. */
+ * of A: it begins at A, with phi = psi = 0. */
 #ifndef ROLLCOIN_ORBIT_H
 #define ROLLCOIN_ORBIT_H
 
@@ -29,8 +29,8 @@ enum {
     COIN_PRIV_PIECE = COIN_PRIV_ROWS * COIN_PRIV_TERMS
 };
 
-/* private_frame[0] of every orbit: a double that other contents hardly have,
- * and that another version of the library has not. */
+/* private_frame[0] of every orbit.  Other contents of memory hardly have this
+ * value, and orbits of other versions of the library have another. */
 #define COIN_PRIV_VERSION                                                      \
     (65536.0 * COIN_VERSION_MAJOR + 256.0 * COIN_VERSION_MINOR +               \
      COIN_VERSION_PATCH)
@@ -94,8 +94,8 @@ COIN_PRIV_INLINE coin_priv_pair coin_priv_row_at(const double *row, double t)
     return coin_priv_pair_of(E + t * O, O + 2 * (t * (dE + t * dO)));
 }
 
-/* The piece of a rank in time.  The start's is the first, those after it
- * follow, then those before it, backward. */
+/* The piece that is the rank-th in time.  Pieces are stored in another order:
+ * that of the start, those after it, then those before it, backward. */
 static inline int coin_priv_piece(int rank, int back, int count)
 {
     return rank < back ? count - 1 - rank : rank - back;

@@ -13,8 +13,9 @@
 #define ROW_AT(rows, row, t)                                                   \
     coin_priv_row_at((rows) + COIN_PRIV_TERMS * (row), t)
 
-/* The rank of the piece that a time is in: how many edges but the first are
- * not beyond it.  Sixteen by sixteen, since no comparison waits for another. */
+/* The rank of the piece that a time is in: the number of edges, without the
+ * first, that are not beyond it.  They are counted by steps of 16, then of 1;
+ * no comparison waits for another, as in a search by halves. */
 static inline int rank_of(const double *edge, int count, double t)
 {
     int rank = 0;
@@ -27,8 +28,8 @@ static inline int rank_of(const double *edge, int count, double t)
     return rank < count ? rank : count - 1;
 }
 
-/* What a start and k periods make of an angle that A to now adds.  The large
- * parts are exact; the sum of the small ones comes last. */
+/* An angle k periods after that of the start, to which `since_A` is added.  The
+ * products of the large parts are exact, and their sum is taken first. */
 static inline double angle_of(const double start[2], const double part[3],
                               double k, double since_A)
 {
@@ -36,9 +37,10 @@ static inline double angle_of(const double start[2], const double part[3],
            ((k * part[1] + (since_A + start[1])) + k * part[2]);
 }
 
-/* The path k periods on, on the table: that of A's frame, carried.  (58) */
-static inline void carry(coin_state *at, const double *f, double k, double z,
-                         double x)
+/* Sets z and x, on the table and k periods later, from those in A's frame.
+ * (58) */
+static inline void set_place(coin_state *at, const double *f, double k,
+                             double z, double x)
 {
     const double *b = f + COIN_PRIV_TURN;
     /* Half a turn more would change both signs, and no product. */
@@ -74,7 +76,7 @@ static int32_t steady_at(const coin_orbit *o, double t, coin_state *out)
     return COIN_OK;
 }
 
-/* The state k periods on, in a piece a time tau from its centre; side is -1
+/* The state k periods later, in a piece a time tau from its centre; side is -1
  * where it is mirrored. */
 COIN_PRIV_INLINE coin_state state_at(const coin_orbit *o, int piece, double tau,
                                      double side, double k)
@@ -99,7 +101,7 @@ COIN_PRIV_INLINE coin_state state_at(const coin_orbit *o, int piece, double tau,
         OF(phi, 1) * lean.c * rate,                /* (18) */
         (OF(psi, 1) - OF(phi, 1) * lean.s) * rate, /* (19) */
     };
-    carry(&at, f, k, OF(z, 0), side * OF(x, 0));
+    set_place(&at, f, k, OF(z, 0), side * OF(x, 0));
     return at;
 }
 

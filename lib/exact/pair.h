@@ -4,8 +4,8 @@
 
 #include "../motion/pinned.h"
 
-/* Two numbers that the same operations go over: gcc and clang take them at
- * once, to the same bits. */
+/* Two numbers with the same operations.  gcc and clang compute both by one
+ * instruction, to the same bits. */
 #if defined(__GNUC__) && !defined(__TINYC__)
 typedef double coin_priv_pair __attribute__((vector_size(16)));
 #define COIN_PRIV_OF(pair, i) (pair)[i]

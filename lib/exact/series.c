@@ -30,8 +30,9 @@ struct factors {
     double over;                        /* 1/cos theta at the point */
 };
 
-/* Power k + 1 of lean, angles and rates from the powers up to k.  The sums
- * leave out the terms with a factor's power k: those come with it. */
+/* Power k + 1 of lean, angles and rates from the powers up to k.  The loop
+ * leaves out the terms with a factor's power k, which are added when it is
+ * known. */
 static void lean_power(coin_priv_series *s, struct factors *f,
                        const coin_priv_law *law, int k)
 {
@@ -79,7 +80,7 @@ static void lean_power(coin_priv_series *s, struct factors *f,
 void coin_priv_series_fill(coin_priv_series *s, const coin_priv_law *law)
 {
     struct factors f;
-    memset(&f, 0, sizeof f); /* no need, but gcc's analyzer cannot tell */
+    memset(&f, 0, sizeof f); /* for gcc's analyzer alone */
     f.over = 1 / OF(s->at[0].th, 0);
     for (int k = 0; k < COIN_PRIV_ORDER; ++k)
         lean_power(s, &f, law, k);
@@ -140,9 +141,10 @@ coin_priv_point coin_priv_series_at(const coin_priv_series *s, double t)
     return sum;
 }
 
-/* A polynomial on [-1, 1], three pairs a power, loses its powers above degree:
- * from the highest on, each is replaced by lower ones so that the difference is
- * a multiple of a Chebyshev polynomial (Lanczos' economization). */
+/* Removes the powers above degree from polynomials on [-1, 1], three pairs for
+ * each power (Lanczos' economization).  From the highest down, each power is
+ * replaced by lower ones so that the difference is a multiple of a Chebyshev
+ * polynomial. */
 static void economize(coin_priv_pair (*b)[3], int degree)
 {
     for (int n = COIN_PRIV_ORDER - 1; n > degree; --n) {
@@ -157,7 +159,8 @@ static void economize(coin_priv_pair (*b)[3], int degree)
     }
 }
 
-/* The rates are economized and integrated: a query takes derivatives. */
+/* The rates are economized, and then integrated, because queries also compute
+ * derivatives. */
 void coin_priv_series_keep(const coin_priv_series *s, double reach,
                            double *rows)
 {

@@ -22,10 +22,11 @@ typedef struct coin_priv_law {
     double GJ, KJ, XJ, k1, k2;
 } coin_priv_law;
 
-/* All powers above at[0], which is given, but those of the path and of ph. */
+/* Computes the powers from at[0], which is given; not those of path and ph. */
 void coin_priv_series_fill(coin_priv_series *s, const coin_priv_law *law);
 
-/* The powers of the path and of ph.  Cost of both: as 40 steps of COIN_RK4. */
+/* Computes the powers of the path and of ph.  Both functions together cost as
+ * much as 40 steps of COIN_RK4. */
 void coin_priv_series_follow(coin_priv_series *s);
 
 /* The point a time t later; its path and ph are those of at[0]. */
@@ -34,7 +35,7 @@ coin_priv_point coin_priv_series_at(const coin_priv_series *s, double t);
 /* The path a time t later. */
 coin_priv_pair coin_priv_series_path(const coin_priv_series *s, double t);
 
-/* Writes the rows of a piece that reaches so far to both sides. */
+/* Writes the rows of a piece of this reach to both sides. */
 void coin_priv_series_keep(const coin_priv_series *s, double reach,
                            double *rows);
 

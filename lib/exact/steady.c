@@ -5,8 +5,8 @@
 
 #include <math.h>
 
-/* How far from steady a state may be and still count: far above the rounding
- * of a long run, far below what anyone would call a wobble. */
+/* A state is steady if (39) holds to this part of its terms: far above the
+ * rounding of a long run, and far below a visible wobble. */
 #define STEADY 1e-9
 
 static double larger(double a, double b)
@@ -66,7 +66,7 @@ int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p, double wY)
 int32_t coin_steady_spin(coin_state *s, const coin_params *p, double theta)
 {
     coin_priv_body b;
-    /* Upright at rest at this lean: settles every error but the spin's own. */
+    /* At rest at this lean: its checks give all errors but the spin's. */
     const coin_state rest = {theta, 0, 0, 0, 0, 0, 0, 0};
     const int32_t status = s ? coin_priv_check(&rest, p, &b) : COIN_EARG;
     if (status != COIN_OK)
@@ -95,7 +95,7 @@ int32_t coin_steady_circle(coin_state *s, const coin_params *p, double theta,
     /* The root q/A, where nothing cancels, is f- unless wZ < 0. */
     const double q = -(wZ + (wZ < 0 ? -root : root)) / 2; /* (40) */
     const int large = (branch < 0) == !(wZ < 0);
-    if (q == 0) /* wZ and theta are lost among the smallest doubles */
+    if (q == 0) /* wZ and theta are so small that q underflows */
         return COIN_EDOMAIN;
     return steady(s, p, theta, large ? q / A : -G / q, wZ); /* (41) */
 }

@@ -10,9 +10,9 @@
 /* A place on the potential V(theta) of a state's integrals, Eq. (48). */
 struct place {
     double theta;
-    coin_priv_sc at;   /* sine and cosine of theta */
-    double p, wY, wZ;  /* the linear pair, p = wY cos theta */
-    double push, bend; /* d(wX)/dt = -V'/J, and its slope along theta */
+    coin_priv_sc at;         /* sine and cosine of theta */
+    double p, wY, wZ;        /* the linear pair, p = wY cos theta */
+    double fall, fall_slope; /* d(wX)/dt = -V'/J, and its slope along theta */
 };
 
 /* The longest and the shortest step of the search, in cos theta.  The series
@@ -21,8 +21,8 @@ struct place {
 #define LONG_STEP 0.04
 #define SHORT_STEP 0.0005
 
-/* Nearer to flat than this no steady motion is looked for: theta could not
- * tell it from its neighbours to the 1e-9 that steady means. */
+/* Nearer to flat than this no steady motion is looked for: there the
+ * rounding of theta changes the terms of (39) by nearly the 1e-9 of STEADY. */
 #define FLAT 1e-6
 
 static void look(struct place *o, const coin_priv_body *b)
@@ -32,9 +32,9 @@ static void look(struct place *o, const coin_priv_body *b)
     const double dwY = wY * tth + b->k1 * wZ; /* (15) over wX */
     const double dwZ = b->k2 * wY;            /* (16) over wX */
     /* clang-format off */
-    o->push = b->GJ * o->at.s - wY * (b->KJ * wZ + b->XJ * wY * tth); /* (14) */
-    o->bend = b->GJ * o->at.c - b->KJ * (dwY * wZ + wY * dwZ)         /* (44) */
-            - b->XJ * wY * (2 * dwY * tth + wY * (1 + tth * tth));
+    o->fall = b->GJ * o->at.s - wY * (b->KJ * wZ + b->XJ * wY * tth); /* (14) */
+    o->fall_slope = b->GJ * o->at.c - b->KJ * (dwY * wZ + wY * dwZ)   /* (44) */
+                  - b->XJ * wY * (2 * dwY * tth + wY * (1 + tth * tth));
     /* clang-format on */
 }
 
@@ -57,31 +57,32 @@ static void move(struct place *o, const coin_priv_body *b, double theta)
     look(o, b);
 }
 
-/* Newton's way to the extremum between *o and end, the signs of whose push
- * differ; halving keeps it there. */
-static void settle(struct place *o, const coin_priv_body *b, double end)
+/* Moves *o to the extremum between it and end, where `fall` has the other sign:
+ * by Newton's method, or by halving where a step would leave the bracket. */
+static void to_extremum(struct place *o, const coin_priv_body *b, double end)
 {
     double low = o->theta, high = end;
-    const int sign = sign_of(o->push);
+    const int sign = sign_of(o->fall);
     for (int i = 0; i < 60; ++i) {
-        const double step = -o->push / o->bend;
+        const double step = -o->fall / o->fall_slope;
         double next = o->theta + step;
         if (fabs(step) <= DBL_EPSILON / 2 * fabs(o->theta))
             return;
         if (!((next - low) * (next - high) < 0))
             next = low + (high - low) / 2;
         move(o, b, next);
-        if (sign_of(o->push) * sign > 0)
+        if (sign_of(o->fall) * sign > 0)
             low = next;
         else
             high = next;
     }
 }
 
-/* A step that passes an extremum near by, but not a second one behind it. */
+/* A step long enough to pass an extremum near by, and too short to pass a
+ * second one behind it. */
 static double step_of(const struct place *o)
 {
-    const double guess = 1.5 * fabs(o->push / o->bend);
+    const double guess = 1.5 * fabs(o->fall / o->fall_slope);
     const double most = LONG_STEP * o->at.c, least = SHORT_STEP * o->at.c;
     return !(guess < most) ? most : guess < least ? least : guess;
 }
@@ -95,10 +96,10 @@ static int find(struct place *o, const coin_priv_body *b, double side,
     while (o->at.c > FLAT && fabs(o->theta - start) <= most) {
         const struct place last = *o;
         move(o, b, o->theta + side * step_of(o));
-        if (sign_of(o->push) * sign_of(last.push) <= 0) {
+        if (sign_of(o->fall) * sign_of(last.fall) <= 0) {
             const double end = o->theta;
             *o = last;
-            settle(o, b, end);
+            to_extremum(o, b, end);
             return 1;
         }
     }
@@ -112,7 +113,7 @@ static int find(struct place *o, const coin_priv_body *b, double side,
 static int nearest(struct place *o, const coin_priv_body *b, double most)
 {
     struct place up = *o, down = *o;
-    if (o->push == 0)
+    if (o->fall == 0)
         return 1;
     const int above = find(&up, b, 1, most);
     const double to_up = above ? fabs(up.theta - o->theta) : most;
@@ -122,10 +123,11 @@ static int nearest(struct place *o, const coin_priv_body *b, double most)
     return above || below;
 }
 
-/* The rates nearest to those of *o that balance (39) at this lean: what push is
- * left is the rounding of theta, to which fast coins are steep.  Newton's way
- * in the plane of both; at rates of 1e16 the second step still counts.  Slow
- * coins would have to change, and are not steep. */
+/* Changes the rates as little as possible so that (39) holds at this lean.  The
+ * `fall` that is left is due to the rounding of theta, and large for fast
+ * coins.  Newton's method in the plane of wY and wZ is used; at rates of 1e16
+ * its second step still has an effect.  For slow coins the change would not be
+ * small, and is not needed. */
 static void balance(struct place *o, const coin_priv_body *b)
 {
     const double tth = o->at.s / o->at.c;
@@ -133,10 +135,10 @@ static void balance(struct place *o, const coin_priv_body *b)
         const double by_wY = b->KJ * o->wZ + 2 * b->XJ * o->wY * tth;
         const double by_wZ = b->KJ * o->wY;
         const double slope = coin_priv_hypot(by_wY, by_wZ);
-        if (!(fabs(o->push) < slope * coin_priv_hypot(o->wY, o->wZ)))
+        if (!(fabs(o->fall) < slope * coin_priv_hypot(o->wY, o->wZ)))
             return;
-        o->p += o->push / slope * (by_wY / slope) * o->at.c;
-        o->wZ += o->push / slope * (by_wZ / slope);
+        o->p += o->fall / slope * (by_wY / slope) * o->at.c;
+        o->wZ += o->fall / slope * (by_wZ / slope);
         look(o, b);
     }
 }
@@ -155,7 +157,7 @@ int32_t coin_priv_steady_near(const coin_state *s, const coin_priv_body *b,
     near.wX = 0;
     near.wY = o.wY;
     near.wZ = o.wZ;
-    /* Bodies with moments of inertia 1e80 apart may defeat the search. */
+    /* For bodies with moments of inertia 1e80 apart the search may fail. */
     coin_priv_sc th;
     const int32_t unbalanced = coin_priv_balanced(&near, b, &th);
     if ((coin_priv_check_state(&near, b) | unbalanced) != COIN_OK)

@@ -8,18 +8,18 @@
 
 #include <math.h>
 
-/* Nearer to critical than this, in units of g/a, the lean is given a period of
- * 6000 natural units.  Over t it changes by 1e-6 t^2/2 of itself: less than
- * what (60) leaves out, which is all that holds a critical coin. */
+/* If |lambda^2| is below this, in units of g/a, it is taken as minus this: a
+ * period of 6000 natural units.  In t this changes the lean by 1e-6 t^2/2 of
+ * itself.  Near criticality that is less than what (60) leaves out. */
 #define CRITICAL 1e-6
 
-/* No wobble is small about a steady motion that is further off [rad]. */
+/* If the lean of the neighbour differs by more [rad], no wobble is small. */
 #define NEIGHBOUR 0.1
 
-/* The part of its own size by which the lean may be displaced by the
- * acceleration that the linear law leaves out.  A force that differs by less
- * than half of this from the linear one, at every lean that is reached, has no
- * barrier there: the coin stays in the well of its steady motion. */
+/* The acceleration that the linear law leaves out may displace the lean by this
+ * part of its reach.  A force that differs from the linear one by less than
+ * half of this, at every lean reached, has no other zero there: the coin stays
+ * about its steady motion. */
 #define DISPLACED 0.5
 
 /* Rounding of the acceleration and of lambda^2, in parts of the terms. */
@@ -95,9 +95,9 @@ static struct phasor mean_exp(double x, double y)
     return times(change, over);
 }
 
-/* The steady motion next to the start, and how all rates answer to a lean y
- * away from it: the terms of Eq. (44) and their like, at the steady motion.  F
- * is what is left of (39): the motion given need not be steady to the bit. */
+/* The neighbour, and the derivatives of all rates by the lean, taken at the
+ * steady motion.  F is the remainder of (39): the motion given need not be
+ * steady to the bit. */
 static void respond(coin_priv_wobble *w, const coin_state *steady,
                     const coin_priv_body *b, const coin_priv_sc *th)
 {
@@ -120,9 +120,9 @@ static void respond(coin_priv_wobble *w, const coin_state *steady,
     w->Y = lean - w->apart;
 }
 
-/* What the equations of motion make of a leaf about one of its leans: rates
- * and the lean's acceleration as powers of (theta - lean)/cos(lean), which
- * keeps the coefficients of one size down to the table. */
+/* The rates and the lean's acceleration along a leaf, as powers of
+ * (theta - lean)/cos(lean).  With this variable the coefficients have one size
+ * down to the table. */
 struct leaf {
     double wY[TERMS], wZ[TERMS], dwX[TERMS];
     double size; /* of the terms of dwX[0] */
@@ -183,8 +183,8 @@ static void leave_out(coin_priv_wobble *w, const coin_priv_body *b)
         w->left_out[k] = fabs(k == 1 ? f.dwX[1] - w->L * w->cth : f.dwX[k]);
 }
 
-/* The furthest from the neighbour that the lean comes within t, and the
- * neighbour's own distance from the steady motion. */
+/* The largest distance of the lean from the neighbour's within t, plus the
+ * neighbour's from that of the steady motion. */
 static double reach_of(const coin_priv_wobble *w, double x, double leant)
 {
     const double Y = fabs(w->Y), end = fabs(w->Y + leant);
@@ -194,7 +194,7 @@ static double reach_of(const coin_priv_wobble *w, double x, double leant)
     return fabs(w->apart) + (within < ever ? within : ever);
 }
 
-/* What the linear law leaves out of the acceleration at that reach. */
+/* The acceleration that the linear law leaves out at that distance. */
 static double left_out_at(const coin_priv_wobble *w, double reach)
 {
     const double d = sum_at(w->left_out, reach / w->cth) - w->rounding;

@@ -13,8 +13,8 @@ typedef struct coin_priv_wobble {
     coin_state start;
     double a;
     double L, rate;  /* lambda^2 and sqrt |lambda^2| */
-    double apart;    /* lean of the neighbour over that of the steady motion */
-    double Y, v;     /* lean of the start over the neighbour's; wX/rate */
+    double apart;    /* lean of the neighbour minus that of the steady motion */
+    double Y, v;     /* lean of the start minus the neighbour's; wX/rate */
     double wY, wZ;   /* d(wY)/dy, d(wZ)/dy */
     double phi, psi; /* d(phi')/dy, d(psi')/dy */
     double dphi, dpsi; /* phi', psi' of the neighbour */

@@ -6,14 +6,14 @@
 
 #include "../step/batch.h"
 
-/* n steps of up to COINF_PRIV_LANES coins, whose states are sound: *coin[k]
- * goes where it would go alone, and status[k] becomes what coinf_run() returns.
- */
+/* n steps of up to COINF_PRIV_LANES coins whose states have been checked:
+ * *coin[k] gets the bits that coinf_run() would give it, and status[k] becomes
+ * what that returns. */
 typedef void coinf_priv_group_run(coinf_state *const *coin, int32_t *status,
                                   int count, const coinf_priv_plan *plan,
                                   uint64_t n);
 
-/* That of a method, or null if there is none. */
+/* The function for a method, or null if there is none. */
 coinf_priv_group_run *coinf_priv_group_run_of(int32_t method);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "batch_float.h"
 
-/* Coins that wait for each other, to go side by side, and what they share. */
+/* Coins collected to be stepped side by side, and what they share. */
 struct group {
     coinf_priv_plan plan;
     coinf_priv_group_run *run; /* null if each goes alone */
@@ -31,7 +31,7 @@ int32_t coinf_batch_run(coinf_state *s, size_t count, const coinf_params *p,
     struct group r;
     coinf_priv_body b;
     coinf_priv_batch_result o = {0, COIN_OK, COIN_OK};
-    /* What the steps share is that of any coin, so of one at rest. */
+    /* What the steps share does not depend on the state. */
     if (!s || !p || !coinf_priv_method_is_known(method))
         return COIN_EARG;
     const int32_t shared = coinf_priv_plan_of(&r.plan, &rest, p, method, dt);

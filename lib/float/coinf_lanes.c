@@ -29,8 +29,8 @@ COIN_PRIV_INLINE int any(mask m)
     return all != 0;
 }
 
-/* From a struct of floats for each coin to one of vectors, and back.  Places
- * that nobody took go along with the first. */
+/* From one struct of floats for each coin to one struct of vectors, and back.
+ * Lanes left over hold the first coin. */
 static void load(coinf_lanes_state *to, coinf_state *const *coin, int count)
 {
     float *number = (float *)to;
@@ -65,8 +65,8 @@ static coinf_lanes_plan plan_for_all(const coinf_priv_plan *p)
     return of_all;
 }
 
-/* Takes whole turns off where there are any.  To take none off is not nothing:
- * the addition may round a remainder of half a digit anew. */
+/* Subtracts whole turns where there are any.  Subtracting zero turns would
+ * change bits: it may round the remainder again. */
 static void turn_back(coinf_lanes *angle, coinf_lanes *low)
 {
     const mask far = coinf_lanes_magnitude(*angle) > 2 * COIN_PRIV_HALF_PI;
@@ -76,8 +76,8 @@ static void turn_back(coinf_lanes *angle, coinf_lanes *low)
     *low = coinf_lanes_choose(far, near_low, *low);
 }
 
-/* Of each number that of *next where to_be_taken is all ones, of *s where it is
- * 0. */
+/* Leaves in *next the numbers of coins whose mask is all ones, and takes those
+ * of the others from *s. */
 static void keep(coinf_lanes_state *next, mask to_be_taken,
                  const coinf_lanes_state *s)
 {
@@ -86,21 +86,22 @@ static void keep(coinf_lanes_state *next, mask to_be_taken,
             to_be_taken, ((coinf_lanes *)next)[i], ((const coinf_lanes *)s)[i]);
 }
 
-/* Vector by vector: what the compiler makes of an assignment may be narrower,
- * and a wide load then waits for two stores. */
+/* Copies vector by vector.  The moves of an assignment may be narrower, and a
+ * wide load then waits for two stores. */
 static void copy(coinf_lanes_state *to, const coinf_lanes_state *from)
 {
     for (int i = 0; i < NUMBERS; ++i)
         ((coinf_lanes *)to)[i] = ((const coinf_lanes *)from)[i];
 }
 
-/* What steps are for each coin: all ones or 0. */
+/* For each coin, all ones or 0. */
 struct verdict {
-    mask sound, coarse; /* the last one; any so far */
+    mask sound;  /* whether the last step was sound */
+    mask coarse; /* whether any step so far was coarse */
 };
 
 /* One step of each coin; 0 if it would be sound for none.  A coin whose step
- * would not be sound stays where it is, and so will at the next. */
+ * would not be sound stays where it is, at this step and at all others. */
 static int step_of_each(coinf_lanes_state *s, struct verdict *of,
                         const coinf_lanes_plan *plan)
 {

@@ -3,7 +3,7 @@
 
 #include "floats.h"
 
-/* What every build must give: as in lib/about/selftest.c. */
+/* The hash that every build must give, as in lib/about/selftest.c. */
 #define PINNED UINT64_C(0xe5d8fbb689cdb5ed)
 
 /* FNV-1a over the bits of a number, low byte first whatever the machine. */

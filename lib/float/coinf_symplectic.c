@@ -3,7 +3,7 @@
 
 #include "../motion/legendre.h"
 
-/* Kick, drift, kick as in lib/step/symplectic.c, in changes. */
+/* Kick, drift, kick as in lib/step/symplectic.c, computed as changes. */
 
 /* Rates along a drift times h, and their own rates times h^2; x, z are in
  * radii. */
@@ -42,10 +42,10 @@ static void half_kick(coinf_state *s, const coinf_priv_plan *plan,
     y->wX = s->wX;
 }
 
-/* From theta's old pair in *y to its new one, a turn away: wY and wZ follow.  0
- * if that is beyond the series.  What the turn adds to the pair is computed by
- * itself: a difference of sines would cancel.  With |dt| W <= 1, Eq. (14) keeps
- * |turn| below 1.2. */
+/* Moves wY, wZ and the pair of theta in *y by a turn, which theta already has.
+ * 0 if that is beyond the series' reach.  What the turn adds to the pair is
+ * computed directly, as a difference of sines would cancel.  With |dt| W <= 1,
+ * Eq. (14) keeps |turn| below 1.2. */
 static int shift(coinf_state *s, const coinf_priv_plan *plan,
                  coinf_priv_variables *y, float turn)
 {

@@ -28,8 +28,8 @@ typedef int coinf_priv_step_function(coinf_state *s, int32_t *warnings,
 
 coinf_priv_step_function coinf_priv_step_rk4, coinf_priv_step_symplectic2;
 
-/* Whether W is within the limit; notes if it is beyond that of full accuracy.
- * NaN is not. */
+/* Whether W^2 is within the limit most2; NaN is not.  Notes COIN_COARSE if it
+ * is beyond coarse2. */
 COIN_PRIV_INLINE int coinf_priv_rate_holds(int32_t *warnings,
                                            const coinf_priv_plan *plan,
                                            const coinf_priv_variables *y)
@@ -40,7 +40,7 @@ COIN_PRIV_INLINE int coinf_priv_rate_holds(int32_t *warnings,
     return rate2 <= plan->most2;
 }
 
-/* One step of *s; 0 if it would not be sound. */
+/* One step of *s by a method; 0 if it is refused. */
 int coinf_priv_step_by(coinf_state *s, int32_t *warnings,
                        const coinf_priv_plan *plan,
                        coinf_priv_step_function *method);

@@ -6,8 +6,8 @@
 
 #include "../motion/kind.h"
 
-/* Of one coin, functions that take little stack; of coins side by side, parts
- * of one piece of code. */
+/* For one coin, parts are functions, so that a step takes little stack; for
+ * coins side by side they are inlined. */
 #undef PART
 #ifdef COIN_PRIV_ABREAST
 #define PART COIN_PRIV_INLINE
@@ -15,8 +15,9 @@
 #define PART COIN_PRIV_APART
 #endif
 
-/* A state, whose numbers are in the order of coinf_state: what theta, phi, psi,
- * x, z, wX, wY, wZ left out is low[0] to low[7]. */
+/* A state, with its numbers in the order of coinf_state.  low[0] to low[7] are
+ * the remainders of theta, phi, psi, x, z, wX, wY, wZ: what their rounding left
+ * out. */
 #ifdef COIN_PRIV_ABREAST
 typedef struct coinf_lanes_state {
     real theta, phi, psi, x, z, wX, wY, wZ, low[8];
@@ -29,15 +30,14 @@ typedef coinf_state coinf_priv_state;
  * limits on W^2, Eq. (47), where a step begins and ends. */
 typedef struct PRIV(plan) {
     PRIV(field) f;
-    real KJ_low; /* (KJ + KJ_low)/GJ is K/(M g a), beyond a float's digits */
+    real KJ_low; /* (KJ + KJ_low)/GJ is K/(M g a), in twice a float's digits */
     real a, g_a, k1, k2;
     real coarse2, most2; /* coarse2 <= most2 */
 } PRIV(plan);
 
 /* ------------------------------------------------------ compensated sums -- */
 
-/* Adds a part, and a small one that its digits could not hold, to a sum and
- * what that has left out so far. */
+/* Adds a part and its own remainder, `small`, to a sum and its remainder. */
 COIN_PRIV_INLINE void PRIV(add_parts)(real *sum, real *low, real part,
                                       real small)
 {
@@ -90,7 +90,7 @@ PART PRIV(variables) PRIV(variables_with_low)(const PRIV(state) * s)
     return y;
 }
 
-/* Takes whole turns off an angle, by the parts of pi/2. */
+/* Subtracts whole turns from an angle, by the parts of pi/2. */
 PART void PRIV(reduce)(real *angle, real *low)
 {
     const real turns =
@@ -109,15 +109,15 @@ typedef struct PRIV(slope) {
     real theta, phi, psi, x, z, wX, wY, wZ;
 } PRIV(slope);
 
-/* h d(wX)/dt, Eq. (14), beyond what the equations of motion make of it. */
+/* What KJ_low adds to h d(wX)/dt, Eq. (14). */
 COIN_PRIV_INLINE real PRIV(fall_low)(const PRIV(plan) * plan,
                                      const PRIV(variables) * y)
 {
     return -(plan->KJ_low * y->wZ * y->wY);
 }
 
-/* The slope at a stage; *d is that of its variables.  psi' = wZ + phi' sin
- * theta: what is known of phi' beyond its digits serves psi' too. */
+/* The slope at a stage; *d is that of its variables.  psi' is computed as
+ * wZ + phi' sin theta, so that the remainder of phi' gives that of psi'. */
 COIN_PRIV_INLINE PRIV(slope)
     PRIV(slope_at)(PRIV(variables) * d, const PRIV(plan) * plan,
                    const PRIV(variables) * y)
@@ -155,8 +155,8 @@ COIN_PRIV_INLINE void PRIV(gather)(PRIV(slope) * rest, scalar w,
     rest->wZ += w * (of->wZ - first->wZ);
 }
 
-/* What the first slope's rounding left out, where it is the same in each step
- * of a steady motion and adds up. */
+/* What the rounding of the first slope left out, of those parts that are the
+ * same in each step of a steady motion, so that their errors add up. */
 COIN_PRIV_INLINE PRIV(slope)
     PRIV(left_out)(const PRIV(slope) * first, const PRIV(plan) * plan,
                    const PRIV(variables) * y)
@@ -171,14 +171,15 @@ COIN_PRIV_INLINE PRIV(slope)
     return low;
 }
 
-/* What gives the slope at a stage. */
+/* A function for the slope at a stage. */
 typedef PRIV(slope)
     PRIV(slope_function)(PRIV(variables) * d, const PRIV(plan) * plan,
                          const PRIV(variables) * y);
 
 /* The classical Runge-Kutta step, as the first slope and the rest of the
- * change: ((f2 - f1) + (f3 - f1))/3 + (f4 - f1)/6.  Rounding a weight to a
- * float then costs a part of the rest only; in a steady motion it would add up.
+ * change: ((f2 - f1) + (f3 - f1))/3 + (f4 - f1)/6.  The rounded weights then
+ * multiply the rest only, which is small: in a steady motion their errors would
+ * add up.
  * *last is the last stage, which stands for the end of the step. */
 COIN_PRIV_INLINE void PRIV(slopes)(PRIV(slope) * first, PRIV(slope) * rest,
                                    PRIV(variables) * last,

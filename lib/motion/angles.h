@@ -4,7 +4,8 @@
 
 #include "number.h"
 
-/* One double uses vectors of two, where there are vectors. */
+/* For one double, the polynomials of sine and cosine are evaluated side by
+ * side, where there are vectors of two. */
 #if COIN_PRIV_WIDTH && !defined(COIN_PRIV_FLOAT)
 #define COIN_PRIV_PAIR
 #include "number.t.h"
@@ -17,10 +18,10 @@
 #include "angles.t.h"
 #undef COIN_PRIV_BY_PAIRS
 
-/* sine_cosine() out of line, for sources that call it often. */
+/* sine_cosine() as a function, for sources that call it often. */
 PRIV(sc) PRIV(sincos)(real x);
 
-/* The angle in [-pi, pi] whose sine and cosine are a pair of unit norm.
+/* The angle in [-pi, pi] with this sine and cosine.  Pre: their norm is 1.
  * Accuracy: 2^-52 for angles up to pi/2 (test_sincos); NaN for NaN. */
 real PRIV(angle)(PRIV(sc) of);
 

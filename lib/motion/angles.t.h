@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sine and cosine, the same bits everywhere.  With COIN_PRIV_BY_PAIRS one
- * number uses the functions of a pair, which are then included before. */
+/* Sine and cosine, the same bits everywhere.  With COIN_PRIV_BY_PAIRS, the
+ * functions of one number use those of a pair of numbers, included before. */
 #include "number.h"
 
 #include "kind.h"
@@ -9,7 +9,7 @@ typedef struct PRIV(sc) {
     real s, c;
 } PRIV(sc);
 
-/* The polynomials of sine and cosine at z. */
+/* COIN_PRIV_SINE and COIN_PRIV_COSINE at z. */
 COIN_PRIV_INLINE PRIV(sc) PRIV(polynomials)(real z)
 {
 #ifdef COIN_PRIV_BY_PAIRS
@@ -23,8 +23,8 @@ COIN_PRIV_INLINE PRIV(sc) PRIV(polynomials)(real z)
     return r;
 }
 
-/* Of x + y, |x + y| <= pi/4, |y| <= ulp(x).  1 - z/2 is summed with its
- * rounding error. */
+/* Sine and cosine of x + y.  Pre: |x + y| <= pi/4, |y| <= ulp(x).  The rounding
+ * error of 1 - z/2 is computed and added to the cosine. */
 COIN_PRIV_INLINE PRIV(sc) PRIV(sine_cosine_reduced)(real x, real y)
 {
     const real z = x * x, w = K(1) - K(0.5) * z;
@@ -36,7 +36,8 @@ COIN_PRIV_INLINE PRIV(sc) PRIV(sine_cosine_reduced)(real x, real y)
     return r;
 }
 
-/* Of x = n pi/2 + (hi + lo) with n whole, by Cody and Waite.
+/* Sine and cosine of x, which is reduced by the method of Cody and Waite:
+ * x = n pi/2 + (hi + lo) with an integer n.
  * Pre: |x| <= COIN_PRIV_ANGLE_MAX.  NaN for NaN and infinity.
  * Accuracy: 1 ulp for |x| <= 2^20, near multiples of pi/2 too (test_sincos). */
 COIN_PRIV_INLINE PRIV(sc) PRIV(sine_cosine)(real x)

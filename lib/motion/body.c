@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "body.h"
 
-/* Every number of the body is compared: all are doubles, or floats. */
+/* The body is read as an array: all of its members are of type real. */
 int32_t PRIV(check_any_body)(PRIV(body) * b, const COIN(params) * p)
 {
     const real g = p->gravity, IX = p->inertia_X, IZ = p->inertia_Z;
@@ -16,7 +16,7 @@ int32_t PRIV(check_any_body)(PRIV(body) * b, const COIN(params) * p)
         least = PRIV(lesser)(numbers[i], least);
         sum += numbers[i];
     }
-    /* A comparison with NaN, which the sum hands on, is false. */
+    /* If a number is NaN, so is the sum, and a comparison with it is false. */
     if (!(least >= COIN_PRIV_LEAST && sum <= COIN_PRIV_MOST) ||
         !(IZ <= 2 * IX * (1 + COIN_PRIV_INERTIA_SLACK)) ||
         p->reserved[0] != 0 || p->reserved[1] != 0 || p->reserved[2] != 0)

@@ -16,10 +16,10 @@ typedef struct PRIV(body) {
     real KJ, XJ; /* K/J, I_X/J */
     real GJ;     /* M g a/J */
     real k1, k2; /* I_Z/I_X, m/K */
-    real w2_max; /* with |omega|^2 up to this nothing overflows */
+    real w2_max; /* the largest |omega|^2 with which nothing overflows */
 } PRIV(body);
 
-/* All but w2_max, unchecked. */
+/* All members but w2_max; nothing is checked. */
 COIN_PRIV_INLINE PRIV(body) PRIV(body_of)(const COIN(params) * p)
 {
     const real M = p->mass, a = p->radius, g = p->gravity;
@@ -32,22 +32,25 @@ COIN_PRIV_INLINE PRIV(body) PRIV(body_of)(const COIN(params) * p)
     return b;
 }
 
-/* What the constants of a body leave of the range of numbers. */
+/* The largest |omega|^2 whose products with the body's constants do not
+ * overflow. */
 COIN_PRIV_INLINE real PRIV(w2_max)(const PRIV(body) * b)
 {
     return COIN_PRIV_W2_MAX / (1 + b->a + b->M * b->a + b->J + b->K);
 }
 
-/* How far the bits of x lie above those of the least number that an ordinary
- * body has; as unsigned integers, the bits of positive numbers are in order. */
+/* The bits of x, as an unsigned integer, minus those of the least number of an
+ * ordinary body.  Positive numbers have the order of their bits.  For a smaller
+ * or negative number and for NaN the difference is larger than for any number
+ * of an ordinary body. */
 COIN_PRIV_INLINE unsigned_whole PRIV(above_least)(real x)
 {
     return (unsigned_whole)PRIV(bits)(x) -
            (unsigned_whole)PRIV(bits)(COIN_PRIV_ORDINARY_LEAST);
 }
 
-/* Whether nothing more need be computed to know that p is a body: its numbers
- * lie where products of a few of them can be trusted. */
+/* Whether p is a body all of whose numbers lie in a range in which no product
+ * of a few of them can overflow.  Nothing else has to be checked then. */
 COIN_PRIV_INLINE int PRIV(is_ordinary_body)(const COIN(params) * p)
 {
     const unsigned_whole span = PRIV(above_least)(COIN_PRIV_ORDINARY_MOST);
@@ -69,7 +72,7 @@ COIN_PRIV_INLINE int PRIV(is_ordinary_body)(const COIN(params) * p)
  * the range COIN_PRIV_LEAST to COIN_PRIV_MOST.  p is not null. */
 int32_t PRIV(check_any_body)(PRIV(body) * b, const COIN(params) * p);
 
-/* The same, without a division more than *b needs if the body is ordinary. */
+/* The same.  For an ordinary body it divides only where *b needs it. */
 COIN_PRIV_INLINE int32_t PRIV(check_body)(PRIV(body) * b,
                                           const COIN(params) * p)
 {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a state and a body are to the equations of motion. */
+/* The variables and the coefficients of the equations of motion, from a state
+ * and a body. */
 #ifndef ROLLCOIN_EQUATIONS_H
 #define ROLLCOIN_EQUATIONS_H
 
@@ -46,8 +47,8 @@ COIN_PRIV_INLINE void PRIV(axes)(const PRIV(variables) * y, real R[9])
     /* clang-format on */
 }
 
-/* d/dt of the pose's rates along a motion with constant wX, where wY and wZ
- * follow theta alone. */
+/* d/dt of the rates of heading and roll in a drift: a motion with constant wX,
+ * in which wY and wZ are functions of theta. */
 typedef struct PRIV(drift_slopes) {
     real phi, psi;
 } PRIV(drift_slopes);
@@ -64,8 +65,8 @@ COIN_PRIV_INLINE PRIV(drift_slopes)
     return r;
 }
 
-/* d/dtheta of d(wX)/dt, likewise: minus the square of the frequency of small
- * oscillations where that is 0. */
+/* d/dtheta of d(wX)/dt along a drift.  In a steady motion it is minus the
+ * square of the frequency of small oscillations. */
 COIN_PRIV_INLINE real PRIV(fall_slope)(const PRIV(body) * b,
                                        const PRIV(variables) * y)
 {

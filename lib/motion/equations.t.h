@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The equations of motion, as slopes.  Series and other units have them once
- * more, each where it is needed (tests/lint/homes.py lists where).
+/* The equations of motion, as slopes.  Their other forms, such as those for
+ * power series, stand where they are needed; tests/lint/homes.py lists them.
  *
  * The sines and cosines of lean and heading are variables like the angular
  * velocity, so that no stage of a step takes a sine of an angle.  The pose is a
@@ -16,7 +16,7 @@ typedef struct PRIV(variables) {
     real sph, cph;         /* sin phi, cos phi: for the path alone */
 } PRIV(variables);
 
-/* The variables that the equations change and do not read.  x and z are in
+/* The variables that the equations change but never read.  x and z are in
  * radii; t is the time, used in Sundman's form alone. */
 typedef struct PRIV(pose) {
     real theta, phi, psi, x, z, t;
@@ -27,8 +27,8 @@ typedef struct PRIV(field) {
     real h, GJ, KJ, XJ, k1, k2;
 } PRIV(field);
 
-/* h d/dt of the variables.  Factors are grouped so that no product waits for
- * long: a step takes as long as its longest chain of dependences. */
+/* h d/dt of the variables.  Factors are grouped so that chains of dependent
+ * operations are short: a step takes as long as the longest of them. */
 COIN_PRIV_INLINE PRIV(variables)
     PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
@@ -53,8 +53,8 @@ COIN_PRIV_INLINE PRIV(variables)
     return d;
 }
 
-/* The velocity of the centre along x and z in radii, -wZ e_X + wX e_Z, times
- * what wZ and wX cos theta are times. */
+/* The velocity of the centre along x and z in radii, that of -wZ e_X + wX e_Z.
+ * If wXcth and wZ are given times h, so is the velocity. */
 COIN_PRIV_INLINE void PRIV(path_rates)(real *dx, real *dz, real wXcth, real wZ,
                                        const PRIV(variables) * y)
 {
@@ -63,7 +63,7 @@ COIN_PRIV_INLINE void PRIV(path_rates)(real *dx, real *dz, real wXcth, real wZ,
 }
 
 /* h d/dt of the pose.  The path is that of the centre: the point of contact may
- * run round while the centre rests. */
+ * move on a circle while the centre rests. */
 COIN_PRIV_INLINE PRIV(pose)
     PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
@@ -78,10 +78,10 @@ COIN_PRIV_INLINE PRIV(pose)
     return d;
 }
 
-/* Sundman's form: h d/dtau of the variables, with dt = cos theta dtau.  All of
- * it is the field above times cos theta: a cubic polynomial of variables that
- * the energy bounds, regular down to the table.  q and tan theta have no part.
- */
+/* Sundman's form: h d/dtau of the variables, with dt = cos theta dtau.  These
+ * are the rates above times cos theta: cubic polynomials of variables that the
+ * energy bounds, regular down to the table.  They do not contain q and tan
+ * theta. */
 COIN_PRIV_INLINE PRIV(variables)
     PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
 {
@@ -113,7 +113,7 @@ COIN_PRIV_INLINE PRIV(pose)
     const real hwY = f->h * y->wY, hc = f->h * y->cth;
     const real hcwZ = hc * y->wZ, none = {0};
     PRIV(pose) d;
-    d.theta = none;              /* the pair holds it, down to the table */
+    d.theta = none;              /* its sine and cosine are integrated */
     d.phi = hwY;                 /* (32) */
     d.psi = hcwZ + hwY * y->sth; /* (32) */
     PRIV(path_rates)(&d.x, &d.z, hc * (y->cth * y->wX), hcwZ, y);
@@ -121,9 +121,9 @@ COIN_PRIV_INLINE PRIV(pose)
     return d;
 }
 
-/* Brings the pairs that a step in tau moved back to the unit circle, and q and
- * tth to theirs.  The step leaves e = 1 - s^2 - c^2 of its own order; of three
- * terms of (1 - e)^(-1/2) there remains 5/16 e^3, below rounding. */
+/* Normalizes the pairs after a step in tau, and computes q and tth from them.
+ * The step leaves e = 1 - s^2 - c^2, of the size of its error.  Three terms of
+ * (1 - e)^(-1/2) are taken; the next one, 5/16 e^3, is below rounding. */
 COIN_PRIV_INLINE void PRIV(normalize)(PRIV(variables) * y)
 {
     const real q = K(1) / y->cth;
@@ -170,7 +170,7 @@ COIN_PRIV_INLINE void PRIV(velocity_of)(real v[3], real a,
     v[2] = a * dz;
 }
 
-/* W^2, the square of the fastest rate: of turning, heading and falling. */
+/* W^2, where W measures how fast the coin turns and falls. */
 COIN_PRIV_INLINE real PRIV(rate2)(real g_a, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ, q = y->q;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The linear pair that lean alone drives, Eq. (33): with u = sin theta and
- * p = wY cos theta,
+/* The linear pair, a function of the lean alone, Eq. (33): with u = sin theta
+ * and p = wY cos theta,
  *     dp/du = k1 wZ,   dwZ/du = k2 p/(1 - u^2),   kap = k1 k2,
- * Legendre's equation of degree nu, nu (nu + 1) = -kap.  The only home of its
- * special functions; 0 < kap < 2 for every body. */
+ * Legendre's equation of degree nu, nu (nu + 1) = -kap.  All functions that
+ * solve it are computed here.  0 < kap < 2 for every body. */
 #ifndef ROLLCOIN_LEGENDRE_H
 #define ROLLCOIN_LEGENDRE_H
 
@@ -23,14 +23,14 @@ typedef struct PRIV(flat) {
  * (test_legendre).  Cost: at most 60 terms. */
 PRIV(central) PRIV(legendre_central)(real kap, real u);
 
-/* The series about the flat coin, v = (1 - |u|)/2 = sin^2(delta/2) with delta
- * = pi/2 - |theta|.  ln_v is ln v, to which the same constant may be added
- * wherever one pair of solutions is used: S then is another solution.
+/* The series about the flat coin, v = (1 - |u|)/2 = sin^2(delta/2) with delta =
+ * pi/2 - |theta|.  ln_v is ln v, or that plus a constant, the same wherever one
+ * pair of solutions is used: S is then another solution.
  * Pre: 0 < v <= 1/2.  Accuracy: 1e-15 of the terms, 5e-15 at v = 1/2, down to
  * v = 1e-32 (test_legendre).  Cost: at most 65 terms. */
 PRIV(flat) PRIV(legendre_flat)(real kap, real v, real ln_v);
 
-/* The pair carried from u to u + e by its power series about u.  (34)
+/* The pair at u + e, from that at u, by its power series about u.  (34)
  * Pre: |e| (1 + |u|) <= COIN_PRIV_SERIES_REACH c2, c2 = 1 - u^2, which makes
  * the series' ratio 0.18.  Accuracy: 6 u of the terms of the change
  * (test_drift).
@@ -47,7 +47,7 @@ static const real PRIV(over)[24] = {
     COIN_PRIV_OVER4(12), COIN_PRIV_OVER4(16), COIN_PRIV_OVER4(20),
 };
 
-/* The change alone. */
+/* What the pair changes by. */
 COIN_PRIV_INLINE void PRIV(legendre_change)(real *dp, real *dwZ, real p,
                                             real wZ, real k1, real k2, real u,
                                             real c2, real e)

@@ -6,8 +6,8 @@
 
 #include "body.h"
 
-/* Whether there is such a method: what the others require.  Floats have RK4
- * and the symplectic method of order 2. */
+/* Whether there is such a method; the functions below require it.  Floats have
+ * RK4 and the symplectic method of order 2. */
 COIN_PRIV_INLINE int PRIV(method_is_known)(int32_t method)
 {
 #ifdef COIN_PRIV_FLOAT
@@ -39,15 +39,16 @@ typedef struct PRIV(limits) {
     int32_t warnings;    /* COIN_COARSE once a step was */
 } PRIV(limits);
 
-/* Those of steps dt, which is finite. */
+/* The limits of steps of dt.  Pre: dt is finite. */
 COIN_PRIV_INLINE PRIV(limits)
     PRIV(limits_of)(const PRIV(body) * b, int32_t method, real dt)
 {
     const real most = PRIV(refusal_limit)(method);
     const real coarse = PRIV(coarse_limit)(method);
     const real size = FABS(dt);
-    /* A shorter step than the least, whose W could overflow, is limited as if
-     * it were that long; one longer than the largest allows no W. */
+    /* For a step shorter than the least, the limit of W could overflow: it is
+     * limited as if it were that long.  For a step longer than the most, the
+     * limit is below the W of any coin. */
     const real kept = size < COIN_PRIV_DT_LEAST  ? COIN_PRIV_DT_LEAST
                       : size > COIN_PRIV_DT_MOST ? COIN_PRIV_DT_MOST
                                                  : size;
@@ -61,8 +62,8 @@ COIN_PRIV_INLINE PRIV(limits)
     return limits;
 }
 
-/* Whether W^2 is within the limit; notes if it is beyond that of full accuracy.
- * NaN is not. */
+/* Whether W^2 is within the limit most2; NaN is not.  Notes COIN_COARSE if it
+ * is beyond coarse2. */
 COIN_PRIV_INLINE int PRIV(rate2_holds)(PRIV(limits) * limits, real rate2)
 {
     if (rate2 <= limits->coarse2)

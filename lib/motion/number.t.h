@@ -3,7 +3,7 @@
 #include "kind.h"
 #include "precision.h"
 
-/* A truth is all ones or 0, as vectors compare. */
+/* A truth value is all ones or 0, as a comparison of vectors gives it. */
 #if defined(COIN_PRIV_ABREAST) || defined(COIN_PRIV_PAIR)
 COIN_PRIV_INLINE whole PRIV(truth)(whole comparison)
 {

@@ -14,7 +14,7 @@
 #error "librollcoin needs IEEE arithmetic as written: no fast-math, no -Ofast"
 #endif
 
-/* 16 is 0 with _Float16 kept apart too, as gcc says for AVX512-FP16. */
+/* 16 means the same for float and double; gcc has it with AVX512-FP16. */
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
 #error "librollcoin needs FLT_EVAL_METHOD 0: on i386 -msse2 -mfpmath=sse"
 #endif
@@ -32,11 +32,11 @@
 #pragma fp_contract(off)
 #endif
 
-/* A step's parts become one piece of straight code, whatever their size; what
- * rarely holds is moved out of its way.  Where each operation of doubles is a
- * call, or with COIN_PRIV_SMALL defined, the parts of doubles that are marked
- * COIN_PRIV_PART stay functions: they are small once, and give their stack back
- * before the next begins. */
+/* The parts of a step are inlined, whatever their size, and code that rarely
+ * runs is moved out of the way.  Parts marked COIN_PRIV_PART stay functions in
+ * doubles where each operation of doubles is a call, or with COIN_PRIV_SMALL
+ * defined.  Each of them is then in the code once, and its stack is free when
+ * it returns. */
 #if defined(__GNUC__)
 #define COIN_PRIV_INLINE static inline __attribute__((always_inline))
 #define COIN_PRIV_APART static __attribute__((noinline, unused))

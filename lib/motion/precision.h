@@ -65,8 +65,8 @@
 
 /* A body whose five numbers lie between these keeps the limits above, whatever
  * their ratios: the longest quotients, M g a/J and m/K, take three factors of
- * the least over one of the most, 2^-84/2^15.  No |omega|^2 is known to suit
- * all of them. */
+ * the least over one of the most, 2^-84/2^15.  There is no limit of |omega|^2
+ * for all of them, which 0 stands for. */
 #define COIN_PRIV_ORDINARY_LEAST 3.7252903e-9f /* 2^-28 */
 #define COIN_PRIV_ORDINARY_MOST 16384.0f       /* 2^14 */
 #define COIN_PRIV_ORDINARY_W2 0
@@ -90,7 +90,7 @@ static inline int coinf_priv_low_holds(const float low[8])
     return angles <= 1.0f / 1048576 && others <= FLT_MAX;
 }
 
-/* What a state's initializer ends with: the remainders of exact members. */
+/* The end of a state's initializer: remainders of 0. */
 #define COIN_PRIV_NO_LOW                                                       \
     ,                                                                          \
     {                                                                          \
@@ -199,11 +199,11 @@ static inline int coinf_priv_low_holds(const float low[8])
 /* I_Z may be this part larger than 2 I_X, for the rounding of both. */
 #define COIN_PRIV_INERTIA_SLACK 1e-12
 
-/* Whether the remainders that a state keeps are in range: a double's keeps
- * none. */
+/* Whether the remainders that a state keeps are in range: a state of doubles
+ * keeps none. */
 #define COIN_PRIV_LOW_HOLDS(s) 1
 
-/* What a state's initializer ends with: the remainders of exact members. */
+/* The end of a state's initializer: there are no remainders. */
 #define COIN_PRIV_NO_LOW
 
 /* ---------------------------------------------------------------- series -- */

@@ -19,7 +19,7 @@ COIN_PRIV_INLINE int PRIV(pose_holds)(const COIN(state) * s)
            COIN_PRIV_LOW_HOLDS(s);
 }
 
-/* What can be said without parameters: COIN_OK or COIN_ESTATE.  s is not null.
+/* The checks that need no parameters: COIN_OK or COIN_ESTATE.  s is not null.
  */
 COIN_PRIV_INLINE int32_t PRIV(check_members)(const COIN(state) * s)
 {
@@ -28,8 +28,8 @@ COIN_PRIV_INLINE int32_t PRIV(check_members)(const COIN(state) * s)
     return good ? COIN_OK : COIN_ESTATE;
 }
 
-/* A state of a body that is known: no energy, force or rate of it overflows
- * after COIN_OK. */
+/* The checks of a state whose body is known.  After COIN_OK no energy, force or
+ * rate of it overflows. */
 COIN_PRIV_INLINE int32_t PRIV(check_state)(const COIN(state) * s,
                                            const PRIV(body) * b)
 {
@@ -64,9 +64,9 @@ COIN_PRIV_INLINE int32_t PRIV(check_inline)(const COIN(state) * s,
 int32_t PRIV(check)(const COIN(state) * s, const COIN(params) * p,
                     PRIV(body) * b);
 
-/* Copies a state number by number.  The wider moves that an assignment is made
- * of wait until what was just written has left the processor's store buffer:
- * 10 ns each. */
+/* Copies a state number by number.  An assignment uses wider moves.  Each of
+ * them would wait until numbers just written have left the processor's store
+ * buffer, 10 ns. */
 COIN_PRIV_INLINE void PRIV(copy_state)(COIN(state) * to,
                                        const COIN(state) * from)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The processor's vectors, where the compiler takes them as arithmetic. */
+/* The processor's vectors, where the compiler has arithmetic for them. */
 #ifndef ROLLCOIN_VECTOR_H
 #define ROLLCOIN_VECTOR_H
 

@@ -9,7 +9,7 @@ real COIN(energy)(const COIN(state) * s, const COIN(params) * p)
         return NAN;
     const real wX = s->wX, wY = s->wY, wZ = s->wZ;
     const real cth = PRIV(sine_cosine)(s->theta).c;
-    /* J = I_X + M a^2 and K = I_Z + M a^2 gather the terms of the source. */
+    /* J = I_X + M a^2 and K = I_Z + M a^2 include the motion of the centre. */
     const real T = K(0.5) * (b.J * wX * wX + b.IX * wY * wY + b.K * wZ * wZ);
     return T + b.Mga * cth; /* (23) */
 }

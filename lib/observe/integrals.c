@@ -7,7 +7,7 @@
  * 0; at 0.7 they take 50 and 20. */
 #define CENTRAL_MAX K(0.7)
 
-/* The pair p, wZ carried from u = sin theta to u = 0. */
+/* K_Y and K_Z, the pair at u = 0, from p and wZ at u = sin theta. */
 static void from_central(real K[2], const PRIV(body) * b, real u, real p,
                          real wZ)
 {
@@ -16,8 +16,8 @@ static void from_central(real K[2], const PRIV(body) * b, real u, real p,
     K[1] = c.Pe * wZ - b->k2 * c.Wo * p; /* (35) */
 }
 
-/* The same from close to the table, theta > 0: the flat solutions lead to
- * where the central ones begin.  delta = pi/2 - theta. */
+/* The same near the table, theta > 0, with delta = pi/2 - theta.  The flat
+ * solutions lead to u = CENTRAL_MAX, and the central ones from there. */
 static void from_flat(real K[2], const PRIV(body) * b, real delta, real p,
                       real wZ)
 {
@@ -45,8 +45,8 @@ int32_t COIN(integrals)(const COIN(state) * s, const COIN(params) * p,
         from_central(K, &b, th.s, pY, s->wZ);
         return COIN_OK;
     }
-    /* Mirrored, (theta, wZ) -> -(theta, wZ), a lean to the other side is this
-     * one; never 1 - sin theta, which cancels. */
+    /* A lean to the other side is mirrored: (theta, wZ) -> -(theta, wZ).  delta
+     * is not computed from 1 - sin theta, which would cancel. */
     const real delta =
         (COIN_PRIV_HALF_PI - FABS(s->theta)) + COIN_PRIV_HALF_PI_LOW;
     const real side = th.s > 0 ? 1 : -1;

@@ -128,9 +128,9 @@ static real angle_of(real s, real c)
 #define NORM_MAX (1 / (COIN_PRIV_EPSILON * COIN_PRIV_EPSILON))
 
 /* The angles of a rotation, by Eq. (30).  With C2, S2 the cosine and sine of
- * theta/2, A is C2 + S2 times the cosine and sine of (phi - psi)/2, and B is
- * C2 - S2 times those of (phi + psi)/2: both stay exact where the coin is
- * nearly flat and phi, psi are not.  NaN if q is 0 or not finite. */
+ * theta/2, A is C2 + S2 times the cosine and sine of (phi - psi)/2, and B is C2
+ * - S2 times those of (phi + psi)/2.  Both keep their accuracy where the coin
+ * is nearly flat and phi, psi lose theirs.  NaN if q is 0 or not finite. */
 static void angles_of(COIN(state) * s, const real q[4])
 {
     real largest = 0, u[4];

@@ -4,7 +4,7 @@
 
 #include "../motion/equations.h"
 
-/* The force of the table on a coin in this stage. */
+/* The force of the table on a coin with these variables. */
 COIN_PRIV_INLINE COIN(force)
     PRIV(reaction)(const PRIV(body) * b, const PRIV(variables) * y)
 {

@@ -7,8 +7,8 @@
 
 enum { MOST = COIN_PRIV_SQUARED, JOINED = COIN_PRIV_JOINED };
 
-/* Halvings of [0, 1]: the part between two zeros next to each other rises by
- * 2^-28 of what the polynomial's curvature rises by over the whole. */
+/* Halvings of [0, 1].  Between two zeros nearer than that, the polynomial rises
+ * by at most 2^-28 of what its curvature makes over the whole. */
 enum { HALVINGS = 13 };
 
 /* Binomial coefficients of both degrees. */
@@ -147,9 +147,9 @@ void coin_priv_cut_joined(double *first, double *b, int terms)
         cut_joined(first, b, JOINED);
 }
 
-/* The zero of a polynomial that begins below 0 and ends above, from above: by
- * false position, where an end that stays counts half (Illinois), and now and
- * then by halves. */
+/* The zero of a polynomial that begins below 0 and ends above, approached from
+ * above: by false position, where the value at an end that stays is halved
+ * (Illinois), and every fourth time by halving the bracket. */
 static double zero(const double *b, int degree)
 {
     double low = 0, high = 1, at_low = b[0], at_high = b[degree];
@@ -173,8 +173,8 @@ static double zero(const double *b, int degree)
     return high;
 }
 
-/* The parts still to be looked at lie in a pile, the next one on top.  A part
- * is cut unless its one zero, if any, lies before its end. */
+/* The parts still to be examined are in a stack, the next one on top.  A part
+ * is cut unless it has at most one zero, which lies before its end. */
 double coin_priv_rise(const double *b, int degree, double from)
 {
     double pile[HALVINGS + 1][MOST + 1], widths[HALVINGS + 1] = {1}, at = 0;

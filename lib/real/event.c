@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Polynomials say where in a stretch a bit may hold.  There the motion itself,
- * by a part of the step, says whether one does, and from when on. */
+/* Polynomials tell where in a stretch a bit may hold.  There a partial step of
+ * the motion itself decides whether one does, and from when on. */
 #include "../motion/pinned.h"
 
 #include "../step/sundman.h"
@@ -12,8 +12,8 @@
 /* The curve over a part as long as this errs by less than 1e-8 (test_force). */
 #define SHORT 0.8
 
-/* By what part of the natural size of a force a state may be off that of the
- * series at it, by rounding. */
+/* The force of a state and that of the series at it differ by rounding: by less
+ * than this part of the natural size of a force. */
 #define ROUNDED 1e-9
 
 static int32_t bits_of(const coin_priv_search *f, const coin_state *s)
@@ -32,7 +32,7 @@ int32_t coin_priv_bits_held(const coin_priv_search *f, const coin_state *s,
     return is_clear ? 0 : bits_of(f, s);
 }
 
-/* The run at x of a stretch, without its lean.  No step is made of no time. */
+/* The run at x of a stretch, without theta.  No step is made for x = 0. */
 static coin_priv_run run_to(const coin_priv_stretch *w, double x)
 {
     coin_priv_run r = w->from;
@@ -61,8 +61,8 @@ static int presses(const coin_priv_search *f, const coin_priv_moment *m)
     return force.normal > 0;
 }
 
-/* A moment within (low, high) from which on a bit holds, to within tol: at the
- * end of the bracket no bit holds at low, at high one does. */
+/* Moves *high to the moment from which on a bit holds, to within tol.  No bit
+ * holds at low; one does at high. */
 static void bisect(const coin_priv_search *f, const coin_priv_stretch *w,
                    double low, coin_priv_moment *high, double tol)
 {
@@ -103,8 +103,8 @@ static double least_part(const coin_priv_search *f, const coin_priv_stretch *w)
     return f->tol / (3 * fabs(w->tau) * (a > b ? a : b));
 }
 
-/* The moment from which on a bit holds, within tol, at or next to a place of a
- * part, as the motion itself says; its bits are 0 if none does. */
+/* The moment from which on a bit holds, to within tol, at or next to a place of
+ * a part, by the motion itself; its bits are 0 if none holds there. */
 static coin_priv_moment locate(const coin_priv_search *f,
                                const coin_priv_part *w, coin_priv_place at)
 {
@@ -133,7 +133,8 @@ static coin_priv_moment locate(const coin_priv_search *f,
     return high;
 }
 
-/* The places are zeros of polynomials, and so few. */
+/* The first event of a part; 0 if there is none.  The places are zeros of
+ * polynomials, so that their number is bounded. */
 static int first_of_part(coin_priv_moment *out, const coin_priv_search *f,
                          const coin_priv_part *w)
 {
@@ -148,7 +149,8 @@ static int first_of_part(coin_priv_moment *out, const coin_priv_search *f,
     }
 }
 
-/* A stretch that the polynomials of the whole did not clear, in parts. */
+/* The first event of a stretch that the polynomials of the whole did not clear,
+ * part by part. */
 static int first_in_parts(coin_priv_moment *out, const coin_priv_search *f,
                           const coin_priv_stretch *w, double stride)
 {

@@ -14,8 +14,8 @@ typedef struct coin_priv_moment {
     int32_t bits;
 } coin_priv_moment;
 
-/* The bits looked for that hold in a state, where the force is *at.  Only where
- * one nearly does is coin_check() asked. */
+/* The bits looked for that hold in a state, where the force is *at.
+ * coin_check() is called only if one of them may hold. */
 int32_t coin_priv_bits_held(const coin_priv_search *f, const coin_state *s,
                             const coin_priv_force *at);
 

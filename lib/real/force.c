@@ -14,8 +14,8 @@ struct series {
     double down[TERMS], up[TERMS]; /* the factors of wY in wX*, of wX in wY* */
 };
 
-/* Term k of a product.  The latest terms, which are waited for, are added
- * last. */
+/* Term k of a product.  The terms computed last are added last, so that the sum
+ * of the others does not wait for them. */
 COIN_PRIV_INLINE double product(const double *a, const double *b, int k)
 {
     double sum = 0;
@@ -25,8 +25,8 @@ COIN_PRIV_INLINE double product(const double *a, const double *b, int k)
     return k == 0 ? a[0] * b[0] : sum + (a[0] * b[k] + a[k] * b[0]);
 }
 
-/* Terms k of the products but c X and s X, which are there, and k + 1 of the
- * variables. */
+/* Term k of the products, where those of c X and s X are already there, and
+ * term k + 1 of the variables. */
 COIN_PRIV_INLINE void next_terms(struct series *w, coin_priv_force *out,
                                  const coin_priv_field *f, int k)
 {

@@ -5,7 +5,7 @@
 
 enum { COLUMNS = COIN_PRIV_GBS_COLUMNS, MOST = COIN_PRIV_GBS_MOST };
 
-/* 2 k midpoint steps over h. */
+/* The modified midpoint rule over h, with 2 k substeps. */
 static void midpoints(real *to, const real *y, size_t n,
                       PRIV(gbs_slopes) * slopes, const void *problem, real h,
                       int k)
@@ -33,7 +33,7 @@ real PRIV(gbs)(real *y, size_t n, PRIV(gbs_slopes) * slopes,
     real table[COLUMNS][MOST], error = 0;
     for (int k = 0; k < COLUMNS; ++k) {
         midpoints(table[k], y, n, slopes, problem, h, k + 1);
-        for (int j = k - 1; j >= 0; --j) { /* Aitken and Neville, in 1/k^2 */
+        for (int j = k - 1; j >= 0; --j) { /* Neville's scheme in 1/k^2 */
             const real ratio = (real)(k + 1) / (real)(j + 1);
             const real part = 1 / (ratio * ratio - 1);
             for (size_t i = 0; i < n; ++i)
@@ -44,7 +44,7 @@ real PRIV(gbs)(real *y, size_t n, PRIV(gbs_slopes) * slopes,
     for (size_t i = 0; i < n; ++i) {
         const real size = 1 + FABS(table[0][i]);
         const real off = FABS(table[0][i] - table[1][i]) / size;
-        error = islessequal(off, error) ? error : off; /* NaN is one too */
+        error = islessequal(off, error) ? error : off; /* or NaN */
         y[i] = table[0][i];
     }
     return error;

@@ -13,9 +13,9 @@
 typedef void PRIV(gbs_slopes)(real *dy, const real *y, const void *problem);
 
 /* One step h of the modified midpoint rule, extrapolated (Gragg, Bulirsch and
- * Stoer); n <= COIN_PRIV_GBS_MOST.  Returns the largest difference to the order
- * that is less by 2, relative where a variable is above 1; NaN where slopes
- * are. */
+ * Stoer); n <= COIN_PRIV_GBS_MOST.  Returns an estimate of the error: the
+ * largest difference from the result whose order is lower by 2, relative for
+ * variables above 1, and NaN if a slope is NaN. */
 real PRIV(gbs)(real *y, size_t n, PRIV(gbs_slopes) * slopes,
                const void *problem, real h);
 

@@ -4,9 +4,10 @@
 #include "gbs.h"
 #include "hold.h"
 
-/* Only nearer to flat than this may the contact have stopped.  By (72) the
- * angle from flat is then as the cosine of an angle that grows to a right one
- * at most, however fast the coin turns: one step takes the whole of it. */
+/* Only at a smaller cos theta may the contact have stopped.  By (72) the angle
+ * from flat is then proportional to the cosine of an angle that grows to a
+ * right angle at most, however fast the coin turns.  So one extrapolated step
+ * can do the whole fall. */
 #define NEAR_FLAT K(0.05)
 
 /* The inertia D of (72) about the vertical through the contact. */
@@ -76,7 +77,7 @@ void PRIV(fall_by)(PRIV(held_fall) * f, const PRIV(losses) * l,
     f->phi = y[3];
 }
 
-/* With the acceleration it begins with. */
+/* The time of the fall if its first acceleration stayed. */
 static real first_guess(const PRIV(held_fall) * f, const PRIV(losses) * l,
                         const PRIV(body) * b)
 {
@@ -111,8 +112,8 @@ int PRIV(held)(const PRIV(losses) * l, const PRIV(body) * b,
     const real small2 = eps * eps * (l->J * wX * wX + b->Mga * cth) / l->IX;
     if (!(cth < NEAR_FLAT && u * u <= small2))
         return 0;
-    /* The torque along e_Z that holds the contact, at its most, and what the
-     * losses give as long as u is small. */
+    /* The largest torque along e_Z that holding the contact takes, against what
+     * the losses give as long as u is small. */
     const PRIV(held_fall) f = PRIV(fall_of)(l, y);
     const real turn = f.L / inertia(l, cth), small = SQRT(small2);
     const real A = slope(&f, l, b).v;

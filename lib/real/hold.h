@@ -14,12 +14,12 @@ typedef struct PRIV(held_fall) {
     real phi; /* the heading gained */
 } PRIV(held_fall);
 
-/* Whether the contact of a coin near flat has stopped, within a part eps of
- * the rates that the fall has, and the losses are able to hold it there. */
+/* Whether the contact of a coin near flat has stopped, to within a part eps of
+ * the rates of the fall, and the losses can hold it. */
 int PRIV(held)(const PRIV(losses) * l, const PRIV(body) * b,
                const PRIV(variables) * y, real eps);
 
-/* How the fall begins in *y. */
+/* The fall that begins at *y. */
 PRIV(held_fall)
 PRIV(fall_of)(const PRIV(losses) * l, const PRIV(variables) * y);
 
@@ -31,8 +31,8 @@ void PRIV(fall_by)(PRIV(held_fall) * f, const PRIV(losses) * l,
 real PRIV(fall_time)(const PRIV(held_fall) * f, const PRIV(losses) * l,
                      const PRIV(body) * b);
 
-/* A time in which a rising coin at most doubles its angle from flat, or comes
- * to fall. */
+/* A time in which a rising coin at most doubles its angle from flat.  If it
+ * stops rising before, it is falling at the end of it. */
 real PRIV(rise_time)(const PRIV(held_fall) * f, const PRIV(losses) * l,
                      const PRIV(body) * b);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What slows a coin: the torques of Eq. (65)-(67) in Sundman's time. */
+/* The losses: the torques of Eq. (65)-(67), in Sundman's time. */
 #ifndef ROLLCOIN_LOSSES_H
 #define ROLLCOIN_LOSSES_H
 
@@ -10,13 +10,14 @@
 /* Losses as the slopes read them. */
 typedef struct PRIV(losses) {
     real damping, dry, viscous, layer, gap, rolling, spin;
-    real soft2;        /* the square of the softening rate */
-    real IX, J, K;     /* the body's inertias */
-    real solid, fluid; /* > 0 if a term of that kind is there */
+    real soft2;    /* the square of the softening rate */
+    real IX, J, K; /* the body's inertias */
+    real solid;    /* dry + rolling */
+    real fluid;    /* viscous + layer + gap */
 } PRIV(losses);
 
-/* What the losses add to the slopes by tau of wX, wY, wZ, and the energy that
- * they take per tau. */
+/* What the losses add to the slopes of wX, wY, wZ by tau, and the energy that
+ * they take per unit of tau. */
 typedef struct PRIV(slowing) {
     real wX, wY, wZ, power;
 } PRIV(slowing);
@@ -25,7 +26,7 @@ typedef struct PRIV(slowing) {
 int32_t PRIV(losses_of)(PRIV(losses) * out, const COIN(losses) * l,
                         const PRIV(body) * b);
 
-/* Whether nothing slows the coin. */
+/* Whether all coefficients are 0. */
 int PRIV(lossless)(const COIN(losses) * l);
 
 /* -Q/u of the contour friction, u = cos(theta) d(psi)/dt. */
@@ -62,7 +63,7 @@ COIN_PRIV_INLINE PRIV(slowing)
     return d;
 }
 
-/* The rate in tau at which the losses slow the rates: (71). */
+/* The rate, in tau, at which the losses make the rates decay: (71). */
 COIN_PRIV_INLINE real PRIV(friction_rate)(const PRIV(losses) * l,
                                           const PRIV(variables) * y)
 {

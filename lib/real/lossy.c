@@ -5,9 +5,9 @@
 
 /* The coefficients of a step, and where its error goes. */
 struct lossy_field {
-    coin_priv_field ideal; /* first: it is what rk8.t.h hands on */
+    coin_priv_field ideal; /* first: rk8.t.h passes a pointer to it */
     const coin_priv_losses *l;
-    double perw, perwZ; /* 1 over what the rates are held to */
+    double perw, perwZ; /* weights of the errors of wX, wY and of wZ */
     double *error;
 };
 
@@ -56,17 +56,18 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
 
 #include "lossy.h"
 
-/* How much of the friction's own rate counts: a step of LONGEST in settle.c is
- * then 4 of its relaxation times, and the method is stable up to 6. */
+/* The part of the friction's rate that is added to the coin's own: a step of
+ * LONGEST in settle.c is then 4 of its relaxation times; the method is stable
+ * up to 6. */
 #define FRICTION 0.3
 
 /* The part of the way to where the contact turns round that a step may go. */
 #define TURN_ROUND 0.5
 
-/* 1 over the natural units of tau beyond which that place is out of reach. */
+/* 1 over the natural units of tau within which that place must be. */
 #define FAR 1e-30
 
-/* The coin's own rate in tau, as coin_advance() measures its steps by. */
+/* The coin's own rate in tau, over which coin_advance() measures its steps. */
 static double ideal_rate(const coin_priv_lossy *w)
 {
     return 1 / coin_priv_sundman_tau(&w->run.b, &w->run.g.y, 1);
@@ -78,9 +79,9 @@ double coin_priv_lossy_rate(const coin_priv_lossy *w)
            FRICTION * coin_priv_friction_rate(&w->l, &w->run.g.y); /* (71) */
 }
 
-/* The u = cos(theta) d(psi)/dt within which friction may be stepped over: the
- * width of the softening; and for the terms that have none the width in which
- * they change the rates by no more than the error: (71). */
+/* The z of (71), with u = cos(theta) d(psi)/dt: where |u| < z, a step may pass
+ * u = 0.  It is the width of the softening and, for the terms without one, the
+ * width in which they change the rates by no more than the error. */
 static double zone(const coin_priv_lossy *w, double du, double error)
 {
     const coin_priv_variables *y = &w->run.g.y;

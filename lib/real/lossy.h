@@ -13,7 +13,7 @@ typedef struct coin_priv_lossy {
     coin_priv_run run;
 } coin_priv_lossy;
 
-/* A step tried: where it leads, and how far it may be off. */
+/* A step tried: where it leads, and its error. */
 typedef struct coin_priv_trial {
     coin_priv_variables next;
     coin_priv_pose adds; /* adds.t: the time that the step takes */
@@ -25,13 +25,13 @@ typedef struct coin_priv_trial {
 void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
                          double tau);
 
-/* What a step's length is measured by [1/T]: the rate at which the coin moves
- * in tau, and the rate at which friction does. */
+/* The rate over which a step's length is measured [1/T]: the coin's own rate in
+ * tau, plus a part of that of the friction. */
 double coin_priv_lossy_rate(const coin_priv_lossy *w);
 
-/* The largest tau that does not step over the place where the contact turns
- * round, d(psi)/dt = 0, where friction is not smooth; infinite without it.
- * What is below `error` natural units of rate is not resolved. */
+/* The largest tau of a step that does not pass the place where the contact
+ * turns round, d(psi)/dt = 0, and friction is not smooth; infinite if there is
+ * none.  An effect on the rates below `error` natural units is not resolved. */
 double coin_priv_lossy_bound(const coin_priv_lossy *w, double error);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A coin that loses little goes through steady motions, one after the other:
- * what the losses take moves it along the family of Eq. (39).  Two smooth
- * equations are left, and no step has to follow a turn. */
+/* A coin with small losses moves slowly along the steady motions, Eq. (39).
+ * Its slow motion has smooth equations, (74), and no step has to resolve a
+ * swing or a turn. */
 #include "../motion/pinned.h"
 
 #include "../motion/rest.h"
@@ -10,34 +10,36 @@
 #include "gbs.h"
 #include "losses.h"
 
-/* A swing about the steady motion of more than this part of the angle from flat
- * is not small. */
+/* A swing about the steady motion is small up to this part of the angle from
+ * flat. */
 #define SWING 0.1
 
-/* The error that a step may have, relative or absolute; the first step along
- * the arc, and the shortest: where one shorter would be needed, the steady
- * motion becomes unstable. */
+/* The error that a step may have, relative or absolute; and the lengths of the
+ * first and of the shortest step along the arc.  Where a shorter one would be
+ * needed, the steady motion becomes unstable. */
 #define ERROR 1e-11
 #define FIRST 0.05
 #define SHORTEST 1e-6
 
-/* The most steps, those refused included: 0.2 s.  A life takes some 30. */
+/* The most steps, those refused included: 0.2 s.  To come to rest takes some
+ * 30. */
 #define TRIES_MAX 32768
 
 /* The most tries to land on a time. */
 #define LANDINGS_MAX 40
 
-/* The part of sqrt(cos theta) that a step may take, and where the law of the
- * end takes over. */
+/* The part of ROOT, sqrt(cos theta), that a step may take off; and the ROOT
+ * below which the law of the end is taken. */
 #define PART 0.7
 #define END 1e-5
 
-/* Slower than this, per length of arc, the coin does not come nearer to flat.
- */
+/* If ROOT falls more slowly than this, per length of arc, it does not limit a
+ * step. */
 #define NEVER 1e-30
 
-/* Between two points of a path that are farther apart in heading than this, the
- * path is known by its curvature at both, else by its length. */
+/* If the heading changes by more than this from one point of the path to the
+ * next, the path between them is computed from its curvature at both, else from
+ * its length. */
 #define TURN 1.0
 
 /* 1 over the largest factor of coin_losses_fit(): no loss overflows by it. */
@@ -51,10 +53,10 @@ struct slow {
     coin_priv_body b;
     coin_priv_losses l;
     double w0;    /* 1 over the natural unit of time */
-    double least; /* the least that the arc grows by in that */
+    double least; /* what the arc grows by, at least, in that unit */
 };
 
-/* d/dt in natural units; ROOT's twice is d(cos theta)/dt over ROOT. */
+/* d/dt in natural units. */
 struct rates {
     double dtheta, dwY, dwZ;
     double room; /* -J lambda^2: > 0 while the steady motion is stable */
@@ -84,10 +86,11 @@ static struct rates rates_of(const double *y, const struct slow *q)
     return d;
 }
 
-/* By the length of the arc that the motion draws in (root of cos theta, rates):
- * much time where little happens, and little where the end comes fast.  On the
- * way to a given time the arc grows by 1 at least, as pivoting friction takes
- * for ever to approach a circle without losses. */
+/* Derivatives by the length of the arc of the motion in the space of ROOT and
+ * the rates.  A step then takes a long time where the motion changes slowly,
+ * and a short one where the end is near.  To this length is added q->least
+ * times the time, so that it grows by 1 at least until a given time: a coin
+ * with pivoting friction approaches a circle without losses for ever. */
 static void slopes(double *dy, const double *y, const void *problem)
 {
     const struct rates d = rates_of(y, (const struct slow *)problem);
@@ -115,7 +118,7 @@ struct passing {
     double x, z; /* of the centre, in radii, from the start */
 };
 
-/* The centre's way from the variables before to those now. */
+/* Adds the centre's path from the variables before to those now. */
 static void draw(struct passing *g, const double *before)
 {
     const double *y = g->y;
@@ -174,9 +177,9 @@ static double longest(const struct passing *g)
                                    : (double)INFINITY;
 }
 
-/* Shortens a step h from the variables before until it lands on the time t, to
- * rounding: Newton, and halves where that leaves the step, as near the end time
- * hardly grows with the arc. */
+/* Shortens a step h from the variables before so that it ends at the time t, to
+ * rounding: by Newton's method, or by halving where that would leave the step.
+ * Near the end the time hardly grows with the arc. */
 static void land(double *y, const double *before, const struct slow *q,
                  double h, double t)
 {
@@ -242,7 +245,7 @@ static double lean_of(double sth, double cth)
     return theta > most ? most : theta < -most ? -most : theta;
 }
 
-/* The state of where it has come to. */
+/* The state now. */
 static coin_state state_of(const struct passing *g, const coin_state *s,
                            int rests)
 {
@@ -274,7 +277,7 @@ static int32_t check(struct slow *q, const coin_state *s, const coin_params *p,
     return status;
 }
 
-/* Whether a loss other than the pivoting friction acts. */
+/* Whether a loss acts that stops the coin: any but pivoting friction. */
 static int stops(const struct slow *q, const coin_state *s,
                  const coin_params *p, const coin_losses *l)
 {
@@ -321,7 +324,8 @@ int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
         return status;
     if (!(now > 0 && now * FACTOR_LEAST < time))
         return COIN_EDOMAIN;
-    const double factor = now / time; /* the slow motion is linear in them */
+    /* All slopes of the slow motion are proportional to the losses. */
+    const double factor = now / time;
     const coin_losses scaled = {
         l->damping * factor, l->dry * factor, l->viscous * factor,
         l->layer * factor,   l->gap * factor, l->rolling * factor,

@@ -13,16 +13,17 @@
 /* The most steps of a call, those refused included: 0.4 s. */
 #define TRIES_MAX (UINT64_C(1) << 20)
 
-/* A call's first step is FIRST tol^(1/8) over the rate, none is longer than
- * LONGEST: what the first of most motions may be, and what keeps the estimate
- * of the error good. */
+/* A call's first step is FIRST tol^(1/8) over the rate, as long as most motions
+ * admit.  No step is longer than LONGEST: there the estimate of the error is
+ * good. */
 #define FIRST 4.0
 #define LONGEST 1.2
 
-/* How much more than tol times its time the estimate of a step may be: that is
- * of order 8, the step's error of order 9.  Measured so that the error stays
- * below tol per natural unit of time (test_settle).  A step near flat takes
- * hardly any time, and need not be better than one of BRIEF natural units. */
+/* The estimate of a step's error may be ESTIMATE times tol times its time,
+ * since the estimate is of order 8 and the error of order 9.  Measured so that
+ * the error stays below tol per natural unit of time (test_settle).  A step
+ * near flat takes hardly any time; the time of a step counts as BRIEF natural
+ * units at least. */
 #define ESTIMATE 4.0
 #define BRIEF 0.03
 
@@ -51,7 +52,8 @@ static double tau_of(const coin_priv_variables *y, double rem)
     return room >= 0 ? 2 * r / (1 + sqrt(room)) : (double)INFINITY;
 }
 
-/* What the estimate of a step may be: by tol, and by rounding. */
+/* The largest estimate with which a step of t is accepted: by tol, plus what
+ * rounding makes of it. */
 static double allowed(const struct settling *g, double t)
 {
     const coin_priv_variables *y = &g->w.run.g.y;
@@ -61,7 +63,7 @@ static double allowed(const struct settling *g, double t)
            4 * DBL_EPSILON * (1 + rates);
 }
 
-/* The step by its three rules, or what lands. */
+/* The next tau: by the stride, by the bound of (71), or what is left. */
 static double next_tau(const struct settling *g, double rate)
 {
     const double bound = coin_priv_lossy_bound(&g->w, allowed(g, 0)),
@@ -105,7 +107,7 @@ static int32_t step(struct settling *g, double rate)
     return COIN_OK;
 }
 
-/* The coin after a fall, flat or not yet: its contact stays. */
+/* Sets the coin to the end of a fall or a part of it; its contact stays. */
 static void put(coin_priv_run *r, const coin_priv_held_fall *f,
                 const coin_priv_losses *l)
 {
@@ -171,8 +173,9 @@ static int32_t fall_flat(struct settling *g)
     return COIN_RESTS;
 }
 
-/* The time left of a coin so flat and slow that it will not rise again, by the
- * losses that never stop the contact: (t0 - t)^2 is as its energy. */
+/* The time to rest of a coin so flat and slow that it will not rise again, with
+ * losses that never stop the contact: its energy is proportional to (t0 - t)^2.
+ * Infinite for other coins. */
 static double time_left(const coin_priv_lossy *w)
 {
     const coin_priv_variables *y = &w->run.g.y;
@@ -183,7 +186,7 @@ static double time_left(const coin_priv_lossy *w)
     return 2 * E * y->cth / coin_priv_slow(&w->l, y).power;
 }
 
-/* Lays the coin flat as it moves. */
+/* Lays the coin flat, a time later, with the wX that it has. */
 static int32_t lay(struct settling *g, double after)
 {
     coin_priv_variables *y = &g->w.run.g.y;

@@ -20,7 +20,7 @@ struct moving {
     coin_priv_sum rem; /* of t, still to go */
 };
 
-/* Steps in tau: one, and those that lead back from beyond the time.  None if
+/* Steps in tau: one, and others that lead back if it passes the time.  None if
  * the time left is short. */
 static int32_t step(struct moving *g, coin_priv_stretch *w)
 {

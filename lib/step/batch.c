@@ -3,8 +3,7 @@
 
 #include "lanes.h"
 
-/* Coins to go side by side; places that nobody took have a copy of the first.
- */
+/* A group of coins side by side.  Places left over have a copy of the first. */
 struct group {
     coin_state *where[COIN_PRIV_LANES], spare[COIN_PRIV_LANES];
     int size;
@@ -21,7 +20,7 @@ static void gather(struct group *g, coin_state *s, size_t left)
     }
 }
 
-/* A quarter of the lanes or fewer, and a single coin, go one by one. */
+/* Fewer coins than this go one by one, which takes less time. */
 enum { ENOUGH = (COIN_PRIV_LANES + 2) / 4 + 1 };
 
 static void run_group(const struct group *g, coin_priv_lanes_run *run,

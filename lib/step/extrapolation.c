@@ -8,19 +8,18 @@
  *
  * and the error of y_n is a series in h^2, of which a weighted sum of seven
  * columns removes six terms.  No smoothing step is made.  The columns do not
- * depend on each other, so that each lane of a vector takes one.  Only changes
- * from y_0 are carried: they are rounded less than y is.
+ * depend on each other, so that each lane of a vector takes one.  The variables
+ * are changes from y_0, whose rounding is smaller than that of y.
  *
- * Units, within this file: the unit of time is H/120, of which every 2h is a
- * multiple without rounding; and Z is wZ times k1 = I_Z/I_X, which is a product
- * less. */
+ * Units within this file: the unit of time is H/120, of which every 2h is an
+ * exact multiple.  Z is wZ times k1 = I_Z/I_X, which saves a product. */
 #include "../motion/pinned.h"
 
 #include "extrapolation.h"
 #include "sundman.h"
 
-/* Columns that go abreast: one without vectors.  Each number gives the same
- * bits. */
+/* How many columns are computed side by side; 1 without vectors.  The bits do
+ * not depend on it. */
 #ifndef LANES
 #if COIN_PRIV_WIDTH > 16
 #define LANES 4
@@ -74,8 +73,9 @@ struct problem {
 static const double double_substep[] = {15, 20, 24, 30, 40, 60, 120, 120};
 
 /* The weight of a column: the product of n^2/(n^2 - m^2) over the others.
- * Rounded to multiples of 2^-48 the weights add up to 1 exactly.  Those of 2,
- * 4, ..., 14 are twice as large, and so would be what rounding does. */
+ * Rounded to multiples of 2^-48 the weights add up to 1 exactly.  With columns
+ * of 2, 4, ..., 14 substeps the weights would be twice as large, and with them
+ * the effect of rounding. */
 #define GRID(x) (((x) + 12) - 12)
 #define C16 GRID(268435456.0 / 42567525.0)
 #define C12 GRID(-157464.0 / 13475.0)
@@ -149,7 +149,7 @@ COIN_PRIV_INLINE void odd_substep(struct columns *c, const struct problem *p)
 }
 
 #if LANES > 1
-/* Only the first `on` lanes go on.  The others stay where they ended. */
+/* The same for the first `on` lanes.  The columns of the others have ended. */
 COIN_PRIV_INLINE void odd_substep_of(struct columns *c, const struct problem *p,
                                      int on)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-/* Scheduled before registers are given out gcc's code for RK4 is 4 to 6 %
- * faster, without a change of any bit. */
+/* Scheduled before registers are allocated, gcc's code for RK4 is 4 to 6 %
+ * faster, to the same bits. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__)
 #pragma GCC optimize("schedule-insns", "sched-pressure")
 #endif
@@ -51,8 +51,8 @@ struct coins {
 
 enum { THETA, PHI, PSI, X, Z, WX, WY, WZ };
 
-/* Each vector is made whole before it is written: a wide load of what narrow
- * stores have just written would wait for them. */
+/* Each vector is complete before it is stored: a wide load would wait for
+ * narrow stores to the same place. */
 COIN_PRIV_INLINE void load(struct coins *c, coin_state *const *where)
 {
     for (int i = 0; i < 8; ++i) {
@@ -128,9 +128,9 @@ struct shared {
     int32_t method;
 };
 
-/* Lane by lane what coin_priv_steps() asks before a block of steps: the cos
- * theta that every stage has to stay above, 2 if none will do; whether phi and
- * psi cannot leave their range. */
+/* What coin_priv_steps() computes before a block of steps, lane by lane: the
+ * cos theta that every stage has to stay above, or 2, and whether phi and psi
+ * cannot leave their range. */
 static coin_lanes safe_cosine(mask *sound, const struct coins *c,
                               const coin_priv_body *b, double coarse2)
 {
@@ -148,8 +148,8 @@ static coin_lanes safe_cosine(mask *sound, const struct coins *c,
     return safe;
 }
 
-/* Whether a single step from *y was safe: W^2 itself is cheaper than what
- * bounds it in a block. */
+/* Whether a single step from *y was safe.  For one step, W^2 is cheaper than
+ * the bound for a block. */
 COIN_PRIV_INLINE mask one_step_holds(const struct shared *of,
                                      const coin_lanes_variables *y,
                                      const coin_lanes_variables *next,
@@ -162,7 +162,7 @@ COIN_PRIV_INLINE mask one_step_holds(const struct shared *of,
            (coin_lanes_magnitude(adds->phi) <= COIN_PRIV_TURN_MAX);
 }
 
-/* A block of n steps; returns for which coins all of them were safe. */
+/* Does a block of n steps; returns for which coins all of them were safe. */
 COIN_PRIV_INLINE mask block_of_steps(struct coins *c, const struct shared *of,
                                      uint64_t n, lanes_step *step,
                                      const void *coefficients)
@@ -208,8 +208,8 @@ static int32_t alone(coin_state *s, const struct shared *of)
     return coin_run(s, of->p, of->method, of->dt, of->steps, NULL);
 }
 
-/* Writes the states of the coins that are still in their lanes.  One whose path
- * overflowed goes the way anew by itself. */
+/* Writes the states of the coins that are still in their lanes.  A coin whose
+ * path overflowed repeats its run by itself. */
 static void store(coin_state *const *where, int32_t *status,
                   const struct coins *c, mask in, const struct shared *of)
 {

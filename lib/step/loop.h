@@ -35,8 +35,8 @@ typedef void coin_priv_step(coin_priv_step_end *end, coin_priv_variables *next,
  * turns so far has missed what happens on the way. */
 #define COIN_PRIV_TURN_MAX 1.5
 
-/* Whether phi and psi are in the range of coin_state_check(), as they will be
- * reported, and so far within it as margin.  NaN is not. */
+/* Whether phi and psi, as they will be reported, are in the range of
+ * coin_state_check(), at least `margin` from its ends.  NaN is not. */
 COIN_PRIV_INLINE int coin_priv_angles_hold(const coin_priv_progress *g,
                                            const coin_priv_pose *added,
                                            double margin)
@@ -46,15 +46,16 @@ COIN_PRIV_INLINE int coin_priv_angles_hold(const coin_priv_progress *g,
            fabs(coin_priv_total(g->psi, added->psi)) <= most;
 }
 
-/* Several times what a block of steps can turn phi or psi by, 2 rad each. */
+/* Twice what the 64 steps of a block can turn phi or psi by, 2 rad each. */
 #define COIN_PRIV_BLOCK_TURN 256.0
 
 /* The cos theta above which W^2, Eq. (47), is below coarse2 whatever the rates,
  * so that most steps need no closer look: the energy bounds wX^2 + wY^2 by
  * 2 E/I_X and wZ^2 by 2 E/K, so that with q = 1/cos theta
  *     W^2 <= 2 E/I_X q^2 + g/a q + 2 E/K.
- * A quarter is added to E for what it may err until the end of the block; at
- * the limit a step errs by less than 1e-3 of it.  2 if no cos theta will do. */
+ * A quarter is added to E for its error until the end of the block: even at the
+ * limit the error of a step is below 1e-3 of E.  Returns 2 if there is no such
+ * cos theta. */
 COIN_PRIV_INLINE double coin_priv_safe_cosine(const coin_priv_body *b,
                                               double coarse2,
                                               const coin_priv_variables *y)
@@ -63,29 +64,29 @@ COIN_PRIV_INLINE double coin_priv_safe_cosine(const coin_priv_body *b,
     const double T2 = b->J * wX * wX + b->IX * wY * wY + b->K * wZ * wZ;
     const double E2 = 1.25 * (T2 + 2 * b->Mga * y->cth); /* (23) */
     const double left = coarse2 - E2 / b->K;
-    /* A lane that has left may hold a coin below the table, E < 0. */
+    /* A lane that is no longer used may hold a coin below the table, E < 0. */
     if (!(left > 0 && E2 > 0))
         return 2;
     const double fall = b->g_a / (2 * left); /* no product may overflow */
     return fall + sqrt(fall * fall + E2 / b->IX / left);
 }
 
-/* A step that may not be safe: whether it is sound all the same. */
+/* Whether a step is sound that coin_priv_safe_cosine() does not decide. */
 COIN_PRIV_INLINE int coin_priv_step_holds(coin_priv_limits *limits, double g_a,
                                           const coin_priv_step_end *end,
                                           const coin_priv_variables *next)
 {
     const int turn_holds = (fabs(end->adds.theta) <= COIN_PRIV_TURN_MAX) &
                            (fabs(end->adds.phi) <= COIN_PRIV_TURN_MAX);
-    /* No step was found whose end alone is below the table. */
+    /* In tests no step had only its end below the table. */
     const int above = (end->least_cth > 0) & (next->cth > 0);
     return turn_holds && above &&
            coin_priv_rate2_holds(limits, coin_priv_rate2(g_a, next));
 }
 
 /* Up to n steps of a run.  It ends early where a step would not be sound, and
- * is then as the last good step left it.  The inner loop calls nothing: a call
- * would cost every step its registers. */
+ * is then as the last sound step left it.  The inner loop calls no function:
+ * each step would have to spill its registers. */
 COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
                                       coin_priv_step *step,
                                       const void *coefficients)
@@ -100,7 +101,7 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
     while (sound && n > 0) {
         const uint64_t rest = COIN_PRIV_BLOCK - r->steps % COIN_PRIV_BLOCK;
         const uint64_t block = n < rest ? n : rest;
-        /* For one step the closer look is cheaper. */
+        /* For one step, W itself is cheaper. */
         const double safe =
             n > 1 ? coin_priv_safe_cosine(&r->b, r->limits.coarse2, &y) : 2;
         const int at_edge =

@@ -4,18 +4,19 @@
 #include "extrapolation.h"
 #include "sundman.h"
 
-/* The largest error of a step usually comes once in a period of theta.  So the
- * motion is followed through one period, first by coarse steps, which find its
- * length, its largest W and where that is.  Then the method itself runs with dt
- * beside dt/2; the difference of the states that they report estimates the
- * error of dt. */
+/* Steps have their largest error once in a period of theta, as a rule.  So the
+ * motion is followed through one period.  The look ahead, by coarse steps,
+ * finds the period's length, its largest W and where that is.  In a trial the
+ * method itself runs with dt and with dt/2; the difference of the states
+ * estimates the error of dt. */
 
 /* The look ahead covers two turning points of theta and at least this many
  * natural units: where nutation and heading have nearly one period, the error
  * of the path grows as t^2 over many of them. */
 #define LOOK_TIME_MIN 4.0
 
-/* It ends after so many where turning points are late or missing. */
+/* It ends after this many natural units where turning points are late or
+ * missing. */
 #define LOOK_TIME_MAX 20.0
 
 /* The largest numbers of steps of a look ahead and of a trial, and of states
@@ -93,9 +94,10 @@ static double apart(const coin_priv_run *c, const coin_priv_run *d)
     return larger(s.z - r.z, e);
 }
 
-/* The error per natural unit of time that steps of dt make over the span, at
- * least 1 if they do not get through it.  A span below a natural unit counts
- * in full: the error goes on growing after it. */
+/* The error of steps of dt per natural unit of time; at least 1 if a step
+ * fails.  The difference of the states is divided by the time since the start,
+ * but by no less than one unit, or than the span where that is shorter: the
+ * error goes on growing after the span. */
 static double trial(const struct outlook *o, int32_t method, double dt)
 {
     coin_priv_run c = o->from, d = o->from;
@@ -148,9 +150,9 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
     const double most = PEAK * coin_priv_coarse_limit(method) / sqrt(worst2);
     const int32_t order = coin_method_order(method);
     double dt = most;
-    /* Three trials, each where the last one points: far from the dt in question
-     * the error is no power of it.  None is so short that it does not see the
-     * span, or so fine that the error is lost in rounding. */
+    /* Three trials, each with the dt that the last one estimates: only near the
+     * dt wanted is the error a power of dt.  dt is not so short that a trial
+     * ends before the span does, and an error below rounding counts as that. */
     for (int i = 0; i < 3; ++i) {
         const double seen = larger(o.span / TRIAL_STEPS, dt);
         const double tried = seen < most ? seen : most;

@@ -17,19 +17,21 @@ typedef struct PRIV(step_end) {
     real least_cth;
 } PRIV(step_end);
 
-/* A run under way: its variables, the pose where its block of steps began, and
- * what the steps since then have added to it.  A steady motion adds the same
- * again and again, and to one long sum it would always round alike.  x, z are
- * from where it started, in radii.  theta is in `added` alone, one plain sum as
- * wX, wY and wZ are: next to a steady motion all four change by less than their
- * rounding, and if one of them kept what the others lose, it would drift. */
+/* A run under way: its variables, its pose at the beginning of a block of
+ * steps, and what the steps of the block have added to it.  A steady motion
+ * adds the same in every step, and one long plain sum would round it the same
+ * way each time.  x and z are from the start of the run, in radii.
+ *
+ * theta is in `added` alone, one plain sum as wX, wY and wZ are.  Next to a
+ * steady motion these four change by less than their rounding.  If only one of
+ * them kept what rounding leaves out, it would drift. */
 typedef struct PRIV(progress) {
     PRIV(variables) y;
     PRIV(pose) added;
     PRIV(sum) phi, psi, x, z;
 } PRIV(progress);
 
-/* a + w b, member by member; the steps count the time. */
+/* a + w b, member by member, but for t: steps in tau add that themselves. */
 COIN_PRIV_INLINE PRIV(pose)
     PRIV(pose_plus)(const PRIV(pose) * a, scalar w, const PRIV(pose) * b)
 {
@@ -81,7 +83,7 @@ COIN_PRIV_INLINE void PRIV(progress_begin)(PRIV(progress) * g,
     g->phi.low = g->psi.low = g->x.low = g->z.low = none;
 }
 
-/* The pair of an angle that a sum holds. */
+/* Sine and cosine of an angle that a sum holds. */
 COIN_PRIV_PART PRIV(sc) PRIV(angle_pair)(PRIV(sum) angle)
 {
     const PRIV(sc) of = PRIV(sine_cosine)(angle.sum);
@@ -110,7 +112,8 @@ COIN_PRIV_INLINE void PRIV(end_block)(PRIV(progress) * g)
     PRIV(add_block)(g);
     PRIV(variables) *const y = &g->y;
     const PRIV(sc) at = PRIV(sine_cosine)(g->added.theta);
-    /* Near the table the rounding of theta is much of cos theta. */
+    /* Near the table the rounding of theta is a large part of cos theta: the
+     * pair is kept there. */
     const whole near = PRIV(truth)(y->cth < K(0.0078125));
     const PRIV(sc) th = {
         PRIV(choose)(near, y->sth, at.s),
@@ -137,8 +140,8 @@ COIN_PRIV_INLINE PRIV(variables)
 }
 
 /* The same, after a step from *y.  The pairs turn by what the step adds to the
- * angles: angles and pairs stay one to rounding, and a run of n steps is n runs
- * of one. */
+ * angles.  So, to rounding, angles and pairs agree, and a run of n steps equals
+ * n runs of one step. */
 COIN_PRIV_INLINE PRIV(variables)
     PRIV(variables_after)(const PRIV(variables) * y, const PRIV(step_end) * end)
 {
@@ -147,7 +150,7 @@ COIN_PRIV_INLINE PRIV(variables)
     return PRIV(variables_at)(end, th, ph);
 }
 
-/* Where a run has come to: angles, and x, z [L] from where it started. */
+/* The pose of a run: its angles, and x, z [L] from where it started. */
 COIN_PRIV_INLINE PRIV(pose) PRIV(pose_of)(const PRIV(progress) * g, real a)
 {
     const PRIV(pose) *const added = &g->added;

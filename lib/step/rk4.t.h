@@ -11,9 +11,10 @@ typedef struct PRIV(rk4_fields) {
     PRIV(field) half, full, sixth;
 } PRIV(rk4_fields);
 
-/* A stage: the start plus a slope, with two exceptions.  1/cos theta is divided
- * anew, and the heading is turned.  Carried as variables they would be off by
- * tan^2 theta z^2 and by z^3/6 for a turn z, and the path with the heading. */
+/* A stage: the start plus a slope, with two exceptions.  1/cos theta is
+ * computed by a division, and the pair of the heading is turned.  As the start
+ * plus a slope they would have errors of tan^2 theta z^2 and z^3/6 for a turn
+ * z, and so would the path. */
 COIN_PRIV_INLINE PRIV(variables)
     PRIV(stage)(const PRIV(variables) * y1, const PRIV(variables) * d,
                 real turn)
@@ -28,9 +29,10 @@ COIN_PRIV_INLINE PRIV(variables)
     return y;
 }
 
-/* theta's pair at the end of a step, if |late| <= COIN_PRIV_LITTLE_TURN.  Most
- * of the turn is known from the first stage on, so that its sine and cosine are
- * there when the last stage is: the next step waits for them. */
+/* theta's pair at the end of a step, if |late| <= COIN_PRIV_LITTLE_TURN.  The
+ * next step waits for this pair.  Most of the turn is known after the first
+ * stage: its sine and cosine are computed during the others, and `late` is the
+ * rest. */
 typedef struct PRIV(rk4_lean) {
     PRIV(sc) th;
     real late;

@@ -140,9 +140,9 @@ typedef real lane;
 #define EACH(F) F(0) F(1) F(2) F(3) F(4) F(5) F(6) F(7)
 #endif
 
-/* With AVX the slopes of a row but the newest are summed in fours, w, before
- * the newest is known: it is waited for, and to put it into fours and to take
- * it out again would take longer than it saves. */
+/* With AVX the slopes of a row but the newest are summed in vectors of four, w,
+ * before the newest is known.  The newest is added in pairs: moving it into
+ * vectors of four and back would take longer than it saves. */
 #ifdef FOURS
 typedef double four COIN_PRIV_VECTOR(32);
 struct row {
@@ -166,7 +166,7 @@ struct row {
 #define OLD(i, m) (y0.v[m] + OLD##i(m))
 #endif
 
-/* In the order in which they are needed soonest, by measurement. */
+/* The order was found by measurement: the members needed first come first. */
 COIN_PRIV_INLINE struct row row_of(const PRIV(variables) * s)
 {
     struct row r;
@@ -254,8 +254,8 @@ COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
                B[4] * v9.m + B[5] * v10.m + B[6] * v11.m) +                    \
               B[7] * v12.m;
 
-/* Stage i (13: the end): where its row puts it, and its slopes; meanwhile what
- * row j, the next, has of older ones.  v only where b_i is not 0. */
+/* Stage i, where 13 is the end: its variables by row i, and its slopes; and the
+ * sum of the older slopes of row j, the next.  PATH only where b_i is not 0. */
 #define STAGE(i, j)                                                            \
     EACH(ROW##i)                                                               \
     SUM_OLD(j);                                                                \

@@ -30,24 +30,23 @@ COIN_PRIV_INLINE uint64_t coin_priv_run_by(coin_priv_run *r, int32_t method,
     return r->steps - before;
 }
 
-/* The same for any dt.  Of steps of no time as many are done as are asked for.
- */
+/* The same for any dt.  If dt is 0, all steps count as done. */
 COIN_PRIV_INLINE uint64_t coin_priv_run_on(coin_priv_run *r, int32_t method,
                                            uint64_t n)
 {
     return r->dt == 0 ? n : coin_priv_run_by(r, method, n);
 }
 
-/* Where it has come to; a run of no steps is where it began, to the bit. */
+/* The state of a run; before the first step that is its start, to the bit. */
 COIN_PRIV_INLINE coin_state coin_priv_run_state(const coin_priv_run *r)
 {
     return r->steps == 0 ? r->start
                          : coin_priv_state_of(&r->g, &r->start, r->b.a);
 }
 
-/* Takes a run of so many steps to its end: *s becomes the state there and, if
- * done is not null, *done the number of steps that were done; the status of the
- * whole.  A path so long that x or z overflowed counts as none. */
+/* Completes a run of `steps` steps and returns its status.  *s becomes the
+ * state at the end and, if done is not null, *done the number of steps done.
+ * If x or z overflowed, *s is left as it was and no step counts as done. */
 int32_t coin_priv_run_to_end(coin_priv_run *r, int32_t method, uint64_t steps,
                              coin_state *s, uint64_t *done);
 

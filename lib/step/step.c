@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-/* gcc would move the arithmetic of the end behind the tests that need it: 5 %
- * of a call. */
+/* gcc would move the arithmetic of the step's end behind the branches that use
+ * it, which costs 5 % of a call. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__)
 #pragma GCC optimize("no-tree-sink", "no-tree-pre")
 #endif
@@ -27,7 +27,7 @@ int32_t coin_step(coin_state *s, const coin_params *p, double dt)
     const coin_priv_rk4_fields k = coin_priv_rk4_fields_of(&b, dt);
     coin_priv_rk4_lean unused;
     const coin_priv_step_end end = coin_priv_rk4_end(&unused, &y, &k);
-    /* A run adds all but theta to 0: -0 becomes 0. */
+    /* A run adds all but theta to a sum of 0, where -0 becomes 0. */
     const coin_priv_pose none = {0, 0, 0, 0, 0, 0};
     const coin_priv_pose adds = coin_priv_pose_plus(&none, 1, &end.adds);
     const coin_priv_variables next = coin_priv_variables_after(&y, &end);

@@ -3,11 +3,11 @@
 
 #include "sundman.h"
 
-/* The weights of wY and wZ follow Eq. (44), the coin's own frequency, and make
- * the error of a step of given length most nearly the same for every motion.
- * For bodies with I_Z far below I_X that frequency is low, and the slope of wX,
- * Eq. (14), decides: without it they erred by 1e5 tol.  For rings it never
- * does. */
+/* The weights of wY and wZ follow Eq. (44), the frequency of the lean.  With
+ * them the error of a step of a given stride depends least on the motion.  For
+ * bodies with I_Z far below I_X that frequency is low, and slope2, from the
+ * slope of wX, Eq. (14), is larger: without it their errors reached 1e5 tol.
+ * For rings it is never larger. */
 double coin_priv_sundman_tau(const coin_priv_body *b,
                              const coin_priv_variables *y, double stride)
 {

@@ -49,8 +49,8 @@ COIN_PRIV_INLINE double hermite(double h, double f0, double f1, double df0,
     return h / 2 * (f0 + f1) + h * h / 12 * (df0 - df1);
 }
 
-/* Takes wY and wZ along from the lean of *y0 to that of *y, whose pair is
- * larger by `by`; 0 if that is beyond the series. */
+/* Computes wY and wZ at the lean of *y from those at that of *y0; the pair of
+ * *y is larger by `by`.  0 if that is beyond the series' reach. */
 COIN_PRIV_INLINE int shift(coin_priv_variables *y,
                            const coin_priv_variables *y0, coin_priv_sc by,
                            const coin_priv_body *b)
@@ -61,7 +61,7 @@ COIN_PRIV_INLINE int shift(coin_priv_variables *y,
         return 0;
     coin_priv_legendre_change(&dp, &dwZ, y0->wY * y0->cth, y0->wZ, b->k1, b->k2,
                               y0->sth, c2, by.s); /* (49) */
-    /* In this form no change of lean is no change of wY, to the bit. */
+    /* In this form wY stays the same, to the bit, where the lean does. */
     y->wY = y0->wY + (dp - y0->wY * by.c) * y->q;
     y->wZ = y0->wZ + dwZ;
     return 1;
@@ -83,8 +83,8 @@ COIN_PRIV_INLINE struct turn turn_of(const coin_priv_body *b,
     return t;
 }
 
-/* Moves *c by a drift of h.  A call costs a step 1 %, and one copy serves both
- * methods. */
+/* Moves *c by a drift of h.  A function: the call costs 1 % of a step, and both
+ * methods share its code. */
 COIN_PRIV_APART void drift(struct part *c, const struct split *k, double h)
 {
     const coin_priv_variables y0 = c->y;

@@ -2,8 +2,8 @@
 /* Asserts for numbers, statuses and bytes.
  *
  * cmocka's own assert on floating-point numbers casts to float.  These print
- * what was got, what was wanted, the difference and the bound, and the note
- * that says in which scene, row or random case the check stood. */
+ * the value, the value wanted, their difference and its bound, and a note that
+ * tells the scene, the row or the random case. */
 #ifndef ROLLCOIN_TESTS_CHECK_H
 #define ROLLCOIN_TESTS_CHECK_H
 
@@ -19,15 +19,14 @@
 /* Half the distance between 1 and the next double. */
 #define U 0x1p-53
 
-/* Where the checks that follow stand; printed when one fails. */
+/* Sets the note that is printed if a check after it fails. */
 __attribute__((format(printf, 1, 2))) void check_note(const char *format, ...);
 
-/* A cmocka setup: forgets the note of the test before. */
+/* A cmocka setup: clears the note of the test before. */
 int check_begin(void **unused);
 
-/* Skips the test where the processor, or what stands for it, computes long
- * double with no more digits than double, as valgrind does: its truth would be
- * none. */
+/* Skips the test where long double has no more digits than double, as below
+ * valgrind: its reference values would not be accurate enough. */
 void check_long_double(void);
 
 #define TEST(function) cmocka_unit_test_setup(function, check_begin)
@@ -44,16 +43,15 @@ void check_that(int holds, const char *what, const char *file, int line);
 void check_near_at(double got, double want, double bound, const char *what,
                    const char *file, int line);
 
-/* lowest <= got <= highest: a window, for what must be neither more nor less.
- */
+/* lowest <= got <= highest; false for NaN. */
 #define check_within(got, lowest, highest)                                     \
     check_within_at(got, lowest, highest, #got, __FILE__, __LINE__)
 void check_within_at(double got, double lowest, double highest,
                      const char *what, const char *file, int line);
 
 /* got is within `units` u times `terms` of a reference value, of which `want`
- * is the nearest double: the reference's own rounding, u |want|, is charged to
- * the library, so that the bound is shown for the true value. */
+ * is the nearest double.  The rounding of the reference, u |want|, is added to
+ * the difference, so that the bound is proved for the true value. */
 #define check_terms(got, want, units, terms)                                   \
     check_terms_at(got, want, units, terms, #got, __FILE__, __LINE__)
 void check_terms_at(double got, double want, double units, double terms,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Coins that many tests begin with. */
+/* Coins that many tests use. */
 #ifndef ROLLCOIN_TESTS_COINS_H
 #define ROLLCOIN_TESTS_COINS_H
 
@@ -11,7 +11,7 @@
 coin_params disc(void);
 coin_params ring(double inner);
 
-/* On a steady circle. */
+/* The state of a coin on a steady circle. */
 coin_state circle(const coin_params *p, double theta, double wZ,
                   int32_t branch);
 
@@ -21,7 +21,7 @@ coin_state state_in_row(const struct table *t, size_t row);
 /* W of Eq. (47), by libm. */
 double fastest_rate(const coin_state *s, const coin_params *p);
 
-/* The largest W in a time from here, of either sign. */
+/* The largest W from this state to a time t later or, if t < 0, before. */
 double fastest_ahead(const coin_state *s, const coin_params *p, double t);
 
 #endif

@@ -6,7 +6,7 @@
 
 enum { STEPS = 8 };
 
-/* The values `points` intervals of h later; earlier, if negative. */
+/* The values after `points` intervals of h; before, if negative. */
 static void values_at(const coin_state *s, const coin_params *p,
                       values_of *values, int points, double h,
                       double out[OBSERVABLE_MAX])

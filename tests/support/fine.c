@@ -10,7 +10,7 @@
 
 enum { STAGES = 12, SIZE = 9 };
 
-/* The step over the fastest rate: by order 8 it errs by less than 1e-17. */
+/* The step over the fastest rate: its error, of order 8, is below 1e-17. */
 #define STRIDE (1.0L / 40)
 
 typedef long double real;
@@ -97,8 +97,8 @@ struct fine fine_begin(const coin_state *s, const coin_params *p)
     return f;
 }
 
-/* Whole steps until the next would pass t, and one that Newton's method fits.
- */
+/* Full steps until the next one would pass t, and then one whose length
+ * Newton's method finds. */
 static void go(struct fine *f, real t)
 {
     const real side = t < f->y[8] ? -1 : 1;

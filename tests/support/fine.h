@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A motion in long double, by the textbook's equations in Sundman's time and
- * the table of Dormand and Prince: a truth that shares no code with lib/, and
- * 2000 times finer than a double where long double has 64 bits. */
+ * the coefficients of Dormand and Prince.  It shares no code with lib/.  Where
+ * long double has 64 bits, its rounding is 2000 times finer than that of a
+ * double. */
 #ifndef ROLLCOIN_TESTS_FINE_H
 #define ROLLCOIN_TESTS_FINE_H
 
@@ -14,7 +15,7 @@ struct fine {
 
 struct fine fine_begin(const coin_state *s, const coin_params *p);
 
-/* Goes to the time t since the start, and says the state there. */
+/* Goes to the time t since the start, and returns the state there. */
 coin_state fine_at(struct fine *f, double t);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Single precision, held against doubles that begin with the same numbers. */
+/* Single precision, compared with doubles that start from the same numbers. */
 #ifndef ROLLCOIN_TESTS_FLOATS_H
 #define ROLLCOIN_TESTS_FLOATS_H
 
@@ -13,7 +13,7 @@
 coinf_params floats_params(const coin_params *p);
 coinf_state floats_state(const coin_state *s);
 
-/* The same numbers as doubles; of a state with what its rounding left out. */
+/* The same numbers as doubles; for a state the remainders are added. */
 coin_params doubles_params(const coinf_params *p);
 coin_state doubles_state(const coinf_state *s);
 
@@ -23,8 +23,8 @@ coin_losses doubles_losses(const coinf_losses *l);
 
 /* How far the pose of a state is from the exact motion, a time after *start:
  * the largest difference of the angles, up to whole turns, and of x and z in
- * radii.  The exact motion is coin_advance() at its finest, which test_advance
- * holds against the references. */
+ * radii.  The exact motion is coin_advance() at its least tol, which
+ * test_advance compares with the references. */
 double floats_error(const coinf_state *s, const coinf_state *start,
                     const coinf_params *p, double t);
 

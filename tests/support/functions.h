@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every public function with a status, behind one signature: its pointers in
- * an array, its scalars good ones. */
+/* Every public function that returns a status, by one signature: its pointers
+ * are in an array, and its other arguments are valid. */
 #ifndef ROLLCOIN_TESTS_FUNCTIONS_H
 #define ROLLCOIN_TESTS_FUNCTIONS_H
 

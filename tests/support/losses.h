@@ -7,7 +7,7 @@
 
 #include <coin.h>
 
-/* A start of a disc that never turns round: spinning, with a nutation. */
+/* A start of a disc whose contact never turns round: a spin with a nutation. */
 extern const coin_state spun;
 
 /* The losses that stop a coin, one at a time. */
@@ -15,15 +15,15 @@ enum { DRY, VISCOUS, LAYER, GAP, ROLLING, DAMPING, LAWS };
 extern const char *const loss_names[LAWS];
 coin_losses one_loss(int law, double m);
 
-/* A spin at an angle from flat, which already slows as by the quasi-steady
- * model: its loss hardly makes it swing. */
+/* A spin at an angle from flat, with the wX of the quasi-steady motion: the
+ * losses hardly make it swing. */
 coin_state slow_spin(const coin_params *p, const coin_losses *l, double angle);
 
 /* Losses and state of natural units in others: mass M, length L, time T. */
 coin_losses losses_in(const coin_losses *l, double M, double L, double T);
 coin_state state_in(const coin_state *s, double L, double T);
 
-/* Some of all terms, up to most in natural units, and not spin alone. */
+/* Some of the terms, each up to `most` in natural units, and not spin alone. */
 coin_losses random_losses(struct random *r, const coin_params *p, double most);
 
 /* coin_settle() for 1e6 natural units. */

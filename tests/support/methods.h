@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Any method along a named scene, held against its reference. */
+/* Any method along a named scene, compared with its reference. */
 #ifndef ROLLCOIN_TESTS_METHODS_H
 #define ROLLCOIN_TESTS_METHODS_H
 
@@ -10,24 +10,25 @@ enum { METHODS = 4 };
 /* The row of time t, or the last row if t is infinite. */
 size_t scene_row(const struct scene *scene, double t);
 
-/* How far a run of so many equal steps to a row ends from it; infinite if a
- * step is refused. */
+/* The distance from a row of the end of a run that has `steps` equal steps to
+ * its time; infinite if a step is refused. */
 double method_error(const struct scene *scene, int32_t method, size_t row,
                     uint64_t steps);
 
-/* How far coin_advance() in one call ends from a row; infinite if it fails. */
+/* The distance from a row of the end of one coin_advance(); infinite if that
+ * fails. */
 double advance_error(const struct scene *scene, size_t row, double tol);
 
-/* log2 of the error of so many steps over that of twice as many. */
+/* log2 of the error with `steps` steps over that with twice as many. */
 double measured_order(const struct scene *scene, int32_t method, size_t row,
                       uint64_t steps);
 
-/* How far the poses of two states are apart: of the angles, and of x and z in
- * radii, the largest difference. */
+/* The distance of the poses of two states: the largest difference of the
+ * angles, and of x and z in radii. */
 double path_apart(const coin_state *a, const coin_state *b,
                   const coin_params *p);
 
-/* And of the whole states: of the rates, in natural units, too. */
+/* The same with the rates, in natural units. */
 double states_apart(const coin_state *a, const coin_state *b,
                     const coin_params *p);
 

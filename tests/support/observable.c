@@ -11,9 +11,9 @@
 
 enum { MEMBERS = 8 };
 
-/* A member is moved by this part of itself to see what it moves; the effect,
- * scaled back, is that of an error of u.  Far above rounding, far below any
- * curvature. */
+/* A member is changed by this part of itself.  The effect on the values, scaled
+ * down, is that of an error of u.  This is far above rounding, and so small
+ * that the values change linearly. */
 #define MOVED 0x1p-26
 
 struct parts parts_of(const coin_state *s, const coin_params *p)
@@ -86,7 +86,7 @@ void observable_at_exact_states(const struct observable *o)
     }
 }
 
-/* Adds to bound[] what an error of `units` u in x would move the values by;
+/* Adds to bound[] what an error of `units` u in x would change the values by;
  * x is a member of *s or *p. */
 static void add_effect(const struct observable *o, const coin_state *s,
                        const coin_params *p, double *x, double units, size_t n,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Orbits that there are. */
+/* Orbits, of coins that have one. */
 #ifndef ROLLCOIN_TESTS_ORBITS_H
 #define ROLLCOIN_TESTS_ORBITS_H
 
@@ -8,18 +8,19 @@
 
 coin_orbit orbit_of(const coin_state *s, const coin_params *p);
 
-/* A random coin that has one, as nearly all have. */
+/* The orbit of a random coin, which is drawn again if it has none. */
 coin_orbit random_orbit(struct random *r, coin_params *p, coin_state *s);
 
 /* The columns theta0, wX0, wY0, wZ0 of a row, pose 0. */
 coin_state start_in_row(const struct table *t, size_t row);
 
-/* By how much coin_orbit_at() says that an angle at t may be off, of a motion
- * that is W at its fastest. */
+/* The error of an angle at t that the docstring of coin_orbit_at() admits, for
+ * a motion whose largest W this is. */
 double orbit_error(const coin_orbit *o, double t, double W);
 
-/* Whether its pose at t is so near to a wanted one: the path as many times less
- * near as the annulus has radii, and one more. */
+/* Checks that the pose at t is within that error of the pose wanted.  For the
+ * path the error is 1 plus the annulus' radius, in radii of the coin, times as
+ * large. */
 void check_pose(const coin_orbit *o, double t, double W, const coin_state *want,
                 const coin_params *p);
 

@@ -15,7 +15,7 @@ struct random random_begin(uint64_t seed);
 
 double random_between(struct random *r, double low, double high);
 
-/* Each of mass, radius and gravity over six decades, any inner radius. */
+/* Mass, radius and gravity within six decades each; any inner radius. */
 coin_params random_coin(struct random *r);
 
 /* |theta| <= theta_max, rates up to 2 in natural units, any pose; notes the
@@ -23,9 +23,9 @@ coin_params random_coin(struct random *r);
 coin_state random_state(struct random *r, const coin_params *p,
                         double theta_max);
 
-/* A random state, |theta| <= 1, from which so many steps of dt natural units,
- * forward and backward, are fine enough for full accuracy: no near-flat pass
- * on the way. */
+/* A random state, |theta| <= 1, from which `steps` steps of dt natural units
+ * have full accuracy, forward and backward: the motion has no near-flat pass.
+ */
 coin_state random_motion(struct random *r, const coin_params *p, double dt,
                          uint64_t steps);
 

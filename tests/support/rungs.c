@@ -22,7 +22,7 @@ static double random_sign(struct random *r)
     return random_between(r, -1, 1) < 0 ? -1 : 1;
 }
 
-/* A steady motion, stable or not; asks until it is. */
+/* A steady motion that is stable, or one that is not: drawn until it is so. */
 static coin_state random_steady(struct random *r, const coin_params *p,
                                 int stable)
 {
@@ -78,8 +78,9 @@ static coin_state random_start(struct random *r, const coin_params *p, int kind)
     return s;
 }
 
-/* Half of the circles exactly as coin_steady_circle() gives them.  Rounding of
- * 1e-15 grows to the tolerance in 0.5 to 1.2 times the horizon. */
+/* Half of the circles are as coin_steady_circle() gives them.  The horizon is
+ * 0.5 to 1.2 times the time in which a deviation of 1e-15, by rounding, grows
+ * to the tolerance. */
 static void begin_unstable(struct rung_scene *scene, struct random *r)
 {
     const coin_params *p = &scene->params;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Random scenes, and what each rung of the ladder of models makes of them. */
+/* Random scenes, and the errors of each model (a rung) in them. */
 #ifndef ROLLCOIN_TESTS_RUNGS_H
 #define ROLLCOIN_TESTS_RUNGS_H
 
@@ -28,17 +28,18 @@ struct rung_scene {
 /* Horizons are 0.1 to longest natural units, tolerances 1e-7 to 0.1. */
 struct rung_scene random_scene(struct random *r, int kind, double longest);
 
-/* A scene's answer, and the largest errors of the pose over its horizon,
- * against coin_advance() at 1e-13 wherever it is looked at: infinite if a rung
- * has no answer.  wanted < 0: an error, and nothing else is known. */
+/* What coin_model_needed() returns for a scene, and the largest error of the
+ * pose by each model at the times compared, against coin_advance() at 1e-13;
+ * infinite if a model gives no state.  If wanted < 0, the errors are not set.
+ */
 struct rungs {
     int32_t wanted;
     double error[COIN_MODEL_STEPS]; /* of steady, wobble, orbit */
 };
 struct rungs climb(const struct rung_scene *scene, struct random *r, int looks);
 
-/* The same against a truth in long double, for the rung that is named and at
- * so many times. */
+/* The same against a motion in long double, for the model `named` and at
+ * `looks` times. */
 double named_error(const struct rung_scene *scene, int32_t named, int looks);
 
 #endif

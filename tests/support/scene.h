@@ -27,8 +27,8 @@ coin_state scene_state(const struct scene *scene, size_t row);
 /* Runs a coin by RK4 from row 0 to the time of a row. */
 coin_state scene_run(const struct scene *scene, size_t row, uint64_t steps);
 
-/* How far a state is from a row: the largest difference of the angles, of x
- * and z in radii. */
+/* The distance of a state from a row: the largest difference of the angles, and
+ * of x and z in radii. */
 double scene_error(const struct scene *scene, size_t row, const coin_state *s);
 
 #endif

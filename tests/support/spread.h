@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How the errors of many random cases are spread. */
+/* The distribution of the errors of many random cases. */
 #ifndef ROLLCOIN_TESTS_SPREAD_H
 #define ROLLCOIN_TESTS_SPREAD_H
 

@@ -74,8 +74,8 @@ static coin_state turning(struct random *r, double theta, double low,
     return s;
 }
 
-/* The near-flat ladder, from the start or from a moment before the coin is at
- * the table; one of eight has no spin and falls. */
+/* A coin dropped with little spin, from the start or from a time shortly before
+ * it is at the table; one of eight has no spin and falls flat. */
 static coin_state dropped(struct random *r, const coin_params *unit)
 {
     const double spin = one_of(r, 8) ? spread(r, -13, -1.7) : 0;

@@ -34,9 +34,9 @@ struct study_run {
     uint64_t steps;
 };
 
-/* The run of this number.  dt is between 1e-6 and 10 natural units of either
- * sign, there are at most so many steps and together they turn the coin by at
- * most so many radians. */
+/* The run of this number.  |dt| is between 1e-6 and 10 natural units.  A run
+ * has at most most_steps steps, and turns the coin by at most most_turn
+ * radians. */
 struct study_run study_draw(uint64_t seed, uint64_t number, double most_steps,
                             double most_turn);
 

@@ -4,7 +4,7 @@
 
 #include "run.h"
 
-/* coin_priv_extrapolate() by another formula: that of order 8, over the same
+/* coin_priv_extrapolate() by another formula, that of order 8, for the same
  * equations. */
 int sundman8_step(coin_priv_run *r, double tau);
 

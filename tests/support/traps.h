@@ -6,7 +6,7 @@
 
 #include <coinf.h>
 
-/* What a function is called with; the same in floats, as near as they come. */
+/* What a function is called with, and the nearest floats of it. */
 struct trap_case {
     coin_params p;
     coin_state s;
@@ -34,12 +34,12 @@ struct trap_function {
 #name, call_##name                                                     \
     }
 
-/* Calls all functions with ordinary, extreme and random arguments.  Each has to
- * succeed now and then. */
+/* Calls all functions with ordinary, extreme and random arguments.  Fails if a
+ * function never succeeds. */
 void traps_run(const struct trap_function *functions, size_t count);
 
-/* Fails unless each symbol of lib/about/rollcoin.map that begins so has a row,
- * or rows whose names go on after it. */
+/* Fails unless each symbol of lib/about/rollcoin.map that begins with the
+ * prefix has a row of its name, or rows whose names begin with it. */
 void traps_are_complete(const char *prefix,
                         const struct trap_function *functions, size_t count);
 

@@ -4,8 +4,8 @@
 
 #include <coin.h>
 
-/* A coin so large that a few steps lead x and z out of the doubles: each step
- * of *dt is half a radius, 11 fit. */
+/* A coin so large that x and z overflow after a few steps: each step of *dt
+ * moves it by half a radius, and after 11 it is still in range. */
 coin_state vast_coin(coin_params *p, double heading, double *dt);
 
 #endif
