@@ -19,8 +19,8 @@ typedef struct coin_priv_force {
     double cth[COIN_PRIV_FORCE_TERMS];
 } coin_priv_force;
 
-/* The series in powers of tau/unit; the force is in that unit of time.  terms is
- * one of the two numbers above. */
+/* The series in powers of tau/unit; the force is in that unit of time.  terms
+ * is one of the two numbers above. */
 void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
                         const coin_priv_variables *y, double unit, int terms);
 
