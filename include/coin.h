@@ -130,6 +130,21 @@ typedef struct coin_losses {
                          2^-30 sqrt(g/a) for that */
 } coin_losses;
 
+/** Coulomb's dry friction between coin and table. */
+typedef struct coin_friction {
+    double mu_static;  /**< the most friction of a contact that does not slip,
+                            over N; >= mu_kinetic, may be +infinity [1] */
+    double mu_kinetic; /**< friction of one that slips, over N; 0 to the bound
+                            of Painleve, Eq. (86) [1] */
+} coin_friction;
+
+/** A coin that may slip. */
+typedef struct coin_slide {
+    coin_state s; /**< where it is and how it turns */
+    double vx;    /**< velocity of the centre along x and z [L/T] */
+    double vz;
+} coin_slide;
+
 /** A motion solved once, to be asked for any time: coin_orbit_init(),
  * coin_orbit_at().  It holds half a period of theta, in pieces that are
  * polynomials of time: 32 KiB.  It has no pointers, so that it may be copied,
@@ -179,8 +194,10 @@ enum {
                             or too far from it for a small wobble, or its
                             motion has no well-defined period */
     COIN_EFLAT = -6,   /**< the coin falls flat within the time asked */
-    COIN_EBUILD = -7   /**< this build does not give the pinned bits:
+    COIN_EBUILD = -7,  /**< this build does not give the pinned bits:
                             coin_selftest() */
+    COIN_ELIFT = -8    /**< a coin that may slip lifts off the table within the
+                            time asked */
 };
 
 /** Status: positive = done, with these warning bits. */
@@ -831,6 +848,21 @@ COIN_API int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
  * Accuracy, cost: those of coin_time_to_rest(). */
 COIN_API int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
                                  const coin_params *p, double time);
+
+/* ----------------------------------------------------- coins that slip -- */
+
+COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
+                               const coin_params *p);
+COIN_API int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
+                                    const coin_friction *f,
+                                    const coin_losses *l, double t, double tol,
+                                    double *reached);
+COIN_API double coin_slide_energy(const coin_slide *d, const coin_params *p);
+COIN_API int32_t coin_slide_reaction(const coin_slide *d, const coin_params *p,
+                                     const coin_friction *f,
+                                     const coin_losses *l, coin_force *out);
+COIN_API int32_t coin_slide_velocity(const coin_slide *d, const coin_params *p,
+                                     double u[2]);
 
 /* ------------------------------------------------ version and self-test -- */
 

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "control.h"
+#include "dopri8.h"
+#include "hold.h"
+#include "slide.h"
+
+/* How much of the rate at which the direction of a slip settles counts: a step
+ * of COIN_PRIV_LONGEST_STRIDE is then 4 of its relaxation times, and the method
+ * is stable up to 6. */
+#define RELAX 0.3
+
+/* The part of the way to where the contact turns round that a step may go. */
+#define TURN_ROUND 0.5
+
+/* The error of the slip velocity over the slip velocity, at most: friction has
+ * its direction. */
+#define SLIP_ERROR 1e-4
+
+/* A step tried. */
+struct tried {
+    coin_priv_slip to;
+    double error; /* over what is allowed */
+};
+
+static double speed(const coin_priv_slip *y)
+{
+    return coin_priv_hypot(y->uX, y->uh);
+}
+
+/* The rate in sigma at which a slip changes: as the coin moves, as its
+ * direction settles, and as losses do. */
+static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
+{
+    const coin_priv_table *t = &g->table;
+    const coin_priv_losses *l = &t->l;
+    const double scale = speed(y) / t->w0, sth = y->sth, cth = y->cth;
+    const coin_priv_direction n = {y->uX / speed(y), y->uh / speed(y)};
+    const double N = coin_priv_kinetic(t, y, n).N;
+    const double settle = t->mu_kinetic * N * (1 + t->b.m / t->b.IX) / t->w0;
+    const double own = 1 / coin_priv_sundman_tau(&t->b, &g->w.run.g.y, 1);
+    double rate = scale * own + RELAX * settle;
+    if (g->lossy && !t->held) {
+        const double u = cth * y->wZ + sth * y->wY;
+        const double lever = sth * sth / l->IX + cth * cth / l->K;
+        rate += RELAX * scale *
+                (coin_priv_grip(l, u, cth) * lever + l->spin * cth / l->IX);
+    }
+    return rate; /* (87) */
+}
+
+/* The longest step that does not pass where the contact turns round: dry
+ * friction is not smooth there. */
+static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
+                       const coin_priv_slip *d)
+{
+    const coin_priv_losses *l = &g->table.l;
+    if (!(l->solid > 0) || g->table.held)
+        return (double)INFINITY;
+    const double u = y->cth * y->wZ + y->sth * y->wY;
+    const double du =
+        fabs(y->cth * d->wZ + y->sth * d->wY + d->cth * y->wZ + d->sth * y->wY);
+    const double soft = l->soft2 * y->cth * y->cth;
+    const double way = TURN_ROUND * sqrt(u * u + soft);
+    return way < 1e30 * du ? way / du : (double)INFINITY;
+}
+
+/* The step h, and its error. */
+static struct tried attempt(coin_priv_sliding *g, double h)
+{
+    const double w0 = g->table.w0;
+    const coin_priv_slip from = coin_priv_slip_of(&g->w.run, g->uX, g->uh);
+    struct tried r = {from, 0};
+    coin_priv_estimates e;
+    double d[COIN_PRIV_SLIP_SIZE], by5 = 0, by3 = 0, slip5 = 0, slip3 = 0;
+    coin_priv_slip_slopes(d, (const double *)&from, &g->table);
+    coin_priv_dopri8((double *)&r.to, d, COIN_PRIV_SLIP_SIZE,
+                     coin_priv_slip_slopes, &g->table, h, &e);
+    for (int i = 0; i < 9; ++i) { /* wX to wZ, the pairs, and the slip */
+        const int velocity = i < 3 || i == 5 || i == 6;
+        const double per = velocity ? 1 / w0 : 1;
+        by5 += e.by5[i] * per * (e.by5[i] * per);
+        by3 += e.by3[i] * per * (e.by3[i] * per);
+        if (i == 5 || i == 6) {
+            slip5 += e.by5[i] * per * (e.by5[i] * per);
+            slip3 += e.by3[i] * per * (e.by3[i] * per);
+        }
+    }
+    ++g->tries;
+    const double most = coin_priv_allowed(&g->w.run, g->tol, r.to.t);
+    const double own = coin_priv_error_of(by5, by3) / most;
+    const double of_slip =
+        coin_priv_error_of(slip5, slip3) * w0 / (SLIP_ERROR * speed(&from));
+    r.error = own > of_slip ? own : of_slip;
+    const int above = g->table.held || r.to.cth > 0;
+    if (!(above && r.error <= DBL_MAX && r.to.t > 0))
+        r.error = (double)INFINITY;
+    return r;
+}
+
+static double time_left(coin_priv_sliding *g, double h)
+{
+    return g->rem.sum - attempt(g, h).to.t;
+}
+
+static double force_left(coin_priv_sliding *g, double h)
+{
+    const struct tried r = attempt(g, h);
+    return coin_priv_left(&g->table, &r.to, 1);
+}
+
+static double angle_left(coin_priv_sliding *g, double h)
+{
+    return attempt(g, h).to.cth;
+}
+
+/* The step that the error allows. */
+static struct tried step(coin_priv_sliding *g, double *h, double rate,
+                         double bound)
+{
+    for (;;) {
+        const double full = g->slip_stride / rate;
+        *h = full < bound ? full : bound;
+        const struct tried r = attempt(g, *h);
+        const double used = *h * rate;
+        const double next = used * coin_priv_change(r.error, 1);
+        const int done = r.error <= 1;
+        if (!done || next > g->slip_stride || used > 0.999 * g->slip_stride)
+            g->slip_stride = next < COIN_PRIV_LONGEST_STRIDE
+                                 ? next
+                                 : COIN_PRIV_LONGEST_STRIDE;
+        if (done || g->tries > COIN_PRIV_SLIDE_TRIES)
+            return r;
+    }
+}
+
+/* What ends a step before its full length: the first of the time, the end of
+ * the normal force, and the table.  Returns the status that it brings. */
+static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
+                   double rate)
+{
+    const coin_priv_slip from = coin_priv_slip_of(&g->w.run, g->uX, g->uh);
+    int32_t status = COIN_OK;
+    if (r->to.cth <= 0) {
+        *h = coin_priv_place(g, angle_left, from.cth, *h, r->to.cth);
+        *r = attempt(g, *h);
+        status = COIN_RESTS;
+    }
+    if (r->to.t > g->rem.sum) {
+        *h =
+            coin_priv_place(g, time_left, g->rem.sum, *h, g->rem.sum - r->to.t);
+        *r = attempt(g, *h);
+        r->to.t = g->rem.sum;
+        status = COIN_OK;
+    }
+    for (;;) {
+        const double left = coin_priv_left(&g->table, &r->to, 1);
+        const coin_priv_look look = {
+            &g->table, coin_priv_slip_slopes, &from, &r->to, *h, *h * rate,
+        };
+        const double part = coin_priv_looked(&look);
+        if (part == 1 && left > 0)
+            return status;
+        status = COIN_OK;
+        if (part == 1) {
+            *h = coin_priv_place(g, force_left,
+                                 coin_priv_left(&g->table, &from, 1), *h, left);
+            *r = attempt(g, *h);
+            return COIN_ELIFT;
+        }
+        *h *= part;
+        *r = attempt(g, *h);
+    }
+}
+
+/* The end of a slip whose speed is all but 0: the coin rolls, or slips on in
+ * another direction. */
+static int32_t end_slip(coin_priv_sliding *g, const coin_priv_slip *d)
+{
+    coin_priv_slip y = coin_priv_slip_of(&g->w.run, g->uX, g->uh);
+    const double u = speed(&y), fall = (y.uX * d->uX + y.uh * d->uh) / u;
+    const double last = -u / fall;
+    double *at = (double *)&y;
+    const double *by = (const double *)d;
+    for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
+        at[i] += last * by[i];
+    y.uX = y.uh = 0;
+    if (y.t > g->rem.sum)
+        y.t = g->rem.sum;
+    g->slips = 0;
+    g->gained = 0;
+    return coin_priv_slip_take(g, &y);
+}
+
+/* Whether the contact of a slipping coin near flat has stopped, and is held. */
+static int is_held(const coin_priv_sliding *g)
+{
+    coin_priv_body b = g->table.b;
+    const coin_priv_variables *y = &g->w.run.g.y;
+    const double most = 10 * g->tol;
+    const double eps = most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
+    if (!g->lossy)
+        return 0;
+    b.m = 0; /* (73) of a coin that is free at its contact */
+    return coin_priv_held(&g->table.l, &b, y, eps);
+}
+
+int32_t coin_priv_slip_on(coin_priv_sliding *g)
+{
+    coin_priv_slip y = coin_priv_slip_of(&g->w.run, g->uX, g->uh), d;
+    if (!g->table.held && y.cth < COIN_PRIV_FLAT)
+        return coin_priv_lie(&g->w.run);
+    g->table.held = is_held(g);
+    coin_priv_slip_slopes((double *)&d, (const double *)&y, &g->table);
+    const int slower = y.uX * d.uX + y.uh * d.uh < 0;
+    if (slower && speed(&y) < COIN_PRIV_SLIP_LEAST * g->table.w0)
+        return end_slip(g, &d);
+    const double rate = rate_of(g, &y);
+    double h;
+    struct tried r = step(g, &h, rate, bound_of(g, &y, &d));
+    if (!(r.error <= 1))
+        return COIN_ESTEP;
+    const int32_t status = cut(g, &r, &h, rate);
+    if (status == COIN_RESTS) {
+        r.to.cth = 0;
+        return coin_priv_slip_take(g, &r.to) == COIN_OK
+                   ? coin_priv_lie(&g->w.run)
+                   : COIN_ESTEP;
+    }
+    const int32_t taken = coin_priv_slip_take(g, &r.to);
+    return taken == COIN_OK ? status : taken;
+}
