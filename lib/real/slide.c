@@ -128,7 +128,7 @@ static int32_t go_on(coin_priv_sliding *g)
             return COIN_ESTEP;
         status = g->slips ? coin_priv_slip_on(g) : coin_priv_roll_on(g);
     }
-    return status == COIN_OK && g->slips ? COIN_SLIPS : status;
+    return status == COIN_OK ? mode_of(g) : status;
 }
 
 /* Where the slide has come to. */
