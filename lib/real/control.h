@@ -48,6 +48,13 @@ COIN_PRIV_INLINE double coin_priv_change(double error, double most)
     return factor < 2 ? factor : 2;
 }
 
+/* The part of its rates at which a contact counts as stopped. */
+COIN_PRIV_INLINE double coin_priv_stopped(double tol)
+{
+    const double most = 10 * tol;
+    return most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
+}
+
 /* The first stride of a call. */
 COIN_PRIV_INLINE double coin_priv_first_stride(double tol)
 {

@@ -104,22 +104,35 @@ double coin_priv_rise_time(const coin_priv_held_fall *f,
     return twice < back ? twice : back;
 }
 
+/* The u = cos(theta) d(psi)/dt below which the contact counts as stopped. */
+static double stopped(const coin_priv_losses *l, const coin_priv_body *b,
+                      const coin_priv_variables *y, double eps)
+{
+    return eps * sqrt((l->J * y->wX * y->wX + b->Mga * y->cth) / l->IX);
+}
+
+double coin_priv_hold(const coin_priv_losses *l, const coin_priv_body *b,
+                      const coin_priv_variables *y, double eps)
+{
+    const double small = stopped(l, b, y, eps);
+    return small * coin_priv_grip(l, small, y->cth);
+}
+
 int coin_priv_held(const coin_priv_losses *l, const coin_priv_body *b,
                    const coin_priv_variables *y, double eps)
 {
     const double sth = y->sth, cth = y->cth, wX = y->wX;
     const double u = cth * y->wZ + sth * y->wY;
-    const double small2 = eps * eps * (l->J * wX * wX + b->Mga * cth) / l->IX;
-    if (!(cth < NEAR_FLAT && u * u <= small2))
+    if (!(cth < NEAR_FLAT && fabs(u) <= stopped(l, b, y, eps)))
         return 0;
     /* The torque along e_Z that holds the contact, at its most, and what the
      * losses give as long as u is small. */
     const coin_priv_held_fall f = coin_priv_fall_of(l, y);
-    const double turn = f.L / inertia(l, cth), small = sqrt(small2);
+    const double turn = f.L / inertia(l, cth);
     const double A = slope(&f, l, b).v;
     const double fastest = sqrt(wX * wX + 2 * A * f.x);
     const double lever =
         2 * sth * sth * l->K * (l->K - l->IX) / inertia(l, cth) - l->K - b->m;
     const double need = fabs(turn * lever) * cth * fastest; /* (73) */
-    return need <= small * coin_priv_grip(l, small, cth);
+    return need <= coin_priv_hold(l, b, y, eps);
 }

@@ -19,6 +19,10 @@ typedef struct coin_priv_held_fall {
 int coin_priv_held(const coin_priv_losses *l, const coin_priv_body *b,
                    const coin_priv_variables *y, double eps);
 
+/* The torque along e_Z that the losses give while it is so slow. */
+double coin_priv_hold(const coin_priv_losses *l, const coin_priv_body *b,
+                      const coin_priv_variables *y, double eps);
+
 /* How the fall begins in *y. */
 coin_priv_held_fall coin_priv_fall_of(const coin_priv_losses *l,
                                       const coin_priv_variables *y);

@@ -91,8 +91,7 @@ static int32_t settle(coin_priv_sliding *g)
 
 static int settles(const coin_priv_sliding *g)
 {
-    const double most = 10 * g->tol;
-    const double eps = most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
+    const double eps = coin_priv_stopped(g->tol);
     const coin_priv_variables *y = &g->w.run.g.y;
     return g->lossy &&
            (y->cth < END || coin_priv_held(&g->w.l, &g->w.run.b, y, eps));

@@ -169,8 +169,7 @@ static int32_t lay(struct settling *g, double after)
  * too many. */
 static int32_t approach(struct settling *g)
 {
-    const double most = 10 * g->tol,
-                 eps = most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
+    const double eps = coin_priv_stopped(g->tol);
     for (;;) {
         const coin_priv_variables *y = &g->w.run.g.y;
         const double rem = g->rem.sum;

@@ -193,17 +193,21 @@ static int32_t end_slip(coin_priv_sliding *g, const coin_priv_slip *d)
     return coin_priv_slip_take(g, &y);
 }
 
-/* Whether the contact of a slipping coin near flat has stopped, and is held. */
-static int is_held(const coin_priv_sliding *g)
+/* Whether the contact of a slipping coin near flat has stopped, and the losses
+ * hold it there: (73) of a coin that is free at its contact, against friction
+ * that turns it about the vertical, (85). */
+static int is_held(const coin_priv_sliding *g, const coin_priv_slip *y)
 {
+    const coin_priv_losses *l = &g->table.l;
+    const coin_priv_variables *v = &g->w.run.g.y;
     coin_priv_body b = g->table.b;
-    const coin_priv_variables *y = &g->w.run.g.y;
-    const double most = 10 * g->tol;
-    const double eps = most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
+    const double eps = coin_priv_stopped(g->tol);
     if (!g->lossy)
         return 0;
-    b.m = 0; /* (73) of a coin that is free at its contact */
-    return coin_priv_held(&g->table.l, &b, y, eps);
+    const double turn = g->table.mu_kinetic * b.Mga * (b.IX / b.IZ);
+    b.m = 0;
+    return turn * y->cth * y->cth <= coin_priv_hold(l, &b, v, eps) &&
+           coin_priv_held(l, &b, v, eps);
 }
 
 int32_t coin_priv_slip_on(coin_priv_sliding *g)
@@ -211,7 +215,7 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
     coin_priv_slip y = coin_priv_slip_of(&g->w.run, g->uX, g->uh), d;
     if (!g->table.held && y.cth < COIN_PRIV_FLAT)
         return coin_priv_lie(&g->w.run);
-    g->table.held = is_held(g);
+    g->table.held = is_held(g, &y);
     coin_priv_slip_slopes((double *)&d, (const double *)&y, &g->table);
     const int slower = y.uX * d.uX + y.uh * d.uh < 0;
     if (slower && speed(&y) < COIN_PRIV_SLIP_LEAST * g->table.w0)
