@@ -24,8 +24,8 @@ double coin_priv_left(const coin_priv_table *table, const coin_priv_slip *y,
                       int slips)
 {
     const double f = table->held ? 1 : y->cth;
-    const double w2 = y->wX * y->wX + y->wY * y->wY + y->wZ * y->wZ;
-    const double size = f * table->b.g_a + w2;
+    const double size = f * (table->b.g_a + y->wX * y->wX) +
+                        fabs(y->wY) * (fabs(y->wY) + fabs(y->wZ));
     if (!slips) {
         const coin_priv_push stick = coin_priv_static(table, y);
         return coin_priv_margin(table, &stick) / size + SLACK;
