@@ -76,38 +76,76 @@ static void between(coin_priv_slip *to, const struct end *a,
                                 (b0 * b->y[i] + b1 * b->d[i] + b2 * b->dd[i]);
 }
 
-/* The least of the parabola through three neighbours. */
-static double least(const double *m)
+/* The second difference of three neighbours. */
+static double bend(const double *m)
 {
-    const double slope = m[1] - m[-1], bend = (m[1] - m[0]) + (m[-1] - m[0]);
-    if (!(fabs(slope) < 2 * bend))
-        return m[0];
-    return m[0] - slope * slope / (8 * bend);
+    return (m[1] - m[0]) + (m[-1] - m[0]);
+}
+
+/* The largest third difference of a place k and its neighbours. */
+static double third(const double *m, int k)
+{
+    const double b = bend(&m[k]);
+    const double to = k < PLACES - 1 ? fabs(bend(&m[k + 1]) - b) : 0;
+    const double from = k > 1 ? fabs(b - bend(&m[k - 1])) : 0;
+    return to > from ? to : from;
+}
+
+/* The least of the parabola through place k and its neighbours, and below that
+ * what the third differences say that it may miss. */
+static double least(const double *m, int k)
+{
+    const double slope = m[k + 1] - m[k - 1], b = bend(&m[k]);
+    const double dip = fabs(slope) < 2 * b ? slope * slope / (8 * b) : 0;
+    return m[k] - dip - third(m, k) / 8;
+}
+
+/* The least between an end, m0, and the place k next to it, by the slope there:
+ * m1 is what is left at a part EDGE of the way. */
+#define EDGE (1.0 / 256)
+static double least_beside(double m0, double m1, const double *m, int k)
+{
+    const double slope = (m1 - m0) / EDGE, b = bend(&m[k]) - third(m, k);
+    if (!(slope < 0))
+        return m0;
+    return -slope < b ? m0 - slope * slope / (2 * b) : m0 + slope;
+}
+
+/* What is left a part x of the step on. */
+static double left_between(const coin_priv_look *look, const struct end *a,
+                           const struct end *b, double x)
+{
+    coin_priv_slip at;
+    between(&at, a, b, x);
+    return coin_priv_left(look->table, &at,
+                          look->slopes == coin_priv_slip_slopes);
 }
 
 double coin_priv_looked(const coin_priv_look *look)
 {
     struct end a, b;
-    const int slips = look->slopes == coin_priv_slip_slopes;
     const double s2 = look->stride * look->stride;
-    const double miss = look->table->mu_static > 0 && look->stride > SHORT
-                            ? MISS * s2 * s2 * s2
-                            : 0;
+    const int closely = look->table->mu_static > 0 && look->stride > SHORT;
+    const double miss = closely ? MISS * s2 * s2 * s2 : 0;
+    const double edge = EDGE / PLACES;
     double m[PLACES + 1];
     end_of(&a, look, look->from);
     end_of(&b, look, look->to);
-    m[0] = coin_priv_left(look->table, look->from, slips);
-    m[PLACES] = coin_priv_left(look->table, look->to, slips);
-    for (int k = 1; k < PLACES; ++k) {
-        coin_priv_slip at;
-        between(&at, &a, &b, (double)k / PLACES);
-        m[k] = coin_priv_left(look->table, &at, slips);
-    }
+    for (int k = 0; k <= PLACES; ++k)
+        m[k] = left_between(look, &a, &b, (double)k / PLACES);
+    if (closely && least_beside(m[0], left_between(look, &a, &b, edge), m, 1) <
+                       (m[0] < miss ? 0 : miss))
+        return 0.5;
     for (int k = 1; k < PLACES; ++k) {
         if (m[k] < -miss)
             return (double)k / PLACES;
-        if (least(&m[k]) < miss)
+        if (least(m, k) < miss)
             return 0.5;
     }
+    const double last = left_between(look, &a, &b, 1 - edge);
+    if (closely && m[PLACES] >= 0 &&
+        least_beside(m[PLACES], last, m, PLACES - 1) <
+            (m[PLACES] < miss ? 0 : miss))
+        return 0.5;
     return 1;
 }

@@ -26,4 +26,22 @@ double coin_priv_left(const coin_priv_table *table, const coin_priv_slip *y,
  * ends the motion is interpolated, to order 6. */
 double coin_priv_looked(const coin_priv_look *look);
 
+/* An end of a rolling step, by tau: wX, wY, wZ, sin and cos theta, their slopes
+ * and those of their slopes. */
+typedef struct coin_priv_end {
+    double y[5], d[5], dd[5];
+} coin_priv_end;
+
+/* The end at *y of a step of about tau. */
+void coin_priv_end_of(coin_priv_end *e, const coin_priv_field *f,
+                      const coin_priv_losses *l, const coin_priv_variables *y,
+                      double tau);
+
+/* Whether it is plain that a rolling step of tau from *a to *b, of the stride
+ * given, keeps well within the cone, by a look at three places.  l is null
+ * without losses.  Where it says no, coin_priv_looked() tells. */
+int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
+                    const coin_priv_losses *l, const coin_priv_end *a,
+                    const coin_priv_end *b, double tau, double stride);
+
 #endif

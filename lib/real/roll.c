@@ -17,54 +17,68 @@
  * slip begins at once: it takes some 1/EASY steps to grow. */
 #define EASY (1.0 / 1024)
 
-/* A step of a coin that rolls: the run after it.  added.t counts from 0. */
-static double attempt(coin_priv_sliding *g, coin_priv_run *after, double tau)
+/* A step of tau from where the run is: its error over what is allowed; added.t
+ * counts from 0.  Infinite, and nothing done, if it cannot be made. */
+static double attempt(coin_priv_sliding *g, double tau)
 {
+    coin_priv_run *const r = &g->w.run;
     ++g->tries;
-    *after = g->w.run;
-    after->g.added.t = 0;
+    r->g.added.t = 0;
     if (!g->lossy)
-        return coin_priv_extrapolate(after, tau) ? 0 : (double)INFINITY;
+        return coin_priv_extrapolate(r, tau) ? 0 : (double)INFINITY;
     coin_priv_trial trial;
     coin_priv_lossy_try(&trial, &g->w, tau);
-    const double most = coin_priv_allowed(&g->w.run, g->tol, trial.adds.t);
-    if (!(trial.error <= DBL_MAX &&
-          coin_priv_sundman_accept(after, &trial.next, &trial.adds)))
-        return (double)INFINITY;
-    return trial.error / most;
+    const double most = coin_priv_allowed(r, g->tol, trial.adds.t);
+    if (!(trial.error <= most))
+        return trial.error / most;
+    return coin_priv_sundman_accept(r, &trial.next, &trial.adds)
+               ? trial.error / most
+               : (double)INFINITY;
 }
 
-static double left_of(const coin_priv_sliding *g, const coin_priv_run *r)
+static void mark(coin_priv_sliding *g)
 {
-    const coin_priv_slip y = coin_priv_slip_of(r, 0, 0);
+    g->from = g->w.run.g;
+    g->steps = g->w.run.steps;
+}
+
+/* The same step again, of another tau. */
+static double again(coin_priv_sliding *g, double tau)
+{
+    g->w.run.g = g->from;
+    g->w.run.steps = g->steps;
+    return attempt(g, tau);
+}
+
+static double left_of(const coin_priv_sliding *g)
+{
+    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
     return coin_priv_left(&g->table, &y, 0);
 }
 
 static double cone_left(coin_priv_sliding *g, double tau)
 {
-    coin_priv_run after;
-    (void)attempt(g, &after, tau);
-    return left_of(g, &after);
+    (void)again(g, tau);
+    return left_of(g);
 }
 
-static void take(coin_priv_sliding *g, const coin_priv_run *after)
+/* Counts the time of a step made. */
+static void count(coin_priv_sliding *g)
 {
-    const double t = after->g.added.t;
-    g->w.run = *after;
-    g->w.run.g.added.t = 0;
-    coin_priv_add(&g->rem, -t);
+    coin_priv_add(&g->rem, -g->w.run.g.added.t);
 }
 
-/* The rest of the time in one short step, as coin_advance() ends. */
-static int land(coin_priv_sliding *g, coin_priv_run *after)
+/* The rest of the time in one short step, as coin_advance() ends; its tau. */
+static double land(coin_priv_sliding *g)
 {
+    coin_priv_run *const r = &g->w.run;
     coin_priv_sum rem = g->rem;
-    *after = g->w.run;
-    if (after->steps > 0)
-        coin_priv_read_lean(&after->g);
-    const int done = coin_priv_land(after, &g->reach, &rem) == COIN_OK;
-    after->g.added.t = g->rem.sum;
-    return done;
+    const double tau = coin_priv_tau_of(&r->b, &r->g.y, rem.sum);
+    if (r->steps > 0)
+        coin_priv_read_lean(&r->g);
+    const int done = coin_priv_land(r, &g->reach, &rem) == COIN_OK;
+    r->g.added.t = g->rem.sum;
+    return done ? tau : 0;
 }
 
 /* Where the contact of a coin with losses has stopped near flat, or nearly so,
@@ -77,6 +91,7 @@ static int32_t settle(coin_priv_sliding *g)
         const double rise = coin_priv_rise_time(&f, &g->w.l, &g->w.run.b);
         time = rise < time ? rise : time;
     }
+    const int whole = time == g->rem.sum;
     coin_priv_read_lean(&g->w.run.g);
     coin_state s = coin_priv_run_state(&g->w.run);
     const int32_t status =
@@ -84,7 +99,8 @@ static int32_t settle(coin_priv_sliding *g)
     coin_priv_slide_from(g, &s);
     g->w.run.steps = 1;
     coin_priv_add(&g->rem, -moved);
-    if (status == COIN_OK && time == g->rem.sum)
+    g->seen = 0;
+    if (status == COIN_OK && whole)
         g->rem.sum = 0;
     return status;
 }
@@ -119,30 +135,16 @@ static int is_last(const coin_priv_sliding *g, double rate)
     return coin_priv_left2(r, rem) <= g->reach.rk8 * g->reach.rk8;
 }
 
-/* The part of a step to *after up to which the coin is known to roll; below 0
- * if all but its end is. */
-static double rolls(const coin_priv_sliding *g, const coin_priv_run *after,
-                    double tau, double rate)
+/* A step as long as its error allows: its tau, or 0. */
+static double step(coin_priv_sliding *g, double rate)
 {
-    const coin_priv_slip from = coin_priv_slip_of(&g->w.run, 0, 0);
-    const coin_priv_slip to = coin_priv_slip_of(after, 0, 0);
-    const coin_priv_look look = {
-        &g->table, coin_priv_roll_slopes, &from, &to, tau, fabs(tau) * rate,
-    };
-    const double part = coin_priv_looked(&look);
-    return part == 1 && coin_priv_left(&g->table, &to, 0) < 0 ? -1 : part;
-}
-
-/* A step as long as its error allows. */
-static double step(coin_priv_sliding *g, coin_priv_run *after, double rate)
-{
-    const double bound =
-        g->lossy ? coin_priv_lossy_bound(
-                       &g->w, coin_priv_allowed(&g->w.run, g->tol, 0))
-                 : (double)INFINITY;
+    double bound = (double)INFINITY;
+    if (g->lossy)
+        bound = coin_priv_lossy_bound(&g->w,
+                                      coin_priv_allowed(&g->w.run, g->tol, 0));
     for (;;) {
         const double tau = next_tau(g, rate, bound), used = fabs(tau) * rate;
-        const double error = attempt(g, after, tau);
+        const double error = attempt(g, tau);
         if (!g->lossy)
             return error == 0 ? tau : 0;
         const double next = used * coin_priv_change(error, 1);
@@ -158,58 +160,83 @@ static double step(coin_priv_sliding *g, coin_priv_run *after, double rate)
     }
 }
 
-/* Rolls to where the coin leaves the cone, within a step of tau. */
-static int32_t leave(coin_priv_sliding *g, double left, double tau, double end)
+/* Whether it is plain that the coin rolls all along the step made. */
+static int is_plain(coin_priv_sliding *g, double tau, double rate)
 {
-    coin_priv_run after;
-    const double place = coin_priv_place(g, cone_left, left, tau, end);
-    if (place > 0) {
-        (void)attempt(g, &after, place);
-        take(g, &after);
+    const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
+    const coin_priv_losses *l = g->lossy ? &g->w.l : NULL;
+    coin_priv_end end;
+    coin_priv_end_of(&end, &f, l, &g->w.run.g.y, tau);
+    const int plain =
+        coin_priv_plain(&g->table, &f, l, &g->end, &end, tau, fabs(tau) * rate);
+    g->end = end;
+    return plain;
+}
+
+/* Shortens the step made, of tau, to where the coin is known to roll.  Returns
+ * 1 if it need not; 0; or -1 if the coin leaves the cone at its end. */
+static int shorten(coin_priv_sliding *g, double tau, double rate)
+{
+    const coin_priv_slip from = coin_priv_slip_of(&g->from.y, 0, 0);
+    int whole = 1;
+    for (;;) {
+        const coin_priv_slip to = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
+        const coin_priv_look look = {
+            &g->table, coin_priv_roll_slopes, &from, &to, tau, fabs(tau) * rate,
+        };
+        const double part = coin_priv_looked(&look);
+        const double left = coin_priv_left(&g->table, &to, 0);
+        if (part == 1 && left >= 0)
+            return whole;
+        if (part == 1) {
+            const double place = coin_priv_place(
+                g, cone_left, coin_priv_left(&g->table, &from, 0), tau, left);
+            (void)again(g, place);
+            return -1;
+        }
+        whole = 0;
+        tau *= part;
+        (void)again(g, tau);
     }
-    return coin_priv_begin_slip(g);
+}
+
+/* Prepares for a step where the one before has left nothing known. */
+static int begin_step(coin_priv_sliding *g, double rate)
+{
+    const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
+    if (left_of(g) < 0)
+        return 0;
+    coin_priv_end_of(&g->end, &f, g->lossy ? &g->w.l : NULL, &g->w.run.g.y,
+                     1 / rate);
+    g->gained = 0;
+    return 1;
 }
 
 int32_t coin_priv_roll_on(coin_priv_sliding *g)
 {
-    coin_priv_run after;
     const coin_priv_variables *y = &g->w.run.g.y;
-    const double left = left_of(g, &g->w.run);
-    if (left < 0)
-        return coin_priv_begin_slip(g);
-    g->gained = 0;
     if (y->cth < COIN_PRIV_FLAT)
         return coin_priv_lie(&g->w.run);
     if (settles(g))
         return settle(g);
     const double rate = g->lossy ? coin_priv_lossy_rate(&g->w)
                                  : 1 / coin_priv_sundman_tau(&g->w.run.b, y, 1);
+    if (!g->seen && !begin_step(g, rate))
+        return coin_priv_begin_slip(g);
     const int last = is_last(g, rate);
-    double tau = 0;
-    if (last && !g->lossy) {
-        tau = coin_priv_tau_of(&g->w.run.b, y, g->rem.sum);
-        if (!land(g, &after))
-            return COIN_ESTEP;
-    } else {
-        tau = step(g, &after, rate);
-        if (tau == 0)
-            return COIN_ESTEP;
-    }
-    double part = rolls(g, &after, tau, rate);
-    const int whole = part == 1;
-    for (; part > 0 && part < 1; part = rolls(g, &after, tau, rate)) {
-        tau *= part;
-        (void)attempt(g, &after, tau);
-    }
-    if (part < 0)
-        return leave(g, left, tau, left_of(g, &after));
     const double before = g->rem.sum;
-    take(g, &after);
-    if (last && whole)
+    mark(g);
+    const double tau = last && !g->lossy ? land(g) : step(g, rate);
+    if (tau == 0)
+        return COIN_ESTEP;
+    g->seen = is_plain(g, tau, rate);
+    const int rolls = g->seen ? 1 : shorten(g, tau, rate);
+    count(g);
+    if (last && rolls > 0)
         g->rem.sum = 0;
     else if ((g->rem.sum < 0) != (before < 0))
         g->roll_stride /= 2;
-    return COIN_OK;
+    return rolls < 0 ? coin_priv_begin_slip(g) : COIN_OK;
 }
 
 /* How a slip would begin here: its direction, its slope by tau, and what the
@@ -224,7 +251,7 @@ static struct onset onset_of(const coin_priv_sliding *g)
 {
     struct onset o;
     const coin_priv_table *t = &g->table;
-    const coin_priv_slip y = coin_priv_slip_of(&g->w.run, 0, 0);
+    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
     const coin_priv_push stick = coin_priv_static(t, &y);
     o.n = coin_priv_onset(t, &y, &stick);
     const coin_priv_push slide = coin_priv_kinetic(t, &y, o.n);
@@ -247,7 +274,7 @@ static void push(coin_priv_slip *y, const struct onset *o, double tau)
 static coin_priv_slip euler(const coin_priv_run *r, const struct onset *o,
                             double tau)
 {
-    coin_priv_slip y = coin_priv_slip_of(r, 0, 0);
+    coin_priv_slip y = coin_priv_slip_of(&r->g.y, 0, 0);
     double *at = (double *)&y;
     const double *slope = (const double *)&o->slides;
     for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
@@ -261,6 +288,7 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     const double r4 = sqrt(sqrt(g->tol)), wait = r4 * sqrt(r4) / w0;
     struct onset o = onset_of(g);
     coin_priv_slip y;
+    g->seen = 0;
     if (o.friction < 0)
         return COIN_ELIFT;
     const double tau = coin_priv_lesser(wait, g->rem.sum) / g->w.run.g.y.cth;
@@ -269,14 +297,13 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
         y.t = coin_priv_lesser(y.t, g->rem.sum);
         g->gained = seed;
     } else {
-        coin_priv_run after;
         const struct onset at = o;
-        if (!(attempt(g, &after, tau) <= 1))
+        if (!(attempt(g, tau) <= 1))
             return COIN_ESTEP;
-        take(g, &after);
+        count(g);
         if (g->rem.sum < 4 * DBL_EPSILON * wait)
             g->rem.sum = 0;
-        if (left_of(g, &g->w.run) >= 0)
+        if (left_of(g) >= 0)
             return COIN_OK;
         o = onset_of(g);
         if (o.friction < 0)
@@ -285,7 +312,7 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
         g->gained += tau / 2 * (slope > 0 ? slope : 0);
         if (g->gained < seed)
             return COIN_OK;
-        y = coin_priv_slip_of(&g->w.run, 0, 0);
+        y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
         push(&y, &at, tau / 2);
         push(&y, &o, tau / 2);
     }

@@ -13,9 +13,9 @@
 /* The most trials of coin_priv_place(). */
 #define TRIALS 60
 
-coin_priv_slip coin_priv_slip_of(const coin_priv_run *r, double uX, double uh)
+coin_priv_slip coin_priv_slip_of(const coin_priv_variables *y, double uX,
+                                 double uh)
 {
-    const coin_priv_variables *y = &r->g.y;
     const coin_priv_slip at = {
         y->wX,  y->wY,  y->wZ, y->sth, y->cth, uX, uh,
         y->sph, y->cph, 0,     0,      0,      0,  0,
@@ -92,6 +92,7 @@ static void begin(coin_priv_sliding *g, const coin_slide *d,
     g->uX = g->slips ? y.uX : 0;
     g->uh = g->slips ? y.uh : 0;
     g->gained = 0;
+    g->seen = 0;
     g->rem.sum = t;
     g->rem.low = 0;
     g->tol = tol;
@@ -110,7 +111,7 @@ void coin_priv_slide_from(coin_priv_sliding *g, const coin_state *s)
 /* What holds where the slide has come to: COIN_OK, COIN_SLIPS, COIN_ELIFT. */
 static int32_t mode_of(const coin_priv_sliding *g)
 {
-    const coin_priv_slip y = coin_priv_slip_of(&g->w.run, g->uX, g->uh);
+    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     if (g->slips)
         return coin_priv_left(&g->table, &y, 1) > 0 ? COIN_SLIPS : COIN_ELIFT;
     const coin_priv_push stick = coin_priv_static(&g->table, &y);
@@ -136,7 +137,7 @@ static coin_slide end_of(coin_priv_sliding *g, int32_t status)
 {
     coin_slide end;
     double v[2];
-    const coin_priv_slip y = coin_priv_slip_of(&g->w.run, g->uX, g->uh);
+    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     coin_priv_centre_velocity(v, &y, g->table.b.a);
     if (g->w.run.steps > 0)
         coin_priv_read_lean(&g->w.run.g);

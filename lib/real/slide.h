@@ -27,6 +27,10 @@ typedef struct coin_priv_sliding {
     coin_priv_reach reach;
     double tol, roll_stride, slip_stride;
     uint64_t tries;
+    coin_priv_progress from; /* where a rolling step began, and its number */
+    uint64_t steps;
+    coin_priv_end end; /* of the last rolling step, if seen */
+    int seen;
 } coin_priv_sliding;
 
 /* The most steps of a call, those refused included. */
@@ -36,7 +40,8 @@ typedef struct coin_priv_sliding {
 void coin_priv_slide_from(coin_priv_sliding *g, const coin_state *s);
 
 /* The variables of a slide; its pose counts from 0. */
-coin_priv_slip coin_priv_slip_of(const coin_priv_run *r, double uX, double uh);
+coin_priv_slip coin_priv_slip_of(const coin_priv_variables *y, double uX,
+                                 double uh);
 
 /* Takes the run to *y, whose pose counts from where the run was; 0, and *r
  * untouched, if phi or psi leave their range. */

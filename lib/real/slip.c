@@ -70,7 +70,7 @@ static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
 static struct tried attempt(coin_priv_sliding *g, double h)
 {
     const double w0 = g->table.w0;
-    const coin_priv_slip from = coin_priv_slip_of(&g->w.run, g->uX, g->uh);
+    const coin_priv_slip from = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     struct tried r = {from, 0};
     coin_priv_estimates e;
     double d[COIN_PRIV_SLIP_SIZE], by5 = 0, by3 = 0, slip5 = 0, slip3 = 0;
@@ -140,7 +140,7 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
 static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
                    double rate)
 {
-    const coin_priv_slip from = coin_priv_slip_of(&g->w.run, g->uX, g->uh);
+    const coin_priv_slip from = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     int32_t status = COIN_OK;
     if (r->to.cth <= 0) {
         *h = coin_priv_place(g, angle_left, from.cth, *h, r->to.cth);
@@ -178,7 +178,7 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
  * another direction. */
 static int32_t end_slip(coin_priv_sliding *g, const coin_priv_slip *d)
 {
-    coin_priv_slip y = coin_priv_slip_of(&g->w.run, g->uX, g->uh);
+    coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     const double u = speed(&y), fall = (y.uX * d->uX + y.uh * d->uh) / u;
     const double last = -u / fall;
     double *at = (double *)&y;
@@ -188,7 +188,7 @@ static int32_t end_slip(coin_priv_sliding *g, const coin_priv_slip *d)
     y.uX = y.uh = 0;
     if (y.t > g->rem.sum)
         y.t = g->rem.sum;
-    g->slips = 0;
+    g->slips = g->seen = 0;
     g->gained = 0;
     return coin_priv_slip_take(g, &y);
 }
@@ -212,7 +212,7 @@ static int is_held(const coin_priv_sliding *g, const coin_priv_slip *y)
 
 int32_t coin_priv_slip_on(coin_priv_sliding *g)
 {
-    coin_priv_slip y = coin_priv_slip_of(&g->w.run, g->uX, g->uh), d;
+    coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh), d;
     if (!g->table.held && y.cth < COIN_PRIV_FLAT)
         return coin_priv_lie(&g->w.run);
     g->table.held = is_held(g, &y);
