@@ -101,8 +101,8 @@ static void errors_of_several_cases_name_each_of_them(void **unused)
 static void any_other_number_is_unknown(void **unused)
 {
     (void)unused;
-    const int32_t others[] = {COIN_EBUILD - 1, -1000, INT32_MIN,
-                              COIN_RESTS + 1,  1000,  INT32_MAX};
+    const int32_t others[] = {COIN_ELIFT - 1, -1000, INT32_MIN,
+                              COIN_RESTS + 1, 1000,  INT32_MAX};
     for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
         check_note("%d", (int)others[i]);
         check(strcmp(coin_status_string(others[i]), "unknown status") == 0);

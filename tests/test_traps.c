@@ -173,6 +173,38 @@ static int32_t call_coin_losses_reaction(const struct trap_case *c)
     return coin_losses_reaction(&c->s, &c->p, &l, &force);
 }
 
+/* -------------------------------------------------------------------- slides
+ */
+/* Slips, or rolls if dt is negative. */
+static coin_slide slide(const struct trap_case *c)
+{
+    coin_slide d = {c->s, c->dt, c->t};
+    if (c->dt < 0)
+        coin_slide_of(&d, &c->s, &c->p);
+    return d;
+}
+
+#define WITH_SLIDE(name, expression)                                           \
+    static int32_t call_##name(const struct trap_case *c)                      \
+    {                                                                          \
+        const coin_friction f = {0.3, 0.25};                                   \
+        coin_losses l = losses(c);                                             \
+        coin_slide d = slide(c);                                               \
+        coin_force force;                                                      \
+        l.damping = 0;                                                         \
+        (void)f, (void)l, (void)force;                                         \
+        return expression;                                                     \
+    }
+WITH_SLIDE(coin_slide_of, coin_slide_of(&d, &c->s, &c->p))
+WITH_SLIDE(coin_slide_advance,
+           coin_slide_advance(&d, &c->p, &f, c->t < 0 ? &l : NULL,
+                              fabs(some_time(c)), 1e-6, NULL))
+WITH_SLIDE(coin_slide_energy,
+           isnan(coin_slide_energy(&d, &c->p)) ? COIN_ESTATE : COIN_OK)
+WITH_SLIDE(coin_slide_reaction,
+           coin_slide_reaction(&d, &c->p, &f, c->t < 0 ? &l : NULL, &force))
+WITH_SLIDE(coin_slide_velocity, coin_slide_velocity(&d, &c->p, v))
+
 CALL(coin_max_dt,
      isnan(coin_max_dt(&c->s, &c->p, COIN_RK4, 1e-6)) ? COIN_ESTATE : COIN_OK)
 CALL(coin_model_needed, coin_model_needed(&c->s, &c->p, c->t, 1e-3))
@@ -277,6 +309,11 @@ static const struct trap_function all[] = {
     ROW(coin_time_to_rest),
     ROW(coin_quasisteady_at),
     ROW(coin_losses_fit),
+    ROW(coin_slide_of),
+    ROW(coin_slide_advance),
+    ROW(coin_slide_energy),
+    ROW(coin_slide_reaction),
+    ROW(coin_slide_velocity),
 };
 
 static void no_call_that_succeeds_traps(void **unused)

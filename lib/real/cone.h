@@ -32,10 +32,10 @@ typedef struct coin_priv_end {
     double y[5], d[5], dd[5];
 } coin_priv_end;
 
-/* The end at *y of a step of about tau. */
+/* The end at *y; time is the tau in which the motion changes. */
 void coin_priv_end_of(coin_priv_end *e, const coin_priv_field *f,
                       const coin_priv_losses *l, const coin_priv_variables *y,
-                      double tau);
+                      double time);
 
 /* Whether it is plain that a rolling step of tau from *a to *b, of the stride
  * given, keeps well within the cone, by a look at three places.  l is null

@@ -9,7 +9,8 @@
  * cone.c. */
 #define MISS 0.006
 
-/* The slopes of the slopes are differences over this part of the step. */
+/* The slopes of the slopes are differences over this part of the time in
+ * which the motion changes. */
 #define NEAR (1.0 / 1048576)
 
 /* The variables, and with them the slopes of wX and wZ. */
@@ -45,9 +46,9 @@ COIN_PRIV_INLINE void slopes(double *d, const coin_priv_field *f,
 
 void coin_priv_end_of(coin_priv_end *e, const coin_priv_field *f,
                       const coin_priv_losses *l, const coin_priv_variables *y,
-                      double tau)
+                      double time)
 {
-    const double near = NEAR * tau, per = 1 / near;
+    const double near = NEAR * time, per = 1 / near;
     double to[VARIABLES], d[VARIABLES];
     e->y[X] = y->wX;
     e->y[Y] = y->wY;

@@ -166,7 +166,7 @@ static int is_plain(coin_priv_sliding *g, double tau, double rate)
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
     const coin_priv_losses *l = g->lossy ? &g->w.l : NULL;
     coin_priv_end end;
-    coin_priv_end_of(&end, &f, l, &g->w.run.g.y, tau);
+    coin_priv_end_of(&end, &f, l, &g->w.run.g.y, 1 / rate);
     const int plain =
         coin_priv_plain(&g->table, &f, l, &g->end, &end, tau, fabs(tau) * rate);
     g->end = end;
@@ -239,8 +239,9 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
     return rolls < 0 ? coin_priv_begin_slip(g) : COIN_OK;
 }
 
-/* How a slip would begin here: its direction, its slope by tau, and what the
- * slopes of the coin then have over those of rolling. */
+/* How a slip would begin here: its direction, its slope by tau, friction over M
+ * a times cos theta, below 0 if the coin lifts instead, and the slopes of the
+ * coin then and as it rolls. */
 struct onset {
     coin_priv_direction n;
     double slope, friction;
@@ -253,12 +254,16 @@ static struct onset onset_of(const coin_priv_sliding *g)
     const coin_priv_table *t = &g->table;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
     const coin_priv_push stick = coin_priv_static(t, &y);
+    o.friction = -1;
+    if (!(stick.N > 0))
+        return o;
     o.n = coin_priv_onset(t, &y, &stick);
     const coin_priv_push slide = coin_priv_kinetic(t, &y, o.n);
     coin_priv_slopes_under(&o.slides, t, &y, &slide);
     coin_priv_slopes_under(&o.rolls, t, &y, &stick);
     o.slope = o.slides.uX * o.n.X + o.slides.uh * o.n.h;
-    o.friction = stick.N > 0 && slide.N > 0 ? t->mu_kinetic * slide.N : -1;
+    if (slide.N > 0)
+        o.friction = t->mu_kinetic * slide.N;
     return o;
 }
 
