@@ -138,7 +138,7 @@ double coin_priv_looked(const coin_priv_look *look)
         return 0.5;
     for (int k = 1; k < PLACES; ++k) {
         if (m[k] < -miss)
-            return (double)k / PLACES;
+            return -(double)k / PLACES;
         if (least(m, k) < miss)
             return 0.5;
     }

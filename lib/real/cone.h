@@ -21,9 +21,10 @@ typedef struct coin_priv_look {
 double coin_priv_left(const coin_priv_table *table, const coin_priv_slip *y,
                       int slips);
 
-/* The part of a step, 0 to 1, up to which nothing was left of the cone, or is
- * not known to be left: 1 if it is, also at all places within.  Between the
- * ends the motion is interpolated, to order 6. */
+/* 1 if something is left of the cone all along a step, but perhaps at its end;
+ * the part of the step to try instead where that is not known; minus the part
+ * at which nothing is left, and before which nothing was seen to be wrong.
+ * Between the ends the motion is interpolated, to order 6. */
 double coin_priv_looked(const coin_priv_look *look);
 
 /* An end of a rolling step, by tau: wX, wY, wZ, sin and cos theta, their slopes

@@ -209,10 +209,11 @@ void coin_priv_slip_slopes(double *dy, const double *y, const void *table)
 {
     const coin_priv_table *t = (const coin_priv_table *)table;
     const coin_priv_slip *at = (const coin_priv_slip *)(const void *)y;
-    const double u = coin_priv_hypot(at->uX, at->uh), scale = u / t->w0;
+    const double u = coin_priv_hypot(at->uX, at->uh);
+    const double scale = coin_priv_slip_scale(t, u);
     const coin_priv_direction n = {at->uX / u, at->uh / u};
     const coin_priv_push force = coin_priv_kinetic(t, at, n);
     coin_priv_slopes_under((coin_priv_slip *)(void *)dy, t, at, &force);
     for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
-        dy[i] *= scale; /* (83) */
+        dy[i] *= scale;
 }

@@ -52,10 +52,16 @@ coin_priv_push coin_priv_kinetic(const coin_priv_table *table,
                                  const coin_priv_slip *y,
                                  coin_priv_direction n);
 
-/* d/dtau of a coin that rolls, and of one that slips, the latter times the slip
- * speed over that of the natural units: by the time sigma of (83).  In it the
- * end and the beginning of a slip are exponential, and smooth however near the
- * slip comes to 0.  For coin_priv_dopri8(): the problem is a coin_priv_table.
+/* dtau/dsigma of (83) at a slip speed u. */
+COIN_PRIV_INLINE double coin_priv_slip_scale(const coin_priv_table *table,
+                                             double u)
+{
+    return u / (u + table->w0); /* (83) */
+}
+
+/* d/dtau of a coin that rolls, and d/dsigma of one that slips: in sigma the end
+ * and the beginning of a slip are exponential, and smooth however near the slip
+ * comes to 0.  For coin_priv_dopri8(): the problem is a coin_priv_table.
  */
 void coin_priv_roll_slopes(double *dy, const double *y, const void *table);
 void coin_priv_slip_slopes(double *dy, const double *y, const void *table);

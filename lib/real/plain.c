@@ -63,8 +63,8 @@ void coin_priv_end_of(coin_priv_end *e, const coin_priv_field *f,
         e->dd[i] = per * (d[i] - e->d[i]);
 }
 
-/* What is left of the cone at a place: mu^2 N^2 - F^2, its least, its largest
- * terms. */
+/* What is left of the cone at a place: mu^2 N^2 - F^2, and what an error of the
+ * variables changes in it, both over the size of the forces' terms. */
 struct left {
     double margin, miss;
 };
@@ -82,11 +82,11 @@ COIN_PRIV_INLINE struct left left_at(const coin_priv_table *t,
     const double size = cth * t->b.g_a + cwX * wX + wY * wY + fabs(wY * y[Z]);
     const double per_N = t->mu_static > 1 ? 1 : t->mu_static;
     const double per_F = t->mu_static > 1 ? 1 / t->mu_static : 1;
-    const double most = per_N * N;
-    const double F2 = per_F * per_F * (FX * FX + Fh * Fh);
+    const double most = per_N * (N / size);
+    const double along_X = per_F * (FX / size), along_h = per_F * (Fh / size);
     const struct left r = {
-        most * fabs(most) - F2,
-        size * (per_N * fabs(most) + per_F * per_F * (fabs(FX) + fabs(Fh))),
+        most * fabs(most) - (along_X * along_X + along_h * along_h),
+        per_N * fabs(most) + per_F * (fabs(along_X) + fabs(along_h)),
     };
     return r;
 }

@@ -47,7 +47,8 @@ static double again(coin_priv_sliding *g, double tau)
 {
     g->w.run.g = g->from;
     g->w.run.steps = g->steps;
-    return attempt(g, tau);
+    g->w.run.g.added.t = 0;
+    return tau == 0 ? 0 : attempt(g, tau);
 }
 
 static double left_of(const coin_priv_sliding *g)
@@ -178,25 +179,24 @@ static int is_plain(coin_priv_sliding *g, double tau, double rate)
 static int shorten(coin_priv_sliding *g, double tau, double rate)
 {
     const coin_priv_slip from = coin_priv_slip_of(&g->from.y, 0, 0);
-    int whole = 1;
-    for (;;) {
+    const double left = coin_priv_left(&g->table, &from, 0);
+    for (int whole = 1;; whole = 0) {
         const coin_priv_slip to = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
         const coin_priv_look look = {
             &g->table, coin_priv_roll_slopes, &from, &to, tau, fabs(tau) * rate,
         };
         const double part = coin_priv_looked(&look);
-        const double left = coin_priv_left(&g->table, &to, 0);
-        if (part == 1 && left >= 0)
-            return whole;
-        if (part == 1) {
-            const double place = coin_priv_place(
-                g, cone_left, coin_priv_left(&g->table, &from, 0), tau, left);
-            (void)again(g, place);
+        if (part < 1) {
+            tau *= fabs(part);
+            (void)again(g, tau);
+        }
+        const double end = left_of(g);
+        if (end < 0 && (part < 0 || part == 1)) {
+            (void)again(g, coin_priv_place(g, cone_left, left, tau, end));
             return -1;
         }
-        whole = 0;
-        tau *= part;
-        (void)again(g, tau);
+        if (part == 1)
+            return whole;
     }
 }
 
@@ -290,13 +290,19 @@ static coin_priv_slip euler(const coin_priv_run *r, const struct onset *o,
 int32_t coin_priv_begin_slip(coin_priv_sliding *g)
 {
     const double w0 = g->table.w0, seed = COIN_PRIV_SLIP_SEED * w0;
-    const double r4 = sqrt(sqrt(g->tol)), wait = r4 * sqrt(r4) / w0;
+    const double r4 = sqrt(sqrt(g->tol)), cth = g->w.run.g.y.cth;
+    const double wait =
+        coin_priv_sundman_tau(&g->w.run.b, &g->w.run.g.y, r4 * sqrt(r4));
     struct onset o = onset_of(g);
     coin_priv_slip y;
     g->seen = 0;
     if (o.friction < 0)
         return COIN_ELIFT;
-    const double tau = coin_priv_lesser(wait, g->rem.sum) / g->w.run.g.y.cth;
+    if (g->rem.sum <= DBL_EPSILON * wait * cth) {
+        g->rem.sum = 0;
+        return COIN_OK;
+    }
+    const double tau = coin_priv_lesser(wait, g->rem.sum / cth);
     if (o.slope >= EASY * o.friction && o.slope * tau >= seed) {
         y = euler(&g->w.run, &o, seed / o.slope);
         y.t = coin_priv_lesser(y.t, g->rem.sum);
@@ -306,8 +312,6 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
         if (!(attempt(g, tau) <= 1))
             return COIN_ESTEP;
         count(g);
-        if (g->rem.sum < 4 * DBL_EPSILON * wait)
-            g->rem.sum = 0;
         if (left_of(g) >= 0)
             return COIN_OK;
         o = onset_of(g);

@@ -58,7 +58,9 @@ double coin_priv_place(coin_priv_sliding *g, coin_priv_event *event, double at0,
                        double h1, double at1)
 {
     double h0 = 0;
-    for (int i = 0; i < TRIALS && h1 - h0 > 2 * DBL_EPSILON * h1; ++i) {
+    /* The halves may underflow. */
+    for (int i = 0; i < TRIALS && h1 - h0 > 2 * DBL_EPSILON * h1 && at0 > at1;
+         ++i) {
         const double h = h0 + (h1 - h0) * (at0 / (at0 - at1));
         const double at = event(g, h);
         if (at > 0) {

@@ -29,23 +29,32 @@ static double speed(const coin_priv_slip *y)
     return coin_priv_hypot(y->uX, y->uh);
 }
 
+/* The slope of the slip speed. */
+static double growth(const coin_priv_slip *y, const coin_priv_slip *d)
+{
+    const double u = speed(y);
+    return y->uX / u * d->uX + y->uh / u * d->uh;
+}
+
 /* The rate in sigma at which a slip changes: as the coin moves, as its
  * direction settles, and as losses do. */
 static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
 {
     const coin_priv_table *t = &g->table;
     const coin_priv_losses *l = &t->l;
-    const double scale = speed(y) / t->w0, sth = y->sth, cth = y->cth;
-    const coin_priv_direction n = {y->uX / speed(y), y->uh / speed(y)};
+    const double u = speed(y), scale = coin_priv_slip_scale(t, u);
+    const double sth = y->sth, cth = y->cth;
+    const coin_priv_direction n = {y->uX / u, y->uh / u};
     const double N = coin_priv_kinetic(t, y, n).N;
-    const double settle = t->mu_kinetic * N * (1 + t->b.m / t->b.IX) / t->w0;
+    const double lever = 1 + t->b.m / t->b.IX;
+    const double settle = t->mu_kinetic * N * lever / (u + t->w0);
     const double own = 1 / coin_priv_sundman_tau(&t->b, &g->w.run.g.y, 1);
     double rate = scale * own + RELAX * settle;
     if (g->lossy && !t->held) {
-        const double u = cth * y->wZ + sth * y->wY;
-        const double lever = sth * sth / l->IX + cth * cth / l->K;
+        const double roll = cth * y->wZ + sth * y->wY;
+        const double arm = sth * sth / l->IX + cth * cth / l->K;
         rate += RELAX * scale *
-                (coin_priv_grip(l, u, cth) * lever + l->spin * cth / l->IX);
+                (coin_priv_grip(l, roll, cth) * arm + l->spin * cth / l->IX);
     }
     return rate; /* (87) */
 }
@@ -66,6 +75,12 @@ static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
     return way < 1e30 * du ? way / du : (double)INFINITY;
 }
 
+/* So that its square does not overflow; far above any error allowed. */
+static double bounded(double error)
+{
+    return coin_priv_lesser(fabs(error), 1e100);
+}
+
 /* The step h, and its error. */
 static struct tried attempt(coin_priv_sliding *g, double h)
 {
@@ -77,15 +92,15 @@ static struct tried attempt(coin_priv_sliding *g, double h)
     coin_priv_slip_slopes(d, (const double *)&from, &g->table);
     coin_priv_dopri8((double *)&r.to, d, COIN_PRIV_SLIP_SIZE,
                      coin_priv_slip_slopes, &g->table, h, &e);
-    for (int i = 0; i < 9; ++i) { /* wX to wZ, the pairs, and the slip */
-        const int velocity = i < 3 || i == 5 || i == 6;
-        const double per = velocity ? 1 / w0 : 1;
-        by5 += e.by5[i] * per * (e.by5[i] * per);
-        by3 += e.by3[i] * per * (e.by3[i] * per);
-        if (i == 5 || i == 6) {
-            slip5 += e.by5[i] * per * (e.by5[i] * per);
-            slip3 += e.by3[i] * per * (e.by3[i] * per);
-        }
+    for (int i = 0; i < 9; ++i) { /* velocities, pairs, and the slip */
+        const int slip = i == 5 || i == 6;
+        const double per = i < 3 || slip ? 1 / w0 : 1;
+        const double off5 = bounded(e.by5[i] * per);
+        const double off3 = bounded(e.by3[i] * per);
+        by5 += off5 * off5;
+        by3 += off3 * off3;
+        slip5 += slip ? off5 * off5 : 0;
+        slip3 += slip ? off3 * off3 : 0;
     }
     ++g->tries;
     const double most = coin_priv_allowed(&g->w.run, g->tol, r.to.t);
@@ -154,23 +169,25 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
         r->to.t = g->rem.sum;
         status = COIN_OK;
     }
+    const double left = coin_priv_left(&g->table, &from, 1);
     for (;;) {
-        const double left = coin_priv_left(&g->table, &r->to, 1);
         const coin_priv_look look = {
             &g->table, coin_priv_slip_slopes, &from, &r->to, *h, *h * rate,
         };
         const double part = coin_priv_looked(&look);
-        if (part == 1 && left > 0)
-            return status;
-        status = COIN_OK;
-        if (part == 1) {
-            *h = coin_priv_place(g, force_left,
-                                 coin_priv_left(&g->table, &from, 1), *h, left);
+        if (part < 1) {
+            *h *= fabs(part);
+            *r = attempt(g, *h);
+            status = COIN_OK;
+        }
+        const double end = coin_priv_left(&g->table, &r->to, 1);
+        if (!(end > 0) && (part < 0 || part == 1)) {
+            *h = coin_priv_place(g, force_left, left, *h, end);
             *r = attempt(g, *h);
             return COIN_ELIFT;
         }
-        *h *= part;
-        *r = attempt(g, *h);
+        if (part == 1)
+            return status;
     }
 }
 
@@ -179,8 +196,7 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
 static int32_t end_slip(coin_priv_sliding *g, const coin_priv_slip *d)
 {
     coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
-    const double u = speed(&y), fall = (y.uX * d->uX + y.uh * d->uh) / u;
-    const double last = -u / fall;
+    const double last = speed(&y) / -growth(&y, d);
     double *at = (double *)&y;
     const double *by = (const double *)d;
     for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
@@ -217,8 +233,7 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
         return coin_priv_lie(&g->w.run);
     g->table.held = is_held(g, &y);
     coin_priv_slip_slopes((double *)&d, (const double *)&y, &g->table);
-    const int slower = y.uX * d.uX + y.uh * d.uh < 0;
-    if (slower && speed(&y) < COIN_PRIV_SLIP_LEAST * g->table.w0)
+    if (growth(&y, &d) < 0 && speed(&y) < COIN_PRIV_SLIP_LEAST * g->table.w0)
         return end_slip(g, &d);
     const double rate = rate_of(g, &y);
     double h;
