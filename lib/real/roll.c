@@ -13,13 +13,7 @@
 /* Nearer to flat than this a coin with losses ends as coin_settle() has it. */
 #define END 1e-10
 
-/* Where the slip's own slope is above this part of that of friction alone, the
- * slip begins at once: it takes some 1/EASY steps to grow. */
-#define EASY (1.0 / 1024)
-
-/* A step of tau from where the run is: its error over what is allowed; added.t
- * counts from 0.  Infinite, and nothing done, if it cannot be made. */
-static double attempt(coin_priv_sliding *g, double tau)
+double coin_priv_roll_try(coin_priv_sliding *g, double tau)
 {
     coin_priv_run *const r = &g->w.run;
     ++g->tries;
@@ -48,10 +42,10 @@ static double again(coin_priv_sliding *g, double tau)
     g->w.run.g = g->from;
     g->w.run.steps = g->steps;
     g->w.run.g.added.t = 0;
-    return tau == 0 ? 0 : attempt(g, tau);
+    return tau == 0 ? 0 : coin_priv_roll_try(g, tau);
 }
 
-static double left_of(const coin_priv_sliding *g)
+double coin_priv_cone_left(const coin_priv_sliding *g)
 {
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
     return coin_priv_left(&g->table, &y, 0);
@@ -60,11 +54,10 @@ static double left_of(const coin_priv_sliding *g)
 static double cone_left(coin_priv_sliding *g, double tau)
 {
     (void)again(g, tau);
-    return left_of(g);
+    return coin_priv_cone_left(g);
 }
 
-/* Counts the time of a step made. */
-static void count(coin_priv_sliding *g)
+void coin_priv_count(coin_priv_sliding *g)
 {
     coin_priv_add(&g->rem, -g->w.run.g.added.t);
 }
@@ -145,7 +138,7 @@ static double step(coin_priv_sliding *g, double rate)
                                       coin_priv_allowed(&g->w.run, g->tol, 0));
     for (;;) {
         const double tau = next_tau(g, rate, bound), used = fabs(tau) * rate;
-        const double error = attempt(g, tau);
+        const double error = coin_priv_roll_try(g, tau);
         if (!g->lossy)
             return error == 0 ? tau : 0;
         const double next = used * coin_priv_change(error, 1);
@@ -190,7 +183,7 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
             tau *= fabs(part);
             (void)again(g, tau);
         }
-        const double end = left_of(g);
+        const double end = coin_priv_cone_left(g);
         if (end < 0 && (part < 0 || part == 1)) {
             (void)again(g, coin_priv_place(g, cone_left, left, tau, end));
             return -1;
@@ -204,7 +197,7 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
 static int begin_step(coin_priv_sliding *g, double rate)
 {
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
-    if (left_of(g) < 0)
+    if (coin_priv_cone_left(g) < 0)
         return 0;
     coin_priv_end_of(&g->end, &f, g->lossy ? &g->w.l : NULL, &g->w.run.g.y,
                      1 / rate);
@@ -231,103 +224,10 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
         return COIN_ESTEP;
     g->seen = is_plain(g, tau, rate);
     const int rolls = g->seen ? 1 : shorten(g, tau, rate);
-    count(g);
+    coin_priv_count(g);
     if (last && rolls > 0)
         g->rem.sum = 0;
     else if ((g->rem.sum < 0) != (before < 0))
         g->roll_stride /= 2;
     return rolls < 0 ? coin_priv_begin_slip(g) : COIN_OK;
-}
-
-/* How a slip would begin here: its direction, its slope by tau, friction over M
- * a times cos theta, below 0 if the coin lifts instead, and the slopes of the
- * coin then and as it rolls. */
-struct onset {
-    coin_priv_direction n;
-    double slope, friction;
-    coin_priv_slip slides, rolls;
-};
-
-static struct onset onset_of(const coin_priv_sliding *g)
-{
-    struct onset o;
-    const coin_priv_table *t = &g->table;
-    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
-    const coin_priv_push stick = coin_priv_static(t, &y);
-    o.friction = -1;
-    if (!(stick.N > 0))
-        return o;
-    o.n = coin_priv_onset(t, &y, &stick);
-    const coin_priv_push slide = coin_priv_kinetic(t, &y, o.n);
-    coin_priv_slopes_under(&o.slides, t, &y, &slide);
-    coin_priv_slopes_under(&o.rolls, t, &y, &stick);
-    o.slope = o.slides.uX * o.n.X + o.slides.uh * o.n.h;
-    if (slide.N > 0)
-        o.friction = t->mu_kinetic * slide.N;
-    return o;
-}
-
-/* Adds a part of what the slopes of o have over those of rolling. */
-static void push(coin_priv_slip *y, const struct onset *o, double tau)
-{
-    y->wX += tau * (o->slides.wX - o->rolls.wX);
-    y->wY += tau * (o->slides.wY - o->rolls.wY);
-    y->wZ += tau * (o->slides.wZ - o->rolls.wZ);
-}
-
-/* The coin after a slip of so short a tau. */
-static coin_priv_slip euler(const coin_priv_run *r, const struct onset *o,
-                            double tau)
-{
-    coin_priv_slip y = coin_priv_slip_of(&r->g.y, 0, 0);
-    double *at = (double *)&y;
-    const double *slope = (const double *)&o->slides;
-    for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
-        at[i] += tau * slope[i];
-    return y;
-}
-
-int32_t coin_priv_begin_slip(coin_priv_sliding *g)
-{
-    const double w0 = g->table.w0, seed = COIN_PRIV_SLIP_SEED * w0;
-    const double r4 = sqrt(sqrt(g->tol)), cth = g->w.run.g.y.cth;
-    const double wait =
-        coin_priv_sundman_tau(&g->w.run.b, &g->w.run.g.y, r4 * sqrt(r4));
-    struct onset o = onset_of(g);
-    coin_priv_slip y;
-    g->seen = 0;
-    if (o.friction < 0)
-        return COIN_ELIFT;
-    if (g->rem.sum <= DBL_EPSILON * wait * cth) {
-        g->rem.sum = 0;
-        return COIN_OK;
-    }
-    const double tau = coin_priv_lesser(wait, g->rem.sum / cth);
-    if (o.slope >= EASY * o.friction && o.slope * tau >= seed) {
-        y = euler(&g->w.run, &o, seed / o.slope);
-        y.t = coin_priv_lesser(y.t, g->rem.sum);
-        g->gained = seed;
-    } else {
-        const struct onset at = o;
-        if (!(attempt(g, tau) <= 1))
-            return COIN_ESTEP;
-        count(g);
-        if (left_of(g) >= 0)
-            return COIN_OK;
-        o = onset_of(g);
-        if (o.friction < 0)
-            return COIN_ELIFT;
-        const double slope = (at.slope > 0 ? at.slope : 0) + o.slope;
-        g->gained += tau / 2 * (slope > 0 ? slope : 0);
-        if (g->gained < seed)
-            return COIN_OK;
-        y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
-        push(&y, &at, tau / 2);
-        push(&y, &o, tau / 2);
-    }
-    y.uX = g->gained * o.n.X;
-    y.uh = g->gained * o.n.h;
-    g->slips = 1;
-    g->slip_stride = coin_priv_first_stride(g->tol);
-    return coin_priv_slip_take(g, &y);
 }

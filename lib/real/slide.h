@@ -61,6 +61,17 @@ typedef double coin_priv_event(coin_priv_sliding *g, double h);
 double coin_priv_place(coin_priv_sliding *g, coin_priv_event *event, double at0,
                        double h1, double at1);
 
+/* Tries a step of tau of a coin that rolls, from where the run is: its error
+ * over what is allowed; added.t counts from 0.  Infinite, and nothing done, if
+ * it cannot be made. */
+double coin_priv_roll_try(coin_priv_sliding *g, double tau);
+
+/* Counts the time of that step. */
+void coin_priv_count(coin_priv_sliding *g);
+
+/* coin_priv_left() where the run is. */
+double coin_priv_cone_left(const coin_priv_sliding *g);
+
 /* A step of a coin that rolls; of one that slips.  COIN_OK, or a status that
  * ends the call: COIN_RESTS, COIN_ELIFT, COIN_ESTEP. */
 int32_t coin_priv_roll_on(coin_priv_sliding *g);

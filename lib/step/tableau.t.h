@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The coefficients of the formula of rk8.t.h, for a type scalar; those of its
  * error only where ERROR_TO is defined. */
+#include "../motion/kind.h"
+
 /* Rows of the tableau without their zeros: A5 holds a_51, a_53, a_54; from A6
  * on a_i1, a_i4, a_i5, ...; B holds b_1, b_6, ..., b_12. */
 /* clang-format off */
