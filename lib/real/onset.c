@@ -6,8 +6,8 @@
 #include "slide.h"
 
 /* Where the slip's own slope is above this part of that of friction alone, the
- * slip begins at once: it takes some 1/EASY steps to grow. */
-#define EASY (1.0 / 1024)
+ * slip begins at once: it takes a few hundred steps to grow. */
+#define EASY (1.0 / 16)
 
 /* How a slip would begin here: its direction, its slope by tau, friction over M
  * a times cos theta, below 0 if the coin lifts instead, and the slopes of the

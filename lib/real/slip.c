@@ -150,6 +150,17 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
     }
 }
 
+/* Whether it is plain that the normal force lasts all along a step: it changes
+ * as the coin moves, and much less than it is at both ends. */
+static int is_pressed(const coin_priv_sliding *g, double from, double to,
+                      double u, double h)
+{
+    const double own = coin_priv_sundman_tau(&g->table.b, &g->w.run.g.y, 1);
+    const double moved = h * coin_priv_slip_scale(&g->table, u) / own;
+    return coin_priv_lesser(from, to) >
+           4 * fabs(to - from) + 0.25 * moved * moved;
+}
+
 /* What ends a step before its full length: the first of the time, the end of
  * the normal force, and the table.  Returns the status that it brings. */
 static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
@@ -170,6 +181,10 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
         status = COIN_OK;
     }
     const double left = coin_priv_left(&g->table, &from, 1);
+    const double u =
+        speed(&from) > speed(&r->to) ? speed(&from) : speed(&r->to);
+    if (is_pressed(g, left, coin_priv_left(&g->table, &r->to, 1), u, *h))
+        return status;
     for (;;) {
         const coin_priv_look look = {
             &g->table, coin_priv_slip_slopes, &from, &r->to, *h, *h * rate,

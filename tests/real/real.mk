@@ -25,5 +25,15 @@ $(REAL_OUT)/study: $(SRC)/tests/real/study.c $(SRC)/tests/bench/textbook.c \
 
 $(REAL_OUT)/study: $(TEST_EXTRA)
 
+.PHONY: slide-study
+slide-study: $(REAL_OUT)/slides ## coins that slip: launches, cost, and other methods
+	$< launches $(LAUNCHES)
+	$< cost
+	$< rivals
+
+$(REAL_OUT)/slides: $(SRC)/tests/real/slides.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
+	$(CC_TEST) $(CMOCKA) -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) \
+	    $(TEST_EXTRA) $(LIB_A) $(CMOCKA_LIBS) -lm
+
 $(REAL_OUT):
 	mkdir -p $@
