@@ -912,8 +912,8 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  *         them (test_slide); a slip that nearly ends, and does not, has a
  *         direction that turns round at once, and its time is less well
  *         determined than the motion after it.
- * Cost: while it rolls 1.2 to 1.5 times that of coin_advance() (make
- *         slide-study); docs/models.md has more. */
+ * Cost: while it rolls 1.5 times that of coin_advance() (make slide-study);
+ *         docs/models.md has more. */
 COIN_API int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
                                     const coin_friction *f,
                                     const coin_losses *l, double t, double tol,

@@ -5,10 +5,6 @@
 #include "control.h"
 #include "slide.h"
 
-/* Where the slip's own slope is above this part of that of friction alone, the
- * slip begins at once: it takes a few hundred steps to grow. */
-#define EASY (1.0 / 16)
-
 /* How a slip would begin here: its direction, its slope by tau, friction over M
  * a times cos theta, below 0 if the coin lifts instead, and the slopes of the
  * coin then and as it rolls. */
@@ -57,6 +53,11 @@ static coin_priv_slip euler(const coin_priv_run *r, const struct onset *o,
     return y;
 }
 
+/* A slip with an acceleration begins at once, with a speed of
+ * COIN_PRIV_SLIP_SEED: its steps to grow are as friction over the acceleration.
+ * Where that is small, below tol^(1/4)/4, the coin rolls on for a time, and
+ * friction's part in it is added as an impulse; the error is as the
+ * acceleration times that time squared, and that is below tol. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g)
 {
     const double w0 = g->table.w0, seed = COIN_PRIV_SLIP_SEED * w0;
@@ -73,7 +74,7 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
         return COIN_OK;
     }
     const double tau = coin_priv_lesser(wait, g->rem.sum / cth);
-    if (o.slope >= EASY * o.friction && o.slope * tau >= seed) {
+    if (o.slope >= r4 / 4 * o.friction && o.slope * tau >= seed) {
         y = euler(&g->w.run, &o, seed / o.slope);
         y.t = coin_priv_lesser(y.t, g->rem.sum);
         g->gained = seed;
