@@ -173,6 +173,35 @@ static uint64_t hash_advance(const scene *a)
     return h;
 }
 
+#ifndef WITHOUT_ORBIT
+/* By coin_slide_advance(), thrown without rolling, with losses and without. */
+static uint64_t hash_slide(const scene *a)
+{
+    const coin_friction f = {0.33, 0.3};
+    uint64_t h = FNV_OFFSET;
+    int i, lossy;
+    for (lossy = 0; lossy < 2; ++lossy) {
+        start b = start_of(a);
+        const double torque = b.p.mass * b.p.gravity * b.p.radius / 1024;
+        coin_losses l = {0, 0, 0, 0, 0, 0, 0, 0};
+        coin_slide d;
+        l.dry = torque;
+        l.viscous = torque * b.unit;
+        h = hash_status(h, coin_slide_of(&d, &b.s, &b.p));
+        d.vx += b.p.radius / b.unit / 2;
+        for (i = 1; i <= 10; ++i) {
+            double reached = 0;
+            h = hash_status(h,
+                            coin_slide_advance(&d, &b.p, &f, lossy ? &l : NULL,
+                                               1.7 * b.unit, 1e-9, &reached));
+            h = hash_doubles(hash_state(h, &d.s), &d.vx, 1);
+            h = hash_doubles(hash_doubles(h, &d.vz, 1), &reached, 1);
+        }
+    }
+    return h;
+}
+#endif
+
 /* A scene in single precision. */
 typedef struct start_float {
     coinf_params p;
@@ -303,6 +332,8 @@ static uint64_t print_scene(uint64_t all, const scene *a)
 #ifndef WITHOUT_ORBIT
         words[1] = "orbit";
         all = print(all, hash_orbit(a), words);
+        words[1] = "slide";
+        all = print(all, hash_slide(a), words);
 #endif
     }
     return all;
