@@ -32,6 +32,8 @@ CALL(coin_sizeof_state, done(coin_sizeof_state()))
 CALL(coin_sizeof_params, done(coin_sizeof_params()))
 CALL(coin_sizeof_force, done(coin_sizeof_force()))
 CALL(coin_sizeof_losses, done(coin_sizeof_losses()))
+CALL(coin_sizeof_friction, done(coin_sizeof_friction()))
+CALL(coin_sizeof_slide, done(coin_sizeof_slide()))
 CALL(coin_sizeof_orbit, done(coin_sizeof_orbit()))
 CALL(coin_params_disc,
      coin_params_disc(&made, c->p.mass, c->p.radius, c->p.gravity))
@@ -191,6 +193,38 @@ static int32_t call_coin_losses_reaction(const struct trap_case *c)
     return coin_losses_reaction(&c->s, &c->p, &l, &force);
 }
 
+/* -------------------------------------------------------------------- slides
+ */
+/* Slips, or rolls if dt is negative. */
+static coin_slide slide(const struct trap_case *c)
+{
+    coin_slide d = {c->s, c->dt, c->t};
+    if (c->dt < 0)
+        coin_slide_of(&d, &c->s, &c->p);
+    return d;
+}
+
+#define WITH_SLIDE(name, expression)                                           \
+    static int32_t call_##name(const struct trap_case *c)                      \
+    {                                                                          \
+        const coin_friction f = {0.3, 0.25};                                   \
+        coin_losses l = losses(c);                                             \
+        coin_slide d = slide(c);                                               \
+        coin_force force;                                                      \
+        l.damping = 0;                                                         \
+        (void)f, (void)l, (void)force;                                         \
+        return expression;                                                     \
+    }
+WITH_SLIDE(coin_slide_of, coin_slide_of(&d, &c->s, &c->p))
+WITH_SLIDE(coin_slide_advance,
+           coin_slide_advance(&d, &c->p, &f, c->t < 0 ? &l : NULL,
+                              fabs(some_time(c)), 1e-6, NULL))
+WITH_SLIDE(coin_slide_energy,
+           isnan(coin_slide_energy(&d, &c->p)) ? COIN_ESTATE : COIN_OK)
+WITH_SLIDE(coin_slide_reaction,
+           coin_slide_reaction(&d, &c->p, &f, c->t < 0 ? &l : NULL, &force))
+WITH_SLIDE(coin_slide_velocity, coin_slide_velocity(&d, &c->p, v))
+
 CALL(coin_max_dt,
      isnan(coin_max_dt(&c->s, &c->p, COIN_RK4, 1e-6)) ? COIN_ESTATE : COIN_OK)
 CALL(coin_model_needed, coin_model_needed(&c->s, &c->p, c->t, 1e-3))
@@ -244,6 +278,8 @@ static const struct trap_function all[] = {
     ROW(coin_sizeof_params),
     ROW(coin_sizeof_force),
     ROW(coin_sizeof_losses),
+    ROW(coin_sizeof_friction),
+    ROW(coin_sizeof_slide),
     ROW(coin_sizeof_orbit),
     ROW(coin_selftest),
     ROW(coin_params_disc),
@@ -300,6 +336,11 @@ static const struct trap_function all[] = {
     ROW(coin_time_to_rest),
     ROW(coin_quasisteady_at),
     ROW(coin_losses_fit),
+    ROW(coin_slide_of),
+    ROW(coin_slide_advance),
+    ROW(coin_slide_energy),
+    ROW(coin_slide_reaction),
+    ROW(coin_slide_velocity),
 };
 
 static void no_call_that_succeeds_traps(void **unused)

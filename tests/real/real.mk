@@ -29,6 +29,16 @@ $(REAL_OUT)/%: $(SRC)/tests/real/%.c $(SRC)/tests/real/laws.h \
 
 $(REAL_OUT)/study $(REAL_OUT)/quasi: $(TEST_EXTRA)
 
+.PHONY: slide-study
+slide-study: $(REAL_OUT)/slides ## coins that slip: launches, cost, and other methods
+	$< launches $(LAUNCHES)
+	$< cost
+	$< rivals
+
+$(REAL_OUT)/slides: $(SRC)/tests/real/slides.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
+	$(CC_TEST) $(CMOCKA) -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) \
+	    $(TEST_EXTRA) $(LIB_A) $(CMOCKA_LIBS) -lm
+
 $(REAL_OUT):
 	mkdir -p $@
 

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/* How long a step may be, by the estimate of its error. */
+#ifndef ROLLCOIN_CONTROL_H
+#define ROLLCOIN_CONTROL_H
+
+#include "../step/run.h"
+
+/* A call's first step is FIRST tol^(1/8) over the rate, none is longer than
+ * LONGEST: what the first of most motions may be, and what keeps the estimate
+ * of the error good. */
+#define COIN_PRIV_FIRST_STRIDE 4.0
+#define COIN_PRIV_LONGEST_STRIDE 1.2
+
+/* How much more than tol times its time the estimate of a step may be: that is
+ * of order 8, the step's error of order 9.  Measured so that the error stays
+ * below tol per natural unit of time (test_settle).  A step near flat takes
+ * hardly any time, and need not be better than one of BRIEF natural units. */
+#define COIN_PRIV_ESTIMATE 4.0
+#define COIN_PRIV_BRIEF 0.03
+
+/* The error that DOP853 estimates, from sums of squares of what it has of order
+ * 5 and of order 3. */
+COIN_PRIV_INLINE double coin_priv_error_of(double by5, double by3)
+{
+    const double sum = by5 + 0.01 * by3;
+    return sum > 0 ? by5 / sqrt(sum) : sum;
+}
+
+/* What the estimate of a step may be: by tol, and by rounding. */
+COIN_PRIV_INLINE double coin_priv_allowed(const coin_priv_run *r, double tol,
+                                          double t)
+{
+    const coin_priv_variables *y = &r->g.y;
+    const double w0 = sqrt(r->b.g_a), units = fabs(t) * w0;
+    const double rates = (fabs(y->wX) + fabs(y->wY) + fabs(y->wZ)) / w0;
+    const double brief = COIN_PRIV_BRIEF;
+    return COIN_PRIV_ESTIMATE * tol * (units > brief ? units : brief) +
+           4 * DBL_EPSILON * (1 + rates);
+}
+
+/* The factor from a step to the next: about (most/error)^(1/8), from 0.2 to 2.
+ */
+COIN_PRIV_INLINE double coin_priv_change(double error, double most)
+{
+    const double least = 1e-9 * most; /* so that nothing divides by 0 */
+    const double ratio = most / (error > least ? error : least);
+    const double factor = 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio)));
+    return factor < 2 ? factor : 2;
+}
+
+/* The part of its rates at which a contact counts as stopped. */
+COIN_PRIV_INLINE double coin_priv_stopped(double tol)
+{
+    const double most = 10 * tol;
+    return most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
+}
+
+/* The first stride of a call. */
+COIN_PRIV_INLINE double coin_priv_first_stride(double tol)
+{
+    const double first = COIN_PRIV_FIRST_STRIDE * sqrt(sqrt(sqrt(tol)));
+    return first < COIN_PRIV_LONGEST_STRIDE ? first : COIN_PRIV_LONGEST_STRIDE;
+}
+
+#endif

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "../step/extrapolation.h"
+
+#include "control.h"
+#include "hold.h"
+#include "slide.h"
+
+/* |rem| times the fastest rate below which a step with losses lands. */
+#define LAST 1e-5
+
+/* Nearer to flat than this a coin with losses ends as coin_settle() has it. */
+#define END 1e-10
+
+double coin_priv_roll_try(coin_priv_sliding *g, double tau)
+{
+    coin_priv_run *const r = &g->w.run;
+    ++g->tries;
+    r->g.added.t = 0;
+    if (!g->lossy)
+        return coin_priv_extrapolate(r, tau) ? 0 : (double)INFINITY;
+    coin_priv_trial trial;
+    coin_priv_lossy_try(&trial, &g->w, tau);
+    const double most = coin_priv_allowed(r, g->tol, trial.adds.t);
+    if (!(trial.error <= most))
+        return trial.error / most;
+    return coin_priv_sundman_accept(r, &trial.next, &trial.adds)
+               ? trial.error / most
+               : (double)INFINITY;
+}
+
+static void mark(coin_priv_sliding *g)
+{
+    g->from = g->w.run.g;
+    g->steps = g->w.run.steps;
+}
+
+/* The same step again, of another tau. */
+static double again(coin_priv_sliding *g, double tau)
+{
+    g->w.run.g = g->from;
+    g->w.run.steps = g->steps;
+    g->w.run.g.added.t = 0;
+    return tau == 0 ? 0 : coin_priv_roll_try(g, tau);
+}
+
+double coin_priv_cone_left(const coin_priv_sliding *g)
+{
+    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
+    return coin_priv_left(&g->table, &y, 0);
+}
+
+static double cone_left(coin_priv_sliding *g, double tau)
+{
+    (void)again(g, tau);
+    return coin_priv_cone_left(g);
+}
+
+void coin_priv_count(coin_priv_sliding *g)
+{
+    coin_priv_add(&g->rem, -g->w.run.g.added.t);
+}
+
+/* The rest of the time in one short step, as coin_advance() ends; its tau. */
+static double land(coin_priv_sliding *g)
+{
+    coin_priv_run *const r = &g->w.run;
+    coin_priv_sum rem = g->rem;
+    const double tau = coin_priv_tau_of(&r->b, &r->g.y, rem.sum);
+    if (r->steps > 0)
+        coin_priv_read_lean(&r->g);
+    const int done = coin_priv_land(r, &g->reach, &rem) == COIN_OK;
+    r->g.added.t = g->rem.sum;
+    return done ? tau : 0;
+}
+
+/* Where the contact of a coin with losses has stopped near flat, or nearly so,
+ * coin_settle() takes it to the table, or as far as it rises. */
+static int32_t settle(coin_priv_sliding *g)
+{
+    const coin_priv_held_fall f = coin_priv_fall_of(&g->w.l, &g->w.run.g.y);
+    double time = g->rem.sum, moved;
+    if (f.v < 0) {
+        const double rise = coin_priv_rise_time(&f, &g->w.l, &g->w.run.b);
+        time = rise < time ? rise : time;
+    }
+    const int whole = time == g->rem.sum;
+    coin_priv_read_lean(&g->w.run.g);
+    coin_state s = coin_priv_run_state(&g->w.run);
+    const int32_t status =
+        coin_settle(&s, &g->p, &g->losses, time, g->tol, &moved);
+    coin_priv_slide_from(g, &s);
+    g->w.run.steps = 1;
+    coin_priv_add(&g->rem, -moved);
+    g->seen = 0;
+    if (status == COIN_OK && whole)
+        g->rem.sum = 0;
+    return status;
+}
+
+static int settles(const coin_priv_sliding *g)
+{
+    const double eps = coin_priv_stopped(g->tol);
+    const coin_priv_variables *y = &g->w.run.g.y;
+    return g->lossy &&
+           (y->cth < END || coin_priv_held(&g->w.l, &g->w.run.b, y, eps));
+}
+
+/* The length of a step by its rules: of time, of rate, and of losses. */
+static double next_tau(const coin_priv_sliding *g, double rate, double bound)
+{
+    const coin_priv_run *r = &g->w.run;
+    const double rem = g->rem.sum, side = rem < 0 ? -1 : 1;
+    const double own = g->roll_stride / rate, full = own < bound ? own : bound;
+    if (!(fabs(rem) < 2 * full * r->g.y.cth))
+        return side * full;
+    const double tau = coin_priv_tau_of(&r->b, &r->g.y, rem);
+    return fabs(tau) < full ? tau : side * full;
+}
+
+/* Whether one short step takes the rest of the time. */
+static int is_last(const coin_priv_sliding *g, double rate)
+{
+    const coin_priv_run *r = &g->w.run;
+    const double rem = g->rem.sum;
+    if (g->lossy)
+        return fabs(rem) * rate <= LAST * r->g.y.cth;
+    return coin_priv_left2(r, rem) <= g->reach.rk8 * g->reach.rk8;
+}
+
+/* A step as long as its error allows: its tau, or 0. */
+static double step(coin_priv_sliding *g, double rate)
+{
+    double bound = (double)INFINITY;
+    if (g->lossy)
+        bound = coin_priv_lossy_bound(&g->w,
+                                      coin_priv_allowed(&g->w.run, g->tol, 0));
+    for (;;) {
+        const double tau = next_tau(g, rate, bound), used = fabs(tau) * rate;
+        const double error = coin_priv_roll_try(g, tau);
+        if (!g->lossy)
+            return error == 0 ? tau : 0;
+        const double next = used * coin_priv_change(error, 1);
+        const int done = error <= 1;
+        if (!done || next > g->roll_stride || used > 0.999 * g->roll_stride)
+            g->roll_stride = next < COIN_PRIV_LONGEST_STRIDE
+                                 ? next
+                                 : COIN_PRIV_LONGEST_STRIDE;
+        if (done)
+            return tau;
+        if (g->tries > COIN_PRIV_SLIDE_TRIES)
+            return 0;
+    }
+}
+
+/* Whether it is plain that the coin rolls all along the step made. */
+static int is_plain(coin_priv_sliding *g, double tau, double rate)
+{
+    const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
+    const coin_priv_losses *l = g->lossy ? &g->w.l : NULL;
+    coin_priv_end end;
+    coin_priv_end_of(&end, &f, l, &g->w.run.g.y, 1 / rate);
+    const int plain =
+        coin_priv_plain(&g->table, &f, l, &g->end, &end, tau, fabs(tau) * rate);
+    g->end = end;
+    return plain;
+}
+
+/* Shortens the step made, of tau, to where the coin is known to roll.  Returns
+ * 1 if it need not; 0; or -1 if the coin leaves the cone at its end. */
+static int shorten(coin_priv_sliding *g, double tau, double rate)
+{
+    const coin_priv_slip from = coin_priv_slip_of(&g->from.y, 0, 0);
+    const double left = coin_priv_left(&g->table, &from, 0);
+    for (int whole = 1;; whole = 0) {
+        const coin_priv_slip to = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
+        const coin_priv_look look = {
+            &g->table, coin_priv_roll_slopes, &from, &to, tau, fabs(tau) * rate,
+        };
+        const double part = coin_priv_looked(&look);
+        if (part < 1) {
+            tau *= fabs(part);
+            (void)again(g, tau);
+        }
+        const double end = coin_priv_cone_left(g);
+        if (end < 0 && (part < 0 || part == 1)) {
+            (void)again(g, coin_priv_place(g, cone_left, left, tau, end));
+            return -1;
+        }
+        if (part == 1)
+            return whole;
+    }
+}
+
+/* Prepares for a step where the one before has left nothing known. */
+static int begin_step(coin_priv_sliding *g, double rate)
+{
+    const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
+    if (coin_priv_cone_left(g) < 0)
+        return 0;
+    coin_priv_end_of(&g->end, &f, g->lossy ? &g->w.l : NULL, &g->w.run.g.y,
+                     1 / rate);
+    g->gained = 0;
+    return 1;
+}
+
+int32_t coin_priv_roll_on(coin_priv_sliding *g)
+{
+    const coin_priv_variables *y = &g->w.run.g.y;
+    if (y->cth < COIN_PRIV_FLAT)
+        return coin_priv_lie(&g->w.run);
+    if (settles(g))
+        return settle(g);
+    const double rate = g->lossy ? coin_priv_lossy_rate(&g->w)
+                                 : 1 / coin_priv_sundman_tau(&g->w.run.b, y, 1);
+    if (!g->seen && !begin_step(g, rate))
+        return coin_priv_begin_slip(g);
+    const int last = is_last(g, rate);
+    const double before = g->rem.sum;
+    mark(g);
+    const double tau = last && !g->lossy ? land(g) : step(g, rate);
+    if (tau == 0)
+        return COIN_ESTEP;
+    g->seen = is_plain(g, tau, rate);
+    const int rolls = g->seen ? 1 : shorten(g, tau, rate);
+    coin_priv_count(g);
+    if (last && rolls > 0)
+        g->rem.sum = 0;
+    else if ((g->rem.sum < 0) != (before < 0))
+        g->roll_stride /= 2;
+    return rolls < 0 ? coin_priv_begin_slip(g) : COIN_OK;
+}
