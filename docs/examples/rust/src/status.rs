@@ -11,21 +11,21 @@ pub struct Error(i32);
 
 impl Error {
     /// Parameters, or losses, out of range.
-    pub const PARAMS: Error = Error(ffi::COIN_EPARAMS as i32);
+    pub const PARAMS: Error = Error(ffi::COIN_EPARAMS);
     /// State out of range.
-    pub const STATE: Error = Error(ffi::COIN_ESTATE as i32);
+    pub const STATE: Error = Error(ffi::COIN_ESTATE);
     /// A step or a time that is not finite or too long.
-    pub const STEP: Error = Error(ffi::COIN_ESTEP as i32);
+    pub const STEP: Error = Error(ffi::COIN_ESTEP);
     /// Another argument out of range.
-    pub const ARGUMENT: Error = Error(ffi::COIN_EARG as i32);
+    pub const ARGUMENT: Error = Error(ffi::COIN_EARG);
     /// There is no such motion.
-    pub const DOMAIN: Error = Error(ffi::COIN_EDOMAIN as i32);
+    pub const DOMAIN: Error = Error(ffi::COIN_EDOMAIN);
     /// The coin falls flat.
-    pub const FLAT: Error = Error(ffi::COIN_EFLAT as i32);
+    pub const FLAT: Error = Error(ffi::COIN_EFLAT);
     /// A coin that may slip lifts off the table.
-    pub const LIFT: Error = Error(ffi::COIN_ELIFT as i32);
+    pub const LIFT: Error = Error(ffi::COIN_ELIFT);
     /// This build does not give the pinned bits.
-    pub const BUILD: Error = Error(ffi::COIN_EBUILD as i32);
+    pub const BUILD: Error = Error(ffi::COIN_EBUILD);
 
     /// The number of coin.h.
     pub fn status(self) -> i32 {
