@@ -91,9 +91,56 @@ static void a_millionth_above_the_cone_is_found_wherever_it_lies(void **unused)
     check(found == 60);
 }
 
+/* A slip that begins grows against its friction, (84): its acceleration by
+ * Newton and Euler, of bodies down to a 10,000th of a disc's inertia. */
+static void a_slip_begins_where_its_friction_lets_it_grow(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(182);
+    int began = 0;
+    for (int i = 0; i < 30000; ++i) {
+        const double k = pow(10, random_between(&r, -4, 0));
+        coin_params p;
+        coin_force f;
+        coin_slide d;
+        check_status(
+            coin_params_body(&p, 1, 1, 1, k, k * random_between(&r, 0.2, 1.9)),
+            COIN_OK);
+        const double bound = 2 * sqrt(k * (1 + k));
+        const double mu = bound * random_between(&r, 0, 0.9);
+        const coin_friction equal = {mu, mu};
+        const coin_state s = random_state(&r, &p, 1.4);
+        coin_slide_of(&d, &s, &p);
+        check_status(coin_slide_reaction(&d, &p, &equal, NULL, &f), COIN_OK);
+        if (coin_slide_advance(&d, &p, &equal, NULL, 0, 1e-9, NULL) !=
+                COIN_SLIPS ||
+            !(f.normal > 0))
+            continue;
+        const double sth = sin(s.theta), cth = cos(s.theta);
+        const double sph = sin(s.phi), cph = cos(s.phi);
+        const double FX = f.R[0] * cph - f.R[2] * sph;
+        const double Fh = f.R[0] * sph + f.R[2] * cph;
+        const double turn = s.wY / cth;
+        const double dwX =
+            (f.normal * sth - Fh * cth -
+             s.wY * (p.inertia_Z * s.wZ + p.inertia_X * s.wY * sth / cth)) /
+            p.inertia_X;
+        const double uX = FX - turn * cth * s.wX + FX / p.inertia_Z;
+        const double uh = Fh - turn * s.wZ + sth * s.wX * s.wX - cth * dwX;
+        const double size = hypot(uX, uh) * hypot(FX, Fh);
+        const double terms = hypot(FX, Fh) * (1 + fabs(turn)) * (9 + 9 / k);
+        check_note("body %d", i);
+        check_near(uX * Fh - uh * FX, 0, 1e-9 * size + 64 * U * terms);
+        check(uX * FX + uh * Fh < 64 * U * terms);
+        ++began;
+    }
+    check(began > 9000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        TEST(a_slip_begins_where_its_friction_lets_it_grow),
         TEST(a_millionth_above_the_cone_is_found_wherever_it_lies),
     };
     return RUN_TESTS(tests);

@@ -4,6 +4,7 @@
 #include "support/coins.h"
 #include "support/losses.h"
 #include "support/slides.h"
+#include "support/vast.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -200,6 +201,62 @@ static void a_coin_that_falls_over_rests_also_without_losses(void **unused)
     check(when[0] < when[2]);
 }
 
+/* With as much friction as that the coin keeps to the cone nearly until N = 0,
+ * and rolls on for a time where its slip would begin. */
+static void a_coin_that_lifts_as_it_begins_to_slip_says_so(void **unused)
+{
+    (void)unused;
+    const coin_friction high = {1.1, 1.1};
+    struct random r = random_begin(178);
+    int lifted = 0;
+    for (int i = 0; i < 300; ++i) {
+        const coin_params p = disc();
+        const coin_state s = random_state(&r, &p, 1.2);
+        coin_slide d;
+        coin_force force;
+        double reached;
+        coin_slide_of(&d, &s, &p);
+        if (coin_slide_advance(&d, &p, &high, NULL, 3, 1e-2, &reached) !=
+                COIN_ELIFT ||
+            reached == 0)
+            continue;
+        coin_slide_reaction(&d, &p, &high, NULL, &force);
+        check(force.normal > -1e-9);
+        ++lifted;
+    }
+    check(lifted > 20);
+}
+
+/* In a time so short that the slip has not grown to what it begins with. */
+static void a_slip_that_has_just_begun_takes_the_time_asked(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction ice = {0.01, 0.005};
+    const coin_state wild = {.theta = 0.7, .wX = 0.5, .wY = 1, .wZ = 0.5};
+    coin_slide d;
+    double reached;
+    coin_slide_of(&d, &wild, &p);
+    check_status(coin_slide_advance(&d, &p, &ice, NULL, 1e-12, 1e-9, &reached),
+                 COIN_SLIPS);
+    check(reached == 1e-12);
+    check_near(d.s.theta, wild.theta + 1e-12 * wild.wX, 2 * U);
+}
+
+/* Nothing turns and nothing pushes. */
+static void an_upright_coin_without_friction_glides(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction none = {0, 0};
+    coin_slide d = {{0}, 0.5, 0.25};
+    check_status(coin_slide_advance(&d, &p, &none, NULL, 8, 1e-9, NULL),
+                 COIN_SLIPS);
+    check(d.vx == 0.5 && d.vz == 0.25 && d.s.theta == 0 && d.s.wZ == 0);
+    check_near(d.s.x, 4, 16 * U);
+    check_near(d.s.z, 2, 16 * U);
+}
+
 static void many_calls_go_where_one_goes(void **unused)
 {
     (void)unused;
@@ -318,6 +375,70 @@ static void friction_beyond_the_bound_of_painleve_is_refused(void **unused)
     }
 }
 
+/* Torques over so little inertia. */
+static void a_force_that_would_overflow_is_refused(void **unused)
+{
+    (void)unused;
+    const coin_friction endless = {INFINITY, 0};
+    const coin_slide d = {
+        {.theta = -0.9, .wX = -3e48, .wY = -1.1e95, .wZ = 3.7e46}, 1.3e70, 0};
+    coin_params p;
+    coin_force force = {{7, 7, 7}, 7, 7, 7};
+    const coin_force before = force;
+    check_status(
+        coin_params_body(&p, 3.6e-105, 2.9e73, 4.6e194, 1.4e-154, 9.7e-155),
+        COIN_OK);
+    check_status(coin_slide_reaction(&d, &p, &endless, NULL, &force),
+                 COIN_ESTATE);
+    check_same(&force, &before, sizeof force);
+}
+
+/* As of coin_advance(). */
+static void a_path_that_overflows_is_not_taken(void **unused)
+{
+    (void)unused;
+    const coin_friction endless = {INFINITY, 0.3};
+    coin_params vast;
+    double dt, reached = 7;
+    const coin_state edge = vast_coin(&vast, 0, &dt);
+    coin_slide d, before;
+    check_status(coin_slide_of(&d, &edge, &vast), COIN_OK);
+    before = d;
+    check_status(
+        coin_slide_advance(&d, &vast, &endless, NULL, 100 * dt, 1e-6, &reached),
+        COIN_ESTEP);
+    check(reached == 0);
+    check_same(&d, &before, sizeof d);
+}
+
+/* Until phi leaves its range; how far it came is kept. */
+static void ends_on_the_way(const coin_slide *from, const coin_friction *f,
+                            const coin_losses *l, double t, double tol)
+{
+    const coin_params p = disc();
+    coin_slide d = *from;
+    double reached;
+    check_status(coin_slide_advance(&d, &p, f, l, t, tol, &reached),
+                 COIN_ESTEP);
+    check(reached >= 0 && reached < t);
+    check_status(coin_state_check(&d.s, &p), COIN_OK);
+}
+
+static void a_pose_that_leaves_its_range_ends_a_roll(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction endless = {INFINITY, 0.3};
+    const coin_losses slow = {.viscous = 1e-3};
+    coin_state s = {.theta = 0.3, .wY = 0.5, .wZ = 0.2};
+    coin_slide d;
+    s.phi = 0x1p31 - 0x1p-20;
+    coin_slide_of(&d, &s, &p);
+    ends_on_the_way(&d, &endless, NULL, 1e-3, 1e-9); /* one step */
+    ends_on_the_way(&d, &endless, NULL, 5, 1e-9);
+    ends_on_the_way(&d, &endless, &slow, 5, 1e-9);
+}
+
 static void a_pose_that_leaves_its_range_ends_the_slide(void **unused)
 {
     (void)unused;
@@ -341,10 +462,16 @@ int main(void)
         TEST(t_0_changes_nothing_and_says_whether_it_slips),
         TEST(a_coin_that_would_lift_off_is_kept_where_it_does),
         TEST(a_coin_that_falls_over_rests_also_without_losses),
+        TEST(a_coin_that_lifts_as_it_begins_to_slip_says_so),
+        TEST(a_slip_that_has_just_begun_takes_the_time_asked),
+        TEST(an_upright_coin_without_friction_glides),
         TEST(many_calls_go_where_one_goes),
         TEST(mirror_heading_and_units_change_nothing),
         TEST(bad_arguments_are_refused_in_their_order),
         TEST(friction_beyond_the_bound_of_painleve_is_refused),
+        TEST(a_force_that_would_overflow_is_refused),
+        TEST(a_path_that_overflows_is_not_taken),
+        TEST(a_pose_that_leaves_its_range_ends_a_roll),
         TEST(a_pose_that_leaves_its_range_ends_the_slide),
     };
     return RUN_TESTS(tests);

@@ -86,6 +86,31 @@ static void the_time_of_rest_is_that_of_any_tolerance_and_calls(void **unused)
     check(parted <= rested / 10); /* which nearly stood, or nearly rested */
 }
 
+/* A coin near flat that rises while its contact is held, in a short call and in
+ * calls that go on until it falls. */
+static void a_held_coin_rises_as_coin_settle_says(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction endless = {INFINITY, 0.3};
+    const coin_losses l = {.dry = 0.1};
+    const double times[] = {1e-6, 1e-4, 1e-2};
+    for (int i = 0; i < 3; ++i) {
+        coin_state s = {.theta = 1.57, .wX = -0.01};
+        coin_slide d;
+        double reached, by_settle;
+        coin_slide_of(&d, &s, &p);
+        check_status(
+            coin_slide_advance(&d, &p, &endless, &l, times[i], 1e-9, &reached),
+            COIN_OK);
+        check_status(coin_settle(&s, &p, &l, times[i], 1e-9, &by_settle),
+                     COIN_OK);
+        check(reached == times[i] && by_settle == times[i]);
+        check_near(d.s.theta, s.theta, 1e-12);
+        check_near(d.s.wX, s.wX, 1e-9);
+    }
+}
+
 /* By losses in and by friction: the sum is what the energy falls by. */
 static void losses_and_friction_take_what_the_energy_falls_by(void **unused)
 {
@@ -140,6 +165,29 @@ static void equal_coefficients_give_the_limit_of_nearly_equal_ones(
     check(apart[2] < 1e-5);
 }
 
+/* phi leaves its range in a part of a step, where a slip is about to begin. */
+static void a_pose_that_leaves_its_range_ends_the_onset(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction f = {0.5, 0.5};
+    coin_state s = {.theta = 1e-3, .wZ = 0.3};
+    coin_slide d;
+    double reached = 7;
+    int32_t status = COIN_OK;
+    while (status == COIN_OK) {
+        coin_advance(&s, &p, 1e-4, 1e-10, NULL);
+        coin_slide_of(&d, &s, &p);
+        status = coin_slide_advance(&d, &p, &f, NULL, 0, 1e-10, NULL);
+    }
+    check_status(status, COIN_SLIPS);
+    d.s.phi = s.wY > 0 ? 0x1p31 : -0x1p31;
+    check_status(coin_slide_advance(&d, &p, &f, NULL, 1, 1e-2, &reached),
+                 COIN_ESTEP);
+    check(reached < 1e-4);
+    check_near(d.s.theta, s.theta, 1e-3);
+}
+
 /* A coin next to its limit of friction for very long. */
 static void a_call_out_of_steps_goes_on_in_another(void **unused)
 {
@@ -162,8 +210,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(a_coin_that_cannot_slip_rests_when_coin_settle_says),
         TEST(the_time_of_rest_is_that_of_any_tolerance_and_calls),
+        TEST(a_held_coin_rises_as_coin_settle_says),
         TEST(losses_and_friction_take_what_the_energy_falls_by),
         TEST(equal_coefficients_give_the_limit_of_nearly_equal_ones),
+        TEST(a_pose_that_leaves_its_range_ends_the_onset),
         TEST(a_call_out_of_steps_goes_on_in_another),
     };
     return RUN_TESTS(tests);

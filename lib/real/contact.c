@@ -186,7 +186,8 @@ coin_priv_direction coin_priv_onset(const coin_priv_table *table,
     const coin_priv_direction against = {-stick->X / F, -stick->h / F};
     double at = 0, off = turn_away(&o, table, y, against);
     double next = 0.01;
-    for (int i = 0; i < 30 && fabs(next - at) > DBL_EPSILON; ++i) { /* (84) */
+    for (int i = 0; (i < 100) & (fabs(next - at) > DBL_EPSILON);
+         ++i) { /* (84) */
         const double there = turn_away(&o, table, y, beside(against, next));
         const double change = there - off;
         const double step = change != 0 ? -there * (next - at) / change : 0;

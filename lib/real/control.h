@@ -26,16 +26,23 @@ COIN_PRIV_INLINE double coin_priv_error_of(double by5, double by3)
     return sum > 0 ? by5 / sqrt(sum) : sum;
 }
 
-/* What the estimate of a step may be: by tol, and by rounding. */
+/* What the estimate of a step of so many natural units may be: by tol, and by
+ * rounding. */
+COIN_PRIV_INLINE double coin_priv_allowed_in(const coin_priv_run *r, double tol,
+                                             double units)
+{
+    const coin_priv_variables *y = &r->g.y;
+    const double w0 = sqrt(r->b.g_a);
+    const double rates = (fabs(y->wX) + fabs(y->wY) + fabs(y->wZ)) / w0;
+    return COIN_PRIV_ESTIMATE * tol * units + 4 * DBL_EPSILON * (1 + rates);
+}
+
+/* The same of a step of the time t. */
 COIN_PRIV_INLINE double coin_priv_allowed(const coin_priv_run *r, double tol,
                                           double t)
 {
-    const coin_priv_variables *y = &r->g.y;
-    const double w0 = sqrt(r->b.g_a), units = fabs(t) * w0;
-    const double rates = (fabs(y->wX) + fabs(y->wY) + fabs(y->wZ)) / w0;
-    const double brief = COIN_PRIV_BRIEF;
-    return COIN_PRIV_ESTIMATE * tol * (units > brief ? units : brief) +
-           4 * DBL_EPSILON * (1 + rates);
+    const double units = fabs(t) * sqrt(r->b.g_a), brief = COIN_PRIV_BRIEF;
+    return coin_priv_allowed_in(r, tol, units > brief ? units : brief);
 }
 
 /* The factor from a step to the next: about (most/error)^(1/8), from 0.2 to 2.

@@ -137,7 +137,7 @@ int32_t coin_slide_reaction(const coin_slide *d, const coin_params *p,
     r.R[2] = scale * (push.h * y.cph - push.X * y.sph);
     r.friction = scale * coin_priv_hypot(push.X, push.h);
     r.ratio = r.normal > 0 ? r.friction / r.normal : (double)INFINITY;
-    if (!(r.friction <= DBL_MAX && fabs(r.normal) <= DBL_MAX))
+    if (!((r.friction <= DBL_MAX) & (fabs(r.normal) <= DBL_MAX)))
         return COIN_ESTATE;
     *out = r;
     return COIN_OK;

@@ -53,6 +53,49 @@ static coin_priv_slip euler(const coin_priv_run *r, const struct onset *o,
     return y;
 }
 
+/* Friction a tau on. */
+static double pressed(coin_priv_sliding *g, double tau)
+{
+    coin_priv_again(g, tau);
+    return onset_of(g).friction;
+}
+
+/* The slip begins at *y, along n. */
+static int32_t begin(coin_priv_sliding *g, coin_priv_slip *y,
+                     coin_priv_direction n)
+{
+    y->uX = g->gained * n.X;
+    y->uh = g->gained * n.h;
+    g->slips = 1;
+    g->slip_stride = coin_priv_first_stride(g->tol);
+    return coin_priv_slip_take(g, y);
+}
+
+/* Rolls on for at most tau, from an onset. */
+static int32_t roll_on(coin_priv_sliding *g, const struct onset *from,
+                       double tau)
+{
+    coin_priv_mark(g);
+    const double by = coin_priv_roll_step(g, coin_priv_roll_rate(g), tau);
+    if (by == 0)
+        return COIN_ESTEP;
+    const struct onset to = onset_of(g);
+    if (to.friction < 0)
+        coin_priv_again(g, coin_priv_place(g, pressed, from->friction, by, -1));
+    coin_priv_count(g);
+    if (to.friction < 0)
+        return COIN_ELIFT;
+    if (coin_priv_cone_left(g) >= 0)
+        return COIN_OK;
+    g->gained += by / 2 * (from->slope + to.slope);
+    if (g->gained < COIN_PRIV_SLIP_SEED * g->table.w0)
+        return COIN_OK;
+    coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
+    push(&y, from, by / 2);
+    push(&y, &to, by / 2);
+    return begin(g, &y, to.n);
+}
+
 /* A slip with an acceleration begins at once, with a speed of
  * COIN_PRIV_SLIP_SEED: its steps to grow are as friction over the acceleration.
  * Where that is small, below tol^(1/4)/4, the coin rolls on for a time, and
@@ -60,45 +103,23 @@ static coin_priv_slip euler(const coin_priv_run *r, const struct onset *o,
  * acceleration times that time squared, and that is below tol. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g)
 {
-    const double w0 = g->table.w0, seed = COIN_PRIV_SLIP_SEED * w0;
-    const double r4 = sqrt(sqrt(g->tol)), cth = g->w.run.g.y.cth;
+    const coin_priv_variables *v = &g->w.run.g.y;
+    const double seed = COIN_PRIV_SLIP_SEED * g->table.w0,
+                 r4 = sqrt(sqrt(g->tol));
     const double wait =
-        coin_priv_sundman_tau(&g->w.run.b, &g->w.run.g.y, 2 * r4 * sqrt(r4));
-    struct onset o = onset_of(g);
-    coin_priv_slip y;
+        coin_priv_sundman_tau(&g->w.run.b, v, 2 * r4 * sqrt(r4));
+    const struct onset o = onset_of(g);
     g->seen = 0;
     if (o.friction < 0)
         return COIN_ELIFT;
-    if (g->rem.sum <= DBL_EPSILON * wait * cth) {
+    if (g->rem.sum <= DBL_EPSILON * wait * v->cth) {
         g->rem.sum = 0;
         return COIN_OK;
     }
-    const double tau = coin_priv_lesser(wait, g->rem.sum / cth);
-    if (o.slope >= r4 / 4 * o.friction && o.slope * tau >= seed) {
-        y = euler(&g->w.run, &o, seed / o.slope);
-        y.t = coin_priv_lesser(y.t, g->rem.sum);
-        g->gained = seed;
-    } else {
-        const struct onset at = o;
-        if (!(coin_priv_roll_try(g, tau) <= 1))
-            return COIN_ESTEP;
-        coin_priv_count(g);
-        if (coin_priv_cone_left(g) >= 0)
-            return COIN_OK;
-        o = onset_of(g);
-        if (o.friction < 0)
-            return COIN_ELIFT;
-        const double slope = (at.slope > 0 ? at.slope : 0) + o.slope;
-        g->gained += tau / 2 * (slope > 0 ? slope : 0);
-        if (g->gained < seed)
-            return COIN_OK;
-        y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
-        push(&y, &at, tau / 2);
-        push(&y, &o, tau / 2);
-    }
-    y.uX = g->gained * o.n.X;
-    y.uh = g->gained * o.n.h;
-    g->slips = 1;
-    g->slip_stride = coin_priv_first_stride(g->tol);
-    return coin_priv_slip_take(g, &y);
+    const double tau = coin_priv_lesser(wait, g->rem.sum / v->cth);
+    if (!(o.slope >= r4 / 4 * o.friction && o.slope * tau >= seed))
+        return roll_on(g, &o, wait);
+    coin_priv_slip y = euler(&g->w.run, &o, seed / o.slope);
+    g->gained = seed;
+    return begin(g, &y, o.n);
 }

@@ -10,39 +10,41 @@
 /* |rem| times the fastest rate below which a step with losses lands. */
 #define LAST 1e-5
 
-/* Nearer to flat than this a coin with losses ends as coin_settle() has it. */
-#define END 1e-10
-
 double coin_priv_roll_try(coin_priv_sliding *g, double tau)
 {
     coin_priv_run *const r = &g->w.run;
     ++g->tries;
     r->g.added.t = 0;
     if (!g->lossy)
-        return coin_priv_extrapolate(r, tau) ? 0 : (double)INFINITY;
+        return coin_priv_extrapolate(r, tau) ? 0 : -1;
     coin_priv_trial trial;
     coin_priv_lossy_try(&trial, &g->w, tau);
     const double most = coin_priv_allowed(r, g->tol, trial.adds.t);
-    if (!(trial.error <= most))
-        return trial.error / most;
-    return coin_priv_sundman_accept(r, &trial.next, &trial.adds)
-               ? trial.error / most
-               : (double)INFINITY;
+    const double error = trial.error / most;
+    if (error <= 1 && !coin_priv_sundman_accept(r, &trial.next, &trial.adds))
+        return -1;
+    return error;
 }
 
-static void mark(coin_priv_sliding *g)
+double coin_priv_roll_rate(const coin_priv_sliding *g)
+{
+    const coin_priv_run *r = &g->w.run;
+    return g->lossy ? coin_priv_lossy_rate(&g->w)
+                    : 1 / coin_priv_sundman_tau(&r->b, &r->g.y, 1);
+}
+
+void coin_priv_mark(coin_priv_sliding *g)
 {
     g->from = g->w.run.g;
     g->steps = g->w.run.steps;
 }
 
-/* The same step again, of another tau. */
-static double again(coin_priv_sliding *g, double tau)
+void coin_priv_again(coin_priv_sliding *g, double tau)
 {
     g->w.run.g = g->from;
     g->w.run.steps = g->steps;
     g->w.run.g.added.t = 0;
-    return tau == 0 ? 0 : coin_priv_roll_try(g, tau);
+    (void)coin_priv_roll_try(g, tau);
 }
 
 double coin_priv_cone_left(const coin_priv_sliding *g)
@@ -53,7 +55,7 @@ double coin_priv_cone_left(const coin_priv_sliding *g)
 
 static double cone_left(coin_priv_sliding *g, double tau)
 {
-    (void)again(g, tau);
+    coin_priv_again(g, tau);
     return coin_priv_cone_left(g);
 }
 
@@ -70,7 +72,7 @@ static double land(coin_priv_sliding *g)
     const double tau = coin_priv_tau_of(&r->b, &r->g.y, rem.sum);
     if (r->steps > 0)
         coin_priv_read_lean(&r->g);
-    const int done = coin_priv_land(r, &g->reach, &rem) == COIN_OK;
+    const int done = coin_priv_last_step(r, &g->reach, &rem) == COIN_OK;
     r->g.added.t = g->rem.sum;
     return done ? tau : 0;
 }
@@ -103,8 +105,7 @@ static int settles(const coin_priv_sliding *g)
 {
     const double eps = coin_priv_stopped(g->tol);
     const coin_priv_variables *y = &g->w.run.g.y;
-    return g->lossy &&
-           (y->cth < END || coin_priv_held(&g->w.l, &g->w.run.b, y, eps));
+    return g->lossy && coin_priv_held(&g->w.l, &g->w.run.b, y, eps);
 }
 
 /* The length of a step by its rules: of time, of rate, and of losses. */
@@ -129,28 +130,27 @@ static int is_last(const coin_priv_sliding *g, double rate)
     return coin_priv_left2(r, rem) <= g->reach.rk8 * g->reach.rk8;
 }
 
-/* A step as long as its error allows: its tau, or 0. */
-static double step(coin_priv_sliding *g, double rate)
+double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most)
 {
-    double bound = (double)INFINITY;
-    if (g->lossy)
-        bound = coin_priv_lossy_bound(&g->w,
-                                      coin_priv_allowed(&g->w.run, g->tol, 0));
+    double bound = most;
+    if (g->lossy) {
+        const double least =
+            coin_priv_allowed_in(&g->w.run, g->tol, COIN_PRIV_BRIEF);
+        bound = coin_priv_lesser(coin_priv_lossy_bound(&g->w, least), most);
+    }
     for (;;) {
         const double tau = next_tau(g, rate, bound), used = fabs(tau) * rate;
         const double error = coin_priv_roll_try(g, tau);
-        if (!g->lossy)
-            return error == 0 ? tau : 0;
-        const double next = used * coin_priv_change(error, 1);
         const int done = error <= 1;
+        if (!g->lossy || error < 0)
+            return error < 0 ? 0 : tau;
+        const double next = used * coin_priv_change(error, 1);
         if (!done || next > g->roll_stride || used > 0.999 * g->roll_stride)
             g->roll_stride = next < COIN_PRIV_LONGEST_STRIDE
                                  ? next
                                  : COIN_PRIV_LONGEST_STRIDE;
         if (done)
             return tau;
-        if (g->tries > COIN_PRIV_SLIDE_TRIES)
-            return 0;
     }
 }
 
@@ -181,11 +181,11 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
         const double part = coin_priv_looked(&look);
         if (part < 1) {
             tau *= fabs(part);
-            (void)again(g, tau);
+            coin_priv_again(g, tau);
         }
         const double end = coin_priv_cone_left(g);
         if (end < 0 && (part < 0 || part == 1)) {
-            (void)again(g, coin_priv_place(g, cone_left, left, tau, end));
+            coin_priv_again(g, coin_priv_place(g, cone_left, left, tau, end));
             return -1;
         }
         if (part == 1)
@@ -212,14 +212,15 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
         return coin_priv_lie(&g->w.run);
     if (settles(g))
         return settle(g);
-    const double rate = g->lossy ? coin_priv_lossy_rate(&g->w)
-                                 : 1 / coin_priv_sundman_tau(&g->w.run.b, y, 1);
+    const double rate = coin_priv_roll_rate(g);
     if (!g->seen && !begin_step(g, rate))
         return coin_priv_begin_slip(g);
     const int last = is_last(g, rate);
     const double before = g->rem.sum;
-    mark(g);
-    const double tau = last && !g->lossy ? land(g) : step(g, rate);
+    coin_priv_mark(g);
+    const double tau = last && !g->lossy
+                           ? land(g)
+                           : coin_priv_roll_step(g, rate, (double)INFINITY);
     if (tau == 0)
         return COIN_ESTEP;
     g->seen = is_plain(g, tau, rate);

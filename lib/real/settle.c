@@ -42,9 +42,9 @@ static double tau_of(const coin_priv_variables *y, double rem)
 /* The step by its three rules, or what lands. */
 static double next_tau(const struct settling *g, double rate)
 {
-    const double bound = coin_priv_lossy_bound(
-                     &g->w, coin_priv_allowed(&g->w.run, g->tol, 0)),
-                 rem = g->rem.sum;
+    const double least =
+        coin_priv_allowed_in(&g->w.run, g->tol, COIN_PRIV_BRIEF);
+    const double bound = coin_priv_lossy_bound(&g->w, least), rem = g->rem.sum;
     const double side = rem < 0 ? -1 : 1;
     double full = g->stride / rate;
     if (bound < full)

@@ -55,12 +55,13 @@ double coin_priv_place(coin_priv_sliding *g, coin_priv_event *event, double at0,
                        double h1, double at1)
 {
     double h0 = 0;
-    /* The halves may underflow. */
-    for (int i = 0; i < TRIALS && h1 - h0 > 2 * DBL_EPSILON * h1 && at0 > at1;
-         ++i) {
+    for (int i = 0; i < TRIALS; ++i) {
+        /* The halves may underflow. */
+        if (!((h1 - h0 > 2 * DBL_EPSILON * h1) & (at0 > 0)))
+            break;
         const double h = h0 + (h1 - h0) * (at0 / (at0 - at1));
         const double at = event(g, h);
-        if (at > 0) {
+        if (at >= 0) {
             h0 = h;
             at0 = at;
             at1 /= 2; /* Illinois */

@@ -56,15 +56,26 @@ int32_t coin_priv_lie(coin_priv_run *r);
 /* What of a step is 0 at an event. */
 typedef double coin_priv_event(coin_priv_sliding *g, double h);
 
-/* The h in (0, h1] at which an event happens, where it is at0 > 0 at 0 and at1
- * < 0 at h1; on the side of 0. */
+/* The h in [0, h1] at which an event happens, where it is at0 at 0 and at1 <= 0
+ * at h1; on the side of 0, and 0 unless at0 > 0. */
 double coin_priv_place(coin_priv_sliding *g, coin_priv_event *event, double at0,
                        double h1, double at1);
 
 /* Tries a step of tau of a coin that rolls, from where the run is: its error
- * over what is allowed; added.t counts from 0.  Infinite, and nothing done, if
- * it cannot be made. */
+ * over what is allowed; added.t counts from 0.  Above 1 nothing was done; -1,
+ * and nothing done, if the pose would leave its range. */
 double coin_priv_roll_try(coin_priv_sliding *g, double tau);
+
+/* The rate in tau that measures its steps. */
+double coin_priv_roll_rate(const coin_priv_sliding *g);
+
+/* A step as long as its error allows, at most `most`: its tau, or 0. */
+double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most);
+
+/* Notes where such a step begins; and makes it anew from there, of another tau.
+ */
+void coin_priv_mark(coin_priv_sliding *g);
+void coin_priv_again(coin_priv_sliding *g, double tau);
 
 /* Counts the time of that step. */
 void coin_priv_count(coin_priv_sliding *g);

@@ -72,7 +72,7 @@ static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
         fabs(y->cth * d->wZ + y->sth * d->wY + d->cth * y->wZ + d->sth * y->wY);
     const double soft = l->soft2 * y->cth * y->cth;
     const double way = TURN_ROUND * sqrt(u * u + soft);
-    return way < 1e30 * du ? way / du : (double)INFINITY;
+    return way / (du + 1e-30 * way); /* so that nothing divides by 0 */
 }
 
 /* So that its square does not overflow; far above any error allowed. */
@@ -109,7 +109,7 @@ static struct tried attempt(coin_priv_sliding *g, double h)
         coin_priv_error_of(slip5, slip3) * w0 / (SLIP_ERROR * speed(&from));
     r.error = own > of_slip ? own : of_slip;
     const int above = g->table.held || r.to.cth > 0;
-    if (!(above && r.error <= DBL_MAX && r.to.t > 0))
+    if (!(above && r.to.t >= 0))
         r.error = (double)INFINITY;
     return r;
 }
@@ -130,7 +130,7 @@ static double angle_left(coin_priv_sliding *g, double h)
     return attempt(g, h).to.cth;
 }
 
-/* The step that the error allows. */
+/* The step that the error allows: at worst one of 0, which is exact. */
 static struct tried step(coin_priv_sliding *g, double *h, double rate,
                          double bound)
 {
@@ -145,7 +145,7 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
             g->slip_stride = next < COIN_PRIV_LONGEST_STRIDE
                                  ? next
                                  : COIN_PRIV_LONGEST_STRIDE;
-        if (done || g->tries > COIN_PRIV_SLIDE_TRIES)
+        if (done)
             return r;
     }
 }
@@ -253,15 +253,11 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
     const double rate = rate_of(g, &y);
     double h;
     struct tried r = step(g, &h, rate, bound_of(g, &y, &d));
-    if (!(r.error <= 1))
-        return COIN_ESTEP;
     const int32_t status = cut(g, &r, &h, rate);
-    if (status == COIN_RESTS) {
+    if (status == COIN_RESTS)
         r.to.cth = 0;
-        return coin_priv_slip_take(g, &r.to) == COIN_OK
-                   ? coin_priv_lie(&g->w.run)
-                   : COIN_ESTEP;
-    }
     const int32_t taken = coin_priv_slip_take(g, &r.to);
-    return taken == COIN_OK ? status : taken;
+    if (taken != COIN_OK)
+        return taken;
+    return status == COIN_RESTS ? coin_priv_lie(&g->w.run) : status;
 }
