@@ -71,13 +71,14 @@ static int32_t begin(coin_priv_sliding *g, coin_priv_slip *y,
     return coin_priv_slip_take(g, y);
 }
 
-/* Rolls on for at most tau, from an onset.  A step that cannot be made leaves
- * all as it was, and counts. */
+/* Rolls on for at most tau, from an onset. */
 static int32_t roll_on(coin_priv_sliding *g, const struct onset *from,
                        double tau)
 {
     coin_priv_mark(g);
     const double by = coin_priv_roll_step(g, coin_priv_roll_rate(g), tau);
+    if (by == 0)
+        return COIN_ESTEP;
     const struct onset to = onset_of(g);
     if (to.friction < 0)
         coin_priv_again(g, coin_priv_place(g, pressed, from->friction, by, -1));
