@@ -254,11 +254,11 @@ include $(wildcard $(SRC)/tests/*/*.mk)
 # keep that date.  distcheck proves the two ways equal.
 TARBALL := $(O)/rollcoin-$(VERSION).tar.xz
 SINGLES := $(O)/rollcoin-single-$(VERSION).tar.xz
-PAGE    := docs/page/index.html
+BUILT   := docs/page/index.html
 FILES    = cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
            .clang-format .gitignore CHANGELOG.md LICENSE Makefile README.md \
            docs include lib pkgconfig tests -type f \
-           ! -path '*/__pycache__/*'; fi | grep -vx $(PAGE)
+           ! -path '*/__pycache__/*'; fi | grep -vx $(BUILT)
 EPOCH    = $(or $(SOURCE_DATE_EPOCH),$(shell cd $(SRC) && if test -e .git; \
            then git log -1 --format=%ct; else stat -c %Y Makefile; fi))
 
@@ -276,8 +276,8 @@ dist: $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, the single header's, the page
 	tar -C $(O)/single -cf $(SINGLES:.xz=) $(PACKED) README.md coin.h coinf.h \
 	    --transform='flags=r;s,^,rollcoin-single-$(VERSION)/,'
 	xz -fT1 --lzma2=preset=9e,pb=0,lc=4 $(TARBALL:.xz=) $(SINGLES:.xz=)
-	test ! -e $(SRC)/$(PAGE) || \
-	    cp $(SRC)/$(PAGE) $(O)/rollcoin-page-$(VERSION).html
+	test ! -e $(SRC)/$(BUILT) || \
+	    cp $(SRC)/$(BUILT) $(O)/rollcoin-page-$(VERSION).html
 
 # What gates are told: this Makefile, and where to work.
 GATE  = MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' SRC='$(SRC)' \

@@ -125,6 +125,23 @@ static void mirrored_every_bit_is_the_same(void **unused)
 
 /* ------------------------------------------------------------------ statuses
  */
+/* So near to flat that no step is left to make. */
+static void a_coin_that_lies_at_once_lies_flat(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.damping = 5e-6};
+    for (int side = -1; side <= 1; side += 2) {
+        coin_state s = {
+            .theta = side * 1.5707963267948819, .wX = -side * 2e-9, .wZ = 1.5};
+        double reached;
+        check_status(coin_settle(&s, &p, &l, 1e-6, 1e-3, &reached), COIN_RESTS);
+        check(reached > 0 && reached <= 1e-6);
+        check(side * s.theta > 1.570796326794896 && side * s.wX > 0);
+        check(s.wY == 0);
+    }
+}
+
 static void a_heading_out_of_range_ends_the_way(void **unused)
 {
     (void)unused;
@@ -220,6 +237,7 @@ int main(void)
         TEST(no_time_changes_nothing),
         TEST(in_units_a_power_of_two_apart_every_bit_is_the_same),
         TEST(mirrored_every_bit_is_the_same),
+        TEST(a_coin_that_lies_at_once_lies_flat),
         TEST(a_heading_out_of_range_ends_the_way),
         TEST(a_call_takes_2_20_steps_and_the_next_goes_on),
         TEST(a_path_that_overflows_is_none),

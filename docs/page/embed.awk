@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Puts files where a page names them: a line that is @NAME@ becomes the contents
-# of the files that the variable NAME of the environment lists.
+# of the files that the variable NAME of the environment lists, a script without
+# its blank lines and comments.
 #     style=style.css script='a.js b.js' awk -f embed.awk page.html
 
 /^@[a-z]+@$/ {
@@ -12,7 +13,8 @@
     }
     for (k = 1; k <= count; ++k) {
         while ((got = (getline line <file[k])) > 0)
-            print line
+            if (name != "script" || line !~ /^[ \t]*(\/\/.*)?$/)
+                print line
         if (got < 0) {
             print "embed.awk: cannot read " file[k] >"/dev/stderr"
             exit 1

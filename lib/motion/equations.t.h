@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The equations of motion: their one home.
+/* The equations of motion, as slopes.  Series and other units have them once
+ * more, each where it is needed (tests/lint/homes.py lists where).
  *
  * The sines and cosines of lean and heading are variables like the angular
- * velocity, so that no stage of a step calls a function or divides.  The pose
- * is a quadrature: no equation reads it. */
+ * velocity, so that no stage of a step takes a sine of an angle.  The pose is a
+ * quadrature: no equation reads it. */
 #include "angles.h"
 
 #include "kind.h"

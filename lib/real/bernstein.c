@@ -26,7 +26,8 @@ static const double binomial_of_squares[] = {
 
 /* The first half of the numbers, from the terms at 0; `step` is 1, or -1 where
  * they are counted from the end. */
-COIN_PRIV_INLINE void half(double *b, int step, const double *terms, double h)
+COIN_PRIV_INLINE void half_of(double *b, int step, const double *terms,
+                              double h)
 {
     double power = 1;
     for (int k = 0; k < COIN_PRIV_FORCE_TERMS; ++k) {
@@ -42,8 +43,8 @@ COIN_PRIV_INLINE void half(double *b, int step, const double *terms, double h)
 
 void coin_priv_join(double *b, const double *begin, const double *end, double h)
 {
-    half(b, 1, begin, h);
-    half(b + JOINED, -1, end, -h);
+    half_of(b, 1, begin, h);
+    half_of(b + JOINED, -1, end, -h);
 }
 
 void coin_priv_cone(double *b, const double *x, const double *y,

@@ -2,7 +2,7 @@
 /* The force along a stretch is a curve of degree 13, whose numbers in
  * Bernstein's form lie around it.  The cone of friction and the half-space
  * above the table are convex: a curve whose numbers all lie within lies within,
- * and this is so of most stretchs.  Of the others the zeros of polynomials are
+ * and this is so of most stretches.  Of the others the zeros of polynomials are
  * isolated; the motion itself then says whether, and from when on, a bit holds.
  */
 #include "../motion/pinned.h"
@@ -157,7 +157,7 @@ static struct place positive(double *b, int degree, double from)
 }
 
 /* Where b < least. */
-static struct place below(const double *b, double least, double from)
+static struct place below_least(const double *b, double least, double from)
 {
     double left[JOINED + 1];
     for (int k = 0; k <= JOINED; ++k)
@@ -191,9 +191,9 @@ static struct place next_place(const coin_priv_search *f, const struct part *w,
     if ((f->bits & COIN_SLIPS) && !is_in_cone(w, 1))
         r = slip(w, from);
     if ((f->bits & COIN_LIFTS) && !is_above(w->normal, 0))
-        r = earlier(r, below(w->normal, 0, from));
+        r = earlier(r, below_least(w->normal, 0, from));
     if ((f->bits & COIN_NEARLY_FLAT) && !is_above(w->cth, NEARLY_FLAT))
-        r = earlier(r, below(w->cth, NEARLY_FLAT, from));
+        r = earlier(r, below_least(w->cth, NEARLY_FLAT, from));
     return r;
 }
 
@@ -303,7 +303,7 @@ static int first_in_parts(coin_priv_moment *out, const coin_priv_search *f,
     const double stride =
         fabs(w->tau) / coin_priv_sundman_tau(b, &w->from.g.y, 1);
     const int parts = 1 + (int)(stride / SHORT);
-    coin_priv_force begin = w->begin, end = w->end;
+    coin_priv_force begin = w->begin, end;
     part->width = 1.0 / parts;
     for (int i = 1; i <= parts; ++i) {
         end = w->end;

@@ -4,9 +4,9 @@
 #include "gbs.h"
 #include "hold.h"
 
-/* Nearer to flat than this a fall is looked at.  By (72) the angle from flat is
- * then as the cosine of an angle that grows to a right one at most, however
- * fast the coin turns: one step takes the whole of it. */
+/* Only nearer to flat than this may the contact have stopped.  By (72) the
+ * angle from flat is then as the cosine of an angle that grows to a right one
+ * at most, however fast the coin turns: one step takes the whole of it. */
 #define NEAR_FLAT K(0.05)
 
 /* The inertia D of (72) about the vertical through the contact. */

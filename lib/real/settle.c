@@ -163,6 +163,7 @@ static int32_t lay(struct settling *g, double after)
     y->cth = 0;
     y->wY = 0;
     y->wX = y->sth * fabs(y->wX);
+    ++g->w.run.steps;
     return COIN_RESTS;
 }
 

@@ -113,22 +113,26 @@ static int32_t follow(struct moving *g, coin_priv_stretch *w,
 
 /* Errors, and what holds at the start. */
 static int32_t prepare(struct moving *g, coin_priv_stretch *w,
-                       coin_priv_search *f, const coin_state *s)
+                       coin_priv_search *f, const coin_state *s, double t)
 {
+    const int32_t status = coin_priv_check(s, f->p, &g->run.b);
+    if (status != COIN_OK)
+        return status;
     const double w0 = sqrt(g->run.b.g_a);
-    if (!(fabs(g->t) * w0 <= COIN_PRIV_TOO_LONG))
+    if (!(fabs(t) * w0 <= COIN_PRIV_TOO_LONG))
         return COIN_ESTEP;
     coin_priv_run_from(&g->run, s, COIN_RK4, 0);
     g->run.limits.coarse2 = g->run.limits.most2 = (double)INFINITY;
     g->reach = coin_priv_reach_of(f->tol);
     g->stride = g->reach.stride;
-    g->rem.sum = g->t;
+    g->t = t;
+    g->rem.sum = t;
     g->rem.low = 0;
     f->unit = coin_priv_sundman_tau(&g->run.b, &g->run.g.y, 1);
     f->tol /= w0;
     coin_priv_force_of(&w->begin, &g->run.b, &g->run.g.y, f->unit);
     const int32_t bits = coin_priv_bits_held(f, s, &w->begin);
-    return bits == 0 && g->t >= 0 && coin_priv_rests(s) ? COIN_EFLAT : bits;
+    return bits == 0 && t >= 0 && coin_priv_rests(s) ? COIN_EFLAT : bits;
 }
 
 int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
@@ -139,13 +143,9 @@ int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
     coin_priv_search f = {p, mu, tol, 0, bits};
     const int good = tol >= 1e-13 && tol <= 1e-2 && mu >= 0 && bits != 0 &&
                      (bits & ~EVERY_BIT) == 0;
-    int32_t status = good ? coin_priv_check(s, p, &g.run.b) : COIN_EARG;
-    if (status != COIN_OK)
-        return status;
-    g.t = t;
-    status = prepare(&g, &w, &f, s);
+    int32_t status = good ? prepare(&g, &w, &f, s, t) : COIN_EARG;
     if (status != COIN_OK) {
-        if (reached && status != COIN_ESTEP)
+        if (reached && (status > 0 || status == COIN_EFLAT))
             *reached = 0;
         return status;
     }

@@ -21,7 +21,7 @@ static void gather(struct group *g, coin_state *s, size_t left)
     }
 }
 
-/* Fewer coins than a quarter of the lanes go one by one. */
+/* A quarter of the lanes or fewer, and a single coin, go one by one. */
 enum { ENOUGH = (COIN_PRIV_LANES + 2) / 4 + 1 };
 
 static void run_group(const struct group *g, coin_priv_lanes_run *run,

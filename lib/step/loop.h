@@ -35,7 +35,7 @@ void coin_priv_run_from(coin_priv_run *r, const coin_state *s, int32_t method,
                         double dt);
 
 /* One step from *y by a method's coefficients: where it leads, and the
- * variables there.  end->least_cth is 0 if the method does not reach so far. */
+ * variables there.  end->least_cth is 0 if the step cannot be made. */
 typedef void coin_priv_step(coin_priv_step_end *end, coin_priv_variables *next,
                             const coin_priv_variables *y,
                             const void *coefficients);

@@ -109,7 +109,13 @@ COIN_PRIV_INLINE void PRIV(end_block)(PRIV(progress) * g)
 {
     PRIV(add_block)(g);
     PRIV(variables) *const y = &g->y;
-    const PRIV(sc) th = PRIV(sine_cosine)(g->added.theta);
+    const PRIV(sc) at = PRIV(sine_cosine)(g->added.theta);
+    /* Near the table the rounding of theta is much of cos theta. */
+    const whole near = PRIV(truth)(y->cth < K(0.0078125));
+    const PRIV(sc) th = {
+        PRIV(choose)(near, y->sth, at.s),
+        PRIV(choose)(near, y->cth, at.c),
+    };
     const PRIV(sc) ph = PRIV(angle_pair)(g->phi);
     y->sth = th.s;
     y->cth = th.c;

@@ -11,9 +11,9 @@ typedef struct PRIV(rk4_fields) {
     PRIV(field) half, full, sixth;
 } PRIV(rk4_fields);
 
-/* A stage: the start and a slope.  As a variable, 1/cos theta would be off by
- * tan^2 theta z^2 for a turn z, and the heading by z^3/6, and the path with it:
- * so the one is divided, and the other turned. */
+/* A stage: the start plus a slope, with two exceptions.  1/cos theta is divided
+ * anew, and the heading is turned.  Carried as variables they would be off by
+ * tan^2 theta z^2 and by z^3/6 for a turn z, and the path with the heading. */
 COIN_PRIV_INLINE PRIV(variables)
     PRIV(stage)(const PRIV(variables) * y1, const PRIV(variables) * d,
                 real turn)

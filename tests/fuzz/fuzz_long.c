@@ -71,7 +71,7 @@ static void judge_max_dt(const struct outcome *o)
 
 const struct function fuzz_functions[] = {
     ROW(coin_advance, "SpTer", USUAL | LANDS, 0, LANDS, judge_advance, 0),
-    ROW(coin_advance_until, "SpTedKr", USUAL | LANDS, 11, LANDS,
+    ROW(coin_advance_until, "SpTedxr", USUAL | LANDS, 11, LANDS,
         judge_advance_until, 0),
     ROW(coin_max_dt, "spie", 0, 0, 0, judge_max_dt, 1),
     ROW(coin_selftest, "", 0, 0, PLAIN),

@@ -19,6 +19,13 @@ static void judge_power(const struct outcome *o)
     demand(!(o->result < 0));
 }
 
+/* Whether any term takes energy: soft is none. */
+static int slows(const coin_losses *l)
+{
+    return l->damping > 0 || l->dry > 0 || l->viscous > 0 || l->layer > 0 ||
+           l->gap > 0 || l->rolling > 0 || l->spin > 0;
+}
+
 /* As of coin_advance(); at rest as coin.h says. */
 static void judge_settle(const struct outcome *o)
 {
@@ -35,8 +42,7 @@ static void judge_settle(const struct outcome *o)
     else
         demand(reached >= 0 && reached <= t &&
                coin_state_check(s, &o->world->p) == COIN_OK);
-    static const coin_losses none;
-    if (o->result == COIN_RESTS && !same(o->given[2].p, &none, sizeof none))
+    if (o->result == COIN_RESTS && slows(o->given[2].p))
         demand(s->wY == 0 && s->wX * s->theta >= 0 && fabs(s->theta) > 1.57);
 }
 

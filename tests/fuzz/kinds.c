@@ -351,7 +351,7 @@ static const struct kind kinds[] = {
     {'e', SCALAR, 0, take_tol, NULL},
     {'i', SCALAR, 0, take_i, NULL},
     {'b', SCALAR, 0, take_branch, NULL},
-    {'K', SCALAR, 0, take_bits, NULL},
+    {'x', SCALAR, 0, take_bits, NULL},
     {'u', SCALAR, 0, take_u, NULL},
     {'c', SCALAR, 0, take_count, NULL},
 };

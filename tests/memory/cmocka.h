@@ -26,6 +26,9 @@ static inline void _fail(const char *file, int line)
     exit(1);
 }
 
+/* Where this is used long double has its digits: no test is skipped. */
+#define skip() _fail(__FILE__, __LINE__)
+
 #define cmocka_run_group_tests_name(name, tests, setup, teardown)              \
     run_all(name, tests, sizeof(tests) / sizeof *(tests), setup, teardown)
 

@@ -94,9 +94,10 @@ inside()
         -I"$here" "$rooms" -I"$SRC/tests/support" "$SEES" $CMOCKA "$file" \
         "$work/inside/*.o" -o "$work/inside/$(basename "$1")" $CMOCKA_LIBS -lm
 }
-# Two tests compile what the header has compiled already, and so would define it
-# twice: lib/motion/angles.t.h for lanes, and lib/step/lanes.c.
-twice="test_angles test_batch"
+# Three tests compile what the header has compiled already, and so would define
+# it twice, or not at all: lib/motion/angles.t.h for lanes, lib/step/lanes.c, and
+# lib/step/advance.h with its steps counted.
+twice="test_angles test_batch test_passes"
 # As many at once as there are processors; one that fails leaves no program to
 # run.
 set --

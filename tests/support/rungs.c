@@ -166,6 +166,7 @@ struct rungs climb(const struct rung_scene *scene, struct random *r, int looks)
 
 double named_error(const struct rung_scene *scene, int32_t named, int looks)
 {
+    check_long_double(); /* before anything is allocated */
     const coin_params *p = &scene->params;
     coin_orbit *orbit = malloc(sizeof *orbit);
     coin_state steady = scene->start;

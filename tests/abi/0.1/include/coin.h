@@ -7,11 +7,11 @@
  * install puts docs/ into PREFIX/share/doc/rollcoin.
  *
  * FRAMES. Small letters x y z are the table's frame, y up.  Capital letters
- * X Y Z are the coin's frame: origin at the centre, X horizontal in the
- * coin's plane, Y up in its plane, Z along its axis.  theta is the lean (0 =
- * upright, +-pi/2 = flat on the table), phi the heading about the vertical,
- * psi the roll about the axis: the coin is turned by psi about z, then by
- * theta about x, then by phi about y, all three fixed axes.
+ * X Y Z are the coin's frame: origin at the centre, X horizontal in the coin's
+ * plane, Y up in its plane, Z along its axis.  theta is the lean (0 = upright,
+ * +-pi/2 = flat on the table), phi the heading about the vertical, psi the roll
+ * about the axis.  The pose is a rotation by psi about z, then by theta about
+ * x, then by phi about y, all about the fixed axes of the table.
  *
  * UNITS. Angles are in radians; everything else is in any consistent set of
  * units.  Dimensions stand in brackets: [M] mass, [L] length, [T] time, [1]
@@ -23,11 +23,13 @@
  * line says "may be null".  An output may be the same object as an input of
  * the same type.
  *
- * STATUS. Functions return an int32_t: 0 is COIN_OK; a negative value is an
- * error, and then every output and the state are exactly as before; a
- * positive value means done, with warning bits.  Where several errors apply,
- * the first of COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN
- * is returned.  Functions that return a double return NaN on bad input.
+ * STATUS. Functions return an int32_t: 0 is COIN_OK; a positive value means
+ * done, with warning bits; a negative value is an error.  After an error every
+ * output and the state are exactly as before, unless the function says
+ * otherwise: one that moves a state by many steps may stop on the way, and says
+ * where.  Where several errors apply, the first of COIN_EARG, COIN_EPARAMS,
+ * COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned.  Functions that return a
+ * double return NaN on bad input.
  * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
  * coin_params_check() and COIN_ESTATE as coin_state_check().
  *
@@ -36,17 +38,17 @@
  * same bits on every platform and compiler (see coin_selftest()).
  *
  * FLOATING POINT. No function changes the rounding mode or the traps.  A call
- * that does not return COIN_EARG, COIN_EPARAMS, COIN_ESTATE or COIN_ESTEP, or
- * NaN, raises neither division by zero nor invalid nor overflow, so that it may
- * be made with these trapped (test_traps).  Inexact and underflow may be
- * raised.  clang keeps this promise only with -ffp-exception-behavior=maytrap,
- * as the Makefile passes it: otherwise it may compute what a branch then drops.
+ * raises neither division by zero nor invalid nor overflow, unless it returns
+ * COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP or NaN.  So these exceptions
+ * may be trapped (test_traps).  Inexact and underflow may be raised.  clang
+ * keeps this promise only with -ffp-exception-behavior=maytrap, which the
+ * Makefile passes: without it clang may evaluate an expression that a branch
+ * then discards.
  *
  * ACCURACY. "u" is 2^-53 = 1.1e-16.  "8 u of the terms" bounds an error by 8 u
- * times the sum of the absolute values of the formula's terms, theta taken as
- * the exact double that it is.  Bounds hold as long as none of the terms, and
- * no product in them, is below the normal doubles (2e-308).
- */
+ * times the sum of the absolute values of the formula's terms.  It takes the
+ * double theta as exact.  Bounds hold as long as none of the terms, and no
+ * product in them, is below the normal doubles (2e-308). */
 #ifndef ROLLCOIN_COIN_H
 #define ROLLCOIN_COIN_H
 
@@ -109,26 +111,27 @@ typedef struct coin_force {
                           if N <= 0 */
 } coin_force;
 
-/** What slows a coin, and brings it to rest: each term an own law of
- * resistance.  They add; a term of 0 is not there.  Eq. (64)-(69). */
+/** The losses that slow a coin and bring it to rest.  Each member but soft is
+ * the coefficient of one law of resistance.  The resistances add up; a
+ * coefficient of 0 has no effect.  Eq. (64)-(69). */
 typedef struct coin_losses {
     double damping; /**< alpha: a torque alpha |d(psi)/dt| times the angular
                          momentum, component by component [1] */
-    double dry;     /**< contour friction: a torque against the roll of the
-                         contact along the rim, whatever its rate
+    double dry;     /**< contour friction: a torque against the rolling of the
+                         contact along the rim, independent of its rate
                          [M L^2/T^2] */
-    double viscous; /**< the same, as that rate [M L^2/T] */
-    double layer;   /**< the same, as its power 3/2: the boundary layer of the
-                         air [M L^2/T^(1/2)] */
-    double gap;     /**< the same, as that rate over cos(theta): the air in the
-                         gap below the coin [M L^2/T] */
-    double rolling; /**< the rolling moment of engines: as dry, times
+    double viscous; /**< the same, proportional to that rate [M L^2/T] */
+    double layer;   /**< the same, proportional to the power 3/2 of that rate:
+                         the boundary layer of the air [M L^2/T^(1/2)] */
+    double gap;     /**< the same, proportional to that rate over cos(theta):
+                         the air in the gap below the coin [M L^2/T] */
+    double rolling; /**< the rolling moment of physics engines: as dry, times
                          cos(theta) [M L^2/T^2] */
-    double spin;    /**< pivoting friction: a torque as the turn about the
-                         vertical [M L^2/T] */
+    double spin;    /**< pivoting friction: a torque proportional to the turn
+                         about the vertical [M L^2/T] */
     double soft;    /**< the rate of roll below which dry and rolling fade
-                         [1/T]; 0 stands for sqrt(g/a)/1024, and less than
-                         2^-30 sqrt(g/a) for that */
+                         [1/T].  0 stands for sqrt(g/a)/1024; a value below
+                         2^-30 sqrt(g/a) stands for 2^-30 sqrt(g/a) */
 } coin_losses;
 
 /** Coulomb's dry friction between coin and table. */
@@ -146,11 +149,11 @@ typedef struct coin_slide {
     double vz;
 } coin_slide;
 
-/** A motion solved once, to be asked for any time: coin_orbit_init(),
- * coin_orbit_at().  It holds half a period of theta, in pieces that are
+/** A motion that coin_orbit_init() solves once, so that coin_orbit_at() gives
+ * its state at any time.  It holds half a period of theta, in pieces that are
  * polynomials of time: 32 KiB.  It has no pointers, so that it may be copied,
- * stored, and shared between threads and processes: only for the library that
- * made it.  A library of another version, or on a machine of another byte
+ * stored, and shared between threads and processes.  Only the library that made
+ * it can read it: a library of another version, or on a machine of another byte
  * order, returns COIN_EARG for it. */
 typedef struct coin_orbit {
     double period;             /**< of theta; 0 if the motion is steady [T] */
@@ -171,8 +174,8 @@ typedef struct coin_orbit {
                                    period and w^2 = 2 E/J; s is the larger
                                    |d(wX)/dt| of the two turning points, at
                                    most w^2 [1] */
-    double reserved[26];      /**< 0: room for what a later version adds */
-    double private_frame[32]; /**< this and what follows: the library's */
+    double reserved[26];      /**< 0: for members of later versions */
+    double private_frame[32]; /**< from here on for the library only */
     double private_edges[48];
     double private_centers[42];
     double private_terms[3780];
@@ -266,11 +269,11 @@ COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
 /** Whether the parameters can be computed with.
  * @return COIN_OK; COIN_EARG null; COIN_EPARAMS if a member is not finite or
  *         not positive, a reserved member is not 0, I_Z > 2 I_X (beyond a
- *         relative 1e-12: no body has that), or if of these numbers, in the
- *         units of p, one is below 1e-300 or the sum is above 1e300: M, a, g,
- *         I_X, I_Z, M a, M g, M a^2, M g a, g/a; with J = I_X + M a^2 and
- *         K = I_Z + M a^2 the ratios I_Z/I_X, M a^2/K, I_X/J, K/J, M g a/J;
- *         the square of coin_critical_roll(). */
+ *         relative 1e-12: no body has that), or one of the following numbers,
+ *         in the units of p, is below 1e-300, or their sum is above 1e300: M,
+ *         a, g, I_X, I_Z, M a, M g, M a^2, M g a, g/a; with J = I_X + M a^2 and
+ *         K = I_Z + M a^2 the ratios I_Z/I_X, M a^2/K, I_X/J, K/J, M g a/J; the
+ *         square of coin_critical_roll(). */
 COIN_API int32_t coin_params_check(const coin_params *p);
 
 /* ---------------------------------------------------------------- state -- */
@@ -290,8 +293,9 @@ COIN_API int32_t coin_state_check(const coin_state *s, const coin_params *p);
  * @param x,z     the centre of mass [L]
  * @return COIN_OK; the usual errors: COIN_ESTATE if q or omega is not finite,
  *         q is 0, or the coin lies flat.
- * Accuracy: 8 u in each angle for a unit q; near flat phi and psi are each as
- * uncertain as u/cos(theta), their sum or difference is not (test_state). */
+ * Accuracy: 8 u in each angle for a unit q; near flat each of phi and psi is
+ *         uncertain by u/cos(theta), but their sum or difference is not
+ *         (test_state). */
 COIN_API int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
                                         const double q[4],
                                         const double omega[3], double x,
@@ -319,9 +323,9 @@ COIN_API int32_t coin_angular_velocity(const coin_state *s, double omega[3]);
  *         return 1;
  * @endcode
  * Cost: 1,050 instructions on a desktop, 0.6 of a textbook Runge-Kutta step.
- *         More than half of them check the arguments and take sines and
- *         cosines, which coin_run() does once for all of its steps.  On a
- *         Cortex-M4F 800 bytes of stack. */
+ *         More than half of them check the arguments and compute sines and
+ *         cosines, which coin_run() does once for all of its steps.  It needs
+ *         800 bytes of stack on a Cortex-M4F. */
 COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
 
 /** Moves a coin by a number of fixed steps.
@@ -338,29 +342,30 @@ COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
  * A step is refused if |dt| W is beyond 1.2 (COIN_SYMPLECTIC2: 1,
  * COIN_SYMPLECTIC4: 1.4) where it begins or ends; if it would lead through the
  * table or out of the range of coin_state_check(); or if it turns lean or
- * heading by more than 1.5 rad.  The symplectic methods also refuse a step
- * that is coarse and whose drift the series of Eq. (34) does not reach.
+ * heading by more than 1.5 rad.  The symplectic methods also refuse a coarse
+ * step if its drift is beyond the reach of the series of Eq. (34).
  *
- * A step adds to theta, phi and psi what the method gives for their rates.
+ * The increments of theta, phi and psi in a step are those that the method
+ * gives for their rates.
  *
- * A run of n steps is n runs of one step to rounding.  A caller who wants to
- * stop a long run therefore calls with a part of the steps at a time.  Each
- * further call changes the result by at most 8 u/cos(theta) in radians, radii
- * and natural units of rate, before the motion's own amplification, for steps
- * that are not coarse (COIN_RK4: |dt| W up to 0.2) (test_cuts).  coin_sample()
+ * A run of n steps equals n runs of one step but for rounding.  So a caller may
+ * divide a long run into several calls, and stop between them.  Each further
+ * call changes the result by at most 8 u/cos(theta) in radians, radii and
+ * natural units of rate, before the motion's own amplification, for steps that
+ * are not coarse (COIN_RK4: |dt| W up to 0.2) (test_cuts).  coin_sample()
  * reports states on the way and keeps the bits of one uninterrupted run.
  * Accuracy: a step adds at most 0.1 (|dt| W)^5 radians and radii by COIN_RK4,
  *         2e-4 (|dt| W)^9 by COIN_RK8, 0.6 (|dt| W)^3 by COIN_SYMPLECTIC2 and
- *         0.04 (|dt| W)^5 by COIN_SYMPLECTIC4, and as much in parts of W in the
- *         rates.  This is before the motion's own amplification, and for bodies
- *         whose mass lies within the rim: I_X <= M a^2/2.  Rounding adds 4 u a
- *         step, 4 u/cos(theta) by the symplectic methods, and at the end 16 u
- *         of the pose (docs/limits.md).  As a rule errors are far smaller
+ *         0.04 (|dt| W)^5 by COIN_SYMPLECTIC4, and as much, relative to W, in
+ *         the rates.  This is before the motion's own amplification, and for
+ *         bodies whose mass lies within the rim: I_X <= M a^2/2.  Rounding adds
+ *         4 u a step, 4 u/cos(theta) by the symplectic methods, and at the end
+ *         16 u of the pose (docs/limits.md).  As a rule errors are far smaller
  *         (docs/guide.md).
  * Cost: per call the checks and four sines and cosines; per 64 steps as many
  *         sines and cosines again; the symplectic methods take two more for
  *         each drift.  A step has no loop whose length depends on data, and no
- *         branch but its guard. */
+ *         branch but the check of its limits. */
 COIN_API int32_t coin_run(coin_state *s, const coin_params *p, int32_t method,
                           double dt, uint64_t steps, uint64_t *done);
 
@@ -396,8 +401,9 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
                                 uint64_t steps, int32_t *status);
 
 /** Moves a coin by any time to a stated accuracy, however near to flat it
- * passes.  Steps of order 14 by extrapolation, in Sundman's time, Eq. (32),
- * with a length chosen from the state; one last step in t, Eq. (54).
+ * passes.  The steps are of order 14, by extrapolation, in Sundman's time,
+ * Eq. (32), and their length is chosen from the state.  The last step is in t,
+ * Eq. (54).
  * @param[in,out] s  the state
  * @param t          the time, of either sign [T]
  * @param tol        1e-13 to 1e-2: the error that the steps may add per natural
@@ -405,36 +411,39 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  *                   own amplification [1]
  * @param[out] reached  the time moved: t, if no error is returned; may be null
  * @return COIN_OK; the usual errors; COIN_EARG also for tol out of range.
- *         COIN_ESTEP: t is not finite or is above 1e15 natural units (s and
- *         *reached are untouched); or phi or psi leaves its range, or 2^20
- *         steps were not enough: s is then as at *reached, and after so many
- *         steps another call goes on from there.  COIN_EFLAT: the coin falls
- *         flat, nearer than 1e-30 rad: s is the last state that a double can
- *         hold before, *reached the time of impact.  A coin at rest, as
- *         coin_settle() leaves it, is there: for t >= 0 *reached is 0.
+ *         COIN_ESTEP: t is not finite or is above 1e15 natural units, and s and
+ *         *reached are untouched; or phi or psi leaves its range, or 2^20 steps
+ *         were not enough, and s is the state at *reached.  After 2^20 steps
+ *         another call goes on from there.  COIN_EFLAT: the coin falls flat,
+ *         nearer than 1e-30 rad.  s is then the last state before the impact
+ *         that a double can hold, and *reached the time of the impact.  A coin
+ *         at rest, as coin_settle() leaves it, counts as fallen: for t >= 0
+ *         *reached is 0.
  * Accuracy: below tol per unit for all of 2000 random states over 4 units
  *         (docs/accuracy.md).  Rounding adds about 1e-15 per unit.  Near flat
- *         theta alone cannot hold cos(theta): each call that begins at a
- *         distance d from flat loses u/d of it; within a call nothing is lost.
+ *         the double theta cannot hold cos(theta) exactly: a call that begins
+ *         at a distance d from flat has a relative error of u/d in it.  Within
+ *         a call no such error arises.
  * Cost: proportional to |t|, and to 1/tol^(1/14).  A step costs 1.3 times one
  *         of COIN_RK8.  A pass at a distance d from flat costs as much as
- *         ln(1/d) more units.  Low bounces near flat pass often; a coin that
- *         turns fast takes a step for every radian or so.  A call takes at most
- *         2^20 steps, some 0.2 s: as a rule enough for 160,000 natural units
- *         at the least tol. */
+ *         ln(1/d) more units.  Low bounces near flat contain many such passes.
+ *         A coin that turns fast needs about one step per radian.  A call takes
+ *         at most 2^20 steps, some 0.2 s: as a rule enough for 160,000 natural
+ *         units at the smallest tol. */
 COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
                               double tol, double *reached);
 
 /** The largest step of a method whose error stays below tol, from this state
- * on.  Found by trial.  The motion is followed through one period of theta, for
- * 4 to 20 natural units.  Where it is at its worst, the method itself is tried
- * with dt and with dt/2, and the states that both report are compared.
+ * on.  It is found by trial: the motion is followed through one period of
+ * theta, for 4 to 20 natural units.  Where the motion is most demanding, the
+ * method takes steps of dt and of dt/2, and the states that they give are
+ * compared.
  * @param tol  1e-13 to 1e-2: error per natural unit of time, in radians and
  *             radii [1]
  * @return dt > 0, never so large that a step would be COIN_COARSE.  0 if the
- *         coin falls flat, or if no step would do: W exceeds every angular
- *         velocity that coin_state_check() lets pass.  NaN on the usual errors,
- *         an unknown method, or tol out of range.
+ *         coin falls flat, or if no step is short enough because W exceeds
+ *         every angular velocity that coin_state_check() accepts.  NaN on the
+ *         usual errors, an unknown method, or tol out of range.
  * Accuracy: the error stays within 2 tol for discs and hoops that spin nearly
  *         upright (test_max_dt).  docs/accuracy.md says how often it stays
  *         within tol for random coins.
@@ -453,12 +462,14 @@ COIN_API int32_t coin_method_order(int32_t method);
 /* ---------------------------------------------------------- observables -- */
 
 /** The energy [M L^2/T^2], constant along every motion.  Eq. (23).
- * @return E, 0 = at rest at the table's height; NaN on the usual errors.
+ * @return E, which is 0 at rest with the centre at the table's height; NaN on
+ *         the usual errors.
  * Accuracy: 8 u of E (test_energy). */
 COIN_API double coin_energy(const coin_state *s, const coin_params *p);
 
-/** The two linear integrals, constant along every motion: wY and wZ carried
- * along the orbit to theta = 0.  Eq. (35), after Eq. (38) near flat.
+/** The two linear integrals, constant along every motion: the values of wY and
+ * wZ that their linear equations give at theta = 0.  Eq. (35), after Eq. (38)
+ * near flat.
  * @param[out] K  [2] K_Y, K_Z [1/T]
  * @return COIN_OK; the usual errors.
  * Accuracy: 16 u of the terms of Eq. (35) at every |theta| < pi/2
@@ -467,8 +478,8 @@ COIN_API double coin_energy(const coin_state *s, const coin_params *p);
 COIN_API int32_t coin_integrals(const coin_state *s, const coin_params *p,
                                 double K[2]);
 
-/** The force of the table on the coin.  Eq. (25)-(28).  The rolling model
- * holds the coin to the table: N may come out negative, see COIN_LIFTS.
+/** The force of the table on the coin.  Eq. (25)-(28).  The rolling model holds
+ * the coin to the table, so that N may be negative: see COIN_LIFTS.
  * @return COIN_OK; the usual errors.
  * Accuracy: 12 u of the terms (test_reaction). */
 COIN_API int32_t coin_reaction(const coin_state *s, const coin_params *p,
@@ -517,8 +528,8 @@ COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
 
 /* ------------------------------------------------------------- validity -- */
 
-/** Whether the rolling model and a step hold for this state.  docs/guide.md
- * says what to do about each bit.
+/** Whether the rolling model holds for this state, and whether a step is fine
+ * enough for it.  docs/guide.md says what to do about each bit.
  * @param dt  the step in question, any finite value [T]
  * @param mu  the friction coefficient, >= 0, may be +infinity [1]
  * @return COIN_OK, or the bits COIN_SLIPS, COIN_LIFTS, COIN_COARSE,
@@ -530,7 +541,7 @@ COIN_API int32_t coin_check(const coin_state *s, const coin_params *p,
 
 /* ---------------------------------------------------- games and engines -- */
 
-/** What a renderer loads: the pose as one matrix, body to table, the roll
+/** The pose as one matrix, as a renderer loads it: body to table, the roll
  * included.  Eq. (90).
  * @param[out] m  [16] by columns, as OpenGL, Vulkan and three.js have them: the
  *                body's three axes and its centre of mass, each with x, y, z
@@ -548,38 +559,40 @@ COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
  * derivatives, Eq. (92), which bound the forces between.
  * @param[in,out] s  the state
  * @param t          the time, of either sign [T]
- * @param tol        1e-13 to 1e-2: as for coin_advance(); and within how many
- *                   natural units of time before s none of the bits holds [1]
+ * @param tol        1e-13 to 1e-2: as for coin_advance().  It is also the
+ *                   accuracy of the event: at most tol natural units of time
+ *                   before s none of the bits holds [1]
  * @param mu         the friction coefficient, >= 0, may be +infinity [1]
  * @param bits       COIN_SLIPS, COIN_LIFTS, COIN_NEARLY_FLAT, or several,
  *                   or-ed.  COIN_SLIPS alone does not stop where N <= 0
  * @param[out] reached  the time moved; may be null
  * @return COIN_OK: none of the bits held within t, *reached is t, and s has the
  *         bits that coin_advance() gives it.  Positive: those of the bits that
- *         hold in s, as coin_check() has them; *reached is the first moment at
- *         which one was found to.  A bit that holds at the start is returned at
- *         once, with *reached = 0.  COIN_EARG also for mu < 0 or NaN and for
- *         bits = 0 or with any other bit; other errors and COIN_EFLAT as
- *         coin_advance().
+ *         hold in s, as coin_check() returns them; *reached is the first moment
+ *         at which one of them was found to hold.  A bit that holds at the
+ *         start is returned at once, with *reached = 0.  COIN_EARG also if mu
+ *         is negative or NaN, or if bits is 0 or has any other bit; other
+ *         errors and COIN_EFLAT as coin_advance().
  * Accuracy: no excursion by which F/N exceeds mu by 1e-6 of mu or more is
- *         missed, wherever it lies (test_until).
- *         This is of the motion that the steps give: where tol is above 1e-6
- *         they err by more than that themselves.
- * Cost: some twice that of coin_advance() where no event is near, and 0.25 us
- *         more for calls of a step or less; an event takes that of ten to forty
- *         steps.  Some 10 KiB of stack. */
+ *         missed, wherever it lies (test_until).  This holds for the motion as
+ *         computed: with tol above 1e-6 the steps themselves err by more than
+ *         that.
+ * Cost: about twice that of coin_advance() where no event is near, and 0.25 us
+ *         more than that of coin_advance() for calls of a step or less.  An
+ *         event costs as much as ten to forty steps.  The call needs some
+ *         10 KiB of stack. */
 COIN_API int32_t coin_advance_until(coin_state *s, const coin_params *p,
                                     double t, double tol, double mu,
                                     int32_t bits, double *reached);
 
-/** How a coin that an engine holds rolls on once it touches the table, if the
- * contact neither slips nor bounces: the angular momentum about the point of
- * contact is kept.  Eq. (91).  A coin that rolls already stays as it is.
+/** The rolling motion of a coin that an engine has dropped on the table.  The
+ * impact neither slips nor bounces, so that it keeps the angular momentum about
+ * the point of contact.  Eq. (91).  A coin that rolls already stays as it is.
  * @param[out] s  the state; -pi < phi, psi <= pi
  * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
  * @param omega   [3] angular velocity in the table frame, before [1/T]
- * @param v       [3] velocity of the centre of mass, before.  It may point
- *                away from the table: what is kept is the same [L/T]
+ * @param v       [3] velocity of the centre of mass, before.  It may point away
+ *                from the table: the same angular momentum is kept [L/T]
  * @param x,z     the centre of mass [L]
  * @return COIN_OK; the usual errors: COIN_ESTATE as coin_state_from_motion(),
  *         and if v is not finite or the rates would overflow.
@@ -619,9 +632,8 @@ COIN_API int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
  * @param branch  +1 or -1: the root f+ or f- of Eq. (40); the slow precession
  *                (a large circle for small theta) is the root with
  *                wY wZ theta > 0
- * @return as coin_steady_roll(); COIN_EARG other branch; COIN_ESTATE also if
- *         wY would overflow; COIN_EDOMAIN theta = 0, or wY beyond the smallest
- *         doubles.
+ * @return as coin_steady_roll(); COIN_EARG other branch; COIN_ESTATE also if wY
+ *         would overflow; COIN_EDOMAIN theta = 0, or wY too small for a double.
  * Accuracy: 8 u in wY (test_steady). */
 COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
                                     double theta, double wZ, int32_t branch);
@@ -634,12 +646,13 @@ COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
  *         flat.
  * It may be unstable: coin_stability().  Of two extrema closer to each other
  * than 0.0005 cos(theta) both may be missed.
- * Accuracy: *out is steady as coin_steady_radii() asks.  coin_integrals() of
- *         *out are those of s to 64 u of their terms, and to what a change of
- *         8 u/cos(theta) of the larger of |wY|, |wZ| in both rates makes of
- *         them: near flat a double cannot hold the lean any closer
+ * Accuracy: *out is steady by the test of coin_steady_radii().  Its integrals
+ *         differ from those of s by at most 64 u of their terms, plus the
+ *         effect of a change of both rates by 8 u/cos(theta) of the larger of
+ *         |wY|, |wZ|.  Near flat a double cannot hold the lean more accurately
  *         (test_steady_near).
- * Cost: some 5 us, more near flat; a chain of series, 40 terms per radian. */
+ * Cost: some 5 us, more near flat: it sums a chain of series, 40 terms per
+ *         radian. */
 COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
                                   coin_state *out);
 
@@ -675,14 +688,15 @@ COIN_API double coin_critical_spin(const coin_params *p);
 /* ---------------------------------------------- motion without stepping -- */
 
 /** A steady motion at any time, in closed form: nothing is stepped.  Eq. (56).
- * @param s         a steady state.  It may miss (39) by up to 1e-9; what that
- *                  does to the motion is left out, and wX comes out 0
+ * @param s         a steady state.  It may violate (39) by up to 1e-9; the
+ *                  effect of that on the motion is left out, and wX of *out
+ *                  is 0
  * @param t         the time, of either sign [T]
  * @param[out] out  the state at t
  * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or phi, psi, x
  *         or z leaves its range; COIN_EDOMAIN as coin_steady_radii().
- * Accuracy: 6 u of the angles turned, and as much of the path; then phi, psi, x
- *         and z are rounded, as large as they are (test_steady_at).
+ * Accuracy: 6 u of the angles turned, and 6 u of the path, plus the rounding of
+ *         phi, psi, x and z to doubles (test_steady_at).
  * Cost: three sines and cosines. */
 COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
                                 double t, coin_state *out);
@@ -711,7 +725,7 @@ COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
  *         is of order A^2 in all members, and grows as t.  For I_X <= M a^2 and
  *         lambda^2 < 0 it is below 30 A^2 (1 + |t| W) times the larger of 1 and
  *         W^2/|lambda^2| (make adversary).  Where the lean grows as
- *         exp(lambda t), A is what it has grown to (test_wobble).
+ *         exp(lambda t), A is the value that it has reached (test_wobble).
  *         docs/models.md has figures.
  * Cost: that of ten sines and cosines, whatever t is. */
 COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
@@ -724,13 +738,14 @@ COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if the motion has no
  *         well-defined period: it is an unstable steady motion; or it is so
  *         close to a separatrix that conditioning is 1e12 or more; or it comes
- *         so close to flat that the pieces of an orbit do not suffice.  Of
- *         motions that come no closer to flat than 1e-6 rad less than 1 in 100
- *         is refused, unless they come so close on both sides and start there.
- *         Closer than 1e-9 rad all are refused.
- * A stable steady motion is an orbit too, of period 0.  So is an unstable one
- * that is upright to the bit; any other would leave itself by its own rounding.
- * Accuracy: period, heading and roll per period to 1e-15 of conditioning,
+ *         so close to flat that the pieces of an orbit do not suffice.  Fewer
+ *         than 1 in 100 are refused of the motions that stay at least 1e-6 rad
+ *         from flat, unless they come so close on both sides and start there.
+ *         All motions that come closer than 1e-9 rad are refused.
+ * A stable steady motion is an orbit too, of period 0.  An unstable one is an
+ * orbit only if it is exactly upright: rounding would take any other away from
+ * the steady motion.
+ * Accuracy: period, heading and roll per period to 1e-15 times conditioning,
  *         relative to the larger of them and 1 (test_orbit).
  * Cost: docs/models.md; some 46 KiB of stack. */
 COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
@@ -738,15 +753,15 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
 
 /** The state at any time, forward or backward, without stepping.
  * @param o         as coin_orbit_init() of the same version left it: an orbit
- *                  carries a tag of that.  Other contents do no harm, and most
- *                  are recognized
+ *                  carries a tag of its version.  Other contents do no harm,
+ *                  and most are detected
  * @param t         the time since the state that the orbit was made from [T]
  * @param[out] out  the state
  * @return COIN_OK; COIN_EARG, also for contents that are seen not to be an
  *         orbit; COIN_ESTEP if t is not finite, 2^31 periods or more, or theta,
  *         phi, psi, x or z leaves its range.
- * Accuracy: the sum of these terms.  In theta, phi and psi 1e-14 rad; 1e-15 of
- *         conditioning for each period since the start; and
+ * Accuracy: the sum of these terms.  In theta, phi and psi 1e-14 rad; 1e-15
+ *         times conditioning for each period since the start; and
  *         4 u W (|t| + period), as from a rounding of t, where W is the fastest
  *         rate of the motion, Eq. (47), which is large in a pass close to flat.
  *         In x and z 1 + radius_max/radius times as many radii; in the rates W
@@ -755,15 +770,15 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         next to an unstable motion heading and roll may lose a thousand times
  *         1e-15 conditioning.  A steady motion also misses what
  *         coin_steady_at() leaves out: here 16 u of the terms of (39) over
- *         |lambda^2| in the lean, which heading and roll gather in time
- *         (make adversary).
+ *         |lambda^2| in the lean, which heading and roll gather in time (make
+ *         adversary).
  * Cost: less than a textbook Runge-Kutta step, whatever t is. */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
 
 /* --------------------------------------------------------------- models -- */
 
 /** The cheapest model that a scene needs: of the models below, the first that
- * keeps the pose as near to the full equations as asked.  Found by trial.
+ * keeps the pose within tol of the full equations.  It is found by trial.
  * @param horizon  how long, of either sign [T]
  * @param tol      > 0: by how much theta, phi, psi may be off [rad], and x, z
  *                 [radii] [1]
@@ -820,11 +835,11 @@ COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
                                       const coin_losses *l, coin_force *out);
 
 /** Moves a coin with losses by any time, to a stated accuracy, and tells when
- * it has come to rest: order 8 in Sundman's time, Eq. (32), (68), its error
- * estimated in each step; and the last fall, once the contact has stopped,
- * Eq. (72), by itself.
+ * it has come to rest.  The steps are of order 8 in Sundman's time, Eq. (32),
+ * (68), and each estimates its error.  Once the contact has stopped, the last
+ * fall is computed separately, Eq. (72).
  *
- * A disc, spun, until it lies flat:
+ * A disc that spins until it lies flat:
  * @code
  * const coin_losses l = {0, 1e-7, 0, 0, 0, 0, 0, 0};
  * coin_params p;
@@ -841,47 +856,48 @@ COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
  *                   unit of time, in radians and radii, before the motion's
  *                   own amplification [1]
  * @param[out] reached  the time moved by: t, or what was possible; may be null
- * @return COIN_OK; COIN_RESTS: the coin lies flat, *reached is when it came to,
- *         and s how: |theta| the last lean that coin_state_check() accepts, wX
- *         the speed of its fall, wX theta >= 0, wY = 0, wZ the turn left in
- *         its face.  From there coin_settle() returns COIN_RESTS and *reached =
- *         0.  The usual errors; COIN_EARG also for tol out of range;
- *         COIN_EPARAMS also as coin_losses_check(); COIN_ESTEP: t is negative
- *         or not finite, or beyond 1e15 natural units, and nothing was moved;
- *         or phi, psi, x or z leaves its range, or 2^20 steps were not enough:
- *         the state and *reached are then as far as it came, and another call
- *         goes on.
+ * @return COIN_OK; COIN_RESTS: the coin lies flat, and *reached is the time at
+ *         which it came to rest.  In s, |theta| is the last lean that
+ *         coin_state_check() accepts, wX the speed of the fall, wX theta >= 0,
+ *         wY = 0, and wZ the rate at which the face still turns.  Another call
+ *         from that state returns COIN_RESTS and *reached = 0.  The usual
+ *         errors; COIN_EARG also for tol out of range; COIN_EPARAMS also as
+ *         coin_losses_check(); COIN_ESTEP: t is negative or not finite, or
+ *         beyond 1e15 natural units, and nothing was moved; or phi, psi, x or z
+ *         leaves its range, or 2^20 steps were not enough.  In these cases the
+ *         state is that at *reached, and another call goes on.
  * Without any loss the state and *reached are those of coin_advance(), which
- * calls a fall COIN_EFLAT; pivoting friction alone never brings a coin to rest.
- * The coin is kept on the table, as by coin_advance(): coin_check() tells
- * whether a real one would slip or lift.  Where losses leave the contact no
- * stop, as damping and rolling do, the time below cos(theta) = 1e-10 is that of
- * the law of the end.
- * Accuracy: of random launches the error stays within tol per natural unit of
- *         time in 99 of 100 (test_settle), and where the contact does not turn
- *         round within 10 tol per radius of speed in all that were searched
- *         (docs/limits.md); the time of rest does not depend on how many calls
- *         it takes, to 1e-9.
+ * returns COIN_EFLAT for a fall.  Pivoting friction alone never brings a coin
+ * to rest.  The coin is kept on the table, as by coin_advance(): coin_check()
+ * tells whether a real one would slip or lift.  If the losses never stop the
+ * contact, as with damping or rolling, the time below cos(theta) = 1e-10 is
+ * that of the law by which such a motion ends.
+ * Accuracy: in 99 of 100 random launches the error stays within tol per natural
+ *         unit of time (test_settle).  Where the contact does not reverse, the
+ *         error stays within 10 tol per radius of speed in all launches that
+ *         were searched (docs/limits.md).  The time of rest does not depend on
+ *         the number of calls, to 1e-9.
  * Cost: some 3 RK8 steps per radian that the contact rolls by, at 1e-9; more
- *         where dry friction holds the contact: dry/(soft cos(theta)) of the
- *         moments of inertia is then the rate that steps have to follow. */
+ *         where dry friction holds the contact: the steps then have to follow
+ *         the rate dry/(soft cos(theta)), divided by a moment of inertia. */
 COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
                              const coin_losses *l, double t, double tol,
                              double *reached);
 
-/** The time until a coin lies flat, by the quasi-steady model: it goes through
- * steady motions, and what the losses take moves it along them.  Eq. (74).
- * @param s  near a steady motion; that one is followed
+/** The time until a coin lies flat, by the quasi-steady model: the coin goes
+ * through steady motions, and the losses move it from one to the next.
+ * Eq. (74).
+ * @param s  near a steady motion; the model follows that motion
  * @return the time [T]; 0 at rest; +infinity if nothing stops it: without
  *         losses that act, or by pivoting friction alone; NaN on the usual
  *         errors and coin_losses_check(), if the state swings about the steady
  *         motion by more than a tenth of its angle from flat, or if that motion
  *         is unstable, or becomes so before the coin lies flat, or if 2^15
  *         steps are not enough, as for absurdly fast coins.
- * Accuracy: the last fall is not quasi-steady: with m the loss in natural units
- *         the error is as m^1.2 to m^1.5, some 5e-4 for a coin that spins for
- *         seconds (docs/models.md, test_quasisteady).  The model itself is
- *         solved to 1e-6 of the time.
+ * Accuracy: the last fall is not quasi-steady: with m the loss in natural
+ *         units, the error is proportional to m^1.2 to m^1.5, some 5e-4 for a
+ *         coin that spins for seconds (docs/models.md, test_quasisteady).  The
+ *         model itself is solved to 1e-6 of the time.
  * Cost: up to 610 textbook steps. */
 COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
                                   const coin_losses *l);
@@ -891,24 +907,25 @@ COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
  * @param t         the time, >= 0 [T]
  * @param[out] out  the state at t: wX is the slow change of the lean, not a
  *                  swing; may be s
- * @return COIN_OK; COIN_RESTS: the coin lies flat before t, and *out is that,
- *         |theta| the last lean that coin_state_check() accepts, wX = wY = 0,
- *         wZ the turn left in its face; the usual errors; COIN_EPARAMS also as
- *         coin_losses_check(); COIN_ESTEP t negative or not finite, or phi,
- *         psi, x or z leaves its range; COIN_EDOMAIN the state is not near a
- *         stable steady motion, or that becomes unstable before t, or 2^15
- *         steps are not enough.
- * Accuracy: until the angle from flat is ten times the loss m in natural units,
- *         theta, wY and wZ as m^2, phi and psi as m: 70 m at half of the time
- *         to rest of a spin from 0.1 rad; x and z as phi (test_quasisteady).
- *         The model itself is solved to 1e-9.
+ * @return COIN_OK; COIN_RESTS: the coin lies flat before t, and *out is the
+ *         state at rest: |theta| the last lean that coin_state_check() accepts,
+ *         wX = wY = 0, and wZ the rate at which the face still turns; the usual
+ *         errors; COIN_EPARAMS also as coin_losses_check(); COIN_ESTEP t
+ *         negative or not finite, or phi, psi, x or z leaves its range;
+ *         COIN_EDOMAIN the state is not near a stable steady motion, or that
+ *         becomes unstable before t, or 2^15 steps are not enough.
+ * Accuracy: let m be the loss in natural units.  Until the angle from flat is
+ *         10 m, the errors of theta, wY and wZ are proportional to m^2, and
+ *         those of phi and psi to m: 70 m at half of the time to rest of a spin
+ *         from 0.1 rad.  x and z err as phi does (test_quasisteady).  The model
+ *         itself is solved to 1e-9.
  * Cost: up to 230 textbook steps, whatever t. */
 COIN_API int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
                                      const coin_losses *l, double t,
                                      coin_state *out);
 
-/** Losses that let a coin rest after a given time: all terms of *l but soft
- * times one factor.
+/** Scales losses so that a coin comes to rest after a given time: all members
+ * of *l but soft are multiplied by one factor.
  * @param[in,out] l  at least one term other than spin is not 0
  * @param s          as for coin_time_to_rest()
  * @param time       > 0 [T]

@@ -2,16 +2,16 @@
 /** @file coinf.h
  * librollcoin in single precision, for processors whose doubles are slow.
  *
- * What is here is coin.h's, name for name, with float for double: the same
- * sources, equations, units, statuses, order of arguments and promises.  Only
- * what differs is said here.  "u" is 2^-24 = 6.0e-8, and below the normal
- * floats, 1.2e-38, bounds do not hold.
+ * Each coinf_ function here is the coin_ function of that name, with float for
+ * double: the same sources, equations, units, statuses, order of arguments and
+ * promises.  Only what differs is said here.  "u" is 2^-24 = 6.0e-8, and bounds
+ * do not hold below the normal floats, 1.2e-38.
  *
- * STATE. A float holds 7 digits, and a loop of many small steps would lose
- * most of them.  So a state keeps in low what the rounding of its members left
- * out: theta + low[0] is the lean, and so on.  Functions that move a
- * state read and write low; those that read a state take its members alone.
- * Heading and roll come back within half a turn.
+ * STATE. A float holds 7 digits, and a loop of many small steps would lose most
+ * of them.  So a state keeps in low what the rounding of its members left out:
+ * theta + low[0] is the lean, and so on.  Functions that move a state read and
+ * write low.  Functions that only read a state ignore low.  Heading and roll
+ * are returned within half a turn of 0.
  *
  * ERROR. Over 20 natural units of time, by coinf_step() with any dt from 1e-3
  * to 2e-2 units, the pose is within 4e-6 radians and radii of the exact motion
@@ -51,8 +51,9 @@ typedef struct coinf_state {
     float wX;     /**< omega_X = d(theta)/dt [1/T] */
     float wY;     /**< omega_Y [1/T] */
     float wZ;     /**< omega_Z [1/T] */
-    float low[8]; /**< what rounding left out of the above, in their order; 0
-                       at the start, and best 0 for a member that is set */
+    float low[8]; /**< the rounding errors of the members above, in their
+                       order: 0 at the start.  Where you set a member, set its
+                       low to 0 */
 } coinf_state;
 
 /** The force of the table on the coin, as coin_force. */
@@ -68,14 +69,14 @@ typedef struct coinf_force {
 typedef struct coinf_losses {
     float damping; /**< alpha [1] */
     float dry;     /**< contour friction [M L^2/T^2] */
-    float viscous; /**< the same, as the rate of roll [M L^2/T] */
-    float layer;   /**< the same, as its power 3/2 [M L^2/T^(1/2)] */
-    float gap;     /**< the same, as that rate over cos(theta) [M L^2/T] */
-    float rolling; /**< the rolling moment of engines [M L^2/T^2] */
+    float viscous; /**< the same, proportional to the rate of roll [M L^2/T] */
+    float layer;   /**< the same, to its power 3/2 [M L^2/T^(1/2)] */
+    float gap;     /**< the same, to that rate over cos(theta) [M L^2/T] */
+    float rolling; /**< the rolling moment of physics engines [M L^2/T^2] */
     float spin;    /**< pivoting friction [M L^2/T] */
     float soft;    /**< the rate of roll below which dry and rolling fade
-                        [1/T]; 0 stands for sqrt(g/a)/1024, and less than
-                        2^-12 sqrt(g/a) for that */
+                        [1/T].  0 stands for sqrt(g/a)/1024; a value below
+                        2^-12 sqrt(g/a) stands for 2^-12 sqrt(g/a) */
 } coinf_losses;
 
 /* ----------------------------------------------------------- parameters -- */
@@ -116,8 +117,8 @@ COIN_API int32_t coinf_angular_velocity(const coinf_state *s, float omega[3]);
 
 /** One classical Runge-Kutta step of order 4: what a loop at a fixed rate
  * calls each time.
- * @return as coin_step(); the last stage stands for the end of the step where
- *         limits are looked at.
+ * @return as coin_step(), but the limits are checked at the last stage instead
+ *         of the end of the step.
  * Cost: on a Cortex-M4F 1,220 instructions, a quarter of them for the checks;
  *         coinf_run() does those once (docs/guide.md). */
 COIN_API int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt);
@@ -151,8 +152,8 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
 
 /** Moves a coin that loses energy, and tells when it rests: as coin_settle(),
  * by Runge-Kutta steps of order 4 in t whose length follows the state.  A loop
- * at a fixed rate calls it each time.  None of its steps is done twice. Without
- * any loss it moves an ideal coin, and calls a fall COIN_RESTS.
+ * at a fixed rate calls it each time.  No step is repeated.  Without any loss
+ * it moves an ideal coin, and returns COIN_RESTS if that falls flat.
  * @param[in,out] s  the state; at rest theta is the last lean that
  *                   coinf_state_check() accepts
  * @param t          the time, 0 to 1e6 natural units [T]
@@ -162,11 +163,12 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  * @return as coin_settle(), but COIN_ESTEP after 2^16 steps in one call: the
  *         state and *reached are then as far as it came, and another call goes
  *         on.
- * A coin nearer to flat than 3e-8 rad lies flat.  Where losses leave the
- * contact no stop, the time below cos(theta) = 1e-5 is that of the law of the
- * end. Accuracy: of random launches the error stays within tol per natural unit
- * of time in 98 of 100; a quarter that turns for 8 s, in calls of 1 ms or of
- * 1/60 s, rests within 1e-5 s of the time that coin_settle() gives
+ * A coin nearer to flat than 3e-8 rad counts as flat.  If the losses never
+ * stop the contact, the time below cos(theta) = 1e-5 is that of the law by
+ * which such a motion ends.
+ * Accuracy: in 98 of 100 random launches the error stays within tol per natural
+ *         unit of time.  A quarter that turns for 8 s, in calls of 1 ms or of
+ *         1/60 s, rests within 1e-5 s of the time that coin_settle() gives
  *         (test_float_settle).
  * Cost: on a Cortex-M4F 2,230 instructions for a call of one step, by dry
  *         friction, and 1,088 bytes of stack.  A quarter's 8 s take 8,263 steps
