@@ -152,6 +152,19 @@ static void a_coin_that_would_lift_off_is_kept_where_it_does(void **unused)
                  COIN_ELIFT);
     check(reached == 0);
     check_same(&d, &again, sizeof d);
+    const coin_slide none[] = {
+        {{.theta = 0.2, .wX = 3}, 1, 0},         /* slips */
+        {{.theta = 0, .wX = 1}, 0, 1},           /* rolls; N = 0 */
+        {{.theta = 0, .wX = 1.0625}, 0, 1.0625}, /* rolls; F = 0 */
+    };
+    for (int i = 0; i < 3; ++i) {
+        d = none[i];
+        check_status(
+            coin_slide_advance(&d, &p, &rough, NULL, 1, 1e-9, &reached),
+            COIN_ELIFT);
+        check(reached == 0);
+        check_same(&d, &none[i], sizeof d);
+    }
     /* One that lifts off on its way. */
     struct random r = random_begin(176);
     int lifted = 0;

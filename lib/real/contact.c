@@ -213,8 +213,8 @@ coin_priv_direction coin_priv_onset(const coin_priv_table *table,
     double x0 = 0, off0 = turn_away(&o, table, y, &fan, 0);
     double x1 = 1, off1 = turn_away(&o, table, y, &fan, 1);
     double x = fabs(off0) < fabs(off1) ? x0 : x1, step = 1;
-    for (int i = 0; (i < TRIALS) & (step > DBL_EPSILON) &
-                    ((off0 < 0) != (off1 < 0));
+    for (int i = 0;
+         (i < TRIALS) & (step > DBL_EPSILON) & ((off0 < 0) != (off1 < 0));
          ++i) {
         x = x0 + (x1 - x0) * (off0 / (off0 - off1));
         const double off = turn_away(&o, table, y, &fan, x);

@@ -49,8 +49,7 @@ static coin_priv_slip after(const coin_priv_sliding *g,
     const struct onset to = onset_of(g);
     const double half = tau / 2;
     const double u = g->gained + half * (from->slope + to.slope);
-    coin_priv_slip y =
-        coin_priv_slip_of(&g->w.run.g.y, u * to.n.X, u * to.n.h);
+    coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, u * to.n.X, u * to.n.h);
     y.wX += half * (from->slides.wX - from->rolls.wX);
     y.wY += half * (from->slides.wY - from->rolls.wY);
     y.wZ += half * (from->slides.wZ - from->rolls.wZ);
@@ -116,8 +115,8 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     const coin_priv_slip start = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
     const double seed = COIN_PRIV_SLIP_SEED * g->table.w0;
     const double r4 = sqrt(sqrt(g->tol));
-    const double wait = coin_priv_sundman_tau(&g->w.run.b, &g->w.run.g.y,
-                                              2 * r4 * sqrt(r4));
+    const double wait =
+        coin_priv_sundman_tau(&g->w.run.b, &g->w.run.g.y, 2 * r4 * sqrt(r4));
     g->seen = 0;
     if (!coin_priv_can_slip(&g->table, &start))
         return COIN_ELIFT;
