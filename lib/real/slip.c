@@ -18,6 +18,10 @@
  * its direction. */
 #define SLIP_ERROR 1e-4
 
+/* A slip is a straight line for this part, times sqrt(tol), of the time in which
+ * the coin moves. */
+#define BRIEF 0.25
+
 /* A step tried. */
 struct tried {
     coin_priv_slip to;
@@ -46,8 +50,10 @@ static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
     const double sth = y->sth, cth = y->cth;
     const coin_priv_direction n = {y->uX / u, y->uh / u};
     const double N = coin_priv_kinetic(t, y, n).N;
-    const double lever = 1 + t->b.m / t->b.IX;
-    const double settle = t->mu_kinetic * N * lever / (u + t->w0);
+    const double lever = t->b.m / t->b.IX;
+    const double across = n.h * n.h * (1 + t->b.m / t->b.IZ) +
+                          n.X * n.X * (1 + lever) / (1 + lever * sth * sth);
+    const double settle = t->mu_kinetic * N * across / (u + t->w0);
     const double own = 1 / coin_priv_sundman_tau(&t->b, &g->w.run.g.y, 1);
     double rate = scale * own + RELAX * settle;
     if (g->lossy && !t->held) {
@@ -206,22 +212,42 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
     }
 }
 
-/* The end of a slip whose speed is all but 0: the coin rolls, or slips on in
- * another direction. */
-static int32_t end_slip(coin_priv_sliding *g, const coin_priv_slip *d)
+/* The sigma of a slip so brief that it is a straight line, in which the error is
+ * of the second order; 0 where friction turns, or is held. */
+static double brief_of(const coin_priv_sliding *g, const coin_priv_slip *y,
+                       const coin_priv_slip *d)
 {
-    coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
-    const double last = speed(&y) / -growth(&y, d);
-    double *at = (double *)&y;
+    const double u = speed(y), part = BRIEF * sqrt(g->tol);
+    const double turn = y->uX / u * d->uh - y->uh / u * d->uX;
+    if (g->table.held || fabs(turn) > part * fabs(growth(y, d)))
+        return 0;
+    const double own = coin_priv_sundman_tau(&g->table.b, &g->w.run.g.y, part);
+    return own / coin_priv_slip_scale(&g->table, u);
+}
+
+/* A straight line of so many sigma, or to the end of the time. */
+static int32_t go_straight(coin_priv_sliding *g, coin_priv_slip *y,
+                           const coin_priv_slip *d, double h)
+{
+    double *at = (double *)y;
     const double *by = (const double *)d;
     for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
-        at[i] += last * by[i];
-    y.uX = y.uh = 0;
-    if (y.t > g->rem.sum)
-        y.t = g->rem.sum;
+        at[i] += h * by[i];
+    if (y->t > g->rem.sum)
+        y->t = g->rem.sum;
+    return coin_priv_slip_take(g, y);
+}
+
+/* The end of a slip whose speed is all but 0: the coin rolls, or slips on in
+ * another direction. */
+static int32_t end_slip(coin_priv_sliding *g, coin_priv_slip *y,
+                        const coin_priv_slip *d)
+{
+    const double last = speed(y) / -growth(y, d);
+    const int32_t status = go_straight(g, y, d, last);
     g->slips = g->seen = 0;
-    g->gained = 0;
-    return coin_priv_slip_take(g, &y);
+    g->uX = g->uh = g->gained = 0;
+    return status;
 }
 
 /* Whether the contact of a slipping coin near flat has stopped, and the losses
@@ -248,8 +274,13 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
         return coin_priv_lie(&g->w.run);
     g->table.held = is_held(g, &y);
     coin_priv_slip_slopes((double *)&d, (const double *)&y, &g->table);
-    if (growth(&y, &d) < 0 && speed(&y) < COIN_PRIV_SLIP_LEAST * g->table.w0)
-        return end_slip(g, &d);
+    const double u = speed(&y), grows = growth(&y, &d);
+    const double brief = brief_of(g, &y, &d);
+    if (grows < 0 &&
+        (u < COIN_PRIV_SLIP_LEAST * g->table.w0 || u < -grows * brief))
+        return end_slip(g, &y, &d);
+    if (grows * brief > 9 * u && d.t * brief < g->rem.sum)
+        return go_straight(g, &y, &d, brief);
     const double rate = rate_of(g, &y);
     double h;
     struct tried r = step(g, &h, rate, bound_of(g, &y, &d));
