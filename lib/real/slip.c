@@ -18,9 +18,10 @@
  * its direction. */
 #define SLIP_ERROR 1e-4
 
-/* A slip is a straight line for this part, times sqrt(tol), of the time in which
- * the coin moves. */
+/* A slip is a straight line for this part, times sqrt(tol) and at most
+ * BRIEFEST, of the time in which the coin moves. */
 #define BRIEF 0.25
+#define BRIEFEST 0.002
 
 /* A step tried. */
 struct tried {
@@ -212,12 +213,13 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
     }
 }
 
-/* The sigma of a slip so brief that it is a straight line, in which the error is
- * of the second order; 0 where friction turns, or is held. */
+/* The sigma of a slip so brief that it is a straight line, in which the error
+ * is of the second order; 0 where friction turns, or is held. */
 static double brief_of(const coin_priv_sliding *g, const coin_priv_slip *y,
                        const coin_priv_slip *d)
 {
-    const double u = speed(y), part = BRIEF * sqrt(g->tol);
+    const double u = speed(y);
+    const double part = coin_priv_lesser(BRIEF * sqrt(g->tol), BRIEFEST);
     const double turn = y->uX / u * d->uh - y->uh / u * d->uX;
     if (g->table.held || fabs(turn) > part * fabs(growth(y, d)))
         return 0;
@@ -225,29 +227,34 @@ static double brief_of(const coin_priv_sliding *g, const coin_priv_slip *y,
     return own / coin_priv_slip_scale(&g->table, u);
 }
 
-/* A straight line of so many sigma, or to the end of the time. */
-static int32_t go_straight(coin_priv_sliding *g, coin_priv_slip *y,
-                           const coin_priv_slip *d, double h)
+/* A straight line of so many sigma, or to the end of the time: whether it comes
+ * to its end before. */
+static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
+                       double rem)
 {
+    const int fits = d->t * h <= rem;
     double *at = (double *)y;
     const double *by = (const double *)d;
     for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
-        at[i] += h * by[i];
-    if (y->t > g->rem.sum)
-        y->t = g->rem.sum;
-    return coin_priv_slip_take(g, y);
+        at[i] += (fits ? h : rem / d->t) * by[i];
+    if (!fits)
+        y->t = rem;
+    return fits;
 }
 
-/* The end of a slip whose speed is all but 0: the coin rolls, or slips on in
- * another direction. */
-static int32_t end_slip(coin_priv_sliding *g, coin_priv_slip *y,
-                        const coin_priv_slip *d)
+/* A brief slip, or the end of one whose speed is all but 0, from where on the
+ * coin rolls, or slips on in another direction. */
+static int32_t slip_briefly(coin_priv_sliding *g, coin_priv_slip *y,
+                            const coin_priv_slip *d, double h)
 {
-    const double last = speed(y) / -growth(y, d);
-    const int32_t status = go_straight(g, y, d, last);
-    g->slips = g->seen = 0;
-    g->uX = g->uh = g->gained = 0;
-    return status;
+    const double grows = growth(y, d);
+    const double by = grows < 0 ? speed(y) / -grows : h;
+    if (go_straight(y, d, by, g->rem.sum) && grows < 0) {
+        y->uX = y->uh = 0;
+        g->slips = g->seen = 0;
+        g->gained = 0;
+    }
+    return coin_priv_slip_take(g, y);
 }
 
 /* Whether the contact of a slipping coin near flat has stopped, and the losses
@@ -276,11 +283,10 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
     coin_priv_slip_slopes((double *)&d, (const double *)&y, &g->table);
     const double u = speed(&y), grows = growth(&y, &d);
     const double brief = brief_of(g, &y, &d);
-    if (grows < 0 &&
-        (u < COIN_PRIV_SLIP_LEAST * g->table.w0 || u < -grows * brief))
-        return end_slip(g, &y, &d);
-    if (grows * brief > 9 * u && d.t * brief < g->rem.sum)
-        return go_straight(g, &y, &d, brief);
+    const int ends =
+        u < COIN_PRIV_SLIP_LEAST * g->table.w0 || u < -grows * brief;
+    if (grows < 0 ? ends : u < grows * brief / 9)
+        return slip_briefly(g, &y, &d, brief);
     const double rate = rate_of(g, &y);
     double h;
     struct tried r = step(g, &h, rate, bound_of(g, &y, &d));
