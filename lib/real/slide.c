@@ -55,21 +55,24 @@ double coin_priv_place(coin_priv_sliding *g, coin_priv_event *event, double at0,
                        double h1, double at1)
 {
     double h0 = 0;
+    int before = 0;
     for (int i = 0; i < TRIALS; ++i) {
         /* The halves may underflow. */
         if (!((h1 - h0 > 2 * DBL_EPSILON * h1) & (at0 > 0)))
             break;
         const double h = h0 + (h1 - h0) * (at0 / (at0 - at1));
         const double at = event(g, h);
-        if (at >= 0) {
+        const int side = at < 0 ? -1 : 1;
+        if (side > 0) {
             h0 = h;
             at0 = at;
-            at1 /= 2; /* Illinois */
+            at1 *= before == side ? 0.5 : 1; /* Illinois */
         } else {
             h1 = h;
             at1 = at;
-            at0 /= 2;
+            at0 *= before == side ? 0.5 : 1;
         }
+        before = side;
     }
     return h0;
 }
