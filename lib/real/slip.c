@@ -7,16 +7,16 @@
 #include "slide.h"
 
 /* How much of the rate at which the direction of a slip settles counts: a step
- * of COIN_PRIV_LONGEST_STRIDE is then 4 of its relaxation times, and the method
+ * of COIN_PRIV_LONGEST_STRIDE is then 5 of its relaxation times, and the method
  * is stable up to 6. */
-#define RELAX 0.3
+#define RELAX 0.24
 
 /* The part of the way to where the contact turns round that a step may go. */
 #define TURN_ROUND 0.5
 
 /* The error of the slip velocity over the slip velocity, at most: friction has
  * its direction. */
-#define SLIP_ERROR 1e-4
+#define SLIP_ERROR 1e-2
 
 /* A slip is a straight line for this part, times sqrt(tol) and at most
  * BRIEFEST, of the time in which the coin moves. */
