@@ -237,17 +237,19 @@ void coin_priv_see(coin_priv_sliding *g)
  * *last: whether it takes the rest of the time. */
 static double next_step(coin_priv_sliding *g, double rate, int *last)
 {
-    const coin_priv_run *r = &g->w.run;
-    *last = is_last(g, g->rem.sum, rate);
-    if (*last && !g->lossy)
-        return land(g, g->rem.sum);
-    const double tau = coin_priv_roll_step(g, rate, (double)INFINITY);
-    const double left = g->rem.sum - r->g.added.t;
-    if (g->lossy || left == 0 || !is_last(g, left, rate) ||
-        fabs(tau) * rate > TOGETHER * g->roll_stride)
-        return tau;
+    double left = g->rem.sum, tau = 0;
+    *last = is_last(g, left, rate);
+    if (g->lossy || !*last) {
+        tau = coin_priv_roll_step(g, rate, (double)INFINITY);
+        if (g->lossy || tau == 0)
+            return tau;
+        left -= g->w.run.g.added.t;
+        const int is_short = fabs(tau) * rate < TOGETHER * g->roll_stride;
+        *last = (left != 0) & is_short && is_last(g, left, rate);
+        if (!*last)
+            return tau;
+    }
     const double more = land(g, left);
-    *last = 1;
     return more == 0 ? 0 : tau + more;
 }
 

@@ -30,8 +30,8 @@ typedef struct coin_priv_sliding {
     coin_priv_progress from; /* where a rolling step began, and its number */
     uint64_t steps;
     coin_priv_end end; /* of the last rolling step, if seen */
-    int seen;   /* if `end` holds, and the coin rolls there */
-    int landed; /* if the run holds theta */
+    int seen;          /* if `end` holds, and the coin rolls there */
+    int landed;        /* if the run holds theta */
 } coin_priv_sliding;
 
 /* The most steps of a call, those refused included. */
