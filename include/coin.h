@@ -134,6 +134,21 @@ typedef struct coin_losses {
                          2^-30 sqrt(g/a) stands for 2^-30 sqrt(g/a) */
 } coin_losses;
 
+/** Coulomb's dry friction between coin and table. */
+typedef struct coin_friction {
+    double mu_static;  /**< the most friction of a contact that does not slip,
+                            over N; >= mu_kinetic, may be +infinity [1] */
+    double mu_kinetic; /**< friction of one that slips, over N; 0 to the bound
+                            of Painleve, Eq. (86) [1] */
+} coin_friction;
+
+/** A coin that may slip. */
+typedef struct coin_slide {
+    coin_state s; /**< where it is and how it turns */
+    double vx;    /**< velocity of the centre along x and z [L/T] */
+    double vz;
+} coin_slide;
+
 /** A motion that coin_orbit_init() solves once, so that coin_orbit_at() gives
  * its state at any time.  It holds half a period of theta, in pieces that are
  * polynomials of time: 32 KiB.  It has no pointers, so that it may be copied,
@@ -187,8 +202,10 @@ enum {
                             or too far from it for a small wobble, or its
                             motion has no well-defined period */
     COIN_EFLAT = -6,   /**< the coin falls flat within the time asked */
-    COIN_EBUILD = -7   /**< this build does not give the pinned bits:
+    COIN_EBUILD = -7,  /**< this build does not give the pinned bits:
                             coin_selftest() */
+    COIN_ELIFT = -8    /**< a coin that may slip lifts off the table within the
+                            time asked */
 };
 
 /** Status: positive = done, with these warning bits. */
@@ -920,6 +937,106 @@ COIN_API int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
 COIN_API int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
                                  const coin_params *p, double time);
 
+/* ----------------------------------------------------- coins that slip -- */
+
+/** A coin that rolls, as one that may slip.  Eq. (20).
+ * @param[out] d  the state *s, with the velocity that it rolls with
+ * @return COIN_OK; the usual errors.
+ * Accuracy: 8 u of the terms (test_slide). */
+COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
+                               const coin_params *p);
+
+/** Moves a coin that may slip by any time, to a stated accuracy.  It rolls as
+ * long as the friction that this needs is below mu_static N, then slips against
+ * mu_kinetic N, then rolls again.  Where one becomes the other is located, also
+ * inside a step.  Eq. (77)-(87).
+ *
+ * A quarter that is thrown along the table, until it rolls:
+ * @code
+ * const coin_friction f = {0.35, 0.3};
+ * coin_params p;
+ * coin_slide d = {{0.1, 0, 0, 0, 0, 0, 0, 0}, 0.5, 0};
+ * double when = 0;
+ * coin_params_disc(&p, 0.00567, 0.01213, 9.80665);
+ * while (coin_slide_advance(&d, &p, &f, NULL, 1e-3, 1e-9, NULL) == COIN_SLIPS)
+ *     when += 1e-3;
+ * printf("rolls after %g s\n", when);
+ * @endcode
+ * @param[in,out] d  the slide
+ * @param f          the friction
+ * @param l          losses, whose damping is 0; may be null: none
+ * @param t          the time, >= 0 [T]
+ * @param tol        1e-13 to 1e-2: as coin_advance() and, with losses, as
+ *                   coin_settle() [1]
+ * @param[out] reached  the time moved by: t, or what was possible; may be null
+ * @return COIN_OK: it rolls at the end; COIN_SLIPS: it slips at the end.
+ *         COIN_RESTS: the coin lies flat, *reached is when it came to, and d->s
+ *         how, as coin_settle() says; a fall without losses is COIN_RESTS too.
+ *         From there it returns COIN_RESTS, and *reached = 0.
+ *         COIN_ELIFT: the normal force has come to 0, and the coin would lift
+ *         off: the slide and *reached are those of that moment.  If N <= 0 at
+ *         the start, *reached = 0 and nothing was moved.  N is that of
+ *         coin_slide_reaction(): of a coin that rolls and needs more than
+ *         mu_static that of the slip that begins, which may be > 0 where
+ *         rolling would take a table that pulls.
+ *         The usual errors.  COIN_EARG: also for tol out of range.
+ *         COIN_EPARAMS: also as coin_losses_check(), for damping > 0, which has
+ *         no meaning where nothing rolls, and if mu_kinetic is negative, not
+ *         finite, above mu_static, or not below the bound of Painleve,
+ *         2 sqrt(k (1 + k)) with k = I_X/(M a^2), Eq. (86): 1.118 for a disc,
+ *         1.732 for a hoop.  Beyond that bound Coulomb's friction has no
+ *         definite motion.  COIN_ESTATE: also if vx or vz is not finite, or so
+ *         large that energies would overflow.  COIN_ESTEP: t is negative or not
+ *         finite, or beyond 1e15 natural units, and nothing was moved; or phi,
+ *         psi, x or z leaves its range, or 2^20 steps were not enough: the
+ *         slide and *reached are then as far as it came, and another call goes
+ *         on.
+ * t = 0 changes nothing, and says COIN_OK or COIN_SLIPS.  A coin whose slip
+ * speed is below 1e-10 sqrt(g a) rolls; so does one whose friction exceeds its
+ * limit by a part of 1e-14, which is rounding.  Without a slip the motion is
+ * that of coin_advance().
+ * mu_static = mu_kinetic is accepted.  A slip then begins without acceleration,
+ * and some hundred to 100,000 steps are taken until it has grown; COIN_ESTEP,
+ * if ever, means that this was not enough.  mu_kinetic some per cent below
+ * mu_static, as that of real tables is, costs a few dozen steps.
+ * Accuracy: times of events to 1e-8 at tol = 1e-10, where the motion determines
+ *         them (test_slide); a slip that nearly ends, and does not, has a
+ *         direction that turns round at once, and its time is less well
+ *         determined than the motion after it.
+ * Cost: while it rolls 1.5 times that of coin_advance() (make slide-study);
+ *         docs/models.md has more. */
+COIN_API int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
+                                    const coin_friction *f,
+                                    const coin_losses *l, double t, double tol,
+                                    double *reached);
+
+/** Kinetic energy, of the velocity that it has, plus potential energy.
+ * Eq. (88).
+ * @return the energy [M L^2/T^2]; NaN on the usual errors, COIN_ESTATE as
+ *         coin_slide_advance().
+ * Accuracy: 8 u of the terms (test_slide). */
+COIN_API double coin_slide_energy(const coin_slide *d, const coin_params *p);
+
+/** The force of the table: that of rolling, of a coin that rolls, and that of
+ * the slip of one that slips.  Of a coin that rolls and needs more friction
+ * than mu_static gives, it is that of the slip that begins.  Eq. (79)-(82),
+ * (84).
+ * @param l         losses; may be null: none
+ * @param[out] out  the force
+ * @return COIN_OK; the usual errors; COIN_EPARAMS and COIN_ESTATE also as
+ *         coin_slide_advance(), and COIN_ESTATE if a force would overflow.
+ * Accuracy: 32 u of the terms over cos(theta) (test_slide). */
+COIN_API int32_t coin_slide_reaction(const coin_slide *d, const coin_params *p,
+                                     const coin_friction *f,
+                                     const coin_losses *l, coin_force *out);
+
+/** The slip velocity: that of the material point of contact.  Eq. (77).
+ * @param[out] u  [2] along x and z; 0 where it rolls, to rounding [L/T]
+ * @return COIN_OK; the usual errors; COIN_ESTATE also as coin_slide_advance().
+ * Accuracy: 8 u of the terms (test_slide). */
+COIN_API int32_t coin_slide_velocity(const coin_slide *d, const coin_params *p,
+                                     double u[2]);
+
 /* ------------------------------------------------ version and self-test -- */
 
 /** The library's version, 0xMMmmpp; compare with the COIN_VERSION_ macros to
@@ -944,6 +1061,12 @@ COIN_API uint32_t coin_sizeof_force(void);
 
 /** sizeof(coin_losses) as the library was compiled: 64. */
 COIN_API uint32_t coin_sizeof_losses(void);
+
+/** sizeof(coin_friction) as the library was compiled: 16. */
+COIN_API uint32_t coin_sizeof_friction(void);
+
+/** sizeof(coin_slide) as the library was compiled: 80. */
+COIN_API uint32_t coin_sizeof_slide(void);
 
 /** sizeof(coin_orbit) as the library was compiled: 32,768. */
 COIN_API uint32_t coin_sizeof_orbit(void);

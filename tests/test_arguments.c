@@ -18,6 +18,7 @@ enum { BUFFER = 32768 }; /* what a coin_orbit has room in */
 static const coin_state good_state = {0, 1, 2, 3, 4, 0, 0, 5};
 static const coin_params good_params = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
 static const coin_losses good_losses = {0, 1e-6, 0, 0, 0, 0, 0, 0};
+static const coin_friction good_friction = {0.5, 0.4};
 static const double good_doubles[4] = {0.5, 0.1, 0.2, 0.3};
 
 struct arguments {
@@ -40,6 +41,15 @@ static void place_orbit(struct arguments *a, size_t i)
     place(a, i, &o, sizeof o);
 }
 
+/* Rolls as the good state does. */
+static void place_slide(struct arguments *a, size_t i, const coin_state *s)
+{
+    coin_slide d;
+    check_status(coin_slide_of(&d, &good_state, &good_params), COIN_OK);
+    d.s = *s;
+    place(a, i, &d, sizeof d);
+}
+
 /* Outputs hold a pattern. */
 static struct arguments arguments_for(const struct function *f,
                                       const coin_state *s, const coin_params *p)
@@ -55,6 +65,10 @@ static struct arguments arguments_for(const struct function *f,
             place(&a, i, good_doubles, sizeof good_doubles);
         else if (f->kinds[i] == 'l')
             place(&a, i, &good_losses, sizeof good_losses);
+        else if (f->kinds[i] == 'f')
+            place(&a, i, &good_friction, sizeof good_friction);
+        else if (f->kinds[i] == 'g' || f->kinds[i] == 'G')
+            place_slide(&a, i, s);
         else if (f->kinds[i] == 'b')
             place_orbit(&a, i);
     }
@@ -99,7 +113,7 @@ static void good_arguments_are_accepted_and_outputs_written(void **unused)
         for (size_t i = 0; i < POINTERS; ++i) {
             const char kind = i < strlen(f->kinds) ? f->kinds[i] : '-';
             check_note("%s, pointer %zu", f->name, i);
-            check(changed(&a, &before, i) == (strchr("SPon", kind) != NULL));
+            check(changed(&a, &before, i) == (strchr("SGPon", kind) != NULL));
         }
     }
 }
@@ -194,7 +208,7 @@ static void bad_states_are_refused_by_all(void **unused)
     for (size_t k = 0; k < function_count; ++k) {
         const struct function *f = &functions[k];
         const int knows = strchr(f->kinds, 'p') != NULL;
-        if (f->kinds[0] != 's' && f->kinds[0] != 'S')
+        if (!strchr("sSgG", f->kinds[0]))
             continue;
         for (size_t i = 0; i < sizeof bad_states / sizeof *bad_states; ++i) {
             const int32_t want =

@@ -11,6 +11,8 @@ static void the_sizes_are_those_of_the_headers(void **unused)
     check(coin_sizeof_state() == 64 && sizeof(coin_state) == 64);
     check(coin_sizeof_force() == 48 && sizeof(coin_force) == 48);
     check(coin_sizeof_losses() == 64 && sizeof(coin_losses) == 64);
+    check(coin_sizeof_friction() == 16 && sizeof(coin_friction) == 16);
+    check(coin_sizeof_slide() == 80 && sizeof(coin_slide) == 80);
     check(coin_sizeof_orbit() == 32768 && sizeof(coin_orbit) == 32768);
     check(coinf_sizeof_params() == 32 && sizeof(coinf_params) == 32);
     check(coinf_sizeof_state() == 64 && sizeof(coinf_state) == 64);

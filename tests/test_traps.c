@@ -32,6 +32,8 @@ CALL(coin_sizeof_state, done(coin_sizeof_state()))
 CALL(coin_sizeof_params, done(coin_sizeof_params()))
 CALL(coin_sizeof_force, done(coin_sizeof_force()))
 CALL(coin_sizeof_losses, done(coin_sizeof_losses()))
+CALL(coin_sizeof_friction, done(coin_sizeof_friction()))
+CALL(coin_sizeof_slide, done(coin_sizeof_slide()))
 CALL(coin_sizeof_orbit, done(coin_sizeof_orbit()))
 CALL(coin_params_disc,
      coin_params_disc(&made, c->p.mass, c->p.radius, c->p.gravity))
@@ -140,6 +142,12 @@ static double some_time(const struct trap_case *c)
         sqrt(wX * wX + wY * wY + wZ * wZ + c->p.gravity / c->p.radius);
     return fmin(c->t, 1e3 / w);
 }
+
+/* For what takes more steps. */
+static double less_time(const struct trap_case *c)
+{
+    return some_time(c) / 100;
+}
 CALL(coin_advance, coin_advance(copy(&c->s), &c->p, some_time(c), 1e-6, NULL))
 CALL(coin_advance_until,
      coin_advance_until(copy(&c->s), &c->p, some_time(c), 1e-6, c->mu,
@@ -176,7 +184,7 @@ WITH_LOSSES(coin_losses_power,
             isnan(coin_losses_power(&c->s, &c->p, &l)) ? COIN_ESTATE : COIN_OK)
 WITH_LOSSES(coin_losses_rates, coin_losses_rates(&c->s, &c->p, &l, &out))
 WITH_LOSSES(coin_settle,
-            coin_settle(copy(&c->s), &c->p, &l, some_time(c), 1e-6, NULL))
+            coin_settle(copy(&c->s), &c->p, &l, less_time(c), 1e-6, NULL))
 WITH_LOSSES(coin_time_to_rest,
             isnan(coin_time_to_rest(&c->s, &c->p, &l)) ? COIN_ESTATE : COIN_OK)
 WITH_LOSSES(coin_quasisteady_at,
@@ -190,6 +198,38 @@ static int32_t call_coin_losses_reaction(const struct trap_case *c)
     coin_force force;
     return coin_losses_reaction(&c->s, &c->p, &l, &force);
 }
+
+/* -------------------------------------------------------------------- slides
+ */
+/* Slips, or rolls if dt is negative. */
+static coin_slide slide(const struct trap_case *c)
+{
+    coin_slide d = {c->s, c->dt, c->t};
+    if (c->dt < 0)
+        coin_slide_of(&d, &c->s, &c->p);
+    return d;
+}
+
+#define WITH_SLIDE(name, expression)                                           \
+    static int32_t call_##name(const struct trap_case *c)                      \
+    {                                                                          \
+        const coin_friction f = {0.3, 0.25};                                   \
+        coin_losses l = losses(c);                                             \
+        coin_slide d = slide(c);                                               \
+        coin_force force;                                                      \
+        l.damping = 0;                                                         \
+        (void)f, (void)l, (void)force;                                         \
+        return expression;                                                     \
+    }
+WITH_SLIDE(coin_slide_of, coin_slide_of(&d, &c->s, &c->p))
+WITH_SLIDE(coin_slide_advance,
+           coin_slide_advance(&d, &c->p, &f, c->t < 0 ? &l : NULL,
+                              fabs(less_time(c)), 1e-6, NULL))
+WITH_SLIDE(coin_slide_energy,
+           isnan(coin_slide_energy(&d, &c->p)) ? COIN_ESTATE : COIN_OK)
+WITH_SLIDE(coin_slide_reaction,
+           coin_slide_reaction(&d, &c->p, &f, c->t < 0 ? &l : NULL, &force))
+WITH_SLIDE(coin_slide_velocity, coin_slide_velocity(&d, &c->p, v))
 
 CALL(coin_max_dt,
      isnan(coin_max_dt(&c->s, &c->p, COIN_RK4, 1e-6)) ? COIN_ESTATE : COIN_OK)
@@ -244,6 +284,8 @@ static const struct trap_function all[] = {
     ROW(coin_sizeof_params),
     ROW(coin_sizeof_force),
     ROW(coin_sizeof_losses),
+    ROW(coin_sizeof_friction),
+    ROW(coin_sizeof_slide),
     ROW(coin_sizeof_orbit),
     ROW(coin_selftest),
     ROW(coin_params_disc),
@@ -300,6 +342,11 @@ static const struct trap_function all[] = {
     ROW(coin_time_to_rest),
     ROW(coin_quasisteady_at),
     ROW(coin_losses_fit),
+    ROW(coin_slide_of),
+    ROW(coin_slide_advance),
+    ROW(coin_slide_energy),
+    ROW(coin_slide_reaction),
+    ROW(coin_slide_velocity),
 };
 
 static void no_call_that_succeeds_traps(void **unused)

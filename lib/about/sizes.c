@@ -25,6 +25,16 @@ uint32_t coin_sizeof_losses(void)
     return (uint32_t)sizeof(coin_losses);
 }
 
+uint32_t coin_sizeof_friction(void)
+{
+    return (uint32_t)sizeof(coin_friction);
+}
+
+uint32_t coin_sizeof_slide(void)
+{
+    return (uint32_t)sizeof(coin_slide);
+}
+
 uint32_t coin_sizeof_orbit(void)
 {
     return (uint32_t)sizeof(coin_orbit);

@@ -14,6 +14,7 @@ static const char errors[][72] = {
     "not a steady motion, not a small wobble, or not an orbit",
     "the coin falls flat",
     "this build does not give the pinned bits",
+    "the coin lifts off the table",
 };
 
 static const char warnings[][56] = {
@@ -37,7 +38,7 @@ static const char warnings[][56] = {
 
 const char *coin_status_string(int32_t status)
 {
-    if (status <= 0 && status >= COIN_EBUILD)
+    if (status <= 0 && status >= COIN_ELIFT)
         return errors[-status];
     if (status == COIN_RESTS)
         return "done: the coin lies flat, at rest";

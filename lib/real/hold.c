@@ -109,18 +109,18 @@ int PRIV(held)(const PRIV(losses) * l, const PRIV(body) * b,
 {
     const real cth = y->cth, wX = y->wX;
     const real u = cth * y->wZ + y->sth * y->wY;
-    const real small2 = eps * eps * (l->J * wX * wX + b->Mga * cth) / l->IX;
+    const real small2 = PRIV(slow2)(l, b, y, eps);
     if (!(cth < NEAR_FLAT && u * u <= small2))
         return 0;
     /* The largest torque along e_Z that holding the contact takes, against what
      * the losses give as long as u is small. */
     const PRIV(held_fall) f = PRIV(fall_of)(l, y);
-    const real turn = f.L / inertia(l, cth), small = SQRT(small2);
+    const real turn = f.L / inertia(l, cth);
     const real A = slope(&f, l, b).v;
     const real fastest = SQRT(wX * wX + 2 * A * f.x);
     const real twice = l->K * (2 * l->IX - b->IZ);
     const real lever =
         (twice + cth * cth * b->IZ * (l->K - l->IX)) / inertia(l, cth);
     const real need = FABS(turn * lever) * cth * fastest; /* (73) */
-    return need <= small * PRIV(grip)(l, small, cth);
+    return need <= PRIV(hold)(l, small2, cth);
 }

@@ -14,6 +14,21 @@ typedef struct PRIV(held_fall) {
     real phi; /* the heading gained */
 } PRIV(held_fall);
 
+/* The square of the u = cos(theta) d(psi)/dt below which a contact counts as
+ * stopped, a part eps of the rates that a fall has. */
+COIN_PRIV_INLINE real PRIV(slow2)(const PRIV(losses) * l, const PRIV(body) * b,
+                                  const PRIV(variables) * y, real eps)
+{
+    return eps * eps * (l->J * y->wX * y->wX + b->Mga * y->cth) / l->IX;
+}
+
+/* The torque along e_Z that the losses give to a contact so slow. */
+COIN_PRIV_INLINE real PRIV(hold)(const PRIV(losses) * l, real u2, real cth)
+{
+    const real u = SQRT(u2);
+    return u * PRIV(grip)(l, u, cth);
+}
+
 /* Whether the contact of a coin near flat has stopped, to within a part eps of
  * the rates of the fall, and the losses can hold it. */
 int PRIV(held)(const PRIV(losses) * l, const PRIV(body) * b,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
+#include "control.h"
 #include "losses.h"
 
 /* The coefficients of a step, and where its error goes. */
@@ -42,9 +43,7 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
 {
     const struct lossy_field *with =
         (const struct lossy_field *)(const void *)f;
-    const double by5 = size2(with, e5), by3 = size2(with, e3);
-    const double sum = by5 + 0.01 * by3;
-    *with->error = sum > 0 ? by5 / sqrt(sum) : sum;
+    *with->error = coin_priv_error_of(size2(with, e5), size2(with, e3));
 }
 
 #define RATES lossy
@@ -57,8 +56,8 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
 #include "lossy.h"
 
 /* The part of the friction's rate that is added to the coin's own: a step of
- * LONGEST in settle.c is then 4 of its relaxation times; the method is stable
- * up to 6. */
+ * the longest stride in control.h is then 4 of its relaxation times; the method
+ * is stable up to 6. */
 #define FRICTION 0.3
 
 /* The part of the way to where the contact turns round that a step may go. */

@@ -4,6 +4,7 @@
 #include "../motion/rest.h"
 #include "../step/sundman.h"
 
+#include "control.h"
 #include "hold.h"
 #include "lossy.h"
 
@@ -12,20 +13,6 @@
 
 /* The most steps of a call, those refused included: 0.4 s. */
 #define TRIES_MAX (UINT64_C(1) << 20)
-
-/* A call's first step is FIRST tol^(1/8) over the rate, as long as most motions
- * admit.  No step is longer than LONGEST: there the estimate of the error is
- * good. */
-#define FIRST 4.0
-#define LONGEST 1.2
-
-/* The estimate of a step's error may be ESTIMATE times tol times its time,
- * since the estimate is of order 8 and the error of order 9.  Measured so that
- * the error stays below tol per natural unit of time (test_settle).  A step
- * near flat takes hardly any time; the time of a step counts as BRIEF natural
- * units at least. */
-#define ESTIMATE 4.0
-#define BRIEF 0.03
 
 /* |rem| times the fastest rate below which one step lands, by a series to the
  * second order. */
@@ -52,38 +39,18 @@ static double tau_of(const coin_priv_variables *y, double rem)
     return room >= 0 ? 2 * r / (1 + sqrt(room)) : (double)INFINITY;
 }
 
-/* The largest estimate with which a step of t is accepted: by tol, plus what
- * rounding makes of it. */
-static double allowed(const struct settling *g, double t)
-{
-    const coin_priv_variables *y = &g->w.run.g.y;
-    const double w0 = sqrt(g->w.run.b.g_a), units = fabs(t) * w0;
-    const double rates = (fabs(y->wX) + fabs(y->wY) + fabs(y->wZ)) / w0;
-    return ESTIMATE * g->tol * (units > BRIEF ? units : BRIEF) +
-           4 * DBL_EPSILON * (1 + rates);
-}
-
 /* The next tau: by the stride, by the bound of (71), or what is left. */
 static double next_tau(const struct settling *g, double rate)
 {
-    const double bound = coin_priv_lossy_bound(&g->w, allowed(g, 0)),
-                 rem = g->rem.sum;
+    const double least =
+        coin_priv_allowed_in(&g->w.run, g->tol, COIN_PRIV_BRIEF);
+    const double bound = coin_priv_lossy_bound(&g->w, least), rem = g->rem.sum;
     const double side = rem < 0 ? -1 : 1;
     double full = g->stride / rate;
     if (bound < full)
         full = bound;
     const double tau = tau_of(&g->w.run.g.y, rem);
     return fabs(tau) < full ? tau : side * full;
-}
-
-/* The factor from a step to the next: about (most/error)^(1/8), from 0.2 to 2.
- */
-static double change(double error, double most)
-{
-    const double least = 1e-9 * most; /* so that nothing divides by 0 */
-    const double ratio = most / (error > least ? error : least);
-    const double factor = 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio)));
-    return factor < 2 ? factor : 2;
 }
 
 /* One step, as long as its error allows. */
@@ -95,11 +62,13 @@ static int32_t step(struct settling *g, double rate)
         if (++g->tries > TRIES_MAX)
             return COIN_ESTEP;
         coin_priv_lossy_try(&trial, &g->w, tau);
-        const double most = allowed(g, trial.adds.t);
-        const double next = used * change(trial.error, most);
+        const double most = coin_priv_allowed(&g->w.run, g->tol, trial.adds.t);
+        const double next = used * coin_priv_change(trial.error, most);
         done = trial.error <= most;
         if (!done || next > g->stride || used > 0.999 * g->stride)
-            g->stride = next < LONGEST ? next : LONGEST;
+            g->stride = next < COIN_PRIV_LONGEST_STRIDE
+                            ? next
+                            : COIN_PRIV_LONGEST_STRIDE;
     }
     if (!coin_priv_sundman_accept(&g->w.run, &trial.next, &trial.adds))
         return COIN_ESTEP;
@@ -203,8 +172,7 @@ static int32_t lay(struct settling *g, double after)
  * too many. */
 static int32_t approach(struct settling *g)
 {
-    const double most = 10 * g->tol,
-                 eps = most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
+    const double eps = coin_priv_stopped(g->tol);
     for (;;) {
         const coin_priv_variables *y = &g->w.run.g.y;
         const double rem = g->rem.sum;
@@ -265,9 +233,7 @@ int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
     g.rem.low = 0;
     g.tol = tol;
     g.tries = 0;
-    g.stride = FIRST * sqrt(sqrt(sqrt(tol)));
-    if (g.stride > LONGEST)
-        g.stride = LONGEST;
+    g.stride = coin_priv_first_stride(tol);
     status = approach(&g);
     if (g.w.run.steps > 0)
         coin_priv_read_lean(&g.w.run.g);

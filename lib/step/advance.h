@@ -150,13 +150,11 @@ COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r, double tau,
     return COIN_OK;
 }
 
-/* The last bit of the way, in t. */
-COIN_PRIV_INLINE int32_t coin_priv_land(coin_priv_run *r,
-                                        const coin_priv_reach *reach,
-                                        coin_priv_sum *rem)
+/* The last bit of the way, in t; not 0. */
+COIN_PRIV_INLINE int32_t coin_priv_last_step(coin_priv_run *r,
+                                             const coin_priv_reach *reach,
+                                             coin_priv_sum *rem)
 {
-    if (rem->sum == 0)
-        return COIN_OK;
     const uint64_t before = r->steps;
     r->dt = rem->sum;
     if (coin_priv_left2(r, rem->sum) <= reach->rk4 * reach->rk4)
@@ -167,6 +165,14 @@ COIN_PRIV_INLINE int32_t coin_priv_land(coin_priv_run *r,
         return COIN_ESTEP;
     rem->sum = 0;
     return COIN_OK;
+}
+
+/* That, if anything is left. */
+COIN_PRIV_INLINE int32_t coin_priv_land(coin_priv_run *r,
+                                        const coin_priv_reach *reach,
+                                        coin_priv_sum *rem)
+{
+    return rem->sum == 0 ? COIN_OK : coin_priv_last_step(r, reach, rem);
 }
 
 /* Ends a call that was to move *s by t, of which rem is left.  A path so long

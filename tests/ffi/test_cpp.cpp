@@ -175,6 +175,21 @@ static void rest()
     CHECK(std::fabs(reached - 8) < 0.1);
 }
 
+static void slides()
+{
+    const rollcoin::friction f{0.5, 0.5};
+    auto d = rollcoin::slide_of(start, p);
+    CHECK(std::fabs(rollcoin::velocity(d, p)[0]) < 1e-12);
+    CHECK(std::fabs(rollcoin::energy(d, p) - rollcoin::energy(start, p)) <
+          1e-12);
+    d.vx += 0.1;
+    CHECK(std::fabs(rollcoin::reaction(d, p, f).ratio - 0.5) < 1e-9);
+    CHECK(rollcoin::advance(d, p, f, nullptr, 1e-3, 1e-9) == COIN_SLIPS);
+    CHECK(rollcoin::advance(d, p, f, nullptr, 1, 1e-9) == COIN_OK);
+    d.s.theta = 2;
+    CHECK(thrown_by([&] { rollcoin::energy(d, p); }) == COIN_ESTATE);
+}
+
 int main()
 {
     rollcoin::state s = start, bad = start;
@@ -215,6 +230,7 @@ int main()
     steady();
     orbits();
     rest();
+    slides();
     rollcoin::selftest();
     return failures != 0;
 }

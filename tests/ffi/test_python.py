@@ -359,6 +359,23 @@ class Results(unittest.TestCase):
         self.assertEqual(status, rc.RESTS)
         self.assertAlmostEqual(reached, 7, 1)
 
+    def test_a_slide_slips_and_rolls_again(self):
+        p, s = quarter()
+        friction = rc.Friction(0.5, 0.5)
+        d = rc.slide_of(s, p)
+        self.assertAlmostEqual(rc.slide_velocity(d, p)[0], 0, 12)
+        self.assertAlmostEqual(rc.slide_energy(d, p), rc.energy(s, p), 12)
+        self.assertEqual(eval(repr(d), vars(rc)), d)
+        d.vx += 0.1
+        self.assertAlmostEqual(rc.slide_reaction(d, p, friction).ratio, 0.5, 9)
+        self.assertEqual(rc.slide_advance(d, p, friction, 1e-3).status,
+                         rc.SLIPS)
+        self.assertEqual(rc.slide_advance(d, p, friction, 1), (0, 1))
+        d.s.theta = 2
+        with self.assertRaises(rc.Error) as caught:
+            rc.slide_energy(d, p)
+        self.assertEqual(caught.exception.status, rc.ESTATE)
+
     def test_floats_are_called_by_the_same_names(self):
         p, s = quarterf()
         pd, sd = quarter()

@@ -187,7 +187,7 @@ static void is_untouched(const struct subject *s, int copy, size_t i)
 static void inputs_are_untouched(const struct subject *s, int copy)
 {
     for (size_t i = 0; i < s->count; ++i)
-        if (s->kind[i]->role == READ)
+        if (s->kind[i]->role == READ || s->kind[i]->role == OPTIONAL)
             is_untouched(s, copy, i);
 }
 
@@ -218,13 +218,15 @@ static void the_right_error_is_returned(const struct subject *s, double result,
     const struct function *f = s->f;
     const int single = strncmp(f->name, "coinf", 5) == 0;
     const int knows = strpbrk(f->signature, "pf") != NULL;
-    const int has_state = strpbrk(f->signature, "sSgH") != NULL;
+    const int has_state = strpbrk(f->signature, "sSgHxK") != NULL;
     const int bad_params = knows && (single ? coinf_params_check(&w->pf)
                                             : coin_params_check(&w->p)) != 0;
     const int bad_state = knows && has_state && !bad_params &&
                           (single ? coinf_state_check(&w->sf, &w->pf)
                                   : coin_state_check(&w->s, &w->p)) != COIN_OK;
-    const int null_counts = null < s->count && s->kind[null]->role != PROGRESS;
+    const int null_counts = null < s->count &&
+                            s->kind[null]->role != PROGRESS &&
+                            s->kind[null]->role != OPTIONAL;
     if (f->is_number) {
         if (null_counts || bad_params || bad_state)
             demand(isnan(result));
@@ -236,7 +238,7 @@ static void the_right_error_is_returned(const struct subject *s, double result,
         demand(result == COIN_EARG || result == COIN_EPARAMS);
     else if (bad_state)
         demand(result == COIN_EARG || result == COIN_ESTATE);
-    else if (knows && has_state && !strpbrk(f->signature, "kl"))
+    else if (knows && has_state && !strpbrk(f->signature, "kloxK"))
         demand(result != COIN_EPARAMS && result != COIN_ESTATE);
 }
 
@@ -247,7 +249,7 @@ static void status_is_documented(const struct function *f, double result)
         return;
     }
     const int32_t status = (int32_t)result;
-    demand(status == result && status >= COIN_EBUILD);
+    demand(status == result && status >= COIN_ELIFT);
     if (status < 0)
         demand(f->errors & BIT(status));
     else

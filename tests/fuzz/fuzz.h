@@ -54,7 +54,7 @@ double take_rate(struct bytes *b, double unit);
 
 /* What an argument is; the letters of a function's signature stand for one
  * each, in the table of kinds.c. */
-enum role { SCALAR, READ, MOVED, WRITTEN, PROGRESS };
+enum role { SCALAR, READ, OPTIONAL, MOVED, WRITTEN, PROGRESS };
 
 struct kind {
     char letter;

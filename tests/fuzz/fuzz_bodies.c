@@ -10,6 +10,8 @@ CALL(coin_sizeof_state, ())
 CALL(coin_sizeof_params, ())
 CALL(coin_sizeof_force, ())
 CALL(coin_sizeof_losses, ())
+CALL(coin_sizeof_friction, ())
+CALL(coin_sizeof_slide, ())
 CALL(coin_sizeof_orbit, ())
 CALL(coin_params_disc, (a[0].p, a[1].d, a[2].d, a[3].d))
 CALL(coin_params_ring, (a[0].p, a[1].d, a[2].d, a[3].d, a[4].d))
@@ -83,6 +85,8 @@ const struct function fuzz_functions[] = {
     ROW(coin_sizeof_params, "", 0, 64, PLAIN),
     ROW(coin_sizeof_force, "", 0, 48, PLAIN),
     ROW(coin_sizeof_losses, "", 0, 64, PLAIN),
+    ROW(coin_sizeof_friction, "", 0, 16, PLAIN),
+    ROW(coin_sizeof_slide, "", 0, 80, PLAIN),
     ROW(coin_sizeof_orbit, "", 0, INT32_MAX, PLAIN),
     ROW(coin_params_disc, "Pddd", MAKES, 0, PLAIN),
     ROW(coin_params_ring, "Pdddd", MAKES, 0, PLAIN),

@@ -91,6 +91,38 @@ static void take_losses(struct bytes *b, const struct world *w, void *to)
         memset(to, 0, sizeof x);
 }
 
+/* What a coin that slips may have. */
+static void take_undamped(struct bytes *b, const struct world *w, void *to)
+{
+    coin_losses *const l = to;
+    take_losses(b, w, to);
+    l->damping = 0;
+}
+
+/* Rolls, or slips. */
+static void take_slide(struct bytes *b, const struct world *w, void *to)
+{
+    const double v = sqrt(w->p.gravity * w->p.radius);
+    const uint8_t how = take_byte(b);
+    coin_slide d = {w->s, 0, 0};
+    if (coin_slide_of(&d, &w->s, &w->p) == COIN_OK && how < 128) {
+        d.vx += perhaps(b, v * take_part(b));
+        d.vz += perhaps(b, v * take_part(b));
+    }
+    memcpy(to, &d, sizeof d);
+}
+
+static void take_friction(struct bytes *b, const struct world *w, void *to)
+{
+    const double kinetic = fabs(take_part(b));
+    const uint8_t how = take_byte(b);
+    const double over[] = {1, 1.05, 1.5, INFINITY};
+    const coin_friction f = {how % 4 == 3 ? INFINITY : kinetic * over[how % 4],
+                             kinetic};
+    (void)w;
+    memcpy(to, &f, sizeof f);
+}
+
 static void take_d(struct bytes *b, const struct world *w, void *to)
 {
     union argument *const a = to;
@@ -261,6 +293,12 @@ static int sound_losses(const void *of, const struct world *w)
     return coin_losses_check(of, &w->p) == COIN_OK;
 }
 
+static int sound_slide(const void *of, const struct world *w)
+{
+    double u[2];
+    return coin_slide_velocity(of, &w->p, u) == COIN_OK;
+}
+
 static int sound_orbit(const void *of, const struct world *w)
 {
     const coin_orbit *o = of;
@@ -287,6 +325,11 @@ static const struct kind kinds[] = {
     {'y', READ, sizeof(coin_orbit), take_orbit, NULL},
     {'l', READ, sizeof(coin_losses), take_losses, NULL},
     {'L', MOVED, sizeof(coin_losses), take_losses, sound_losses},
+    {'x', READ, sizeof(coin_slide), take_slide, NULL},
+    {'K', MOVED, sizeof(coin_slide), take_slide, sound_slide},
+    {'U', WRITTEN, sizeof(coin_slide), NULL, sound_slide},
+    {'o', READ, sizeof(coin_friction), take_friction, NULL},
+    {'M', OPTIONAL, sizeof(coin_losses), take_undamped, NULL},
     {'q', READ, 4 * sizeof(double), take_q, NULL},
     {'w', READ, 3 * sizeof(double), take_omega, NULL},
     {'1', WRITTEN, sizeof(double), NULL, sound_1},

@@ -29,6 +29,15 @@ $(REAL_OUT)/%: $(SRC)/tests/real/%.c $(SRC)/tests/real/laws.h \
 
 $(REAL_OUT)/study $(REAL_OUT)/quasi: $(TEST_EXTRA)
 
+.PHONY: slide-study
+slide-study: $(REAL_OUT)/slides ## coins that slip: launches, and the cost while they roll
+	$< launches $(LAUNCHES)
+	$< cost
+
+$(REAL_OUT)/slides: $(SRC)/tests/real/slides.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
+	$(CC_TEST) $(CMOCKA) -D_POSIX_C_SOURCE=200809L -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) \
+	    $(TEST_EXTRA) $(LIB_A) $(CMOCKA_LIBS) -lm
+
 $(REAL_OUT):
 	mkdir -p $@
 

@@ -12,6 +12,7 @@
  * WITHOUT_MAX_DT, which is nine tenths of all steps; WITHOUT_ORBIT, which takes
  * 70 KiB.  Needs sqrt, memcpy and puts of the C library. */
 #include "fnv.h"
+#include "hash_slide.h"
 
 #include <coinf.h>
 
@@ -346,6 +347,9 @@ static uint64_t print_scene(uint64_t all, const scene *a)
         all = print(all, hash_batch_float(a, m), words);
     }
     {
+#ifndef WITHOUT_ORBIT
+        const start b = start_of(a);
+#endif
         const char *words[] = {"coin", "advance", a->name};
         all = print(all, hash_advance(a), words);
         words[1] = "settle";
@@ -355,6 +359,8 @@ static uint64_t print_scene(uint64_t all, const scene *a)
 #ifndef WITHOUT_ORBIT
         words[1] = "orbit";
         all = print(all, hash_orbit(a), words);
+        words[1] = "slide";
+        all = print(all, hash_slide(&b.s, &b.p, b.unit), words);
 #endif
     }
     return all;

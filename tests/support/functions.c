@@ -160,6 +160,22 @@ static int32_t quasisteady_at(void *const a[])
 {
     return coin_quasisteady_at(a[0], a[1], a[2], 1, a[3]);
 }
+static int32_t slide_of(void *const a[])
+{
+    return coin_slide_of(a[0], a[1], a[2]);
+}
+static int32_t slide_advance(void *const a[])
+{
+    return coin_slide_advance(a[0], a[1], a[2], NULL, 0.1, 1e-6, a[3]);
+}
+static int32_t slide_reaction(void *const a[])
+{
+    return coin_slide_reaction(a[0], a[1], a[2], NULL, a[3]);
+}
+static int32_t slide_velocity(void *const a[])
+{
+    return coin_slide_velocity(a[0], a[1], a[2]);
+}
 static int32_t model_needed(void *const a[])
 {
     return coin_model_needed(a[0], a[1], 1, 1e-3);
@@ -206,6 +222,10 @@ const struct function functions[] = {
     {"coin_losses_reaction", "splo", losses_reaction},
     {"coin_settle", "Spln", settle},
     {"coin_quasisteady_at", "splo", quasisteady_at},
+    {"coin_slide_of", "osp", slide_of},
+    {"coin_slide_advance", "Gpfn", slide_advance},
+    {"coin_slide_reaction", "gpfo", slide_reaction},
+    {"coin_slide_velocity", "gpo", slide_velocity},
 };
 
 const size_t function_count = sizeof functions / sizeof *functions;

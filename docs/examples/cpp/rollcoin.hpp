@@ -24,6 +24,8 @@ using params = coin_params;
 using state = coin_state;
 using force = coin_force;
 using losses = coin_losses;
+using friction = coin_friction;
+using slide = coin_slide;
 using orbit = coin_orbit; // 32 KiB
 using vec2 = std::array<double, 2>;
 using vec3 = std::array<double, 3>;
@@ -461,6 +463,45 @@ inline losses losses_fit(losses l, const state &s, const params &p, double time)
 {
     check(coin_losses_fit(&l, &s, &p, time));
     return l;
+}
+
+// ----------------------------------------------------------- coins that may
+// slip
+inline slide slide_of(const state &s, const params &p)
+{
+    slide d;
+    check(coin_slide_of(&d, &s, &p));
+    return d;
+}
+
+// l may be null.  Returns 0, it rolls, COIN_SLIPS or COIN_RESTS.
+inline std::int32_t advance(slide &d, const params &p, const friction &f,
+                            const losses *l, double t, double tol,
+                            double *reached = nullptr)
+{
+    return check(coin_slide_advance(&d, &p, &f, l, t, tol, reached));
+}
+
+inline double energy(const slide &d, const params &p)
+{
+    const std::int32_t why = coin_state_check(&d.s, &p);
+    return check(coin_slide_energy(&d, &p), why < 0 ? why : COIN_ESTATE);
+}
+
+inline force reaction(const slide &d, const params &p, const friction &f,
+                      const losses *l = nullptr)
+{
+    force out;
+    check(coin_slide_reaction(&d, &p, &f, l, &out));
+    return out;
+}
+
+// The slip velocity, along x and z.
+inline vec2 velocity(const slide &d, const params &p)
+{
+    vec2 u;
+    check(coin_slide_velocity(&d, &p, u.data()));
+    return u;
 }
 
 // Throws unless this build computes the pinned bits.

@@ -49,6 +49,19 @@ pub struct coin_losses {
     pub soft: f64,
 }
 #[repr(C)]
+#[derive(Debug, Default, Copy, Clone, PartialEq)]
+pub struct coin_friction {
+    pub mu_static: f64,
+    pub mu_kinetic: f64,
+}
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone, PartialEq)]
+pub struct coin_slide {
+    pub s: coin_state,
+    pub vx: f64,
+    pub vz: f64,
+}
+#[repr(C)]
 #[derive(Debug, Copy, Clone, PartialEq)]
 pub struct coin_orbit {
     pub period: f64,
@@ -85,6 +98,7 @@ pub const COIN_EARG: _bindgen_ty_1 = -4;
 pub const COIN_EDOMAIN: _bindgen_ty_1 = -5;
 pub const COIN_EFLAT: _bindgen_ty_1 = -6;
 pub const COIN_EBUILD: _bindgen_ty_1 = -7;
+pub const COIN_ELIFT: _bindgen_ty_1 = -8;
 pub type _bindgen_ty_1 = ::std::os::raw::c_int;
 pub const COIN_SLIPS: _bindgen_ty_2 = 1;
 pub const COIN_LIFTS: _bindgen_ty_2 = 2;
@@ -398,6 +412,35 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
+    pub fn coin_slide_of(d: *mut coin_slide, s: *const coin_state, p: *const coin_params) -> i32;
+}
+extern "C" {
+    pub fn coin_slide_advance(
+        d: *mut coin_slide,
+        p: *const coin_params,
+        f: *const coin_friction,
+        l: *const coin_losses,
+        t: f64,
+        tol: f64,
+        reached: *mut f64,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_slide_energy(d: *const coin_slide, p: *const coin_params) -> f64;
+}
+extern "C" {
+    pub fn coin_slide_reaction(
+        d: *const coin_slide,
+        p: *const coin_params,
+        f: *const coin_friction,
+        l: *const coin_losses,
+        out: *mut coin_force,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_slide_velocity(d: *const coin_slide, p: *const coin_params, u: *mut f64) -> i32;
+}
+extern "C" {
     pub fn coin_version() -> u32;
 }
 extern "C" {
@@ -417,6 +460,12 @@ extern "C" {
 }
 extern "C" {
     pub fn coin_sizeof_losses() -> u32;
+}
+extern "C" {
+    pub fn coin_sizeof_friction() -> u32;
+}
+extern "C" {
+    pub fn coin_sizeof_slide() -> u32;
 }
 extern "C" {
     pub fn coin_sizeof_orbit() -> u32;

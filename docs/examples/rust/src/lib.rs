@@ -26,6 +26,7 @@ mod losses;
 mod motion;
 mod params;
 mod read;
+mod slide;
 mod status;
 mod steady;
 #[cfg(test)]
@@ -33,8 +34,9 @@ mod tests;
 
 pub use exact::Model;
 pub use ffi::{
-    coin_force as Force, coin_losses as Losses, coin_orbit as Orbit,
-    coin_params as Params, coin_state as State,
+    coin_force as Force, coin_friction as Friction, coin_losses as Losses,
+    coin_orbit as Orbit, coin_params as Params, coin_slide as Slide,
+    coin_state as State,
 };
 pub use motion::{batch_run, Method};
 pub use status::{Error, Result, Status, Stopped};

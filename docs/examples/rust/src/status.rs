@@ -22,6 +22,8 @@ impl Error {
     pub const DOMAIN: Error = Error(ffi::COIN_EDOMAIN);
     /// The coin falls flat.
     pub const FLAT: Error = Error(ffi::COIN_EFLAT);
+    /// A coin that may slip lifts off the table.
+    pub const LIFT: Error = Error(ffi::COIN_ELIFT);
     /// This build does not give the pinned bits.
     pub const BUILD: Error = Error(ffi::COIN_EBUILD);
 

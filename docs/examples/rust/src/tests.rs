@@ -215,6 +215,30 @@ fn losses_bring_a_coin_to_rest() {
 }
 
 #[test]
+fn a_slide_slips_and_rolls_again() {
+    let (p, s) = quarter();
+    let friction = Friction {
+        mu_static: 0.5,
+        mu_kinetic: 0.5,
+    };
+    let mut d = Slide::of(&s, &p).unwrap();
+    assert!(d.velocity(&p).unwrap()[0].abs() < 1e-12);
+    let energy = d.energy(&p).unwrap();
+    assert!((energy - s.energy(&p).unwrap()).abs() < 1e-12);
+    d.vx += 0.1;
+    assert!(d.velocity(&p).unwrap()[0] > 0.09);
+    assert!(
+        (d.reaction(&p, &friction, None).unwrap().ratio - 0.5).abs() < 1e-9
+    );
+    let (status, _) = d.advance(&p, &friction, None, 1e-3, 1e-9).unwrap();
+    assert!(status.slips());
+    let (status, reached) = d.advance(&p, &friction, None, 1.0, 1e-9).unwrap();
+    assert!(!status.slips() && reached == 1.0);
+    d.s.theta = 2.0;
+    assert_eq!(d.energy(&p), Err(Error::STATE));
+}
+
+#[test]
 fn the_library_is_of_this_crates_version_and_computes_its_bits() {
     assert_eq!(version_string(), env!("CARGO_PKG_VERSION"));
     let number = version();

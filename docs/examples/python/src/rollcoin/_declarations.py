@@ -6,11 +6,12 @@ from typing import Any, Dict, Tuple
 
 from ._types import INT32, SIZE, UINT32, UINT64, In, Out, Plain
 
-__all__ = ["Params", "State", "Force", "Losses", "Orbit", "Paramsf", "Statef",
-           "Forcef", "Lossesf", "OK", "EPARAMS", "ESTATE", "ESTEP", "EARG",
-           "EDOMAIN", "EFLAT", "EBUILD", "SLIPS", "LIFTS", "COARSE",
-           "NEARLY_FLAT", "RESTS", "RK4", "RK8", "SYMPLECTIC2", "SYMPLECTIC4",
-           "MODEL_STEADY", "MODEL_WOBBLE", "MODEL_ORBIT", "MODEL_STEPS"]
+__all__ = ["Params", "State", "Force", "Losses", "Friction", "Slide", "Orbit",
+           "Paramsf", "Statef", "Forcef", "Lossesf", "OK", "EPARAMS", "ESTATE",
+           "ESTEP", "EARG", "EDOMAIN", "EFLAT", "EBUILD", "ELIFT", "SLIPS",
+           "LIFTS", "COARSE", "NEARLY_FLAT", "RESTS", "RK4", "RK8",
+           "SYMPLECTIC2", "SYMPLECTIC4", "MODEL_STEADY", "MODEL_WOBBLE",
+           "MODEL_ORBIT", "MODEL_STEPS"]
 
 
 class Params(Plain):
@@ -90,6 +91,30 @@ class Losses(Plain):
         ("rolling", c_double),
         ("spin", c_double),
         ("soft", c_double),
+    ]
+
+
+class Friction(Plain):
+    """coin_friction."""
+    __slots__ = ()
+    mu_static: float
+    mu_kinetic: float
+    _fields_ = [
+        ("mu_static", c_double),
+        ("mu_kinetic", c_double),
+    ]
+
+
+class Slide(Plain):
+    """coin_slide."""
+    __slots__ = ()
+    s: State
+    vx: float
+    vz: float
+    _fields_ = [
+        ("s", State),
+        ("vx", c_double),
+        ("vz", c_double),
     ]
 
 
@@ -222,6 +247,7 @@ EARG = -4
 EDOMAIN = -5
 EFLAT = -6
 EBUILD = -7
+ELIFT = -8
 SLIPS = 1
 LIFTS = 2
 COARSE = 4
@@ -335,6 +361,16 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
         "l": In(Losses), "t": c_double, "out": Out(State)}),
     "coin_losses_fit": (c_int32, {"l": Out(Losses), "s": In(State),
         "p": In(Params), "time": c_double}),
+    "coin_slide_of": (c_int32, {"d": Out(Slide), "s": In(State),
+        "p": In(Params)}),
+    "coin_slide_advance": (c_int32, {"d": Out(Slide), "p": In(Params),
+        "f": In(Friction), "l": In(Losses), "t": c_double, "tol": c_double,
+        "reached": Out(c_double)}),
+    "coin_slide_energy": (c_double, {"d": In(Slide), "p": In(Params)}),
+    "coin_slide_reaction": (c_int32, {"d": In(Slide), "p": In(Params),
+        "f": In(Friction), "l": In(Losses), "out": Out(Force)}),
+    "coin_slide_velocity": (c_int32, {"d": In(Slide), "p": In(Params),
+        "u": Out(c_double, 2)}),
     "coin_version": (c_uint32, {}),
     "coin_version_string": (c_char_p, {}),
     "coin_status_string": (c_char_p, {"status": INT32}),
@@ -342,6 +378,8 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "coin_sizeof_state": (c_uint32, {}),
     "coin_sizeof_force": (c_uint32, {}),
     "coin_sizeof_losses": (c_uint32, {}),
+    "coin_sizeof_friction": (c_uint32, {}),
+    "coin_sizeof_slide": (c_uint32, {}),
     "coin_sizeof_orbit": (c_uint32, {}),
     "coin_selftest": (c_int32, {}),
     "coinf_params_disc": (c_int32, {"p": Out(Paramsf), "mass": c_float,

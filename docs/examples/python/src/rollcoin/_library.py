@@ -66,7 +66,9 @@ def _why_nan(name: str, arguments: Sequence[Any]) -> int:
                 lib.coin_losses_check(argument, p)
     except Error as error:
         return error.status
-    return (declared.EARG if name == "coin_max_dt" else declared.EDOMAIN)
+    others = {"coin_max_dt": declared.EARG, "coin_slide_energy":
+              declared.ESTATE}
+    return others.get(name, declared.EDOMAIN)
 
 
 def _declare(library: ctypes.CDLL) -> None:

@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "cone.h"
+
+/* A force outside the cone by less than this part counts as inside: rounding,
+ * where friction is 0 or exactly at its limit. */
+#define SLACK 1e-14
+
+/* By how much the interpolation may miss what is left, over stride^6: measured
+ * on random motions (test_cone), times 4. */
+#define MISS 0.006
+
+/* A step of less stride is not looked into any further. */
+#define SHORT 1e-3
+
+/* The slopes of the slopes are differences over this part of the step. */
+#define NEAR (1.0 / 256)
+
+/* Places within a step that are looked at, and what is interpolated. */
+enum { PLACES = 8, MOVED = 7 };
+
+double coin_priv_left(const coin_priv_table *table, const coin_priv_slip *y,
+                      int slips)
+{
+    const double f = table->held ? 1 : y->cth;
+    const double size = f * (table->b.g_a + y->wX * y->wX) +
+                        fabs(y->wY) * (fabs(y->wY) + fabs(y->wZ));
+    if (!slips) {
+        const coin_priv_push stick = coin_priv_static(table, y);
+        return coin_priv_margin(table, &stick) / size + SLACK;
+    }
+    const coin_priv_direction none = {0, 0};
+    return coin_priv_kinetic(table, y, none).N / size;
+}
+
+/* The value, slope and second derivative of the step's variables at an end, the
+ * step as unit. */
+struct end {
+    double y[COIN_PRIV_SLIP_SIZE], d[COIN_PRIV_SLIP_SIZE],
+        dd[COIN_PRIV_SLIP_SIZE];
+};
+
+static void end_of(struct end *e, const coin_priv_look *look,
+                   const coin_priv_slip *at)
+{
+    const double *y = (const double *)at;
+    double to[COIN_PRIV_SLIP_SIZE], back[COIN_PRIV_SLIP_SIZE];
+    look->slopes(e->d, y, look->table);
+    for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i) {
+        e->y[i] = y[i];
+        e->d[i] *= look->h;
+        to[i] = y[i] + NEAR * e->d[i];
+        back[i] = y[i] - NEAR * e->d[i];
+    }
+    double d1[COIN_PRIV_SLIP_SIZE], d0[COIN_PRIV_SLIP_SIZE];
+    look->slopes(d1, to, look->table);
+    look->slopes(d0, back, look->table);
+    for (int i = 0; i < MOVED; ++i)
+        e->dd[i] = look->h * (d1[i] - d0[i]) / (2 * NEAR);
+}
+
+/* Hermite's polynomial of degree 5. */
+static void between(coin_priv_slip *to, const struct end *a,
+                    const struct end *b, double x)
+{
+    const double r = 1 - x, x3 = x * x * x, r3 = r * r * r;
+    const double a0 = r3 * (1 + x * (3 + 6 * x)),
+                 b0 = x3 * (1 + r * (3 + 6 * r));
+    const double a1 = r3 * x * (1 + 3 * x), b1 = -x3 * r * (1 + 3 * r);
+    const double a2 = r3 * x * x / 2, b2 = x3 * r * r / 2;
+    double *y = (double *)to;
+    for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
+        y[i] = i >= MOVED ? a->y[i]
+                          : (a0 * a->y[i] + a1 * a->d[i] + a2 * a->dd[i]) +
+                                (b0 * b->y[i] + b1 * b->d[i] + b2 * b->dd[i]);
+}
+
+/* The second difference of three neighbours. */
+static double bend(const double *m)
+{
+    return (m[1] - m[0]) + (m[-1] - m[0]);
+}
+
+/* The largest third difference of a place k and its neighbours. */
+static double third(const double *m, int k)
+{
+    const double b = bend(&m[k]);
+    const double to = k < PLACES - 1 ? fabs(bend(&m[k + 1]) - b) : 0;
+    const double from = k > 1 ? fabs(b - bend(&m[k - 1])) : 0;
+    return to > from ? to : from;
+}
+
+/* The least of the parabola through place k and its neighbours, and below that
+ * what the third differences say that it may miss. */
+static double least(const double *m, int k)
+{
+    const double slope = m[k + 1] - m[k - 1], b = bend(&m[k]);
+    const double dip = fabs(slope) < 2 * b ? slope * slope / (8 * b) : 0;
+    return m[k] - dip - third(m, k) / 8;
+}
+
+/* The least between an end, m0, and the place k next to it, by the slope there:
+ * m1 is what is left at a part EDGE of the way. */
+#define EDGE (1.0 / 256)
+static double least_beside(double m0, double m1, const double *m, int k)
+{
+    const double slope = (m1 - m0) / EDGE, b = bend(&m[k]) - third(m, k);
+    if (!(slope < 0))
+        return m0;
+    return -slope < b ? m0 - slope * slope / (2 * b) : m0 + slope;
+}
+
+/* What is left a part x of the step on. */
+static double left_between(const coin_priv_look *look, const struct end *a,
+                           const struct end *b, double x)
+{
+    coin_priv_slip at;
+    between(&at, a, b, x);
+    return coin_priv_left(look->table, &at,
+                          look->slopes == coin_priv_slip_slopes);
+}
+
+double coin_priv_looked(const coin_priv_look *look)
+{
+    struct end a, b;
+    const double s2 = look->stride * look->stride;
+    const int closely = look->table->mu_static > 0 && look->stride > SHORT;
+    const double miss = closely ? MISS * s2 * s2 * s2 : 0;
+    const double edge = EDGE / PLACES;
+    double m[PLACES + 1];
+    end_of(&a, look, look->from);
+    end_of(&b, look, look->to);
+    for (int k = 0; k <= PLACES; ++k)
+        m[k] = left_between(look, &a, &b, (double)k / PLACES);
+    if (closely && least_beside(m[0], left_between(look, &a, &b, edge), m, 1) <
+                       (m[0] < miss ? 0 : miss))
+        return 0.5;
+    for (int k = 1; k < PLACES; ++k) {
+        if (m[k] < -miss)
+            return -(double)k / PLACES;
+        if (least(m, k) < miss)
+            return 0.5;
+    }
+    const double last = left_between(look, &a, &b, 1 - edge);
+    if (closely && m[PLACES] >= 0 &&
+        least_beside(m[PLACES], last, m, PLACES - 1) <
+            (m[PLACES] < miss ? 0 : miss))
+        return 0.5;
+    return 1;
+}

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT */
+/* Whether the force of the table stays within the cone of friction. */
+#ifndef ROLLCOIN_CONE_H
+#define ROLLCOIN_CONE_H
+
+#include "contact.h"
+#include "gbs.h"
+
+/* A step to be looked at. */
+typedef struct coin_priv_look {
+    const coin_priv_table *table;
+    coin_priv_gbs_slopes *slopes; /* of the step */
+    const coin_priv_slip *from, *to;
+    double h;      /* its length */
+    double stride; /* h over the time in which the motion changes */
+} coin_priv_look;
+
+/* How much of the cone is left: the margin of the force that a rolling coin
+ * needs, or the normal force of one that slips, over the largest of its terms.
+ * Below 0 a rolling coin slips or lifts, a slipping one lifts. */
+double coin_priv_left(const coin_priv_table *table, const coin_priv_slip *y,
+                      int slips);
+
+/* 1 if something is left of the cone all along a step, but perhaps at its end;
+ * the part of the step to try instead where that is not known; minus the part
+ * at which nothing is left, and before which nothing was seen to be wrong.
+ * Between the ends the motion is interpolated, to order 6. */
+double coin_priv_looked(const coin_priv_look *look);
+
+/* An end of a rolling step, by tau: wX, wY, wZ, sin and cos theta, their slopes
+ * and those of their slopes.  margin: mu^2 N^2 - F^2, and miss: what an error
+ * of the variables changes in it, both over the size of the forces' terms. */
+typedef struct coin_priv_end {
+    double y[5], d[5], dd[5];
+    double margin, miss;
+} coin_priv_end;
+
+/* The end at *y; time is the tau in which the motion changes. */
+void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
+                      const coin_priv_field *f, const coin_priv_losses *l,
+                      const coin_priv_variables *y, double time);
+
+/* Whether it is plain that a rolling step of tau from *a to *b, of the stride
+ * given, keeps well within the cone, by a look at three places.  l is null
+ * without losses.  Where it says no, coin_priv_looked() tells. */
+int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
+                    const coin_priv_losses *l, const coin_priv_end *a,
+                    const coin_priv_end *b, double tau, double stride);
+
+#endif

@@ -1,0 +1,253 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "contact.h"
+
+/* The most trials of coin_priv_onset(). */
+#define TRIALS 60
+
+/* What a coin does that the table carries without friction, and how friction
+ * acts on it. */
+struct loose {
+    double f;        /* dt over that of the slopes: cos theta, or 1 */
+    double turn;     /* the slope of phi */
+    double gX;       /* the slope of wX without any force */
+    double wY, wZ;   /* those of wY and wZ without friction */
+    double yX, zX;   /* what friction along e_X adds to them */
+    double uX, uh;   /* those of the slip without friction or N */
+    double weight;   /* N times D without friction */
+    double vX, vh;   /* the velocity of the centre */
+    double lever, D; /* M a^2/I_X; 1 + that times sin^2 theta */
+};
+
+/* A coin near flat whose contact is held turns about the vertical through its
+ * centre. */
+static void hold(struct loose *o, const coin_priv_table *t,
+                 const coin_priv_slip *y)
+{
+    const coin_priv_body *b = &t->b;
+    const double wX = y->wX, sth = y->sth, cth = y->cth;
+    const double turn = -y->wZ / sth;
+    const double D = b->IX * cth * cth + b->IZ * sth * sth;
+    const double fade = -turn *
+                        (t->l.spin + 2 * sth * cth * wX * (b->IZ - b->IX)) /
+                        D; /* (85) */
+    o->f = 1;
+    o->turn = turn;
+    o->gX = sth * cth * turn * turn * (b->k1 - 1); /* (85) */
+    o->wY = cth * fade - sth * wX * turn;
+    o->wZ = -sth * fade - cth * wX * turn;
+    o->yX = -sth * cth * b->m / D; /* (85) */
+    o->zX = sth * sth * b->m / D;  /* (85) */
+}
+
+static void let_roll(struct loose *o, const coin_priv_table *t,
+                     const coin_priv_slip *y)
+{
+    const coin_priv_body *b = &t->b;
+    const double wX = y->wX, wY = y->wY, sth = y->sth, cth = y->cth;
+    const double cwZ = cth * y->wZ;
+    o->f = cth;
+    o->turn = wY;
+    /* clang-format off */
+    o->gX = -wY * (b->k1 * cwZ + wY * sth);                  /* (78) */
+    o->wY = wX * (b->k1 * cwZ + wY * sth);                   /* (78) */
+    /* clang-format on */
+    o->wZ = 0;
+    o->yX = 0;
+    o->zX = b->m / b->IZ;
+    if (t->l.solid + t->l.fluid + t->l.spin > 0) {
+        const coin_priv_variables v = {wX, wY, y->wZ, sth, cth, 0, 0, 0, 0};
+        const coin_priv_slowing slow = coin_priv_slow(&t->l, &v);
+        o->wY += slow.wY;
+        o->wZ += slow.wZ;
+    }
+}
+
+static struct loose loose_of(const coin_priv_table *t, const coin_priv_slip *y)
+{
+    struct loose o;
+    const double wX = y->wX, sth = y->sth, cth = y->cth;
+    if (t->held)
+        hold(&o, t, y);
+    else
+        let_roll(&o, t, y);
+    o.vX = y->uX - y->wZ;    /* (77) */
+    o.vh = y->uh + wX * cth; /* (77) */
+    o.lever = t->b.m / t->b.IX;
+    o.D = 1 + o.lever * (sth * sth);
+    o.weight = o.f * (t->b.g_a - cth * (wX * wX)) - sth * o.gX;
+    o.uX = o.wZ - o.turn * o.vh;
+    o.uh = o.turn * o.vX + o.f * (wX * wX) * sth - cth * o.gX;
+    return o;
+}
+
+coin_priv_push coin_priv_static(const coin_priv_table *table,
+                                const coin_priv_slip *y)
+{
+    const struct loose o = loose_of(table, y);
+    const double part = o.lever * y->sth * y->cth;
+    const double h = (part * o.weight - o.D * o.uh) / (1 + o.lever); /* (82) */
+    const coin_priv_push force = {
+        (o.weight + part * h) / o.D, /* (79) */
+        -o.uX / (1 + o.zX),          /* (82) */
+        h,
+    };
+    return force;
+}
+
+static coin_priv_push slide(const struct loose *o, const coin_priv_slip *y,
+                            double mu, coin_priv_direction n)
+{
+    const double part = o->lever * y->sth * y->cth;
+    const double N = o->weight / (o->D + part * mu * n.h); /* (80) */
+    const coin_priv_push force = {N, -mu * N * n.X, -mu * N * n.h};
+    return force;
+}
+
+coin_priv_push coin_priv_kinetic(const coin_priv_table *table,
+                                 const coin_priv_slip *y, coin_priv_direction n)
+{
+    const struct loose o = loose_of(table, y);
+    return slide(&o, y, table->mu_kinetic, n);
+}
+
+/* The slope of the slip. */
+static coin_priv_direction slip_slope(const struct loose *o,
+                                      const coin_priv_slip *y,
+                                      const coin_priv_push *p)
+{
+    const double sth = y->sth, cth = y->cth;
+    const double turn = o->lever * (p->N * sth - p->h * cth);
+    const coin_priv_direction d = {
+        o->uX + (1 + o->zX) * p->X,
+        o->uh + p->h - cth * turn,
+    };
+    return d;
+}
+
+void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_table *table,
+                            const coin_priv_slip *y,
+                            const coin_priv_push *force)
+{
+    const struct loose o = loose_of(table, y);
+    const coin_priv_direction slip = slip_slope(&o, y, force);
+    const double wX = y->wX, sth = y->sth, cth = y->cth;
+    const double sph = y->sph, cph = y->cph, f = o.f;
+    /* clang-format off */
+    d->wX = o.gX + o.lever * (force->N * sth - force->h * cth); /* (81) */
+    d->wY = o.wY + o.yX * force->X;                          /* (81) */
+    d->wZ = o.wZ + o.zX * force->X;                          /* (81) */
+    /* clang-format on */
+    d->sth = f * cth * wX;
+    d->cth = -f * sth * wX;
+    d->uX = slip.X;
+    d->uh = slip.h;
+    d->sph = o.turn * cph;
+    d->cph = -o.turn * sph;
+    d->phi = o.turn;
+    d->psi = table->held ? 0 : cth * y->wZ + sth * y->wY;
+    d->x = f * (o.vX * cph + o.vh * sph);
+    d->z = f * (o.vh * cph - o.vX * sph);
+    d->t = f;
+}
+
+int coin_priv_can_slip(const coin_priv_table *table, const coin_priv_slip *y)
+{
+    const coin_priv_direction none = {0, 0};
+    return table->mu_static <= DBL_MAX &&
+           coin_priv_kinetic(table, y, none).N > 0;
+}
+
+double coin_priv_margin(const coin_priv_table *table,
+                        const coin_priv_push *force)
+{
+    const double mu = table->mu_static;
+    const double F = coin_priv_hypot(force->X, force->h);
+    return mu > 1 ? force->N - F / mu : mu * force->N - F;
+}
+
+/* Where the direction of a slip that begins is looked for: a part of the way
+ * from one direction to another. */
+struct fan {
+    coin_priv_direction from, to;
+};
+
+static coin_priv_direction unit(double X, double h)
+{
+    const double size = coin_priv_hypot(X, h);
+    const coin_priv_direction n = {X / size, h / size};
+    return n;
+}
+
+static coin_priv_direction within(const struct fan *f, double part)
+{
+    return unit((1 - part) * f->from.X + part * f->to.X,
+                (1 - part) * f->from.h + part * f->to.h);
+}
+
+/* How far the slip's slope, if it begins there, turns away from its direction.
+ */
+static double turn_away(const struct loose *o, const coin_priv_table *t,
+                        const coin_priv_slip *y, const struct fan *f,
+                        double part)
+{
+    const coin_priv_direction n = within(f, part);
+    const coin_priv_push force = slide(o, y, t->mu_kinetic, n);
+    const coin_priv_direction d = slip_slope(o, y, &force);
+    return d.X * n.h - d.h * n.X; /* (84) */
+}
+
+/* The root of (84) lies between the direction against the static force and that
+ * of the slip without friction.  Where they agree, or nearly, it is either. */
+coin_priv_direction coin_priv_onset(const coin_priv_table *table,
+                                    const coin_priv_slip *y,
+                                    const coin_priv_push *stick)
+{
+    const struct loose o = loose_of(table, y);
+    const double lever_h = (1 + o.lever) / o.D;
+    const struct fan fan = {
+        unit(-stick->X, -stick->h),
+        unit(-stick->X * (1 + o.zX), -stick->h * lever_h),
+    };
+    double x0 = 0, off0 = turn_away(&o, table, y, &fan, 0);
+    double x1 = 1, off1 = turn_away(&o, table, y, &fan, 1);
+    double x = fabs(off0) < fabs(off1) ? x0 : x1, step = 1;
+    for (int i = 0;
+         (i < TRIALS) & (step > DBL_EPSILON) & ((off0 < 0) != (off1 < 0));
+         ++i) {
+        x = x0 + (x1 - x0) * (off0 / (off0 - off1));
+        const double off = turn_away(&o, table, y, &fan, x);
+        step = fabs(x - x1);
+        if ((off < 0) == (off1 < 0)) {
+            off0 /= 2; /* Illinois */
+        } else {
+            x0 = x1;
+            off0 = off1;
+        }
+        x1 = x;
+        off1 = off;
+    }
+    return within(&fan, x);
+}
+
+void coin_priv_roll_slopes(double *dy, const double *y, const void *table)
+{
+    const coin_priv_table *t = (const coin_priv_table *)table;
+    const coin_priv_slip *at = (const coin_priv_slip *)(const void *)y;
+    const coin_priv_push force = coin_priv_static(t, at);
+    coin_priv_slopes_under((coin_priv_slip *)(void *)dy, t, at, &force);
+}
+
+void coin_priv_slip_slopes(double *dy, const double *y, const void *table)
+{
+    const coin_priv_table *t = (const coin_priv_table *)table;
+    const coin_priv_slip *at = (const coin_priv_slip *)(const void *)y;
+    const double u = coin_priv_hypot(at->uX, at->uh);
+    const double scale = coin_priv_slip_scale(t, u);
+    const coin_priv_direction n = {at->uX / u, at->uh / u};
+    const coin_priv_push force = coin_priv_kinetic(t, at, n);
+    coin_priv_slopes_under((coin_priv_slip *)(void *)dy, t, at, &force);
+    for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
+        dy[i] *= scale;
+}

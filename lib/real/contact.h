@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: MIT */
+/* A coin that slips: the force of the table on it, and its slopes.
+ *
+ * Lengths are in radii.  Slopes are by Sundman's time, dt = cos(theta) dtau;
+ * those of a coin whose contact is held near flat, d(psi)/dt = 0, are by t.
+ * Forces are over M a, and times cos(theta) unless the contact is held. */
+#ifndef ROLLCOIN_CONTACT_H
+#define ROLLCOIN_CONTACT_H
+
+#include "losses.h"
+
+/* What a step moves; all are doubles, an array to the method.  uX, uh: the slip
+ * velocity along e_X and e_h = (sin phi, 0, cos phi).  The pose is what a step
+ * adds to it. */
+typedef struct coin_priv_slip {
+    double wX, wY, wZ, sth, cth, uX, uh; /* what the force depends on */
+    double sph, cph, phi, psi, x, z, t;
+} coin_priv_slip;
+
+enum { COIN_PRIV_SLIP_SIZE = sizeof(coin_priv_slip) / sizeof(double) };
+
+/* A coin, its table, and its losses.  l.K is I_Z: torques act on a coin that is
+ * free at its contact. */
+typedef struct coin_priv_table {
+    coin_priv_body b;
+    coin_priv_losses l;
+    double mu_static, mu_kinetic;
+    double w0; /* 1 over the natural unit of time */
+    int held;  /* d(psi)/dt = 0 is held */
+} coin_priv_table;
+
+typedef struct coin_priv_push {
+    double N, X, h; /* along e_y, e_X, e_h */
+} coin_priv_push;
+
+/* A direction along the table. */
+typedef struct coin_priv_direction {
+    double X, h;
+} coin_priv_direction;
+
+/* Whether p lets a coin slide as f says and slow as l, which may be null:
+ * COIN_OK and *out, or COIN_EPARAMS.  Neither p nor f is null. */
+int32_t coin_priv_table_of(coin_priv_table *out, const coin_params *p,
+                           const coin_friction *f, const coin_losses *l);
+
+/* The force that keeps a contact without slip so; y->uX and y->uh are 0. */
+coin_priv_push coin_priv_static(const coin_priv_table *table,
+                                const coin_priv_slip *y);
+
+/* The friction against a slip in direction n. */
+coin_priv_push coin_priv_kinetic(const coin_priv_table *table,
+                                 const coin_priv_slip *y,
+                                 coin_priv_direction n);
+
+/* dtau/dsigma of (83) at a slip speed u. */
+COIN_PRIV_INLINE double coin_priv_slip_scale(const coin_priv_table *table,
+                                             double u)
+{
+    return u / (u + table->w0); /* (83) */
+}
+
+/* d/dtau of a coin that rolls, and d/dsigma of one that slips: in sigma the end
+ * and the beginning of a slip are exponential, and smooth however near the slip
+ * comes to 0.  For coin_priv_dopri8(): the problem is a coin_priv_table.
+ */
+void coin_priv_roll_slopes(double *dy, const double *y, const void *table);
+void coin_priv_slip_slopes(double *dy, const double *y, const void *table);
+
+/* The slopes under a force. */
+void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_table *table,
+                            const coin_priv_slip *y,
+                            const coin_priv_push *force);
+
+/* mu_static N - F, or that over mu_static where it is above 1: >= 0 as long as
+ * the force keeps to the cone of friction, and N > 0. */
+double coin_priv_margin(const coin_priv_table *table,
+                        const coin_priv_push *force);
+
+/* Whether a coin whose contact leaves the cone of friction slips: N of (80) has
+ * one sign in all directions.  Else it lifts off; so does one that cannot slip,
+ * where mu_static is infinite. */
+int coin_priv_can_slip(const coin_priv_table *table, const coin_priv_slip *y);
+
+/* The direction in which a slip begins, where sticking needs more than the
+ * friction there is: (84).  *stick is not 0 along the table. */
+coin_priv_direction coin_priv_onset(const coin_priv_table *table,
+                                    const coin_priv_slip *y,
+                                    const coin_priv_push *stick);
+
+#endif

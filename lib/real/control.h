@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+/* How long a step may be, by the estimate of its error. */
+#ifndef ROLLCOIN_CONTROL_H
+#define ROLLCOIN_CONTROL_H
+
+#include "../step/run.h"
+
+/* A call's first step is FIRST tol^(1/8) over the rate, as long as most motions
+ * admit.  No step is longer than LONGEST: there the estimate of the error is
+ * good. */
+#define COIN_PRIV_FIRST_STRIDE 4.0
+#define COIN_PRIV_LONGEST_STRIDE 1.2
+
+/* The estimate of a step's error may be ESTIMATE times tol times its time,
+ * since the estimate is of order 8 and the error of order 9.  Measured so that
+ * the error stays below tol per natural unit of time (test_settle).  A step
+ * near flat takes hardly any time; the time of a step counts as BRIEF natural
+ * units at least. */
+#define COIN_PRIV_ESTIMATE 4.0
+#define COIN_PRIV_BRIEF 0.03
+
+/* The error that DOP853 estimates, from sums of squares of what it has of order
+ * 5 and of order 3. */
+COIN_PRIV_INLINE double coin_priv_error_of(double by5, double by3)
+{
+    const double sum = by5 + 0.01 * by3;
+    return sum > 0 ? by5 / sqrt(sum) : sum;
+}
+
+/* The largest estimate with which a step of so many natural units is accepted:
+ * by tol, plus what rounding makes of it. */
+COIN_PRIV_INLINE double coin_priv_allowed_in(const coin_priv_run *r, double tol,
+                                             double units)
+{
+    const coin_priv_variables *y = &r->g.y;
+    const double w0 = sqrt(r->b.g_a);
+    const double rates = (fabs(y->wX) + fabs(y->wY) + fabs(y->wZ)) / w0;
+    return COIN_PRIV_ESTIMATE * tol * units + 4 * DBL_EPSILON * (1 + rates);
+}
+
+/* The same of a step of the time t. */
+COIN_PRIV_INLINE double coin_priv_allowed(const coin_priv_run *r, double tol,
+                                          double t)
+{
+    const double units = fabs(t) * sqrt(r->b.g_a), brief = COIN_PRIV_BRIEF;
+    return coin_priv_allowed_in(r, tol, units > brief ? units : brief);
+}
+
+/* The factor from a step to the next: about (most/error)^(1/8), from 0.2 to 2.
+ */
+COIN_PRIV_INLINE double coin_priv_change(double error, double most)
+{
+    const double least = 1e-9 * most; /* so that nothing divides by 0 */
+    const double ratio = most / (error > least ? error : least);
+    const double factor = 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio)));
+    return factor < 2 ? factor : 2;
+}
+
+/* The part of its rates at which a contact counts as stopped. */
+COIN_PRIV_INLINE double coin_priv_stopped(double tol)
+{
+    const double most = 10 * tol;
+    return most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
+}
+
+/* The first stride of a call. */
+COIN_PRIV_INLINE double coin_priv_first_stride(double tol)
+{
+    const double first = COIN_PRIV_FIRST_STRIDE * sqrt(sqrt(sqrt(tol)));
+    return first < COIN_PRIV_LONGEST_STRIDE ? first : COIN_PRIV_LONGEST_STRIDE;
+}
+
+#endif

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "friction.h"
+#include "slide.h"
+
+int32_t coin_priv_check_slide(const coin_slide *d, const coin_params *p,
+                              coin_priv_body *b)
+{
+    const int32_t status = d ? coin_priv_check(&d->s, p, b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const double most = sqrt(b->w2_max);
+    const int slow = fabs(d->vx) <= most * b->a && fabs(d->vz) <= most * b->a;
+    return slow ? COIN_OK : COIN_ESTATE;
+}
+
+int32_t coin_priv_table_of(coin_priv_table *out, const coin_params *p,
+                           const coin_friction *f, const coin_losses *l)
+{
+    static const coin_losses none = {0, 0, 0, 0, 0, 0, 0, 0};
+    const coin_losses *slow = l ? l : &none;
+    if (coin_priv_check_body(&out->b, p) != COIN_OK)
+        return COIN_EPARAMS;
+    coin_priv_body loose = out->b;
+    loose.K = loose.IZ;
+    if (coin_priv_losses_of(&out->l, slow, &loose) != COIN_OK ||
+        slow->damping > 0)
+        return COIN_EPARAMS;
+    const double k = out->b.IX / out->b.m;
+    const double bound = 2 * sqrt(k * (1 + k)); /* (86) */
+    out->mu_static = f->mu_static;
+    out->mu_kinetic = f->mu_kinetic;
+    out->w0 = sqrt(out->b.g_a);
+    out->held = 0;
+    const int good = f->mu_kinetic >= 0 && f->mu_kinetic <= f->mu_static &&
+                     f->mu_kinetic < bound;
+    return good ? COIN_OK : COIN_EPARAMS;
+}
+
+coin_priv_slip coin_priv_slip_start(const coin_slide *d,
+                                    const coin_priv_body *b)
+{
+    const coin_priv_variables y = coin_priv_variables_of(&d->s);
+    const double vx = d->vx / b->a, vz = d->vz / b->a;
+    const double vX = vx * y.cph - vz * y.sph, vh = vx * y.sph + vz * y.cph;
+    const coin_priv_slip r = {
+        y.wX,  y.wY,  y.wZ, y.sth, y.cth, vX + y.wZ, vh - y.wX * y.cth,
+        y.sph, y.cph, 0,    0,     0,     0,         0,
+    };
+    return r;
+}
+
+void coin_priv_centre_velocity(double v[2], const coin_priv_slip *y, double a)
+{
+    const double vX = y->uX - y->wZ, vh = y->uh + y->wX * y->cth;
+    v[0] = a * (vX * y->cph + vh * y->sph);
+    v[1] = a * (vh * y->cph - vX * y->sph);
+}
+
+int32_t coin_slide_of(coin_slide *d, const coin_state *s, const coin_params *p)
+{
+    coin_priv_body b;
+    const int32_t status = d ? coin_priv_check(s, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const coin_priv_variables y = coin_priv_variables_of(s);
+    double v[3];
+    coin_priv_velocity_of(v, b.a, &y);
+    coin_priv_copy_state(&d->s, s);
+    d->vx = v[0];
+    d->vz = v[2];
+    return COIN_OK;
+}
+
+double coin_slide_energy(const coin_slide *d, const coin_params *p)
+{
+    coin_priv_body b;
+    if (coin_priv_check_slide(d, p, &b) != COIN_OK)
+        return (double)NAN;
+    const coin_priv_sc th = coin_priv_sincos(d->s.theta);
+    const double wX = d->s.wX, wY = d->s.wY, wZ = d->s.wZ;
+    const double vy = b.a * wX * th.s;
+    const double v2 = d->vx * d->vx + d->vz * d->vz + vy * vy;
+    const double T =
+        0.5 * (b.M * v2 + b.IX * (wX * wX + wY * wY) + b.IZ * wZ * wZ);
+    return T + b.Mga * th.c; /* (88) */
+}
+
+int32_t coin_slide_velocity(const coin_slide *d, const coin_params *p,
+                            double u[2])
+{
+    coin_priv_body b;
+    const int32_t status = u ? coin_priv_check_slide(d, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const coin_priv_slip y = coin_priv_slip_start(d, &b);
+    u[0] = b.a * (y.uX * y.cph + y.uh * y.sph);
+    u[1] = b.a * (y.uh * y.cph - y.uX * y.sph);
+    return COIN_OK;
+}
+
+/* The force of the table, over M a and times cos theta. */
+static coin_priv_push push_of(const coin_priv_table *t, coin_priv_slip *y)
+{
+    const double u = coin_priv_hypot(y->uX, y->uh);
+    if (!(u < COIN_PRIV_SLIP_LEAST * t->w0)) {
+        const coin_priv_direction n = {y->uX / u, y->uh / u};
+        return coin_priv_kinetic(t, y, n);
+    }
+    y->uX = y->uh = 0;
+    const coin_priv_push stick = coin_priv_static(t, y);
+    const int leaves = coin_priv_left(t, y, 0) < 0;
+    const double F = coin_priv_hypot(stick.X, stick.h);
+    if (!(leaves & (F > 0) & (t->mu_static <= DBL_MAX)))
+        return stick;
+    return coin_priv_kinetic(t, y, coin_priv_onset(t, y, &stick));
+}
+
+int32_t coin_slide_reaction(const coin_slide *d, const coin_params *p,
+                            const coin_friction *f, const coin_losses *l,
+                            coin_force *out)
+{
+    coin_priv_table table;
+    coin_priv_body b;
+    if (!d || !p || !f || !out)
+        return COIN_EARG;
+    if (coin_priv_table_of(&table, p, f, l) != COIN_OK)
+        return COIN_EPARAMS;
+    const int32_t status = coin_priv_check_slide(d, p, &b);
+    if (status != COIN_OK)
+        return status;
+    coin_priv_slip y = coin_priv_slip_start(d, &b);
+    const coin_priv_push push = push_of(&table, &y);
+    const double scale = b.M * b.a / y.cth;
+    coin_force r;
+    r.R[0] = scale * (push.X * y.cph + push.h * y.sph);
+    r.R[1] = r.normal = scale * push.N;
+    r.R[2] = scale * (push.h * y.cph - push.X * y.sph);
+    r.friction = scale * coin_priv_hypot(push.X, push.h);
+    r.ratio = r.normal > 0 ? r.friction / r.normal : (double)INFINITY;
+    if (!((r.friction <= DBL_MAX) & (fabs(r.normal) <= DBL_MAX)))
+        return COIN_ESTATE;
+    *out = r;
+    return COIN_OK;
+}

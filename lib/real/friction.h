@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef ROLLCOIN_FRICTION_H
+#define ROLLCOIN_FRICTION_H
+
+#include "../motion/state.h"
+
+#include "contact.h"
+
+/* The checks of a coin that may slip: COIN_EARG, COIN_EPARAMS, COIN_ESTATE in
+ * this order.  After COIN_OK *b holds the body. */
+int32_t coin_priv_check_slide(const coin_slide *d, const coin_params *p,
+                              coin_priv_body *b);
+
+/* The variables of a slide. */
+coin_priv_slip coin_priv_slip_start(const coin_slide *d,
+                                    const coin_priv_body *b);
+
+/* The velocity of the centre along x and z of a coin that slips by y->uX and
+ * y->uh. */
+void coin_priv_centre_velocity(double v[2], const coin_priv_slip *y, double a);
+
+#endif

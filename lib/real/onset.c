@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT */
+/* The beginning of a slip. */
+#include "../motion/pinned.h"
+
+#include "control.h"
+#include "slide.h"
+
+/* How a slip would begin here: its direction, its slope by tau, friction over M
+ * a times cos theta, and the slopes of the coin then and as it rolls. */
+struct onset {
+    coin_priv_direction n;
+    double slope, friction;
+    coin_priv_slip slides, rolls;
+};
+
+static struct onset onset_of(const coin_priv_sliding *g)
+{
+    struct onset o;
+    const coin_priv_table *t = &g->table;
+    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
+    const coin_priv_push stick = coin_priv_static(t, &y);
+    o.n = coin_priv_onset(t, &y, &stick);
+    const coin_priv_push slide = coin_priv_kinetic(t, &y, o.n);
+    coin_priv_slopes_under(&o.slides, t, &y, &slide);
+    coin_priv_slopes_under(&o.rolls, t, &y, &stick);
+    o.slope = o.slides.uX * o.n.X + o.slides.uh * o.n.h;
+    o.friction = t->mu_kinetic * slide.N;
+    return o;
+}
+
+/* The coin after a slip of so short a tau; the direction is that of the slope.
+ */
+static coin_priv_slip euler(const coin_priv_slip *from, const struct onset *o,
+                            double tau)
+{
+    coin_priv_slip y = *from;
+    double *at = (double *)&y;
+    const double *slope = (const double *)&o->slides;
+    for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
+        at[i] += tau * slope[i];
+    return y;
+}
+
+/* The coin where the run is, which has rolled for tau since an onset, with the
+ * impulse of friction from then on. */
+static coin_priv_slip after(const coin_priv_sliding *g,
+                            const struct onset *from, double tau)
+{
+    const struct onset to = onset_of(g);
+    const double half = tau / 2;
+    const double u = g->gained + half * (from->slope + to.slope);
+    coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, u * to.n.X, u * to.n.h);
+    y.wX += half * (from->slides.wX - from->rolls.wX);
+    y.wY += half * (from->slides.wY - from->rolls.wY);
+    y.wZ += half * (from->slides.wZ - from->rolls.wZ);
+    y.wX += half * (to.slides.wX - to.rolls.wX);
+    y.wY += half * (to.slides.wY - to.rolls.wY);
+    y.wZ += half * (to.slides.wZ - to.rolls.wZ);
+    return y;
+}
+
+/* What is left of the normal force then, tau after the place noted. */
+static double force_left(coin_priv_sliding *g, double tau)
+{
+    g->w.run.g = g->from;
+    const struct onset from = onset_of(g);
+    coin_priv_again(g, tau);
+    const coin_priv_slip y = after(g, &from, tau);
+    return coin_priv_left(&g->table, &y, 1);
+}
+
+/* The slip begins at *y. */
+static int32_t begin(coin_priv_sliding *g, const coin_priv_slip *y)
+{
+    g->slips = 1;
+    g->slip_stride = coin_priv_first_stride(g->tol);
+    return coin_priv_slip_take(g, y);
+}
+
+/* Rolls on for at most tau, from an onset at *start. */
+static int32_t roll_on(coin_priv_sliding *g, const coin_priv_slip *start,
+                       const struct onset *from, double tau)
+{
+    coin_priv_mark(g);
+    double by = coin_priv_roll_step(g, coin_priv_roll_rate(g), tau);
+    if (by == 0)
+        return COIN_ESTEP;
+    if (coin_priv_cone_left(g) >= 0) {
+        coin_priv_count(g);
+        return COIN_OK;
+    }
+    coin_priv_slip y = after(g, from, by);
+    const double end = coin_priv_left(&g->table, &y, 1);
+    if (end <= 0) {
+        const double left = coin_priv_left(&g->table, start, 1);
+        by = coin_priv_place(g, force_left, left, by, end);
+        coin_priv_again(g, by);
+        y = after(g, from, by);
+    }
+    coin_priv_count(g);
+    g->gained = coin_priv_hypot(y.uX, y.uh);
+    if (end > 0 && g->gained < COIN_PRIV_SLIP_SEED * g->table.w0)
+        return COIN_OK;
+    const int32_t begun = begin(g, &y);
+    return end > 0 ? begun : COIN_ELIFT;
+}
+
+/* A slip with an acceleration begins at once, with a speed of
+ * COIN_PRIV_SLIP_SEED: its steps to grow are as friction over the acceleration.
+ * Where that is small, below tol^(1/4)/4, the coin rolls on for a time, and
+ * friction's part in it is added as an impulse; the error is as the
+ * acceleration times that time squared, and that is below tol. */
+int32_t coin_priv_begin_slip(coin_priv_sliding *g)
+{
+    const coin_priv_slip start = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
+    const double seed = COIN_PRIV_SLIP_SEED * g->table.w0;
+    const double r4 = sqrt(sqrt(g->tol));
+    const double wait =
+        coin_priv_sundman_tau(&g->w.run.b, &g->w.run.g.y, 2 * r4 * sqrt(r4));
+    g->seen = 0;
+    if (!coin_priv_can_slip(&g->table, &start))
+        return COIN_ELIFT;
+    if (g->rem.sum <= DBL_EPSILON * wait * start.cth) {
+        g->rem.sum = 0;
+        return COIN_OK;
+    }
+    const struct onset o = onset_of(g);
+    const double tau = coin_priv_lesser(wait, g->rem.sum / start.cth);
+    if (!(o.slope >= r4 / 4 * o.friction && o.slope * tau >= seed))
+        return roll_on(g, &start, &o, wait);
+    const coin_priv_slip y = euler(&start, &o, seed / o.slope);
+    return begin(g, &y);
+}

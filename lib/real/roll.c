@@ -1,0 +1,282 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "../step/extrapolation.h"
+
+#include "control.h"
+#include "hold.h"
+#include "slide.h"
+
+/* |rem| times the fastest rate below which a step with losses lands. */
+#define LAST 1e-5
+
+/* A coin whose margin is above this rolls, whatever rounding does. */
+#define CLEAR 1e-12
+
+/* A step of less than this part of the stride is looked at together with the
+ * last one. */
+#define TOGETHER 0.9
+
+/* A longer stride that is not plain may be so by halves. */
+#define HALVED 0.5
+
+double coin_priv_roll_try(coin_priv_sliding *g, double tau)
+{
+    coin_priv_run *const r = &g->w.run;
+    ++g->tries;
+    r->g.added.t = 0;
+    if (!g->lossy)
+        return coin_priv_extrapolate(r, tau) ? 0 : -1;
+    coin_priv_trial trial;
+    coin_priv_lossy_try(&trial, &g->w, tau);
+    const double most = coin_priv_allowed(r, g->tol, trial.adds.t);
+    const double error = trial.error / most;
+    if (error <= 1 && !coin_priv_sundman_accept(r, &trial.next, &trial.adds))
+        return -1;
+    return error;
+}
+
+double coin_priv_roll_rate(const coin_priv_sliding *g)
+{
+    const coin_priv_run *r = &g->w.run;
+    return g->lossy ? coin_priv_lossy_rate(&g->w)
+                    : 1 / coin_priv_sundman_tau(&r->b, &r->g.y, 1);
+}
+
+void coin_priv_mark(coin_priv_sliding *g)
+{
+    g->from = g->w.run.g;
+    g->steps = g->w.run.steps;
+}
+
+void coin_priv_again(coin_priv_sliding *g, double tau)
+{
+    g->w.run.g = g->from;
+    g->w.run.steps = g->steps;
+    g->w.run.g.added.t = 0;
+    g->landed = 0;
+    (void)coin_priv_roll_try(g, tau);
+}
+
+double coin_priv_cone_left(const coin_priv_sliding *g)
+{
+    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
+    return coin_priv_left(&g->table, &y, 0);
+}
+
+static double cone_left(coin_priv_sliding *g, double tau)
+{
+    coin_priv_again(g, tau);
+    return coin_priv_cone_left(g);
+}
+
+void coin_priv_count(coin_priv_sliding *g)
+{
+    coin_priv_add(&g->rem, -g->w.run.g.added.t);
+}
+
+/* The rest of the time in one short step, as coin_advance() ends; its tau. */
+static double land(coin_priv_sliding *g, double left)
+{
+    coin_priv_run *const r = &g->w.run;
+    coin_priv_sum rem = {left, 0};
+    const double tau = coin_priv_tau_of(&r->b, &r->g.y, left);
+    if (r->steps > 0)
+        coin_priv_read_lean(&r->g);
+    const int done = coin_priv_last_step(r, &g->reach, &rem) == COIN_OK;
+    r->g.added.t = g->rem.sum;
+    g->landed = 1;
+    return done ? tau : 0;
+}
+
+/* Where the contact of a coin with losses has stopped near flat, or nearly so,
+ * coin_settle() takes it to the table, or as far as it rises. */
+static int32_t settle(coin_priv_sliding *g)
+{
+    const coin_priv_held_fall f = coin_priv_fall_of(&g->w.l, &g->w.run.g.y);
+    double time = g->rem.sum, moved;
+    if (f.v < 0) {
+        const double rise = coin_priv_rise_time(&f, &g->w.l, &g->w.run.b);
+        time = rise < time ? rise : time;
+    }
+    const int whole = time == g->rem.sum;
+    coin_priv_read_lean(&g->w.run.g);
+    coin_state s = coin_priv_run_state(&g->w.run);
+    const int32_t status =
+        coin_settle(&s, &g->p, &g->losses, time, g->tol, &moved);
+    coin_priv_run_unlimited(&g->w.run, &s);
+    g->w.run.steps = 1;
+    coin_priv_add(&g->rem, -moved);
+    g->seen = 0;
+    if (status == COIN_OK && whole)
+        g->rem.sum = 0;
+    return status;
+}
+
+static int settles(const coin_priv_sliding *g)
+{
+    const double eps = coin_priv_stopped(g->tol);
+    const coin_priv_variables *y = &g->w.run.g.y;
+    return g->lossy && coin_priv_held(&g->w.l, &g->w.run.b, y, eps);
+}
+
+/* The length of a step by its rules: of time, of rate, and of losses. */
+static double next_tau(const coin_priv_sliding *g, double rate, double bound)
+{
+    const coin_priv_run *r = &g->w.run;
+    const double rem = g->rem.sum, side = rem < 0 ? -1 : 1;
+    const double own = g->roll_stride / rate, full = own < bound ? own : bound;
+    if (!(fabs(rem) < 2 * full * r->g.y.cth))
+        return side * full;
+    const double tau = coin_priv_tau_of(&r->b, &r->g.y, rem);
+    return fabs(tau) < full ? tau : side * full;
+}
+
+/* Whether a short step takes the rest of the time. */
+static int is_last(const coin_priv_sliding *g, double rem, double rate)
+{
+    const coin_priv_run *r = &g->w.run;
+    if (g->lossy)
+        return fabs(rem) * rate <= LAST * r->g.y.cth;
+    return coin_priv_lands(r, &g->reach, rem);
+}
+
+double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most)
+{
+    double bound = most;
+    if (g->lossy) {
+        const double least =
+            coin_priv_allowed_in(&g->w.run, g->tol, COIN_PRIV_BRIEF);
+        bound = coin_priv_lesser(coin_priv_lossy_bound(&g->w, least), most);
+    }
+    for (;;) {
+        const double tau = next_tau(g, rate, bound), used = fabs(tau) * rate;
+        const double error = coin_priv_roll_try(g, tau);
+        const int done = error <= 1;
+        if (!g->lossy || error < 0)
+            return error < 0 ? 0 : tau;
+        const double next = used * coin_priv_change(error, 1);
+        if (!done || next > g->roll_stride || used > 0.999 * g->roll_stride)
+            g->roll_stride = next < COIN_PRIV_LONGEST_STRIDE
+                                 ? next
+                                 : COIN_PRIV_LONGEST_STRIDE;
+        if (done)
+            return tau;
+    }
+}
+
+/* Whether the step made is plain by halves. */
+static int is_plain_by_halves(coin_priv_sliding *g, const coin_priv_end *to,
+                              double tau, double rate)
+{
+    const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
+    const coin_priv_losses *l = g->lossy ? &g->w.l : NULL;
+    const coin_priv_run at = g->w.run;
+    const int landed = g->landed;
+    const double half = tau / 2, stride = fabs(half) * rate;
+    coin_priv_end mid;
+    coin_priv_again(g, half);
+    coin_priv_end_of(&mid, &g->table, &f, l, &g->w.run.g.y, 1 / rate);
+    g->w.run = at;
+    g->landed = landed;
+    return coin_priv_plain(&g->table, &f, l, &g->end, &mid, half, stride) &&
+           coin_priv_plain(&g->table, &f, l, &mid, to, half, stride);
+}
+
+/* Whether it is plain that the coin rolls all along the step made. */
+static int is_plain(coin_priv_sliding *g, double tau, double rate)
+{
+    const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
+    const coin_priv_losses *l = g->lossy ? &g->w.l : NULL;
+    const double stride = fabs(tau) * rate;
+    coin_priv_end end;
+    coin_priv_end_of(&end, &g->table, &f, l, &g->w.run.g.y, 1 / rate);
+    int plain = coin_priv_plain(&g->table, &f, l, &g->end, &end, tau, stride);
+    if (!plain && stride > HALVED && end.margin > 0)
+        plain = is_plain_by_halves(g, &end, tau, rate);
+    g->end = end;
+    return plain;
+}
+
+/* Shortens the step made, of tau, to where the coin is known to roll.  Returns
+ * 1 if it need not; 0; or -1 if the coin leaves the cone at its end. */
+static int shorten(coin_priv_sliding *g, double tau, double rate)
+{
+    const coin_priv_slip from = coin_priv_slip_of(&g->from.y, 0, 0);
+    const double left = coin_priv_left(&g->table, &from, 0);
+    for (int whole = 1;; whole = 0) {
+        const coin_priv_slip to = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
+        const coin_priv_look look = {
+            &g->table, coin_priv_roll_slopes, &from, &to, tau, fabs(tau) * rate,
+        };
+        const double part = coin_priv_looked(&look);
+        if (part < 1) {
+            tau *= fabs(part);
+            coin_priv_again(g, tau);
+        }
+        const double end = coin_priv_cone_left(g);
+        if (end < 0 && (part < 0 || part == 1)) {
+            coin_priv_again(g, coin_priv_place(g, cone_left, left, tau, end));
+            return -1;
+        }
+        if (part == 1)
+            return whole;
+    }
+}
+
+void coin_priv_see(coin_priv_sliding *g)
+{
+    const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
+    coin_priv_end_of(&g->end, &g->table, &f, g->lossy ? &g->w.l : NULL,
+                     &g->w.run.g.y, 1 / coin_priv_roll_rate(g));
+    g->seen = g->end.margin > CLEAR;
+    g->gained = 0;
+}
+
+/* The next step, and with it the last one if that is near; its tau, or 0.
+ * *last: whether it takes the rest of the time. */
+static double next_step(coin_priv_sliding *g, double rate, int *last)
+{
+    double left = g->rem.sum, tau = 0;
+    *last = is_last(g, left, rate);
+    if (g->lossy || !*last) {
+        tau = coin_priv_roll_step(g, rate, (double)INFINITY);
+        if (g->lossy || tau == 0)
+            return tau;
+        left -= g->w.run.g.added.t;
+        const int is_short = fabs(tau) * rate < TOGETHER * g->roll_stride;
+        *last = (left != 0) & is_short && is_last(g, left, rate);
+        if (!*last)
+            return tau;
+    }
+    const double more = land(g, left);
+    return more == 0 ? 0 : tau + more;
+}
+
+int32_t coin_priv_roll_on(coin_priv_sliding *g)
+{
+    const coin_priv_variables *y = &g->w.run.g.y;
+    if (y->cth < COIN_PRIV_FLAT)
+        return coin_priv_lie(&g->w.run);
+    if (settles(g))
+        return settle(g);
+    const double rate = coin_priv_roll_rate(g);
+    if (!g->seen)
+        coin_priv_see(g);
+    if (!g->seen && coin_priv_cone_left(g) < 0)
+        return coin_priv_begin_slip(g);
+    const double before = g->rem.sum;
+    int last;
+    coin_priv_mark(g);
+    const double tau = next_step(g, rate, &last);
+    if (tau == 0)
+        return COIN_ESTEP;
+    g->seen = is_plain(g, tau, rate);
+    const int rolls = g->seen ? 1 : shorten(g, tau, rate);
+    coin_priv_count(g);
+    if (last && rolls > 0)
+        g->rem.sum = 0;
+    else if ((g->rem.sum < 0) != (before < 0))
+        g->roll_stride /= 2;
+    return rolls < 0 ? coin_priv_begin_slip(g) : COIN_OK;
+}

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "../motion/rest.h"
+
+#include "control.h"
+#include "friction.h"
+#include "slide.h"
+
+/* The most trials of coin_priv_place(). */
+#define TRIALS 60
+
+coin_priv_slip coin_priv_slip_of(const coin_priv_variables *y, double uX,
+                                 double uh)
+{
+    const coin_priv_slip at = {
+        y->wX,  y->wY,  y->wZ, y->sth, y->cth, uX, uh,
+        y->sph, y->cph, 0,     0,      0,      0,  0,
+    };
+    return at;
+}
+
+int coin_priv_slip_into(coin_priv_run *r, const coin_priv_slip *y)
+{
+    coin_priv_variables next = {
+        y->wX, y->wY, y->wZ, y->sth, y->cth, 0, 0, y->sph, y->cph,
+    };
+    const coin_priv_pose adds = {0, y->phi, y->psi, y->x, y->z, y->t};
+    if (y->cth > 0) /* else flat */
+        coin_priv_normalize(&next);
+    return coin_priv_sundman_accept(r, &next, &adds);
+}
+
+int32_t coin_priv_slip_take(coin_priv_sliding *g, const coin_priv_slip *y)
+{
+    if (!coin_priv_slip_into(&g->w.run, y))
+        return COIN_ESTEP;
+    g->uX = y->uX;
+    g->uh = y->uh;
+    coin_priv_add(&g->rem, -y->t);
+    return COIN_OK;
+}
+
+int32_t coin_priv_lie(coin_priv_run *r)
+{
+    coin_priv_variables *y = &r->g.y;
+    y->sth = y->sth < 0 ? -1 : 1;
+    y->cth = 0;
+    y->wY = 0;
+    y->wX = y->sth * fabs(y->wX);
+    return COIN_RESTS;
+}
+
+double coin_priv_place(coin_priv_sliding *g, coin_priv_event *event, double at0,
+                       double h1, double at1)
+{
+    double h0 = 0;
+    int before = 0;
+    for (int i = 0; i < TRIALS; ++i) {
+        /* The halves may underflow. */
+        if (!((h1 - h0 > 2 * DBL_EPSILON * h1) & (at0 > 0)))
+            break;
+        const double h = h0 + (h1 - h0) * (at0 / (at0 - at1));
+        const double at = event(g, h);
+        const int side = at < 0 ? -1 : 1;
+        if (side > 0) {
+            h0 = h;
+            at0 = at;
+            at1 *= before == side ? 0.5 : 1; /* Illinois */
+        } else {
+            h1 = h;
+            at1 = at;
+            at0 *= before == side ? 0.5 : 1;
+        }
+        before = side;
+    }
+    return h0;
+}
+
+/* Starts a slide, after the checks. */
+static void begin(coin_priv_sliding *g, const coin_slide *d,
+                  const coin_params *p, const coin_losses *l, double t,
+                  double tol)
+{
+    static const coin_losses none = {0, 0, 0, 0, 0, 0, 0, 0};
+    coin_priv_slip y = coin_priv_slip_start(d, &g->table.b);
+    g->p = *p;
+    g->losses = l ? *l : none;
+    g->lossy = !coin_priv_lossless(&g->losses);
+    g->w.run.b = g->table.b;
+    if (g->lossy)
+        (void)coin_priv_losses_of(&g->w.l, &g->losses, &g->table.b);
+    coin_priv_run_unlimited(&g->w.run, &d->s);
+    g->slips =
+        !(coin_priv_hypot(y.uX, y.uh) < COIN_PRIV_SLIP_LEAST * g->table.w0);
+    g->uX = g->slips ? y.uX : 0;
+    g->uh = g->slips ? y.uh : 0;
+    g->gained = 0;
+    g->seen = g->landed = 0;
+    g->rem.sum = t;
+    g->rem.low = 0;
+    g->tol = tol;
+    g->reach = coin_priv_reach_of(tol);
+    g->roll_stride = g->lossy ? coin_priv_first_stride(tol) : g->reach.stride;
+    g->slip_stride = coin_priv_first_stride(tol);
+    g->tries = 0;
+    if (!g->slips)
+        coin_priv_see(g);
+}
+
+/* What holds where the slide has come to: COIN_OK, COIN_SLIPS, COIN_ELIFT. */
+static int32_t mode_of(const coin_priv_sliding *g)
+{
+    const int32_t slips = COIN_SLIPS, lifts = COIN_ELIFT;
+    const coin_priv_table *t = &g->table;
+    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
+    if (g->slips)
+        return coin_priv_left(t, &y, 1) > 0 ? slips : lifts;
+    if (g->seen)
+        return COIN_OK;
+    if (coin_priv_left(t, &y, 0) < 0)
+        return coin_priv_can_slip(t, &y) ? slips : lifts;
+    return coin_priv_static(t, &y).N > 0 ? COIN_OK : lifts;
+}
+
+/* Rolls and slips until the time is over. */
+static int32_t go_on(coin_priv_sliding *g)
+{
+    int32_t status = COIN_OK;
+    while (status == COIN_OK && g->rem.sum != 0) {
+        if (g->tries > COIN_PRIV_SLIDE_TRIES)
+            return COIN_ESTEP;
+        status = g->slips ? coin_priv_slip_on(g) : coin_priv_roll_on(g);
+    }
+    return status == COIN_OK ? mode_of(g) : status;
+}
+
+/* Where the slide has come to. */
+static coin_slide end_of(coin_priv_sliding *g, int32_t status)
+{
+    coin_slide end;
+    double v[2];
+    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
+    coin_priv_centre_velocity(v, &y, g->table.b.a);
+    if (g->w.run.steps > 0 && !g->landed)
+        coin_priv_read_lean(&g->w.run.g);
+    end.s = coin_priv_run_state(&g->w.run);
+    if (status == COIN_RESTS)
+        end.s.wY = 0;
+    end.vx = v[0];
+    end.vz = v[1];
+    return end;
+}
+
+int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
+                           const coin_friction *f, const coin_losses *l,
+                           double t, double tol, double *reached)
+{
+    coin_priv_sliding g;
+    if (!d || !p || !f || !(tol >= 1e-13 && tol <= 1e-2))
+        return COIN_EARG;
+    if (coin_priv_table_of(&g.table, p, f, l) != COIN_OK)
+        return COIN_EPARAMS;
+    int32_t status = coin_priv_check_slide(d, p, &g.table.b);
+    if (status != COIN_OK)
+        return status;
+    if (!(t >= 0 && t * g.table.w0 <= COIN_PRIV_TOO_LONG))
+        return COIN_ESTEP;
+    double moved = 0;
+    status = COIN_RESTS;
+    if (!coin_priv_rests(&d->s)) {
+        begin(&g, d, p, l, t, tol);
+        status = mode_of(&g);
+        if (t > 0 && status != COIN_ELIFT) {
+            status = go_on(&g);
+            const coin_slide end = end_of(&g, status);
+            const int lost = coin_priv_check_members(&end.s) != COIN_OK;
+            if (lost) {
+                status = COIN_ESTEP;
+            } else {
+                *d = end;
+                moved = t - g.rem.sum;
+            }
+        }
+    }
+    if (reached)
+        *reached = moved;
+    return status;
+}

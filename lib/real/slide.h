@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+/* A coin that rolls and slips by turns. */
+#ifndef ROLLCOIN_SLIDE_H
+#define ROLLCOIN_SLIDE_H
+
+#include "../step/advance.h"
+
+#include "cone.h"
+#include "lossy.h"
+
+/* The slip speed, in natural units, below which a coin rolls; and that which a
+ * slip begins with. */
+#define COIN_PRIV_SLIP_LEAST 1e-10
+#define COIN_PRIV_SLIP_SEED 2e-10
+
+/* A slide under way. */
+typedef struct coin_priv_sliding {
+    coin_priv_table table;
+    coin_priv_lossy w; /* its run holds all but the slip; its losses are those
+                          of a coin that rolls */
+    coin_params p;     /* for coin_settle() */
+    coin_losses losses;
+    double uX, uh; /* 0 while the coin rolls */
+    int slips, lossy;
+    double gained;     /* slip speed not yet begun with */
+    coin_priv_sum rem; /* the time still to go */
+    coin_priv_reach reach;
+    double tol, roll_stride, slip_stride;
+    uint64_t tries;
+    coin_priv_progress from; /* where a rolling step began, and its number */
+    uint64_t steps;
+    coin_priv_end end; /* of the last rolling step, if seen */
+    int seen;          /* if `end` holds, and the coin rolls there */
+    int landed;        /* if the run holds theta */
+} coin_priv_sliding;
+
+/* The most steps of a call, those refused included. */
+#define COIN_PRIV_SLIDE_TRIES (UINT64_C(1) << 20)
+
+/* The variables of a slide; its pose counts from 0. */
+coin_priv_slip coin_priv_slip_of(const coin_priv_variables *y, double uX,
+                                 double uh);
+
+/* Takes the run to *y, whose pose counts from where the run was; 0, and *r
+ * untouched, if phi or psi leave their range. */
+int coin_priv_slip_into(coin_priv_run *r, const coin_priv_slip *y);
+
+/* Takes the slide to *y. */
+int32_t coin_priv_slip_take(coin_priv_sliding *g, const coin_priv_slip *y);
+
+/* Lays the coin flat as it moves: COIN_RESTS. */
+int32_t coin_priv_lie(coin_priv_run *r);
+
+/* What of a step is 0 at an event. */
+typedef double coin_priv_event(coin_priv_sliding *g, double h);
+
+/* The h in [0, h1] at which an event happens, where it is at0 at 0 and at1 <= 0
+ * at h1; on the side of 0, and 0 unless at0 > 0. */
+double coin_priv_place(coin_priv_sliding *g, coin_priv_event *event, double at0,
+                       double h1, double at1);
+
+/* Tries a step of tau of a coin that rolls, from where the run is: its error
+ * over what is allowed; added.t counts from 0.  Above 1 nothing was done; -1,
+ * and nothing done, if the pose would leave its range. */
+double coin_priv_roll_try(coin_priv_sliding *g, double tau);
+
+/* The rate in tau that measures its steps. */
+double coin_priv_roll_rate(const coin_priv_sliding *g);
+
+/* A step as long as its error allows, at most `most`: its tau, or 0. */
+double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most);
+
+/* Notes where such a step begins; and makes it anew from there, of another tau.
+ */
+void coin_priv_mark(coin_priv_sliding *g);
+void coin_priv_again(coin_priv_sliding *g, double tau);
+
+/* Counts the time of that step. */
+void coin_priv_count(coin_priv_sliding *g);
+
+/* Looks at where a run begins: g->seen if it is plain that the coin rolls. */
+void coin_priv_see(coin_priv_sliding *g);
+
+/* coin_priv_left() where the run is. */
+double coin_priv_cone_left(const coin_priv_sliding *g);
+
+/* A step of a coin that rolls; of one that slips.  COIN_OK, or a status that
+ * ends the call: COIN_RESTS, COIN_ELIFT, COIN_ESTEP. */
+int32_t coin_priv_roll_on(coin_priv_sliding *g);
+int32_t coin_priv_slip_on(coin_priv_sliding *g);
+
+/* The slip of a coin that needs more friction to roll than there is. */
+int32_t coin_priv_begin_slip(coin_priv_sliding *g);
+
+#endif

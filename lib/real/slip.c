@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "control.h"
+#include "dopri8.h"
+#include "hold.h"
+#include "slide.h"
+
+/* How much of the rate at which the direction of a slip settles counts: a step
+ * of COIN_PRIV_LONGEST_STRIDE is then 5 of its relaxation times, and the method
+ * is stable up to 6. */
+#define RELAX 0.24
+
+/* The part of the way to where the contact turns round that a step may go. */
+#define TURN_ROUND 0.5
+
+/* The error of the slip velocity over the slip velocity, at most: friction has
+ * its direction. */
+#define SLIP_ERROR 1e-2
+
+/* A slip is a straight line for this part, times sqrt(tol) and at most
+ * BRIEFEST, of the time in which the coin moves. */
+#define BRIEF 0.25
+#define BRIEFEST 0.002
+
+/* A step tried. */
+struct tried {
+    coin_priv_slip to;
+    double error; /* over what is allowed */
+};
+
+static double speed(const coin_priv_slip *y)
+{
+    return coin_priv_hypot(y->uX, y->uh);
+}
+
+/* The slope of the slip speed. */
+static double growth(const coin_priv_slip *y, const coin_priv_slip *d)
+{
+    const double u = speed(y);
+    return y->uX / u * d->uX + y->uh / u * d->uh;
+}
+
+/* The rate in sigma at which a slip changes: as the coin moves, as its
+ * direction settles, and as losses do. */
+static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
+{
+    const coin_priv_table *t = &g->table;
+    const coin_priv_losses *l = &t->l;
+    const double u = speed(y), scale = coin_priv_slip_scale(t, u);
+    const double sth = y->sth, cth = y->cth;
+    const coin_priv_direction n = {y->uX / u, y->uh / u};
+    const double N = coin_priv_kinetic(t, y, n).N;
+    const double lever = t->b.m / t->b.IX;
+    const double across = n.h * n.h * (1 + t->b.m / t->b.IZ) +
+                          n.X * n.X * (1 + lever) / (1 + lever * sth * sth);
+    const double settle = t->mu_kinetic * N * across / (u + t->w0);
+    const double own = 1 / coin_priv_sundman_tau(&t->b, &g->w.run.g.y, 1);
+    double rate = scale * own + RELAX * settle;
+    if (g->lossy && !t->held) {
+        const double roll = cth * y->wZ + sth * y->wY;
+        const double arm = sth * sth / l->IX + cth * cth / l->K;
+        rate += RELAX * scale *
+                (coin_priv_grip(l, roll, cth) * arm + l->spin * cth / l->IX);
+    }
+    return rate; /* (87) */
+}
+
+/* The longest step that does not pass where the contact turns round: dry
+ * friction is not smooth there. */
+static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
+                       const coin_priv_slip *d)
+{
+    const coin_priv_losses *l = &g->table.l;
+    if (!(l->solid > 0) || g->table.held)
+        return (double)INFINITY;
+    const double u = y->cth * y->wZ + y->sth * y->wY;
+    const double du =
+        fabs(y->cth * d->wZ + y->sth * d->wY + d->cth * y->wZ + d->sth * y->wY);
+    const double soft = l->soft2 * y->cth * y->cth;
+    const double way = TURN_ROUND * sqrt(u * u + soft);
+    return way / (du + 1e-30 * g->table.w0 * way); /* nothing divides by 0 */
+}
+
+/* The step h, and its error. */
+static struct tried attempt(coin_priv_sliding *g, double h)
+{
+    const double w0 = g->table.w0;
+    const coin_priv_slip from = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
+    struct tried r = {from, 0};
+    coin_priv_estimates e;
+    double d[COIN_PRIV_SLIP_SIZE], by5 = 0, by3 = 0, slip5 = 0, slip3 = 0;
+    coin_priv_slip_slopes(d, (const double *)&from, &g->table);
+    coin_priv_dopri8((double *)&r.to, d, COIN_PRIV_SLIP_SIZE,
+                     coin_priv_slip_slopes, &g->table, h, &e);
+    for (int i = 0; i < 9; ++i) { /* velocities, pairs, and the slip */
+        const int slip = i == 5 || i == 6;
+        const double per = i < 3 || slip ? 1 / w0 : 1;
+        const double off5 = e.by5[i] * per;
+        const double off3 = e.by3[i] * per;
+        by5 += off5 * off5;
+        by3 += off3 * off3;
+        slip5 += slip ? off5 * off5 : 0;
+        slip3 += slip ? off3 * off3 : 0;
+    }
+    ++g->tries;
+    const double rounding = 4 * DBL_EPSILON * (speed(&from) / w0);
+    const double most = coin_priv_allowed(&g->w.run, g->tol, r.to.t) + rounding;
+    const double own = coin_priv_error_of(by5, by3) / most;
+    const double of_slip =
+        coin_priv_error_of(slip5, slip3) * w0 / (SLIP_ERROR * speed(&from));
+    r.error = own > of_slip ? own : of_slip;
+    const int above = g->table.held | (r.to.cth > 0);
+    const int finite = by5 + by3 <= DBL_MAX;
+    r.error = (above & finite & (r.to.t >= 0)) ? r.error : (double)INFINITY;
+    return r;
+}
+
+static double time_left(coin_priv_sliding *g, double h)
+{
+    return g->rem.sum - attempt(g, h).to.t;
+}
+
+static double force_left(coin_priv_sliding *g, double h)
+{
+    const struct tried r = attempt(g, h);
+    return coin_priv_left(&g->table, &r.to, 1);
+}
+
+static double angle_left(coin_priv_sliding *g, double h)
+{
+    return attempt(g, h).to.cth;
+}
+
+/* The step that the error allows: at worst one of 0, which is exact. */
+static struct tried step(coin_priv_sliding *g, double *h, double rate,
+                         double bound)
+{
+    for (;;) {
+        const double full = g->slip_stride / rate;
+        *h = full < bound ? full : bound;
+        const struct tried r = attempt(g, *h);
+        const double used = *h * rate;
+        const double next = used * coin_priv_change(r.error, 1);
+        const int done = r.error <= 1;
+        if (!done || next > g->slip_stride || used > 0.999 * g->slip_stride)
+            g->slip_stride = next < COIN_PRIV_LONGEST_STRIDE
+                                 ? next
+                                 : COIN_PRIV_LONGEST_STRIDE;
+        if (done)
+            return r;
+    }
+}
+
+/* Whether it is plain that the normal force lasts all along a step: it changes
+ * as the coin moves, and much less than it is at both ends. */
+static int is_pressed(const coin_priv_sliding *g, double from, double to,
+                      double u, double h)
+{
+    const double own = coin_priv_sundman_tau(&g->table.b, &g->w.run.g.y, 1);
+    const double moved = h * coin_priv_slip_scale(&g->table, u) / own;
+    return coin_priv_lesser(from, to) >
+           4 * fabs(to - from) + 0.25 * moved * moved;
+}
+
+/* What ends a step before its full length: the first of the time, the end of
+ * the normal force, and the table.  Returns the status that it brings. */
+static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
+                   double rate)
+{
+    const coin_priv_slip from = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
+    int32_t status = COIN_OK;
+    if (r->to.cth <= 0) {
+        *h = coin_priv_place(g, angle_left, from.cth, *h, r->to.cth);
+        *r = attempt(g, *h);
+        status = COIN_RESTS;
+    }
+    if (r->to.t > g->rem.sum) {
+        *h =
+            coin_priv_place(g, time_left, g->rem.sum, *h, g->rem.sum - r->to.t);
+        *r = attempt(g, *h);
+        r->to.t = g->rem.sum;
+        status = COIN_OK;
+    }
+    const double left = coin_priv_left(&g->table, &from, 1);
+    const double u =
+        speed(&from) > speed(&r->to) ? speed(&from) : speed(&r->to);
+    if (is_pressed(g, left, coin_priv_left(&g->table, &r->to, 1), u, *h))
+        return status;
+    for (;;) {
+        const coin_priv_look look = {
+            &g->table, coin_priv_slip_slopes, &from, &r->to, *h, *h * rate,
+        };
+        const double part = coin_priv_looked(&look);
+        if (part < 1) {
+            *h *= fabs(part);
+            *r = attempt(g, *h);
+            status = COIN_OK;
+        }
+        const double end = coin_priv_left(&g->table, &r->to, 1);
+        if (!(end > 0) && (part < 0 || part == 1)) {
+            *h = coin_priv_place(g, force_left, left, *h, end);
+            *r = attempt(g, *h);
+            return COIN_ELIFT;
+        }
+        if (part == 1)
+            return status;
+    }
+}
+
+/* The sigma of a slip so brief that it is a straight line, in which the error
+ * is of the second order; 0 where friction turns, or is held. */
+static double brief_of(const coin_priv_sliding *g, const coin_priv_slip *y,
+                       const coin_priv_slip *d)
+{
+    const double u = speed(y);
+    const double part = coin_priv_lesser(BRIEF * sqrt(g->tol), BRIEFEST);
+    const double turn = y->uX / u * d->uh - y->uh / u * d->uX;
+    if (g->table.held || fabs(turn) > part * fabs(growth(y, d)))
+        return 0;
+    const double own = coin_priv_sundman_tau(&g->table.b, &g->w.run.g.y, part);
+    return own / coin_priv_slip_scale(&g->table, u);
+}
+
+/* A straight line of so many sigma, or to the end of the time: whether it comes
+ * to its end before. */
+static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
+                       double rem)
+{
+    const int fits = d->t * h <= rem;
+    double *at = (double *)y;
+    const double *by = (const double *)d;
+    for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
+        at[i] += (fits ? h : rem / d->t) * by[i];
+    if (!fits)
+        y->t = rem;
+    return fits;
+}
+
+/* A brief slip, or the end of one whose speed is all but 0, from where on the
+ * coin rolls, or slips on in another direction.  0, and nothing done, if it is
+ * not brief, or the coin may lift. */
+static int is_brief(coin_priv_sliding *g, coin_priv_slip *to,
+                    const coin_priv_slip *d)
+{
+    const double u = speed(to), grows = growth(to, d);
+    const double h = brief_of(g, to, d);
+    const int least = u < COIN_PRIV_SLIP_LEAST * g->table.w0;
+    const int ends = grows < 0;
+    if (!(ends ? least || u < -grows * h : u < grows * h / 9))
+        return 0;
+    const int fits = go_straight(to, d, ends ? u / -grows : h, g->rem.sum);
+    if (!(coin_priv_left(&g->table, to, 1) > 0) && !(ends && least))
+        return 0;
+    if (fits && ends) {
+        to->uX = to->uh = g->gained = 0;
+        g->slips = g->seen = 0;
+    }
+    return 1;
+}
+
+/* Whether the contact of a slipping coin near flat has stopped, and the losses
+ * hold it there: (73) of a coin that is free at its contact, against friction
+ * that turns it about the vertical, (85). */
+static int is_held(const coin_priv_sliding *g, const coin_priv_slip *y)
+{
+    const coin_priv_losses *l = &g->table.l;
+    const coin_priv_variables *v = &g->w.run.g.y;
+    const coin_priv_body *b = &g->table.b;
+    const double eps = coin_priv_stopped(g->tol);
+    if (!g->lossy)
+        return 0;
+    const double turn = g->table.mu_kinetic * b->Mga * (b->IX / b->IZ);
+    const double hold =
+        coin_priv_hold(l, coin_priv_slow2(l, b, v, eps), v->cth);
+    return turn * y->cth * y->cth <= hold && coin_priv_held(l, b, v, eps);
+}
+
+int32_t coin_priv_slip_on(coin_priv_sliding *g)
+{
+    coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh), d;
+    if (!g->table.held && y.cth < COIN_PRIV_FLAT)
+        return coin_priv_lie(&g->w.run);
+    g->table.held = is_held(g, &y);
+    coin_priv_slip_slopes((double *)&d, (const double *)&y, &g->table);
+    coin_priv_slip to = y;
+    if (is_brief(g, &to, &d))
+        return coin_priv_slip_take(g, &to);
+    const double rate =
+        rate_of(g, &y) + RELAX * fabs(growth(&y, &d)) / speed(&y);
+    double h;
+    struct tried r = step(g, &h, rate, bound_of(g, &y, &d));
+    const int32_t status = cut(g, &r, &h, rate);
+    if (status == COIN_RESTS)
+        r.to.cth = 0;
+    const int32_t taken = coin_priv_slip_take(g, &r.to);
+    if (taken != COIN_OK)
+        return taken;
+    return status == COIN_RESTS ? coin_priv_lie(&g->w.run) : status;
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+/* Coins that slip. */
+#include "fuzz.h"
+
+#include <math.h>
+#include <string.h>
+
+CALL(coin_slide_of, (a[0].p, a[1].p, a[2].p))
+CALL(coin_slide_advance,
+     (a[0].p, a[1].p, a[2].p, a[3].p, a[4].d, a[5].d, a[6].p))
+CALL(coin_slide_energy, (a[0].p, a[1].p))
+CALL(coin_slide_reaction, (a[0].p, a[1].p, a[2].p, a[3].p, a[4].p))
+CALL(coin_slide_velocity, (a[0].p, a[1].p, a[2].p))
+
+/* As of coin_settle(); a lift-off keeps the progress made. */
+static void judge_advance(const struct outcome *o)
+{
+    const double t = o->given[4].d;
+    const coin_slide *d = o->left[0].p;
+    double reached;
+    memcpy(&reached, o->left[6].p, sizeof reached);
+    const int untouched =
+        o->result < 0 && same(&reached, o->given[6].p, sizeof reached);
+    if (untouched)
+        return;
+    if (o->result == COIN_OK || o->result == COIN_SLIPS)
+        demand(reached == t);
+    else
+        demand(reached >= 0 && reached <= t &&
+               coin_state_check(&d->s, &o->world->p) == COIN_OK);
+    if (o->result == COIN_RESTS)
+        demand(d->s.wY == 0 && d->s.wX * d->s.theta >= 0 &&
+               fabs(d->s.theta) > 1.57);
+}
+
+const struct function fuzz_functions[] = {
+    ROW(coin_slide_of, "Usp", USUAL, 0, PLAIN),
+    ROW(coin_slide_advance, "KpoMTer",
+        USUAL | BIT(COIN_ESTEP) | BIT(COIN_ELIFT), COIN_SLIPS | COIN_RESTS,
+        BIT(COIN_ESTEP) | BIT(COIN_ELIFT), judge_advance, 0),
+    ROW(coin_slide_energy, "xp", NUMBER),
+    ROW(coin_slide_reaction, "xpoMF", USUAL, 0, PLAIN),
+    ROW(coin_slide_velocity, "xp2", USUAL, 0, PLAIN),
+};
+
+END_OF_TABLE;

@@ -1,0 +1,394 @@
+/* SPDX-License-Identifier: MIT */
+/* Calls of coins that slip: statuses, symmetries. */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/losses.h"
+#include "support/slides.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const coin_friction rough = {0.55, 0.5};
+
+/* Thrown with a side slip: it slips, rolls, slips and rolls. */
+static const coin_slide thrown = {
+    {.theta = 0.3, .wY = 0.5, .wZ = -0.5}, 1, 0.4};
+
+/* ---------------------------------------------------------------- rolling */
+static void what_never_needs_more_friction_moves_as_coin_advance(void **unused)
+{
+    (void)unused;
+    const coin_friction endless = {INFINITY, 0.3};
+    const double times[] = {0.01, 0.3, 5};
+    struct random r = random_begin(173);
+    int rolled = 0;
+    for (int i = 0; i < 60; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state start = random_state(&r, &p, 1.2);
+        const double t = times[i % 3] * natural_time(&p);
+        coin_slide d, rolls;
+        coin_state s = start;
+        double reached, by_advance;
+        check_status(coin_slide_of(&d, &start, &p), COIN_OK);
+        check_status(coin_advance(&s, &p, t, 1e-9, &by_advance), COIN_OK);
+        if (coin_slide_advance(&d, &p, &endless, NULL, t, 1e-9, &reached) !=
+            COIN_OK)
+            continue;
+        check(slides_apart(&d, &(coin_slide){s, d.vx, d.vz}, &p) < 1e-9);
+        check(reached == by_advance);
+        check_status(coin_slide_of(&rolls, &d.s, &p), COIN_OK);
+        check(slides_apart(&d, &rolls, &p) < 1e-12);
+        ++rolled;
+    }
+    check(rolled > 15);
+}
+
+static void a_coin_that_rolls_is_described_as_by_the_other_functions(
+    void **unused)
+{
+    (void)unused;
+    const coin_friction endless = {INFINITY, 0.3};
+    const coin_losses l = {0, 0.01, 0.02, 0.01, 0.01, 0.02, 0.01, 0};
+    struct random r = random_begin(174);
+    for (int i = 0; i < 300; ++i) {
+        const coin_params p = i % 2 ? disc() : ring(random_between(&r, 0, 1));
+        const coin_state s = random_state(&r, &p, 1.3);
+        coin_slide d;
+        coin_force by, want;
+        double u[2];
+        check_status(coin_slide_of(&d, &s, &p), COIN_OK);
+        check_status(coin_slide_velocity(&d, &p, u), COIN_OK);
+        check_near(hypot(u[0], u[1]), 0, 32 * U);
+        check_near(coin_slide_energy(&d, &p), coin_energy(&s, &p), 128 * U);
+        const double terms = 16 / cos(s.theta);
+        for (int lossy = 0; lossy < 2; ++lossy) {
+            check_status(
+                coin_slide_reaction(&d, &p, &endless, lossy ? &l : NULL, &by),
+                COIN_OK);
+            check_status(lossy ? coin_losses_reaction(&s, &p, &l, &want)
+                               : coin_reaction(&s, &p, &want),
+                         COIN_OK);
+            for (int k = 0; k < 3; ++k)
+                check_near(by.R[k], want.R[k], 32 * U * terms);
+            check_near(by.friction, want.friction, 64 * U * terms);
+            check(by.normal == by.R[1]);
+        }
+    }
+}
+
+/* By Newton and Euler in the table's frame: the force at the contact makes the
+ * height of the material point of contact accelerate as a rim that rolls on. */
+static void the_force_of_a_slip_is_that_of_newton_and_euler(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(175);
+    for (int i = 0; i < 200; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const double mu = random_between(&r, 0, 0.9);
+        const coin_friction f = {1, mu};
+        coin_slide d = random_launch(&r, &p);
+        d.vx += 1;
+        coin_force force;
+        double u[2], R[9];
+        check_status(coin_slide_reaction(&d, &p, &f, NULL, &force), COIN_OK);
+        check_status(coin_slide_velocity(&d, &p, u), COIN_OK);
+        const double size = hypot(u[0], u[1]);
+        /* Against the slip, and mu N large. */
+        check_near(force.R[0], -mu * force.normal * u[0] / size, 1e-12);
+        check_near(force.R[2], -mu * force.normal * u[1] / size, 1e-12);
+        /* y = cos(theta): y'' = -wX' sin - wX^2 cos = N - 1, where wX' is by
+         * Euler's equation of a body whose axis is e_Z. */
+        check_status(coin_axes(&d.s, R), COIN_OK);
+        const double sth = sin(d.s.theta), cth = cos(d.s.theta);
+        double torque = 0; /* along e_X, of the force at -e_Y */
+        const double at[3] = {-R[3], -R[4], -R[5]};
+        const double m[3] = {at[1] * force.R[2] - at[2] * force.R[1],
+                             at[2] * force.R[0] - at[0] * force.R[2],
+                             at[0] * force.R[1] - at[1] * force.R[0]};
+        for (int k = 0; k < 3; ++k)
+            torque += m[k] * R[k];
+        const double frame_Z = d.s.wY * tan(d.s.theta);
+        const double dwX = (torque + p.inertia_X * d.s.wY * -frame_Z -
+                            p.inertia_Z * d.s.wZ * d.s.wY) /
+                           p.inertia_X;
+        check_near(-dwX * sth - d.s.wX * d.s.wX * cth, force.normal - 1,
+                   1e-12 / cth);
+    }
+}
+
+/* ---------------------------------------------------------------- statuses */
+static void t_0_changes_nothing_and_says_whether_it_slips(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state wild = {.theta = 0.7, .wX = 1, .wY = 1, .wZ = 0.5};
+    const coin_state still = {.theta = 0.1, .wZ = 1};
+    coin_slide d = thrown;
+    double reached = 7;
+    check_status(coin_slide_advance(&d, &p, &rough, NULL, 0, 1e-9, &reached),
+                 COIN_SLIPS);
+    check(reached == 0);
+    check_same(&d, &thrown, sizeof d);
+    coin_slide_of(&d, &still, &p);
+    check_status(coin_slide_advance(&d, &p, &rough, NULL, 0, 1e-9, &reached),
+                 COIN_OK);
+    const coin_friction ice = {0.01, 0};
+    coin_slide_of(&d, &wild, &p);
+    check_status(coin_slide_advance(&d, &p, &ice, NULL, 0, 1e-9, &reached),
+                 COIN_SLIPS);
+}
+
+static void a_coin_that_would_lift_off_is_kept_where_it_does(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_slide d, again;
+    const coin_state up = {.theta = 0.2, .wX = 3};
+    double reached = 7;
+    coin_slide_of(&d, &up, &p);
+    again = d;
+    check_status(coin_slide_advance(&d, &p, &rough, NULL, 1, 1e-9, &reached),
+                 COIN_ELIFT);
+    check(reached == 0);
+    check_same(&d, &again, sizeof d);
+    const coin_slide none[] = {
+        {{.theta = 0.2, .wX = 3}, 1, 0},         /* slips */
+        {{.theta = 0, .wX = 1}, 0, 1},           /* rolls; N = 0 */
+        {{.theta = 0, .wX = 1.0625}, 0, 1.0625}, /* rolls; F = 0 */
+    };
+    for (int i = 0; i < 3; ++i) {
+        d = none[i];
+        check_status(
+            coin_slide_advance(&d, &p, &rough, NULL, 1, 1e-9, &reached),
+            COIN_ELIFT);
+        check(reached == 0);
+        check_same(&d, &none[i], sizeof d);
+    }
+    /* One that lifts off on its way. */
+    struct random r = random_begin(176);
+    int lifted = 0;
+    for (int i = 0; i < 200; ++i) {
+        coin_force force;
+        d = random_launch(&r, &p);
+        if (coin_slide_advance(&d, &p, &rough, NULL, 9, 1e-10, &reached) !=
+                COIN_ELIFT ||
+            reached == 0)
+            continue;
+        ++lifted;
+        check(reached < 9);
+        check_status(coin_slide_reaction(&d, &p, &rough, NULL, &force),
+                     COIN_OK);
+        check_within(force.normal, -1e-9, 1e-6);
+    }
+    check(lifted > 20);
+}
+
+/* Falling without turning: flat in finite time, whatever the friction. */
+static void a_coin_that_falls_over_rests_also_without_losses(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double mus[] = {0, 0.3, INFINITY};
+    double when[3];
+    for (int i = 0; i < 3; ++i) {
+        const coin_friction f = {mus[i], mus[i] < 1 ? mus[i] : 0.3};
+        const coin_state s = {.theta = 1.2};
+        coin_slide d;
+        coin_slide_of(&d, &s, &p);
+        check_status(coin_slide_advance(&d, &p, &f, NULL, 9, 1e-10, &when[i]),
+                     COIN_RESTS);
+        check(d.s.theta > 1.57079632679489 && d.s.wX > 0.5 && d.s.wY == 0);
+        const coin_slide flat = d;
+        double reached = 7;
+        check_status(coin_slide_advance(&d, &p, &f, NULL, 9, 1e-10, &reached),
+                     COIN_RESTS);
+        check(reached == 0);
+        check_same(&d, &flat, sizeof d);
+    }
+    coin_state s = {.theta = 1.2};
+    double by_advance;
+    check_status(coin_advance(&s, &p, 9, 1e-10, &by_advance), COIN_EFLAT);
+    check_near(when[2], by_advance, 1e-9);
+    check(when[0] < when[2]);
+}
+
+/* With as much friction as that the coin keeps to the cone nearly until N = 0,
+ * and rolls on for a time where its slip would begin.  The force of that slip
+ * is far from the one that rolling would take. */
+static void a_coin_lifts_off_where_the_force_of_its_slip_is_0(void **unused)
+{
+    (void)unused;
+    const coin_friction high = {1.1, 1.1};
+    const coin_params p = disc();
+    for (double tol = 1e-2; tol > 1e-11; tol *= 1e-4) {
+        struct random r = random_begin(178);
+        int lifted = 0, pulled = 0;
+        for (int i = 0; i < 300; ++i) {
+            const coin_state s = random_state(&r, &p, 1.2);
+            coin_slide d;
+            coin_force force, rolls;
+            double reached;
+            coin_slide_of(&d, &s, &p);
+            if (coin_slide_advance(&d, &p, &high, NULL, 3, tol, &reached) !=
+                    COIN_ELIFT ||
+                reached == 0)
+                continue;
+            coin_slide_reaction(&d, &p, &high, NULL, &force);
+            check_near(force.normal, 0, tol);
+            coin_reaction(&d.s, &p, &rolls);
+            pulled += rolls.normal < -0.1;
+            ++lifted;
+        }
+        check(lifted > 20 && pulled > 10);
+    }
+}
+
+/* Rolling would take a table that pulls, and a slip is pressed: unless the
+ * contact cannot slip. */
+static void a_coin_slips_where_only_rolling_would_lift_it(void **unused)
+{
+    (void)unused;
+    const coin_friction high = {1.1, 1.1}, low = {0.3, 0.25};
+    const coin_friction endless = {INFINITY, 1.1};
+    struct random r = random_begin(179);
+    int slip = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const coin_params p = disc();
+        const coin_state s = random_state(&r, &p, 1.2);
+        coin_slide d;
+        coin_force rolls, slips;
+        coin_slide_of(&d, &s, &p);
+        coin_reaction(&s, &p, &rolls);
+        if (rolls.normal > 0)
+            continue;
+        check_status(coin_slide_advance(&d, &p, &endless, NULL, 1, 1e-9, NULL),
+                     COIN_ELIFT);
+        coin_slide_reaction(&d, &p, &high, NULL, &slips);
+        const int32_t want = slips.normal > 0 ? COIN_SLIPS : COIN_ELIFT;
+        check_status(coin_slide_advance(&d, &p, &high, NULL, 0, 1e-9, NULL),
+                     want);
+        /* The sign of that force is of the coin, and not of its friction. */
+        check_status(coin_slide_advance(&d, &p, &low, NULL, 0, 1e-9, NULL),
+                     want);
+        if (want == COIN_SLIPS) {
+            check_near(slips.ratio, 1.1, 1e-12);
+            ++slip;
+        }
+    }
+    check(slip > 20);
+}
+
+/* In a time so short that the slip has not grown to what it begins with. */
+static void a_slip_that_has_just_begun_takes_the_time_asked(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction ice = {0.01, 0.005};
+    const coin_state wild = {.theta = 0.7, .wX = 0.5, .wY = 1, .wZ = 0.5};
+    coin_slide d;
+    double reached;
+    coin_slide_of(&d, &wild, &p);
+    check_status(coin_slide_advance(&d, &p, &ice, NULL, 1e-12, 1e-9, &reached),
+                 COIN_SLIPS);
+    check(reached == 1e-12);
+    check_near(d.s.theta, wild.theta + 1e-12 * wild.wX, 2 * U);
+}
+
+/* Nothing turns and nothing pushes. */
+static void an_upright_coin_without_friction_glides(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction none = {0, 0};
+    coin_slide d = {{0}, 0.5, 0.25};
+    check_status(coin_slide_advance(&d, &p, &none, NULL, 8, 1e-9, NULL),
+                 COIN_SLIPS);
+    check(d.vx == 0.5 && d.vz == 0.25 && d.s.theta == 0 && d.s.wZ == 0);
+    check_near(d.s.x, 4, 16 * U);
+    check_near(d.s.z, 2, 16 * U);
+}
+
+/* Rounding of its speed is no error of the other variables. */
+static void a_slip_of_any_speed_takes_few_steps(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_slide d = thrown;
+    for (double v = 1; v < 1e90; v *= 1e12) {
+        d = thrown;
+        d.vx = v;
+        check_status(coin_slide_advance(&d, &p, &rough, NULL, 0.5, 1e-10, NULL),
+                     COIN_SLIPS);
+        check(fabs(d.vx - v) < 0.5 * 0.5 * 2 + 4 * U * v); /* mu N t */
+    }
+}
+
+static void many_calls_go_where_one_goes(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_slide one = thrown, many = thrown;
+    check(coin_slide_advance(&one, &p, &rough, NULL, 3, 1e-11, NULL) >= 0);
+    for (int i = 0; i < 300; ++i)
+        check(coin_slide_advance(&many, &p, &rough, NULL, 0.01, 1e-11, NULL) >=
+              0);
+    check(slides_apart(&one, &many, &p) < 1e-8);
+}
+
+/* ---------------------------------------------------------------- symmetry */
+static void mirror_heading_and_units_change_nothing(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(177);
+    for (int i = 0; i < 40; ++i) {
+        const coin_params p = disc();
+        coin_params big;
+        check_status(coin_params_disc(&big, 8, 4, 0.25), COIN_OK);
+        const coin_slide d = random_launch(&r, &p);
+        coin_slide a = d, b = d, c = d, e = d;
+        /* x-y plane; y-z plane; a turn of the table; L = 4, T = 4, M = 8. */
+        const coin_state s = d.s;
+        b.s = (coin_state){-s.theta, -s.phi, s.psi, s.x,
+                           -s.z,     -s.wX,  -s.wY, s.wZ};
+        b.vz = -d.vz;
+        c.s = (coin_state){s.theta, -s.phi, -s.psi, -s.x,
+                           s.z,     s.wX,   -s.wY,  -s.wZ};
+        c.vx = -d.vx;
+        e.s = state_in(&s, 4, 4);
+        const int32_t status =
+            coin_slide_advance(&a, &p, &rough, NULL, 2, 1e-10, NULL);
+        check_status(coin_slide_advance(&b, &p, &rough, NULL, 2, 1e-10, NULL),
+                     status);
+        check_status(coin_slide_advance(&c, &p, &rough, NULL, 2, 1e-10, NULL),
+                     status);
+        check_status(coin_slide_advance(&e, &big, &rough, NULL, 8, 1e-10, NULL),
+                     status);
+        check_near(b.s.theta, -a.s.theta, 1e-8);
+        check_near(b.s.z, -a.s.z, 1e-8);
+        check_near(b.vz, -a.vz, 1e-8);
+        check_near(c.s.wZ, -a.s.wZ, 1e-8);
+        check_near(c.s.x, -a.s.x, 1e-8);
+        check(e.s.theta == a.s.theta && e.s.x == 4 * a.s.x && e.vx == a.vx);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(what_never_needs_more_friction_moves_as_coin_advance),
+        TEST(a_coin_that_rolls_is_described_as_by_the_other_functions),
+        TEST(the_force_of_a_slip_is_that_of_newton_and_euler),
+        TEST(t_0_changes_nothing_and_says_whether_it_slips),
+        TEST(a_coin_that_would_lift_off_is_kept_where_it_does),
+        TEST(a_coin_that_falls_over_rests_also_without_losses),
+        TEST(a_coin_lifts_off_where_the_force_of_its_slip_is_0),
+        TEST(a_coin_slips_where_only_rolling_would_lift_it),
+        TEST(a_slip_that_has_just_begun_takes_the_time_asked),
+        TEST(an_upright_coin_without_friction_glides),
+        TEST(a_slip_of_any_speed_takes_few_steps),
+        TEST(many_calls_go_where_one_goes),
+        TEST(mirror_heading_and_units_change_nothing),
+    };
+    return RUN_TESTS(tests);
+}

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: MIT */
+/* Coins that slip and lose energy; and slips that begin without acceleration.
+ */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/losses.h"
+#include "support/slides.h"
+
+#include <math.h>
+
+/* Some of all terms but damping, and dry or viscous among them. */
+static coin_losses some_losses(struct random *r)
+{
+    coin_losses l = {0};
+    double *const members[] = {&l.layer, &l.gap, &l.rolling, &l.spin};
+    *(random_between(r, 0, 1) < 0.5 ? &l.dry : &l.viscous) =
+        random_between(r, 1e-3, 1e-2);
+    for (int i = 0; i < 4; ++i)
+        *members[i] =
+            random_between(r, 0, 1) < 0.3 ? random_between(r, 0, 1e-3) : 0;
+    return l;
+}
+
+/* Held to the table by infinite friction it is the coin of coin_settle(). */
+static void a_coin_that_cannot_slip_rests_when_coin_settle_says(void **unused)
+{
+    (void)unused;
+    const coin_friction endless = {INFINITY, 0.3};
+    struct random r = random_begin(191);
+    int rested = 0;
+    for (int i = 0; i < 40; ++i) {
+        const coin_params p = i % 2 ? disc() : ring(0.7);
+        const coin_losses l = some_losses(&r);
+        coin_state s = {.theta = random_between(&r, 1.1, 1.3), .wX = 0.02};
+        coin_state start;
+        coin_steady_spin(&start, &p, s.theta);
+        start.wX = s.wX;
+        coin_slide d;
+        double when, by_settle;
+        coin_slide_of(&d, &start, &p);
+        s = start;
+        if (coin_slide_advance(&d, &p, &endless, &l, 1e4, 1e-9, &when) !=
+            COIN_RESTS)
+            continue;
+        ++rested;
+        check_status(coin_settle(&s, &p, &l, 1e4, 1e-9, &by_settle),
+                     COIN_RESTS);
+        check_near(when, by_settle, 1e-6 * by_settle);
+        check_near(d.s.wX, s.wX, 1e-4);
+        check(d.s.wY == 0 && fabs(d.s.theta) > 1.57079632679489);
+    }
+    check(rested > 25);
+}
+
+/* In one call and in many, at two tolerances. */
+static void the_time_of_rest_is_that_of_any_tolerance_and_calls(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(192);
+    int rested = 0, slid = 0, parted = 0;
+    for (int i = 0; i < 60; ++i) {
+        const coin_params p = i % 2 ? disc() : ring(0.7);
+        const coin_losses l = some_losses(&r);
+        const double mu = random_between(&r, 0.2, 0.6);
+        const coin_friction f = {mu, 0.9 * mu};
+        coin_slide d = random_launch(&r, &p), many = d, fine = d;
+        double when, finer, t = 0, part;
+        const int32_t status =
+            coin_slide_advance(&d, &p, &f, &l, 200, 1e-8, &when);
+        check_status(coin_slide_advance(&fine, &p, &f, &l, 200, 1e-10, &finer),
+                     status);
+        if (status != COIN_RESTS)
+            continue;
+        ++rested;
+        slid += slip_speed(&d, &p) > 1e-6;
+        check_near(when, finer, 1e-4);
+        int32_t by_parts = COIN_OK;
+        while (by_parts == COIN_OK || by_parts == COIN_SLIPS) {
+            by_parts = coin_slide_advance(&many, &p, &f, &l, 0.5, 1e-8, &part);
+            t += part;
+        }
+        check_status(by_parts, COIN_RESTS);
+        parted += !(fabs(t - when) <= 1e-4);
+    }
+    check(rested > 15 && slid > 3);
+    check(parted <= rested / 10); /* which nearly stood, or nearly rested */
+}
+
+/* A coin near flat that rises while its contact is held, in a short call and in
+ * calls that go on until it falls. */
+static void a_held_coin_rises_as_coin_settle_says(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction endless = {INFINITY, 0.3};
+    const coin_losses l = {.dry = 0.1};
+    const double times[] = {1e-6, 1e-4, 1e-2};
+    for (int i = 0; i < 3; ++i) {
+        coin_state s = {.theta = 1.57, .wX = -0.01};
+        coin_slide d;
+        double reached, by_settle;
+        coin_slide_of(&d, &s, &p);
+        check_status(
+            coin_slide_advance(&d, &p, &endless, &l, times[i], 1e-9, &reached),
+            COIN_OK);
+        check_status(coin_settle(&s, &p, &l, times[i], 1e-9, &by_settle),
+                     COIN_OK);
+        check(reached == times[i] && by_settle == times[i]);
+        check_near(d.s.theta, s.theta, 1e-12);
+        check_near(d.s.wX, s.wX, 1e-9);
+    }
+}
+
+/* By losses in and by friction: the sum is what the energy falls by. */
+static void losses_and_friction_take_what_the_energy_falls_by(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction f = {0.55, 0.5};
+    const coin_losses all[] = {{.dry = 0.01},     {.viscous = 0.01},
+                               {.layer = 0.01},   {.gap = 0.003},
+                               {.rolling = 0.01}, {.spin = 0.02}};
+    for (int i = 0; i < 6; ++i) {
+        const coin_slide start = {
+            {.theta = 0.3, .wY = 0.5, .wZ = -0.5}, 1, 0.4};
+        coin_slide d = start;
+        double lost = 0;
+        const double h = 0.001;
+        for (int k = 0; k < 600; ++k) { /* by the midpoint of short steps */
+            coin_force force;
+            coin_slide_advance(&d, &p, &f, &all[i], h / 2, 1e-12, NULL);
+            coin_slide_reaction(&d, &p, &f, &all[i], &force);
+            lost += h * (force.friction * slip_speed(&d, &p) +
+                         coin_losses_power(&d.s, &p, &all[i]));
+            coin_slide_advance(&d, &p, &f, &all[i], h / 2, 1e-12, NULL);
+        }
+        check_note("term %d", i);
+        check_near(coin_slide_energy(&start, &p) - coin_slide_energy(&d, &p),
+                   lost, 1e-7);
+    }
+}
+
+/* Dry friction turns round with the contact, and a step does not go there. */
+static void units_change_nothing_of_losses(void **unused)
+{
+    (void)unused;
+    const double T = 0x1p200; /* of time and length; M = 1 */
+    const coin_friction f = {0.55, 0.5};
+    const coin_losses l = {.dry = 0.01, .soft = 0.01};
+    const coin_losses big_l = {.dry = 0.01, .soft = 0.01 / T};
+    const coin_params p = disc();
+    coin_params big;
+    check_status(coin_params_disc(&big, 1, T, 1 / T), COIN_OK);
+    coin_slide d = {{.theta = 0.4, .wX = 0.1, .wZ = 0.1}, 0.5, 0.2}, e = d;
+    e.s.wX /= T;
+    e.s.wZ /= T;
+    const int32_t status = coin_slide_advance(&d, &p, &f, &l, 1.5, 1e-8, NULL);
+    check_status(coin_slide_advance(&e, &big, &f, &big_l, 1.5 * T, 1e-8, NULL),
+                 status);
+    check(status >= 0);
+    check(e.s.theta == d.s.theta && e.s.wX * T == d.s.wX);
+    check(e.vx == d.vx && e.vz == d.vz);
+}
+
+/* The onset of such a slip is not resolved by a step that begins with it. */
+static void equal_coefficients_give_the_limit_of_nearly_equal_ones(
+    void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state s = {.theta = 1e-3, .wZ = 0.3};
+    double apart[3];
+    for (int i = 0; i < 3; ++i) {
+        const double gap = i == 0 ? 1e-3 : i == 1 ? 1e-4 : 0;
+        coin_slide d, equal;
+        const coin_friction f = {0.5, 0.5}, g = {0.5 * (1 + gap), 0.5};
+        coin_slide_of(&d, &s, &p);
+        equal = d;
+        check_status(coin_slide_advance(&equal, &p, &f, NULL, 11, 1e-10, NULL),
+                     COIN_SLIPS);
+        check_status(coin_slide_advance(&d, &p, &g, NULL, 11,
+                                        gap > 0 ? 1e-10 : 1e-7, NULL),
+                     COIN_SLIPS);
+        apart[i] = slides_apart(&d, &equal, &p);
+    }
+    check_within(apart[0] / apart[1], 5, 200); /* at least as the gap */
+    check(apart[2] < 1e-5);
+}
+
+/* phi leaves its range in a part of a step, where a slip is about to begin. */
+static void a_pose_that_leaves_its_range_ends_the_onset(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction f = {0.5, 0.5};
+    coin_state s = {.theta = 1e-3, .wZ = 0.3};
+    coin_slide d;
+    double reached = 7;
+    int32_t status = COIN_OK;
+    while (status == COIN_OK) {
+        coin_advance(&s, &p, 1e-4, 1e-10, NULL);
+        coin_slide_of(&d, &s, &p);
+        status = coin_slide_advance(&d, &p, &f, NULL, 0, 1e-10, NULL);
+    }
+    check_status(status, COIN_SLIPS);
+    s.phi = s.wY > 0 ? 0x1p31 : -0x1p31;
+    coin_slide_of(&d, &s, &p);
+    check_status(coin_slide_advance(&d, &p, &f, NULL, 1, 1e-2, &reached),
+                 COIN_ESTEP);
+    check(reached == 0);
+    check_same(&d.s, &s, sizeof s);
+}
+
+/* A coin next to its limit of friction for very long. */
+static void a_call_out_of_steps_goes_on_in_another(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction f = {INFINITY, 0.3};
+    const coin_state s = {.theta = 0.1, .wZ = 2};
+    coin_slide d;
+    double reached;
+    coin_slide_of(&d, &s, &p);
+    check_status(coin_slide_advance(&d, &p, &f, NULL, 1e7, 1e-6, &reached),
+                 COIN_ESTEP);
+    check_within(reached, 1e4, 1e7);
+    check_status(coin_slide_advance(&d, &p, &f, NULL, 10, 1e-6, &reached),
+                 COIN_OK);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(a_coin_that_cannot_slip_rests_when_coin_settle_says),
+        TEST(the_time_of_rest_is_that_of_any_tolerance_and_calls),
+        TEST(a_held_coin_rises_as_coin_settle_says),
+        TEST(losses_and_friction_take_what_the_energy_falls_by),
+        TEST(units_change_nothing_of_losses),
+        TEST(equal_coefficients_give_the_limit_of_nearly_equal_ones),
+        TEST(a_pose_that_leaves_its_range_ends_the_onset),
+        TEST(a_call_out_of_steps_goes_on_in_another),
+    };
+    return RUN_TESTS(tests);
+}
