@@ -244,6 +244,26 @@ static void a_coin_lifts_off_where_the_force_of_its_slip_is_0(void **unused)
     }
 }
 
+/* Upright but for 0.1, and falling so fast that N is all but 0: there is hardly
+ * any friction, and the slip that has begun grows as rolling lets it. */
+static void a_coin_lifts_off_in_a_slip_that_has_just_begun(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double N = 1e-5, c = cos(0.1), wX = sqrt((1 - N) / c);
+    const coin_slide start = {{.theta = -0.1, .wX = wX}, 0, wX * c - 1e-9};
+    for (double tol = 1e-2; tol > 1e-11; tol *= 1e-4) {
+        coin_slide d = start;
+        coin_force force;
+        double reached;
+        check_status(coin_slide_advance(&d, &p, &rough, NULL, 1, tol, &reached),
+                     COIN_ELIFT);
+        coin_slide_reaction(&d, &p, &rough, NULL, &force);
+        check_near(force.normal, 0, 1e-12);
+        check_near(reached, N / (sin(0.1) * wX * wX * wX), 1e-2 * N);
+    }
+}
+
 /* Rolling would take a table that pulls, and a slip is pressed: unless the
  * contact cannot slip. */
 static void a_coin_slips_where_only_rolling_would_lift_it(void **unused)
@@ -383,6 +403,7 @@ int main(void)
         TEST(a_coin_that_would_lift_off_is_kept_where_it_does),
         TEST(a_coin_that_falls_over_rests_also_without_losses),
         TEST(a_coin_lifts_off_where_the_force_of_its_slip_is_0),
+        TEST(a_coin_lifts_off_in_a_slip_that_has_just_begun),
         TEST(a_coin_slips_where_only_rolling_would_lift_it),
         TEST(a_slip_that_has_just_begun_takes_the_time_asked),
         TEST(an_upright_coin_without_friction_glides),

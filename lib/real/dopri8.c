@@ -45,9 +45,9 @@ COIN_PRIV_INLINE void store(double *to, lanes value)
 COIN_PRIV_INLINE lanes sum_row(const struct stages *s, const double *row,
                                int first, int count, int i)
 {
-    lanes sum = row[0] * load(&s->d[first][i]);
+    lanes sum = {0};
 #pragma GCC unroll 10
-    for (int k = 1; k < count; ++k)
+    for (int k = 0; k < count; ++k)
         sum = sum + row[k] * load(&s->d[first + k][i]);
     return sum;
 }

@@ -245,7 +245,7 @@ static double next_step(coin_priv_sliding *g, double rate, int *last)
             return tau;
         left -= g->w.run.g.added.t;
         const int is_short = fabs(tau) * rate < TOGETHER * g->roll_stride;
-        *last = (left != 0) & is_short && is_last(g, left, rate);
+        *last = (left != 0) & is_short & is_last(g, left, rate);
         if (!*last)
             return tau;
     }

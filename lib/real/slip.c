@@ -250,7 +250,7 @@ static int is_brief(coin_priv_sliding *g, coin_priv_slip *to,
     if (!(ends ? least || u < -grows * h : u < grows * h / 9))
         return 0;
     const int fits = go_straight(to, d, ends ? u / -grows : h, g->rem.sum);
-    if (!(coin_priv_left(&g->table, to, 1) > 0) && !(ends && least))
+    if (!(coin_priv_left(&g->table, to, 1) > 0))
         return 0;
     if (fits && ends) {
         to->uX = to->uh = g->gained = 0;
