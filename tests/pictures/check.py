@@ -19,6 +19,7 @@ from animation import animation
 from forms import (DISC, PI, Body, Leaf, Pairs, height_of, lambda2, near,
                    on_leaf, pair, potential, slope, slow_circle)
 from rest import fixed, rest
+from slip import drawn_slides, slides, slip_map
 from sweep import sweep
 
 
@@ -269,6 +270,9 @@ fresh, kept = map(pathlib.Path, sys.argv[1:])
 petals = table(fresh / "rosettes.csv")
 rosettes(petals)
 drawn(petals, (kept.parent / "rosettes.svg").read_text())
+throws = table(fresh / "slides.csv")
+slides(throws)
+drawn_slides(throws, (kept.parent / "slides.svg").read_text())
 for check in (potentials, bifurcation, precession, nearly_flat,
               rest):
     name = {"potentials": "potential"}.get(check.__name__, check.__name__)
@@ -277,9 +281,10 @@ for check in (potentials, bifurcation, precession, nearly_flat,
     same(fresh / f"{name}.csv", kept / f"{name}.csv")
 fixed(*([line.split(",") for line in file.read_text().splitlines()[1:]]
         for file in (fresh / "fixed.csv", kept / "settle.csv")))
-drawing = (fresh / "animation.svg").read_text()
-animation(drawing)
-near("animation, as kept",
-     (kept.parent / "animation.svg").read_text() == drawing, 1, 0)
+for check in (animation, slip_map):
+    name = f"{check.__name__}.svg"
+    drawing = (fresh / name).read_text()
+    check(drawing)
+    near(f"{name}, as kept", (kept.parent / name).read_text() == drawing, 1, 0)
 sweep((fresh / "sweep.ppm").read_bytes())
 print(f"{near.checks} numbers behind the pictures hold")
