@@ -12,6 +12,7 @@
 #   make atlas      the maps of docs/limits.md, not timed   (three minutes)
 #   make natural    the calls of a frame loop                (one minute)
 #   make batch      many coins at once                       (two minutes)
+#   make slides     coins that slip, beside other methods    (two minutes)
 #   make orbits     an orbit beside steps, part of charts    (two minutes)
 #   make longrun    ten million steps of everything          (half an hour)
 #
@@ -29,7 +30,8 @@ FUSED          := gsl odeint
 FLAGS_fused    := $(FLAGS_native) -ffp-contract=fast
 
 BENCHES := $(patsubst $(BENCH_SRC)/%.c,%,$(wildcard $(BENCH_SRC)/bench_*.c))
-SHARED_BY_BENCHES := scene workprec atlas counted movers textbook plain
+SHARED_BY_BENCHES := scene workprec atlas counted movers textbook plain \
+                     sliding
 PEERS        := gsl odeint cvode ode mujoco
 LIBS_gsl     := -lgsl -lgslcblas
 LIBS_cvode   := -lsundials_cvode -lsundials_nvecserial \
@@ -37,6 +39,8 @@ LIBS_cvode   := -lsundials_cvode -lsundials_nvecserial \
 LIBS_ode     := -lode -lstdc++
 LIBS_mujoco  := -lmujoco
 LIBS_orbit   := $(LIBS_gsl)
+LIBS_slide   := -lsundials_cvode -lsundials_nvecserial \
+                -lsundials_sunlinsoldense -lsundials_sunmatrixdense
 
 BENCH_SEES = -I$(SRC)/include -I$(BENCH_SRC) $(MAPS) \
              $(addprefix -I,$(sort $(dir $(SOURCES)))) \
@@ -62,8 +66,9 @@ $(BENCH_OUT)/$1/lib/%.o: %.c $(O)/flags | $(BENCH_OUT)/$1/lib
 $(BENCH_OUT)/$1/%.o: $(BENCH_SRC)/%.c $(O)/flags | $(BENCH_OUT)/$1
 	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
 
-$(BENCH_OUT)/$1/textbook.o $(BENCH_OUT)/$1/plain.o: $(BENCH_OUT)/$1/%.o: \
-    $(BENCH_SRC)/%.c | $(BENCH_OUT)/$1
+$(BENCH_OUT)/$1/textbook.o $(BENCH_OUT)/$1/plain.o \
+$(BENCH_OUT)/$1/sliding.o: $(BENCH_OUT)/$1/%.o: $(BENCH_SRC)/%.c \
+    | $(BENCH_OUT)/$1
 	$$(PEER_CC) $(FLAGS_$1) -c -o $$@ $$<
 
 NEEDED_$1 := $$(SHARED_BY_BENCHES:%=$(BENCH_OUT)/$1/%.o) \
@@ -90,7 +95,8 @@ $(BENCH_OUT)/native/fused_%: $(BENCH_SRC)/peers/%.cpp $(NEEDED_native) | need-pe
 -include $(wildcard $(BENCH_OUT)/*/*.d $(BENCH_OUT)/*/lib/*.d)
 
 .PHONY: build-bench need-peers need-charts need-bits results-check bench \
-        charts results figures longrun costs batch atlas atlas-check orbits natural
+        charts results figures longrun costs batch atlas atlas-check orbits natural \
+        slides
 build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%))
 
 # A peer that is missing would make our curve look better than it is.
@@ -233,8 +239,13 @@ orbits: $(BENCH_OUT)/portable/peer_orbit need-charts need-bits ## an orbit besid
 	$(ORBITS)
 	$(DRAW)
 
+slides: $(BENCH_OUT)/native/peer_slide need-bits ## coins that slip, beside other methods (two minutes)
+	mkdir -p $(RESULTS)
+	{ $(ABOUT); $<; } >$(BENCH_OUT)/slides.csv
+	cp $(BENCH_OUT)/slides.csv $(RESULTS)
+
 results: ## measure anew all that results-check looks at (an hour)
-	+for what in charts models silent adversary adversary-update longrun \
+	+for what in charts slides models silent adversary adversary-update longrun \
 	    figures; do \
 	    $(AGAIN) $$what || exit 1; done
 

@@ -19,6 +19,7 @@ renewed_by()
     longrun | damping) echo longrun ;;
     models_*) echo models ;;
     silent*) echo silent ;;
+    slides) echo slides ;;
     adversary) echo adversary adversary-update ;;
     *) echo charts ;;
     esac

@@ -30,13 +30,12 @@ $(REAL_OUT)/%: $(SRC)/tests/real/%.c $(SRC)/tests/real/laws.h \
 $(REAL_OUT)/study $(REAL_OUT)/quasi: $(TEST_EXTRA)
 
 .PHONY: slide-study
-slide-study: $(REAL_OUT)/slides ## coins that slip: launches, cost, and other methods
+slide-study: $(REAL_OUT)/slides ## coins that slip: launches, and the cost while they roll
 	$< launches $(LAUNCHES)
 	$< cost
-	$< rivals
 
 $(REAL_OUT)/slides: $(SRC)/tests/real/slides.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
-	$(CC_TEST) $(CMOCKA) -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) \
+	$(CC_TEST) $(CMOCKA) -D_POSIX_C_SOURCE=200809L -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) \
 	    $(TEST_EXTRA) $(LIB_A) $(CMOCKA_LIBS) -lm
 
 $(REAL_OUT):
