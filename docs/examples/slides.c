@@ -15,7 +15,7 @@
 #define PI 3.14159265358979323846
 #define TOL 1e-10
 #define TIME 14.0
-#define ROW 0.25 /* between two rows */
+#define ROW 0.4 /* between two rows */
 
 static const coin_friction FRICTION = {0.3, 0.27};
 

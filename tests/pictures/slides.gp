@@ -44,7 +44,7 @@ set label 3 "direction -30" at 9.9,1.25 left tc rgb "#404040"
 set label 4 "rolls" at 12,0.45 center tc rgb rolls
 set arrow 1 from 9.2274,0 to 14,0 nohead lw 2.4 lc rgb rolls front
 plot for [k=0:4] file index 2*k using \
-        (int($0 + (k ? 0 : 4))%5 == 0 || $5 == 0 ? $2 : NaN):5 with lines lw 1.8 lc rgb slips, \
+        (int($0 + (k ? 0 : 2))%3 == 0 || $5 == 0 ? $2 : NaN):5 with lines lw 1.8 lc rgb slips, \
     for [k=0:4] file index 2*k + 1 every ::0::0 using 2:5 with points pt 7 \
         ps 0.7 lc rgb rolls
 unset multiplot
