@@ -152,6 +152,19 @@ static void a_coin_that_would_lift_off_is_kept_where_it_does(void **unused)
                  COIN_ELIFT);
     check(reached == 0);
     check_same(&d, &again, sizeof d);
+    const coin_slide none[] = {
+        {{.theta = 0.2, .wX = 3}, 1, 0},         /* slips */
+        {{.theta = 0, .wX = 1}, 0, 1},           /* rolls; N = 0 */
+        {{.theta = 0, .wX = 1.0625}, 0, 1.0625}, /* rolls; F = 0 */
+    };
+    for (int i = 0; i < 3; ++i) {
+        d = none[i];
+        check_status(
+            coin_slide_advance(&d, &p, &rough, NULL, 1, 1e-9, &reached),
+            COIN_ELIFT);
+        check(reached == 0);
+        check_same(&d, &none[i], sizeof d);
+    }
     /* One that lifts off on its way. */
     struct random r = random_begin(176);
     int lifted = 0;
@@ -201,29 +214,69 @@ static void a_coin_that_falls_over_rests_also_without_losses(void **unused)
 }
 
 /* With as much friction as that the coin keeps to the cone nearly until N = 0,
- * and rolls on for a time where its slip would begin. */
-static void a_coin_that_lifts_as_it_begins_to_slip_says_so(void **unused)
+ * and rolls on for a time where its slip would begin.  The force of that slip
+ * is far from the one that rolling would take. */
+static void a_coin_lifts_off_where_the_force_of_its_slip_is_0(void **unused)
 {
     (void)unused;
     const coin_friction high = {1.1, 1.1};
-    struct random r = random_begin(178);
-    int lifted = 0;
-    for (int i = 0; i < 300; ++i) {
+    const coin_params p = disc();
+    for (double tol = 1e-2; tol > 1e-11; tol *= 1e-4) {
+        struct random r = random_begin(178);
+        int lifted = 0, pulled = 0;
+        for (int i = 0; i < 300; ++i) {
+            const coin_state s = random_state(&r, &p, 1.2);
+            coin_slide d;
+            coin_force force, rolls;
+            double reached;
+            coin_slide_of(&d, &s, &p);
+            if (coin_slide_advance(&d, &p, &high, NULL, 3, tol, &reached) !=
+                    COIN_ELIFT ||
+                reached == 0)
+                continue;
+            coin_slide_reaction(&d, &p, &high, NULL, &force);
+            check_near(force.normal, 0, tol);
+            coin_reaction(&d.s, &p, &rolls);
+            pulled += rolls.normal < -0.1;
+            ++lifted;
+        }
+        check(lifted > 20 && pulled > 10);
+    }
+}
+
+/* Rolling would take a table that pulls, and a slip is pressed: unless the
+ * contact cannot slip. */
+static void a_coin_slips_where_only_rolling_would_lift_it(void **unused)
+{
+    (void)unused;
+    const coin_friction high = {1.1, 1.1}, low = {0.3, 0.25};
+    const coin_friction endless = {INFINITY, 1.1};
+    struct random r = random_begin(179);
+    int slip = 0;
+    for (int i = 0; i < 1000; ++i) {
         const coin_params p = disc();
         const coin_state s = random_state(&r, &p, 1.2);
         coin_slide d;
-        coin_force force;
-        double reached;
+        coin_force rolls, slips;
         coin_slide_of(&d, &s, &p);
-        if (coin_slide_advance(&d, &p, &high, NULL, 3, 1e-2, &reached) !=
-                COIN_ELIFT ||
-            reached == 0)
+        coin_reaction(&s, &p, &rolls);
+        if (rolls.normal > 0)
             continue;
-        coin_slide_reaction(&d, &p, &high, NULL, &force);
-        check(force.normal > -1e-9);
-        ++lifted;
+        check_status(coin_slide_advance(&d, &p, &endless, NULL, 1, 1e-9, NULL),
+                     COIN_ELIFT);
+        coin_slide_reaction(&d, &p, &high, NULL, &slips);
+        const int32_t want = slips.normal > 0 ? COIN_SLIPS : COIN_ELIFT;
+        check_status(coin_slide_advance(&d, &p, &high, NULL, 0, 1e-9, NULL),
+                     want);
+        /* The sign of that force is of the coin, and not of its friction. */
+        check_status(coin_slide_advance(&d, &p, &low, NULL, 0, 1e-9, NULL),
+                     want);
+        if (want == COIN_SLIPS) {
+            check_near(slips.ratio, 1.1, 1e-12);
+            ++slip;
+        }
     }
-    check(lifted > 20);
+    check(slip > 20);
 }
 
 /* In a time so short that the slip has not grown to what it begins with. */
@@ -314,7 +367,8 @@ int main(void)
         TEST(t_0_changes_nothing_and_says_whether_it_slips),
         TEST(a_coin_that_would_lift_off_is_kept_where_it_does),
         TEST(a_coin_that_falls_over_rests_also_without_losses),
-        TEST(a_coin_that_lifts_as_it_begins_to_slip_says_so),
+        TEST(a_coin_lifts_off_where_the_force_of_its_slip_is_0),
+        TEST(a_coin_slips_where_only_rolling_would_lift_it),
         TEST(a_slip_that_has_just_begun_takes_the_time_asked),
         TEST(an_upright_coin_without_friction_glides),
         TEST(many_calls_go_where_one_goes),

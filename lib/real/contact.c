@@ -3,6 +3,9 @@
 
 #include "contact.h"
 
+/* The most trials of coin_priv_onset(). */
+#define TRIALS 60
+
 /* What a coin does that the table carries without friction, and how friction
  * acts on it. */
 struct loose {
@@ -149,6 +152,13 @@ void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_table *table,
     d->t = f;
 }
 
+int coin_priv_can_slip(const coin_priv_table *table, const coin_priv_slip *y)
+{
+    const coin_priv_direction none = {0, 0};
+    return table->mu_static <= DBL_MAX &&
+           coin_priv_kinetic(table, y, none).N > 0;
+}
+
 double coin_priv_margin(const coin_priv_table *table,
                         const coin_priv_push *force)
 {
@@ -157,45 +167,68 @@ double coin_priv_margin(const coin_priv_table *table,
     return mu > 1 ? force->N - F / mu : mu * force->N - F;
 }
 
-/* How far the slip's slope, if it begins along n, turns away from n. */
-static double turn_away(const struct loose *o, const coin_priv_table *t,
-                        const coin_priv_slip *y, coin_priv_direction n)
+/* Where the direction of a slip that begins is looked for: a part of the way
+ * from one direction to another. */
+struct fan {
+    coin_priv_direction from, to;
+};
+
+static coin_priv_direction unit(double X, double h)
 {
+    const double size = coin_priv_hypot(X, h);
+    const coin_priv_direction n = {X / size, h / size};
+    return n;
+}
+
+static coin_priv_direction within(const struct fan *f, double part)
+{
+    return unit((1 - part) * f->from.X + part * f->to.X,
+                (1 - part) * f->from.h + part * f->to.h);
+}
+
+/* How far the slip's slope, if it begins there, turns away from its direction:
+ * (84). */
+static double turn_away(const struct loose *o, const coin_priv_table *t,
+                        const coin_priv_slip *y, const struct fan *f,
+                        double part)
+{
+    const coin_priv_direction n = within(f, part);
     const coin_priv_push force = slide(o, y, t->mu_kinetic, n);
     const coin_priv_direction d = slip_slope(o, y, &force);
     return d.X * n.h - d.h * n.X;
 }
 
-/* The direction beside `from` by a slope to its left. */
-static coin_priv_direction beside(coin_priv_direction from, double slope)
-{
-    const double one = 1 / sqrt(1 + slope * slope);
-    const coin_priv_direction n = {
-        (from.X - slope * from.h) * one,
-        (from.h + slope * from.X) * one,
-    };
-    return n;
-}
-
+/* The root of (84) lies between the direction against the static force and that
+ * of the slip without friction.  Where they agree, or nearly, it is either. */
 coin_priv_direction coin_priv_onset(const coin_priv_table *table,
                                     const coin_priv_slip *y,
                                     const coin_priv_push *stick)
 {
     const struct loose o = loose_of(table, y);
-    const double F = coin_priv_hypot(stick->X, stick->h);
-    const coin_priv_direction against = {-stick->X / F, -stick->h / F};
-    double at = 0, off = turn_away(&o, table, y, against);
-    double next = 0.01;
-    for (int i = 0; (i < 100) & (fabs(next - at) > DBL_EPSILON);
-         ++i) { /* (84) */
-        const double there = turn_away(&o, table, y, beside(against, next));
-        const double change = there - off;
-        const double step = change != 0 ? -there * (next - at) / change : 0;
-        at = next;
-        off = there;
-        next += step > 1 ? 1 : step < -1 ? -1 : step;
+    const double lever_h = (1 + o.lever) / o.D;
+    const struct fan fan = {
+        unit(-stick->X, -stick->h),
+        unit(-stick->X * (1 + o.zX), -stick->h * lever_h),
+    };
+    double x0 = 0, off0 = turn_away(&o, table, y, &fan, 0);
+    double x1 = 1, off1 = turn_away(&o, table, y, &fan, 1);
+    double x = fabs(off0) < fabs(off1) ? x0 : x1, step = 1;
+    for (int i = 0;
+         (i < TRIALS) & (step > DBL_EPSILON) & ((off0 < 0) != (off1 < 0));
+         ++i) {
+        x = x0 + (x1 - x0) * (off0 / (off0 - off1));
+        const double off = turn_away(&o, table, y, &fan, x);
+        step = fabs(x - x1);
+        if ((off < 0) == (off1 < 0)) {
+            off0 /= 2; /* Illinois */
+        } else {
+            x0 = x1;
+            off0 = off1;
+        }
+        x1 = x;
+        off1 = off;
     }
-    return beside(against, next);
+    return within(&fan, x);
 }
 
 void coin_priv_roll_slopes(double *dy, const double *y, const void *table)

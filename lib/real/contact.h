@@ -76,8 +76,13 @@ void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_table *table,
 double coin_priv_margin(const coin_priv_table *table,
                         const coin_priv_push *force);
 
+/* Whether a coin whose contact leaves the cone of friction slips: N of (80) has
+ * one sign in all directions.  Else it lifts off; so does one that cannot slip,
+ * where mu_static is infinite. */
+int coin_priv_can_slip(const coin_priv_table *table, const coin_priv_slip *y);
+
 /* The direction in which a slip begins, where sticking needs more than the
- * friction there is: (84). */
+ * friction there is: (84).  *stick is not 0 along the table. */
 coin_priv_direction coin_priv_onset(const coin_priv_table *table,
                                     const coin_priv_slip *y,
                                     const coin_priv_push *stick);

@@ -110,7 +110,9 @@ static coin_priv_push push_of(const coin_priv_table *t, coin_priv_slip *y)
     }
     y->uX = y->uh = 0;
     const coin_priv_push stick = coin_priv_static(t, y);
-    if (!(coin_priv_left(t, y, 0) < 0 && stick.N > 0))
+    const int leaves = coin_priv_left(t, y, 0) < 0;
+    const double F = coin_priv_hypot(stick.X, stick.h);
+    if (!(leaves & (F > 0) & (t->mu_static <= DBL_MAX)))
         return stick;
     return coin_priv_kinetic(t, y, coin_priv_onset(t, y, &stick));
 }

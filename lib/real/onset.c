@@ -6,8 +6,7 @@
 #include "slide.h"
 
 /* How a slip would begin here: its direction, its slope by tau, friction over M
- * a times cos theta, below 0 if the coin lifts instead, and the slopes of the
- * coin then and as it rolls. */
+ * a times cos theta, and the slopes of the coin then and as it rolls. */
 struct onset {
     coin_priv_direction n;
     double slope, friction;
@@ -20,32 +19,21 @@ static struct onset onset_of(const coin_priv_sliding *g)
     const coin_priv_table *t = &g->table;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
     const coin_priv_push stick = coin_priv_static(t, &y);
-    o.friction = -1;
-    if (!(stick.N > 0))
-        return o;
     o.n = coin_priv_onset(t, &y, &stick);
     const coin_priv_push slide = coin_priv_kinetic(t, &y, o.n);
     coin_priv_slopes_under(&o.slides, t, &y, &slide);
     coin_priv_slopes_under(&o.rolls, t, &y, &stick);
     o.slope = o.slides.uX * o.n.X + o.slides.uh * o.n.h;
-    if (slide.N > 0)
-        o.friction = t->mu_kinetic * slide.N;
+    o.friction = t->mu_kinetic * slide.N;
     return o;
 }
 
-/* Adds a part of what the slopes of o have over those of rolling. */
-static void push(coin_priv_slip *y, const struct onset *o, double tau)
-{
-    y->wX += tau * (o->slides.wX - o->rolls.wX);
-    y->wY += tau * (o->slides.wY - o->rolls.wY);
-    y->wZ += tau * (o->slides.wZ - o->rolls.wZ);
-}
-
-/* The coin after a slip of so short a tau. */
-static coin_priv_slip euler(const coin_priv_run *r, const struct onset *o,
+/* The coin after a slip of so short a tau; the direction is that of the slope.
+ */
+static coin_priv_slip euler(const coin_priv_slip *from, const struct onset *o,
                             double tau)
 {
-    coin_priv_slip y = coin_priv_slip_of(&r->g.y, 0, 0);
+    coin_priv_slip y = *from;
     double *at = (double *)&y;
     const double *slope = (const double *)&o->slides;
     for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
@@ -53,47 +41,68 @@ static coin_priv_slip euler(const coin_priv_run *r, const struct onset *o,
     return y;
 }
 
-/* Friction a tau on. */
-static double pressed(coin_priv_sliding *g, double tau)
+/* The coin where the run is, which has rolled for tau since an onset, with the
+ * impulse of friction from then on. */
+static coin_priv_slip after(const coin_priv_sliding *g,
+                            const struct onset *from, double tau)
 {
-    coin_priv_again(g, tau);
-    return onset_of(g).friction;
+    const struct onset to = onset_of(g);
+    const double half = tau / 2;
+    const double u = g->gained + half * (from->slope + to.slope);
+    coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, u * to.n.X, u * to.n.h);
+    y.wX += half * (from->slides.wX - from->rolls.wX);
+    y.wY += half * (from->slides.wY - from->rolls.wY);
+    y.wZ += half * (from->slides.wZ - from->rolls.wZ);
+    y.wX += half * (to.slides.wX - to.rolls.wX);
+    y.wY += half * (to.slides.wY - to.rolls.wY);
+    y.wZ += half * (to.slides.wZ - to.rolls.wZ);
+    return y;
 }
 
-/* The slip begins at *y, along n. */
-static int32_t begin(coin_priv_sliding *g, coin_priv_slip *y,
-                     coin_priv_direction n)
+/* What is left of the normal force then, tau after the place noted. */
+static double force_left(coin_priv_sliding *g, double tau)
 {
-    y->uX = g->gained * n.X;
-    y->uh = g->gained * n.h;
+    g->w.run.g = g->from;
+    const struct onset from = onset_of(g);
+    coin_priv_again(g, tau);
+    const coin_priv_slip y = after(g, &from, tau);
+    return coin_priv_left(&g->table, &y, 1);
+}
+
+/* The slip begins at *y. */
+static int32_t begin(coin_priv_sliding *g, const coin_priv_slip *y)
+{
     g->slips = 1;
     g->slip_stride = coin_priv_first_stride(g->tol);
     return coin_priv_slip_take(g, y);
 }
 
-/* Rolls on for at most tau, from an onset. */
-static int32_t roll_on(coin_priv_sliding *g, const struct onset *from,
-                       double tau)
+/* Rolls on for at most tau, from an onset at *start. */
+static int32_t roll_on(coin_priv_sliding *g, const coin_priv_slip *start,
+                       const struct onset *from, double tau)
 {
     coin_priv_mark(g);
-    const double by = coin_priv_roll_step(g, coin_priv_roll_rate(g), tau);
+    double by = coin_priv_roll_step(g, coin_priv_roll_rate(g), tau);
     if (by == 0)
         return COIN_ESTEP;
-    const struct onset to = onset_of(g);
-    if (to.friction < 0)
-        coin_priv_again(g, coin_priv_place(g, pressed, from->friction, by, -1));
+    if (coin_priv_cone_left(g) >= 0) {
+        coin_priv_count(g);
+        return COIN_OK;
+    }
+    coin_priv_slip y = after(g, from, by);
+    const double end = coin_priv_left(&g->table, &y, 1);
+    if (end <= 0) {
+        const double left = coin_priv_left(&g->table, start, 1);
+        by = coin_priv_place(g, force_left, left, by, end);
+        coin_priv_again(g, by);
+        y = after(g, from, by);
+    }
     coin_priv_count(g);
-    if (to.friction < 0)
-        return COIN_ELIFT;
-    if (coin_priv_cone_left(g) >= 0)
+    g->gained = coin_priv_hypot(y.uX, y.uh);
+    if (end > 0 && g->gained < COIN_PRIV_SLIP_SEED * g->table.w0)
         return COIN_OK;
-    g->gained += by / 2 * (from->slope + to.slope);
-    if (g->gained < COIN_PRIV_SLIP_SEED * g->table.w0)
-        return COIN_OK;
-    coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
-    push(&y, from, by / 2);
-    push(&y, &to, by / 2);
-    return begin(g, &y, to.n);
+    const int32_t begun = begin(g, &y);
+    return end > 0 ? begun : COIN_ELIFT;
 }
 
 /* A slip with an acceleration begins at once, with a speed of
@@ -103,23 +112,22 @@ static int32_t roll_on(coin_priv_sliding *g, const struct onset *from,
  * acceleration times that time squared, and that is below tol. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g)
 {
-    const coin_priv_variables *v = &g->w.run.g.y;
-    const double seed = COIN_PRIV_SLIP_SEED * g->table.w0,
-                 r4 = sqrt(sqrt(g->tol));
+    const coin_priv_slip start = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
+    const double seed = COIN_PRIV_SLIP_SEED * g->table.w0;
+    const double r4 = sqrt(sqrt(g->tol));
     const double wait =
-        coin_priv_sundman_tau(&g->w.run.b, v, 2 * r4 * sqrt(r4));
-    const struct onset o = onset_of(g);
+        coin_priv_sundman_tau(&g->w.run.b, &g->w.run.g.y, 2 * r4 * sqrt(r4));
     g->seen = 0;
-    if (o.friction < 0)
+    if (!coin_priv_can_slip(&g->table, &start))
         return COIN_ELIFT;
-    if (g->rem.sum <= DBL_EPSILON * wait * v->cth) {
+    if (g->rem.sum <= DBL_EPSILON * wait * start.cth) {
         g->rem.sum = 0;
         return COIN_OK;
     }
-    const double tau = coin_priv_lesser(wait, g->rem.sum / v->cth);
+    const struct onset o = onset_of(g);
+    const double tau = coin_priv_lesser(wait, g->rem.sum / start.cth);
     if (!(o.slope >= r4 / 4 * o.friction && o.slope * tau >= seed))
-        return roll_on(g, &o, wait);
-    coin_priv_slip y = euler(&g->w.run, &o, seed / o.slope);
-    g->gained = seed;
-    return begin(g, &y, o.n);
+        return roll_on(g, &start, &o, wait);
+    const coin_priv_slip y = euler(&start, &o, seed / o.slope);
+    return begin(g, &y);
 }

@@ -111,13 +111,13 @@ void coin_priv_slide_from(coin_priv_sliding *g, const coin_state *s)
 /* What holds where the slide has come to: COIN_OK, COIN_SLIPS, COIN_ELIFT. */
 static int32_t mode_of(const coin_priv_sliding *g)
 {
+    const coin_priv_table *t = &g->table;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     if (g->slips)
-        return coin_priv_left(&g->table, &y, 1) > 0 ? COIN_SLIPS : COIN_ELIFT;
-    const coin_priv_push stick = coin_priv_static(&g->table, &y);
-    if (!(stick.N > 0))
-        return COIN_ELIFT;
-    return coin_priv_left(&g->table, &y, 0) < 0 ? COIN_SLIPS : COIN_OK;
+        return coin_priv_left(t, &y, 1) > 0 ? COIN_SLIPS : COIN_ELIFT;
+    if (coin_priv_left(t, &y, 0) < 0)
+        return coin_priv_can_slip(t, &y) ? COIN_SLIPS : COIN_ELIFT;
+    return coin_priv_static(t, &y).N > 0 ? COIN_OK : COIN_ELIFT;
 }
 
 /* Rolls and slips until the time is over. */

@@ -72,7 +72,7 @@ static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
         fabs(y->cth * d->wZ + y->sth * d->wY + d->cth * y->wZ + d->sth * y->wY);
     const double soft = l->soft2 * y->cth * y->cth;
     const double way = TURN_ROUND * sqrt(u * u + soft);
-    return way / (du + 1e-30 * way); /* so that nothing divides by 0 */
+    return way / (du + 1e-30 * g->table.w0 * way); /* nothing divides by 0 */
 }
 
 /* So that its square does not overflow; far above any error allowed. */
@@ -103,7 +103,8 @@ static struct tried attempt(coin_priv_sliding *g, double h)
         slip3 += slip ? off3 * off3 : 0;
     }
     ++g->tries;
-    const double most = coin_priv_allowed(&g->w.run, g->tol, r.to.t);
+    const double rounding = 4 * DBL_EPSILON * (speed(&from) / w0);
+    const double most = coin_priv_allowed(&g->w.run, g->tol, r.to.t) + rounding;
     const double own = coin_priv_error_of(by5, by3) / most;
     const double of_slip =
         coin_priv_error_of(slip5, slip3) * w0 / (SLIP_ERROR * speed(&from));
