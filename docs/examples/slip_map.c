@@ -184,9 +184,9 @@ int main(void)
          -3,
          {{"rolls", 8, 0.1, 40},
           {"slips", 56, 0.7, 40},
-          {"slips", 74, -2.1, 40},
+          {"slips", 60, -2.1, 40},
           {"lifts off", 32, 2.1, 62},
-          {"lifts off", 32, -2.1, 62}},
+          {"lifts off", 15, -2.1, 62}},
          {{ROLLS}}},
     };
     coin_params disc;

@@ -212,9 +212,6 @@ def slip_map(drawing):
         for row in range(2, ROWS, 12):
             for column in range(3, COLUMNS, 12):
                 fate = cell[row][column]
-                theta, wY, _ = launch(column, row, wZ, low)
-                if math.isinf(needed(theta, 0, wY, wZ)):
-                    continue
                 if fate != 0 and uniform(cell, row, column):
                     near("map, lifts", lifts(*launch(column, row, wZ, low)),
                          fate == 2, 0)
