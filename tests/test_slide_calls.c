@@ -309,6 +309,21 @@ static void an_upright_coin_without_friction_glides(void **unused)
     check_near(d.s.z, 2, 16 * U);
 }
 
+/* Rounding of its speed is no error of the other variables. */
+static void a_slip_of_any_speed_takes_few_steps(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_slide d = thrown;
+    for (double v = 1; v < 1e13; v *= 1000) {
+        d = thrown;
+        d.vx = v;
+        check_status(coin_slide_advance(&d, &p, &rough, NULL, 0.5, 1e-10, NULL),
+                     COIN_SLIPS);
+        check(fabs(d.vx - v) < 0.5 * 0.5 * 2 + 4 * U * v); /* mu N t */
+    }
+}
+
 static void many_calls_go_where_one_goes(void **unused)
 {
     (void)unused;
@@ -371,6 +386,7 @@ int main(void)
         TEST(a_coin_slips_where_only_rolling_would_lift_it),
         TEST(a_slip_that_has_just_begun_takes_the_time_asked),
         TEST(an_upright_coin_without_friction_glides),
+        TEST(a_slip_of_any_speed_takes_few_steps),
         TEST(many_calls_go_where_one_goes),
         TEST(mirror_heading_and_units_change_nothing),
     };

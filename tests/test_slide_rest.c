@@ -140,6 +140,28 @@ static void losses_and_friction_take_what_the_energy_falls_by(void **unused)
     }
 }
 
+/* Dry friction turns round with the contact, and a step does not go there. */
+static void units_change_nothing_of_losses(void **unused)
+{
+    (void)unused;
+    const double T = 0x1p200; /* of time and length; M = 1 */
+    const coin_friction f = {0.55, 0.5};
+    const coin_losses l = {.dry = 0.01, .soft = 0.01};
+    const coin_losses big_l = {.dry = 0.01, .soft = 0.01 / T};
+    const coin_params p = disc();
+    coin_params big;
+    check_status(coin_params_disc(&big, 1, T, 1 / T), COIN_OK);
+    coin_slide d = {{.theta = 0.4, .wX = 0.1, .wZ = 0.1}, 0.5, 0.2}, e = d;
+    e.s.wX /= T;
+    e.s.wZ /= T;
+    const int32_t status = coin_slide_advance(&d, &p, &f, &l, 1.5, 1e-8, NULL);
+    check_status(coin_slide_advance(&e, &big, &f, &big_l, 1.5 * T, 1e-8, NULL),
+                 status);
+    check(status >= 0);
+    check(e.s.theta == d.s.theta && e.s.wX * T == d.s.wX);
+    check(e.vx == d.vx && e.vz == d.vz);
+}
+
 /* The onset of such a slip is not resolved by a step that begins with it. */
 static void equal_coefficients_give_the_limit_of_nearly_equal_ones(
     void **unused)
@@ -213,6 +235,7 @@ int main(void)
         TEST(the_time_of_rest_is_that_of_any_tolerance_and_calls),
         TEST(a_held_coin_rises_as_coin_settle_says),
         TEST(losses_and_friction_take_what_the_energy_falls_by),
+        TEST(units_change_nothing_of_losses),
         TEST(equal_coefficients_give_the_limit_of_nearly_equal_ones),
         TEST(a_pose_that_leaves_its_range_ends_the_onset),
         TEST(a_call_out_of_steps_goes_on_in_another),

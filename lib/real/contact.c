@@ -186,8 +186,8 @@ static coin_priv_direction within(const struct fan *f, double part)
                 (1 - part) * f->from.h + part * f->to.h);
 }
 
-/* How far the slip's slope, if it begins there, turns away from its direction:
- * (84). */
+/* How far the slip's slope, if it begins there, turns away from its direction.
+ */
 static double turn_away(const struct loose *o, const coin_priv_table *t,
                         const coin_priv_slip *y, const struct fan *f,
                         double part)
@@ -195,7 +195,7 @@ static double turn_away(const struct loose *o, const coin_priv_table *t,
     const coin_priv_direction n = within(f, part);
     const coin_priv_push force = slide(o, y, t->mu_kinetic, n);
     const coin_priv_direction d = slip_slope(o, y, &force);
-    return d.X * n.h - d.h * n.X;
+    return d.X * n.h - d.h * n.X; /* (84) */
 }
 
 /* The root of (84) lies between the direction against the static force and that

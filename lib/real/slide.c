@@ -55,21 +55,24 @@ double coin_priv_place(coin_priv_sliding *g, coin_priv_event *event, double at0,
                        double h1, double at1)
 {
     double h0 = 0;
+    int before = 0;
     for (int i = 0; i < TRIALS; ++i) {
         /* The halves may underflow. */
         if (!((h1 - h0 > 2 * DBL_EPSILON * h1) & (at0 > 0)))
             break;
         const double h = h0 + (h1 - h0) * (at0 / (at0 - at1));
         const double at = event(g, h);
-        if (at >= 0) {
+        const int side = at < 0 ? -1 : 1;
+        if (side > 0) {
             h0 = h;
             at0 = at;
-            at1 /= 2; /* Illinois */
+            at1 *= before == side ? 0.5 : 1; /* Illinois */
         } else {
             h1 = h;
             at1 = at;
-            at0 /= 2;
+            at0 *= before == side ? 0.5 : 1;
         }
+        before = side;
     }
     return h0;
 }
@@ -111,13 +114,14 @@ void coin_priv_slide_from(coin_priv_sliding *g, const coin_state *s)
 /* What holds where the slide has come to: COIN_OK, COIN_SLIPS, COIN_ELIFT. */
 static int32_t mode_of(const coin_priv_sliding *g)
 {
+    const int32_t slips = COIN_SLIPS, lifts = COIN_ELIFT;
     const coin_priv_table *t = &g->table;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     if (g->slips)
-        return coin_priv_left(t, &y, 1) > 0 ? COIN_SLIPS : COIN_ELIFT;
+        return coin_priv_left(t, &y, 1) > 0 ? slips : lifts;
     if (coin_priv_left(t, &y, 0) < 0)
-        return coin_priv_can_slip(t, &y) ? COIN_SLIPS : COIN_ELIFT;
-    return coin_priv_static(t, &y).N > 0 ? COIN_OK : COIN_ELIFT;
+        return coin_priv_can_slip(t, &y) ? slips : lifts;
+    return coin_priv_static(t, &y).N > 0 ? COIN_OK : lifts;
 }
 
 /* Rolls and slips until the time is over. */

@@ -18,6 +18,11 @@
  * its direction. */
 #define SLIP_ERROR 1e-4
 
+/* A slip is a straight line for this part, times sqrt(tol) and at most
+ * BRIEFEST, of the time in which the coin moves. */
+#define BRIEF 0.25
+#define BRIEFEST 0.002
+
 /* A step tried. */
 struct tried {
     coin_priv_slip to;
@@ -46,8 +51,10 @@ static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
     const double sth = y->sth, cth = y->cth;
     const coin_priv_direction n = {y->uX / u, y->uh / u};
     const double N = coin_priv_kinetic(t, y, n).N;
-    const double lever = 1 + t->b.m / t->b.IX;
-    const double settle = t->mu_kinetic * N * lever / (u + t->w0);
+    const double lever = t->b.m / t->b.IX;
+    const double across = n.h * n.h * (1 + t->b.m / t->b.IZ) +
+                          n.X * n.X * (1 + lever) / (1 + lever * sth * sth);
+    const double settle = t->mu_kinetic * N * across / (u + t->w0);
     const double own = 1 / coin_priv_sundman_tau(&t->b, &g->w.run.g.y, 1);
     double rate = scale * own + RELAX * settle;
     if (g->lossy && !t->held) {
@@ -207,22 +214,48 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
     }
 }
 
-/* The end of a slip whose speed is all but 0: the coin rolls, or slips on in
- * another direction. */
-static int32_t end_slip(coin_priv_sliding *g, const coin_priv_slip *d)
+/* The sigma of a slip so brief that it is a straight line, in which the error
+ * is of the second order; 0 where friction turns, or is held. */
+static double brief_of(const coin_priv_sliding *g, const coin_priv_slip *y,
+                       const coin_priv_slip *d)
 {
-    coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
-    const double last = speed(&y) / -growth(&y, d);
-    double *at = (double *)&y;
+    const double u = speed(y);
+    const double part = coin_priv_lesser(BRIEF * sqrt(g->tol), BRIEFEST);
+    const double turn = y->uX / u * d->uh - y->uh / u * d->uX;
+    if (g->table.held || fabs(turn) > part * fabs(growth(y, d)))
+        return 0;
+    const double own = coin_priv_sundman_tau(&g->table.b, &g->w.run.g.y, part);
+    return own / coin_priv_slip_scale(&g->table, u);
+}
+
+/* A straight line of so many sigma, or to the end of the time: whether it comes
+ * to its end before. */
+static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
+                       double rem)
+{
+    const int fits = d->t * h <= rem;
+    double *at = (double *)y;
     const double *by = (const double *)d;
     for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
-        at[i] += last * by[i];
-    y.uX = y.uh = 0;
-    if (y.t > g->rem.sum)
-        y.t = g->rem.sum;
-    g->slips = g->seen = 0;
-    g->gained = 0;
-    return coin_priv_slip_take(g, &y);
+        at[i] += (fits ? h : rem / d->t) * by[i];
+    if (!fits)
+        y->t = rem;
+    return fits;
+}
+
+/* A brief slip, or the end of one whose speed is all but 0, from where on the
+ * coin rolls, or slips on in another direction. */
+static int32_t slip_briefly(coin_priv_sliding *g, coin_priv_slip *y,
+                            const coin_priv_slip *d, double h)
+{
+    const double grows = growth(y, d);
+    const double by = grows < 0 ? speed(y) / -grows : h;
+    if (go_straight(y, d, by, g->rem.sum) && grows < 0) {
+        y->uX = y->uh = 0;
+        g->slips = g->seen = 0;
+        g->gained = 0;
+    }
+    return coin_priv_slip_take(g, y);
 }
 
 /* Whether the contact of a slipping coin near flat has stopped, and the losses
@@ -249,8 +282,12 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
         return coin_priv_lie(&g->w.run);
     g->table.held = is_held(g, &y);
     coin_priv_slip_slopes((double *)&d, (const double *)&y, &g->table);
-    if (growth(&y, &d) < 0 && speed(&y) < COIN_PRIV_SLIP_LEAST * g->table.w0)
-        return end_slip(g, &d);
+    const double u = speed(&y), grows = growth(&y, &d);
+    const double brief = brief_of(g, &y, &d);
+    const int ends =
+        u < COIN_PRIV_SLIP_LEAST * g->table.w0 || u < -grows * brief;
+    if (grows < 0 ? ends : u < grows * brief / 9)
+        return slip_briefly(g, &y, &d, brief);
     const double rate = rate_of(g, &y);
     double h;
     struct tried r = step(g, &h, rate, bound_of(g, &y, &d));

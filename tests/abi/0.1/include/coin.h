@@ -975,7 +975,10 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  *         From there it returns COIN_RESTS, and *reached = 0.
  *         COIN_ELIFT: the normal force has come to 0, and the coin would lift
  *         off: the slide and *reached are those of that moment.  If N <= 0 at
- *         the start, *reached = 0 and nothing was moved.
+ *         the start, *reached = 0 and nothing was moved.  N is that of
+ *         coin_slide_reaction(): of a coin that rolls and needs more than
+ *         mu_static that of the slip that begins, which may be > 0 where
+ *         rolling would take a table that pulls.
  *         The usual errors.  COIN_EARG: also for tol out of range.
  *         COIN_EPARAMS: also as coin_losses_check(), for damping > 0, which has
  *         no meaning where nothing rolls, and if mu_kinetic is negative, not
