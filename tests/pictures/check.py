@@ -12,11 +12,10 @@ import cmath
 import itertools
 import math
 import pathlib
-import re
 import sys
 
 from animation import animation
-from forms import (DISC, PI, Body, Leaf, Pairs, height_of, lambda2, near,
+from forms import (DISC, PI, Body, Leaf, Pairs, height_of, lambda2, lines, near,
                    on_leaf, pair, potential, slope, slow_circle)
 from rest import fixed, rest
 from slip import drawn_slides, slides, slip_map
@@ -104,11 +103,8 @@ def rosettes(blocks):
 def drawn(blocks, drawing):
     """The rosettes in the drawing are these, each moved and scaled, to its tenths
     of a pixel."""
-    lines = [[tuple(map(float, point.split(",")))
-              for point in re.findall(r"[-0-9.]+,[-0-9.]+", d)]
-             for d in re.findall(r"<path [^>]*d='(M[^']* L[^']*)'", drawing)]
-    lines = [line for line in lines if len(line) > 100]
-    for block, line in zip(blocks, lines, strict=True):
+    paths = [line for line in lines(drawing) if len(line) > 100]
+    for block, line in zip(blocks, paths, strict=True):
         near("drawing, points", len(line), len(block), 0)
         across, down = zip(*line)
         x, z = [point[1] for point in block], [point[2] for point in block]

@@ -3,6 +3,7 @@
 and the one check that uses it."""
 import itertools
 import math
+import re
 import sys
 
 PI = math.pi
@@ -68,6 +69,15 @@ def slow_circle(b, theta, wZ):
     """wY of the slow circle: (41), theta > 0, wZ > 0."""
     s, t = math.sin(theta), math.tan(theta)
     return 2*s/(b.K*wZ + math.sqrt((b.K*wZ)**2 + 4*b.IX*s*t))
+
+
+def lines(drawing):
+    """The points of each line of a drawing of gnuplot, as slim.py writes it."""
+    for piece in re.findall(r"M[^M'Z]*l[^M'Z]*", "".join(
+            re.findall(r"<path [^>]*d='([^']*)'", drawing))):
+        at = [float(v) for v in re.findall(r"-?\d*\.?\d+", piece)]
+        x = itertools.accumulate(at[::2])
+        yield list(zip(x, itertools.accumulate(at[1::2])))
 
 
 def height_of(theta):

@@ -5,7 +5,7 @@ import bisect
 import math
 import re
 
-from forms import DISC, height_of, integrals, near, rates
+from forms import DISC, height_of, integrals, lines, near, rates
 from sweep import HERE, LEANS, PAIRS
 
 STATIC, KINETIC = 0.3, 0.27
@@ -104,16 +104,14 @@ def slides(blocks):
 def drawn_slides(blocks, drawing):
     """The paths in the drawing are these, moved and scaled alike, to its tenths
     of a pixel."""
-    lines = [[tuple(map(float, point.split(",")))
-              for point in re.findall(r"[-0-9.]+,[-0-9.]+", d)]
-             for d in re.findall(r"<path [^>]*d='(M[^']* L[^']*)'", drawing)]
+    paths = list(lines(drawing))
     first = [(x, z) for _, _, x, z, _ in blocks[0]]
-    line = next(line for line in lines if len(line) == len(first))
+    line = next(line for line in paths if len(line) == len(first))
     scale = (line[-1][1] - line[0][1])/(first[-1][1] - first[0][1])
     left, top = line[0][0] - scale*first[0][0], line[0][1] - scale*first[0][1]
     for block in blocks:
         want = [(left + scale*x, top + scale*z) for _, _, x, z, _ in block]
-        off = min(max(map(math.dist, line, want)) for line in lines
+        off = min(max(map(math.dist, line, want)) for line in paths
                   if len(line) == len(want))
         near("slides, drawn", off, 0, 0.25)
 
