@@ -288,7 +288,7 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
         u < COIN_PRIV_SLIP_LEAST * g->table.w0 || u < -grows * brief;
     if (grows < 0 ? ends : u < grows * brief / 9)
         return slip_briefly(g, &y, &d, brief);
-    const double rate = rate_of(g, &y);
+    const double rate = rate_of(g, &y) + RELAX * fabs(grows) / u;
     double h;
     struct tried r = step(g, &h, rate, bound_of(g, &y, &d));
     const int32_t status = cut(g, &r, &h, rate);
