@@ -28,15 +28,17 @@ double coin_priv_left(const coin_priv_table *table, const coin_priv_slip *y,
 double coin_priv_looked(const coin_priv_look *look);
 
 /* An end of a rolling step, by tau: wX, wY, wZ, sin and cos theta, their slopes
- * and those of their slopes. */
+ * and those of their slopes.  margin: mu^2 N^2 - F^2, and miss: what an error
+ * of the variables changes in it, both over the size of the forces' terms. */
 typedef struct coin_priv_end {
     double y[5], d[5], dd[5];
+    double margin, miss;
 } coin_priv_end;
 
 /* The end at *y; time is the tau in which the motion changes. */
-void coin_priv_end_of(coin_priv_end *e, const coin_priv_field *f,
-                      const coin_priv_losses *l, const coin_priv_variables *y,
-                      double time);
+void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
+                      const coin_priv_field *f, const coin_priv_losses *l,
+                      const coin_priv_variables *y, double time);
 
 /* Whether it is plain that a rolling step of tau from *a to *b, of the stride
  * given, keeps well within the cone, by a look at three places.  l is null

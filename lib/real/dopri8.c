@@ -2,6 +2,7 @@
 #include "../motion/pinned.h"
 
 #include "../motion/kind.h"
+#include "../motion/vector.h"
 
 #include "dopri8.h"
 
@@ -10,36 +11,64 @@
 
 #include <math.h>
 
-enum { MOST = COIN_PRIV_DOPRI8_MOST, SLOPES = 10 };
+/* The variables go abreast, as many as a vector holds: each number gives the
+ * same bits.  Up to WIDE they are 0. */
+enum { WIDE = 16, SLOPES = 10, LANES = COIN_PRIV_LANES };
+
+#if COIN_PRIV_WIDTH
+typedef coin_lanes lanes;
+typedef double in_memory
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
+#else
+typedef double lanes;
+typedef double in_memory;
+#endif
 
 /* A step under way: its start, and the slopes that rows to come read. */
 struct stages {
-    const double *y;
-    size_t n;
     double h;
-    double d[SLOPES][MOST];
+    double y[WIDE], d[SLOPES][WIDE];
 };
 
-/* h times a row of the tableau times the slopes number `first` and on. */
-static void add_row(double *to, const struct stages *s, const double *row,
-                    int first, int count)
+COIN_PRIV_INLINE lanes load(const double *from)
 {
-    for (size_t i = 0; i < s->n; ++i) {
-        double sum = 0;
-        for (int k = 0; k < count; ++k)
-            sum += row[k] * s->d[first + k][i];
-        to[i] += s->h * sum;
-    }
+    return *(const in_memory *)from;
+}
+
+COIN_PRIV_INLINE void store(double *to, lanes value)
+{
+    *(in_memory *)to = value;
+}
+
+/* A row of the tableau times the slopes number `first` and on, of the variables
+ * number i and on. */
+COIN_PRIV_INLINE lanes sum_row(const struct stages *s, const double *row,
+                               int first, int count, int i)
+{
+    lanes sum = row[0] * load(&s->d[first][i]);
+#pragma GCC unroll 10
+    for (int k = 1; k < count; ++k)
+        sum = sum + row[k] * load(&s->d[first + k][i]);
+    return sum;
+}
+
+/* h times a row that begins with stage 1 and goes on with stages 6 to 12. */
+COIN_PRIV_INLINE void sum_end(double *to, const struct stages *s,
+                              const double *row)
+{
+    for (int i = 0; i < WIDE; i += LANES)
+        store(to + i, s->h * (row[0] * load(&s->d[0][i])) +
+                          s->h * sum_row(s, row + 1, 3, 7, i));
 }
 
 /* A stage: the slopes, number `to`, where a row of `count` leads. */
-static void stage(struct stages *s, coin_priv_gbs_slopes *slopes,
-                  const void *problem, const double *row, int count, int to)
+COIN_PRIV_INLINE void stage(struct stages *s, coin_priv_gbs_slopes *slopes,
+                            const void *problem, const double *row, int count,
+                            int to)
 {
-    double at[MOST];
-    for (size_t i = 0; i < s->n; ++i)
-        at[i] = s->y[i];
-    add_row(at, s, row, 0, count);
+    double at[WIDE];
+    for (int i = 0; i < WIDE; i += LANES)
+        store(at + i, load(&s->y[i]) + s->h * sum_row(s, row, 0, count, i));
     slopes(s->d[to], at, problem);
 }
 
@@ -52,7 +81,7 @@ static void all_stages(struct stages *s, coin_priv_gbs_slopes *f,
     stage(s, f, of, A3, 2, 1);
     stage(s, f, of, A4, 2, 2);
     stage(s, f, of, A5, 3, 3);
-    for (size_t i = 0; i < s->n; ++i) {
+    for (int i = 0; i < WIDE; ++i) {
         s->d[1][i] = s->d[2][i];
         s->d[2][i] = s->d[3][i];
     }
@@ -69,23 +98,21 @@ void coin_priv_dopri8(double *y, const double *d, size_t n,
                       coin_priv_gbs_slopes *slopes, const void *problem,
                       double h, coin_priv_estimates *error)
 {
-    struct stages s;
-    double end[MOST];
-    s.y = y;
-    s.n = n;
+    static const struct stages none = {0, {0}, {{0}}};
+    struct stages s = none;
+    double end[WIDE], by5[WIDE];
     s.h = h;
     for (size_t i = 0; i < n; ++i) {
+        s.y[i] = y[i];
         s.d[0][i] = d[i];
-        end[i] = error->by5[i] = error->by3[i] = 0;
     }
     all_stages(&s, slopes, problem);
-    add_row(end, &s, B, 0, 1); /* b_1; then b_6 to b_12 */
-    add_row(end, &s, B + 1, 3, 7);
-    add_row(error->by5, &s, E5, 0, 1);
-    add_row(error->by5, &s, E5 + 1, 3, 7);
+    sum_end(end, &s, B);
+    sum_end(by5, &s, E5);
     for (size_t i = 0; i < n; ++i) {
         const double low = E3[0] * s.d[0][i] + E3[1] * s.d[6][i] +
                            E3[2] * s.d[9][i]; /* stages 1, 9 and 12 */
+        error->by5[i] = by5[i];
         error->by3[i] = end[i] - h * low;
         y[i] += end[i];
     }

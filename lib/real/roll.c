@@ -10,6 +10,16 @@
 /* |rem| times the fastest rate below which a step with losses lands. */
 #define LAST 1e-5
 
+/* A coin whose margin is above this rolls, whatever rounding does. */
+#define CLEAR 1e-12
+
+/* A step of less than this part of the stride is looked at together with the
+ * last one. */
+#define TOGETHER 0.9
+
+/* A longer stride that is not plain may be so by halves. */
+#define HALVED 0.5
+
 double coin_priv_roll_try(coin_priv_sliding *g, double tau)
 {
     coin_priv_run *const r = &g->w.run;
@@ -44,6 +54,7 @@ void coin_priv_again(coin_priv_sliding *g, double tau)
     g->w.run.g = g->from;
     g->w.run.steps = g->steps;
     g->w.run.g.added.t = 0;
+    g->landed = 0;
     (void)coin_priv_roll_try(g, tau);
 }
 
@@ -65,15 +76,16 @@ void coin_priv_count(coin_priv_sliding *g)
 }
 
 /* The rest of the time in one short step, as coin_advance() ends; its tau. */
-static double land(coin_priv_sliding *g)
+static double land(coin_priv_sliding *g, double left)
 {
     coin_priv_run *const r = &g->w.run;
-    coin_priv_sum rem = g->rem;
-    const double tau = coin_priv_tau_of(&r->b, &r->g.y, rem.sum);
+    coin_priv_sum rem = {left, 0};
+    const double tau = coin_priv_tau_of(&r->b, &r->g.y, left);
     if (r->steps > 0)
         coin_priv_read_lean(&r->g);
     const int done = coin_priv_last_step(r, &g->reach, &rem) == COIN_OK;
     r->g.added.t = g->rem.sum;
+    g->landed = 1;
     return done ? tau : 0;
 }
 
@@ -120,14 +132,13 @@ static double next_tau(const coin_priv_sliding *g, double rate, double bound)
     return fabs(tau) < full ? tau : side * full;
 }
 
-/* Whether one short step takes the rest of the time. */
-static int is_last(const coin_priv_sliding *g, double rate)
+/* Whether a short step takes the rest of the time. */
+static int is_last(const coin_priv_sliding *g, double rem, double rate)
 {
     const coin_priv_run *r = &g->w.run;
-    const double rem = g->rem.sum;
     if (g->lossy)
         return fabs(rem) * rate <= LAST * r->g.y.cth;
-    return coin_priv_left2(r, rem) <= g->reach.rk8 * g->reach.rk8;
+    return coin_priv_lands(r, &g->reach, rem);
 }
 
 double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most)
@@ -154,15 +165,35 @@ double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most)
     }
 }
 
+/* Whether the step made is plain by halves. */
+static int is_plain_by_halves(coin_priv_sliding *g, const coin_priv_end *to,
+                              double tau, double rate)
+{
+    const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
+    const coin_priv_losses *l = g->lossy ? &g->w.l : NULL;
+    const coin_priv_run at = g->w.run;
+    const int landed = g->landed;
+    const double half = tau / 2, stride = fabs(half) * rate;
+    coin_priv_end mid;
+    coin_priv_again(g, half);
+    coin_priv_end_of(&mid, &g->table, &f, l, &g->w.run.g.y, 1 / rate);
+    g->w.run = at;
+    g->landed = landed;
+    return coin_priv_plain(&g->table, &f, l, &g->end, &mid, half, stride) &&
+           coin_priv_plain(&g->table, &f, l, &mid, to, half, stride);
+}
+
 /* Whether it is plain that the coin rolls all along the step made. */
 static int is_plain(coin_priv_sliding *g, double tau, double rate)
 {
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
     const coin_priv_losses *l = g->lossy ? &g->w.l : NULL;
+    const double stride = fabs(tau) * rate;
     coin_priv_end end;
-    coin_priv_end_of(&end, &f, l, &g->w.run.g.y, 1 / rate);
-    const int plain =
-        coin_priv_plain(&g->table, &f, l, &g->end, &end, tau, fabs(tau) * rate);
+    coin_priv_end_of(&end, &g->table, &f, l, &g->w.run.g.y, 1 / rate);
+    int plain = coin_priv_plain(&g->table, &f, l, &g->end, &end, tau, stride);
+    if (!plain && stride > HALVED && end.margin > 0)
+        plain = is_plain_by_halves(g, &end, tau, rate);
     g->end = end;
     return plain;
 }
@@ -193,16 +224,33 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
     }
 }
 
-/* Prepares for a step where the one before has left nothing known. */
-static int begin_step(coin_priv_sliding *g, double rate)
+void coin_priv_see(coin_priv_sliding *g)
 {
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
-    if (coin_priv_cone_left(g) < 0)
-        return 0;
-    coin_priv_end_of(&g->end, &f, g->lossy ? &g->w.l : NULL, &g->w.run.g.y,
-                     1 / rate);
+    coin_priv_end_of(&g->end, &g->table, &f, g->lossy ? &g->w.l : NULL,
+                     &g->w.run.g.y, 1 / coin_priv_roll_rate(g));
+    g->seen = g->end.margin > CLEAR;
     g->gained = 0;
-    return 1;
+}
+
+/* The next step, and with it the last one if that is near; its tau, or 0.
+ * *last: whether it takes the rest of the time. */
+static double next_step(coin_priv_sliding *g, double rate, int *last)
+{
+    double left = g->rem.sum, tau = 0;
+    *last = is_last(g, left, rate);
+    if (g->lossy || !*last) {
+        tau = coin_priv_roll_step(g, rate, (double)INFINITY);
+        if (g->lossy || tau == 0)
+            return tau;
+        left -= g->w.run.g.added.t;
+        const int is_short = fabs(tau) * rate < TOGETHER * g->roll_stride;
+        *last = (left != 0) & is_short && is_last(g, left, rate);
+        if (!*last)
+            return tau;
+    }
+    const double more = land(g, left);
+    return more == 0 ? 0 : tau + more;
 }
 
 int32_t coin_priv_roll_on(coin_priv_sliding *g)
@@ -213,14 +261,14 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
     if (settles(g))
         return settle(g);
     const double rate = coin_priv_roll_rate(g);
-    if (!g->seen && !begin_step(g, rate))
+    if (!g->seen)
+        coin_priv_see(g);
+    if (!g->seen && coin_priv_cone_left(g) < 0)
         return coin_priv_begin_slip(g);
-    const int last = is_last(g, rate);
     const double before = g->rem.sum;
+    int last;
     coin_priv_mark(g);
-    const double tau = last && !g->lossy
-                           ? land(g)
-                           : coin_priv_roll_step(g, rate, (double)INFINITY);
+    const double tau = next_step(g, rate, &last);
     if (tau == 0)
         return COIN_ESTEP;
     g->seen = is_plain(g, tau, rate);

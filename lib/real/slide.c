@@ -88,14 +88,15 @@ static void begin(coin_priv_sliding *g, const coin_slide *d,
     g->losses = l ? *l : none;
     g->lossy = !coin_priv_lossless(&g->losses);
     g->w.run.b = g->table.b;
-    (void)coin_priv_losses_of(&g->w.l, &g->losses, &g->table.b);
+    if (g->lossy)
+        (void)coin_priv_losses_of(&g->w.l, &g->losses, &g->table.b);
     coin_priv_slide_from(g, &d->s);
     g->slips =
         !(coin_priv_hypot(y.uX, y.uh) < COIN_PRIV_SLIP_LEAST * g->table.w0);
     g->uX = g->slips ? y.uX : 0;
     g->uh = g->slips ? y.uh : 0;
     g->gained = 0;
-    g->seen = 0;
+    g->seen = g->landed = 0;
     g->rem.sum = t;
     g->rem.low = 0;
     g->tol = tol;
@@ -103,6 +104,8 @@ static void begin(coin_priv_sliding *g, const coin_slide *d,
     g->roll_stride = g->lossy ? coin_priv_first_stride(tol) : g->reach.stride;
     g->slip_stride = coin_priv_first_stride(tol);
     g->tries = 0;
+    if (!g->slips)
+        coin_priv_see(g);
 }
 
 void coin_priv_slide_from(coin_priv_sliding *g, const coin_state *s)
@@ -119,6 +122,8 @@ static int32_t mode_of(const coin_priv_sliding *g)
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     if (g->slips)
         return coin_priv_left(t, &y, 1) > 0 ? slips : lifts;
+    if (g->seen)
+        return COIN_OK;
     if (coin_priv_left(t, &y, 0) < 0)
         return coin_priv_can_slip(t, &y) ? slips : lifts;
     return coin_priv_static(t, &y).N > 0 ? COIN_OK : lifts;
@@ -143,7 +148,7 @@ static coin_slide end_of(coin_priv_sliding *g, int32_t status)
     double v[2];
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     coin_priv_centre_velocity(v, &y, g->table.b.a);
-    if (g->w.run.steps > 0)
+    if (g->w.run.steps > 0 && !g->landed)
         coin_priv_read_lean(&g->w.run.g);
     end.s = coin_priv_run_state(&g->w.run);
     if (status == COIN_RESTS)

@@ -30,7 +30,8 @@ typedef struct coin_priv_sliding {
     coin_priv_progress from; /* where a rolling step began, and its number */
     uint64_t steps;
     coin_priv_end end; /* of the last rolling step, if seen */
-    int seen;
+    int seen;          /* if `end` holds, and the coin rolls there */
+    int landed;        /* if the run holds theta */
 } coin_priv_sliding;
 
 /* The most steps of a call, those refused included. */
@@ -79,6 +80,9 @@ void coin_priv_again(coin_priv_sliding *g, double tau);
 
 /* Counts the time of that step. */
 void coin_priv_count(coin_priv_sliding *g);
+
+/* Looks at where a run begins: g->seen if it is plain that the coin rolls. */
+void coin_priv_see(coin_priv_sliding *g);
 
 /* coin_priv_left() where the run is. */
 double coin_priv_cone_left(const coin_priv_sliding *g);

@@ -7,16 +7,16 @@
 #include "slide.h"
 
 /* How much of the rate at which the direction of a slip settles counts: a step
- * of COIN_PRIV_LONGEST_STRIDE is then 4 of its relaxation times, and the method
+ * of COIN_PRIV_LONGEST_STRIDE is then 5 of its relaxation times, and the method
  * is stable up to 6. */
-#define RELAX 0.3
+#define RELAX 0.24
 
 /* The part of the way to where the contact turns round that a step may go. */
 #define TURN_ROUND 0.5
 
 /* The error of the slip velocity over the slip velocity, at most: friction has
  * its direction. */
-#define SLIP_ERROR 1e-4
+#define SLIP_ERROR 1e-2
 
 /* A slip is a straight line for this part, times sqrt(tol) and at most
  * BRIEFEST, of the time in which the coin moves. */
@@ -244,18 +244,25 @@ static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
 }
 
 /* A brief slip, or the end of one whose speed is all but 0, from where on the
- * coin rolls, or slips on in another direction. */
-static int32_t slip_briefly(coin_priv_sliding *g, coin_priv_slip *y,
-                            const coin_priv_slip *d, double h)
+ * coin rolls, or slips on in another direction.  0, and nothing done, if it is
+ * not brief, or the coin may lift. */
+static int is_brief(coin_priv_sliding *g, coin_priv_slip *to,
+                    const coin_priv_slip *d)
 {
-    const double grows = growth(y, d);
-    const double by = grows < 0 ? speed(y) / -grows : h;
-    if (go_straight(y, d, by, g->rem.sum) && grows < 0) {
-        y->uX = y->uh = 0;
+    const double u = speed(to), grows = growth(to, d);
+    const double h = brief_of(g, to, d);
+    const int least = u < COIN_PRIV_SLIP_LEAST * g->table.w0;
+    const int ends = grows < 0;
+    if (!(ends ? least || u < -grows * h : u < grows * h / 9))
+        return 0;
+    const int fits = go_straight(to, d, ends ? u / -grows : h, g->rem.sum);
+    if (!(coin_priv_left(&g->table, to, 1) > 0) && !(ends && least))
+        return 0;
+    if (fits && ends) {
+        to->uX = to->uh = g->gained = 0;
         g->slips = g->seen = 0;
-        g->gained = 0;
     }
-    return coin_priv_slip_take(g, y);
+    return 1;
 }
 
 /* Whether the contact of a slipping coin near flat has stopped, and the losses
@@ -282,13 +289,11 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
         return coin_priv_lie(&g->w.run);
     g->table.held = is_held(g, &y);
     coin_priv_slip_slopes((double *)&d, (const double *)&y, &g->table);
-    const double u = speed(&y), grows = growth(&y, &d);
-    const double brief = brief_of(g, &y, &d);
-    const int ends =
-        u < COIN_PRIV_SLIP_LEAST * g->table.w0 || u < -grows * brief;
-    if (grows < 0 ? ends : u < grows * brief / 9)
-        return slip_briefly(g, &y, &d, brief);
-    const double rate = rate_of(g, &y) + RELAX * fabs(grows) / u;
+    coin_priv_slip to = y;
+    if (is_brief(g, &to, &d))
+        return coin_priv_slip_take(g, &to);
+    const double rate =
+        rate_of(g, &y) + RELAX * fabs(growth(&y, &d)) / speed(&y);
     double h;
     struct tried r = step(g, &h, rate, bound_of(g, &y, &d));
     const int32_t status = cut(g, &r, &h, rate);

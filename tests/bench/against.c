@@ -4,6 +4,7 @@
  *     against scenes        ratios at equal errors on the chart's scenes
  *     against coins         ratios at equal tol over 300 random coins
  *     against frames        short calls beside the textbook's step
+ *     against slides        coin_slide_advance() beside the old coin_advance()
  * A ratio above 1 says how many times faster these sources are. */
 #include "clock.h"
 #include "scene.h"
@@ -224,6 +225,49 @@ static void frames(void)
     frames_of("generic", 0.01, 1e-12);
 }
 
+/* ---------------------------------------------------------------- slides -- */
+enum {
+    MODES = 3
+}; /* the old coin_advance(), and slides of much friction and
+      of little more than is needed */
+
+static double calls_of(int mode, const coin_params *p, const coin_friction *f,
+                       double t, double tol)
+{
+    const coin_state start = {.theta = 0.1, .wY = 0.05, .wZ = 1.2};
+    const int calls = t < 4 ? (int)(4 / t) : 1;
+    coin_state s = start;
+    coin_slide d;
+    coin_slide_of(&d, &start, p);
+    const double begin = clock_ns();
+    for (int i = 0; i < calls; ++i)
+        if (mode == 0)
+            old_coin_advance(&s, p, t, tol, NULL);
+        else
+            coin_slide_advance(&d, p, &f[mode - 1], NULL, t, tol, NULL);
+    return (clock_ns() - begin) / calls;
+}
+
+static void slides(void)
+{
+    /* Its motion needs F/N up to 0.0695. */
+    const coin_friction f[MODES - 1] = {{0.14, 0.126}, {0.0709, 0.0638}};
+    const double tols[] = {1e-6, 1e-9, 1e-12};
+    const double times[] = {0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 20};
+    coin_params p;
+    coin_params_disc(&p, 1, 1, 1);
+    puts("tol,t,old ns,slide / old,slide near the cone / old");
+    for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 8; ++b) {
+            double ns[MODES] = {INFINITY, INFINITY, INFINITY};
+            for (int j = 0; j < 200; ++j)
+                for (int k = 0; k < MODES; ++k)
+                    ns[k] = fmin(ns[k], calls_of(k, &p, f, times[b], tols[a]));
+            printf("%g,%g,%.0f,%.2f,%.2f\n", tols[a], times[b], ns[0],
+                   ns[1] / ns[0], ns[2] / ns[0]);
+        }
+}
+
 int main(int argc, char **argv)
 {
     const char *what = argc > 1 ? argv[1] : "";
@@ -233,6 +277,8 @@ int main(int argc, char **argv)
         random_coins();
     else if (strcmp(what, "frames") == 0)
         frames();
+    else if (strcmp(what, "slides") == 0)
+        slides();
     else
         return 2;
     return 0;
