@@ -82,12 +82,6 @@ static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
     return way / (du + 1e-30 * g->table.w0 * way); /* nothing divides by 0 */
 }
 
-/* So that its square does not overflow; far above any error allowed. */
-static double bounded(double error)
-{
-    return coin_priv_lesser(fabs(error), 1e100);
-}
-
 /* The step h, and its error. */
 static struct tried attempt(coin_priv_sliding *g, double h)
 {
@@ -102,8 +96,8 @@ static struct tried attempt(coin_priv_sliding *g, double h)
     for (int i = 0; i < 9; ++i) { /* velocities, pairs, and the slip */
         const int slip = i == 5 || i == 6;
         const double per = i < 3 || slip ? 1 / w0 : 1;
-        const double off5 = bounded(e.by5[i] * per);
-        const double off3 = bounded(e.by3[i] * per);
+        const double off5 = e.by5[i] * per;
+        const double off3 = e.by3[i] * per;
         by5 += off5 * off5;
         by3 += off3 * off3;
         slip5 += slip ? off5 * off5 : 0;
@@ -116,9 +110,9 @@ static struct tried attempt(coin_priv_sliding *g, double h)
     const double of_slip =
         coin_priv_error_of(slip5, slip3) * w0 / (SLIP_ERROR * speed(&from));
     r.error = own > of_slip ? own : of_slip;
-    const int above = g->table.held || r.to.cth > 0;
-    if (!(above && r.to.t >= 0))
-        r.error = (double)INFINITY;
+    const int above = g->table.held | (r.to.cth > 0);
+    const int finite = by5 + by3 <= DBL_MAX;
+    r.error = (above & finite & (r.to.t >= 0)) ? r.error : (double)INFINITY;
     return r;
 }
 
