@@ -184,11 +184,12 @@ EXAMPLES := $(patsubst $(SRC)/docs/examples/%.c,$(O)/%,\
                        $(wildcard $(SRC)/docs/examples/*.c))
 
 .PHONY: demo live demo-check examples
+# DEMO has more options, as DEMO='--scene throw'.
 demo: $(O)/rolling_quarter ## roll a US quarter: a table, and drawings in build/
-	$(O)/rolling_quarter --out $(O)
+	$(O)/rolling_quarter --out $(O) $(DEMO)
 
 live: $(O)/rolling_quarter ## watch a US quarter roll, in the terminal
-	$(O)/rolling_quarter --live
+	$(O)/rolling_quarter --live $(DEMO)
 
 demo-check: $(O)/rolling_quarter ## what the demo prints, draws and refuses
 	PYTHON=$(PYTHON) sh $(SRC)/tests/demo/run.sh $(O)/rolling_quarter

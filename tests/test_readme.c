@@ -137,6 +137,27 @@ static void the_guide_s_coin_comes_to_rest_as_it_shows(void **unused)
     check(fabs(when - 8) < 0.01);
 }
 
+/* An upright coin rolls after v0/(3 mu g), at 2 v0/3; the calls take 1e-4 s. */
+static void the_guide_s_thrown_coin_rolls_as_it_shows(void **unused)
+{
+    (void)unused;
+    static char text[TEXT], program[TEXT], output[TEXT];
+    char *end;
+    double when, speed;
+    read_text("docs/examples/thrown.c", program);
+    read_text("docs/guide.md", text);
+    char *listing = strstr(text, strstr(program, "#include"));
+    check(listing != NULL);
+    const char *shown = between(listing, "```text", "```", &end);
+    compile("", program, "");
+    run_program(output);
+    check(strcmp(output, shown) == 0);
+    check(sscanf(output, "rolls after %lf s, at %lf", &when, &speed) == 2);
+    const double rolls = 0.5 / (3 * 0.3 * 9.80665);
+    check_within(when, rolls, rolls + 1e-4);
+    check(fabs(speed - 0.5 * 2 / 3) < 5e-4);
+}
+
 /* 1000 steps in the quarter's first second. */
 static void the_header_s_example_rolls_the_quarter(void **unused)
 {
@@ -179,6 +200,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(the_readme_s_program_prints_what_the_readme_shows),
         TEST(the_guide_s_coin_comes_to_rest_as_it_shows),
+        TEST(the_guide_s_thrown_coin_rolls_as_it_shows),
         TEST(the_header_s_example_rolls_the_quarter),
     };
     return cmocka_run_group_tests_name(__FILE__, tests, make_folder,

@@ -23,7 +23,8 @@ typedef struct options {
     double dt, duration; /* 0: as the scene has it */
     double mu;
     const char *out;
-    int live;
+    int live, slips;
+    double thrown; /* faster than it rolls, along its plane */
     uint64_t steps;
 } options;
 
@@ -41,6 +42,18 @@ static int complain(const char *format, ...)
 
 /* -------------------------------------------------------------- options -- */
 
+/* A coin that is thrown: what it moves by beyond rolling, at the start. */
+static const struct {
+    scene scene;
+    double faster;
+} THROWN = {{"throw",
+             &QUARTER,
+             {0.1, 0, 0, 0, 0, 0, 2, 200},
+             1e-3,
+             0.6,
+             "A US quarter, thrown with a backward spin, slips and comes back"},
+            3.1};
+
 static int set_scene(options *o, const char *text)
 {
     for (size_t k = 0; k < SCENE_COUNT; ++k)
@@ -48,9 +61,14 @@ static int set_scene(options *o, const char *text)
             o->scene = &SCENES[k];
             return RUN;
         }
+    if (strcmp(text, THROWN.scene.name) == 0) {
+        o->scene = &THROWN.scene;
+        return RUN;
+    }
     complain("no scene '%s'; the scenes are:", text);
     for (size_t k = 0; k < SCENE_COUNT; ++k)
         fprintf(stderr, "  %s\n", SCENES[k].name);
+    fprintf(stderr, "  %s\n", THROWN.scene.name);
     return USAGE_ERROR;
 }
 
@@ -137,7 +155,8 @@ static int print_help(void)
     for (size_t k = 0; k < OPTION_COUNT; ++k)
         printf("  %-10s %-7s %s\n", OPTIONS[k].name, OPTIONS[k].value,
                OPTIONS[k].help);
-    puts("  --live             play it in the terminal instead\n"
+    puts("  --slip             let it slip where mu does not hold it\n"
+         "  --live             play it in the terminal instead\n"
          "  --list             the scenes and the methods\n"
          "  --help             this text");
     return DONE;
@@ -150,6 +169,7 @@ static int print_list(void)
     puts("scenes:");
     for (size_t k = 0; k < SCENE_COUNT; ++k)
         printf("  %-10s %s\n", SCENES[k].name, SCENES[k].story);
+    printf("  %-10s %s\n", THROWN.scene.name, THROWN.scene.story);
     puts("methods:");
     for (int32_t m = 0; (name = coin_method_name(m)) != NULL; ++m)
         printf("  %-10s order %d\n", name, (int)coin_method_order(m));
@@ -174,6 +194,10 @@ static int complete(options *o)
         o->dt = o->scene->dt;
     if (o->duration == 0)
         o->duration = o->scene->duration;
+    if (o->scene == &THROWN.scene) {
+        o->slips = 1;
+        o->thrown = THROWN.faster;
+    }
 
     const double steps = floor(o->duration / o->dt + 0.5);
     if (steps < 1)
@@ -191,7 +215,7 @@ static int complete(options *o)
  * it was wrong, which stderr then explains. */
 static int options_parse(options *o, char **arguments)
 {
-    const options defaults = {SCENES, COIN_RK4, 0, 0, 0.3, "build", 0, 0};
+    const options defaults = {SCENES, COIN_RK4, 0, 0, 0.3, "build", 0, 0, 0, 0};
 
     *o = defaults;
     for (char **a = arguments; *a != NULL; ++a) {
@@ -201,6 +225,10 @@ static int options_parse(options *o, char **arguments)
             return print_list();
         if (strcmp(*a, "--live") == 0) {
             o->live = 1;
+            continue;
+        }
+        if (strcmp(*a, "--slip") == 0) {
+            o->slips = 1;
             continue;
         }
         const int verdict = set_option(o, a[0], a[1]);

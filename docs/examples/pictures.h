@@ -16,17 +16,21 @@
 /* Enough that the fastest scene, nearflat, draws smooth curves. */
 enum { MOMENTS = 10000 };
 
-/* One state of many on the way; bits are the warnings of coin_check(). */
+/* One state of many on the way; bits are the warnings of coin_check(), or what
+ * a slide does.  Only a slide has a velocity of its own. */
 typedef struct moment {
     double t;
     coin_state state;
     int32_t bits;
+    double vx, vz;
 } moment;
 
 /* What the drawings are made from; MOMENTS + 1 states at most. */
 typedef struct motion {
     const scene *scene;
     coin_params params;
+    int slides;  /* it slips where friction does not hold it */
+    int32_t end; /* of a slide */
     size_t count;
     moment at[MOMENTS + 1];
 } motion;
@@ -231,7 +235,7 @@ static void draw_lean(FILE *f, double x, double y, double width, double height,
         draw_lean_where(f, &v, m, unreal, SVG_PURPLE, 8);
         svg_line(f, v.x, y + 34, v.x + 20, y + 34, SVG_PURPLE, 8);
         svg_text(f, v.x + 26, y + 38.5, "start", 13,
-                 "a real coin would slip or lift off");
+                 m->slides ? "it slips" : "a real coin would slip or lift off");
     }
     draw_lean_where(f, &v, m, 0, SVG_BLUE, 2.4);
     snprintf(text, sizeof text, "time (%s)", m->scene->body->in->time);

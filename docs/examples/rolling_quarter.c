@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Rolls a coin over a table, prints how it moves and draws it.
+/* Rolls a coin over a table, prints how it moves and draws it.  Or throws it.
  *
  *   cc rolling_quarter.c $(pkg-config --cflags --libs rollcoin) -lm
  *
  * roll() and print_row() are what a program of your own would do; the rest is
- * the command line (options.h), a choice of coins (scenes.h) and drawings
- * (pictures.h, svg.h, live.h). */
+ * the command line (options.h), a choice of coins (scenes.h), a coin that may
+ * slip (thrown.h) and drawings (pictures.h, svg.h, live.h). */
 #define _POSIX_C_SOURCE 200809L /* for live.h */
 #include "options.h"
 #include "pictures.h"
 #include "scenes.h"
+#include "thrown.h"
 
 #include "live.h"
 
@@ -54,7 +55,7 @@ static int32_t roll(motion *m, const options *o)
         if (check < 0)
             return check;
         at = goal;
-        const moment now = {(double)at * o->dt, s, status | check};
+        const moment now = {(double)at * o->dt, s, status | check, 0, 0};
         m->at[m->count++] = now;
     }
     return COIN_OK;
@@ -100,8 +101,11 @@ static void print_heading(const motion *m, const options *o)
     printf("%s: %s\n", m->scene->name, m->scene->story);
     printf("mass %g, radius %g, inner radius %g, gravity %g, %s\n", b->mass,
            b->radius, b->inner_radius, b->gravity, in->given);
-    printf("%s, %lu steps of %g %s\n\n", coin_method_name(o->method),
-           (unsigned long)o->steps, o->dt, in->time);
+    if (m->slides)
+        print_slide_heading(o);
+    else
+        printf("%s, %lu steps of %g %s\n\n", coin_method_name(o->method),
+               (unsigned long)o->steps, o->dt, in->time);
     if (o->steps > MOMENTS)
         printf("what follows looks at %d of these moments\n\n", MOMENTS);
 }
@@ -135,12 +139,6 @@ static void print_validity(int32_t bits)
         printf("%s%s", comma, WORDS[k].word);
         comma = ", ";
     }
-}
-
-/* Zero if two decimals would show it as 0.00 or -0.00. */
-static double plain(double x)
-{
-    return fabs(x) < 0.005 ? 0 : x;
 }
 
 /* Where the coin is, how it leans, what the table has to do for it, and
@@ -234,18 +232,39 @@ static void print_rest(const motion *m)
            fabs(flat.wZ) * DEGREES / 360, unit);
 }
 
+/* Of a coin that rolls, or of one that may slip. */
+static void print_one_row(const motion *m, const options *o, size_t k)
+{
+    if (m->slides)
+        print_slide_row(m, o, k);
+    else
+        print_row(m, k);
+}
+
+static void print_either_columns(const motion *m, const options *o)
+{
+    if (m->slides)
+        print_slide_columns(m);
+    else
+        print_columns(m, o->mu);
+}
+
 static void print_motion(const motion *m, const options *o)
 {
     print_heading(m, o);
-    print_columns(m, o->mu);
+    print_either_columns(m, o);
     if (m->count == 0)
         return;
     for (size_t row = 0; row <= ROWS; ++row)
         if (row == 0 ||
             row * (m->count - 1) / ROWS != (row - 1) * (m->count - 1) / ROWS)
-            print_row(m, row * (m->count - 1) / ROWS);
-    print_summary(m, o->mu);
-    print_rest(m);
+            print_one_row(m, o, row * (m->count - 1) / ROWS);
+    if (m->slides)
+        print_slide_summary(m);
+    else
+        print_summary(m, o->mu);
+    if (!m->slides || m->end == COIN_OK)
+        print_rest(m);
 }
 
 /* -------------------------------------------------------------- drawing -- */
@@ -270,8 +289,8 @@ static int draw(const motion *m, const char *folder)
 static void print_live(const motion *m, const options *o, size_t k)
 {
     puts(m->scene->story);
-    print_columns(m, o->mu);
-    print_row(m, k);
+    print_either_columns(m, o);
+    print_one_row(m, o, k);
 }
 
 static int run(const options *o)
@@ -282,8 +301,9 @@ static int run(const options *o)
                                       b->inner_radius, b->gravity);
 
     m.scene = o->scene;
+    m.slides = o->slips;
     if (status >= 0)
-        status = roll(&m, o);
+        status = m.slides ? slide(&m, o) : roll(&m, o);
     if (!o->live)
         print_motion(&m, o);
     else if (m.count > 0)

@@ -54,14 +54,9 @@ static inline void svg_dark_scheme(FILE *f)
     fputs("}\n</style>\n", f);
 }
 
-/* Opens a picture on a white or dark ground; null, and errno, if that fails. */
-static inline FILE *svg_open(const char *path, int width, int height,
-                             const char *title)
+/* Begins a picture on a white or dark ground. */
+static inline void svg_begin(FILE *f, int width, int height, const char *title)
 {
-    FILE *f = fopen(path, "w");
-
-    if (f == NULL)
-        return NULL;
     fprintf(f,
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" "
             "height=\"%d\" viewBox=\"0 0 %d %d\" role=\"img\" "
@@ -71,6 +66,16 @@ static inline FILE *svg_open(const char *path, int width, int height,
     fputs("</title>\n", f);
     svg_dark_scheme(f);
     fputs("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n", f);
+}
+
+/* The same in a file; null, and errno, if it does not open. */
+static inline FILE *svg_open(const char *path, int width, int height,
+                             const char *title)
+{
+    FILE *f = fopen(path, "w");
+
+    if (f != NULL)
+        svg_begin(f, width, height, title);
     return f;
 }
 

@@ -240,10 +240,11 @@ orbits: $(BENCH_OUT)/portable/peer_orbit need-charts need-bits ## an orbit besid
 	$(ORBITS)
 	$(DRAW)
 
-slides: $(BENCH_OUT)/native/peer_slide need-bits ## coins that slip, beside other methods (two minutes)
+slides: $(BENCH_OUT)/native/peer_slide need-charts need-bits ## coins that slip, beside other methods (two minutes)
 	mkdir -p $(RESULTS)
 	{ $(ABOUT); $<; } >$(BENCH_OUT)/slides.csv
 	cp $(BENCH_OUT)/slides.csv $(RESULTS)
+	$(DRAW)
 
 results: ## measure anew all that results-check looks at (an hour)
 	+for what in charts slides models silent adversary adversary-update longrun \

@@ -203,6 +203,43 @@ word=coarse
 claim "a step of 10 ms is coarse for a quarter" says --dt 0.01
 claim "one of 1 ms is not" never_says --dt 0.001
 
+# ------------------------------------------------------------------ throws
+# Friction of mu N slows the slip of an upright disc by 3 mu g.  The coin leans
+# by 8 degrees at most, whose square is 2 %.
+stops_slipping()
+{
+    exits 0 --scene throw --out out && awk -v slip=3.1 -v g=9.80665 -v mu=0.27 '
+        /^from/ { changes++; when = $2 }
+        /^ .* (slips|rolls)$/ {
+            want = 100 * (slip - 3 * mu * g * $1)
+            if (want < 0) want = 0
+            off = $8 - want
+            if (off ^ 2 > 6.2 ^ 2 || ($8 > 0) != ($9 == "slips") ||
+                rows && $6 > energy) { print; exit 1 }
+            energy = $6
+            rows++
+        }
+        END { late = when / (slip / (3 * mu * g)) - 1
+              exit rows != 21 || changes != 2 || late ^ 2 > 0.02 ^ 2 }' stdout
+}
+claim "a thrown quarter slips until friction has used that up" stops_slipping
+claim "the drawing shows where" grep -q ">it slips<" out/throw.svg
+# The columns that both tables have.
+poses() { rows | cut -c 1-44; }
+keeps_rolling()
+{
+    exits 0 --out out && poses >rolls.txt && exits 0 --slip --out out &&
+        poses >slides.txt && cmp rolls.txt slides.txt &&
+        test "$(rows | grep -c ' rolls$')" -eq 21
+}
+claim "with enough friction --slip changes nothing" keeps_rolling
+word='  slips$'
+claim "a quarter slips with --slip and mu 0.15" says --slip --mu 0.15
+claim "and may have any grip" never_says --slip --mu inf
+word='  lifts off$'
+claim "a coin that lifts off ends there" \
+    says --slip --scene generic --mu 0.25
+
 # --------------------------------------------------------------- refusals
 claim "a step through the table fails, and says so" \
     refuses 1 "smaller --dt" --scene nearflat --dt 0.2 --out out
@@ -246,7 +283,7 @@ claim "--live plays a circle, stops when told, and wants a terminal" \
 
 # ------------------------------------------------------------------- the rest
 claim "--help explains itself" exits 0 --help
-claim "it names every option" test "$(grep -c -e ' --' stdout)" -eq 9
+claim "it names every option" test "$(grep -c -e ' --' stdout)" -eq 10
 claim "a folder's name may be odd" exits 0 --out "an odd %s name"
 claim "its pictures are there" test -s "an odd %s name/quarter_path.svg"
 claim "a run of one step is drawn" exits 0 --duration 0.001 --out out

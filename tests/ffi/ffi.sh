@@ -168,8 +168,8 @@ import sys
 
 guide, examples = map(pathlib.Path, sys.argv[1:])
 text = guide.read_text()
-for name in ("quarter.c", "stop.c", "cpp/quarter.cpp", "python/quarter.py",
-             "rust/examples/quarter.rs"):
+for name in ("quarter.c", "stop.c", "thrown.c", "cpp/quarter.cpp",
+             "python/quarter.py", "rust/examples/quarter.rs"):
     program = (examples / name).read_text()
     # What follows the head of comments.
     code = re.sub(r'\A(?:#!.*\n|# .*\n|//.*\n|/\*(?s:.*?)\*/\n|"""(?s:.*?)"""\n)+',

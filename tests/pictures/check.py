@@ -12,13 +12,13 @@ import cmath
 import itertools
 import math
 import pathlib
-import re
 import sys
 
 from animation import animation
-from forms import (DISC, PI, Body, Leaf, Pairs, height_of, lambda2, near,
+from forms import (DISC, PI, Body, Leaf, Pairs, height_of, lambda2, lines, near,
                    on_leaf, pair, potential, slope, slow_circle)
 from rest import fixed, rest
+from slip import drawn_slides, slides, slip_map
 from sweep import sweep
 
 
@@ -103,12 +103,8 @@ def rosettes(blocks):
 def drawn(blocks, drawing):
     """The rosettes in the drawing are these, each moved and scaled, to its tenths
     of a pixel."""
-    steps = [[complex(*map(float, step.split(",")))
-              for step in re.findall(r"[-0-9.]+,[-0-9.]+", d)]
-             for d in re.findall(r"<path [^>]*d='(m[^']*l[^']*)'", drawing)]
-    lines = [[(point.real, point.imag) for point in itertools.accumulate(line)]
-             for line in steps if len(line) > 100]
-    for block, line in zip(blocks, lines, strict=True):
+    paths = [line for line in lines(drawing) if len(line) > 100]
+    for block, line in zip(blocks, paths, strict=True):
         near("drawing, points", len(line), len(block), 0)
         across, down = zip(*line)
         x, z = [point[1] for point in block], [point[2] for point in block]
@@ -270,6 +266,9 @@ fresh, kept = map(pathlib.Path, sys.argv[1:])
 petals = table(fresh / "rosettes.csv")
 rosettes(petals)
 drawn(petals, (kept.parent / "rosettes.svg").read_text())
+throws = table(fresh / "slides.csv")
+slides(throws)
+drawn_slides(throws, (kept.parent / "slides.svg").read_text())
 for check in (potentials, bifurcation, precession, nearly_flat,
               rest):
     name = {"potentials": "potential"}.get(check.__name__, check.__name__)
@@ -278,9 +277,10 @@ for check in (potentials, bifurcation, precession, nearly_flat,
     same(fresh / f"{name}.csv", kept / f"{name}.csv")
 fixed(*([line.split(",") for line in file.read_text().splitlines()[1:]]
         for file in (fresh / "fixed.csv", kept / "settle.csv")))
-drawing = (fresh / "animation.svg").read_text()
-animation(drawing)
-near("animation, as kept",
-     (kept.parent / "animation.svg").read_text() == drawing, 1, 0)
+for check in (animation, slip_map):
+    name = f"{check.__name__}.svg"
+    drawing = (fresh / name).read_text()
+    check(drawing)
+    near(f"{name}, as kept", (kept.parent / name).read_text() == drawing, 1, 0)
 sweep((fresh / "sweep.ppm").read_bytes())
 print(f"{near.checks} numbers behind the pictures hold")

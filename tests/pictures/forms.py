@@ -3,6 +3,7 @@
 and the one check that uses it."""
 import itertools
 import math
+import re
 import sys
 
 PI = math.pi
@@ -68,6 +69,18 @@ def slow_circle(b, theta, wZ):
     """wY of the slow circle: (41), theta > 0, wZ > 0."""
     s, t = math.sin(theta), math.tan(theta)
     return 2*s/(b.K*wZ + math.sqrt((b.K*wZ)**2 + 4*b.IX*s*t))
+
+
+def lines(drawing):
+    """The points of each line of a drawing of gnuplot, as slim.py writes it."""
+    for d in re.findall(r"<path [^>]*d='m([^']*l[^']*)'", drawing):
+        end = 0
+        for piece in d.split("m"):
+            first, *steps = [complex(*map(float, step.split(",")))
+                             for step in re.findall(r"[-.\d]+,[-.\d]+", piece)]
+            points = list(itertools.accumulate([end + first, *steps]))
+            end = points[-1]
+            yield [(point.real, point.imag) for point in points]
 
 
 def height_of(theta):

@@ -3,9 +3,12 @@
 # The pictures of docs/pictures.md: included by the Makefile.  Each comes from
 # a program of docs/examples, which prints its numbers.
 
-PICTURES     := rosettes potential bifurcation precession nearly_flat rest
-# The numbers of rosettes are large, and its drawing shows all of them.
-KEPT         := $(filter-out rosettes,$(PICTURES))
+PICTURES     := rosettes potential bifurcation precession nearly_flat rest \
+                slides
+# The numbers of paths are large, and their drawings show all of them.
+KEPT         := $(filter-out rosettes slides,$(PICTURES))
+# Drawn by their programs.
+DRAWN         = $(PICTURES_OUT)/animation.svg $(PICTURES_OUT)/slip_map.svg
 PICTURES_SRC := $(SRC)/tests/pictures
 PICTURES_OUT  = $(O)/pictures
 SCHEMES       = $(PYTHON) $(PICTURES_SRC)/scheme.py $(SRC)
@@ -19,10 +22,10 @@ $(PICTURES_OUT)/%.svg: $(O)/%
 	mkdir -p $(@D)
 	$< >$@
 
-pictures: $(PICTURES:%=$(PICTURES_OUT)/%.csv) $(PICTURES_OUT)/animation.svg need-gnuplot ## compute and draw what docs/pictures.md shows
+pictures: $(PICTURES:%=$(PICTURES_OUT)/%.csv) $(DRAWN) need-gnuplot ## compute and draw what docs/pictures.md shows
 	mkdir -p $(SRC)/docs/figures/data
 	cp $(KEPT:%=$(PICTURES_OUT)/%.csv) $(SRC)/docs/figures/data
-	cp $(PICTURES_OUT)/animation.svg $(SRC)/docs/figures
+	cp $(DRAWN) $(SRC)/docs/figures
 	for f in $(PICTURES); do gnuplot -e "from='$(PICTURES_OUT)'" \
 	    -e "style='$(SRC)/tests/bench/style.gpi'" \
 	    -e "to='$(SRC)/docs/figures'" $(PICTURES_SRC)/$$f.gp || exit 1; done
@@ -38,7 +41,7 @@ $(PICTURES_OUT)/sweep.ppm: $(O)/sweep
 	mkdir -p $(@D)
 	$< 40 $@ >/dev/null
 
-pictures-check: $(PICTURES:%=$(PICTURES_OUT)/%.csv) $(PICTURES_OUT)/sweep.ppm $(PICTURES_OUT)/animation.svg $(PICTURES_OUT)/fixed.csv ## the numbers behind the pictures against closed forms
+pictures-check: $(PICTURES:%=$(PICTURES_OUT)/%.csv) $(PICTURES_OUT)/sweep.ppm $(DRAWN) $(PICTURES_OUT)/fixed.csv ## the numbers behind the pictures against closed forms
 	$(PYTHON) $(PICTURES_SRC)/check.py $(PICTURES_OUT) \
 	    $(SRC)/docs/figures/data
 	$(SCHEMES) --check

@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: MIT */
+/* thrown.h: a coin that may slip, in the demo: how it moves, and what is
+ * printed. */
+#ifndef EXAMPLE_THROWN_H
+#define EXAMPLE_THROWN_H
+
+#include "options.h"
+#include "pictures.h"
+
+#include <coin.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define SLIDE_TOL 1e-9
+
+/* Kinetic friction is somewhat less than static friction.  The library refuses
+ * a kinetic coefficient beyond 1.118 for a disc. */
+static coin_friction friction_of(const options *o)
+{
+    const coin_friction f = {o->mu, fmin(0.9 * o->mu, 1)};
+    return f;
+}
+
+/* The start: its velocity is that of rolling, and what it is thrown with along
+ * its plane, e_X, Eq. (7). */
+static int32_t throw_it(coin_slide *d, const motion *m, const options *o)
+{
+    const coin_state *s = &m->scene->start;
+    const int32_t status = coin_slide_of(d, s, &m->params);
+
+    d->vx += o->thrown * cos(s->phi);
+    d->vz -= o->thrown * sin(s->phi);
+    return status;
+}
+
+static void keep(motion *m, double t, const coin_slide *d, int32_t status)
+{
+    const moment now = {t, d->s, status > 0 ? status : 0, d->vx, d->vz};
+
+    m->at[m->count++] = now;
+}
+
+/* Moves the coin and keeps up to MOMENTS + 1 states, evenly spread, or until it
+ * lifts off or lies flat, which m->end tells.  On an error the motion holds
+ * what came before it. */
+static int32_t slide(motion *m, const options *o)
+{
+    const uint64_t kept = o->steps < MOMENTS ? o->steps : MOMENTS;
+    const coin_friction f = friction_of(o);
+    coin_slide d;
+    double t = 0;
+
+    m->end = throw_it(&d, m, o);
+    for (uint64_t k = 0; k <= kept && m->end >= 0; ++k) {
+        const double goal = (double)(k * o->steps / kept) * o->dt;
+        double moved = 0;
+        m->end = coin_slide_advance(&d, &m->params, &f, NULL, goal - t,
+                                    SLIDE_TOL, &moved);
+        if (m->end < 0 && m->end != COIN_ELIFT)
+            return m->end;
+        t += moved;
+        keep(m, t, &d, m->end);
+        if (m->end == COIN_RESTS || m->end == COIN_ELIFT)
+            return COIN_OK;
+    }
+    return m->end < 0 ? m->end : COIN_OK;
+}
+
+/* ------------------------------------------------------------- printing -- */
+
+/* Zero if two decimals would show it as 0.00 or -0.00. */
+static double plain(double x)
+{
+    return fabs(x) < 0.005 ? 0 : x;
+}
+
+static coin_slide slide_at(const motion *m, size_t k)
+{
+    const coin_slide d = {m->at[k].state, m->at[k].vx, m->at[k].vz};
+    return d;
+}
+
+/* The energy that is left of that at the start. */
+static double energy_left(const motion *m, size_t k)
+{
+    const coin_slide start = slide_at(m, 0), now = slide_at(m, k);
+
+    return coin_slide_energy(&now, &m->params) /
+           coin_slide_energy(&start, &m->params);
+}
+
+static void print_slide_heading(const options *o)
+{
+    const coin_friction f = friction_of(o);
+
+    printf("coin_slide_advance at %g, mu %g, and %g where it slips\n\n",
+           SLIDE_TOL, f.mu_static, f.mu_kinetic);
+}
+
+static void print_slide_columns(const motion *m)
+{
+    const units *in = m->scene->body->in;
+
+    printf("%9s %7s %8s %8s %8s %8s %7s %8s\n", "time", "lean", "heading", "x",
+           "z", "energy", "N/(Mg)", "slip");
+    printf("%9s %7s %8s %8s %8s %8s %7s %6s/%s\n", in->time, "deg", "deg",
+           in->length, in->length, "left", "", in->length,
+           in == &SI ? "s" : "t");
+}
+
+static const char *mode_of(const motion *m, size_t k)
+{
+    if (k + 1 == m->count && m->end == COIN_ELIFT)
+        return "lifts off";
+    if (m->at[k].bits == COIN_RESTS)
+        return "lies flat";
+    return m->at[k].bits == COIN_SLIPS ? "slips" : "rolls";
+}
+
+static void print_slide_row(const motion *m, const options *o, size_t k)
+{
+    const coin_slide d = slide_at(m, k);
+    const coin_friction f = friction_of(o);
+    const double shown = m->scene->body->in->shown;
+    coin_force R = {{0, 0, 0}, 0, 0, 0};
+    double u[2] = {0, 0};
+
+    coin_slide_velocity(&d, &m->params, u);
+    coin_slide_reaction(&d, &m->params, &f, NULL, &R);
+    printf("%9.3f %7.2f %8.1f %8.2f %8.2f ", m->at[k].t, d.s.theta * DEGREES,
+           d.s.phi * DEGREES, plain(d.s.x * shown), plain(d.s.z * shown));
+    printf("%8.4f %7.3f %8.2f  %s\n", energy_left(m, k),
+           R.normal / (m->params.mass * m->params.gravity),
+           hypot(u[0], u[1]) * shown, mode_of(m, k));
+}
+
+/* When slip and rolling follow each other, to a moment. */
+static void print_slide_summary(const motion *m)
+{
+    enum { MOST = 8 };
+    const char *before = "";
+    size_t changes = 0;
+
+    printf("\n");
+    for (size_t k = 0; k < m->count; ++k) {
+        const char *now = mode_of(m, k);
+        if (strcmp(now, before) != 0 && ++changes <= MOST)
+            printf("from %-10.4g %s\n", m->at[k].t, now);
+        before = now;
+    }
+    if (changes > MOST)
+        printf("and so on: %lu changes\n", (unsigned long)changes);
+    printf("friction took   %.1f %% of the energy\n",
+           plain(100 * (1 - energy_left(m, m->count - 1))));
+}
+
+#endif
