@@ -124,7 +124,7 @@ static uint64_t hash_max_dt(const scene *a, int32_t method)
 }
 #endif
 
-/* By coin_advance() to ten times, and back again. */
+/* By coin_advance() to ten times, of which every other is short, and back. */
 static uint64_t hash_advance(const scene *a)
 {
     uint64_t h = FNV_OFFSET;
@@ -133,7 +133,7 @@ static uint64_t hash_advance(const scene *a)
     for (tol = 1e-2; tol >= 0.99e-11; tol /= 1000) {
         start b = start_of(a);
         for (i = 1; i <= 20; ++i) {
-            const double t = (i <= 10 ? 1.7 : -1.7) * b.unit;
+            const double t = (i % 2 ? 1.7 : 0.4) * (i <= 10 ? 1 : -1) * b.unit;
             reached = 0;
             h = hash_status(h, coin_advance(&b.s, &b.p, t, tol, &reached));
             h = hash_state(hash_doubles(h, &reached, 1), &b.s);
