@@ -63,10 +63,12 @@ void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
     w.s[0] = y->sth;
     w.c[0] = y->cth;
 #pragma GCC unroll 8
-    for (int k = 0; k <= TERMS && k <= terms; ++k) {
+    for (int k = 0; k <= TERMS; ++k) {
         w.cX[k] = product(w.c, w.X, k);
         w.sX[k] = product(w.s, w.X, k);
-        if (k < TERMS && k < terms)
+        if (k == terms)
+            break;
+        if (k < TERMS)
             next_terms(&w, out, &f, k);
     }
     out->terms = terms;
