@@ -213,92 +213,6 @@ static void a_coin_that_falls_over_rests_also_without_losses(void **unused)
     check(when[0] < when[2]);
 }
 
-/* With as much friction as that the coin keeps to the cone nearly until N = 0,
- * and rolls on for a time where its slip would begin.  The force of that slip
- * is far from the one that rolling would take. */
-static void a_coin_lifts_off_where_the_force_of_its_slip_is_0(void **unused)
-{
-    (void)unused;
-    const coin_friction high = {1.1, 1.1};
-    const coin_params p = disc();
-    for (double tol = 1e-2; tol > 1e-11; tol *= 1e-4) {
-        struct random r = random_begin(178);
-        int lifted = 0, pulled = 0;
-        for (int i = 0; i < 300; ++i) {
-            const coin_state s = random_state(&r, &p, 1.2);
-            coin_slide d;
-            coin_force force, rolls;
-            double reached;
-            coin_slide_of(&d, &s, &p);
-            if (coin_slide_advance(&d, &p, &high, NULL, 3, tol, &reached) !=
-                    COIN_ELIFT ||
-                reached == 0)
-                continue;
-            coin_slide_reaction(&d, &p, &high, NULL, &force);
-            check_near(force.normal, 0, tol);
-            coin_reaction(&d.s, &p, &rolls);
-            pulled += rolls.normal < -0.1;
-            ++lifted;
-        }
-        check(lifted > 20 && pulled > 10);
-    }
-}
-
-/* Upright but for 0.1, and falling so fast that N is all but 0: there is hardly
- * any friction, and the slip that has begun grows as rolling lets it. */
-static void a_coin_lifts_off_in_a_slip_that_has_just_begun(void **unused)
-{
-    (void)unused;
-    const coin_params p = disc();
-    const double N = 1e-5, c = cos(0.1), wX = sqrt((1 - N) / c);
-    const coin_slide start = {{.theta = -0.1, .wX = wX}, 0, wX * c - 1e-9};
-    for (double tol = 1e-2; tol > 1e-11; tol *= 1e-4) {
-        coin_slide d = start;
-        coin_force force;
-        double reached;
-        check_status(coin_slide_advance(&d, &p, &rough, NULL, 1, tol, &reached),
-                     COIN_ELIFT);
-        coin_slide_reaction(&d, &p, &rough, NULL, &force);
-        check_near(force.normal, 0, 1e-12);
-        check_near(reached, N / (sin(0.1) * wX * wX * wX), 1e-2 * N);
-    }
-}
-
-/* Rolling would take a table that pulls, and a slip is pressed: unless the
- * contact cannot slip. */
-static void a_coin_slips_where_only_rolling_would_lift_it(void **unused)
-{
-    (void)unused;
-    const coin_friction high = {1.1, 1.1}, low = {0.3, 0.25};
-    const coin_friction endless = {INFINITY, 1.1};
-    struct random r = random_begin(179);
-    int slip = 0;
-    for (int i = 0; i < 1000; ++i) {
-        const coin_params p = disc();
-        const coin_state s = random_state(&r, &p, 1.2);
-        coin_slide d;
-        coin_force rolls, slips;
-        coin_slide_of(&d, &s, &p);
-        coin_reaction(&s, &p, &rolls);
-        if (rolls.normal > 0)
-            continue;
-        check_status(coin_slide_advance(&d, &p, &endless, NULL, 1, 1e-9, NULL),
-                     COIN_ELIFT);
-        coin_slide_reaction(&d, &p, &high, NULL, &slips);
-        const int32_t want = slips.normal > 0 ? COIN_SLIPS : COIN_ELIFT;
-        check_status(coin_slide_advance(&d, &p, &high, NULL, 0, 1e-9, NULL),
-                     want);
-        /* The sign of that force is of the coin, and not of its friction. */
-        check_status(coin_slide_advance(&d, &p, &low, NULL, 0, 1e-9, NULL),
-                     want);
-        if (want == COIN_SLIPS) {
-            check_near(slips.ratio, 1.1, 1e-12);
-            ++slip;
-        }
-    }
-    check(slip > 20);
-}
-
 /* In a time so short that the slip has not grown to what it begins with. */
 static void a_slip_that_has_just_begun_takes_the_time_asked(void **unused)
 {
@@ -402,9 +316,6 @@ int main(void)
         TEST(t_0_changes_nothing_and_says_whether_it_slips),
         TEST(a_coin_that_would_lift_off_is_kept_where_it_does),
         TEST(a_coin_that_falls_over_rests_also_without_losses),
-        TEST(a_coin_lifts_off_where_the_force_of_its_slip_is_0),
-        TEST(a_coin_lifts_off_in_a_slip_that_has_just_begun),
-        TEST(a_coin_slips_where_only_rolling_would_lift_it),
         TEST(a_slip_that_has_just_begun_takes_the_time_asked),
         TEST(an_upright_coin_without_friction_glides),
         TEST(a_slip_of_any_speed_takes_few_steps),
