@@ -139,6 +139,51 @@ static void t_0_changes_nothing_and_says_whether_it_slips(void **unused)
                  COIN_SLIPS);
 }
 
+static void a_coin_that_would_lift_off_is_kept_where_it_does(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_slide d, again;
+    const coin_state up = {.theta = 0.2, .wX = 3};
+    double reached = 7;
+    coin_slide_of(&d, &up, &p);
+    again = d;
+    check_status(coin_slide_advance(&d, &p, &rough, NULL, 1, 1e-9, &reached),
+                 COIN_ELIFT);
+    check(reached == 0);
+    check_same(&d, &again, sizeof d);
+    const coin_slide none[] = {
+        {{.theta = 0.2, .wX = 3}, 1, 0},         /* slips */
+        {{.theta = 0, .wX = 1}, 0, 1},           /* rolls; N = 0 */
+        {{.theta = 0, .wX = 1.0625}, 0, 1.0625}, /* rolls; F = 0 */
+    };
+    for (int i = 0; i < 3; ++i) {
+        d = none[i];
+        check_status(
+            coin_slide_advance(&d, &p, &rough, NULL, 1, 1e-9, &reached),
+            COIN_ELIFT);
+        check(reached == 0);
+        check_same(&d, &none[i], sizeof d);
+    }
+    /* One that lifts off on its way. */
+    struct random r = random_begin(176);
+    int lifted = 0;
+    for (int i = 0; i < 200; ++i) {
+        coin_force force;
+        d = random_launch(&r, &p);
+        if (coin_slide_advance(&d, &p, &rough, NULL, 9, 1e-10, &reached) !=
+                COIN_ELIFT ||
+            reached == 0)
+            continue;
+        ++lifted;
+        check(reached < 9);
+        check_status(coin_slide_reaction(&d, &p, &rough, NULL, &force),
+                     COIN_OK);
+        check_within(force.normal, -1e-9, 1e-6);
+    }
+    check(lifted > 20);
+}
+
 /* Falling without turning: flat in finite time, whatever the friction. */
 static void a_coin_that_falls_over_rests_also_without_losses(void **unused)
 {
@@ -269,6 +314,7 @@ int main(void)
         TEST(a_coin_that_rolls_is_described_as_by_the_other_functions),
         TEST(the_force_of_a_slip_is_that_of_newton_and_euler),
         TEST(t_0_changes_nothing_and_says_whether_it_slips),
+        TEST(a_coin_that_would_lift_off_is_kept_where_it_does),
         TEST(a_coin_that_falls_over_rests_also_without_losses),
         TEST(a_slip_that_has_just_begun_takes_the_time_asked),
         TEST(an_upright_coin_without_friction_glides),

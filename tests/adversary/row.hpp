@@ -34,6 +34,7 @@ void add_steady(std::vector<row> *rows);
 void add_steps(std::vector<row> *rows);
 void add_motions(std::vector<row> *rows);
 void add_losses(std::vector<row> *rows);
+void add_slides(std::vector<row> *rows);
 
 /* Keeps the worst of several outputs. */
 template <class R> struct verdict {
