@@ -46,10 +46,12 @@ COIN_PRIV_INLINE int stays_within(coin_priv_curve pile[CUTS + 1], int terms)
 {
     const int degree = COIN_PRIV_DEGREE(terms);
     int cuts[CUTS + 1] = {0};
-    for (int top = 0; top >= 0;) {
-        coin_priv_curve *const now = &pile[top], *const half = &pile[top + 1];
+    size_t parts = 1;
+    while (parts > 0) {
+        const size_t top = parts - 1;
+        coin_priv_curve *const now = &pile[top], *const half = &pile[parts];
         if (is_within(now, degree)) {
-            --top;
+            parts = top;
             continue;
         }
         if (cuts[top] == CUTS || !is_in_cone(now, degree))
@@ -57,8 +59,8 @@ COIN_PRIV_INLINE int stays_within(coin_priv_curve pile[CUTS + 1], int terms)
         coin_priv_cut_joined(half->along, now->along, terms);
         coin_priv_cut_joined(half->across, now->across, terms);
         coin_priv_cut_joined(half->bound, now->bound, terms);
-        cuts[top + 1] = ++cuts[top];
-        ++top;
+        cuts[parts] = ++cuts[top];
+        ++parts;
     }
     return 1;
 }
