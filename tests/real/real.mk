@@ -8,6 +8,7 @@ LAUNCHES ?= 10000
 .PHONY: real-study real-quasi real-cost
 real-study: $(REAL_OUT)/study ## coins to rest: launches, and the time by calls and tolerances
 	$< launches $(LAUNCHES)
+	$< launches $(LAUNCHES) 1
 	$< calls
 
 real-quasi: $(REAL_OUT)/quasi need-gnuplot need-bits ## errors of the quasi-steady model, and their chart
@@ -32,6 +33,7 @@ $(REAL_OUT)/study $(REAL_OUT)/quasi: $(TEST_EXTRA)
 .PHONY: slide-study
 slide-study: $(REAL_OUT)/slides ## coins that slip: launches, and the cost while they roll
 	$< launches $(LAUNCHES)
+	$< launches $(LAUNCHES) 1
 	$< cost
 
 $(REAL_OUT)/slides: $(SRC)/tests/real/slides.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)

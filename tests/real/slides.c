@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What coins that slip cost, and how they end: too long for `make check`.
- *     slides launches N   random launches: how they end, and the worst cost
- *     slides cost         beside coin_advance(), where nothing slips */
+ *     slides launches N SHARE   random launches with mu_kinetic = SHARE
+ *                               mu_static: how they end, and the worst cost
+ *     slides cost               beside coin_advance(), where nothing slips */
 #include "support/slides.h"
 
 #include <math.h>
@@ -18,7 +19,7 @@ static double seconds(void)
 }
 
 /* ---------------------------------------------------------------- launches */
-static void launches(int n)
+static void launches(int n, double share)
 {
     struct random r = random_begin(201);
     int ended[4] = {0}, pulled = 0;
@@ -27,7 +28,7 @@ static void launches(int n)
         coin_params p;
         coin_params_ring(&p, 1, 1, i % 2 ? 0 : random_between(&r, 0, 1), 1);
         const double mu = random_between(&r, 0.2, 0.6);
-        const coin_friction f = {mu, 0.9 * mu};
+        const coin_friction f = {mu, share * mu};
         coin_slide d = random_launch(&r, &p);
         double E = coin_slide_energy(&d, &p), reached = 0;
         int32_t status = COIN_OK;
@@ -86,7 +87,8 @@ int main(int argc, char **argv)
 {
     const char *what = argc > 1 ? argv[1] : "";
     if (strcmp(what, "launches") == 0)
-        launches(argc > 2 ? atoi(argv[2]) : 10000);
+        launches(argc > 2 ? atoi(argv[2]) : 10000,
+                 argc > 3 ? strtod(argv[3], NULL) : 0.9);
     else if (strcmp(what, "cost") == 0)
         cost();
     else
