@@ -64,11 +64,11 @@ void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
     w.c[0] = y->cth;
 #pragma GCC unroll 8
     for (int k = 0; k <= TERMS; ++k) {
+        if (k > terms)
+            break;
         w.cX[k] = product(w.c, w.X, k);
         w.sX[k] = product(w.s, w.X, k);
-        if (k == terms)
-            break;
-        if (k < TERMS)
+        if (k < TERMS && k < terms)
             next_terms(&w, out, &f, k);
     }
     out->terms = terms;
