@@ -127,18 +127,18 @@ double coin_priv_looked(const coin_priv_look *look)
     const double s2 = look->stride * look->stride;
     const int closely = look->table->mu_static > 0 && look->stride > SHORT;
     const double miss = closely ? MISS * s2 * s2 * s2 : 0;
-    const double edge = EDGE / PLACES;
+    const double places = PLACES, edge = EDGE / places;
     double m[PLACES + 1];
     end_of(&a, look, look->from);
     end_of(&b, look, look->to);
     for (int k = 0; k <= PLACES; ++k)
-        m[k] = left_between(look, &a, &b, (double)k / PLACES);
+        m[k] = left_between(look, &a, &b, k / places);
     if (closely && least_beside(m[0], left_between(look, &a, &b, edge), m, 1) <
                        (m[0] < miss ? 0 : miss))
         return 0.5;
     for (int k = 1; k < PLACES; ++k) {
         if (m[k] < -miss)
-            return -(double)k / PLACES;
+            return -k / places;
         if (least(m, k) < miss)
             return 0.5;
     }

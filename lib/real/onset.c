@@ -93,7 +93,7 @@ static int32_t roll_on(coin_priv_sliding *g, const coin_priv_slip *start,
     const double end = coin_priv_left(&g->table, &y, 1);
     if (end <= 0) {
         const double left = coin_priv_left(&g->table, start, 1);
-        by = coin_priv_place(g, force_left, left, by, end);
+        by = coin_priv_locate(g, force_left, left, by, end);
         coin_priv_again(g, by);
         y = after(g, from, by);
     }

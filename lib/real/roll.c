@@ -216,7 +216,7 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
         }
         const double end = coin_priv_cone_left(g);
         if (end < 0 && (part < 0 || part == 1)) {
-            coin_priv_again(g, coin_priv_place(g, cone_left, left, tau, end));
+            coin_priv_again(g, coin_priv_locate(g, cone_left, left, tau, end));
             return -1;
         }
         if (part == 1)

@@ -7,7 +7,7 @@
 #include "friction.h"
 #include "slide.h"
 
-/* The most trials of coin_priv_place(). */
+/* The most trials of coin_priv_locate(). */
 #define TRIALS 60
 
 coin_priv_slip coin_priv_slip_of(const coin_priv_variables *y, double uX,
@@ -51,8 +51,8 @@ int32_t coin_priv_lie(coin_priv_run *r)
     return COIN_RESTS;
 }
 
-double coin_priv_place(coin_priv_sliding *g, coin_priv_event *event, double at0,
-                       double h1, double at1)
+double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
+                        double at0, double h1, double at1)
 {
     double h0 = 0;
     int before = 0;

@@ -56,8 +56,8 @@ typedef double coin_priv_event(coin_priv_sliding *g, double h);
 
 /* The h in [0, h1] at which an event happens, where it is at0 at 0 and at1 <= 0
  * at h1; on the side of 0, and 0 unless at0 > 0. */
-double coin_priv_place(coin_priv_sliding *g, coin_priv_event *event, double at0,
-                       double h1, double at1);
+double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
+                        double at0, double h1, double at1);
 
 /* Tries a step of tau of a coin that rolls, from where the run is: its error
  * over what is allowed; added.t counts from 0.  Above 1 nothing was done; -1,

@@ -171,13 +171,13 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
     const coin_priv_slip from = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     int32_t status = COIN_OK;
     if (r->to.cth <= 0) {
-        *h = coin_priv_place(g, angle_left, from.cth, *h, r->to.cth);
+        *h = coin_priv_locate(g, angle_left, from.cth, *h, r->to.cth);
         *r = attempt(g, *h);
         status = COIN_RESTS;
     }
     if (r->to.t > g->rem.sum) {
-        *h =
-            coin_priv_place(g, time_left, g->rem.sum, *h, g->rem.sum - r->to.t);
+        *h = coin_priv_locate(g, time_left, g->rem.sum, *h,
+                              g->rem.sum - r->to.t);
         *r = attempt(g, *h);
         r->to.t = g->rem.sum;
         status = COIN_OK;
@@ -199,7 +199,7 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
         }
         const double end = coin_priv_left(&g->table, &r->to, 1);
         if (!(end > 0) && (part < 0 || part == 1)) {
-            *h = coin_priv_place(g, force_left, left, *h, end);
+            *h = coin_priv_locate(g, force_left, left, *h, end);
             *r = attempt(g, *h);
             return COIN_ELIFT;
         }

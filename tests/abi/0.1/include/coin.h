@@ -998,8 +998,8 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  * mu_static = mu_kinetic is accepted.  A slip then begins without acceleration,
  * and many short steps follow until it has grown.  Such launches cost 12 times
  * those with mu_kinetic = 0.9 mu_static in the mean, and 70 times in the worst
- * case (make slide-study).  COIN_ESTEP means that 2^20 steps were not enough; no
- * launch of that study needed as many.
+ * case (make slide-study).  COIN_ESTEP means that 2^20 steps were not enough;
+ * no launch of that study needed as many.
  * Accuracy: times of events to 1e-8 at tol = 1e-10, where the motion determines
  *         them (test_slide); a slip that nearly ends, and does not, has a
  *         direction that turns round at once, and its time is less well
