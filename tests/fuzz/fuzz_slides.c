@@ -34,13 +34,13 @@ static void judge_advance(const struct outcome *o)
 }
 
 const struct function fuzz_functions[] = {
-    ROW(coin_slide_of, "Usp", USUAL, 0, PLAIN),
-    ROW(coin_slide_advance, "KpoMTer",
+    ROW(coin_slide_of, ">sp", USUAL, 0, PLAIN),
+    ROW(coin_slide_advance, "=p%-Ter",
         USUAL | BIT(COIN_ESTEP) | BIT(COIN_ELIFT), COIN_SLIPS | COIN_RESTS,
         BIT(COIN_ESTEP) | BIT(COIN_ELIFT), judge_advance, 0),
-    ROW(coin_slide_energy, "xp", NUMBER),
-    ROW(coin_slide_reaction, "xpoMF", USUAL, 0, PLAIN),
-    ROW(coin_slide_velocity, "xp2", USUAL, 0, PLAIN),
+    ROW(coin_slide_energy, "<p", NUMBER),
+    ROW(coin_slide_reaction, "<p%-F", USUAL, 0, PLAIN),
+    ROW(coin_slide_velocity, "<p2", USUAL, 0, PLAIN),
 };
 
 END_OF_TABLE;

@@ -10,9 +10,12 @@
  * A processor that is emulated, or has no unit for doubles, or little memory,
  * takes a part, line by line the same: every SCENE_STRIDE-th scene;
  * WITHOUT_MAX_DT, which is nine tenths of all steps; WITHOUT_ORBIT, which takes
- * 70 KiB.  Needs sqrt, memcpy and puts of the C library. */
+ * 70 KiB, and without slides then.  Needs sqrt, memcpy and puts of the C
+ * library. */
 #include "fnv.h"
+#ifndef WITHOUT_ORBIT
 #include "hash_slide.h"
+#endif
 
 #include <coinf.h>
 
