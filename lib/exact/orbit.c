@@ -9,7 +9,7 @@
 
 #define OF COIN_PRIV_OF
 
-/* Orbits conditioned worse than this are refused. */
+/* An orbit whose conditioning is above this is refused. */
 #define WORST 1e12
 
 /* So are those that come nearer to flat: a lean within 1/WORST of it is rounded

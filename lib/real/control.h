@@ -70,4 +70,16 @@ COIN_PRIV_INLINE double coin_priv_first_stride(double tol)
     return first < COIN_PRIV_LONGEST_STRIDE ? first : COIN_PRIV_LONGEST_STRIDE;
 }
 
+/* The stride of the next step: by the error of the one tried, whose stride was
+ * `used`.  A step that was short because of the call's end does not lessen it.
+ */
+COIN_PRIV_INLINE double coin_priv_next_stride(double stride, double used,
+                                              double error)
+{
+    const double next = used * coin_priv_change(error, 1);
+    if (error <= 1 && !(next > stride) && !(used > 0.999 * stride))
+        return stride;
+    return next < COIN_PRIV_LONGEST_STRIDE ? next : COIN_PRIV_LONGEST_STRIDE;
+}
+
 #endif

@@ -60,7 +60,8 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
  * is stable up to 6. */
 #define FRICTION 0.3
 
-/* The part of the way to where the contact turns round that a step may go. */
+/* A step may cover this part of the way to the point where the contact turns
+ * round. */
 #define TURN_ROUND 0.5
 
 /* 1 over the natural units of tau within which that place must be. */

@@ -24,8 +24,8 @@ enum {
 enum { CUTS = 5 };
 
 /* ------------------------------------------------------ beyond any doubt -- */
-/* Whether number k lies in the cone; those at the ends are points of the curve.
- */
+/* Whether Bernstein point k lies in the cone; the first and the last are points
+ * of the curve. */
 COIN_PRIV_INLINE int is_in_cone(const coin_priv_curve *w, int k)
 {
     const double A = w->along[k], B = w->across[k], C = w->bound[k];

@@ -155,11 +155,7 @@ double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most)
         const int done = error <= 1;
         if (!g->lossy || error < 0)
             return error < 0 ? 0 : tau;
-        const double next = used * coin_priv_change(error, 1);
-        if (!done || next > g->roll_stride || used > 0.999 * g->roll_stride)
-            g->roll_stride = next < COIN_PRIV_LONGEST_STRIDE
-                                 ? next
-                                 : COIN_PRIV_LONGEST_STRIDE;
+        g->roll_stride = coin_priv_next_stride(g->roll_stride, used, error);
         if (done)
             return tau;
     }

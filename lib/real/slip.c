@@ -11,7 +11,8 @@
  * is stable up to 6. */
 #define RELAX 0.24
 
-/* The part of the way to where the contact turns round that a step may go. */
+/* A step may cover this part of the way to the point where the contact turns
+ * round. */
 #define TURN_ROUND 0.5
 
 /* The error of the slip velocity over the slip velocity, at most: friction has
@@ -141,12 +142,8 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
         *h = full < bound ? full : bound;
         const struct tried r = attempt(g, *h);
         const double used = *h * rate;
-        const double next = used * coin_priv_change(r.error, 1);
         const int done = r.error <= 1;
-        if (!done || next > g->slip_stride || used > 0.999 * g->slip_stride)
-            g->slip_stride = next < COIN_PRIV_LONGEST_STRIDE
-                                 ? next
-                                 : COIN_PRIV_LONGEST_STRIDE;
+        g->slip_stride = coin_priv_next_stride(g->slip_stride, used, r.error);
         if (done)
             return r;
     }
