@@ -115,8 +115,7 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     const coin_priv_slip start = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
     const double seed = COIN_PRIV_SLIP_SEED * g->table.w0;
     const double r4 = sqrt(sqrt(g->tol));
-    const double wait =
-        coin_priv_sundman_tau(&g->w.run.b, &g->w.run.g.y, 2 * r4 * sqrt(r4));
+    const double wait = 2 * r4 * sqrt(r4) / coin_priv_roll_rate(g);
     g->seen = 0;
     if (!coin_priv_can_slip(&g->table, &start))
         return COIN_ELIFT;

@@ -18,7 +18,7 @@ for target; do
     mkdir -p "$found" "$corpus/$target"
     # What frees memory late costs time here, and nothing frees.
     if ASAN_OPTIONS=quarantine_size_mb=1 FUZZ_DEMANDS_ALL=1 \
-        "$out/fuzz_$target" -max_total_time="$part" -max_len=192 -timeout=30 \
+        "$out/fuzz_$target" -max_total_time="$part" -max_len=192 -timeout=240 \
         -entropic=0 -print_final_stats=1 -artifact_prefix="$found-" \
         "$found" "$corpus/$target" >"$log" 2>&1
     then
