@@ -12,6 +12,19 @@ CALL(coin_slide_energy, (a[0].p, a[1].p))
 CALL(coin_slide_reaction, (a[0].p, a[1].p, a[2].p, a[3].p, a[4].p))
 CALL(coin_slide_velocity, (a[0].p, a[1].p, a[2].p))
 
+/* Friction and losses take energy: what is gained is error.  A step errs by tol
+ * per natural unit of time, in units of the energy or of Mga. */
+static void no_energy_is_gained(const struct outcome *o)
+{
+    const coin_params *p = &o->world->p;
+    const double units = o->given[4].d * sqrt(p->gravity / p->radius);
+    const double before = coin_slide_energy(o->given[0].p, p);
+    const double after = coin_slide_energy(o->left[0].p, p);
+    const double Mga = p->mass * p->gravity * p->radius;
+    const double error = 10 * o->given[5].d * (1 + units) + 1e-12;
+    demand(after - before <= error * (before + Mga));
+}
+
 /* As of coin_settle(); a lift-off keeps the progress made. */
 static void judge_advance(const struct outcome *o)
 {
@@ -23,6 +36,7 @@ static void judge_advance(const struct outcome *o)
         o->result < 0 && same(&reached, o->given[6].p, sizeof reached);
     if (untouched)
         return;
+    no_energy_is_gained(o);
     if (o->result == COIN_OK || o->result == COIN_SLIPS)
         demand(reached == t);
     else
