@@ -228,27 +228,6 @@ static void a_call_out_of_steps_goes_on_in_another(void **unused)
                  COIN_OK);
 }
 
-/* So near the table that losses stop the rolling long before a slip has grown:
- * the slip changes next to nothing, and coin_settle() tells where it ends. */
-static void a_slip_that_losses_end_at_once_does_not_grow(void **unused)
-{
-    (void)unused;
-    const coin_params p = disc();
-    const coin_friction f = {0.75, 0.75};
-    const coin_losses l = {.gap = 2.4e-5, .layer = 1e-16};
-    for (double tol = 1e-13; tol < 2e-2; tol *= 10) {
-        coin_state s = {.theta = -1.5707962613440198, .wY = -1.5e-7};
-        coin_slide d;
-        double when, by_settle;
-        coin_slide_of(&d, &s, &p);
-        check_status(coin_slide_advance(&d, &p, &f, &l, 1, tol, &when),
-                     COIN_RESTS);
-        check_status(coin_settle(&s, &p, &l, 1, tol, &by_settle), COIN_RESTS);
-        check_near(when, by_settle, 1e-13);
-        check_near(d.s.wX, s.wX, 1e-13);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -260,7 +239,6 @@ int main(void)
         TEST(equal_coefficients_give_the_limit_of_nearly_equal_ones),
         TEST(a_pose_that_leaves_its_range_ends_the_onset),
         TEST(a_call_out_of_steps_goes_on_in_another),
-        TEST(a_slip_that_losses_end_at_once_does_not_grow),
     };
     return RUN_TESTS(tests);
 }

@@ -130,3 +130,40 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     const coin_priv_slip y = euler(&start, &o, seed / o.slope);
     return begin(g, &y);
 }
+
+/* A held coin slips where F/N exceeds mu_static, and mu_kinetic by so much: the
+ * slip then has an acceleration. */
+#define HELD_EXCESS 1e-5
+
+double coin_priv_held_left(const coin_priv_sliding *g)
+{
+    coin_priv_table held = g->table;
+    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
+    const double least = held.mu_kinetic + HELD_EXCESS;
+    held.held = 1;
+    if (held.mu_static < least)
+        held.mu_static = least;
+    return coin_priv_left(&held, &y, 0);
+}
+
+/* It begins at once, by the slopes of half its first time; or not at all, if it
+ * were slower than COIN_PRIV_SLIP_SEED as long as the coin keeps its lean. */
+int coin_priv_begin_held_slip(coin_priv_sliding *g)
+{
+    coin_priv_table *const t = &g->table;
+    const coin_priv_slip start = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
+    const double own = coin_priv_sundman_tau(&t->b, &g->w.run.g.y, 1);
+    const double time = coin_priv_lesser(own * start.cth, g->rem.sum);
+    t->held = 1;
+    struct onset o = onset_of(g);
+    const double first = COIN_PRIV_SLIP_SEED * t->w0 / o.slope;
+    const int slips = o.slope > 0 && first <= time;
+    if (slips) {
+        const coin_priv_slip mid = euler(&start, &o, first / 2);
+        const coin_priv_push friction = coin_priv_kinetic(t, &mid, o.n);
+        coin_priv_slopes_under(&o.slides, t, &mid, &friction);
+    }
+    t->held = 0;
+    const coin_priv_slip y = euler(&start, &o, first);
+    return slips && begin(g, &y) == COIN_OK;
+}

@@ -17,6 +17,10 @@
  * last one. */
 #define TOGETHER 0.9
 
+/* The part of coin_priv_rise_time() in which the rise ends: a half, and a
+ * little more, so that the coin then falls. */
+#define TOP 0.505
+
 /* A longer stride that is not plain may be so by halves. */
 #define HALVED 0.5
 
@@ -89,31 +93,68 @@ static double land(coin_priv_sliding *g, double left)
     return done ? tau : 0;
 }
 
-/* Where the contact of a coin with losses has stopped near flat, or nearly so,
- * coin_settle() takes it to the table, or as far as it rises. */
-static int32_t settle(coin_priv_sliding *g)
+/* How long coin_settle() may take a coin whose contact losses hold: to the end
+ * of the time, or of a rise, where it needs most friction. */
+static double time_held(const coin_priv_sliding *g)
 {
     const coin_priv_held_fall f = coin_priv_fall_of(&g->w.l, &g->w.run.g.y);
-    double time = g->rem.sum, moved;
-    if (f.v < 0) {
-        const double rise = coin_priv_rise_time(&f, &g->w.l, &g->w.run.b);
-        time = rise < time ? rise : time;
-    }
-    const int whole = time == g->rem.sum;
-    coin_priv_read_lean(&g->w.run.g);
-    coin_state s = coin_priv_run_state(&g->w.run);
+    if (!(f.v < 0))
+        return g->rem.sum;
+    const double rise = coin_priv_rise_time(&f, &g->w.l, &g->w.run.b);
+    return coin_priv_lesser(TOP * rise, g->rem.sum);
+}
+
+/* Takes the coin on by coin_settle() from g->held; *time is the time asked,
+ * then moved. */
+static int32_t settle(coin_priv_sliding *g, double *time)
+{
+    coin_state s = g->held;
+    ++g->tries;
     const int32_t status =
-        coin_settle(&s, &g->p, &g->losses, time, g->tol, &moved);
+        coin_settle(&s, &g->p, &g->losses, *time, g->tol, time);
     coin_priv_run_unlimited(&g->w.run, &s);
     g->w.run.steps = 1;
-    coin_priv_add(&g->rem, -moved);
+    return status;
+}
+
+static double held_left(coin_priv_sliding *g, double time)
+{
+    (void)settle(g, &time);
+    return coin_priv_held_left(g);
+}
+
+/* A coin near flat whose contact losses hold: coin_settle() takes it to the
+ * table, or as far as it rises; or to where friction ends and it slips. */
+static int32_t go_held(coin_priv_sliding *g)
+{
+    const double left = coin_priv_held_left(g);
+    double moved = time_held(g);
+    const int whole = moved == g->rem.sum;
     g->seen = 0;
+    if (left < 0 && coin_priv_begin_held_slip(g))
+        return COIN_OK;
+    coin_priv_read_lean(&g->w.run.g);
+    g->held = coin_priv_run_state(&g->w.run);
+    int32_t status = settle(g, &moved);
+    const double end = coin_priv_held_left(g);
+    if (left >= 0 && end < 0) {
+        const coin_priv_sum rem = g->rem;
+        double part = coin_priv_locate(g, held_left, left, moved, end);
+        (void)settle(g, &part);
+        coin_priv_add(&g->rem, -part);
+        if (coin_priv_begin_held_slip(g))
+            return COIN_OK;
+        g->rem = rem;
+        status = settle(g, &moved);
+    }
+    coin_priv_add(&g->rem, -moved);
     if (status == COIN_OK && whole)
         g->rem.sum = 0;
     return status;
 }
 
-static int settles(const coin_priv_sliding *g)
+/* Whether the losses hold the contact. */
+static int is_held(const coin_priv_sliding *g)
 {
     const double eps = coin_priv_stopped(g->tol);
     const coin_priv_variables *y = &g->w.run.g.y;
@@ -226,7 +267,6 @@ void coin_priv_see(coin_priv_sliding *g)
     coin_priv_end_of(&g->end, &g->table, &f, g->lossy ? &g->w.l : NULL,
                      &g->w.run.g.y, 1 / coin_priv_roll_rate(g));
     g->seen = g->end.margin > CLEAR;
-    g->gained = 0;
 }
 
 /* The next step, and with it the last one if that is near; its tau, or 0.
@@ -254,13 +294,14 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
     const coin_priv_variables *y = &g->w.run.g.y;
     if (y->cth < COIN_PRIV_FLAT)
         return coin_priv_lie(&g->w.run);
-    if (settles(g))
-        return settle(g);
+    if (g->rem.sum > 0 && is_held(g))
+        return go_held(g);
     const double rate = coin_priv_roll_rate(g);
     if (!g->seen)
         coin_priv_see(g);
     if (!g->seen && coin_priv_cone_left(g) < 0)
         return coin_priv_begin_slip(g);
+    g->gained = 0;
     const double before = g->rem.sum;
     int last;
     coin_priv_mark(g);

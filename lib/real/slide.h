@@ -29,6 +29,7 @@ typedef struct coin_priv_sliding {
     uint64_t tries;
     coin_priv_progress from; /* where a rolling step began, and its number */
     uint64_t steps;
+    coin_state held;   /* where a coin near flat was found held */
     coin_priv_end end; /* of the last rolling step, if seen */
     int seen;          /* if `end` holds, and the coin rolls there */
     int landed;        /* if the run holds theta */
@@ -91,5 +92,10 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g);
 
 /* The slip of a coin that needs more friction to roll than there is. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g);
+
+/* What is left of the friction that a coin needs whose contact losses hold near
+ * flat; and its slip: 0, and nothing done, if it does not slip. */
+double coin_priv_held_left(const coin_priv_sliding *g);
+int coin_priv_begin_held_slip(coin_priv_sliding *g);
 
 #endif

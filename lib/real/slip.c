@@ -42,29 +42,38 @@ static double growth(const coin_priv_slip *y, const coin_priv_slip *d)
     return y->uX / u * d->uX + y->uh / u * d->uh;
 }
 
+/* The rate in tau at which the coin moves; and at which losses slow it. */
+static double own_rate(const coin_priv_sliding *g)
+{
+    return 1 / coin_priv_sundman_tau(&g->table.b, &g->w.run.g.y, 1);
+}
+
+static double loss_rate(const coin_priv_sliding *g, const coin_priv_slip *y)
+{
+    const coin_priv_losses *l = &g->table.l;
+    const double sth = y->sth, cth = y->cth;
+    if (!g->lossy || g->table.held)
+        return 0;
+    const double roll = cth * y->wZ + sth * y->wY;
+    const double arm = sth * sth / l->IX + cth * cth / l->K;
+    return coin_priv_grip(l, roll, cth) * arm + l->spin * cth / l->IX;
+}
+
 /* The rate in sigma at which a slip changes: as the coin moves, as its
  * direction settles, and as losses do. */
 static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
 {
     const coin_priv_table *t = &g->table;
-    const coin_priv_losses *l = &t->l;
     const double u = speed(y), scale = coin_priv_slip_scale(t, u);
-    const double sth = y->sth, cth = y->cth;
+    const double sth = y->sth;
     const coin_priv_direction n = {y->uX / u, y->uh / u};
     const double N = coin_priv_kinetic(t, y, n).N;
     const double lever = t->b.m / t->b.IX;
     const double across = n.h * n.h * (1 + t->b.m / t->b.IZ) +
                           n.X * n.X * (1 + lever) / (1 + lever * sth * sth);
     const double settle = t->mu_kinetic * N * across / (u + t->w0);
-    const double own = 1 / coin_priv_sundman_tau(&t->b, &g->w.run.g.y, 1);
-    double rate = scale * own + RELAX * settle;
-    if (g->lossy && !t->held) {
-        const double roll = cth * y->wZ + sth * y->wY;
-        const double arm = sth * sth / l->IX + cth * cth / l->K;
-        rate += RELAX * scale *
-                (coin_priv_grip(l, roll, cth) * arm + l->spin * cth / l->IX);
-    }
-    return rate; /* (87) */
+    return scale * own_rate(g) +
+           RELAX * (settle + scale * loss_rate(g, y)); /* (87) */
 }
 
 /* The longest step that does not pass where the contact turns round: dry
@@ -154,8 +163,7 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
 static int is_pressed(const coin_priv_sliding *g, double from, double to,
                       double u, double h)
 {
-    const double own = coin_priv_sundman_tau(&g->table.b, &g->w.run.g.y, 1);
-    const double moved = h * coin_priv_slip_scale(&g->table, u) / own;
+    const double moved = h * coin_priv_slip_scale(&g->table, u) * own_rate(g);
     return coin_priv_lesser(from, to) >
            4 * fabs(to - from) + 0.25 * moved * moved;
 }
@@ -215,8 +223,8 @@ static double brief_of(const coin_priv_sliding *g, const coin_priv_slip *y,
     const double turn = y->uX / u * d->uh - y->uh / u * d->uX;
     if (g->table.held || fabs(turn) > part * fabs(growth(y, d)))
         return 0;
-    const double own = coin_priv_sundman_tau(&g->table.b, &g->w.run.g.y, part);
-    return own / coin_priv_slip_scale(&g->table, u);
+    const double rate = own_rate(g) + loss_rate(g, y);
+    return part / (rate * coin_priv_slip_scale(&g->table, u));
 }
 
 /* A straight line of so many sigma, or to the end of the time: whether it comes

@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: MIT */
+/* Coins near flat that slip and lose energy: where losses hold the contact, or
+ * slow the coin faster than it moves.
+ */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/slides.h"
+
+#include <math.h>
+
+static double random_power(struct random *r, double low, double high)
+{
+    return pow(10, random_between(r, low, high));
+}
+
+static double perhaps(struct random *r, double part, double value)
+{
+    return random_between(r, 0, 1) < part ? value : 0;
+}
+
+/* Losses of many sizes; those of the gap are the stiffest. */
+static coin_losses flat_losses(struct random *r)
+{
+    const coin_losses l = {
+        .gap = random_power(r, -8, -2),
+        .viscous = perhaps(r, 0.5, random_power(r, -6, -2)),
+        .dry = perhaps(r, 0.3, random_power(r, -7, -3)),
+        .spin = perhaps(r, 0.3, random_power(r, -6, -2)),
+    };
+    return l;
+}
+
+/* 1e-7 to 0.1 from flat, slow, with a slip of 1e-9 to 0.1. */
+static coin_slide flat_slide(struct random *r, const coin_params *p)
+{
+    const double angle = random_power(r, -7, -1);
+    const double slip = random_power(r, -9, -1);
+    const double way = random_between(r, 0, 6.3);
+    const coin_state s = {
+        .theta = 1.5707963267948966 - angle,
+        .wX = random_between(r, -1, 1) * sqrt(angle),
+        .wY = random_between(r, -1, 1) * angle * random_power(r, -2, 1),
+        .wZ = random_between(r, -1, 1) * random_power(r, -6, 0),
+    };
+    coin_slide d;
+    coin_slide_of(&d, &s, p);
+    d.vx += slip * cos(way);
+    d.vz += slip * sin(way);
+    return d;
+}
+
+/* Also with equal coefficients of friction.  Near flat the motion amplifies an
+ * error of tol; 10 times are allowed for that.  A slip that begins slower than
+ * 1e-6 may miss its end by so little that the motion after it is not
+ * determined. */
+static void tolerances_agree_and_no_energy_is_gained(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(221);
+    int ended[2] = {0};
+    for (int i = 0; i < 800; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const double mu = random_between(&r, 0.05, 0.8);
+        const coin_friction f = {i % 2 ? mu : 1.1 * mu, mu};
+        const coin_losses l = flat_losses(&r);
+        const coin_slide start = flat_slide(&r, &p);
+        const double angle = 1.5707963267948966 - start.s.theta;
+        const double t = sqrt(angle) * random_power(&r, -2, 0);
+        const double E = coin_slide_energy(&start, &p);
+        coin_slide fine = start;
+        double reached, when;
+        const int32_t status =
+            coin_slide_advance(&fine, &p, &f, &l, t, 1e-11, &when);
+        check_note("scene %d", i);
+        check(status >= 0);
+        ended[status == COIN_SLIPS] += 1;
+        const int determined = slip_speed(&start, &p) > 1e-6;
+        for (double tol = 1e-4; tol > 1e-7; tol *= 1e-2) {
+            coin_slide d = start;
+            const int32_t got =
+                coin_slide_advance(&d, &p, &f, &l, t, tol, &reached);
+            check(got >= 0);
+            if (determined) {
+                check_status(got, status);
+                check_near(reached, when, tol);
+                check(slides_apart(&d, &fine, &p) <= 10 * tol);
+            }
+            check(coin_slide_energy(&d, &p) <= E + tol);
+        }
+    }
+    check(ended[0] > 50 && ended[1] > 50);
+}
+
+/* A coin that falls over, or rises, about its contact and does not roll: losses
+ * of rolling change nothing, though they hold the contact. */
+static void losses_of_rolling_change_nothing_of_a_planar_fall(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(222);
+    int slips = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const double mu = random_between(&r, 0.02, 0.3);
+        const coin_friction f = {i % 2 ? mu : 1.1 * mu, mu};
+        const coin_losses l = {.dry = random_power(&r, -4, -2)};
+        const double angle = random_power(&r, -4, -0.7);
+        const coin_state s = {
+            .theta = 1.5707963267948966 - angle,
+            .wX = random_between(&r, -1.2, 0.1) * sqrt(angle),
+        };
+        const double t = 4 * sqrt(angle) * random_between(&r, 0, 1);
+        coin_slide d, free;
+        double reached, when;
+        coin_slide_of(&d, &s, &p);
+        free = d;
+        check_note("fall %d", i);
+        const int32_t status =
+            coin_slide_advance(&free, &p, &f, NULL, t, 1e-10, &when);
+        check_status(coin_slide_advance(&d, &p, &f, &l, t, 1e-10, &reached),
+                     status);
+        check_near(reached, when, 1e-8);
+        check_near(slides_apart(&d, &free, &p), 0, 1e-8);
+        slips += status == COIN_SLIPS;
+    }
+    check(slips > 50);
+}
+
+/* So near the table that losses stop the rolling long before a slip has grown:
+ * the slip changes next to nothing, and coin_settle() tells where it ends. */
+static void a_slip_that_losses_end_at_once_does_not_grow(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction f = {0.75, 0.75};
+    const coin_losses l = {.gap = 2.4e-5, .layer = 1e-16};
+    for (double tol = 1e-13; tol < 2e-2; tol *= 10) {
+        coin_state s = {.theta = -1.5707962613440198, .wY = -1.5e-7};
+        coin_slide d;
+        double when, by_settle;
+        coin_slide_of(&d, &s, &p);
+        check_status(coin_slide_advance(&d, &p, &f, &l, 1, tol, &when),
+                     COIN_RESTS);
+        check_status(coin_settle(&s, &p, &l, 1, tol, &by_settle), COIN_RESTS);
+        check_near(when, by_settle, 1e-13);
+        check_near(d.s.wX, s.wX, 1e-13);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(tolerances_agree_and_no_energy_is_gained),
+        TEST(losses_of_rolling_change_nothing_of_a_planar_fall),
+        TEST(a_slip_that_losses_end_at_once_does_not_grow),
+    };
+    return RUN_TESTS(tests);
+}
