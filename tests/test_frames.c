@@ -22,15 +22,21 @@ static coin_params quarter(void)
 static void a_frame_of_a_quarter_is_one_step_of_rk8(void **unused)
 {
     (void)unused;
+    const struct {
+        int rate;
+        double tol;
+    } of[] = {{60, 1e-6}, {120, 1e-6}, {240, 1e-6}, {240, 1e-9}, {1000, 1e-9}};
     const coin_params p = quarter();
-    coin_state s = rolling;
-    for (int i = 0; i < 60; ++i) {
-        coin_state by_run = s;
-        check_note("frame %d", i);
-        check_status(coin_run(&by_run, &p, COIN_RK8, 1.0 / 60, 1, NULL),
-                     COIN_OK);
-        check_status(coin_advance(&s, &p, 1.0 / 60, 1e-6, NULL), COIN_OK);
-        check_same(&s, &by_run, sizeof s);
+    for (int k = 0; k < 5; ++k) {
+        const double dt = 1.0 / of[k].rate;
+        coin_state s = rolling;
+        for (int i = 0; i < of[k].rate; ++i) {
+            coin_state by_run = s;
+            check_note("frame %d at %d/s, tol %g", i, of[k].rate, of[k].tol);
+            check_status(coin_run(&by_run, &p, COIN_RK8, dt, 1, NULL), COIN_OK);
+            check_status(coin_advance(&s, &p, dt, of[k].tol, NULL), COIN_OK);
+            check_same(&s, &by_run, sizeof s);
+        }
     }
 }
 
@@ -107,6 +113,63 @@ static void however_a_coin_turns_the_error_is_below_tol_per_unit(void **unused)
     }
 }
 
+/* Beyond W = 3 one step of RK8 may no longer be so long: in these motions, the
+ * worst of a search, it would err by 4 to 8 tol per unit. */
+static void so_it_is_if_the_coin_spins_fast(void **unused)
+{
+    (void)unused;
+    const struct {
+        coin_state s;
+        double inner, t, tol;
+    } fast[] = {
+        {{.theta = -1.290, .wX = -0.286, .wY = 0.362, .wZ = -20},
+         0.9,
+         0.0415,
+         1e-6},
+        {{.theta = 0.532, .wX = 2.111, .wY = -3.264, .wZ = -55.7},
+         1,
+         0.015,
+         1e-6},
+        {{.theta = 0.653, .wX = 0.996, .wY = -3.803, .wZ = -50},
+         0.9,
+         0.007,
+         1e-9},
+    };
+    for (size_t i = 0; i < sizeof fast / sizeof *fast; ++i) {
+        const coin_params p = ring(fast[i].inner);
+        const double t = fast[i].t, tol = fast[i].tol;
+        coin_state s = fast[i].s, exact = s, by_one = s;
+        check_note("motion %zu", i);
+        check_status(coin_run(&exact, &p, COIN_RK8, t / 100, 100, NULL),
+                     COIN_OK);
+        check_status(coin_run(&by_one, &p, COIN_RK8, t, 1, NULL), COIN_OK);
+        check_status(coin_advance(&s, &p, t, tol, NULL), COIN_OK);
+        check(path_apart(&by_one, &exact, &p) > 3 * tol * t);
+        check_within(path_apart(&s, &exact, &p), 0, tol * t);
+    }
+}
+
+/* A minute of frames: the errors of all add up, and the phase drifts. */
+static void a_minute_of_frames_errs_by_less_than_tol_per_unit(void **unused)
+{
+    (void)unused;
+    const int rates[] = {60, 120, 240, 1000};
+    const double tols[] = {1e-6, 1e-9};
+    const coin_params p = quarter();
+    const double units = 60 / natural_time(&p);
+    coin_state exact = rolling;
+    check_status(coin_advance(&exact, &p, 60, 1e-13, NULL), COIN_OK);
+    for (int k = 0; k < 8; ++k) {
+        const int rate = rates[k / 2];
+        const double tol = tols[k % 2];
+        coin_state s = rolling;
+        check_note("%d frames a second, tol %g", rate, tol);
+        for (int i = 0; i < 60 * rate; ++i)
+            check_status(coin_advance(&s, &p, 1.0 / rate, tol, NULL), COIN_OK);
+        check_within(path_apart(&s, &exact, &p), 0, tol * units);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -114,6 +177,8 @@ int main(void)
         TEST(at_1e_9_it_is_one_step_in_tau),
         TEST(until_an_event_frames_have_the_same_bits),
         TEST(however_a_coin_turns_the_error_is_below_tol_per_unit),
+        TEST(so_it_is_if_the_coin_spins_fast),
+        TEST(a_minute_of_frames_errs_by_less_than_tol_per_unit),
     };
     return RUN_TESTS(tests);
 }

@@ -19,12 +19,12 @@
 #define COIN_PRIV_LAST_RK4 0.6
 
 /* A call that ends by its first step may step further if lean and heading turn
- * slowly.  RK8 may where they turn by less than SLOW_RK8 tol^(1/8) and the call
- * lasts for LASTING natural units of time: measured so that its error stays
- * below tol/2 per unit. */
+ * slowly.  RK8 may where they turn by less than SLOW_RK8 tol^(1/8).  Its error
+ * is as rem (rem W)^8, so that W has a limit too, FASTEST in natural units:
+ * measured so that the error stays below 0.6 tol per unit. */
 #define COIN_PRIV_ONLY_RK8 4.7
 #define COIN_PRIV_SLOW_RK8 0.5
-#define COIN_PRIV_LASTING 0.25
+#define COIN_PRIV_FASTEST 3.0
 
 /* A step is STRIDE tol^(1/14) over the rate, at most LONGEST: measured so that
  * its error stays below tol per natural unit of time (docs/accuracy.md). */
@@ -122,10 +122,10 @@ COIN_PRIV_INLINE int coin_priv_lands(const coin_priv_run *r,
                                      const coin_priv_reach *reach, double rem)
 {
     const double left2 = coin_priv_left2(r, rem);
-    const double units2 = rem * rem * r->b.g_a;
+    const double most2 = COIN_PRIV_FASTEST * COIN_PRIV_FASTEST * r->b.g_a;
     return left2 <= reach->rk8 * reach->rk8 ||
            (left2 <= reach->only_rk8 * reach->only_rk8 &&
-            units2 >= COIN_PRIV_LASTING * COIN_PRIV_LASTING &&
+            left2 <= rem * rem * most2 &&
             coin_priv_is_slow(r, rem, reach->slow));
 }
 
