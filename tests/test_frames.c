@@ -19,21 +19,27 @@ static coin_params quarter(void)
     return p;
 }
 
-static void a_frame_of_a_quarter_is_one_step_of_rk8(void **unused)
+static void frames_of_a_quarter_are_one_step_each(void **unused)
 {
     (void)unused;
     const struct {
         int rate;
         double tol;
-    } of[] = {{60, 1e-6}, {120, 1e-6}, {240, 1e-6}, {240, 1e-9}, {1000, 1e-9}};
+        int32_t method;
+    } of[] = {
+        {60, 1e-6, COIN_RK8},  {120, 1e-6, COIN_RK8},  {240, 1e-6, COIN_RK8},
+        {240, 1e-9, COIN_RK8}, {1000, 1e-9, COIN_RK8}, {1000, 1e-6, COIN_RK4},
+        {240, 1e-3, COIN_RK4},
+    };
     const coin_params p = quarter();
-    for (int k = 0; k < 5; ++k) {
+    for (size_t k = 0; k < sizeof of / sizeof *of; ++k) {
         const double dt = 1.0 / of[k].rate;
         coin_state s = rolling;
         for (int i = 0; i < of[k].rate; ++i) {
             coin_state by_run = s;
             check_note("frame %d at %d/s, tol %g", i, of[k].rate, of[k].tol);
-            check_status(coin_run(&by_run, &p, COIN_RK8, dt, 1, NULL), COIN_OK);
+            check_status(coin_run(&by_run, &p, of[k].method, dt, 1, NULL),
+                         COIN_OK);
             check_status(coin_advance(&s, &p, dt, of[k].tol, NULL), COIN_OK);
             check_same(&s, &by_run, sizeof s);
         }
@@ -149,6 +155,33 @@ static void so_it_is_if_the_coin_spins_fast(void **unused)
     }
 }
 
+/* Of coins that turn up to 20 times as fast as others. */
+static void so_it_is_however_short_the_call(void **unused)
+{
+    (void)unused;
+    const double tols[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10};
+    struct random r = random_begin(95);
+    for (int i = 0; i < 4000; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const double w = exp(random_between(&r, 0, 3));
+        const double theta = random_between(&r, -1.4, 1.4);
+        const coin_state start = {
+            .theta = theta,
+            .wX = random_between(&r, -w, w) * cos(theta),
+            .wY = random_between(&r, -w, w) * cos(theta),
+            .wZ = random_between(&r, -w, w),
+        };
+        const double t = exp(random_between(&r, -7, -1)) / w;
+        const double tol = tols[i % 5];
+        coin_state s = start, exact = start;
+        check_note("motion %d, tol %g, t %g", i, tol, t);
+        check_status(coin_advance(&s, &p, t, tol, NULL), COIN_OK);
+        check_status(coin_run(&exact, &p, COIN_RK8, t / 100, 100, NULL),
+                     COIN_OK);
+        check_within(path_apart(&s, &exact, &p), 0, tol * t + 4e-15);
+    }
+}
+
 /* A minute of frames: the errors of all add up, and the phase drifts. */
 static void a_minute_of_frames_errs_by_less_than_tol_per_unit(void **unused)
 {
@@ -173,11 +206,12 @@ static void a_minute_of_frames_errs_by_less_than_tol_per_unit(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(a_frame_of_a_quarter_is_one_step_of_rk8),
+        TEST(frames_of_a_quarter_are_one_step_each),
         TEST(at_1e_9_it_is_one_step_in_tau),
         TEST(until_an_event_frames_have_the_same_bits),
         TEST(however_a_coin_turns_the_error_is_below_tol_per_unit),
         TEST(so_it_is_if_the_coin_spins_fast),
+        TEST(so_it_is_however_short_the_call),
         TEST(a_minute_of_frames_errs_by_less_than_tol_per_unit),
     };
     return RUN_TESTS(tests);
