@@ -14,9 +14,11 @@
 #define COIN_PRIV_STEPS_MAX (UINT64_C(1) << 20)
 
 /* |rem| W below which one step in t lands, in units of tol^(1/8) for RK8 and of
- * tol^(3/16) for RK4: measured so that its error stays below tol/10. */
+ * tol^(3/16) for RK4: measured so that its error stays below tol/10.  The most
+ * for RK8 at any tol: from 0.9 on some would lead through the table. */
 #define COIN_PRIV_LAST_RK8 1.6
 #define COIN_PRIV_LAST_RK4 0.6
+#define COIN_PRIV_LAST_MOST 0.5
 
 /* A call that ends by its first step may step further if lean and heading turn
  * slowly.  RK8 may where they turn by less than SLOW_RK8 tol^(1/8).  Its error
@@ -62,7 +64,7 @@ COIN_PRIV_INLINE coin_priv_reach coin_priv_reach_of(double tol)
     const double stride = COIN_PRIV_STRIDE * coin_priv_root14(r16);
     const coin_priv_reach r = {
         stride < COIN_PRIV_LONGEST ? stride : COIN_PRIV_LONGEST,
-        COIN_PRIV_LAST_RK8 * r8,
+        coin_priv_lesser(COIN_PRIV_LAST_RK8 * r8, COIN_PRIV_LAST_MOST),
         COIN_PRIV_LAST_RK4 * r8 * r16,
         coin_priv_lesser(COIN_PRIV_ONLY_RK8 * r8, 1),
         COIN_PRIV_SLOW_RK8 * r8,
