@@ -130,11 +130,11 @@ static void so_it_is_if_the_coin_spins_fast(void **unused)
     } fast[] = {
         {{.theta = -1.290, .wX = -0.286, .wY = 0.362, .wZ = -20},
          0.9,
-         0.0415,
+         0.041,
          1e-6},
         {{.theta = 0.532, .wX = 2.111, .wY = -3.264, .wZ = -55.7},
          1,
-         0.015,
+         0.0149,
          1e-6},
         {{.theta = 0.653, .wX = 0.996, .wY = -3.803, .wZ = -50},
          0.9,
