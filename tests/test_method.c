@@ -3,11 +3,23 @@
 
 #include <string.h>
 
-static void rk4_has_its_name_and_order(void **unused)
+static void each_method_has_its_name_and_order(void **unused)
 {
     (void)unused;
-    check(strcmp(coin_method_name(COIN_RK4), "rk4") == 0);
-    check(coin_method_order(COIN_RK4) == 4);
+    const struct {
+        int32_t method, order;
+        const char *name;
+    } of[] = {
+        {COIN_RK4, 4, "rk4"},
+        {COIN_RK8, 8, "rk8"},
+        {COIN_SYMPLECTIC2, 2, "symplectic2"},
+        {COIN_SYMPLECTIC4, 4, "symplectic4"},
+    };
+    for (size_t i = 0; i < sizeof of / sizeof *of; ++i) {
+        check_note("%s", of[i].name);
+        check(strcmp(coin_method_name(of[i].method), of[i].name) == 0);
+        check(coin_method_order(of[i].method) == of[i].order);
+    }
 }
 
 static void a_method_has_a_name_exactly_if_it_has_an_order(void **unused)
@@ -36,7 +48,7 @@ static void absurd_numbers_are_no_methods(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(rk4_has_its_name_and_order),
+        TEST(each_method_has_its_name_and_order),
         TEST(a_method_has_a_name_exactly_if_it_has_an_order),
         TEST(absurd_numbers_are_no_methods),
     };

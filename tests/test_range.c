@@ -70,6 +70,25 @@ static void a_batch_stops_each_coin_there(void **unused)
         }
 }
 
+/* The roll grows by 1.154, and by 1.059 until the end: it leaves its range and
+ * would be back. */
+static void a_batch_sees_what_leaves_and_comes_back(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_state s[COINS], alone[COINS];
+    for (int i = 0; i < COINS; ++i) {
+        const coin_state from = {.theta = 0.1, .wX = 0.3, .wY = 3};
+        alone[i] = s[i] = from;
+        alone[i].psi = s[i].psi = 0x1p31 - 1.11;
+        check_status(coin_run(&alone[i], &p, COIN_RK4, 0.02, STEPS, NULL),
+                     COIN_ESTEP);
+    }
+    check_status(coin_batch_run(s, COINS, &p, COIN_RK4, 0.02, STEPS, NULL),
+                 COIN_ESTEP);
+    check_same(s, alone, sizeof s);
+}
+
 /* --------------------------------------------------------------- parameters */
 /* With I_X = I_Z = M = a = 1 no number is larger than g, and their sum is
  * below 6 g: refused from 1e300 on, accepted up to a sixth of that. */
@@ -144,6 +163,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(a_run_stops_where_an_angle_leaves_its_range),
         TEST(a_batch_stops_each_coin_there),
+        TEST(a_batch_sees_what_leaves_and_comes_back),
         TEST(what_is_made_of_parameters_is_at_most_1e300),
         TEST(what_is_made_of_parameters_is_at_least_1e_minus_300),
         TEST(the_same_of_floats_is_1e_minus_30_to_1e30),

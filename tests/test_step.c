@@ -5,6 +5,7 @@
 #include "support/random.h"
 #include "support/vast.h"
 
+#include <fenv.h>
 #include <math.h>
 
 /* Both from *s; what they say. */
@@ -166,6 +167,22 @@ static void a_bad_argument_has_the_status_of_a_run_of_one(void **unused)
     check_same(&none, &s, sizeof s);
 }
 
+/* Its square would be no double: a program that traps overflow gets the status
+ * all the same. */
+static void a_step_too_long_is_refused_without_overflow(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state s = {.theta = 0.5, .wY = 1};
+    const double longest[] = {1e160, -1e300};
+    for (int i = 0; i < 2; ++i) {
+        feclearexcept(FE_ALL_EXCEPT);
+        check_note("dt %g", longest[i]);
+        check_status(check_step(&s, &p, longest[i]), COIN_ESTEP);
+        check(!fetestexcept(FE_OVERFLOW | FE_DIVBYZERO | FE_INVALID));
+    }
+}
+
 /* A straight roll with a heading of -0 turns by -0: both forget the sign. */
 static void a_negative_zero_is_the_same_in_both(void **unused)
 {
@@ -186,6 +203,7 @@ int main(void)
         TEST(of_zeros_it_is_a_run_of_one),
         TEST(a_step_of_no_time_keeps_the_signs_of_zeros),
         TEST(a_bad_argument_has_the_status_of_a_run_of_one),
+        TEST(a_step_too_long_is_refused_without_overflow),
         TEST(a_negative_zero_is_the_same_in_both),
     };
     return RUN_TESTS(tests);

@@ -78,11 +78,42 @@ static void the_path_is_that_in_time_times_cos_theta(void **unused)
     }
 }
 
+/* Pairs of length 1 + d get the length 1 and keep their direction.  The error
+ * that is left is the first term left out, 5/16 e^3 with e = 2 |d|. */
+static void pairs_get_the_length_1(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(50);
+    for (int i = 0; i < 1000; ++i) {
+        const double size = pow(10, random_between(&r, -8, -2));
+        const double th = random_between(&r, -1.57, 1.57);
+        const double ph = random_between(&r, -3.14, 3.14);
+        const double lean = 1 + size * random_between(&r, -1, 1);
+        const double turn = 1 + size * random_between(&r, -1, 1);
+        coin_priv_variables y = {
+            .sth = lean * sin(th),
+            .cth = lean * cos(th),
+            .sph = turn * sin(ph),
+            .cph = turn * cos(ph),
+        };
+        const double bound = 3 * size * size * size + 8 * U;
+        coin_priv_normalize(&y);
+        check_note("%g, %g off by %g", th, ph, size);
+        check_near(y.sth, sin(th), bound);
+        check_near(y.cth, cos(th), bound * cos(th));
+        check_near(y.sph, sin(ph), bound);
+        check_near(y.cph, cos(ph), bound);
+        check_near(y.q * cos(th), 1, bound);
+        check_near(y.tth * cos(th), sin(th), bound);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(the_equations_are_those_in_time_times_cos_theta),
         TEST(the_path_is_that_in_time_times_cos_theta),
+        TEST(pairs_get_the_length_1),
     };
     return RUN_TESTS(tests);
 }

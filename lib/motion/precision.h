@@ -49,9 +49,6 @@
 #define COIN_PRIV_COSINE(z)                                                    \
     (1.0f / 24 + z * (-1.0f / 720 + z * (1.0f / 40320 + z * (-1.0f / 3628800))))
 
-/* For |d| up to this, d^7/5040 of sin d and d^6/720 of cos d are rounding. */
-#define COIN_PRIV_LITTLE_TURN 0.05f
-
 /* ---------------------------------------------------------------- limits -- */
 
 /* Numbers in here can be multiplied by each other's ratios, and by the 1/cos

@@ -2,7 +2,9 @@
 #include "../motion/pinned.h"
 
 #include "../motion/kind.h"
-#include "../motion/vector.h"
+
+#define LANES COIN_PRIV_LANES
+#include "../motion/lanes.t.h"
 
 #include "dopri8.h"
 
@@ -13,32 +15,13 @@
 
 /* The variables go abreast, as many as a vector holds: each number gives the
  * same bits.  Up to WIDE they are 0. */
-enum { WIDE = 16, SLOPES = 10, LANES = COIN_PRIV_LANES };
-
-#if COIN_PRIV_WIDTH
-typedef coin_lanes lanes;
-typedef double in_memory
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
-#else
-typedef double lanes;
-typedef double in_memory;
-#endif
+enum { WIDE = 16, SLOPES = 10 };
 
 /* A step under way: its start, and the slopes that rows to come read. */
 struct stages {
     double h;
     double y[WIDE], d[SLOPES][WIDE];
 };
-
-COIN_PRIV_INLINE lanes load(const double *from)
-{
-    return *(const in_memory *)from;
-}
-
-COIN_PRIV_INLINE void store(double *to, lanes value)
-{
-    *(in_memory *)to = value;
-}
 
 /* A row of the tableau times the slopes number `first` and on, of the variables
  * number i and on. */

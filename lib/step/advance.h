@@ -14,17 +14,24 @@
 #define COIN_PRIV_STEPS_MAX (UINT64_C(1) << 20)
 
 /* |rem| W below which one step in t lands, in units of tol^(1/8) for RK8 and of
- * tol^(3/16) for RK4: measured so that its error stays below tol/10. */
+ * tol^(3/16) for RK4: measured so that its error stays below tol/10.  The most
+ * for RK8 at any tol: from 0.9 on some would lead through the table. */
 #define COIN_PRIV_LAST_RK8 1.6
 #define COIN_PRIV_LAST_RK4 0.6
+#define COIN_PRIV_LAST_MOST 0.5
 
 /* A call that ends by its first step may step further if lean and heading turn
- * slowly.  RK8 may where they turn by less than SLOW_RK8 tol^(1/8) and the call
- * lasts for LASTING natural units of time: measured so that its error stays
- * below tol/2 per unit. */
+ * slowly.  RK8 may where they turn by less than SLOW_RK8 tol^(1/8).  Its error
+ * is as rem (rem W)^8, so that W has a limit too, FASTEST in natural units:
+ * measured so that the error stays below 0.6 tol per unit. */
 #define COIN_PRIV_ONLY_RK8 4.7
 #define COIN_PRIV_SLOW_RK8 0.5
-#define COIN_PRIV_LASTING 0.25
+#define COIN_PRIV_FASTEST 3.0
+
+/* RK4 may be the only step of a call where W (rem W)^4 is at most ONLY_RK4 tol,
+ * W in natural units: measured so that its error stays below 0.65 tol per
+ * unit. */
+#define COIN_PRIV_ONLY_RK4 16.0
 
 /* A step is STRIDE tol^(1/14) over the rate, at most LONGEST: measured so that
  * its error stays below tol per natural unit of time (docs/accuracy.md). */
@@ -42,6 +49,7 @@ typedef struct coin_priv_reach {
     double rk8, rk4; /* in t, times W */
     double only_rk8; /* the same for an only step */
     double slow;     /* what lean and heading may turn by in that */
+    double only_rk4; /* W (t W)^4 of an only step */
 } coin_priv_reach;
 
 /* tol^(1/14) of x = tol^(1/16): x^(8/7) within 0.6 % from tol = 1e-14 up. */
@@ -56,10 +64,11 @@ COIN_PRIV_INLINE coin_priv_reach coin_priv_reach_of(double tol)
     const double stride = COIN_PRIV_STRIDE * coin_priv_root14(r16);
     const coin_priv_reach r = {
         stride < COIN_PRIV_LONGEST ? stride : COIN_PRIV_LONGEST,
-        COIN_PRIV_LAST_RK8 * r8,
+        coin_priv_lesser(COIN_PRIV_LAST_RK8 * r8, COIN_PRIV_LAST_MOST),
         COIN_PRIV_LAST_RK4 * r8 * r16,
         coin_priv_lesser(COIN_PRIV_ONLY_RK8 * r8, 1),
         COIN_PRIV_SLOW_RK8 * r8,
+        COIN_PRIV_ONLY_RK4 * tol,
     };
     return r;
 }
@@ -122,10 +131,10 @@ COIN_PRIV_INLINE int coin_priv_lands(const coin_priv_run *r,
                                      const coin_priv_reach *reach, double rem)
 {
     const double left2 = coin_priv_left2(r, rem);
-    const double units2 = rem * rem * r->b.g_a;
+    const double most2 = COIN_PRIV_FASTEST * COIN_PRIV_FASTEST * r->b.g_a;
     return left2 <= reach->rk8 * reach->rk8 ||
            (left2 <= reach->only_rk8 * reach->only_rk8 &&
-            units2 >= COIN_PRIV_LASTING * COIN_PRIV_LASTING &&
+            left2 <= rem * rem * most2 &&
             coin_priv_is_slow(r, rem, reach->slow));
 }
 
@@ -150,6 +159,18 @@ COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r, double tau,
     return COIN_OK;
 }
 
+/* Whether RK4 is enough for the last step. */
+COIN_PRIV_INLINE int coin_priv_rk4_lands(const coin_priv_run *r,
+                                         const coin_priv_reach *reach,
+                                         double rem)
+{
+    const double left2 = coin_priv_left2(r, rem);
+    if (r->steps != 0)
+        return left2 <= reach->rk4 * reach->rk4;
+    const double error = reach->only_rk4 * rem;
+    return left2 * left2 * left2 * left2 * left2 <= error * error * r->b.g_a;
+}
+
 /* The last bit of the way, in t; not 0. */
 COIN_PRIV_INLINE int32_t coin_priv_last_step(coin_priv_run *r,
                                              const coin_priv_reach *reach,
@@ -157,7 +178,7 @@ COIN_PRIV_INLINE int32_t coin_priv_last_step(coin_priv_run *r,
 {
     const uint64_t before = r->steps;
     r->dt = rem->sum;
-    if (coin_priv_left2(r, rem->sum) <= reach->rk4 * reach->rk4)
+    if (coin_priv_rk4_lands(r, reach, rem->sum))
         coin_priv_rk4(r, 1);
     else
         coin_priv_rk8(r, 1);

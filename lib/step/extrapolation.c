@@ -29,19 +29,11 @@
 #define LANES 1
 #endif
 #endif
+#include "../motion/lanes.t.h"
 
 /* The columns of 16, 12, 10, ..., 2 substeps, and that of 2 once more, of
  * weight 0, where lanes are left over. */
 enum { COLUMNS = 8, GROUPS = COLUMNS / LANES };
-
-#if LANES > 1
-typedef double lanes COIN_PRIV_VECTOR(8 * LANES);
-typedef double in_memory
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
-#else
-typedef double lanes;
-typedef double in_memory;
-#endif
 
 struct variables {
     lanes X, Y, Z, sth, cth, sph, cph;
@@ -88,11 +80,6 @@ static const double weight[] = {C16, C12, C10, C8, C6, C4, C2, 0};
 static const double weight_of_sum[] = {
     15 * C16, 20 * C12, 24 * C10, 30 * C8, 40 * C6, 60 * C4, 120 * C2, 0,
 };
-
-COIN_PRIV_INLINE lanes load(const double *table, int group)
-{
-    return *(const in_memory *)(table + group * LANES);
-}
 
 COIN_PRIV_INLINE lanes all(double value)
 {
@@ -154,7 +141,7 @@ COIN_PRIV_INLINE void odd_substep_of(struct columns *c, const struct problem *p,
                                      int on)
 {
     static const double on_lanes[] = {1, 1, 1, 0, 0, 0};
-    const lanes mask = load(on_lanes + 3 - on, 0), h2 = c->h2 * mask;
+    const lanes mask = load(on_lanes + 3 - on), h2 = c->h2 * mask;
     const lanes dY = c->odd.Y * mask, dcth = c->odd.cth * mask;
     odd_slope(c, p, &h2, &dY, &dcth);
 }
@@ -222,7 +209,7 @@ static void all_substeps(struct columns *c, const struct problem *p)
 #endif
 
 /* The weighted sum of all columns, added in the same order whatever LANES. */
-#define TERM(i, member) (load(weights, i) * c[i].member)
+#define TERM(i, member) (load((weights) + (i)*LANES) * c[i].member)
 #if LANES == 4
 #define TOTAL(member)                                                          \
     const lanes v = TERM(0, member) + TERM(1, member);                         \
@@ -309,7 +296,7 @@ COIN_PRIV_INLINE struct problem problem_of(const coin_priv_variables *y,
 COIN_PRIV_INLINE struct columns columns_of(int group,
                                            const struct variables *slope)
 {
-    const lanes h2 = load(double_substep, group), none = {0};
+    const lanes h2 = load(double_substep + group * LANES), none = {0};
     const struct columns c = {
         h2,
         {none, none, none, none, none, none, none},
