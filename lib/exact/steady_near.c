@@ -44,11 +44,14 @@ static int sign_of(double x)
     return (x > 0) - (x < 0);
 }
 
-/* Moves along the potential, by at most 2 LONG_STEP cos theta. */
+/* Moves along the potential, by at most 2 LONG_STEP cos theta.  Near flat the
+ * cosine of the middle needs what rounding takes from that angle. */
 static void move(struct place *o, const coin_priv_body *b, double theta)
 {
     const double half = (theta - o->theta) / 2;
-    const double c = coin_priv_sincos(o->theta + half).c;
+    const double middle = o->theta + half, lost = o->theta - middle + half;
+    const coin_priv_sc at = coin_priv_sincos(middle);
+    const double c = at.c - lost * at.s;
     const double e = 2 * c * coin_priv_sincos(half).s; /* of sin theta */
     coin_priv_legendre_shift(&o->p, &o->wZ, b->k1, b->k2, o->at.s,
                              o->at.c * o->at.c, e); /* (34) */
