@@ -83,7 +83,6 @@ static void begin(coin_priv_sliding *g, const coin_slide *d,
                   double tol)
 {
     static const coin_losses none = {0, 0, 0, 0, 0, 0, 0, 0};
-    coin_priv_slip y = coin_priv_slip_start(d, &g->table.b);
     g->p = *p;
     g->losses = l ? *l : none;
     g->lossy = !coin_priv_lossless(&g->losses);
@@ -91,12 +90,16 @@ static void begin(coin_priv_sliding *g, const coin_slide *d,
     if (g->lossy)
         (void)coin_priv_losses_of(&g->w.l, &g->losses, &g->table.b);
     coin_priv_run_unlimited(&g->w.run, &d->s);
+    const coin_priv_slip y =
+        coin_priv_slip_start(d, &g->w.run.g.y, g->table.b.a);
     g->slips =
         !(coin_priv_hypot(y.uX, y.uh) < COIN_PRIV_SLIP_LEAST * g->table.w0);
     g->uX = g->slips ? y.uX : 0;
     g->uh = g->slips ? y.uh : 0;
     g->gained = 0;
     g->seen = g->landed = 0;
+    g->series.from.b = g->table.b;
+    g->series.begin.terms = 0;
     g->rem.sum = t;
     g->rem.low = 0;
     g->tol = tol;
@@ -113,11 +116,11 @@ static int32_t mode_of(const coin_priv_sliding *g)
 {
     const int32_t slips = COIN_SLIPS, lifts = COIN_ELIFT;
     const coin_priv_table *t = &g->table;
+    if (g->seen && !g->slips)
+        return COIN_OK;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     if (g->slips)
         return coin_priv_left(t, &y, 1) > 0 ? slips : lifts;
-    if (g->seen)
-        return COIN_OK;
     if (coin_priv_left(t, &y, 0) < 0)
         return coin_priv_can_slip(t, &y) ? slips : lifts;
     return coin_priv_static(t, &y).N > 0 ? COIN_OK : lifts;
