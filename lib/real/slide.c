@@ -7,8 +7,10 @@
 #include "friction.h"
 #include "slide.h"
 
-/* The most trials of coin_priv_locate(). */
+/* The most trials of coin_priv_locate(); and how near it comes, as a part of
+ * the step, over tol. */
 #define TRIALS 60
+#define LOCATED 1e-3
 
 coin_priv_slip coin_priv_slip_of(const coin_priv_variables *y, double uX,
                                  double uh)
@@ -54,13 +56,17 @@ int32_t coin_priv_lie(coin_priv_run *r)
 double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
                         double at0, double h1, double at1)
 {
+    const double part = LOCATED * g->tol, rounding = 2 * DBL_EPSILON;
     double h0 = 0;
     int before = 0;
     for (int i = 0; i < TRIALS; ++i) {
+        const double off = (part > rounding ? part : rounding) * h1 / 2;
         /* The halves may underflow. */
-        if (!((h1 - h0 > 2 * DBL_EPSILON * h1) & (at0 > 0)))
+        if (!((h1 - h0 > 2 * off) & (at0 > 0)))
             break;
-        const double h = h0 + (h1 - h0) * (at0 / (at0 - at1));
+        const double x = h0 + (h1 - h0) * (at0 / (at0 - at1));
+        const double low = h0 + off, high = h1 - off;
+        const double h = x < low ? low : x > high ? high : x;
         const double at = event(g, h);
         const int side = at < 0 ? -1 : 1;
         if (side > 0) {
