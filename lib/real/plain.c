@@ -201,25 +201,20 @@ COIN_PRIV_INLINE int is_held(const coin_priv_need *F, const struct scale *per,
     return (most >= 0) & (along_X * along_X + along_h * along_h <= most * most);
 }
 
-/* Whether the curve of degree 3, or of degree 4 if *mid is in its middle, stays
- * in the cone: it does if its points in Bernstein's form do. */
+/* Whether a curve stays in the cone: it does if its points in Bernstein's form
+ * do, which are both ends, those a part of tau from them, and one more. */
 COIN_PRIV_INLINE int stays_held(const coin_priv_table *t,
                                 const coin_priv_end *a, const coin_priv_end *b,
-                                double tau, double miss,
-                                const coin_priv_need *mid)
+                                double part, const coin_priv_need *point,
+                                double miss)
 {
     const struct scale per = scale_of(t, a->force.size + b->force.size);
     const double off = miss * (1.5 * per.F + per.N);
     if (!(is_held(&a->force, &per, off) & is_held(&b->force, &per, off)))
         return 0;
-    const double part = mid ? tau / 4 : tau / 3;
     const coin_priv_need from = along(a, part), to = along(b, -part);
-    int held = is_held(&from, &per, off) & is_held(&to, &per, off);
-    if (mid) {
-        const coin_priv_need point = third_point(a, b, tau, mid);
-        held &= is_held(&point, &per, off);
-    }
-    return held;
+    return is_held(&from, &per, off) & is_held(&to, &per, off) &
+           is_held(point, &per, off);
 }
 
 /* Whether enough is left of the cone at the places and at both ends. */
@@ -246,13 +241,14 @@ int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
     const double part = 2 * MISS * (s4 * s2);
     const double size = a->force.size + b->force.size;
     coin_priv_need at[PLACES], *const mid = &at[PLACES / 2];
-    if (stays_held(table, a, b, tau, MISS3 * s4 * size, NULL))
+    if (stays_held(table, a, b, tau / 3, &a->force, MISS3 * s4 * size))
         return 1;
     const double low = coin_priv_lesser(a->margin, b->margin);
     if (!(low > part * coin_priv_lesser(a->miss, b->miss)))
         return 0;
     *mid = need_within(table, f, l, a, b, tau, PLACES / 2);
-    if (stays_held(table, a, b, tau, MISS4 * s4 * stride * size, mid))
+    const coin_priv_need point = third_point(a, b, tau, mid);
+    if (stays_held(table, a, b, tau / 4, &point, MISS4 * s4 * stride * size))
         return 1;
     const struct left left = left_of(table, mid);
     if (!(left.margin > part * left.miss))

@@ -122,7 +122,7 @@ static int32_t mode_of(const coin_priv_sliding *g)
 {
     const int32_t slips = COIN_SLIPS, lifts = COIN_ELIFT;
     const coin_priv_table *t = &g->table;
-    if (g->seen && !g->slips)
+    if (g->seen) /* and rolls */
         return COIN_OK;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     if (g->slips)
