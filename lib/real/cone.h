@@ -27,11 +27,19 @@ double coin_priv_left(const coin_priv_table *table, const coin_priv_slip *y,
  * Between the ends the motion is interpolated, to order 6. */
 double coin_priv_looked(const coin_priv_look *look);
 
+/* The force that a rolling coin needs, over M a and times cos theta: along e_y,
+ * e_X and e_h.  size: the sum of its terms. */
+typedef struct coin_priv_need {
+    double N, X, h, size;
+} coin_priv_need;
+
 /* An end of a rolling step, by tau: wX, wY, wZ, sin and cos theta, their slopes
- * and those of their slopes.  margin: mu^2 N^2 - F^2, and miss: what an error
- * of the variables changes in it, both over the size of the forces' terms. */
+ * and those of their slopes; the force and its slope.  margin: mu^2 N^2 - F^2,
+ * and miss: what an error of the variables changes in it, both over the size.
+ */
 typedef struct coin_priv_end {
     double y[5], d[5], dd[5];
+    coin_priv_need force, slope;
     double margin, miss;
 } coin_priv_end;
 

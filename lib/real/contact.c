@@ -9,6 +9,7 @@
 /* What a coin does that the table carries without friction, and how friction
  * acts on it. */
 struct loose {
+    int held;        /* as in coin_priv_table */
     double f;        /* dt over that of the slopes: cos theta, or 1 */
     double turn;     /* the slope of phi */
     double gX;       /* the slope of wX without any force */
@@ -68,6 +69,7 @@ static struct loose loose_of(const coin_priv_table *t, const coin_priv_slip *y)
 {
     struct loose o;
     const double wX = y->wX, sth = y->sth, cth = y->cth;
+    o.held = t->held;
     if (t->held)
         hold(&o, t, y);
     else
@@ -82,18 +84,24 @@ static struct loose loose_of(const coin_priv_table *t, const coin_priv_slip *y)
     return o;
 }
 
+static coin_priv_push stick(const struct loose *o, const coin_priv_slip *y)
+{
+    const double part = o->lever * y->sth * y->cth;
+    const double h =
+        (part * o->weight - o->D * o->uh) / (1 + o->lever); /* (82) */
+    const coin_priv_push force = {
+        (o->weight + part * h) / o->D, /* (79) */
+        -o->uX / (1 + o->zX),          /* (82) */
+        h,
+    };
+    return force;
+}
+
 coin_priv_push coin_priv_static(const coin_priv_table *table,
                                 const coin_priv_slip *y)
 {
     const struct loose o = loose_of(table, y);
-    const double part = o.lever * y->sth * y->cth;
-    const double h = (part * o.weight - o.D * o.uh) / (1 + o.lever); /* (82) */
-    const coin_priv_push force = {
-        (o.weight + part * h) / o.D, /* (79) */
-        -o.uX / (1 + o.zX),          /* (82) */
-        h,
-    };
-    return force;
+    return stick(&o, y);
 }
 
 static coin_priv_push slide(const struct loose *o, const coin_priv_slip *y,
@@ -126,30 +134,36 @@ static coin_priv_direction slip_slope(const struct loose *o,
     return d;
 }
 
-void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_table *table,
-                            const coin_priv_slip *y,
-                            const coin_priv_push *force)
+static void slopes_under(coin_priv_slip *d, const struct loose *o,
+                         const coin_priv_slip *y, const coin_priv_push *force)
 {
-    const struct loose o = loose_of(table, y);
-    const coin_priv_direction slip = slip_slope(&o, y, force);
+    const coin_priv_direction slip = slip_slope(o, y, force);
     const double wX = y->wX, sth = y->sth, cth = y->cth;
-    const double sph = y->sph, cph = y->cph, f = o.f;
+    const double sph = y->sph, cph = y->cph, f = o->f;
     /* clang-format off */
-    d->wX = o.gX + o.lever * (force->N * sth - force->h * cth); /* (81) */
-    d->wY = o.wY + o.yX * force->X;                          /* (81) */
-    d->wZ = o.wZ + o.zX * force->X;                          /* (81) */
+    d->wX = o->gX + o->lever * (force->N * sth - force->h * cth); /* (81) */
+    d->wY = o->wY + o->yX * force->X;                          /* (81) */
+    d->wZ = o->wZ + o->zX * force->X;                          /* (81) */
     /* clang-format on */
     d->sth = f * cth * wX;
     d->cth = -f * sth * wX;
     d->uX = slip.X;
     d->uh = slip.h;
-    d->sph = o.turn * cph;
-    d->cph = -o.turn * sph;
-    d->phi = o.turn;
-    d->psi = table->held ? 0 : cth * y->wZ + sth * y->wY;
-    d->x = f * (o.vX * cph + o.vh * sph);
-    d->z = f * (o.vh * cph - o.vX * sph);
+    d->sph = o->turn * cph;
+    d->cph = -o->turn * sph;
+    d->phi = o->turn;
+    d->psi = o->held ? 0 : cth * y->wZ + sth * y->wY;
+    d->x = f * (o->vX * cph + o->vh * sph);
+    d->z = f * (o->vh * cph - o->vX * sph);
     d->t = f;
+}
+
+void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_table *table,
+                            const coin_priv_slip *y,
+                            const coin_priv_push *force)
+{
+    const struct loose o = loose_of(table, y);
+    slopes_under(d, &o, y, force);
 }
 
 int coin_priv_can_slip(const coin_priv_table *table, const coin_priv_slip *y)
@@ -235,8 +249,9 @@ void coin_priv_roll_slopes(double *dy, const double *y, const void *table)
 {
     const coin_priv_table *t = (const coin_priv_table *)table;
     const coin_priv_slip *at = (const coin_priv_slip *)(const void *)y;
-    const coin_priv_push force = coin_priv_static(t, at);
-    coin_priv_slopes_under((coin_priv_slip *)(void *)dy, t, at, &force);
+    const struct loose o = loose_of(t, at);
+    const coin_priv_push force = stick(&o, at);
+    slopes_under((coin_priv_slip *)(void *)dy, &o, at, &force);
 }
 
 void coin_priv_slip_slopes(double *dy, const double *y, const void *table)
@@ -246,8 +261,9 @@ void coin_priv_slip_slopes(double *dy, const double *y, const void *table)
     const double u = coin_priv_hypot(at->uX, at->uh);
     const double scale = coin_priv_slip_scale(t, u);
     const coin_priv_direction n = {at->uX / u, at->uh / u};
-    const coin_priv_push force = coin_priv_kinetic(t, at, n);
-    coin_priv_slopes_under((coin_priv_slip *)(void *)dy, t, at, &force);
+    const struct loose o = loose_of(t, at);
+    const coin_priv_push force = slide(&o, at, t->mu_kinetic, n);
+    slopes_under((coin_priv_slip *)(void *)dy, &o, at, &force);
     for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
         dy[i] *= scale;
 }

@@ -18,15 +18,16 @@ int32_t coin_priv_check_slide(const coin_slide *d, const coin_params *p,
 int32_t coin_priv_table_of(coin_priv_table *out, const coin_params *p,
                            const coin_friction *f, const coin_losses *l)
 {
-    static const coin_losses none = {0, 0, 0, 0, 0, 0, 0, 0};
-    const coin_losses *slow = l ? l : &none;
     if (coin_priv_check_body(&out->b, p) != COIN_OK)
         return COIN_EPARAMS;
     coin_priv_body loose = out->b;
     loose.K = loose.IZ;
-    if (coin_priv_losses_of(&out->l, slow, &loose) != COIN_OK ||
-        slow->damping > 0)
+    if (l &&
+        (l->damping > 0 || coin_priv_losses_of(&out->l, l, &loose) != COIN_OK))
         return COIN_EPARAMS;
+    if (!l)
+        out->l.solid = out->l.fluid = out->l.spin = 0; /* nothing else is read
+                                                        */
     const double k = out->b.IX / out->b.m;
     const double bound = 2 * sqrt(k * (1 + k)); /* (86) */
     out->mu_static = f->mu_static;
@@ -39,14 +40,14 @@ int32_t coin_priv_table_of(coin_priv_table *out, const coin_params *p,
 }
 
 coin_priv_slip coin_priv_slip_start(const coin_slide *d,
-                                    const coin_priv_body *b)
+                                    const coin_priv_variables *y, double a)
 {
-    const coin_priv_variables y = coin_priv_variables_of(&d->s);
-    const double vx = d->vx / b->a, vz = d->vz / b->a;
-    const double vX = vx * y.cph - vz * y.sph, vh = vx * y.sph + vz * y.cph;
+    const double vx = d->vx / a, vz = d->vz / a;
+    const double vX = vx * y->cph - vz * y->sph;
+    const double vh = vx * y->sph + vz * y->cph;
     const coin_priv_slip r = {
-        y.wX,  y.wY,  y.wZ, y.sth, y.cth, vX + y.wZ, vh - y.wX * y.cth,
-        y.sph, y.cph, 0,    0,     0,     0,         0,
+        y->wX,  y->wY,  y->wZ, y->sth, y->cth, vX + y->wZ, vh - y->wX * y->cth,
+        y->sph, y->cph, 0,     0,      0,      0,          0,
     };
     return r;
 }
@@ -94,7 +95,8 @@ int32_t coin_slide_velocity(const coin_slide *d, const coin_params *p,
     const int32_t status = u ? coin_priv_check_slide(d, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    const coin_priv_slip y = coin_priv_slip_start(d, &b);
+    const coin_priv_variables at = coin_priv_variables_of(&d->s);
+    const coin_priv_slip y = coin_priv_slip_start(d, &at, b.a);
     u[0] = b.a * (y.uX * y.cph + y.uh * y.sph);
     u[1] = b.a * (y.uh * y.cph - y.uX * y.sph);
     return COIN_OK;
@@ -130,7 +132,8 @@ int32_t coin_slide_reaction(const coin_slide *d, const coin_params *p,
     const int32_t status = coin_priv_check_slide(d, p, &b);
     if (status != COIN_OK)
         return status;
-    coin_priv_slip y = coin_priv_slip_start(d, &b);
+    const coin_priv_variables at = coin_priv_variables_of(&d->s);
+    coin_priv_slip y = coin_priv_slip_start(d, &at, b.a);
     const coin_priv_push push = push_of(&table, &y);
     const double scale = b.M * b.a / y.cth;
     coin_force r;

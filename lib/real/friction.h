@@ -11,9 +11,9 @@
 int32_t coin_priv_check_slide(const coin_slide *d, const coin_params *p,
                               coin_priv_body *b);
 
-/* The variables of a slide. */
+/* The variables of a slide, whose state has those of *y. */
 coin_priv_slip coin_priv_slip_start(const coin_slide *d,
-                                    const coin_priv_body *b);
+                                    const coin_priv_variables *y, double a);
 
 /* The velocity of the centre along x and z of a coin that slips by y->uX and
  * y->uh. */

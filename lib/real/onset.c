@@ -5,6 +5,11 @@
 #include "control.h"
 #include "slide.h"
 
+/* The slope of a slip over friction from which on it begins at once; and the
+ * largest tol that a slower beginning makes use of. */
+#define QUICK 0.5
+#define LOOSEST 5e-5
+
 /* How a slip would begin here: its direction, its slope by tau, friction over M
  * a times cos theta, and the slopes of the coin then and as it rolls. */
 struct onset {
@@ -107,15 +112,18 @@ static int32_t roll_on(coin_priv_sliding *g, const coin_priv_slip *start,
 
 /* A slip with an acceleration begins at once, with a speed of
  * COIN_PRIV_SLIP_SEED: its steps to grow are as friction over the acceleration.
- * Where that is small, below tol^(1/4)/4, the coin rolls on for a time, and
- * friction's part in it is added as an impulse; the error is as the
- * acceleration times that time squared, and that is below tol. */
+ * Where that is less than QUICK, the coin rolls on for a time, and friction's
+ * part in it is added as an impulse; the error is as the acceleration times
+ * that time squared, and that is below tol, or LOOSEST if the time may be
+ * chosen. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g)
 {
     const coin_priv_slip start = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
     const double seed = COIN_PRIV_SLIP_SEED * g->table.w0;
     const double r4 = sqrt(sqrt(g->tol));
-    const double wait = 2 * r4 * sqrt(r4) / coin_priv_roll_rate(g);
+    const double tol = coin_priv_lesser(g->tol, LOOSEST);
+    const double unit = 1 / coin_priv_roll_rate(g);
+    double wait = unit * (2 * r4 * sqrt(r4));
     g->seen = 0;
     if (!coin_priv_can_slip(&g->table, &start))
         return COIN_ELIFT;
@@ -125,7 +133,10 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     }
     const struct onset o = onset_of(g);
     const double tau = coin_priv_lesser(wait, g->rem.sum / start.cth);
-    if (!(o.slope >= r4 / 4 * o.friction && o.slope * tau >= seed))
+    const double once = unit * sqrt(tol * (o.friction / o.slope));
+    if (o.slope >= r4 / 4 * o.friction && o.slope * once >= seed)
+        wait = once;
+    if (!(o.slope >= QUICK * o.friction && o.slope * tau >= seed))
         return roll_on(g, &start, &o, wait);
     const coin_priv_slip y = euler(&start, &o, seed / o.slope);
     return begin(g, &y);

@@ -9,8 +9,11 @@
  * cone.c. */
 #define MISS 0.006
 
-/* A step of less stride is looked at in its middle alone. */
-#define SHORT 0.4
+/* By how much the curves of degree 3 and 4 may miss the force, over stride^4
+ * and stride^5 and the sizes at both ends: measured on random motions of rings
+ * and other bodies, times 4. */
+#define MISS3 0.08
+#define MISS4 0.008
 
 /* The slopes of the slopes are differences over this part of the time in
  * which the motion changes. */
@@ -47,27 +50,46 @@ COIN_PRIV_INLINE void slopes(double *d, const coin_priv_field *f,
     d[COS] = v.cth;
 }
 
+COIN_PRIV_INLINE coin_priv_need need_of(const coin_priv_table *t,
+                                        const double *y, double dwX, double dwZ)
+{
+    const double wX = y[X], wY = y[Y], sth = y[SIN], cth = y[COS];
+    const double cwX = cth * wX;
+    const coin_priv_need F = {
+        cth * t->b.g_a - cwX * cwX - sth * dwX, /* (27) */
+        cwX * wY - dwZ,                         /* (25) */
+        cth * dwX + wY * y[Z] - cwX * wX * sth, /* (26) */
+        cth * t->b.g_a + cwX * wX + wY * wY + fabs(wY * y[Z]),
+    };
+    return F;
+}
+
+/* N and F over this are compared. */
+struct scale {
+    double N, F;
+};
+
+COIN_PRIV_INLINE struct scale scale_of(const coin_priv_table *t, double size)
+{
+    const double mu = t->mu_static, per = 1 / size;
+    const struct scale r = {mu > 1 ? per : mu * per, mu > 1 ? per / mu : per};
+    return r;
+}
+
 /* What is left of the cone at a place, as in coin_priv_end. */
 struct left {
     double margin, miss;
 };
 
-COIN_PRIV_INLINE struct left left_at(const coin_priv_table *t, const double *y,
-                                     double dwX, double dwZ)
+COIN_PRIV_INLINE struct left left_of(const coin_priv_table *t,
+                                     const coin_priv_need *F)
 {
-    const double wX = y[X], wY = y[Y], sth = y[SIN], cth = y[COS];
-    const double cwX = cth * wX;
-    const double N = cth * t->b.g_a - cwX * cwX - sth * dwX;  /* (27) */
-    const double FX = cwX * wY - dwZ;                         /* (25) */
-    const double Fh = cth * dwX + wY * y[Z] - cwX * wX * sth; /* (26) */
-    const double size = cth * t->b.g_a + cwX * wX + wY * wY + fabs(wY * y[Z]);
-    const double per_N = t->mu_static > 1 ? 1 : t->mu_static;
-    const double per_F = t->mu_static > 1 ? 1 / t->mu_static : 1;
-    const double most = per_N * (N / size);
-    const double along_X = per_F * (FX / size), along_h = per_F * (Fh / size);
+    const struct scale per = scale_of(t, F->size);
+    const double most = per.N * F->N;
+    const double along_X = per.F * F->X, along_h = per.F * F->h;
     const struct left r = {
         most * fabs(most) - (along_X * along_X + along_h * along_h),
-        per_N * fabs(most) + per_F * (fabs(along_X) + fabs(along_h)),
+        fabs(most) + fabs(along_X) + fabs(along_h),
     };
     return r;
 }
@@ -89,7 +111,12 @@ void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
     slopes(d, f, l, to);
     for (int i = 0; i < VARIABLES; ++i)
         e->dd[i] = per * (d[i] - e->d[i]);
-    const struct left left = left_at(table, e->y, e->d[X], e->d[Z]);
+    e->force = need_of(table, e->y, e->d[X], e->d[Z]);
+    const coin_priv_need F = need_of(table, to, d[X], d[Z]);
+    e->slope.N = per * (F.N - e->force.N);
+    e->slope.X = per * (F.X - e->force.X);
+    e->slope.h = per * (F.h - e->force.h);
+    const struct left left = left_of(table, &e->force);
     e->margin = left.margin;
     e->miss = left.miss;
 }
@@ -104,30 +131,28 @@ static const double weights[PLACES][6] = {
      27.0 / 2048},
 };
 
-/* The least that a smooth function may have between n samples: below the least
- * of them by what parabolas, and the third differences, leave. */
-COIN_PRIV_INLINE double least(const double *m, int n)
+/* The least that a smooth function may have: below the least of samples by what
+ * parabolas, and the third differences, leave. */
+COIN_PRIV_INLINE double least(const double m[PLACES + 2])
 {
     double low = m[0], second = 0, third = 0, before = 0;
-    for (int i = 1; i < n; ++i)
+    for (int i = 1; i < PLACES + 2; ++i)
         low = coin_priv_lesser(m[i], low);
-    for (int i = 1; i < n - 1; ++i) {
+    for (int i = 1; i < PLACES + 1; ++i) {
         const double d = (m[i + 1] - m[i]) - (m[i] - m[i - 1]);
         second += fabs(d);
         third += i > 1 ? fabs(d - before) : 0;
         before = d;
     }
-    /* Three samples leave the third differences open. */
-    return low - (n > 3 ? second + third : 2 * second) / 8;
+    return low - (second + third) / 8;
 }
 
-/* What is left of the cone at place k. */
-COIN_PRIV_INLINE struct left left_within(const coin_priv_table *table,
-                                         const coin_priv_field *f,
-                                         const coin_priv_losses *l,
-                                         const coin_priv_end *a,
-                                         const coin_priv_end *b, double tau,
-                                         int k)
+/* The force at place k. */
+static coin_priv_need need_within(const coin_priv_table *table,
+                                  const coin_priv_field *f,
+                                  const coin_priv_losses *l,
+                                  const coin_priv_end *a,
+                                  const coin_priv_end *b, double tau, int k)
 {
     const double *w = weights[k];
     const double tau2 = tau * tau;
@@ -137,23 +162,98 @@ COIN_PRIV_INLINE struct left left_within(const coin_priv_table *table,
                tau * (w[1] * a->d[i] + w[4] * b->d[i]) +
                tau2 * (w[2] * a->dd[i] + w[5] * b->dd[i]);
     const coin_priv_variables d = slope(f, l, y);
-    return left_at(table, y, d.wX, d.wZ);
+    return need_of(table, y, d.wX, d.wZ);
+}
+
+/* The force that an end's slope leads to. */
+COIN_PRIV_INLINE coin_priv_need along(const coin_priv_end *e, double tau)
+{
+    const coin_priv_need F = {
+        e->force.N + tau * e->slope.N,
+        e->force.X + tau * e->slope.X,
+        e->force.h + tau * e->slope.h,
+        0,
+    };
+    return F;
+}
+
+/* The third of the five points of the curve of degree 4. */
+COIN_PRIV_INLINE coin_priv_need third_point(const coin_priv_end *a,
+                                            const coin_priv_end *b, double tau,
+                                            const coin_priv_need *mid)
+{
+    const coin_priv_need from = along(a, tau / 5), to = along(b, -tau / 5);
+    const coin_priv_need F = {
+        8.0 / 3 * mid->N - 5.0 / 6 * (from.N + to.N),
+        8.0 / 3 * mid->X - 5.0 / 6 * (from.X + to.X),
+        8.0 / 3 * mid->h - 5.0 / 6 * (from.h + to.h),
+        0,
+    };
+    return F;
+}
+
+/* Whether a force is in the cone, and off its edge. */
+COIN_PRIV_INLINE int is_held(const coin_priv_need *F, const struct scale *per,
+                             double off)
+{
+    const double most = per->N * F->N - off;
+    const double along_X = per->F * F->X, along_h = per->F * F->h;
+    return (most >= 0) & (along_X * along_X + along_h * along_h <= most * most);
+}
+
+/* Whether a curve stays in the cone: it does if its points in Bernstein's form
+ * do, which are both ends, those a part of tau from them, and one more. */
+COIN_PRIV_INLINE int stays_held(const coin_priv_table *t,
+                                const coin_priv_end *a, const coin_priv_end *b,
+                                double part, const coin_priv_need *point,
+                                double miss)
+{
+    const struct scale per = scale_of(t, a->force.size + b->force.size);
+    const double off = miss * (1.5 * per.F + per.N);
+    if (!(is_held(&a->force, &per, off) & is_held(&b->force, &per, off)))
+        return 0;
+    const coin_priv_need from = along(a, part), to = along(b, -part);
+    return is_held(&from, &per, off) & is_held(&to, &per, off) &
+           is_held(point, &per, off);
+}
+
+/* Whether enough is left of the cone at the places and at both ends. */
+static int is_left(const coin_priv_table *table, const coin_priv_end *a,
+                   const coin_priv_end *b, const coin_priv_need *at,
+                   double part)
+{
+    double m[PLACES + 2], terms = a->miss > b->miss ? a->miss : b->miss;
+    m[0] = a->margin;
+    m[PLACES + 1] = b->margin;
+    for (int k = 0; k < PLACES; ++k) {
+        const struct left left = left_of(table, &at[k]);
+        m[k + 1] = left.margin;
+        terms = left.miss > terms ? left.miss : terms;
+    }
+    return least(m) > part * terms;
 }
 
 int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
                     const coin_priv_losses *l, const coin_priv_end *a,
                     const coin_priv_end *b, double tau, double stride)
 {
-    const double s2 = stride * stride;
-    const int places = stride < SHORT ? 1 : PLACES;
-    double m[PLACES + 2], terms = 0;
-    m[0] = a->margin;
-    for (int k = 0; k < places; ++k) {
-        const int place = places > 1 ? k : PLACES / 2;
-        const struct left at = left_within(table, f, l, a, b, tau, place);
-        m[k + 1] = at.margin;
-        terms = at.miss > terms ? at.miss : terms;
-    }
-    m[places + 1] = b->margin;
-    return least(m, places + 2) > 2 * MISS * (s2 * s2 * s2) * terms;
+    const double s2 = stride * stride, s4 = s2 * s2;
+    const double part = 2 * MISS * (s4 * s2);
+    const double size = a->force.size + b->force.size;
+    coin_priv_need at[PLACES], *const mid = &at[PLACES / 2];
+    if (stays_held(table, a, b, tau / 3, &a->force, MISS3 * s4 * size))
+        return 1;
+    const double low = coin_priv_lesser(a->margin, b->margin);
+    if (!(low > part * coin_priv_lesser(a->miss, b->miss)))
+        return 0;
+    *mid = need_within(table, f, l, a, b, tau, PLACES / 2);
+    const coin_priv_need point = third_point(a, b, tau, mid);
+    if (stays_held(table, a, b, tau / 4, &point, MISS4 * s4 * stride * size))
+        return 1;
+    const struct left left = left_of(table, mid);
+    if (!(left.margin > part * left.miss))
+        return 0;
+    at[0] = need_within(table, f, l, a, b, tau, 0);
+    at[PLACES - 1] = need_within(table, f, l, a, b, tau, PLACES - 1);
+    return is_left(table, a, b, at, part);
 }

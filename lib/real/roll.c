@@ -5,6 +5,7 @@
 
 #include "control.h"
 #include "hold.h"
+#include "part.h"
 #include "slide.h"
 
 /* |rem| times the fastest rate below which a step with losses lands. */
@@ -202,22 +203,58 @@ double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most)
     }
 }
 
-/* Whether the step made is plain by halves. */
-static int is_plain_by_halves(coin_priv_sliding *g, const coin_priv_end *to,
-                              double tau, double rate)
+/* Whether the step made, with losses, is plain by halves. */
+static int is_plain_by_halves(coin_priv_sliding *g, const coin_priv_end *from,
+                              const coin_priv_end *to, double tau, double rate)
 {
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
-    const coin_priv_losses *l = g->lossy ? &g->w.l : NULL;
     const coin_priv_run at = g->w.run;
-    const int landed = g->landed;
     const double half = tau / 2, stride = fabs(half) * rate;
     coin_priv_end mid;
+    if (!(stride > HALVED / 2))
+        return 0;
     coin_priv_again(g, half);
-    coin_priv_end_of(&mid, &g->table, &f, l, &g->w.run.g.y, 1 / rate);
+    coin_priv_end_of(&mid, &g->table, &f, &g->w.l, &g->w.run.g.y, 1 / rate);
     g->w.run = at;
-    g->landed = landed;
-    return coin_priv_plain(&g->table, &f, l, &g->end, &mid, half, stride) &&
-           coin_priv_plain(&g->table, &f, l, &mid, to, half, stride);
+    return coin_priv_plain(&g->table, &f, &g->w.l, from, &mid, half, stride) &&
+           coin_priv_plain(&g->table, &f, &g->w.l, &mid, to, half, stride);
+}
+
+static coin_priv_search search_of(const coin_priv_sliding *g)
+{
+    const double mu = g->table.mu_static;
+    const coin_priv_search f = {
+        &g->p, mu, mu > 1 ? 1 / mu : 1, mu > 1 ? 1 : mu, 0, COIN_SLIPS,
+    };
+    return f;
+}
+
+/* Whether the step made began where one without losses was plain by series
+ * alone, and is so near the cone yet that it will not be otherwise. */
+static int is_near(const coin_priv_sliding *g, double stride)
+{
+    const coin_priv_search f = search_of(g);
+    return g->series.begin.terms > 0 &&
+           coin_priv_is_near(&f, &g->series.begin, stride);
+}
+
+/* Whether the step made, without losses, is plain by series at its ends, which
+ * err far less. */
+static int is_plain_by_series(coin_priv_sliding *g, double tau, double rate)
+{
+    const coin_priv_search f = search_of(g);
+    coin_priv_stretch *const w = &g->series;
+    if (w->begin.terms == 0)
+        w->unit = 1 / rate;
+    w->from.g.y = g->from.y;
+    w->to = g->w.run.g.y;
+    w->tau = tau;
+    w->t = g->landed ? g->w.run.g.added.t : 0;
+    coin_priv_stretch_know(w, COIN_PRIV_FORCE_TERMS);
+    const int plain = coin_priv_is_clear(&f, &w->begin, &w->end,
+                                         w->tau / w->unit, fabs(tau) * rate);
+    w->begin = w->end;
+    return plain;
 }
 
 /* Whether it is plain that the coin rolls all along the step made. */
@@ -226,13 +263,19 @@ static int is_plain(coin_priv_sliding *g, double tau, double rate)
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
     const coin_priv_losses *l = g->lossy ? &g->w.l : NULL;
     const double stride = fabs(tau) * rate;
-    coin_priv_end end;
-    coin_priv_end_of(&end, &g->table, &f, l, &g->w.run.g.y, 1 / rate);
-    int plain = coin_priv_plain(&g->table, &f, l, &g->end, &end, tau, stride);
-    if (!plain && stride > HALVED && end.margin > 0)
-        plain = is_plain_by_halves(g, &end, tau, rate);
-    g->end = end;
-    return plain;
+    const coin_priv_end *const from = &g->ends[g->at];
+    g->at = !g->at;
+    coin_priv_end *const to = &g->ends[g->at];
+    coin_priv_end_of(to, &g->table, &f, l, &g->w.run.g.y, 1 / rate);
+    if (!is_near(g, stride) &&
+        coin_priv_plain(&g->table, &f, l, from, to, tau, stride)) {
+        g->series.begin.terms = 0;
+        return 1;
+    }
+    if (!(to->margin > 0))
+        return 0;
+    return g->lossy ? is_plain_by_halves(g, from, to, tau, rate)
+                    : is_plain_by_series(g, tau, rate);
 }
 
 /* Shortens the step made, of tau, to where the coin is known to roll.  Returns
@@ -264,9 +307,11 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
 void coin_priv_see(coin_priv_sliding *g)
 {
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
-    coin_priv_end_of(&g->end, &g->table, &f, g->lossy ? &g->w.l : NULL,
+    g->at = 0;
+    coin_priv_end_of(&g->ends[0], &g->table, &f, g->lossy ? &g->w.l : NULL,
                      &g->w.run.g.y, 1 / coin_priv_roll_rate(g));
-    g->seen = g->end.margin > CLEAR;
+    g->seen = g->ends[0].margin > CLEAR;
+    g->series.begin.terms = 0;
 }
 
 /* The next step, and with it the last one if that is near; its tau, or 0.

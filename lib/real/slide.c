@@ -7,8 +7,10 @@
 #include "friction.h"
 #include "slide.h"
 
-/* The most trials of coin_priv_locate(). */
+/* The most trials of coin_priv_locate(); and how near it comes, as a part of
+ * the step, over tol. */
 #define TRIALS 60
+#define LOCATED 1e-3
 
 coin_priv_slip coin_priv_slip_of(const coin_priv_variables *y, double uX,
                                  double uh)
@@ -54,13 +56,17 @@ int32_t coin_priv_lie(coin_priv_run *r)
 double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
                         double at0, double h1, double at1)
 {
+    const double part = LOCATED * g->tol, rounding = 2 * DBL_EPSILON;
     double h0 = 0;
     int before = 0;
     for (int i = 0; i < TRIALS; ++i) {
+        const double off = (part > rounding ? part : rounding) * h1 / 2;
         /* The halves may underflow. */
-        if (!((h1 - h0 > 2 * DBL_EPSILON * h1) & (at0 > 0)))
+        if (!((h1 - h0 > 2 * off) & (at0 > 0)))
             break;
-        const double h = h0 + (h1 - h0) * (at0 / (at0 - at1));
+        const double x = h0 + (h1 - h0) * (at0 / (at0 - at1));
+        const double low = h0 + off, high = h1 - off;
+        const double h = x < low ? low : x > high ? high : x;
         const double at = event(g, h);
         const int side = at < 0 ? -1 : 1;
         if (side > 0) {
@@ -83,7 +89,6 @@ static void begin(coin_priv_sliding *g, const coin_slide *d,
                   double tol)
 {
     static const coin_losses none = {0, 0, 0, 0, 0, 0, 0, 0};
-    coin_priv_slip y = coin_priv_slip_start(d, &g->table.b);
     g->p = *p;
     g->losses = l ? *l : none;
     g->lossy = !coin_priv_lossless(&g->losses);
@@ -91,12 +96,16 @@ static void begin(coin_priv_sliding *g, const coin_slide *d,
     if (g->lossy)
         (void)coin_priv_losses_of(&g->w.l, &g->losses, &g->table.b);
     coin_priv_run_unlimited(&g->w.run, &d->s);
+    const coin_priv_slip y =
+        coin_priv_slip_start(d, &g->w.run.g.y, g->table.b.a);
     g->slips =
         !(coin_priv_hypot(y.uX, y.uh) < COIN_PRIV_SLIP_LEAST * g->table.w0);
     g->uX = g->slips ? y.uX : 0;
     g->uh = g->slips ? y.uh : 0;
     g->gained = 0;
     g->seen = g->landed = 0;
+    g->series.from.b = g->table.b;
+    g->series.begin.terms = 0;
     g->rem.sum = t;
     g->rem.low = 0;
     g->tol = tol;
@@ -113,11 +122,11 @@ static int32_t mode_of(const coin_priv_sliding *g)
 {
     const int32_t slips = COIN_SLIPS, lifts = COIN_ELIFT;
     const coin_priv_table *t = &g->table;
+    if (g->seen) /* and rolls */
+        return COIN_OK;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     if (g->slips)
         return coin_priv_left(t, &y, 1) > 0 ? slips : lifts;
-    if (g->seen)
-        return COIN_OK;
     if (coin_priv_left(t, &y, 0) < 0)
         return coin_priv_can_slip(t, &y) ? slips : lifts;
     return coin_priv_static(t, &y).N > 0 ? COIN_OK : lifts;

@@ -7,6 +7,7 @@
 
 #include "cone.h"
 #include "lossy.h"
+#include "stretch.h"
 
 /* The slip speed, in natural units, below which a coin rolls; and that which a
  * slip begins with. */
@@ -29,10 +30,13 @@ typedef struct coin_priv_sliding {
     uint64_t tries;
     coin_priv_progress from; /* where a rolling step began, and its number */
     uint64_t steps;
-    coin_state held;   /* where a coin near flat was found held */
-    coin_priv_end end; /* of the last rolling step, if seen */
-    int seen;          /* if `end` holds, and the coin rolls there */
-    int landed;        /* if the run holds theta */
+    coin_state held;          /* where a coin near flat was found held */
+    coin_priv_end ends[2];    /* of the last rolling step, if seen */
+    int at;                   /* which of them it came to */
+    int seen;                 /* if that holds, and the coin rolls there */
+    coin_priv_stretch series; /* that step, if looked at so: else no terms at
+                                 begin; of `from` only b and g.y are set */
+    int landed;               /* if the run holds theta */
 } coin_priv_sliding;
 
 /* The most steps of a call, those refused included. */

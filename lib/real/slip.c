@@ -22,7 +22,7 @@
 /* A slip is a straight line for this part, times sqrt(tol) and at most
  * BRIEFEST, of the time in which the coin moves. */
 #define BRIEF 0.25
-#define BRIEFEST 0.002
+#define BRIEFEST 0.003
 
 /* A step tried. */
 struct tried {
