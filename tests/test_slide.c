@@ -6,8 +6,6 @@
 #include "support/slides.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 /* The scenes of tests/reference/losses. */
 static const struct scene {
@@ -59,31 +57,26 @@ static double row_error(const struct scene *c, const struct table *t,
 }
 
 /* One of the rows is the event itself, where the status is either. */
+static void check_row(const void *scene, const struct table *t, size_t row,
+                      const double unit[3])
+{
+    const struct scene *c = scene;
+    int32_t status = COIN_OK;
+    for (double tol = 1e-10; tol < 1e-5; tol *= 1000)
+        check_within(row_error(c, t, row, tol, unit, &status), 0,
+                     tol * (1 + table_at(t, row, "t")) + 1e-12);
+    const int rolls = table_at(t, row, "rolls") > 0;
+    const int event =
+        rolls && (row == 0 || !(table_at(t, row - 1, "rolls") > 0));
+    if (!event)
+        check_status(status, rolls ? COIN_OK : COIN_SLIPS);
+}
+
 static void every_row_of_the_reference_is_met_in_any_units(void **unused)
 {
     (void)unused;
-    const double units[][3] = {{1, 1, 1}, {0.00567, 0.01213, 0.0351}};
-    for (int i = 0; i < SCENES; ++i) {
-        struct table t;
-        char file[64];
-        snprintf(file, sizeof file, "losses/%s.csv", scenes[i].name);
-        table_load(&t, file);
-        for (size_t row = 0; row < t.rows; ++row)
-            for (int u = 0; u < 2; ++u) {
-                int32_t status;
-                check_note("%s, row %zu, units %d", scenes[i].name, row, u);
-                for (double tol = 1e-10; tol < 1e-5; tol *= 1000)
-                    check_within(
-                        row_error(&scenes[i], &t, row, tol, units[u], &status),
-                        0, tol * (1 + table_at(&t, row, "t")) + 1e-12);
-                const int rolls = table_at(&t, row, "rolls") > 0;
-                const int event =
-                    rolls &&
-                    (row == 0 || !(table_at(&t, row - 1, "rolls") > 0));
-                if (!event)
-                    check_status(status, rolls ? COIN_OK : COIN_SLIPS);
-            }
-    }
+    for (int i = 0; i < SCENES; ++i)
+        check_losses_rows(scenes[i].name, check_row, &scenes[i]);
 }
 
 /* ------------------------------------------------------------ closed forms */
