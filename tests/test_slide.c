@@ -5,6 +5,8 @@
 #include "support/losses.h"
 #include "support/slides.h"
 
+#include "slide.h"
+
 #include <math.h>
 
 /* The scenes of tests/reference/losses. */
@@ -209,6 +211,33 @@ static void a_slip_shorter_than_a_step_is_not_stepped_over(void **unused)
     check_near(coin_slide_energy(&e, &p), coin_slide_energy(&g, &p), 1e-6);
 }
 
+/* Hardly more than 0 beyond a root at 1/2, or before it: secants alone would
+ * take thousands of trials. */
+static double flat_after(coin_priv_sliding *unused, double h)
+{
+    (void)unused;
+    return pow(1 - h, 20) - 0x1p-20;
+}
+
+static double flat_before(coin_priv_sliding *unused, double h)
+{
+    (void)unused;
+    return 0x1p-20 - pow(h, 20);
+}
+
+static void an_event_is_located_however_curved_its_function_is(void **unused)
+{
+    (void)unused;
+    coin_priv_event *const events[] = {flat_after, flat_before};
+    for (int i = 0; i < 2; ++i) {
+        const double at0 = events[i](NULL, 0), at1 = events[i](NULL, 1);
+        const double h = coin_priv_locate(NULL, events[i], at0, 1, at1);
+        /* Rounding of pow() over the slope, 20 * 2^-19 at the root. */
+        check_near(h, 0.5, U * 0x1p19 / 20 * (i == 0 ? 1 : 0x1p-19) + 4 * U);
+        check(coin_priv_locate(NULL, events[i], 0, 1, at1) == 0);
+    }
+}
+
 /* ------------------------------------------------------------------ energy */
 /* The integral of mu N times the slip speed over a time, by Gauss. */
 static double heat(coin_slide d, const coin_params *p, const coin_friction *f,
@@ -299,6 +328,7 @@ int main(void)
         TEST(without_friction_five_quantities_are_kept),
         TEST(a_tumbling_coin_slips_and_rolls_again_at_the_reference_times),
         TEST(a_slip_shorter_than_a_step_is_not_stepped_over),
+        TEST(an_event_is_located_however_curved_its_function_is),
         TEST(the_energy_lost_is_the_integral_of_friction_times_slip),
         TEST(of_random_launches_no_energy_rises_and_no_force_pulls),
     };
