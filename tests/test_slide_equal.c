@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Slips that begin without acceleration, as mu_static = mu_kinetic makes them.
- */
+/* Slips that begin with little acceleration, or none: mu_static exceeds
+ * mu_kinetic by 4e-4 of it, or not at all. */
 #include "support/check.h"
 #include "support/coins.h"
 #include "support/newton.h"
@@ -18,7 +18,7 @@
  * at most, as it is of the second order at least. */
 #define STEPS 0.04
 
-static const double tols[] = {1e-4, 1e-7, 1e-10};
+static const double tols[] = {1e-4, 1e-8, 1e-10};
 
 /* A launch, and where Newton's and Euler's laws take it. */
 struct launch {
@@ -35,7 +35,7 @@ static struct launch random_roll(struct random *r)
     struct launch l;
     const double mu = random_between(r, 0.1, 0.5);
     l.p = r->drawn % 2 ? disc() : ring(random_between(r, 0, 1));
-    l.f = (coin_friction){mu, mu};
+    l.f = (coin_friction){mu * (r->drawn / 2 % 2 ? 1 + 4e-4 : 1), mu};
     const coin_state s = {
         .theta = random_between(r, -0.8, 0.8),
         .wX = random_between(r, -1, 1),
@@ -57,12 +57,11 @@ static int slips_later(struct launch *l)
     coin_reaction(&l->from.s, &l->p, &f);
     if (!(f.ratio < l->f.mu_static))
         return 0;
-    const double mu = l->f.mu_static;
-    const int mode = newton(&coarse, &l->p, mu, TIME, STEPS, &reached);
+    const int mode = newton(&coarse, &l->p, &l->f, TIME, STEPS, &reached);
     if (mode > NEWTON_LIFTS)
         return 0;
     l->truth = l->from;
-    l->mode = newton(&l->truth, &l->p, mu, TIME, STEPS / 2, &l->reached);
+    l->mode = newton(&l->truth, &l->p, &l->f, TIME, STEPS / 2, &l->reached);
     const double lost = coin_slide_energy(&l->from, &l->p) -
                         coin_slide_energy(&l->truth, &l->p);
     l->error = fmax(slides_apart(&coarse, &l->truth, &l->p),
@@ -71,7 +70,7 @@ static int slips_later(struct launch *l)
     return l->mode == mode && (mode == NEWTON_LIFTS || lost > 1e-6);
 }
 
-static void equal_coefficients_give_the_motion_of_newton_and_euler(
+static void coefficients_that_hardly_differ_give_the_motion_of_newton_and_euler(
     void **unused)
 {
     (void)unused;
@@ -100,7 +99,8 @@ static void equal_coefficients_give_the_motion_of_newton_and_euler(
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(equal_coefficients_give_the_motion_of_newton_and_euler),
+        TEST(
+            coefficients_that_hardly_differ_give_the_motion_of_newton_and_euler),
     };
     return RUN_TESTS(tests);
 }

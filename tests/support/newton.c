@@ -9,7 +9,7 @@
 
 /* Where a slip begins, the coin rolls on for h/WAIT of the time in which the
  * motion changes.  The acceleration of the slip grows in proportion to the
- * time, so that the slip gains half of its last value times that wait. */
+ * time, so that a trapezoid gives the slip gained to the third order. */
 #define WAIT 4
 
 /* A step of a slip is RELAXED h of the time in which its direction relaxes, and
@@ -31,7 +31,7 @@ typedef struct vector {
 enum { AXIS, L = 3, VX = 6, VZ, PX, PZ, PHI, PSI, SIZE };
 
 struct coin {
-    double IX, IZ, mu;
+    double IX, IZ, mu_static, mu;
     double y[SIZE];
 };
 
@@ -175,7 +175,7 @@ static double left(const struct coin *c, int slips)
     if (slips)
         return sliding(c, direction(under(c, none).u)).y;
     const vector F = sticking(c);
-    return c->mu * F.y - speed(F);
+    return c->mu_static * F.y - speed(F);
 }
 
 /* The step that ends where nothing is left; nothing is at h. */
@@ -223,13 +223,14 @@ static vector onset(const struct coin *c)
     return (vector){cos(a1), 0, sin(a1)};
 }
 
-/* Adds to a coin that rolls what a slip would have changed in a time. */
-static void push(struct coin *c, double time)
+/* Adds to a coin half of what a slip, beginning at another, would change in a
+ * time. */
+static void push(struct coin *to, const struct coin *at, double time)
 {
-    const struct result rolls = moves(c, 0);
-    const struct result slips = under(c, sliding(c, onset(c)));
+    const struct result rolls = moves(at, 0);
+    const struct result slips = under(at, sliding(at, onset(at)));
     for (int i = 0; i < SIZE; ++i)
-        c->y[i] += time * (slips.d[i] - rolls.d[i]);
+        to->y[i] += time / 2 * (slips.d[i] - rolls.d[i]);
 }
 
 /* Where the slip is 0: whether the coin rolls on, or a slip begins. */
@@ -237,25 +238,37 @@ static int begun(struct coin *c)
 {
     if (left(c, 0) >= 0)
         return NEWTON_ROLLS;
-    push(c, 1e-9);
+    push(c, c, 2e-9);
     return left(c, 1) > 0 ? NEWTON_SLIPS : NEWTON_LIFTS;
 }
 
 /* ------------------------------------------------------------------- modes */
+/* A coin that leaves the cone rolls on for a wait, and gains the slip of that
+ * time, by trapezoids. */
+static double leave(struct coin *c, double most, double used, double wait,
+                    int *mode)
+{
+    const double when = bisected(c, 0, used);
+    const struct coin from = step(c, 0, when);
+    const double waits = fmin(most - when, wait);
+    struct coin end = step(c, 0, when + waits);
+    if (left(&end, 0) < 0) {
+        const struct coin rolled = end;
+        push(&end, &from, waits);
+        push(&end, &rolled, waits);
+        *mode = left(&end, 1) > 0 ? NEWTON_SLIPS : NEWTON_LIFTS;
+    }
+    *c = end;
+    return when + waits;
+}
+
 /* A step of a coin that rolls; its length. */
 static double roll(struct coin *c, double most, double h, int *mode)
 {
-    double used = fmin(most, h * period(c));
-    struct coin end = step(c, 0, used);
-    if (left(&end, 0) < 0) {
-        const double wait = h / WAIT * period(c);
-        used = fmin(most, bisected(c, 0, used) + wait);
-        end = step(c, 0, used);
-        if (left(&end, 0) < 0) {
-            push(&end, fmin(wait, used) / 2);
-            *mode = left(&end, 1) > 0 ? NEWTON_SLIPS : NEWTON_LIFTS;
-        }
-    }
+    const double used = fmin(most, h * period(c));
+    const struct coin end = step(c, 0, used);
+    if (left(&end, 0) < 0)
+        return leave(c, most, used, h / WAIT * period(c), mode);
     *c = end;
     return used;
 }
@@ -282,7 +295,8 @@ static double slip(struct coin *c, double most, double h, int *mode)
 }
 
 /* ------------------------------------------------------- slides, and theirs */
-static struct coin coin_of(const coin_slide *d, const coin_params *p, double mu)
+static struct coin coin_of(const coin_slide *d, const coin_params *p,
+                           const coin_friction *f)
 {
     const coin_state *s = &d->s;
     const double st = sin(s->theta), ct = cos(s->theta);
@@ -294,7 +308,8 @@ static struct coin coin_of(const coin_slide *d, const coin_params *p, double mu)
         plus(plus(plus(none, IX * s->wX, eX), IX * s->wY, eY), IZ * s->wZ, eZ);
     const struct coin c = {IX,
                            IZ,
-                           mu,
+                           f->mu_static,
+                           f->mu_kinetic,
                            {eZ.x, eZ.y, eZ.z, momentum.x, momentum.y,
                             momentum.z, d->vx, d->vz, s->x, s->z, s->phi,
                             s->psi}};
@@ -313,10 +328,10 @@ static void slide_of(coin_slide *d, const struct coin *c)
     d->vz = c->y[VZ];
 }
 
-int newton(coin_slide *d, const coin_params *p, double mu, double t, double h,
-           double *reached)
+int newton(coin_slide *d, const coin_params *p, const coin_friction *f,
+           double t, double h, double *reached)
 {
-    struct coin c = coin_of(d, p, mu);
+    struct coin c = coin_of(d, p, f);
     const vector none = {0, 0, 0};
     int mode = NEWTON_SLIPS;
     if (speed(under(&c, none).u) < STOPPED)

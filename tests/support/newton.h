@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A coin with Coulomb's friction, mu_static = mu_kinetic, by Newton's and
- * Euler's laws in the table's frame.
+/* A coin with Coulomb's friction, by Newton's and Euler's laws in the table's
+ * frame.
  *
  * The forces are solutions of linear equations whose coefficients are these
  * laws evaluated, so that no formula of docs/physics.md beyond the angles of a
@@ -15,9 +15,10 @@
 enum { NEWTON_ROLLS, NEWTON_SLIPS, NEWTON_LIFTS, NEWTON_FLAT, NEWTON_COSTLY };
 
 /* Moves a slide by t.  M = a = g = 1.  A step is h of the time in which the
- * motion changes; the error is at least of the second order in h.  *reached is
- * the time at which the motion ends. */
-int newton(coin_slide *d, const coin_params *p, double mu, double t, double h,
-           double *reached);
+ * motion changes.  A slip should begin with little acceleration; the error is
+ * at least of the second order in h.  *reached is the time at which the motion
+ * ends. */
+int newton(coin_slide *d, const coin_params *p, const coin_friction *f,
+           double t, double h, double *reached);
 
 #endif
