@@ -70,8 +70,7 @@ static int slips_later(struct launch *l)
     return l->mode == mode && (mode == NEWTON_LIFTS || lost > 1e-6);
 }
 
-static void coefficients_that_hardly_differ_give_the_motion_of_newton_and_euler(
-    void **unused)
+static void nearly_equal_coefficients_agree_with_newton_and_euler(void **unused)
 {
     (void)unused;
     const int32_t want[] = {COIN_OK, COIN_SLIPS, COIN_ELIFT};
@@ -99,8 +98,7 @@ static void coefficients_that_hardly_differ_give_the_motion_of_newton_and_euler(
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(
-            coefficients_that_hardly_differ_give_the_motion_of_newton_and_euler),
+        TEST(nearly_equal_coefficients_agree_with_newton_and_euler),
     };
     return RUN_TESTS(tests);
 }
