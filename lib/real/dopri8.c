@@ -11,8 +11,8 @@
 
 #include <math.h>
 
-/* The variables go abreast, as many as a vector holds: each number gives the
- * same bits.  Up to WIDE they are 0. */
+/* The variables are computed side by side, as many as a vector holds; any
+ * number of lanes gives the same bits.  The variables from n to WIDE are 0. */
 enum { WIDE = 16, SLOPES = 10, LANES = COIN_PRIV_LANES };
 
 #if COIN_PRIV_WIDTH
@@ -40,8 +40,8 @@ COIN_PRIV_INLINE void store(double *to, lanes value)
     *(in_memory *)to = value;
 }
 
-/* A row of the tableau times the slopes number `first` and on, of the variables
- * number i and on. */
+/* A row of the tableau times `count` slopes from number `first` on, for the
+ * variables from number i on. */
 COIN_PRIV_INLINE lanes sum_row(const struct stages *s, const double *row,
                                int first, int count, int i)
 {
