@@ -211,8 +211,8 @@ static void a_slip_shorter_than_a_step_is_not_stepped_over(void **unused)
     check_near(coin_slide_energy(&e, &p), coin_slide_energy(&g, &p), 1e-6);
 }
 
-/* Hardly more than 0 beyond a root at 1/2, or before it: secants alone would
- * take thousands of trials. */
+/* Nearly constant beyond a root at 1/2, or before it: secants alone would take
+ * thousands of trials. */
 static double flat_after(coin_priv_sliding *unused, double h)
 {
     (void)unused;
@@ -228,13 +228,13 @@ static double flat_before(coin_priv_sliding *unused, double h)
 static void an_event_is_located_however_curved_its_function_is(void **unused)
 {
     (void)unused;
+    static coin_priv_sliding any;
     coin_priv_event *const events[] = {flat_after, flat_before};
     for (int i = 0; i < 2; ++i) {
-        const double at0 = events[i](NULL, 0), at1 = events[i](NULL, 1);
-        const double h = coin_priv_locate(NULL, events[i], at0, 1, at1);
-        /* Rounding of pow() over the slope, 20 * 2^-19 at the root. */
-        check_near(h, 0.5, U * 0x1p19 / 20 * (i == 0 ? 1 : 0x1p-19) + 4 * U);
-        check(coin_priv_locate(NULL, events[i], 0, 1, at1) == 0);
+        const double at0 = events[i](&any, 0), at1 = events[i](&any, 1);
+        const double h = coin_priv_locate(&any, events[i], at0, 1, at1);
+        check_near(h, 0.5, 8 * U);
+        check(coin_priv_locate(&any, events[i], 0, 1, at1) == 0);
     }
 }
 
