@@ -16,7 +16,7 @@ static void a_refused_step_is_followed_by_a_shorter_one(void **unused)
             const double next = coin_priv_next_stride(1, used, error);
             check_within(next, 0.2 * used, 0.9 * used);
         }
-    check_near(coin_priv_next_stride(1, 1, INFINITY), 0.2, 1e-3);
+    check_near(coin_priv_next_stride(1, 1, (double)INFINITY), 0.2, 1e-3);
 }
 
 static void a_step_that_was_cut_short_does_not_lessen_the_stride(void **unused)

@@ -32,7 +32,7 @@ struct launch {
 /* A coin that rolls, and slips soon. */
 static struct launch random_roll(struct random *r)
 {
-    struct launch l;
+    struct launch l = {0};
     const double mu = random_between(r, 0.1, 0.5);
     l.p = r->drawn % 2 ? disc() : ring(random_between(r, 0, 1));
     l.f = (coin_friction){mu * (r->drawn / 2 % 2 ? 1 + 4e-4 : 1), mu};
