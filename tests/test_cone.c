@@ -52,17 +52,34 @@ static double largest_ratio(const coin_state *start, const coin_params *p,
     return most;
 }
 
+/* Their largest F/N lies where the interpolation of a step misses it: by more
+ * than a millionth of it in cone.c at tol = 1e-7, and by 1e-4 of it in plain.c
+ * at tol = 1e-9. */
+static const coin_state missed[] = {
+    {.theta = -0.31780486523710139,
+     .wX = -0.91812444742281762,
+     .wY = 0.4796022495986918,
+     .wZ = -0.78394759095349276},
+    {.theta = -0.022350328805363917,
+     .wX = -0.30737023316950385,
+     .wY = 0.10902287667631105,
+     .wZ = 1.8179989668970493},
+};
+enum { MISSED = sizeof missed / sizeof *missed };
+
 /* With mu_static a millionth below the largest F/N of the motion it slips, with
  * one a millionth above it does not; and by tol more, as the motion may err. */
 static void a_millionth_above_the_cone_is_found_wherever_it_lies(void **unused)
 {
     (void)unused;
-    const double tols[] = {1e-2, 1e-4, 1e-7, 1e-10};
+    const double tols[] = {1e-2, 1e-4, 1e-7, 1e-9};
     struct random r = random_begin(181);
     int found = 0, tries = 0;
     while (found < 60 && ++tries < 1000) {
-        const coin_params p = tries % 2 ? disc() : ring(0.9);
-        const coin_state s = random_state(&r, &p, 1.2);
+        const int named = tries <= MISSED;
+        const coin_params p = named || tries % 2 ? disc() : ring(0.9);
+        const coin_state s =
+            named ? missed[tries - 1] : random_state(&r, &p, 1.2);
         const double t = 4;
         double when;
         const double most = largest_ratio(&s, &p, t, &when);

@@ -5,9 +5,9 @@
 #include "support/losses.h"
 #include "support/slides.h"
 
+#include "slide.h"
+
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 /* The scenes of tests/reference/losses. */
 static const struct scene {
@@ -59,31 +59,26 @@ static double row_error(const struct scene *c, const struct table *t,
 }
 
 /* One of the rows is the event itself, where the status is either. */
+static void check_row(const void *scene, const struct table *t, size_t row,
+                      const double unit[3])
+{
+    const struct scene *c = scene;
+    int32_t status = COIN_OK;
+    for (double tol = 1e-10; tol < 1e-5; tol *= 1000)
+        check_within(row_error(c, t, row, tol, unit, &status), 0,
+                     tol * (1 + table_at(t, row, "t")) + 1e-12);
+    const int rolls = table_at(t, row, "rolls") > 0;
+    const int event =
+        rolls && (row == 0 || !(table_at(t, row - 1, "rolls") > 0));
+    if (!event)
+        check_status(status, rolls ? COIN_OK : COIN_SLIPS);
+}
+
 static void every_row_of_the_reference_is_met_in_any_units(void **unused)
 {
     (void)unused;
-    const double units[][3] = {{1, 1, 1}, {0.00567, 0.01213, 0.0351}};
-    for (int i = 0; i < SCENES; ++i) {
-        struct table t;
-        char file[64];
-        snprintf(file, sizeof file, "losses/%s.csv", scenes[i].name);
-        table_load(&t, file);
-        for (size_t row = 0; row < t.rows; ++row)
-            for (int u = 0; u < 2; ++u) {
-                int32_t status;
-                check_note("%s, row %zu, units %d", scenes[i].name, row, u);
-                for (double tol = 1e-10; tol < 1e-5; tol *= 1000)
-                    check_within(
-                        row_error(&scenes[i], &t, row, tol, units[u], &status),
-                        0, tol * (1 + table_at(&t, row, "t")) + 1e-12);
-                const int rolls = table_at(&t, row, "rolls") > 0;
-                const int event =
-                    rolls &&
-                    (row == 0 || !(table_at(&t, row - 1, "rolls") > 0));
-                if (!event)
-                    check_status(status, rolls ? COIN_OK : COIN_SLIPS);
-            }
-    }
+    for (int i = 0; i < SCENES; ++i)
+        check_losses_rows(scenes[i].name, check_row, &scenes[i]);
 }
 
 /* ------------------------------------------------------------ closed forms */
@@ -216,6 +211,33 @@ static void a_slip_shorter_than_a_step_is_not_stepped_over(void **unused)
     check_near(coin_slide_energy(&e, &p), coin_slide_energy(&g, &p), 1e-6);
 }
 
+/* Nearly constant beyond a root at 1/2, or before it: secants alone would take
+ * thousands of trials. */
+static double flat_after(coin_priv_sliding *unused, double h)
+{
+    (void)unused;
+    return pow(1 - h, 20) - 0x1p-20;
+}
+
+static double flat_before(coin_priv_sliding *unused, double h)
+{
+    (void)unused;
+    return 0x1p-20 - pow(h, 20);
+}
+
+static void an_event_is_located_however_curved_its_function_is(void **unused)
+{
+    (void)unused;
+    static coin_priv_sliding any;
+    coin_priv_event *const events[] = {flat_after, flat_before};
+    for (int i = 0; i < 2; ++i) {
+        const double at0 = events[i](&any, 0), at1 = events[i](&any, 1);
+        const double h = coin_priv_locate(&any, events[i], at0, 1, at1);
+        check_near(h, 0.5, 8 * U);
+        check(coin_priv_locate(&any, events[i], 0, 1, at1) == 0);
+    }
+}
+
 /* ------------------------------------------------------------------ energy */
 /* The integral of mu N times the slip speed over a time, by Gauss. */
 static double heat(coin_slide d, const coin_params *p, const coin_friction *f,
@@ -306,6 +328,7 @@ int main(void)
         TEST(without_friction_five_quantities_are_kept),
         TEST(a_tumbling_coin_slips_and_rolls_again_at_the_reference_times),
         TEST(a_slip_shorter_than_a_step_is_not_stepped_over),
+        TEST(an_event_is_located_however_curved_its_function_is),
         TEST(the_energy_lost_is_the_integral_of_friction_times_slip),
         TEST(of_random_launches_no_energy_rises_and_no_force_pulls),
     };

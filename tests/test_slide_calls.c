@@ -184,21 +184,41 @@ static void a_coin_that_would_lift_off_is_kept_where_it_does(void **unused)
     check(lifted > 20);
 }
 
-/* Falling without turning: flat in finite time, whatever the friction. */
+/* Its friction is 0, and so is the most that there is. */
+static void a_coin_that_needs_no_friction_rolls_on_ice(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction ice = {0, 0};
+    const coin_state needs_none[] = {{.wZ = 1}, {.wY = 2}};
+    for (int i = 0; i < 2; ++i)
+        for (double t = 0; t < 20; t += 5) {
+            coin_slide d;
+            coin_slide_of(&d, &needs_none[i], &p);
+            check_status(coin_slide_advance(&d, &p, &ice, NULL, t, 1e-9, NULL),
+                         COIN_OK);
+            check(d.s.theta == 0 && d.s.wY == needs_none[i].wY);
+        }
+}
+
+/* Falling without turning: flat in finite time, whatever the friction, to
+ * either side. */
 static void a_coin_that_falls_over_rests_also_without_losses(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
     const double mus[] = {0, 0.3, INFINITY};
-    double when[3];
-    for (int i = 0; i < 3; ++i) {
-        const coin_friction f = {mus[i], mus[i] < 1 ? mus[i] : 0.3};
-        const coin_state s = {.theta = 1.2};
+    double when[6];
+    for (int i = 0; i < 6; ++i) {
+        const double mu = mus[i % 3], side = i < 3 ? 1 : -1;
+        const coin_friction f = {mu, mu < 1 ? mu : 0.3};
+        const coin_state s = {.theta = side * 1.2};
         coin_slide d;
         coin_slide_of(&d, &s, &p);
         check_status(coin_slide_advance(&d, &p, &f, NULL, 9, 1e-10, &when[i]),
                      COIN_RESTS);
-        check(d.s.theta > 1.57079632679489 && d.s.wX > 0.5 && d.s.wY == 0);
+        check(side * d.s.theta > 1.57079632679489);
+        check(side * d.s.wX > 0.5 && d.s.wY == 0);
         const coin_slide flat = d;
         double reached = 7;
         check_status(coin_slide_advance(&d, &p, &f, NULL, 9, 1e-10, &reached),
@@ -211,6 +231,8 @@ static void a_coin_that_falls_over_rests_also_without_losses(void **unused)
     check_status(coin_advance(&s, &p, 9, 1e-10, &by_advance), COIN_EFLAT);
     check_near(when[2], by_advance, 1e-9);
     check(when[0] < when[2]);
+    for (int i = 0; i < 3; ++i)
+        check(when[i + 3] == when[i]);
 }
 
 /* In a time so short that the slip has not grown to what it begins with. */
@@ -315,6 +337,7 @@ int main(void)
         TEST(the_force_of_a_slip_is_that_of_newton_and_euler),
         TEST(t_0_changes_nothing_and_says_whether_it_slips),
         TEST(a_coin_that_would_lift_off_is_kept_where_it_does),
+        TEST(a_coin_that_needs_no_friction_rolls_on_ice),
         TEST(a_coin_that_falls_over_rests_also_without_losses),
         TEST(a_slip_that_has_just_begun_takes_the_time_asked),
         TEST(an_upright_coin_without_friction_glides),

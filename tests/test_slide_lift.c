@@ -95,11 +95,27 @@ static void a_coin_slips_where_only_rolling_would_lift_it(void **unused)
     check(slip > 20);
 }
 
+/* A coin that is upright and tips at that rate needs no friction, and a table
+ * that pulls: the slip that would begin has no direction. */
+static void a_force_that_pulls_straight_down_is_told(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state s = {.wX = 1.0625};
+    coin_slide d;
+    coin_force f;
+    check_status(coin_slide_of(&d, &s, &p), COIN_OK);
+    check_status(coin_slide_reaction(&d, &p, &rough, NULL, &f), COIN_OK);
+    check(f.normal == 1 - 1.0625 * 1.0625 && f.friction == 0);
+    check(f.R[0] == 0 && f.R[1] == f.normal && f.R[2] == 0 && isinf(f.ratio));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(a_coin_lifts_off_where_the_force_of_its_slip_is_0),
         TEST(a_coin_lifts_off_in_a_slip_that_has_just_begun),
+        TEST(a_force_that_pulls_straight_down_is_told),
         TEST(a_coin_slips_where_only_rolling_would_lift_it),
     };
     return RUN_TESTS(tests);

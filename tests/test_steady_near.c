@@ -251,7 +251,8 @@ static void fast_coins_and_slow_worlds_too(void **unused)
         {1e-207, 0.25, 0.5, {0.3, 0, 0, 0, 0, 0, 0, -1e-107}, COIN_OK},
         {1, 0.5, 1, {-1e-4, 0, 0, 0, 0, 0, 0, -1e-150}, COIN_OK},
         {1e22, 1e93, 1e4, {0.98, 0, 0, 0, 0, 8e11, 8e11, 8e11}, COIN_OK},
-        {3e8, 2.7e62, 4e61, {-1.48, 0, 0, 0, 0, 0, -1.9, 300}, COIN_EDOMAIN},
+        {3e8, 2.7e62, 4e61, {-1.48, 0, 0, 0, 0, 0, -1.9, 300}, COIN_OK},
+        {77e3, 3e85, 1.6e85, {1.31, 0, 0, 0, 0, 0, 6100, 23e4}, COIN_EDOMAIN},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         coin_params p;

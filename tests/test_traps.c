@@ -120,10 +120,10 @@ CALL(coin_run_symplectic4, run(c, COIN_SYMPLECTIC4))
 
 static int32_t batch(const struct trap_case *c, int32_t method)
 {
-    coin_state s[20];
-    for (int i = 0; i < 20; ++i)
+    coin_state s[9]; /* the widest vector and a coin by itself */
+    for (int i = 0; i < 9; ++i)
         s[i] = c->s;
-    return coin_batch_run(s, 20, &c->p, method, c->dt, 70, NULL);
+    return coin_batch_run(s, 9, &c->p, method, c->dt, 70, NULL);
 }
 CALL(coin_batch_run_rk4, batch(c, COIN_RK4))
 CALL(coin_batch_run_rk8, batch(c, COIN_RK8))
@@ -134,12 +134,14 @@ static int32_t call_coin_sample(const struct trap_case *c)
     return coin_sample(&c->s, &c->p, COIN_RK4, c->dt, 5, 3, s, NULL);
 }
 
-/* So long that it comes to an end: no more than a thousand turns. */
+/* So short that the call comes to an end: no more than a thousand radians of
+ * any of its rates, near flat too. */
 static double some_time(const struct trap_case *c)
 {
     const double wX = c->s.wX, wY = c->s.wY, wZ = c->s.wZ;
-    const double w =
-        sqrt(wX * wX + wY * wY + wZ * wZ + c->p.gravity / c->p.radius);
+    const double cth = cos(c->s.theta);
+    const double w = sqrt((wX * wX + wY * wY) / (cth * cth) + wZ * wZ +
+                          c->p.gravity / (c->p.radius * cth));
     return fmin(c->t, 1e3 / w);
 }
 
@@ -162,11 +164,13 @@ static int32_t call_coin_orbit_at(const struct trap_case *c)
 
 /* -------------------------------------------------------------------- losses
  */
-/* Some of each, of the size of the coin's own torques. */
+/* Some of each: a thousandth of the weight's torque, and less on a body of so
+ * little inertia that it would take many steps. */
 static coin_losses losses(const struct trap_case *c)
 {
-    const double w0 = sqrt(c->p.gravity / c->p.radius);
-    const double torque = 1e-3 * c->p.mass * c->p.gravity * c->p.radius;
+    const double a = c->p.radius, w0 = sqrt(c->p.gravity / a);
+    const double m = c->p.mass * a * a;
+    const double torque = 1e-3 * fmin(m, 4 * c->p.inertia_X) * w0 * w0;
     const coin_losses l = {
         1e-3,        torque, torque / w0, torque / (w0 * sqrt(w0)),
         torque / w0, torque, torque / w0, 0};

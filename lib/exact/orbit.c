@@ -16,8 +16,8 @@
  * by WORST times as much as the rates there admit. */
 #define HIGHEST (COIN_PRIV_HALF_PI - 1e-9)
 
-/* If half the heading per period is nearer to a multiple of pi than this, the
- * path is taken to drift: the difference is rounding. */
+/* If half of the heading gained in a period differs from a multiple of pi by
+ * less than this, the difference is rounding, and the path drifts. */
 #define STRAIGHT 1e-15
 
 /* Parts of a piece, so short that none has two extremes of the distance.  Even

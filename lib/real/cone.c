@@ -3,12 +3,12 @@
 
 #include "cone.h"
 
-/* A force outside the cone by less than this part counts as inside: rounding,
- * where friction is 0 or exactly at its limit. */
+/* A force that leaves the cone by less than this part counts as inside.  Where
+ * friction is 0, or exactly at its limit, the difference is rounding. */
 #define SLACK 1e-14
 
-/* By how much the interpolation may miss what is left, over stride^6: measured
- * on random motions (test_cone), times 4. */
+/* The largest error of the interpolated margin over stride^6: measured on
+ * random motions (test_cone), times 4. */
 #define MISS 0.006
 
 /* A step of less stride is not looked into any further. */

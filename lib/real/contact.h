@@ -9,9 +9,9 @@
 
 #include "losses.h"
 
-/* What a step moves; all are doubles, an array to the method.  uX, uh: the slip
- * velocity along e_X and e_h = (sin phi, 0, cos phi).  The pose is what a step
- * adds to it. */
+/* The variables of a step.  All are doubles, so that the method takes them as
+ * an array.  uX, uh: the slip velocity along e_X and e_h = (sin phi, 0, cos
+ * phi). phi to t are what the step adds. */
 typedef struct coin_priv_slip {
     double wX, wY, wZ, sth, cth, uX, uh; /* what the force depends on */
     double sph, cph, phi, psi, x, z, t;
@@ -43,7 +43,7 @@ typedef struct coin_priv_direction {
 int32_t coin_priv_table_of(coin_priv_table *out, const coin_params *p,
                            const coin_friction *f, const coin_losses *l);
 
-/* The force that keeps a contact without slip so; y->uX and y->uh are 0. */
+/* The force that keeps the slip at 0, where y->uX and y->uh are 0. */
 coin_priv_push coin_priv_static(const coin_priv_table *table,
                                 const coin_priv_slip *y);
 
@@ -76,13 +76,13 @@ void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_table *table,
 double coin_priv_margin(const coin_priv_table *table,
                         const coin_priv_push *force);
 
-/* Whether a coin whose contact leaves the cone of friction slips: N of (80) has
- * one sign in all directions.  Else it lifts off; so does one that cannot slip,
- * where mu_static is infinite. */
+/* Whether a coin whose contact leaves the cone of friction slips.  If not, it
+ * lifts off: N of (80), whose sign is that of all directions, is not above 0,
+ * or mu_static is infinite. */
 int coin_priv_can_slip(const coin_priv_table *table, const coin_priv_slip *y);
 
-/* The direction in which a slip begins, where sticking needs more than the
- * friction there is: (84).  *stick is not 0 along the table. */
+/* The direction in which a slip begins where sticking would need more friction
+ * than mu_static gives: (84).  The friction of *stick is not 0. */
 coin_priv_direction coin_priv_onset(const coin_priv_table *table,
                                     const coin_priv_slip *y,
                                     const coin_priv_push *stick);

@@ -5,9 +5,9 @@
 
 #include "../step/run.h"
 
-/* A call's first step is FIRST tol^(1/8) over the rate, as long as most motions
- * admit.  No step is longer than LONGEST: there the estimate of the error is
- * good. */
+/* The first step of a call is FIRST tol^(1/8) over the rate: most motions admit
+ * it.  No step is longer than LONGEST over the rate: beyond that the estimate
+ * of the error is poor. */
 #define COIN_PRIV_FIRST_STRIDE 4.0
 #define COIN_PRIV_LONGEST_STRIDE 1.2
 
@@ -70,9 +70,9 @@ COIN_PRIV_INLINE double coin_priv_first_stride(double tol)
     return first < COIN_PRIV_LONGEST_STRIDE ? first : COIN_PRIV_LONGEST_STRIDE;
 }
 
-/* The stride of the next step: by the error of the one tried, whose stride was
- * `used`.  A step that was short because of the call's end does not lessen it.
- */
+/* The stride of the next step, from the error of the step tried, whose stride
+ * was `used`.  An accepted step that was shorter than `stride` for another
+ * reason does not lessen it. */
 COIN_PRIV_INLINE double coin_priv_next_stride(double stride, double used,
                                               double error)
 {

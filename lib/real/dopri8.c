@@ -13,8 +13,8 @@
 
 #include <math.h>
 
-/* The variables go abreast, as many as a vector holds: each number gives the
- * same bits.  Up to WIDE they are 0. */
+/* The variables are computed side by side, as many as a vector holds; any
+ * number of lanes gives the same bits.  The variables from n to WIDE are 0. */
 enum { WIDE = 16, SLOPES = 10 };
 
 /* A step under way: its start, and the slopes that rows to come read. */
@@ -23,8 +23,8 @@ struct stages {
     double y[WIDE], d[SLOPES][WIDE];
 };
 
-/* A row of the tableau times the slopes number `first` and on, of the variables
- * number i and on. */
+/* A row of the tableau times `count` slopes from number `first` on, for the
+ * variables from number i on. */
 COIN_PRIV_INLINE lanes sum_row(const struct stages *s, const double *row,
                                int first, int count, int i)
 {

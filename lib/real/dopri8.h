@@ -7,8 +7,7 @@
 /* The most variables. */
 #define COIN_PRIV_DOPRI8_MOST 14
 
-/* What a step leaves to judge its error by, variable by variable: the
- * estimates of order 5 and 3. */
+/* The estimates of the error of each variable, of order 5 and of order 3. */
 typedef struct coin_priv_estimates {
     double by5[COIN_PRIV_DOPRI8_MOST], by3[COIN_PRIV_DOPRI8_MOST];
 } coin_priv_estimates;

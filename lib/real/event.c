@@ -75,8 +75,8 @@ static void bisect(const coin_priv_search *f, const coin_priv_stretch *w,
     }
 }
 
-/* A moment at which a bit holds where two others, at which none does, have N
- * of different signs: between them F exceeds every multiple of N. */
+/* A moment between two at which no bit holds and N has different signs.  Where
+ * N changes its sign, F exceeds mu N for every mu, and so a bit holds. */
 static coin_priv_moment between(const coin_priv_search *f,
                                 const coin_priv_stretch *w,
                                 coin_priv_moment low, coin_priv_moment high)

@@ -9,8 +9,8 @@
 #include "lossy.h"
 #include "stretch.h"
 
-/* The slip speed, in natural units, below which a coin rolls; and that which a
- * slip begins with. */
+/* The slip speeds, in natural units, below which a coin rolls, and with which a
+ * slip begins. */
 #define COIN_PRIV_SLIP_LEAST 1e-10
 #define COIN_PRIV_SLIP_SEED 2e-10
 
@@ -23,7 +23,7 @@ typedef struct coin_priv_sliding {
     coin_losses losses;
     double uX, uh; /* 0 while the coin rolls */
     int slips, lossy;
-    double gained;     /* slip speed not yet begun with */
+    double gained;     /* the slip speed gained in an onset so far */
     coin_priv_sum rem; /* the time still to go */
     coin_priv_reach reach;
     double tol, roll_stride, slip_stride;
@@ -42,25 +42,25 @@ typedef struct coin_priv_sliding {
 /* The most steps of a call, those refused included. */
 #define COIN_PRIV_SLIDE_TRIES (UINT64_C(1) << 20)
 
-/* The variables of a slide; its pose counts from 0. */
+/* The variables of a slip, with a pose of 0. */
 coin_priv_slip coin_priv_slip_of(const coin_priv_variables *y, double uX,
                                  double uh);
 
-/* Takes the run to *y, whose pose counts from where the run was; 0, and *r
- * untouched, if phi or psi leave their range. */
+/* Moves the run to *y, whose pose is the change since the last step; 0, and *r
+ * untouched, if phi or psi would leave its range. */
 int coin_priv_slip_into(coin_priv_run *r, const coin_priv_slip *y);
 
-/* Takes the slide to *y. */
+/* Moves the slide to *y: COIN_OK, or COIN_ESTEP as above. */
 int32_t coin_priv_slip_take(coin_priv_sliding *g, const coin_priv_slip *y);
 
-/* Lays the coin flat as it moves: COIN_RESTS. */
+/* Sets the lean to flat, and keeps the rate of fall: COIN_RESTS. */
 int32_t coin_priv_lie(coin_priv_run *r);
 
-/* What of a step is 0 at an event. */
+/* A function of the length of a step that is 0 at an event. */
 typedef double coin_priv_event(coin_priv_sliding *g, double h);
 
-/* The h in [0, h1] at which an event happens, where it is at0 at 0 and at1 <= 0
- * at h1; on the side of 0, and 0 unless at0 > 0. */
+/* The h in [0, h1] at which an event happens: from its values at0 at 0, and
+ * at1 <= 0 at h1.  It is not after the event.  0 unless at0 > 0. */
 double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
                         double at0, double h1, double at1);
 
@@ -75,15 +75,16 @@ double coin_priv_roll_rate(const coin_priv_sliding *g);
 /* A step as long as its error allows, at most `most`: its tau, or 0. */
 double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most);
 
-/* Notes where such a step begins; and makes it anew from there, of another tau.
- */
+/* Keeps where such a step begins; repeats the step from there, with another
+ * tau. */
 void coin_priv_mark(coin_priv_sliding *g);
 void coin_priv_again(coin_priv_sliding *g, double tau);
 
 /* Counts the time of that step. */
 void coin_priv_count(coin_priv_sliding *g);
 
-/* Looks at where a run begins: g->seen if it is plain that the coin rolls. */
+/* Checks the cone where a run begins: sets g->seen if the coin clearly rolls.
+ */
 void coin_priv_see(coin_priv_sliding *g);
 
 /* coin_priv_left() where the run is. */

@@ -6,21 +6,21 @@
 #include "hold.h"
 #include "slide.h"
 
-/* How much of the rate at which the direction of a slip settles counts: a step
- * of COIN_PRIV_LONGEST_STRIDE is then 5 of its relaxation times, and the method
- * is stable up to 6. */
+/* The weight, in the rate of a step, of the rate at which the direction of a
+ * slip relaxes.  The longest step is then 5 relaxation times, and the method is
+ * stable up to 6. */
 #define RELAX 0.24
 
-/* A step may cover this part of the way to the point where the contact turns
- * round. */
+/* The longest step, in parts of the distance to where the contact turns round.
+ */
 #define TURN_ROUND 0.5
 
-/* The error of the slip velocity over the slip velocity, at most: friction has
- * its direction. */
+/* The largest error of the slip velocity, in parts of that velocity: friction
+ * has its direction. */
 #define SLIP_ERROR 1e-2
 
-/* A slip is a straight line for this part, times sqrt(tol) and at most
- * BRIEFEST, of the time in which the coin moves. */
+/* A slip is taken as a straight line for the lesser of BRIEF sqrt(tol) and
+ * BRIEFEST, in parts of the time in which the motion changes. */
 #define BRIEF 0.25
 #define BRIEFEST 0.003
 
@@ -227,8 +227,8 @@ static double brief_of(const coin_priv_sliding *g, const coin_priv_slip *y,
     return part / (rate * coin_priv_slip_scale(&g->table, u));
 }
 
-/* A straight line of so many sigma, or to the end of the time: whether it comes
- * to its end before. */
+/* Moves *y along a straight line, by h in sigma or to the end of the time;
+ * whether it came to h. */
 static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
                        double rem)
 {
@@ -242,9 +242,9 @@ static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
     return fits;
 }
 
-/* A brief slip, or the end of one whose speed is all but 0, from where on the
- * coin rolls, or slips on in another direction.  0, and nothing done, if it is
- * not brief, or the coin may lift. */
+/* Takes a brief slip, or the end of one whose speed is nearly 0, in one
+ * straight line.  After its end the coin rolls, or slips in another direction.
+ * 0, and nothing done, if the slip is not brief, or the coin may lift off. */
 static int is_brief(coin_priv_sliding *g, coin_priv_slip *to,
                     const coin_priv_slip *d)
 {

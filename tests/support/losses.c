@@ -4,6 +4,7 @@
 #include "check.h"
 
 #include <math.h>
+#include <stdio.h>
 
 const coin_state spun = {.theta = 1.25, .wX = 0.05, .wY = 1.125};
 
@@ -50,11 +51,27 @@ coin_state state_in(const coin_state *s, double L, double T)
     return r;
 }
 
+void check_losses_rows(const char *name, row_check *check_row,
+                       const void *scene)
+{
+    const double units[][3] = {{1, 1, 1}, {0.00567, 0.01213, 0.0351}};
+    struct table t;
+    char file[64];
+    snprintf(file, sizeof file, "losses/%s.csv", name);
+    table_load(&t, file);
+    for (size_t row = 0; row < t.rows; ++row)
+        for (int u = 0; u < 2; ++u) {
+            check_note("%s, row %zu, units %d", name, row, u);
+            check_row(scene, &t, row, units[u]);
+        }
+}
+
 int32_t settle(coin_state *s, const coin_params *p, const coin_losses *l,
                double tol, double *when)
 {
     return coin_settle(s, p, l, 1e6 * natural_time(p), tol, when);
 }
+
 coin_losses random_losses(struct random *r, const coin_params *p, double most)
 {
     double *member;

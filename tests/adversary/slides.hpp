@@ -1,0 +1,290 @@
+/* SPDX-License-Identifier: MIT */
+/* Coins that slip, by the equations of docs/physics.md in time. */
+#ifndef ROLLCOIN_ADVERSARY_SLIDES_HPP
+#define ROLLCOIN_ADVERSARY_SLIDES_HPP
+
+#include "midpoint.hpp"
+#include "scene.hpp"
+#include "truth.hpp"
+
+/* A scene's velocity of the centre, in parts of sqrt(g a), and its friction. */
+struct asked {
+    coin_params p;
+    coin_slide d;
+    coin_friction f;
+
+    explicit asked(const scene &s) : p(params_of<doubles>(s))
+    {
+        const double v = std::sqrt(s.g * s.a);
+        d = {state_of<doubles>(s), s.q[0] * v, s.q[1] * v};
+        f = {s.tol * 1.1, s.tol};
+    }
+};
+
+/* The slip velocity along e_X and e_h, (77). */
+template <class R> struct slipping {
+    terms<R> X, h;
+
+    slipping(const moment<R> &y, const coin_slide &d)
+    {
+        X.add(R(d.vx) * y.cph).add(-R(d.vz) * y.sph).add(y.a * y.wZ);
+        h.add(R(d.vx) * y.sph).add(R(d.vz) * y.cph).add(-y.a * y.wX * y.c);
+    }
+    R speed() const
+    {
+        return root(X.value * X.value + h.value * h.value);
+    }
+    R size() const
+    {
+        return X.size + h.size;
+    }
+};
+
+/* The force on a contact without slip, where M = a = g = 1. */
+template <class R> struct held {
+    R N, X, h;
+
+    held(R IX, R IZ, R s, R c, const R w[3])
+    {
+        const R wX = w[0], wY = w[1], wZ = w[2];
+        const R dwX = (-(1 + IZ) * wY * wZ - IX * wY * wY * s / c + s) /
+                      (1 + IX);                    /* (14) */
+        N = 1 - wX * wX * c - dwX * s;             /* (27) */
+        X = wX * wY * IZ / (1 + IZ);               /* (25) */
+        h = -wX * wX * s + dwX * c + wY * wZ / c;  /* (26) */
+    }
+    R friction() const
+    {
+        return root(X * X + h * h);
+    }
+};
+
+/* Natural units: M = a = g = 1. */
+template <class R> class slide
+{
+  public:
+    using vector = std::array<R, 10>; /* lean, phi, psi, x, z, wX, wY, wZ, vX,
+                                         vh */
+    vector y;
+    R a, w; /* the radius, and natural units of rate in the coin's own */
+
+    explicit slide(const asked &q)
+    {
+        const moment<R> m(q.p, q.d.s);
+        const slipping<R> u(m, q.d);
+        a = m.a;
+        w = root(m.g / m.a);
+        IX = m.IX / m.m;
+        IZ = m.IZ / m.m;
+        mu = q.f.mu_kinetic;
+        y = {m.theta, m.phi,    m.psi,    m.x / a,
+             m.z / a, m.wX / w, m.wY / w, m.wZ / w,
+             u.X.value / (a * w) - m.wZ / w,
+             u.h.value / (a * w) + m.wX / w * m.c};
+    }
+
+    /* What became of it: it slips on, it has all but stopped to slip, it lifts
+     * off, or that is too costly to tell. */
+    enum fate { SLIPS, STOPS, LIFTS, UNKNOWN };
+
+    /* Follows the slip for a time, or until its speed is `least`, or it lifts
+     * off; the time is then in `took`, in natural units. */
+    fate follow(R t, R least = R(1e-3))
+    {
+        R left = t * w;
+        took = 0;
+        for (int steps = 0; left > 0; ++steps) {
+            R h = lesser(left, R(0.25) / rate());
+            slide next = *this;
+            if (!(rate() * lesser(R(1), 100 * speed(y)) < 1e3) || steps > 3000 || !next.step(h))
+                return UNKNOWN;
+            const bool lifts = !(next.pressed() > 0);
+            if (lifts)
+                h = until_lifted(h, &next);
+            y = next.y;
+            left -= h;
+            took += h;
+            if (lifts)
+                return LIFTS;
+            if (speed(y) < least)
+                return STOPS;
+        }
+        return SLIPS;
+    }
+    R took = 0;
+
+    /* The slope of the slip speed. */
+    R slowing() const
+    {
+        vector none = {}, d;
+        rates(none, d);
+        const R s = sine(y[0]), c = cosine(y[0]);
+        const R X = y[8] + y[7], h = y[9] - y[5] * c;
+        return (X * (d[8] + d[7]) + h * (d[9] - d[5] * c + y[5] * s * y[5])) /
+               speed(y);
+    }
+
+    R pressed() const
+    {
+        vector none = {}, d;
+        return rates(none, d);
+    }
+
+    /* The slope of the normal force, and how much errors change it. */
+    R lightening() const
+    {
+        slide later = *this;
+        return later.step(R(1e-6)) ? (later.pressed() - pressed()) / R(1e-6)
+                                   : R(0);
+    }
+    R pull() const
+    {
+        R sum = 1;
+        for (size_t i : {0, 5, 6, 7, 8, 9}) {
+            slide other = *this;
+            other.y[i] += R(1e-7);
+            sum += magnitude(other.pressed() - pressed()) / R(1e-7);
+        }
+        return sum;
+    }
+
+    /* The friction of a contact without slip over its normal force; negative
+     * if that is not above 0. */
+    R sticking() const
+    {
+        const held<R> f(IX, IZ, sine(y[0]), cosine(y[0]), &y[5]);
+        return f.N > 0 ? f.friction() / f.N : R(-1);
+    }
+
+    /* The largest difference from an output, in natural units. */
+    R apart(const coin_slide &d) const
+    {
+        const R sph = sine(y[1]), cph = cosine(y[1]), v = a * w;
+        const R at[] = {d.s.theta,    d.s.phi,      d.s.psi,     d.s.x / a,
+                        d.s.z / a,    d.s.wX / w,   d.s.wY / w,  d.s.wZ / w,
+                        R(d.vx) / v * cph - R(d.vz) / v * sph,
+                        R(d.vx) / v * sph + R(d.vz) / v * cph};
+        R worst = 0;
+        for (int i = 0; i < 10; ++i)
+            worst = larger(worst, magnitude(at[i] - y[i]));
+        return worst;
+    }
+    R apart(const slide &o) const
+    {
+        R worst = 0;
+        for (int i = 0; i < 10; ++i)
+            worst = larger(worst, magnitude(o.y[i] - y[i]));
+        return worst;
+    }
+
+    R speed(const vector &q) const
+    {
+        const R X = q[8] + q[7], h = q[9] - q[5] * cosine(q[0]);
+        return root(X * X + h * h);
+    }
+
+  private:
+    R IX, IZ, mu;
+
+    R rate() const
+    {
+        const R c = cosine(y[0]);
+        return root((y[5] * y[5] + y[6] * y[6]) / (c * c) + y[7] * y[7] +
+                    1 / c) +
+               mu * pressed() * (1 + 1 / IX) / speed(y);
+    }
+
+    bool step(R h)
+    {
+        vector change, sizes;
+        sizes.fill(1);
+        if (!extrapolated<R, 10>(
+                [this](const vector &v, vector &d) { rates(v, d); }, sizes, h,
+                change))
+            return false;
+        for (int i = 0; i < 10; ++i)
+            y[i] += change[i];
+        return true;
+    }
+
+    /* The part of a step h that ends where N = 0; *end is there. */
+    R until_lifted(R h, slide *end) const
+    {
+        R low = 0, high = h;
+        for (int i = 0; i < 60; ++i) {
+            const R middle = (low + high) / 2;
+            *end = *this;
+            if (!end->step(middle))
+                return high;
+            (end->pressed() > 0 ? low : high) = middle;
+        }
+        return high;
+    }
+
+    /* At y + v; the normal force. */
+    R rates(const vector &v, vector &d) const
+    {
+        vector q;
+        for (int i = 0; i < 10; ++i)
+            q[i] = y[i] + v[i];
+        const R s = sine(q[0]), c = cosine(q[0]), T = s / c;
+        const R wX = q[5], wY = q[6], wZ = q[7], u = speed(q);
+        const R nX = (q[8] + wZ) / u, nh = (q[9] - wX * c) / u;
+        const R gX = -(IZ * wY * wZ + IX * wY * wY * T) / IX; /* (78) */
+        const R N = (1 - wX * wX * c - s * gX) /
+                    (1 + s * (s + mu * nh * c) / IX); /* (80) */
+        const R FX = -mu * N * nX, Fh = -mu * N * nh, turn = wY / c;
+        const R sph = sine(q[1]), cph = cosine(q[1]);
+        d = {wX,
+             turn,
+             wZ + wY * T,
+             q[8] * cph + q[9] * sph,
+             q[9] * cph - q[8] * sph,
+             gX + (N * s - Fh * c) / IX,
+             wX * (wY * T + IZ / IX * wZ),
+             FX / IZ,
+             FX - turn * q[9],
+             Fh + turn * q[8]};
+        return N;
+    }
+};
+
+/* By how much errors on the way grow until t. */
+inline double growth(const asked &q, long double t)
+{
+    using truth = slide<long double>;
+    truth from(q), end(q);
+    if (end.follow(t) != truth::SLIPS)
+        return 1e30;
+    long double worst = 1;
+    for (int k = 0; k < 4; ++k) {
+        long double sum = 1;
+        for (int i : {0, 5, 6, 7, 8, 9}) {
+            truth other = from;
+            other.y[size_t(i)] += 1e-7L;
+            if (other.follow(t * (4 - k) / 4) != truth::SLIPS)
+                return 1e30;
+            sum += end.apart(other) / 1e-7L;
+        }
+        worst = larger(worst, sum);
+        if (from.follow(t / 4) != truth::SLIPS)
+            return 1e30;
+    }
+    return double(worst);
+}
+
+/* Any velocity of the centre and friction. */
+inline void thrown(scene *s, const double *g)
+{
+    s->tol = 1.2 * g[24];
+    s->t = std::sqrt(s->a / s->g) * std::pow(10, 3.5 * g[22] - 2.5);
+    s->phi = 6 * g[18] - 3;
+    s->psi = 6 * g[19] - 3;
+    s->x = s->a * (6 * g[20] - 3);
+    s->z = s->a * (6 * g[21] - 3);
+    s->q[0] = 4 * g[26] - 2;
+    s->q[1] = 4 * g[27] - 2;
+    s->q[3] = std::pow(10, 9 * g[29] - 12);
+}
+
+#endif

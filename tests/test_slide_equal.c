@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+/* Slips that begin with little acceleration, or none: mu_static exceeds
+ * mu_kinetic by 4e-4 of it, or not at all. */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/newton.h"
+#include "support/slides.h"
+
+#include <math.h>
+
+/* The time of a launch, in natural units. */
+#define TIME 2.0
+
+/* A falling coin amplifies errors as exp(t sqrt(4/5)). */
+#define GROWTH 6.0
+
+/* The steps of the truth; halved, its error falls to a third of the difference
+ * at most, as it is of the second order at least. */
+#define STEPS 0.04
+
+static const double tols[] = {1e-4, 1e-8, 1e-10};
+
+/* A launch, and where Newton's and Euler's laws take it. */
+struct launch {
+    coin_params p;
+    coin_friction f;
+    coin_slide from, truth;
+    int mode;
+    double reached, error;
+};
+
+/* A coin that rolls, and slips soon. */
+static struct launch random_roll(struct random *r)
+{
+    struct launch l = {0};
+    const double mu = random_between(r, 0.1, 0.5);
+    l.p = r->drawn % 2 ? disc() : ring(random_between(r, 0, 1));
+    l.f = (coin_friction){mu * (r->drawn / 2 % 2 ? 1 + 4e-4 : 1), mu};
+    const coin_state s = {
+        .theta = random_between(r, -0.8, 0.8),
+        .wX = random_between(r, -1, 1),
+        .wY = random_between(r, -1, 1),
+        .wZ = random_between(r, -1, 1),
+    };
+    check_note("launch %u of ROLLCOIN_SEED=%llu", ++r->drawn,
+               (unsigned long long)r->seed);
+    check_status(coin_slide_of(&l.from, &s, &l.p), COIN_OK);
+    return l;
+}
+
+/* Whether a slip begins on the way, and the truth is known. */
+static int slips_later(struct launch *l)
+{
+    coin_slide coarse = l->from;
+    coin_force f;
+    double reached;
+    coin_reaction(&l->from.s, &l->p, &f);
+    if (!(f.ratio < l->f.mu_static))
+        return 0;
+    const int mode = newton(&coarse, &l->p, &l->f, TIME, STEPS, &reached);
+    if (mode > NEWTON_LIFTS)
+        return 0;
+    l->truth = l->from;
+    l->mode = newton(&l->truth, &l->p, &l->f, TIME, STEPS / 2, &l->reached);
+    const double lost = coin_slide_energy(&l->from, &l->p) -
+                        coin_slide_energy(&l->truth, &l->p);
+    l->error = fmax(slides_apart(&coarse, &l->truth, &l->p),
+                    fabs(reached - l->reached)) /
+               3;
+    return l->mode == mode && (mode == NEWTON_LIFTS || lost > 1e-6);
+}
+
+static void nearly_equal_coefficients_agree_with_newton_and_euler(void **unused)
+{
+    (void)unused;
+    const int32_t want[] = {COIN_OK, COIN_SLIPS, COIN_ELIFT};
+    struct random r = random_begin(211);
+    int found = 0;
+    while (found < 20 && r.drawn < 400) {
+        struct launch l = random_roll(&r);
+        if (!slips_later(&l))
+            continue;
+        ++found;
+        for (int k = 0; k < 3; ++k) {
+            coin_slide d = l.from;
+            double reached;
+            check_status(coin_slide_advance(&d, &l.p, &l.f, NULL, TIME, tols[k],
+                                            &reached),
+                         want[l.mode]);
+            const double most = GROWTH * tols[k] * (1 + TIME) + l.error + 1e-12;
+            check_within(slides_apart(&d, &l.truth, &l.p), 0, most);
+            check_near(reached, l.reached, most);
+        }
+    }
+    check(found == 20);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(nearly_equal_coefficients_agree_with_newton_and_euler),
+    };
+    return RUN_TESTS(tests);
+}
