@@ -167,14 +167,16 @@ int coin_priv_begin_held_slip(coin_priv_sliding *g)
     const double time = coin_priv_lesser(own * start.cth, g->rem.sum);
     t->held = 1;
     struct onset o = onset_of(g);
-    const double first = COIN_PRIV_SLIP_SEED * t->w0 / o.slope;
-    const int slips = o.slope > 0 && first <= time;
+    const double seed = COIN_PRIV_SLIP_SEED * t->w0, first = seed / o.slope;
+    const int slips = o.slope * time >= seed;
     if (slips) {
         const coin_priv_slip mid = euler(&start, &o, first / 2);
         const coin_priv_push friction = coin_priv_kinetic(t, &mid, o.n);
         coin_priv_slopes_under(&o.slides, t, &mid, &friction);
     }
     t->held = 0;
+    if (!slips)
+        return 0;
     const coin_priv_slip y = euler(&start, &o, first);
-    return slips && begin(g, &y) == COIN_OK;
+    return begin(g, &y) == COIN_OK;
 }
