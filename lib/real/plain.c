@@ -20,14 +20,14 @@
 #define NEAR (1.0 / 1048576)
 
 /* The variables, and with them the slopes of wX and wZ. */
-enum { X, Y, Z, SIN, COS, VARIABLES };
+enum { WX, WY, WZ, SIN, COS, VARIABLES };
 
-COIN_PRIV_INLINE coin_priv_variables slope(const coin_priv_field *f,
+COIN_PRIV_INLINE coin_priv_variables rates(const coin_priv_field *f,
                                            const coin_priv_losses *l,
                                            const double *y)
 {
     const coin_priv_variables at = {
-        y[X], y[Y], y[Z], y[SIN], y[COS], 0, 0, 0, 0,
+        y[WX], y[WY], y[WZ], y[SIN], y[COS], 0, 0, 0, 0,
     };
     coin_priv_variables d = coin_priv_sundman_rates(f, &at);
     if (l) {
@@ -42,10 +42,10 @@ COIN_PRIV_INLINE coin_priv_variables slope(const coin_priv_field *f,
 COIN_PRIV_INLINE void slopes(double *d, const coin_priv_field *f,
                              const coin_priv_losses *l, const double *y)
 {
-    const coin_priv_variables v = slope(f, l, y);
-    d[X] = v.wX;
-    d[Y] = v.wY;
-    d[Z] = v.wZ;
+    const coin_priv_variables v = rates(f, l, y);
+    d[WX] = v.wX;
+    d[WY] = v.wY;
+    d[WZ] = v.wZ;
     d[SIN] = v.sth;
     d[COS] = v.cth;
 }
@@ -53,13 +53,13 @@ COIN_PRIV_INLINE void slopes(double *d, const coin_priv_field *f,
 COIN_PRIV_INLINE coin_priv_need need_of(const coin_priv_table *t,
                                         const double *y, double dwX, double dwZ)
 {
-    const double wX = y[X], wY = y[Y], sth = y[SIN], cth = y[COS];
+    const double wX = y[WX], wY = y[WY], sth = y[SIN], cth = y[COS];
     const double cwX = cth * wX;
     const coin_priv_need F = {
-        cth * t->b.g_a - cwX * cwX - sth * dwX, /* (27) */
-        cwX * wY - dwZ,                         /* (25) */
-        cth * dwX + wY * y[Z] - cwX * wX * sth, /* (26) */
-        cth * t->b.g_a + cwX * wX + wY * wY + fabs(wY * y[Z]),
+        cth * t->b.g_a - cwX * cwX - sth * dwX,  /* (27) */
+        cwX * wY - dwZ,                          /* (25) */
+        cth * dwX + wY * y[WZ] - cwX * wX * sth, /* (26) */
+        cth * t->b.g_a + cwX * wX + wY * wY + fabs(wY * y[WZ]),
     };
     return F;
 }
@@ -100,9 +100,9 @@ void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
 {
     const double near = NEAR * time, per = 1 / near;
     double to[VARIABLES], d[VARIABLES];
-    e->y[X] = y->wX;
-    e->y[Y] = y->wY;
-    e->y[Z] = y->wZ;
+    e->y[WX] = y->wX;
+    e->y[WY] = y->wY;
+    e->y[WZ] = y->wZ;
     e->y[SIN] = y->sth;
     e->y[COS] = y->cth;
     slopes(e->d, f, l, e->y);
@@ -111,8 +111,8 @@ void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
     slopes(d, f, l, to);
     for (int i = 0; i < VARIABLES; ++i)
         e->dd[i] = per * (d[i] - e->d[i]);
-    e->force = need_of(table, e->y, e->d[X], e->d[Z]);
-    const coin_priv_need F = need_of(table, to, d[X], d[Z]);
+    e->force = need_of(table, e->y, e->d[WX], e->d[WZ]);
+    const coin_priv_need F = need_of(table, to, d[WX], d[WZ]);
     e->slope.N = per * (F.N - e->force.N);
     e->slope.X = per * (F.X - e->force.X);
     e->slope.h = per * (F.h - e->force.h);
@@ -161,7 +161,7 @@ static coin_priv_need need_within(const coin_priv_table *table,
         y[i] = (w[0] * a->y[i] + w[3] * b->y[i]) +
                tau * (w[1] * a->d[i] + w[4] * b->d[i]) +
                tau2 * (w[2] * a->dd[i] + w[5] * b->dd[i]);
-    const coin_priv_variables d = slope(f, l, y);
+    const coin_priv_variables d = rates(f, l, y);
     return need_of(table, y, d.wX, d.wZ);
 }
 

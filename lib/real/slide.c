@@ -84,7 +84,7 @@ double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
 }
 
 /* Starts a slide, after the checks. */
-static void begin(coin_priv_sliding *g, const coin_slide *d,
+static void start(coin_priv_sliding *g, const coin_slide *d,
                   const coin_params *p, const coin_losses *l, double t,
                   double tol)
 {
@@ -178,7 +178,7 @@ int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
     double moved = 0;
     status = COIN_RESTS;
     if (!coin_priv_rests(&d->s)) {
-        begin(&g, d, p, l, t, tol);
+        start(&g, d, p, l, t, tol);
         status = mode_of(&g);
         if (t > 0 && status != COIN_ELIFT) {
             status = go_on(&g);

@@ -36,3 +36,5 @@ sweep: $(O)/sweep need-gnuplot ## a million coins: which fall, and which roll on
 	$(O)/sweep 1000 $(O)/sweep-picture/sweep.ppm
 	gnuplot -e "from='$(O)/sweep-picture'" -e "to='$(SRC)/docs/figures'" \
 	    $(BATCH_SRC)/sweep.gp
+	zopflipng -y --iterations=50 $(SRC)/docs/figures/sweep.png \
+	    $(SRC)/docs/figures/sweep.png >/dev/null

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A US quarter for a second: its path, its lean, and the friction that it
+"""A US quarter for 0.6 s: its path, its lean, and the friction that it
 needs, with matplotlib.
 
     python3 picture.py python.svg
@@ -17,7 +17,7 @@ matplotlib.rcParams["svg.hashsalt"] = "rollcoin"  # equal bytes
 
 quarter = rc.disc(0.00567, 0.01213, 9.80665)  # kg, m, m/s^2
 start = rc.State(theta=0.5, wZ=30)  # rad, rad/s
-path = rc.sample(start, quarter, rc.RK8, 1e-3, 5, numpy.zeros(201, rc.State))
+path = rc.sample(start, quarter, rc.RK8, 1e-3, 5, numpy.zeros(121, rc.State))
 
 seconds = numpy.arange(len(path)) * 5e-3
 contact = 1e3 * rc.contact(path, quarter)[0]  # mm

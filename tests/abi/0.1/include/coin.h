@@ -136,10 +136,10 @@ typedef struct coin_losses {
 
 /** Coulomb's dry friction between coin and table. */
 typedef struct coin_friction {
-    double mu_static;  /**< the most friction of a contact that does not slip,
-                            over N; >= mu_kinetic, may be +infinity [1] */
-    double mu_kinetic; /**< friction of one that slips, over N; 0 to the bound
-                            of Painleve, Eq. (86) [1] */
+    double mu_static;  /**< the largest friction of a contact that does not
+                            slip, over N; >= mu_kinetic, may be +infinity [1] */
+    double mu_kinetic; /**< the friction of a contact that slips, over N; from
+                            0 to the bound of Painleve, Eq. (86) [1] */
 } coin_friction;
 
 /** A coin that may slip. */
@@ -939,17 +939,18 @@ COIN_API int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
 
 /* ----------------------------------------------------- coins that slip -- */
 
-/** A coin that rolls, as one that may slip.  Eq. (20).
+/** Makes a slide of the state of a coin that rolls.  Eq. (20).
  * @param[out] d  the state *s, with the velocity that it rolls with
  * @return COIN_OK; the usual errors.
  * Accuracy: 8 u of the terms (test_slide). */
 COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
                                const coin_params *p);
 
-/** Moves a coin that may slip by any time, to a stated accuracy.  It rolls as
- * long as the friction that this needs is below mu_static N, then slips against
- * mu_kinetic N, then rolls again.  Where one becomes the other is located, also
- * inside a step.  Eq. (77)-(87).
+/** Moves a coin that may slip by any time, to a stated accuracy.  The coin
+ * rolls while the friction that rolling needs is at most mu_static N.  When it
+ * needs more, the coin slips against a friction of mu_kinetic N, until its slip
+ * speed is 0.  The moments at which a slip begins and ends are located, also if
+ * both lie within one step.  Eq. (77)-(87).
  *
  * A quarter that is thrown along the table, until it rolls:
  * @code
@@ -968,42 +969,43 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  * @param t          the time, >= 0 [T]
  * @param tol        1e-13 to 1e-2: as coin_advance() and, with losses, as
  *                   coin_settle() [1]
- * @param[out] reached  the time moved by: t, or what was possible; may be null
+ * @param[out] reached  the time by which the coin moved: t, or less if the call
+ *                   ended early; may be null [T]
  * @return COIN_OK: it rolls at the end; COIN_SLIPS: it slips at the end.
- *         COIN_RESTS: the coin lies flat, *reached is when it came to, and d->s
- *         how, as coin_settle() says; a fall without losses is COIN_RESTS too.
- *         From there it returns COIN_RESTS, and *reached = 0.
- *         COIN_ELIFT: the normal force has come to 0, and the coin would lift
- *         off: the slide and *reached are those of that moment.  If N <= 0 at
+ *         COIN_RESTS: the coin lies flat.  *reached is when it touched down,
+ *         and d->s its state then, as coin_settle() says.  A coin without
+ *         losses that falls flat ends so too.  If the coin lies flat at the
+ *         start, *reached = 0.
+ *         COIN_ELIFT: the normal force N has come to 0, and the coin would lift
+ *         off.  The slide and *reached are those of that moment.  If N <= 0 at
  *         the start, *reached = 0 and nothing was moved.  N is that of
- *         coin_slide_reaction(): of a coin that rolls and needs more than
- *         mu_static that of the slip that begins, which may be > 0 where
- *         rolling would take a table that pulls.
+ *         coin_slide_reaction().  For a coin that rolls, and would need more
+ *         friction than mu_static N to go on, it is the N of the slip that
+ *         begins: that may be > 0 where rolling would need a table that pulls.
  *         The usual errors.  COIN_EARG: also for tol out of range.
- *         COIN_EPARAMS: also as coin_losses_check(), for damping > 0, which has
- *         no meaning where nothing rolls, and if mu_kinetic is negative, not
- *         finite, above mu_static, or not below the bound of Painleve,
+ *         COIN_EPARAMS: also as coin_losses_check(), and for damping > 0, which
+ *         is defined for coins that roll only.  Also if mu_kinetic is negative,
+ *         not finite, above mu_static, or not below the bound of Painleve,
  *         2 sqrt(k (1 + k)) with k = I_X/(M a^2), Eq. (86): 1.118 for a disc,
- *         1.732 for a hoop.  Beyond that bound Coulomb's friction has no
- *         definite motion.  COIN_ESTATE: also if vx or vz is not finite, or so
- *         large that energies would overflow.  COIN_ESTEP: t is negative or not
- *         finite, or beyond 1e15 natural units, and nothing was moved; or phi,
- *         psi, x or z leaves its range, or 2^20 steps were not enough: the
- *         slide and *reached are then as far as it came, and another call goes
- *         on.
- * t = 0 changes nothing, and says COIN_OK or COIN_SLIPS.  A coin whose slip
- * speed is below 1e-10 sqrt(g a) rolls; so does one whose friction exceeds its
- * limit by a part of 1e-14, which is rounding.  Without a slip the motion is
- * that of coin_advance().
+ *         1.732 for a hoop.  Beyond that bound Coulomb's friction may allow no
+ *         motion, or several.  COIN_ESTATE: also if vx or vz is not finite, or
+ *         so large that energies would overflow.  COIN_ESTEP: t is negative,
+ *         not finite, or beyond 1e15 natural units, and nothing was moved; or
+ *         phi, psi, x or z would leave its range, or 2^20 steps were not
+ *         enough.  In these two cases the slide is that at *reached, and
+ *         another call goes on.
+ * t = 0 changes nothing: the status tells whether the coin rolls or slips.  A
+ * slip speed below 1e-10 sqrt(g a) counts as 0.  A coin also rolls if its
+ * friction exceeds mu_static N by less than 1e-14 of the terms of the force,
+ * which is rounding.  Without a slip the motion is that of coin_advance().
  * mu_static = mu_kinetic is accepted.  A slip then begins without acceleration,
- * and many short steps follow until it has grown.  Such launches cost 12 times
- * those with mu_kinetic = 0.9 mu_static in the mean, and 70 times in the worst
- * case (make slide-study).  COIN_ESTEP means that 2^20 steps were not enough;
- * no launch of that study needed as many.
- * Accuracy: times of events to 1e-8 at tol = 1e-10, where the motion determines
- *         them (test_slide); a slip that nearly ends, and does not, has a
- *         direction that turns round at once, and its time is less well
- *         determined than the motion after it.
+ * and many short steps follow until it has grown.  A launch costs 12 times as
+ * much as with mu_kinetic = 0.9 mu_static in the mean, and 70 times in the
+ * worst case (make slide-study).  No launch of that study needed 2^20 steps.
+ * Accuracy: the times at which slips begin and end err by less than 1e-8 at
+ *         tol = 1e-10 (test_slide).  The exception is a slip whose speed nearly
+ *         comes to 0: its direction turns round almost at once, and the time of
+ *         that turn is less well determined than the motion after it.
  * Cost: while it rolls 1.4 to 1.5 times that of coin_advance() in long calls
  *         (make slide-study); docs/models.md has more. */
 COIN_API int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
@@ -1011,17 +1013,17 @@ COIN_API int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
                                     const coin_losses *l, double t, double tol,
                                     double *reached);
 
-/** Kinetic energy, of the velocity that it has, plus potential energy.
- * Eq. (88).
+/** Kinetic plus potential energy; the velocity of the centre is that of the
+ * slide.  Eq. (88).
  * @return the energy [M L^2/T^2]; NaN on the usual errors, COIN_ESTATE as
  *         coin_slide_advance().
  * Accuracy: 8 u of the terms (test_slide). */
 COIN_API double coin_slide_energy(const coin_slide *d, const coin_params *p);
 
-/** The force of the table: that of rolling, of a coin that rolls, and that of
- * the slip of one that slips.  Of a coin that rolls and needs more friction
- * than mu_static gives, it is that of the slip that begins.  Eq. (79)-(82),
- * (84).
+/** The force of the table.  If the coin rolls, it is the force that rolling
+ * needs.  If that leaves the cone of friction of mu_static, it is the force of
+ * the slip that begins.  If the coin slips, its friction is mu_kinetic N
+ * against the slip.  Eq. (79)-(82), (84).
  * @param l         losses; may be null: none
  * @param[out] out  the force
  * @return COIN_OK; the usual errors; COIN_EPARAMS and COIN_ESTATE also as
@@ -1032,7 +1034,7 @@ COIN_API int32_t coin_slide_reaction(const coin_slide *d, const coin_params *p,
                                      const coin_losses *l, coin_force *out);
 
 /** The slip velocity: that of the material point of contact.  Eq. (77).
- * @param[out] u  [2] along x and z; 0 where it rolls, to rounding [L/T]
+ * @param[out] u  [2] along x and z; 0 to rounding if the coin rolls [L/T]
  * @return COIN_OK; the usual errors; COIN_ESTATE also as coin_slide_advance().
  * Accuracy: 8 u of the terms (test_slide). */
 COIN_API int32_t coin_slide_velocity(const coin_slide *d, const coin_params *p,
