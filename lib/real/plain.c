@@ -193,8 +193,8 @@ COIN_PRIV_INLINE coin_priv_need third_point(const coin_priv_end *a,
 }
 
 /* Whether a force is in the cone, and off its edge. */
-COIN_PRIV_INLINE int is_held(const coin_priv_need *F, const struct scale *per,
-                             double off)
+COIN_PRIV_INLINE int is_in_cone(const coin_priv_need *F,
+                                const struct scale *per, double off)
 {
     const double most = per->N * F->N - off;
     const double along_X = per->F * F->X, along_h = per->F * F->h;
@@ -203,18 +203,18 @@ COIN_PRIV_INLINE int is_held(const coin_priv_need *F, const struct scale *per,
 
 /* Whether a curve stays in the cone: it does if its points in Bernstein's form
  * do, which are both ends, those a part of tau from them, and one more. */
-COIN_PRIV_INLINE int stays_held(const coin_priv_table *t,
-                                const coin_priv_end *a, const coin_priv_end *b,
-                                double part, const coin_priv_need *point,
-                                double miss)
+COIN_PRIV_INLINE int stays_in_cone(const coin_priv_table *t,
+                                   const coin_priv_end *a,
+                                   const coin_priv_end *b, double part,
+                                   const coin_priv_need *point, double miss)
 {
     const struct scale per = scale_of(t, a->force.size + b->force.size);
     const double off = miss * (1.5 * per.F + per.N);
-    if (!(is_held(&a->force, &per, off) & is_held(&b->force, &per, off)))
+    if (!(is_in_cone(&a->force, &per, off) & is_in_cone(&b->force, &per, off)))
         return 0;
     const coin_priv_need from = along(a, part), to = along(b, -part);
-    return is_held(&from, &per, off) & is_held(&to, &per, off) &
-           is_held(point, &per, off);
+    return is_in_cone(&from, &per, off) & is_in_cone(&to, &per, off) &
+           is_in_cone(point, &per, off);
 }
 
 /* Whether enough is left of the cone at the places and at both ends. */
@@ -241,14 +241,14 @@ int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
     const double part = 2 * MISS * (s4 * s2);
     const double size = a->force.size + b->force.size;
     coin_priv_need at[PLACES], *const mid = &at[PLACES / 2];
-    if (stays_held(table, a, b, tau / 3, &a->force, MISS3 * s4 * size))
+    if (stays_in_cone(table, a, b, tau / 3, &a->force, MISS3 * s4 * size))
         return 1;
     const double low = coin_priv_lesser(a->margin, b->margin);
     if (!(low > part * coin_priv_lesser(a->miss, b->miss)))
         return 0;
     *mid = need_within(table, f, l, a, b, tau, PLACES / 2);
     const coin_priv_need point = third_point(a, b, tau, mid);
-    if (stays_held(table, a, b, tau / 4, &point, MISS4 * s4 * stride * size))
+    if (stays_in_cone(table, a, b, tau / 4, &point, MISS4 * s4 * stride * size))
         return 1;
     const struct left left = left_of(table, mid);
     if (!(left.margin > part * left.miss))

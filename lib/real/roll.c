@@ -110,9 +110,11 @@ static double time_held(const coin_priv_sliding *g)
 static int32_t settle(coin_priv_sliding *g, double *time)
 {
     coin_state s = g->held;
-    ++g->tries;
+    double moved = 0;
     const int32_t status =
-        coin_settle(&s, &g->p, &g->losses, *time, g->tol, time);
+        coin_settle(&s, &g->p, &g->losses, *time, g->tol, &moved);
+    *time = moved;
+    ++g->tries;
     coin_priv_run_unlimited(&g->w.run, &s);
     g->w.run.steps = 1;
     return status;
