@@ -133,9 +133,10 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     }
     const struct onset o = onset_of(g);
     const double tau = coin_priv_lesser(wait, g->rem.sum / start.cth);
-    const double once = unit * sqrt(tol * (o.friction / o.slope));
-    if (o.slope >= r4 / 4 * o.friction && o.slope * once >= seed)
-        wait = once;
+    if (o.slope >= r4 / 4 * o.friction) {
+        const double once = unit * sqrt(tol * (o.friction / o.slope));
+        wait = o.slope * once >= seed ? once : wait;
+    }
     if (!(o.slope >= QUICK * o.friction && o.slope * tau >= seed))
         return roll_on(g, &start, &o, wait);
     const coin_priv_slip y = euler(&start, &o, seed / o.slope);
