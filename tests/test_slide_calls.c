@@ -5,6 +5,7 @@
 #include "support/losses.h"
 #include "support/slides.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -329,6 +330,23 @@ static void mirror_heading_and_units_change_nothing(void **unused)
     }
 }
 
+/* A slip whose acceleration would be negative, by rounding, takes no root. */
+static void no_launch_sets_errno(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(231);
+    errno = 0;
+    for (int i = 0; i < 300; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const double mu = random_between(&r, 0.2, 0.6);
+        const coin_friction f = {mu, mu};
+        coin_slide d = random_launch(&r, &p);
+        coin_slide_advance(&d, &p, &f, NULL, 2, 1e-4, NULL);
+        check_note("launch %d", i);
+        check(errno == 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -344,6 +362,7 @@ int main(void)
         TEST(a_slip_of_any_speed_takes_few_steps),
         TEST(many_calls_go_where_one_goes),
         TEST(mirror_heading_and_units_change_nothing),
+        TEST(no_launch_sets_errno),
     };
     return RUN_TESTS(tests);
 }
