@@ -724,6 +724,11 @@ class LongRuns(unittest.TestCase):
                          True)
 
 
+def heed_interrupts():
+    """A shell starts what runs in the background with interrupts ignored."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def processor_seconds(pid):
     """What a process has used, which another load does not change."""
     fields = pathlib.Path(f"/proc/{pid}/stat").read_text().split(")")[1].split()
@@ -754,14 +759,17 @@ except KeyboardInterrupt:
         for call in self.CALLS:
             child = subprocess.Popen(
                 [sys.executable, "-c", self.PROGRAM.format(call)], text=True,
-                stdout=subprocess.PIPE)
+                stdout=subprocess.PIPE, preexec_fn=heed_interrupts)
             self.assertEqual(child.stdout.readline(), "begins\n")
             begun = processor_seconds(child.pid)
             while processor_seconds(child.pid) < begun + 0.7:
                 time.sleep(0.01)
             before = processor_seconds(child.pid)
             child.send_signal(signal.SIGINT)
-            moved, after = child.communicate()[0].split()
+            try:
+                moved, after = child.communicate(timeout=60)[0].split()
+            finally:
+                child.kill()
             self.assertEqual(moved, "1", call)
             self.assertLess(float(after) - before, 1, call)
 
