@@ -32,7 +32,7 @@ double distance(const asked &q, double tol, double when, double bound,
 {
     const auto status = [&](double t) {
         coin_slide d = q.d;
-        return coin_slide_advance(&d, &q.p, &q.f, nullptr, t, tol, nullptr);
+        return q.advance(&d, t, tol);
     };
     double low = larger(when - REACH * bound, 0.0);
     double high = when + REACH * bound;
@@ -129,8 +129,7 @@ template <class R> double begins(const scene &s, double enough)
     asked q(s);
     const double tol = s.q[3];
     if (coin_slide_of(&q.d, &q.d.s, &q.p) != COIN_OK ||
-        coin_slide_advance(&q.d, &q.p, &q.f, nullptr, 0, tol, nullptr) !=
-            COIN_OK)
+        q.advance(&q.d, 0, tol) != COIN_OK)
         return NO_CLAIM;
     rolling<R> truth(q, q.d.s);
     if (!(truth.left() > R(1e-3)) || truth.at.is_long(R(s.t)))
@@ -161,8 +160,7 @@ constexpr double ROLLS = 1e-10;
 bool slips(const asked &q, double tol)
 {
     coin_slide d = q.d;
-    return coin_slide_advance(&d, &q.p, &q.f, nullptr, 0, tol, nullptr) ==
-           COIN_SLIPS;
+    return q.advance(&d, 0, tol) == COIN_SLIPS;
 }
 
 template <class R> double ends(const scene &s, double enough)
@@ -173,7 +171,7 @@ template <class R> double ends(const scene &s, double enough)
     if (!slips(q, tol) || !(truth.speed(truth.y) > R(1e-2)) ||
         truth.follow(R(s.t), R(ROLLS)) != slide<R>::STOPS)
         return NO_CLAIM;
-    const R slope = truth.slowing(), F = truth.sticking();
+    const R slope = truth.speed_slope(), F = truth.sticking();
     if (!(slope < 0 && F >= 0 && F < R(0.95) * q.f.mu_static))
         return NO_CLAIM;
     const R natural = truth.took - truth.speed(truth.y) / slope;

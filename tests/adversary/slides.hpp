@@ -3,21 +3,38 @@
 #ifndef ROLLCOIN_ADVERSARY_SLIDES_HPP
 #define ROLLCOIN_ADVERSARY_SLIDES_HPP
 
+#include "losses.hpp"
 #include "midpoint.hpp"
 #include "scene.hpp"
 #include "truth.hpp"
 
-/* A scene's velocity of the centre, in parts of sqrt(g a), and its friction. */
+/* A scene's velocity of the centre, in parts of sqrt(g a), and its friction;
+ * its losses, all of the size q[2] in parts of the coin's own torques, where
+ * the bits of steps ask for them. */
 struct asked {
     coin_params p;
     coin_slide d;
     coin_friction f;
+    coin_losses l;
+    bool lossy;
 
-    explicit asked(const scene &s) : p(params_of<doubles>(s))
+    explicit asked(const scene &s, bool slowed = false)
+        : p(params_of<doubles>(s)), l(), lossy(slowed)
     {
         const double v = std::sqrt(s.g * s.a);
         d = {state_of<doubles>(s), s.q[0] * v, s.q[1] * v};
         f = {s.tol * 1.1, s.tol};
+        if (slowed) {
+            scene of = s;
+            of.steps = 2 * (int(s.steps) % 64); /* no damping */
+            of.q[0] = of.q[1] = of.q[3] = s.q[2];
+            l = losses_of(of);
+        }
+    }
+    int32_t advance(coin_slide *at, double t, double tol) const
+    {
+        return coin_slide_advance(at, &p, &f, lossy ? &l : nullptr, t, tol,
+                                  nullptr);
     }
 };
 
@@ -69,11 +86,12 @@ template <class R> class slide
     R a, w; /* the radius, and natural units of rate in the coin's own */
 
     explicit slide(const asked &q)
+        : a(R(q.p.radius)), w(root(R(q.p.gravity) / a)),
+          of(q.l, softening(q.l, q.p), q.p.mass, q.p.radius, 1 / w),
+          lossy(q.lossy)
     {
         const moment<R> m(q.p, q.d.s);
         const slipping<R> u(m, q.d);
-        a = m.a;
-        w = root(m.g / m.a);
         IX = m.IX / m.m;
         IZ = m.IZ / m.m;
         mu = q.f.mu_kinetic;
@@ -114,7 +132,7 @@ template <class R> class slide
     R took = 0;
 
     /* The slope of the slip speed. */
-    R slowing() const
+    R speed_slope() const
     {
         vector none = {}, d;
         rates(none, d);
@@ -185,13 +203,24 @@ template <class R> class slide
 
   private:
     R IX, IZ, mu;
+    losses<R> of;
+    bool lossy;
 
     R rate() const
     {
-        const R c = cosine(y[0]);
+        const R s = sine(y[0]), c = cosine(y[0]);
         return root((y[5] * y[5] + y[6] * y[6]) / (c * c) + y[7] * y[7] +
                     1 / c) +
-               mu * pressed() * (1 + 1 / IX) / speed(y);
+               mu * pressed() * (1 + 1 / IX) / speed(y) +
+               (lossy ? slowed(s, c) : R(0));
+    }
+
+    /* The fastest rate at which the losses slow the body. */
+    R slowed(R s, R c) const
+    {
+        const R T = s / c, roll = y[7] + y[6] * T;
+        return of.grip(roll, c) * (1 / IZ + T * T / IX) +
+               of.spin * (c * c / IX + s * s / IZ);
     }
 
     bool step(R h)
@@ -245,6 +274,11 @@ template <class R> class slide
              FX / IZ,
              FX - turn * q[9],
              Fh + turn * q[8]};
+        if (lossy) {
+            const slowing<R> by = of.at(IX, IX, IZ, s, c, wX, wY, wZ);
+            d[6] += by.wY.value;
+            d[7] += by.wZ.value;
+        }
         return N;
     }
 };
