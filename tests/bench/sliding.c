@@ -46,6 +46,8 @@ static inline double grip(const struct sliding *of, double uX, double uh)
 {
     const double u2 = uX * uX + uh * uh, delta = of->delta;
     const double d2 = delta * delta, sum = u2 + d2;
+    if (of->usual)
+        return of->mu_k / sqrt(sum);
     if (u2 <= d2)
         return 2 * of->mu_s * delta / sum;
     const double u = sqrt(u2), more = of->mu_s - of->mu_k;
@@ -87,7 +89,8 @@ void sliding_slopes(double d[SLIDING], const double y[SLIDING],
 
 double sliding_rate(const struct sliding *of)
 {
-    return 2 * of->mu_s * (1 + 1 / of->IX) / of->delta;
+    const double f = of->usual ? of->mu_k : 2 * of->mu_s;
+    return f * (1 + 1 / of->IX) / of->delta;
 }
 
 void sliding_rk4(double y[SLIDING], const struct sliding *of, double h,

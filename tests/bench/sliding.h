@@ -10,10 +10,13 @@
  * cos phi); sin and cos of theta and phi go with the angles. */
 enum { WX, WY, WZ, VX, VH, STH, CTH, SPH, CPH, PHI, PSI, AT_X, AT_Z, SLIDING };
 
-/* Friction is f(u/delta) N at a slip speed u: f rises to mu_s at 1 and falls to
- * mu_k, 2 s/(1 + s^2) times mu_s up to 1, and the square of that beyond. */
+/* Friction is f(u/delta) N at a slip speed u.  The usual law is that of one
+ * coefficient, mu_k s/sqrt(1 + s^2).  By the other, f rises to mu_s at 1 and
+ * falls to mu_k, 2 s/(1 + s^2) times mu_s up to 1, and the square of that
+ * beyond. */
 struct sliding {
     double IX, IZ, mu_s, mu_k, delta;
+    int usual;
 };
 
 void sliding_start(double y[SLIDING], const coin_slide *d);
@@ -23,7 +26,7 @@ coin_state sliding_state(const double y[SLIDING]);
 void sliding_slopes(double d[SLIDING], const double y[SLIDING],
                     const struct sliding *of);
 
-/* The rate in t at which regularised friction stops a slip, if N = M g. */
+/* The rate in t at which regularised friction stops a slow slip, if N = M g. */
 double sliding_rate(const struct sliding *of);
 
 /* So many steps of h: by RK4, with friction regularised; or by time stepping,
