@@ -259,18 +259,22 @@ static int is_plain_by_series(coin_priv_sliding *g, double tau, double rate)
     return plain;
 }
 
-/* Whether it is plain that the coin rolls all along the step made. */
+/* Whether it is plain that the coin rolls all along the step made.  Near the
+ * cone the series tell it, and the ends are not computed. */
 static int is_plain(coin_priv_sliding *g, double tau, double rate)
 {
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
     const coin_priv_losses *l = g->lossy ? &g->w.l : NULL;
     const double stride = fabs(tau) * rate;
-    const coin_priv_end *const from = &g->ends[g->at];
+    if (is_near(g, stride))
+        return is_plain_by_series(g, tau, rate);
+    coin_priv_end *const from = &g->ends[g->at];
+    if (g->series.begin.terms > 0)
+        coin_priv_end_of(from, &g->table, &f, l, &g->from.y, 1 / rate);
     g->at = !g->at;
     coin_priv_end *const to = &g->ends[g->at];
     coin_priv_end_of(to, &g->table, &f, l, &g->w.run.g.y, 1 / rate);
-    if (!is_near(g, stride) &&
-        coin_priv_plain(&g->table, &f, l, from, to, tau, stride)) {
+    if (coin_priv_plain(&g->table, &f, l, from, to, tau, stride)) {
         g->series.begin.terms = 0;
         return 1;
     }

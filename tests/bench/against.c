@@ -6,9 +6,11 @@
  *     against frames        short calls beside the textbook's step
  *     against until         what coin_advance_until() costs, calls of one
  *                           length after each other, in the older
- * coin_advance() against slides        what coin_slide_advance() costs, in the
- * same A ratio above 1 says how many times faster these sources are, but the
- * last two say how many times dearer. */
+ *                           coin_advance()
+ *     against slides        what coin_slide_advance() costs, in the same
+ *
+ * A ratio above 1 says how many times faster these sources are, but in the last
+ * two how many times dearer. */
 #include "clock.h"
 #include "scene.h"
 #include "textbook.h"
