@@ -259,7 +259,7 @@ static int is_brief(coin_priv_sliding *g, coin_priv_slip *to,
         return 0;
     if (fits && ends) {
         to->uX = to->uh = g->gained = 0;
-        g->slips = g->seen = 0;
+        g->slips = g->seen = g->table.held = 0;
     }
     return 1;
 }
