@@ -33,6 +33,10 @@
  * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
  * coin_params_check() and COIN_ESTATE as coin_state_check().
  *
+ * COST. A textbook step is a step of classical Runge-Kutta for the eight
+ * variables that calls the sine of libm in every stage: 1,901 instructions,
+ * some 0.12 us.
+ *
  * PROMISES. No allocation, no global state, no output, no errno: every function
  * is reentrant and bounded in time and stack.  What moves a state gives the
  * same bits on every platform and compiler (see coin_selftest()).
@@ -185,7 +189,8 @@ typedef struct coin_orbit {
 /** Status: 0, or negative = error.  Numbers never change meaning. */
 enum {
     COIN_OK = 0,       /**< done */
-    COIN_EPARAMS = -1, /**< parameters out of range: coin_params_check() */
+    COIN_EPARAMS = -1, /**< parameters out of range: coin_params_check();
+                            or losses or friction out of range */
     COIN_ESTATE = -2,  /**< state out of range: coin_state_check() */
     COIN_ESTEP = -3,   /**< a step or a time that is not finite or too long.  A
                             step is too long beyond the method's limit, if it
@@ -196,8 +201,8 @@ enum {
                             or begin anew.  It is also too long if one
                             coin_advance() does not have steps enough: call it
                             again */
-    COIN_EARG = -4,    /**< null pointer, unknown method or branch, bad
-                            tolerance, mu < 0 */
+    COIN_EARG = -4,    /**< null pointer, unknown method, branch or bit, bad
+                            tolerance, mu of a check < 0 */
     COIN_EDOMAIN = -5, /**< no such steady motion, or the state is not steady,
                             or too far from it for a small wobble, or its
                             motion has no well-defined period */
@@ -322,7 +327,7 @@ COIN_API int32_t coin_angular_velocity(const coin_state *s, double omega[3]);
  *     if (coin_step(&s, &p, 1e-3) < 0)
  *         return 1;
  * @endcode
- * Cost: 1,050 instructions on a desktop, 0.6 of a textbook Runge-Kutta step.
+ * Cost: 1,017 instructions on a desktop, 0.55 of a textbook step (COST, above).
  *         More than half of them check the arguments and compute sines and
  *         cosines, which coin_run() does once for all of its steps.  It needs
  *         800 bytes of stack on a Cortex-M4F. */
@@ -419,11 +424,11 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  *         that a double can hold, and *reached the time of the impact.  A coin
  *         at rest, as coin_settle() leaves it, counts as fallen: for t >= 0
  *         *reached is 0.
- * Accuracy: below tol per unit for all of 2000 random states over 4 units
- *         (docs/accuracy.md).  Rounding adds about 1e-15 per unit.  Near flat
- *         the double theta cannot hold cos(theta) exactly: a call that begins
- *         at a distance d from flat has a relative error of u/d in it.  Within
- *         a call no such error arises.
+ * Accuracy: below tol per unit for all of 1000 random coins over 4 units, at
+ *         each of eleven tolerances (docs/accuracy.md).  Rounding adds about
+ *         1e-15 per unit.  Near flat the double theta cannot hold cos(theta)
+ *         exactly: a call that begins at a distance d from flat has a relative
+ *         error of u/d in it.  Within a call no such error arises.
  * Cost: proportional to |t|, and to 1/tol^(1/14).  A step costs 1.3 times one
  *         of COIN_RK8.  A pass at a distance d from flat costs as much as
  *         ln(1/d) more units.  Low bounces near flat contain many such passes.
@@ -535,7 +540,7 @@ COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
  * @return COIN_OK, or the bits COIN_SLIPS, COIN_LIFTS, COIN_COARSE,
  *         COIN_NEARLY_FLAT; COIN_EARG also for an unknown method and mu < 0 or
  *         NaN; the usual errors; COIN_ESTEP dt not finite.
- * Cost: about one of coin_reaction(). */
+ * Cost: 0.8 of that of coin_reaction(). */
 COIN_API int32_t coin_check(const coin_state *s, const coin_params *p,
                             int32_t method, double dt, double mu);
 
@@ -561,20 +566,20 @@ COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
  * @param t          the time, of either sign [T]
  * @param tol        1e-13 to 1e-2: as for coin_advance(), but the steps are
  *                   never longer than those of 1e-6.  It is also the accuracy
- *                   of the event: at most tol natural units of time before s
- *                   none of the bits holds [1]
+ *                   of the event: a state that is tol natural units of time
+ *                   earlier has none of the warnings [1]
  * @param mu         the friction coefficient, >= 0, may be +infinity [1]
  * @param bits       COIN_SLIPS, COIN_LIFTS, COIN_NEARLY_FLAT, or several,
  *                   or-ed.  COIN_SLIPS alone does not stop where N <= 0
  * @param[out] reached  the time moved; may be null
- * @return COIN_OK: none of the bits held within t, *reached is t, and s has the
- *         bits that coin_advance() gives it, with tol or 1e-6 if that is less.
- *         Positive: those of the bits that
- *         hold in s, as coin_check() returns them; *reached is the first moment
- *         at which one of them was found to hold.  A bit that holds at the
- *         start is returned at once, with *reached = 0.  COIN_EARG also if mu
- *         is negative or NaN, or if bits is 0 or has any other bit; other
- *         errors and COIN_EFLAT as coin_advance().
+ * @return COIN_OK: none of these warnings held within t, *reached is t, and s
+ *         is, digit for digit, what coin_advance() gives with tol, or with 1e-6
+ *         if that is less.  Positive: those of the bits that hold in s, as
+ *         coin_check() returns them; *reached is the first moment at which one
+ *         of them was found to hold.  A bit that holds at the start is returned
+ *         at once, with *reached = 0.  COIN_EARG also if mu is negative or NaN,
+ *         or if bits is 0 or has any other bit; other errors and COIN_EFLAT as
+ *         coin_advance().
  * Accuracy: no excursion by which F/N exceeds mu by 1e-6 of mu or more is
  *         missed, wherever it lies, of the motion as computed (test_until).
  * Cost: 1.5 to 2.2 times that of coin_advance(), up to 3.4 times where F/N
@@ -631,7 +636,7 @@ COIN_API int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
  * @param wZ      any finite rate [1/T]
  * @param branch  +1 or -1: the root f+ or f- of Eq. (40); the slow precession
  *                (a large circle for small theta) is the root with
- *                wY wZ theta > 0
+ *                wY wZ theta > 0: branch +1 for wZ > 0, -1 for wZ < 0
  * @return as coin_steady_roll(); COIN_EARG other branch; COIN_ESTATE also if wY
  *         would overflow; COIN_EDOMAIN theta = 0, or wY too small for a double.
  * Accuracy: 8 u in wY (test_steady). */
@@ -736,12 +741,13 @@ COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
  * points, by power series.  Mirror and period give the rest.  Eq. (55), (57).
  * @param[out] o  the orbit
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if the motion has no
- *         well-defined period: it is an unstable steady motion; or it is so
- *         close to a separatrix that conditioning is 1e12 or more; or it comes
- *         so close to flat that the pieces of an orbit do not suffice.  Fewer
- *         than 1 in 100 are refused of the motions that stay at least 1e-6 rad
- *         from flat, unless they come so close on both sides and start there.
- *         All motions that come closer than 1e-9 rad are refused.
+ *         well-defined period: it is an unstable steady motion that is not
+ *         exactly upright; or it is so close to a separatrix that conditioning
+ *         is 1e12 or more; or it comes so close to flat that the pieces of an
+ *         orbit do not suffice.  Fewer than 1 in 100 are refused of the motions
+ *         that stay at least 1e-6 rad from flat, unless they come so close on
+ *         both sides and start there.  All motions that come closer than 1e-9
+ *         rad are refused.
  * A stable steady motion is an orbit too, of period 0.  An unstable one is an
  * orbit only if it is exactly upright: rounding would take any other away from
  * the steady motion.
@@ -797,11 +803,11 @@ COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
  *         does.  docs/models.md says how often a cheaper model would have done
  *         (test_model).
  * Cost: that of coin_orbit_init(), and of up to 128 looks at the orbit for each
- *         model that is nearly good enough: 70 to 230 textbook Runge-Kutta
- *         steps.  Where there is no orbit, up to 64 natural units are stepped:
- *         1,400 textbook steps as a rule, 8,500 at most.  So ask once for a
- *         scene, not for a frame, and not at all for fewer than some 40
- *         answers.  Some 77 KiB of stack. */
+ *         model that is nearly good enough: 65 textbook steps for a quarter,
+ *         and 250 and more for a motion that comes near flat.  Where there is
+ *         no orbit, up to 64 natural units are stepped: 1,400 textbook steps as
+ *         a rule, 8,500 at most.  So ask once for a scene, not for a frame, and
+ *         not at all for fewer than some 100 answers.  Some 77 KiB of stack. */
 COIN_API int32_t coin_model_needed(const coin_state *s, const coin_params *p,
                                    double horizon, double tol);
 
@@ -895,9 +901,10 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
  *         is unstable, or becomes so before the coin lies flat, or if 2^15
  *         steps are not enough, as for absurdly fast coins.
  * Accuracy: the last fall is not quasi-steady: with m the loss in natural
- *         units, the error is proportional to m^1.2 to m^1.5, some 5e-4 for a
- *         coin that spins for seconds (docs/models.md, test_quasisteady).  The
- *         model itself is solved to 1e-6 of the time.
+ *         units, the error is proportional to m^1.2 to m^1.5 for friction of
+ *         the contour, to m^0.8 for rolling and m^2 for damping; 6e-5 for a
+ *         quarter that dry friction stops after 8 s (docs/models.md,
+ *         test_quasisteady).  The model itself is solved to 1e-6 of the time.
  * Cost: up to 610 textbook steps. */
 COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
                                   const coin_losses *l);
@@ -958,10 +965,14 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  * coin_params p;
  * coin_slide d = {{0.1, 0, 0, 0, 0, 0, 0, 0}, 0.5, 0};
  * double when = 0;
+ * int32_t status;
  * coin_params_disc(&p, 0.00567, 0.01213, 9.80665);
- * while (coin_slide_advance(&d, &p, &f, NULL, 1e-3, 1e-9, NULL) == COIN_SLIPS)
+ * do {
+ *     status = coin_slide_advance(&d, &p, &f, NULL, 1e-3, 1e-9, NULL);
  *     when += 1e-3;
- * printf("rolls after %g s\n", when);
+ * } while (status == COIN_SLIPS);
+ * if (status == COIN_OK)
+ *     printf("rolls after %g s at most\n", when);
  * @endcode
  * @param[in,out] d  the slide
  * @param f          the friction

@@ -133,7 +133,7 @@ static int32_t roll_until_it_slips(struct game_coin *c)
 
 static int32_t come_to_rest(struct game_coin *c, const coin_losses *l)
 {
-    double t = 0, used;
+    double t = 0, used = 0;
     int32_t status = COIN_OK;
     for (int frame = 0; status == COIN_OK; ++frame) {
         status = coin_settle(&c->s, &c->p, l, frame_time(frame), TOL, &used);

@@ -12,7 +12,7 @@ int main(void)
     coin_params p;
     coin_slide d = {.vx = 0.5}; /* upright, 0.5 m/s, no spin */
     int32_t status;
-    double t = 0, moved;
+    double t = 0, moved = 0;
 
     coin_params_disc(&p, 0.00567, 0.01213, 9.80665); /* kg, m, m/s^2 */
     do {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The equations of motion, as slopes.  Their other forms, such as those for
- * power series, stand where they are needed; tests/lint/homes.py lists them.
+/* The equations of motion, as slopes.  Their other forms stand where they are
+ * needed, such as those for power series and those for steps by extrapolation,
+ * side by side (step/extrapolation.c); tests/lint/homes.py lists most of them.
  *
  * The sines and cosines of lean and heading are variables like the angular
  * velocity, so that no stage of a step takes a sine of an angle.  The pose is a

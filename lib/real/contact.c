@@ -21,8 +21,8 @@ struct loose {
     double lever, D; /* M a^2/I_X; 1 + that times sin^2 theta */
 };
 
-/* A coin near flat whose contact is held turns about the vertical through its
- * centre. */
+/* A slipping coin near flat whose contact is held turns about the vertical
+ * through its centre. */
 static void hold(struct loose *o, const coin_priv_table *t,
                  const coin_priv_slip *y)
 {

@@ -6,7 +6,7 @@
 #include "losses.h"
 
 /* A coin near flat while d(psi)/dt = 0 is held: it turns about the vertical
- * through its point of contact.  Eq. (72). */
+ * through its point of contact, without slip.  Eq. (72). */
 typedef struct PRIV(held_fall) {
     real x;   /* the angle from flat, pi/2 - |theta| */
     real v;   /* -dx/dt */

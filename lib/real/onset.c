@@ -64,7 +64,8 @@ static coin_priv_slip after(const coin_priv_sliding *g,
     return y;
 }
 
-/* What is left of the normal force then, tau after the place noted. */
+/* The normal force where the slip would begin, if the coin rolled for tau from
+ * coin_priv_mark() on. */
 static double force_left(coin_priv_sliding *g, double tau)
 {
     g->w.run.g = g->from;
@@ -110,12 +111,11 @@ static int32_t roll_on(coin_priv_sliding *g, const coin_priv_slip *start,
     return end > 0 ? begun : COIN_ELIFT;
 }
 
-/* A slip with an acceleration begins at once, with a speed of
- * COIN_PRIV_SLIP_SEED: its steps to grow are as friction over the acceleration.
- * Where that is less than QUICK, the coin rolls on for a time, and friction's
- * part in it is added as an impulse; the error is as the acceleration times
- * that time squared, and that is below tol, or LOOSEST if the time may be
- * chosen. */
+/* If its slope is at least QUICK times friction, a slip begins at once, with a
+ * speed of COIN_PRIV_SLIP_SEED: the steps that it needs to grow are as friction
+ * over the slope.  Else the coin rolls on for a time, and what friction would
+ * have changed is added as an impulse.  The error is as the slope times that
+ * time squared.  It is below tol, or LOOSEST if the time may be chosen. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g)
 {
     const coin_priv_slip start = coin_priv_slip_of(&g->w.run.g.y, 0, 0);

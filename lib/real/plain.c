@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* What nearly all steps of a rolling coin are looked at by: a few polynomials,
- * without a root or a quotient. */
+/* The test that decides nearly all steps of a rolling coin: whether the points
+ * of a few polynomials in Bernstein's form are in the cone.  It needs no root.
+ */
 #include "../motion/pinned.h"
 
 #include "cone.h"
 
-/* By how much the interpolation may miss a variable, over stride^6: as in
- * cone.c. */
+/* The largest error of the interpolated margin over stride^6: as in cone.c. */
 #define MISS 0.006
 
 /* By how much the curves of degree 3 and 4 may miss the force, over stride^4
@@ -19,7 +19,7 @@
  * which the motion changes. */
 #define NEAR (1.0 / 1048576)
 
-/* The variables, and with them the slopes of wX and wZ. */
+/* The variables that the force depends on. */
 enum { WX, WY, WZ, SIN, COS, VARIABLES };
 
 COIN_PRIV_INLINE coin_priv_variables rates(const coin_priv_field *f,
@@ -64,7 +64,7 @@ COIN_PRIV_INLINE coin_priv_need need_of(const coin_priv_table *t,
     return F;
 }
 
-/* N and F over this are compared. */
+/* The factors of N and F in the margin. */
 struct scale {
     double N, F;
 };

@@ -14,15 +14,15 @@
 /* A coin whose margin is above this rolls, whatever rounding does. */
 #define CLEAR 1e-12
 
-/* A step of less than this part of the stride is looked at together with the
- * last one. */
+/* A step of less than this part of the stride and the final one are judged as
+ * one. */
 #define TOGETHER 0.9
 
 /* The part of coin_priv_rise_time() in which the rise ends: a half, and a
  * little more, so that the coin then falls. */
 #define TOP 0.505
 
-/* A longer stride that is not plain may be so by halves. */
+/* A longer stride that is not judged as a whole may be so by halves. */
 #define HALVED 0.5
 
 double coin_priv_roll_try(coin_priv_sliding *g, double tau)
@@ -94,8 +94,8 @@ static double land(coin_priv_sliding *g, double left)
     return done ? tau : 0;
 }
 
-/* How long coin_settle() may take a coin whose contact losses hold: to the end
- * of the time, or of a rise, where it needs most friction. */
+/* How long coin_settle() may take a coin whose contact is held by the losses:
+ * to the end of the time, or of a rise, where it needs most friction. */
 static double time_held(const coin_priv_sliding *g)
 {
     const coin_priv_held_fall f = coin_priv_fall_of(&g->w.l, &g->w.run.g.y);
@@ -126,8 +126,8 @@ static double held_left(coin_priv_sliding *g, double time)
     return coin_priv_held_left(g);
 }
 
-/* A coin near flat whose contact losses hold: coin_settle() takes it to the
- * table, or as far as it rises; or to where friction ends and it slips. */
+/* A coin near flat whose contact is held by the losses: coin_settle() takes it
+ * to the table, or as far as it rises; or to where it slips. */
 static int32_t go_held(coin_priv_sliding *g)
 {
     const double left = coin_priv_held_left(g);
@@ -231,8 +231,9 @@ static coin_priv_search search_of(const coin_priv_sliding *g)
     return f;
 }
 
-/* Whether the step made began where one without losses was plain by series
- * alone, and is so near the cone yet that it will not be otherwise. */
+/* Whether to judge the step made by series at once: they judged the step
+ * before, and its end is too near the edge of the cone for coin_priv_plain().
+ */
 static int is_near(const coin_priv_sliding *g, double stride)
 {
     const coin_priv_search f = search_of(g);
@@ -240,8 +241,8 @@ static int is_near(const coin_priv_sliding *g, double stride)
            coin_priv_is_near(&f, &g->series.begin, stride);
 }
 
-/* Whether the step made, without losses, is plain by series at its ends, which
- * err far less. */
+/* Whether the coin certainly rolls all along the step made, without losses: by
+ * series at its ends, which err far less than coin_priv_plain(). */
 static int is_plain_by_series(coin_priv_sliding *g, double tau, double rate)
 {
     const coin_priv_search f = search_of(g);
@@ -259,8 +260,8 @@ static int is_plain_by_series(coin_priv_sliding *g, double tau, double rate)
     return plain;
 }
 
-/* Whether it is plain that the coin rolls all along the step made.  Near the
- * cone the series tell it, and the ends are not computed. */
+/* Whether the coin certainly rolls all along the step made.  Near the edge of
+ * the cone only the series are asked, and the ends are not computed. */
 static int is_plain(coin_priv_sliding *g, double tau, double rate)
 {
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);

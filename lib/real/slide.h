@@ -19,7 +19,7 @@ typedef struct coin_priv_sliding {
     coin_priv_table table;
     coin_priv_lossy w; /* its run holds all but the slip; its losses are those
                           of a coin that rolls */
-    coin_params p;     /* for coin_settle() */
+    coin_params p;     /* for coin_settle() and searches of the cone */
     coin_losses losses;
     double uX, uh; /* 0 while the coin rolls */
     int slips, lossy;
@@ -28,15 +28,18 @@ typedef struct coin_priv_sliding {
     coin_priv_reach reach;
     double tol, roll_stride, slip_stride;
     uint64_t tries;
-    coin_priv_progress from; /* where a rolling step began, and its number */
-    uint64_t steps;
-    coin_state held;          /* where a coin near flat was found held */
-    coin_priv_end ends[2];    /* of the last rolling step, if seen */
-    int at;                   /* which of them it came to */
-    int seen;                 /* if that holds, and the coin rolls there */
-    coin_priv_stretch series; /* that step, if looked at so: else no terms at
-                                 begin; of `from` only b and g.y are set */
-    int landed;               /* if the run holds theta */
+    coin_priv_progress from; /* the progress at coin_priv_mark(), and the */
+    uint64_t steps;          /* number of steps then */
+    coin_state held;         /* where a coin near flat was found held */
+    int seen;                /* if the force is known to lie within the cone */
+    coin_priv_end ends[2];   /* ends[at] is that of the place come to, if seen
+                                and the series have no terms at begin */
+    int at;
+    coin_priv_stretch series; /* of the step before, if it was judged by them:
+                                 else no terms at begin; of `from` only b and
+                                 g.y are set */
+    int landed;               /* if the run holds theta: the step before was
+                                 one in t */
 } coin_priv_sliding;
 
 /* The most steps of a call, those refused included. */
@@ -60,13 +63,15 @@ int32_t coin_priv_lie(coin_priv_run *r);
 typedef double coin_priv_event(coin_priv_sliding *g, double h);
 
 /* The h in [0, h1] at which an event happens: from its values at0 at 0, and
- * at1 <= 0 at h1.  It is not after the event.  0 unless at0 > 0. */
+ * at1 <= 0 at h1.  It is not after the event.  0 unless at0 > 0.  An event of a
+ * rolling step moves the run: the caller then calls coin_priv_again(). */
 double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
                         double at0, double h1, double at1);
 
-/* Tries a step of tau of a coin that rolls, from where the run is: its error
- * over what is allowed; added.t counts from 0.  Above 1 nothing was done; -1,
- * and nothing done, if the pose would leave its range. */
+/* roll.c: a step of tau of a coin that rolls, from where the run is, if its
+ * error is allowed.  Returns the error over what is allowed: above 1 only
+ * added.t was set, to 0.  -1, and nothing done, if the pose would leave its
+ * range. */
 double coin_priv_roll_try(coin_priv_sliding *g, double tau);
 
 /* The rate in tau that measures its steps. */
@@ -83,23 +88,24 @@ void coin_priv_again(coin_priv_sliding *g, double tau);
 /* Counts the time of that step. */
 void coin_priv_count(coin_priv_sliding *g);
 
-/* Checks the cone where a run begins: sets g->seen if the coin clearly rolls.
- */
+/* Computes ends[at] here, and sets g->seen if the force is clearly within the
+ * cone. */
 void coin_priv_see(coin_priv_sliding *g);
 
 /* coin_priv_left() where the run is. */
 double coin_priv_cone_left(const coin_priv_sliding *g);
 
-/* A step of a coin that rolls; of one that slips.  COIN_OK, or a status that
- * ends the call: COIN_RESTS, COIN_ELIFT, COIN_ESTEP. */
+/* roll.c and slip.c: a step of a coin that rolls; of one that slips.  COIN_OK,
+ * or a status that ends the call: COIN_RESTS, COIN_ELIFT, COIN_ESTEP. */
 int32_t coin_priv_roll_on(coin_priv_sliding *g);
 int32_t coin_priv_slip_on(coin_priv_sliding *g);
 
-/* The slip of a coin that needs more friction to roll than there is. */
+/* onset.c: begins the slip of a coin whose rolling needs too much friction. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g);
 
-/* What is left of the friction that a coin needs whose contact losses hold near
- * flat; and its slip: 0, and nothing done, if it does not slip. */
+/* onset.c: how far the force is within the cone, of a coin near flat whose
+ * contact is held by the losses; and the slip of such a coin: 0, and nothing
+ * done, if it does not slip. */
 double coin_priv_held_left(const coin_priv_sliding *g);
 int coin_priv_begin_held_slip(coin_priv_sliding *g);
 

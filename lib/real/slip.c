@@ -6,13 +6,12 @@
 #include "hold.h"
 #include "slide.h"
 
-/* The weight, in the rate of a step, of the rate at which the direction of a
- * slip relaxes.  The longest step is then 5 relaxation times, and the method is
- * stable up to 6. */
+/* The weight, in the rate of a step, of the rates at which the direction of a
+ * slip relaxes, losses slow it, and its speed grows.  The longest step is then
+ * 5 relaxation times, and the method is stable up to 6. */
 #define RELAX 0.24
 
-/* The longest step, in parts of the distance to where the contact turns round.
- */
+/* The longest step, in parts of the distance to where the roll turns round. */
 #define TURN_ROUND 0.5
 
 /* The largest error of the slip velocity, in parts of that velocity: friction
@@ -142,7 +141,8 @@ static double angle_left(coin_priv_sliding *g, double h)
     return attempt(g, h).to.cth;
 }
 
-/* The step that the error allows: at worst one of 0, which is exact. */
+/* A step short enough for its error to be allowed.  A step of 0 has no error,
+ * so that the loop ends. */
 static struct tried step(coin_priv_sliding *g, double *h, double rate,
                          double bound)
 {
@@ -158,8 +158,8 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
     }
 }
 
-/* Whether it is plain that the normal force lasts all along a step: it changes
- * as the coin moves, and much less than it is at both ends. */
+/* Whether the normal force is clearly positive all along a step: it changes as
+ * the coin moves, and by much less than it is at both ends. */
 static int is_pressed(const coin_priv_sliding *g, double from, double to,
                       double u, double h)
 {
@@ -168,8 +168,8 @@ static int is_pressed(const coin_priv_sliding *g, double from, double to,
            4 * fabs(to - from) + 0.25 * moved * moved;
 }
 
-/* What ends a step before its full length: the first of the time, the end of
- * the normal force, and the table.  Returns the status that it brings. */
+/* Shortens a step to the first of the end of the time, the end of the normal
+ * force, and the table.  Returns the status there. */
 static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
                    double rate)
 {
@@ -213,8 +213,8 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
     }
 }
 
-/* The sigma of a slip so brief that it is a straight line, in which the error
- * is of the second order; 0 where friction turns, or is held. */
+/* The longest sigma in which a slip is taken as a straight line, whose error is
+ * of the second order; 0 if its direction turns, or the contact is held. */
 static double brief_of(const coin_priv_sliding *g, const coin_priv_slip *y,
                        const coin_priv_slip *d)
 {
@@ -244,9 +244,10 @@ static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
 
 /* Takes a brief slip, or the end of one whose speed is nearly 0, in one
  * straight line.  After its end the coin rolls, or slips in another direction.
- * 0, and nothing done, if the slip is not brief, or the coin may lift off. */
-static int is_brief(coin_priv_sliding *g, coin_priv_slip *to,
-                    const coin_priv_slip *d)
+ * 0 if the slip is not brief, or the coin may lift off: *to is then of no use,
+ * and *g as it was. */
+static int go_briefly(coin_priv_sliding *g, coin_priv_slip *to,
+                      const coin_priv_slip *d)
 {
     const double u = speed(to), grows = growth(to, d);
     const double h = brief_of(g, to, d);
@@ -289,7 +290,7 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
     g->table.held = is_held(g, &y);
     coin_priv_slip_slopes((double *)&d, (const double *)&y, &g->table);
     coin_priv_slip to = y;
-    if (is_brief(g, &to, &d))
+    if (go_briefly(g, &to, &d))
         return coin_priv_slip_take(g, &to);
     const double rate =
         rate_of(g, &y) + RELAX * fabs(growth(&y, &d)) / speed(&y);

@@ -88,7 +88,7 @@ COIN_PRIV_INLINE lanes all(double value)
 }
 
 /* -------------------------------------------------------------- substeps -- */
-/* Adds 2h f(y). */
+/* Adds 2h f(y), (32). */
 COIN_PRIV_INLINE void add_slope(struct variables *to, const struct problem *p,
                                 const struct variables *y,
                                 const lanes *double_step)
