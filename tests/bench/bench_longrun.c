@@ -169,7 +169,7 @@ static void damping(enum mover_kind kind, double h, const scene *c)
             low = fmin(low, m.s.theta);
             high = fmax(high, m.s.theta);
         }
-        printf("%s,%g,%.6g,%.6g\n", mover_name(kind), h, (double)m.t,
+        printf("%s,%g,%.6g,%.4g\n", mover_name(kind), h, (double)m.t,
                high - low);
         for (next *= 1.12; m.t < next;)
             if (mover_go(&m, (unsigned long)window))

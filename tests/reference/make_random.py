@@ -4,7 +4,7 @@
 
 Rings of any inner radius b, M = a = g = 1, rates up to 2, |theta| <= 1, the
 pose 0 at the start; columns with a 0 are the start, in doubles taken exactly.
-By the Taylor series of make_reference.py in 30 digits, of which 18 are
+By the Taylor series of make_reference.py in 30 digits, of which 16 are
 printed; for every tenth a series of other order must agree to 1e-18.
 amp is that of add_amp.py.
 
@@ -69,7 +69,7 @@ def main():
             mp.dps = 34
             assert max(abs(last[n] - again[n]) for n in STATE) < 1e-18
         cells = [repr(v) for v in scene]
-        cells += [nstr(last[n], 18, min_fixed=1, max_fixed=0) for n in STATE]
+        cells += [nstr(last[n], 16, min_fixed=1, max_fixed=0) for n in STATE]
         lines.append(",".join(cells + [amp(*scene, last)]))
         print(i, lines[-1][-8:], flush=True)
     pathlib.Path(out).write_text("\n".join(lines) + "\n")

@@ -235,7 +235,7 @@ static int compare(const void *a, const void *b)
 }
 
 /* A row has at most this part of the error of the row before. */
-#define LESS_ERROR 0.98
+#define LESS_ERROR 0.8
 
 /* Those that no other beats. */
 static void print_best(const char *method, struct run *r, int n)
