@@ -146,12 +146,42 @@ static void a_slip_that_losses_end_at_once_does_not_grow(void **unused)
     }
 }
 
+/* The coin rolls, and its last step goes beyond the end of the time, to where
+ * losses hold the contact: the next goes back. */
+static void a_step_beyond_the_end_is_taken_back(void **unused)
+{
+    (void)unused;
+    const coin_friction f = {0.66338536604596787, 0.66338536604596787};
+    const coin_losses l = {
+        .dry = 0.00039391447231634406,
+        .gap = 0.001416272925833786,
+    };
+    const double t = 0.0030193467014421088;
+    coin_slide d = {
+        .s.theta = 1.550698555611812,
+        .s.wX = -0.039963024069924358,
+        .s.wY = -8.795875076005467e-05,
+        .s.wZ = -0.000753369161432299,
+        .vx = 0.00075336742297078157,
+        .vz = -0.00080310879495406392,
+    };
+    coin_params p;
+    double reached;
+    assert_int_equal(
+        coin_params_body(&p, 1, 1, 1, 0.29939737890502371, 0.59879475781004743),
+        COIN_OK);
+    check_status(coin_slide_advance(&d, &p, &f, &l, t, 6.58203e-06, &reached),
+                 COIN_OK);
+    check(reached == t);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(tolerances_agree_and_no_energy_is_gained),
         TEST(losses_of_rolling_change_nothing_of_a_planar_fall),
         TEST(a_slip_that_losses_end_at_once_does_not_grow),
+        TEST(a_step_beyond_the_end_is_taken_back),
     };
     return RUN_TESTS(tests);
 }
