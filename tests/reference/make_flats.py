@@ -85,7 +85,7 @@ def rows(r, i):
     print(i, nstr(d, 3), nstr(W, 3), middle, flush=True)
     for t, y in zip(near + [20.0, -15.0], ahead + [mirror]):
         yield ([repr(v) for v in start] + [nstr(d, 6), nstr(W, 6), repr(t)] +
-               [nstr(y[n], 18, min_fixed=1, max_fixed=0) for n in STATE])
+               [nstr(y[n], 17, min_fixed=1, max_fixed=0) for n in STATE])
 
 
 def main():
