@@ -260,6 +260,40 @@ static void its_ends_are_those_of_coin_advance_too(void **unused)
     }
 }
 
+/* Coins that turn fast enough to get up again, and do so next to cos theta =
+ * 0.01, a little below it or a little above, within the call. */
+static void a_brief_approach_to_the_table_is_found(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(184);
+    const double tols[] = {1e-11, 1e-9, 1e-6};
+    for (int i = 0; i < 300; ++i) {
+        const int below = i % 2;
+        const double off = pow(10, random_between(&r, -4, -2));
+        const double nearest = 0.01 * (below ? 1 - off : 1 + off);
+        coin_state s = {
+            .theta = acos(nearest),
+            .wY = random_between(&r, 0.8, 2),
+            .wZ = random_between(&r, 0, 1),
+        };
+        const double x = random_between(&r, 0.05, 0.6), tol = tols[i % 3];
+        const double y = random_between(&r, 0.05, 0.6);
+        coin_params p;
+        double reached;
+        check_note("coin %d", i);
+        check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+        check_status(coin_advance(&s, &p, -x, 1e-13, NULL), COIN_OK);
+        check(cos(s.theta) > 0.0102);
+        const int32_t got = coin_advance_until(&s, &p, x + y, tol, INFINITY,
+                                               COIN_NEARLY_FLAT, &reached);
+        check_status(got, below ? COIN_NEARLY_FLAT : COIN_OK);
+        if (below) {
+            check(reached < x);
+            check_near(cos(s.theta), 0.01, 1e-5);
+        }
+    }
+}
+
 static void a_bit_that_holds_at_the_start_is_returned_at_once(void **unused)
 {
     (void)unused;
@@ -373,6 +407,7 @@ int main(void)
         TEST(an_excursion_at_either_end_is_found),
         TEST(without_an_event_it_is_coin_advance),
         TEST(its_ends_are_those_of_coin_advance_too),
+        TEST(a_brief_approach_to_the_table_is_found),
         TEST(a_bit_that_holds_at_the_start_is_returned_at_once),
         TEST(bad_arguments_are_refused),
         TEST(a_fall_and_a_rest_end_it_as_coin_advance),
