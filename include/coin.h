@@ -1028,7 +1028,7 @@ COIN_API int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
  * slide.  Eq. (88).
  * @return the energy [M L^2/T^2]; NaN on the usual errors, COIN_ESTATE as
  *         coin_slide_advance().
- * Accuracy: 8 u of the terms (test_slide). */
+ * Accuracy: 12 u of the terms (make adversary). */
 COIN_API double coin_slide_energy(const coin_slide *d, const coin_params *p);
 
 /** The force of the table.  If the coin rolls, it is the force that rolling

@@ -2,104 +2,11 @@
 /* coin_advance_until() against orbits, which take no steps: a fine search for
  * the first moment at which a bit holds. */
 #include "support/check.h"
-#include "support/random.h"
+#include "support/peaks.h"
 
 #include <math.h>
-#include <stdlib.h>
 
-/* How much F/N may exceed mu, in parts of mu, unnoticed: 1e-6 of the motion as
- * computed.  That errs by tol per unit of time, and by more where errors grow.
- */
-static double excess_of(double tol)
-{
-    return tol < 1e-8 ? 1e-6 : 100 * tol;
-}
-
-enum { TRIED = 400, NEAR = 60, PER_UNIT = 40 };
-
-/* ROLLCOIN_TRIES asks for more. */
-static int tries(int usual)
-{
-    const char *asked = getenv("ROLLCOIN_TRIES");
-    return asked ? atoi(asked) : usual;
-}
-
-struct motion {
-    coin_params p;
-    coin_state s;
-    coin_orbit o;
-    double unit, side; /* side: of time, 1 or -1 */
-};
-
-/* One that has an orbit and that is not so unstable that steps lose it, and
- * that begins with N > 0. */
-static struct motion any_motion(struct random *r)
-{
-    static struct motion m;
-    coin_force f;
-    do {
-        m.p = random_coin(r);
-        m.s = random_state(r, &m.p, 1.3);
-        m.unit = natural_time(&m.p);
-        m.side = r->drawn % 2 ? 1 : -1;
-        check_status(coin_reaction(&m.s, &m.p, &f), COIN_OK);
-    } while (f.normal <= 0 || coin_orbit_init(&m.o, &m.s, &m.p) != COIN_OK ||
-             m.o.conditioning > 100);
-    return m;
-}
-
-static coin_state after(const struct motion *m, double t)
-{
-    coin_state s;
-    check_status(coin_orbit_at(&m->o, m->side * t, &s), COIN_OK);
-    return s;
-}
-
-/* F/N, infinite where N <= 0. */
-static double ratio(const struct motion *m, double t)
-{
-    const coin_state s = after(m, t);
-    coin_force f;
-    check_status(coin_reaction(&s, &m->p, &f), COIN_OK);
-    return f.ratio;
-}
-
-/* The largest F/N between two times between which it has one maximum, and
- * where. */
-static double peak(const struct motion *m, double low, double high, double *at)
-{
-    for (int i = 0; i < 50; ++i) {
-        const double a = low + 0.382 * (high - low);
-        const double b = low + 0.618 * (high - low);
-        if (ratio(m, a) < ratio(m, b))
-            low = a;
-        else
-            high = b;
-    }
-    *at = (low + high) / 2;
-    return ratio(m, *at);
-}
-
-/* The largest F/N within a time, by samples and their neighbourhoods. */
-static double largest(const struct motion *m, double t, double *at)
-{
-    const int n = (int)(PER_UNIT * t / m->unit) + 2;
-    double most = 0, before = 0, here = ratio(m, 0), where;
-    for (int k = 0; k <= n; ++k) {
-        const double next = k < n ? ratio(m, (k + 1) * t / n) : 0;
-        if (here >= before && here >= next && here > 0.9 * most) {
-            const double low = fmax(k - 1, 0), high = fmin(k + 1, n);
-            const double top = peak(m, low * t / n, high * t / n, &where);
-            if (fmax(here, top) > most) {
-                most = fmax(here, top);
-                *at = here >= top ? k * t / n : where;
-            }
-        }
-        before = here;
-        here = next;
-    }
-    return most;
-}
+enum { TRIED = 400, NEAR = 60 };
 
 /* Calls, and judges: nothing above mu by the excess was passed over, nothing
  * below by as much was stopped at, and the bits are those of coin_check(). */
@@ -117,9 +24,9 @@ static int32_t judged(const struct motion *m, double t, double tol, double mu)
     check(got == 0 ? reached == t : reached >= 0 && reached <= t);
     const double clear = reached - 2 * tol * m->unit;
     if (clear > 0)
-        check(largest(m, clear, &at) <= mu * (1 + excess));
+        check(motion_largest(m, clear, &at) <= mu * (1 + excess));
     if (got != 0)
-        check(ratio(m, reached) > mu * (1 - excess));
+        check(motion_ratio(m, reached) > mu * (1 - excess));
     return got;
 }
 
@@ -128,9 +35,9 @@ static void the_first_event_is_that_of_a_fine_search(void **unused)
     (void)unused;
     struct random r = random_begin(181);
     int found = 0, none = 0;
-    const int count = tries(TRIED);
+    const int count = tries_asked(TRIED);
     for (int i = 0; i < count; ++i) {
-        const struct motion m = any_motion(&r);
+        const struct motion m = motion_any(&r);
         const double t = random_between(&r, 0, 6) * m.unit;
         const double mu = pow(10, random_between(&r, -1, 1));
         const double tols[] = {1e-11, 1e-9, 1e-6};
@@ -140,27 +47,14 @@ static void the_first_event_is_that_of_a_fine_search(void **unused)
     check(found > count / 10 && none > count / 10);
 }
 
-/* A motion whose largest F/N, of a maximum within, is not too large. */
-static struct motion with_peak(struct random *r, double *t, double *most,
-                               double *at)
-{
-    struct motion m;
-    do {
-        m = any_motion(r);
-        *t = random_between(r, 1, 6) * m.unit;
-        *most = largest(&m, *t, at);
-    } while (*most > 10 || *at < 0.05 * m.unit || *at > *t - 0.05 * m.unit);
-    return m;
-}
-
 static void an_excursion_is_found_that_hardly_exceeds_mu(void **unused)
 {
     (void)unused;
     struct random r = random_begin(182);
-    const int count = tries(NEAR);
+    const int count = tries_asked(NEAR);
     for (int i = 0; i < count; ++i) {
         double t, most, at;
-        const struct motion m = with_peak(&r, &t, &most, &at);
+        const struct motion m = motion_with_peak(&r, &t, &most, &at);
         for (double tol = 1e-10; tol < 1e-5; tol *= 1e4) {
             const double beyond = 1 + 1.01 * excess_of(tol);
             check(judged(&m, t, tol, most / beyond) != 0);
@@ -175,7 +69,7 @@ static double half_width(const struct motion *m, double mu, double at)
     double inside = 0, outside = 0.05 * m->unit;
     for (int i = 0; i < 60; ++i) {
         const double d = (inside + outside) / 2;
-        if (ratio(m, at - d) > mu)
+        if (motion_ratio(m, at - d) > mu)
             inside = d;
         else
             outside = d;
@@ -188,15 +82,15 @@ static void an_excursion_at_either_end_is_found(void **unused)
 {
     (void)unused;
     struct random r = random_begin(183);
-    const int count = tries(NEAR);
+    const int count = tries_asked(NEAR);
     for (int i = 0; i < count; ++i) {
         double t, most, at;
-        struct motion m = with_peak(&r, &t, &most, &at);
+        struct motion m = motion_with_peak(&r, &t, &most, &at);
         const double mu = most / (1 + 2 * excess_of(1e-10)),
                      w = half_width(&m, mu, at);
         const double part = random_between(&r, 1e-3, 1);
         check(judged(&m, at - w + (1e-3 + part) * w, 1e-10, mu) != 0);
-        m.s = after(&m, at - (1 + part) * w);
+        m.s = motion_after(&m, at - (1 + part) * w);
         if (coin_orbit_init(&m.o, &m.s, &m.p) != COIN_OK)
             continue;
         check(judged(&m, t, 1e-10, mu) != 0);

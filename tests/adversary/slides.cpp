@@ -21,7 +21,7 @@ template <class R> double energy(const scene &s, double)
     want.add(y.Mga * y.c); /* (88) */
     verdict<R> v;
     v.hold(R(E), want.value,
-           8 * R(doubles::u) * want.size + 16 * R(doubles::normal));
+           12 * R(doubles::u) * want.size + 16 * R(doubles::normal));
     return v.worst;
 }
 
@@ -90,8 +90,8 @@ void thrown_flat(scene *s, const double *g)
 
 void add_slides(std::vector<row> *rows)
 {
-    rows->push_back({"coin_slide_energy", "8 u of the terms", 1, false, nullptr,
-                     energy<long double>, energy<quad>});
+    rows->push_back({"coin_slide_energy", "12 u of the terms", 1, false,
+                     nullptr, energy<long double>, energy<quad>});
     rows->push_back({"coin_slide_velocity", "8 u of the terms", 1, false,
                      nullptr, velocity<long double>, velocity<quad>});
     rows->push_back({"coin_slide_advance",

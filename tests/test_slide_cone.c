@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+/* Coins that roll until they leave the cone of friction, however briefly. */
+#include "support/check.h"
+#include "support/peaks.h"
+
+#include <math.h>
+
+enum { NEAR = 60 };
+
+/* A slide looks at the cone by other means.  Where it misses the excursion, it
+ * rolls on as with all the friction there may be. */
+static void a_slide_slips_in_an_excursion_that_hardly_exceeds_mu(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(185);
+    const int count = tries_asked(NEAR);
+    for (int i = 0; i < count; ++i) {
+        double t, most, at;
+        struct motion m;
+        do
+            m = motion_with_peak(&r, &t, &most, &at);
+        while (m.side < 0 || most > 1);
+        for (double tol = 1e-10; tol < 1e-3; tol *= 1e2) {
+            const double mu = most / (1 + 2 * excess_of(tol));
+            const coin_friction f = {mu, fmin(0.9 * mu, 0.2)};
+            const coin_friction rough = {INFINITY, 0};
+            coin_slide slips, rolls;
+            check_note("coin %d, tol %g", i, tol);
+            check_status(coin_slide_of(&slips, &m.s, &m.p), COIN_OK);
+            rolls = slips;
+            const int32_t got =
+                coin_slide_advance(&slips, &m.p, &f, NULL, t, tol, NULL);
+            check(got >= 0 || got == COIN_ELIFT);
+            check_status(
+                coin_slide_advance(&rolls, &m.p, &rough, NULL, t, tol, NULL),
+                COIN_OK);
+            check(slips.s.phi != rolls.s.phi || slips.s.wZ != rolls.s.wZ);
+        }
+    }
+}
+
+/* Excursions that looks with less care passed over. */
+static void a_slide_slips_where_polynomials_nearly_miss_it(void **unused)
+{
+    (void)unused;
+    const struct {
+        coin_params p;
+        coin_state s;
+        double t, tol, mu;
+    } of[] = {
+        {{36.707760436286556,
+          0.94969350334990188,
+          673.09077871443412,
+          9.426784529745758,
+          18.853569059491516,
+          {0}},
+         {0.66329914765128861, 1.2972162150253244, 0.022179499629718435,
+          -1.7083085778200169, -0.012119115548267612, 1.6505950676997188,
+          -2.4710120194674019, 6.7002334666511416},
+         0.04279387095891396,
+         1e-4,
+         0.55803703275456862},
+        {{269.14579638461453,
+          0.030810318156105555,
+          0.022486348298624902,
+          0.081056651393079701,
+          0.1621133027861594,
+          {0}},
+         {0.47493627781334236, 2.5317800432141704, -0.23934185446028788,
+          -0.00069981130814344983, -0.066938206826679392, 0.63071453673279065,
+          -0.2334566462007519, 1.1660060642031971},
+         2.1661147705105521,
+         1e-10,
+         0.8339332229542924},
+    };
+    for (int i = 0; i < 2; ++i) {
+        const coin_friction f = {of[i].mu, 0.2}, rough = {INFINITY, 0};
+        coin_slide slips, rolls;
+        check_note("case %d", i);
+        check_status(coin_slide_of(&slips, &of[i].s, &of[i].p), COIN_OK);
+        rolls = slips;
+        check(coin_slide_advance(&slips, &of[i].p, &f, NULL, of[i].t, of[i].tol,
+                                 NULL) >= 0);
+        check_status(coin_slide_advance(&rolls, &of[i].p, &rough, NULL, of[i].t,
+                                        of[i].tol, NULL),
+                     COIN_OK);
+        check(slips.s.phi != rolls.s.phi || slips.s.wZ != rolls.s.wZ);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(a_slide_slips_in_an_excursion_that_hardly_exceeds_mu),
+        TEST(a_slide_slips_where_polynomials_nearly_miss_it),
+    };
+    return RUN_TESTS(tests);
+}
