@@ -7,7 +7,7 @@ needs:  python3-mpmath (Debian)
 
 Writes observables.csv, circles.csv, motions.csv and sincos.csv.  Every input
 is a binary64 number printed with 17 digits, which read back exactly; every
-result is computed with 60 digits and printed with 18.
+result is computed with 60 digits and printed with 17.
 
 Nothing here uses the library's equations of motion.  The accelerations and
 the reaction come from one linear solve of Newton's and Euler's laws in the
@@ -149,7 +149,7 @@ class Coin:
 def number(v):
     if isinstance(v, float):
         return repr(v)
-    return '0' if v == 0 else mp.nstr(v, 18, min_fixed=1, max_fixed=0)
+    return '0' if v == 0 else mp.nstr(v, 17, min_fixed=1, max_fixed=0)
 
 
 def write(path, comment, columns, rows):
