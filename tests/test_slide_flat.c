@@ -167,7 +167,7 @@ static void a_step_beyond_the_end_is_taken_back(void **unused)
     };
     coin_params p;
     double reached;
-    assert_int_equal(
+    check_status(
         coin_params_body(&p, 1, 1, 1, 0.29939737890502371, 0.59879475781004743),
         COIN_OK);
     check_status(coin_slide_advance(&d, &p, &f, &l, t, 6.58203e-06, &reached),
