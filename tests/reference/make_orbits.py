@@ -77,7 +77,7 @@ def integrate(scene, times, turns=None):
 
 
 def out(v):
-    return nstr(v, 18, min_fixed=1, max_fixed=0)
+    return nstr(v, 17, min_fixed=1, max_fixed=0)
 
 
 def period_of(name, scene):

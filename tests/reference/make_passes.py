@@ -27,7 +27,7 @@ DIGITS, ORDER = 45, 52
 
 
 def number(v):
-    return nstr(v, 18, min_fixed=1, max_fixed=0)
+    return nstr(v, 17, min_fixed=1, max_fixed=0)
 
 
 def body(b):

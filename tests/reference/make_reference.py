@@ -204,14 +204,14 @@ COLS = ('t theta phi psi x z wX wY wZ E KY KZ Rx Ry Rz N F xc zc q0 q1 q2 q3 del
 HEAD = """# rolling coin reference trajectory, scene %(name)s: %(note)s
 # params (binary64, exact): M=%(M)r (%(Mh)s) a=%(a)r (%(ah)s) b=%(b)r (%(bh)s) g=%(g)r (%(gh)s); I_X=M(a^2+b^2)/4, I_Z=2 I_X
 # state at t=0 (binary64, exact): theta=%(th)r (%(thh)s) wX=%(wX)r (%(wXh)s) wY=%(wY)r (%(wYh)s) wZ=%(wZ)r (%(wZh)s); phi=psi=x=z=0
-# every t is an exact binary64 number. 32 significant digits are printed, at least 30 are good (60-digit arithmetic).
+# every t is an exact binary64 number. 17 significant digits are printed (60-digit arithmetic).
 # Units: those of the parameters; angles in rad. R: force of the floor on the coin, N=Ry, F=hypot(Rx,Rz).
 # KY,KZ: the two linear integrals = wY and wZ carried along the orbit to theta=0 (physics.md).
 # xc,zc: contact point. q0..q3: orientation quaternion (1,i,j,k), q=q_y(phi) q_x(theta) q_z(psi). delta=pi/2-|theta|.
 """
 def fmt(v):
     if v == 0: return '0'
-    s = mpmath.nstr(v, 18, min_fixed=1, max_fixed=0, strip_zeros=False)
+    s = mpmath.nstr(v, 17, min_fixed=1, max_fixed=0)
     m, _, e = s.partition('e')
     return m + 'e' + (e or '+0')
 

@@ -56,7 +56,7 @@ def row(b, u):
 def number(v):
     if v == 0:
         return '0'
-    text = mp.nstr(v, 18, min_fixed=1, max_fixed=0, strip_zeros=False)
+    text = mp.nstr(v, 17, min_fixed=1, max_fixed=0)
     return text if 'e' in text else text + 'e+0'
 
 

@@ -5,7 +5,7 @@
 M = a = g = 1, inner radius b, the pose 0 at the start; columns with a 0 are
 the start, in doubles taken exactly.  wY0 is above the critical spin, so that
 the lean swings and stays small; wX0 and wZ0 are theta0 wY0 times -1, 0 or 1.
-By the Taylor series of make_reference.py in 30 digits, of which 18 are
+By the Taylor series of make_reference.py in 30 digits, of which 17 are
 printed; for every sixth a series of other order must agree to 1e-18.
 
 usage: make_spins.py [FILE]    (needs python3-mpmath)
@@ -51,7 +51,7 @@ def main():
         for t, row in zip(TIMES, rows):
             lines.append(",".join(
                 [repr(v) for v in scene] + [repr(t)] +
-                [nstr(row[n], 18, min_fixed=1, max_fixed=0) for n in STATE]))
+                [nstr(row[n], 17, min_fixed=1, max_fixed=0) for n in STATE]))
     pathlib.Path(out).write_text("\n".join(lines) + "\n")
 
 
