@@ -7,8 +7,23 @@
 
 enum { NEAR = 60 };
 
-/* A slide looks at the cone by other means.  Where it misses the excursion, it
- * rolls on as with all the friction there may be. */
+/* Checks that a slide slips in a call, by what it differs in from one with all
+ * the friction there may be. */
+static void check_slips(const coin_params *p, const coin_state *s, double mu,
+                        double t, double tol)
+{
+    const coin_friction f = {mu, fmin(0.9 * mu, 0.2)}, rough = {INFINITY, 0};
+    coin_slide slips, rolls;
+    check_status(coin_slide_of(&slips, s, p), COIN_OK);
+    rolls = slips;
+    const int32_t got = coin_slide_advance(&slips, p, &f, NULL, t, tol, NULL);
+    check(got >= 0 || got == COIN_ELIFT);
+    check_status(coin_slide_advance(&rolls, p, &rough, NULL, t, tol, NULL),
+                 COIN_OK);
+    check(slips.s.phi != rolls.s.phi || slips.s.wZ != rolls.s.wZ);
+}
+
+/* The test finds the peak by sampling; a slide looks by other means. */
 static void a_slide_slips_in_an_excursion_that_hardly_exceeds_mu(void **unused)
 {
     (void)unused;
@@ -21,20 +36,8 @@ static void a_slide_slips_in_an_excursion_that_hardly_exceeds_mu(void **unused)
             m = motion_with_peak(&r, &t, &most, &at);
         while (m.side < 0 || most > 1);
         for (double tol = 1e-10; tol < 1e-3; tol *= 1e2) {
-            const double mu = most / (1 + 2 * excess_of(tol));
-            const coin_friction f = {mu, fmin(0.9 * mu, 0.2)};
-            const coin_friction rough = {INFINITY, 0};
-            coin_slide slips, rolls;
             check_note("coin %d, tol %g", i, tol);
-            check_status(coin_slide_of(&slips, &m.s, &m.p), COIN_OK);
-            rolls = slips;
-            const int32_t got =
-                coin_slide_advance(&slips, &m.p, &f, NULL, t, tol, NULL);
-            check(got >= 0 || got == COIN_ELIFT);
-            check_status(
-                coin_slide_advance(&rolls, &m.p, &rough, NULL, t, tol, NULL),
-                COIN_OK);
-            check(slips.s.phi != rolls.s.phi || slips.s.wZ != rolls.s.wZ);
+            check_slips(&m.p, &m.s, most / (1 + 2 * excess_of(tol)), t, tol);
         }
     }
 }
@@ -74,17 +77,8 @@ static void a_slide_slips_where_polynomials_nearly_miss_it(void **unused)
          0.8339332229542924},
     };
     for (int i = 0; i < 2; ++i) {
-        const coin_friction f = {of[i].mu, 0.2}, rough = {INFINITY, 0};
-        coin_slide slips, rolls;
         check_note("case %d", i);
-        check_status(coin_slide_of(&slips, &of[i].s, &of[i].p), COIN_OK);
-        rolls = slips;
-        check(coin_slide_advance(&slips, &of[i].p, &f, NULL, of[i].t, of[i].tol,
-                                 NULL) >= 0);
-        check_status(coin_slide_advance(&rolls, &of[i].p, &rough, NULL, of[i].t,
-                                        of[i].tol, NULL),
-                     COIN_OK);
-        check(slips.s.phi != rolls.s.phi || slips.s.wZ != rolls.s.wZ);
+        check_slips(&of[i].p, &of[i].s, of[i].mu, of[i].t, of[i].tol);
     }
 }
 

@@ -174,7 +174,7 @@ COIN_PRIV_APART int32_t fall_or_rise(struct settling *g,
     if (flat)
         return lay(g);
     const coinf_priv_variables at = coinf_priv_variables_with_low(&g->s);
-    if (!rises || coinf_priv_held(&g->l, &g->b, &at, STOPPED))
+    if (!rises || coinf_priv_is_held(&g->l, &g->b, &at, STOPPED))
         return COIN_OK;
     *g = before;
     return COIN_ESTEP;
@@ -205,7 +205,7 @@ static int32_t approach(struct settling *g)
         const coinf_priv_variables y = coinf_priv_variables_with_low(&g->s);
         if (y.cth < FLAT || end(g, &y))
             return lay(g);
-        if (coinf_priv_held(&g->l, &g->b, &y, STOPPED)) {
+        if (coinf_priv_is_held(&g->l, &g->b, &y, STOPPED)) {
             const int32_t status = fall_or_rise(g, &y);
             if (status == COIN_RESTS)
                 return status;

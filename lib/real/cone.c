@@ -20,8 +20,8 @@
 /* Places within a step that are looked at, and what is interpolated. */
 enum { PLACES = 8, MOVED = 7 };
 
-double coin_priv_left(const coin_priv_table *table, const coin_priv_slip *y,
-                      int slips)
+double coin_priv_clearance(const coin_priv_table *table,
+                           const coin_priv_slip *y, int slips)
 {
     const double f = table->held ? 1 : y->cth;
     const double size = f * (table->b.g_a + y->wX * y->wX) +
@@ -101,7 +101,7 @@ static double least(const double *m, int k)
 }
 
 /* The least between an end, m0, and the place k next to it, by the slope there:
- * m1 is what is left at a part EDGE of the way. */
+ * m1 is the clearance at a part EDGE of the way. */
 #define EDGE (1.0 / 256)
 static double least_beside(double m0, double m1, const double *m, int k)
 {
@@ -111,14 +111,14 @@ static double least_beside(double m0, double m1, const double *m, int k)
     return -slope < b ? m0 - slope * slope / (2 * b) : m0 + slope;
 }
 
-/* What is left a part x of the step on. */
-static double left_between(const coin_priv_look *look, const struct end *a,
-                           const struct end *b, double x)
+/* The clearance a part x of the step on. */
+static double clearance_between(const coin_priv_look *look, const struct end *a,
+                                const struct end *b, double x)
 {
     coin_priv_slip at;
     between(&at, a, b, x);
-    return coin_priv_left(look->table, &at,
-                          look->slopes == coin_priv_slip_slopes);
+    return coin_priv_clearance(look->table, &at,
+                               look->slopes == coin_priv_slip_slopes);
 }
 
 double coin_priv_looked(const coin_priv_look *look)
@@ -132,9 +132,9 @@ double coin_priv_looked(const coin_priv_look *look)
     end_of(&a, look, look->from);
     end_of(&b, look, look->to);
     for (int k = 0; k <= PLACES; ++k)
-        m[k] = left_between(look, &a, &b, k / places);
-    if (closely && least_beside(m[0], left_between(look, &a, &b, edge), m, 1) <
-                       (m[0] < miss ? 0 : miss))
+        m[k] = clearance_between(look, &a, &b, k / places);
+    if (closely && least_beside(m[0], clearance_between(look, &a, &b, edge), m,
+                                1) < (m[0] < miss ? 0 : miss))
         return 0.5;
     for (int k = 1; k < PLACES; ++k) {
         if (m[k] < -miss)
@@ -142,7 +142,7 @@ double coin_priv_looked(const coin_priv_look *look)
         if (least(m, k) < miss)
             return 0.5;
     }
-    const double last = left_between(look, &a, &b, 1 - edge);
+    const double last = clearance_between(look, &a, &b, 1 - edge);
     if (closely && m[PLACES] >= 0 &&
         least_beside(m[PLACES], last, m, PLACES - 1) <
             (m[PLACES] < miss ? 0 : miss))

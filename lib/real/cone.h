@@ -15,16 +15,17 @@ typedef struct coin_priv_look {
     double stride; /* h over the time in which the motion changes */
 } coin_priv_look;
 
-/* How much of the cone is left: the margin of the force that a rolling coin
- * needs, or the normal force of one that slips, over the largest of its terms.
- * Below 0 a rolling coin slips or lifts, a slipping one lifts. */
-double coin_priv_left(const coin_priv_table *table, const coin_priv_slip *y,
-                      int slips);
+/* The clearance: how far the force is within the cone of friction.  Of a coin
+ * that rolls it is the margin of the force that rolling needs, of one that
+ * slips it is the normal force, both over the largest of their terms.  Below 0
+ * a rolling coin slips or lifts off, and a slipping one lifts off. */
+double coin_priv_clearance(const coin_priv_table *table,
+                           const coin_priv_slip *y, int slips);
 
-/* 1 if something is left of the cone all along a step, but perhaps at its end;
- * the part of the step to try instead where that is not known; minus the part
- * at which nothing is left, and before which nothing was seen to be wrong.
- * Between the ends the motion is interpolated, to order 6. */
+/* 1 if the clearance is positive all along a step, but perhaps at its end; the
+ * part of the step to try instead where that is not known; minus the part at
+ * which the clearance is below 0, if it is positive before.  Between the ends
+ * the motion is interpolated, to order 6. */
 double coin_priv_looked(const coin_priv_look *look);
 
 /* The force that a rolling coin needs, over M a and times cos theta: along e_y,

@@ -22,8 +22,8 @@ static int32_t bits_of(const coin_priv_search *f, const coin_state *s)
     return bits > 0 ? bits & f->bits : 0;
 }
 
-int32_t coin_priv_bits_held(const coin_priv_search *f, const coin_state *s,
-                            const coin_priv_force *at)
+int32_t coin_priv_bits_at(const coin_priv_search *f, const coin_state *s,
+                          const coin_priv_force *at)
 {
     const double A = f->less * at->along[0], B = f->less * at->across[0];
     const double room = f->more * at->normal[0] - ROUNDED;

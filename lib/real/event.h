@@ -16,8 +16,8 @@ typedef struct coin_priv_moment {
 
 /* The bits looked for that hold in a state, where the force is *at.
  * coin_check() is called only if one of them may hold. */
-int32_t coin_priv_bits_held(const coin_priv_search *f, const coin_state *s,
-                            const coin_priv_force *at);
+int32_t coin_priv_bits_at(const coin_priv_search *f, const coin_state *s,
+                          const coin_priv_force *at);
 
 /* The first event of a stretch at whose begin none of the bits holds, within
  * tol of where the event begins; 0 if there is none. */

@@ -112,7 +112,7 @@ static coin_priv_push push_of(const coin_priv_table *t, coin_priv_slip *y)
     }
     y->uX = y->uh = 0;
     const coin_priv_push stick = coin_priv_static(t, y);
-    const int leaves = coin_priv_left(t, y, 0) < 0;
+    const int leaves = coin_priv_clearance(t, y, 0) < 0;
     const double F = coin_priv_hypot(stick.X, stick.h);
     if (!(leaves & (F > 0) & (t->mu_static <= DBL_MAX)))
         return stick;

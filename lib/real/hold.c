@@ -104,8 +104,8 @@ real PRIV(rise_time)(const PRIV(held_fall) * f, const PRIV(losses) * l,
     return twice < back ? twice : back;
 }
 
-int PRIV(held)(const PRIV(losses) * l, const PRIV(body) * b,
-               const PRIV(variables) * y, real eps)
+int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
+                  const PRIV(variables) * y, real eps)
 {
     const real cth = y->cth, wX = y->wX;
     const real u = cth * y->wZ + y->sth * y->wY;

@@ -31,8 +31,8 @@ COIN_PRIV_INLINE real PRIV(hold)(const PRIV(losses) * l, real u2, real cth)
 
 /* Whether the contact of a coin near flat has stopped, to within a part eps of
  * the rates of the fall, and the losses can hold it. */
-int PRIV(held)(const PRIV(losses) * l, const PRIV(body) * b,
-               const PRIV(variables) * y, real eps);
+int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
+                  const PRIV(variables) * y, real eps);
 
 /* The fall that begins at *y. */
 PRIV(held_fall)

@@ -66,13 +66,13 @@ static coin_priv_slip after(const coin_priv_sliding *g,
 
 /* The normal force where the slip would begin, if the coin rolled for tau from
  * coin_priv_mark() on. */
-static double force_left(coin_priv_sliding *g, double tau)
+static double clearance_after(coin_priv_sliding *g, double tau)
 {
     g->w.run.g = g->from;
     const struct onset from = onset_of(g);
     coin_priv_again(g, tau);
     const coin_priv_slip y = after(g, &from, tau);
-    return coin_priv_left(&g->table, &y, 1);
+    return coin_priv_clearance(&g->table, &y, 1);
 }
 
 /* The slip begins at *y. */
@@ -83,23 +83,24 @@ static int32_t begin(coin_priv_sliding *g, const coin_priv_slip *y)
     return coin_priv_slip_take(g, y);
 }
 
-/* Rolls on for at most tau, from an onset at *start. */
-static int32_t roll_on(coin_priv_sliding *g, const coin_priv_slip *start,
-                       const struct onset *from, double tau)
+/* Rolls on for at most tau from an onset at *start, where friction changes the
+ * slip too slowly to begin it at once. */
+static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
+                              const struct onset *from, double tau)
 {
     coin_priv_mark(g);
     double by = coin_priv_roll_step(g, coin_priv_roll_rate(g), tau);
     if (by == 0)
         return COIN_ESTEP;
-    if (coin_priv_cone_left(g) >= 0) {
+    if (coin_priv_rolling_clearance(g) >= 0) {
         coin_priv_count(g);
         return COIN_OK;
     }
     coin_priv_slip y = after(g, from, by);
-    const double end = coin_priv_left(&g->table, &y, 1);
+    const double end = coin_priv_clearance(&g->table, &y, 1);
     if (end <= 0) {
-        const double left = coin_priv_left(&g->table, start, 1);
-        by = coin_priv_locate(g, force_left, left, by, end);
+        const double before = coin_priv_clearance(&g->table, start, 1);
+        by = coin_priv_locate(g, clearance_after, before, by, end);
         coin_priv_again(g, by);
         y = after(g, from, by);
     }
@@ -138,7 +139,7 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
         wait = o.slope * once >= seed ? once : wait;
     }
     if (!(o.slope >= QUICK * o.friction && o.slope * tau >= seed))
-        return roll_on(g, &start, &o, wait);
+        return wait_for_speed(g, &start, &o, wait);
     const coin_priv_slip y = euler(&start, &o, seed / o.slope);
     return begin(g, &y);
 }
@@ -147,15 +148,15 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
  * slip then has an acceleration. */
 #define HELD_EXCESS 1e-5
 
-double coin_priv_held_left(const coin_priv_sliding *g)
+double coin_priv_held_clearance(const coin_priv_sliding *g)
 {
-    coin_priv_table held = g->table;
+    coin_priv_table table = g->table;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
-    const double least = held.mu_kinetic + HELD_EXCESS;
-    held.held = 1;
-    if (held.mu_static < least)
-        held.mu_static = least;
-    return coin_priv_left(&held, &y, 0);
+    const double least = table.mu_kinetic + HELD_EXCESS;
+    table.held = 1;
+    if (table.mu_static < least)
+        table.mu_static = least;
+    return coin_priv_clearance(&table, &y, 0);
 }
 
 /* It begins at once, by the slopes of half its first time; or not at all, if it

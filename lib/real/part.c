@@ -77,8 +77,8 @@ static double slack(const coin_priv_search *f)
 }
 
 /* Whether a force is in the cone, and off its edge. */
-static int is_held(const coin_priv_search *f, const coin_priv_force *at,
-                   double off)
+static int force_is_in_cone(const coin_priv_search *f,
+                            const coin_priv_force *at, double off)
 {
     const double A = f->less * at->along[0], B = f->less * at->across[0];
     const double C = f->more * at->normal[0] - off;
@@ -86,8 +86,8 @@ static int is_held(const coin_priv_search *f, const coin_priv_force *at,
 }
 
 /* Whether the force stays there all along. */
-static int stays_held(const coin_priv_search *f, const coin_priv_force *begin,
-                      const coin_priv_force *end, double h, double off)
+static int force_stays(const coin_priv_search *f, const coin_priv_force *begin,
+                       const coin_priv_force *end, double h, double off)
 {
     coin_priv_curve pile[CUTS + 1], *const c = pile;
     const int terms = end->terms;
@@ -129,7 +129,7 @@ int coin_priv_is_near(const coin_priv_search *f, const coin_priv_force *at,
                       double stride)
 {
     const double off = 2 * slack(f) * error_of(stride, FEW) * size_of(at);
-    return (f->bits & ON_FORCE) != 0 && !is_held(f, at, off);
+    return (f->bits & ON_FORCE) != 0 && !force_is_in_cone(f, at, off);
 }
 
 int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *begin,
@@ -139,8 +139,8 @@ int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *begin,
     const double off = slack(f) * part * (size_of(begin) + size_of(end));
     const double rise = part * (begin->cth[0] + end->cth[0]);
     if ((f->bits & ON_FORCE) &&
-        !(is_held(f, begin, off) && is_held(f, end, off) &&
-          stays_held(f, begin, end, h, off)))
+        !(force_is_in_cone(f, begin, off) && force_is_in_cone(f, end, off) &&
+          force_stays(f, begin, end, h, off)))
         return 0;
     return !(f->bits & COIN_NEARLY_FLAT) || stays_off_flat(begin, end, h, rise);
 }
@@ -188,28 +188,28 @@ static coin_priv_place positive(double *b, int degree, double from)
 /* Where b < least. */
 static coin_priv_place below_least(const double *b, double least, double from)
 {
-    double left[JOINED + 1];
+    double lack[JOINED + 1];
     for (int k = 0; k <= JOINED; ++k)
-        left[k] = least - b[k];
-    return positive(left, JOINED, from);
+        lack[k] = least - b[k];
+    return positive(lack, JOINED, from);
 }
 
 /* Where the force leaves the cone, and where N comes from or goes to 0: next to
  * such a place F exceeds every multiple of N, if only for a moment. */
 static coin_priv_place slip(const coin_priv_part *w, double from)
 {
-    double cone[COIN_PRIV_SQUARED + 1], left[JOINED + 1];
+    double cone[COIN_PRIV_SQUARED + 1], pull[JOINED + 1];
     const double inside = from > 0 ? from : 0;
     coin_priv_cone(cone, w->force.along, w->force.across, w->force.bound);
     coin_priv_place r = positive(cone, COIN_PRIV_SQUARED, from);
     if (is_above(w->normal, 0, JOINED))
         return r;
     for (int k = 0; k <= JOINED; ++k)
-        left[k] = -w->normal[k];
-    const double down = coin_priv_rise(left, JOINED, inside);
-    r.to = coin_priv_lesser(r.to, coin_priv_rise(left, JOINED, r.from));
-    negate(left, JOINED);
-    const coin_priv_place up = positive(left, JOINED, inside);
+        pull[k] = -w->normal[k];
+    const double down = coin_priv_rise(pull, JOINED, inside);
+    r.to = coin_priv_lesser(r.to, coin_priv_rise(pull, JOINED, r.from));
+    negate(pull, JOINED);
+    const coin_priv_place up = positive(pull, JOINED, inside);
     const coin_priv_place falls = {down, down};
     return earlier(earlier(r, up), falls);
 }

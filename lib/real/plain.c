@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The test that decides nearly all steps of a rolling coin: whether the points
- * of a few polynomials in Bernstein's form are in the cone.  It needs no root.
- */
+/* The test that decides nearly all steps of a rolling coin, without a root.
+ *
+ * First the force along the step is taken as a polynomial of degree 3, by the
+ * forces and their slopes at both ends, and then as one of degree 4, by the
+ * force in the middle as well.  If the polynomial's points in Bernstein's form
+ * lie in the cone of friction, so does the polynomial.  If neither decides, the
+ * margin is computed at three places of the interpolated motion. */
 #include "../motion/pinned.h"
 
 #include "cone.h"
@@ -76,18 +80,18 @@ COIN_PRIV_INLINE struct scale scale_of(const coin_priv_table *t, double size)
     return r;
 }
 
-/* What is left of the cone at a place, as in coin_priv_end. */
-struct left {
+/* The margin at a place, and its error, as in coin_priv_end. */
+struct margin {
     double margin, miss;
 };
 
-COIN_PRIV_INLINE struct left left_of(const coin_priv_table *t,
-                                     const coin_priv_need *F)
+COIN_PRIV_INLINE struct margin margin_of(const coin_priv_table *t,
+                                         const coin_priv_need *F)
 {
     const struct scale per = scale_of(t, F->size);
     const double most = per.N * F->N;
     const double along_X = per.F * F->X, along_h = per.F * F->h;
-    const struct left r = {
+    const struct margin r = {
         most * fabs(most) - (along_X * along_X + along_h * along_h),
         fabs(most) + fabs(along_X) + fabs(along_h),
     };
@@ -116,9 +120,9 @@ void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
     e->slope.N = per * (F.N - e->force.N);
     e->slope.X = per * (F.X - e->force.X);
     e->slope.h = per * (F.h - e->force.h);
-    const struct left left = left_of(table, &e->force);
-    e->margin = left.margin;
-    e->miss = left.miss;
+    const struct margin m = margin_of(table, &e->force);
+    e->margin = m.margin;
+    e->miss = m.miss;
 }
 
 /* Hermite's polynomial of degree 5 at 1/4, 1/2, 3/4. */
@@ -217,18 +221,18 @@ COIN_PRIV_INLINE int stays_in_cone(const coin_priv_table *t,
            is_in_cone(point, &per, off);
 }
 
-/* Whether enough is left of the cone at the places and at both ends. */
-static int is_left(const coin_priv_table *table, const coin_priv_end *a,
-                   const coin_priv_end *b, const coin_priv_need *at,
-                   double part)
+/* Whether the margin is large enough at the places and at both ends. */
+static int has_margin(const coin_priv_table *table, const coin_priv_end *a,
+                      const coin_priv_end *b, const coin_priv_need *at,
+                      double part)
 {
     double m[PLACES + 2], terms = a->miss > b->miss ? a->miss : b->miss;
     m[0] = a->margin;
     m[PLACES + 1] = b->margin;
     for (int k = 0; k < PLACES; ++k) {
-        const struct left left = left_of(table, &at[k]);
-        m[k + 1] = left.margin;
-        terms = left.miss > terms ? left.miss : terms;
+        const struct margin here = margin_of(table, &at[k]);
+        m[k + 1] = here.margin;
+        terms = here.miss > terms ? here.miss : terms;
     }
     return least(m) > part * terms;
 }
@@ -250,10 +254,10 @@ int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
     const coin_priv_need point = third_point(a, b, tau, mid);
     if (stays_in_cone(table, a, b, tau / 4, &point, MISS4 * s4 * stride * size))
         return 1;
-    const struct left left = left_of(table, mid);
-    if (!(left.margin > part * left.miss))
+    const struct margin m = margin_of(table, mid);
+    if (!(m.margin > part * m.miss))
         return 0;
     at[0] = need_within(table, f, l, a, b, tau, 0);
     at[PLACES - 1] = need_within(table, f, l, a, b, tau, PLACES - 1);
-    return is_left(table, a, b, at, part);
+    return has_margin(table, a, b, at, part);
 }

@@ -63,16 +63,16 @@ void coin_priv_again(coin_priv_sliding *g, double tau)
     (void)coin_priv_roll_try(g, tau);
 }
 
-double coin_priv_cone_left(const coin_priv_sliding *g)
+double coin_priv_rolling_clearance(const coin_priv_sliding *g)
 {
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
-    return coin_priv_left(&g->table, &y, 0);
+    return coin_priv_clearance(&g->table, &y, 0);
 }
 
-static double cone_left(coin_priv_sliding *g, double tau)
+static double clearance_after(coin_priv_sliding *g, double tau)
 {
     coin_priv_again(g, tau);
-    return coin_priv_cone_left(g);
+    return coin_priv_rolling_clearance(g);
 }
 
 void coin_priv_count(coin_priv_sliding *g)
@@ -105,11 +105,11 @@ static double time_held(const coin_priv_sliding *g)
     return coin_priv_lesser(TOP * rise, g->rem.sum);
 }
 
-/* Takes the coin on by coin_settle() from g->held; *time is the time asked,
+/* Takes the coin on by coin_settle() from g->stopped; *time is the time asked,
  * then moved. */
 static int32_t settle(coin_priv_sliding *g, double *time)
 {
-    coin_state s = g->held;
+    coin_state s = g->stopped;
     double moved = 0;
     const int32_t status =
         coin_settle(&s, &g->p, &g->losses, *time, g->tol, &moved);
@@ -120,29 +120,30 @@ static int32_t settle(coin_priv_sliding *g, double *time)
     return status;
 }
 
-static double held_left(coin_priv_sliding *g, double time)
+static double held_clearance_after(coin_priv_sliding *g, double time)
 {
     (void)settle(g, &time);
-    return coin_priv_held_left(g);
+    return coin_priv_held_clearance(g);
 }
 
 /* A coin near flat whose contact is held by the losses: coin_settle() takes it
  * to the table, or as far as it rises; or to where it slips. */
 static int32_t go_held(coin_priv_sliding *g)
 {
-    const double left = coin_priv_held_left(g);
+    const double before = coin_priv_held_clearance(g);
     double moved = time_held(g);
     const int whole = moved == g->rem.sum;
     g->seen = 0;
-    if (left < 0 && coin_priv_begin_held_slip(g))
+    if (before < 0 && coin_priv_begin_held_slip(g))
         return COIN_OK;
     coin_priv_read_lean(&g->w.run.g);
-    g->held = coin_priv_run_state(&g->w.run);
+    g->stopped = coin_priv_run_state(&g->w.run);
     int32_t status = settle(g, &moved);
-    const double end = coin_priv_held_left(g);
-    if (left >= 0 && end < 0) {
+    const double end = coin_priv_held_clearance(g);
+    if (before >= 0 && end < 0) {
         const coin_priv_sum rem = g->rem;
-        double part = coin_priv_locate(g, held_left, left, moved, end);
+        double part =
+            coin_priv_locate(g, held_clearance_after, before, moved, end);
         (void)settle(g, &part);
         coin_priv_add(&g->rem, -part);
         if (coin_priv_begin_held_slip(g))
@@ -161,7 +162,7 @@ static int is_held(const coin_priv_sliding *g)
 {
     const double eps = coin_priv_stopped(g->tol);
     const coin_priv_variables *y = &g->w.run.g.y;
-    return g->lossy && coin_priv_held(&g->w.l, &g->w.run.b, y, eps);
+    return g->lossy && coin_priv_is_held(&g->w.l, &g->w.run.b, y, eps);
 }
 
 /* The length of a step by its rules: of time, of rate, and of losses. */
@@ -290,7 +291,7 @@ static int is_plain(coin_priv_sliding *g, double tau, double rate)
 static int shorten(coin_priv_sliding *g, double tau, double rate)
 {
     const coin_priv_slip from = coin_priv_slip_of(&g->from.y, 0, 0);
-    const double left = coin_priv_left(&g->table, &from, 0);
+    const double before = coin_priv_clearance(&g->table, &from, 0);
     for (int whole = 1;; whole = 0) {
         const coin_priv_slip to = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
         const coin_priv_look look = {
@@ -301,9 +302,10 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
             tau *= fabs(part);
             coin_priv_again(g, tau);
         }
-        const double end = coin_priv_cone_left(g);
+        const double end = coin_priv_rolling_clearance(g);
         if (end < 0 && (part < 0 || part == 1)) {
-            coin_priv_again(g, coin_priv_locate(g, cone_left, left, tau, end));
+            coin_priv_again(
+                g, coin_priv_locate(g, clearance_after, before, tau, end));
             return -1;
         }
         if (part == 1)
@@ -351,7 +353,7 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
     const double rate = coin_priv_roll_rate(g);
     if (!g->seen)
         coin_priv_see(g);
-    if (!g->seen && coin_priv_cone_left(g) < 0)
+    if (!g->seen && coin_priv_rolling_clearance(g) < 0)
         return coin_priv_begin_slip(g);
     g->gained = 0;
     const double before = g->rem.sum;

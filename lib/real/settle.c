@@ -112,7 +112,7 @@ static int rise(struct settling *g, double eps)
     coin_priv_held_fall end = f;
     coin_priv_fall_by(&end, l, &g->w.run.b, time);
     put(&after, &end, l);
-    if (!coin_priv_held(l, &g->w.run.b, &after.g.y, eps))
+    if (!coin_priv_is_held(l, &g->w.run.b, &after.g.y, eps))
         return 0;
     g->w.run = after;
     coin_priv_add(&g->rem, -time);
@@ -180,7 +180,7 @@ static int32_t approach(struct settling *g)
             return COIN_OK;
         if (y->cth < COIN_PRIV_FLAT)
             return lay(g, 0);
-        if (coin_priv_held(&g->w.l, &g->w.run.b, y, eps)) {
+        if (coin_priv_is_held(&g->w.l, &g->w.run.b, y, eps)) {
             if (y->sth * y->wX >= 0)
                 return fall_flat(g);
             if (rise(g, eps))

@@ -126,8 +126,8 @@ static int32_t mode_of(const coin_priv_sliding *g)
         return COIN_OK;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     if (g->slips)
-        return coin_priv_left(t, &y, 1) > 0 ? slips : lifts;
-    if (coin_priv_left(t, &y, 0) < 0)
+        return coin_priv_clearance(t, &y, 1) > 0 ? slips : lifts;
+    if (coin_priv_clearance(t, &y, 0) < 0)
         return coin_priv_can_slip(t, &y) ? slips : lifts;
     return coin_priv_static(t, &y).N > 0 ? COIN_OK : lifts;
 }

@@ -21,25 +21,25 @@ typedef struct coin_priv_sliding {
                           of a coin that rolls */
     coin_params p;     /* for coin_settle() and searches of the cone */
     coin_losses losses;
-    double uX, uh; /* 0 while the coin rolls */
-    int slips, lossy;
-    double gained;     /* the slip speed gained in an onset so far */
+    double uX, uh;     /* 0 while the coin rolls */
+    int slips, lossy;  /* whether it slips now; whether it has losses */
+    double gained;     /* the slip speed gained so far, where a slip begins */
     coin_priv_sum rem; /* the time still to go */
     coin_priv_reach reach;
     double tol, roll_stride, slip_stride;
     uint64_t tries;
-    coin_priv_progress from; /* the progress at coin_priv_mark(), and the */
-    uint64_t steps;          /* number of steps then */
-    coin_state held;         /* where a coin near flat was found held */
-    int seen;                /* if the force is known to lie within the cone */
-    coin_priv_end ends[2];   /* ends[at] is that of the place come to, if seen
-                                and the series have no terms at begin */
+    coin_priv_progress from; /* where the step began: set by coin_priv_mark() */
+    uint64_t steps;          /* the number of steps of the run there */
+    coin_state stopped; /* where the losses were found to hold the contact */
+    int seen; /* whether the force is known to lie within the cone here */
+    coin_priv_end ends[2]; /* of a step; ends[at] is here, if `seen` and if the
+                              last step was not judged by series */
     int at;
-    coin_priv_stretch series; /* of the step before, if it was judged by them:
-                                 else no terms at begin; of `from` only b and
+    coin_priv_stretch series; /* those that judged the last step; if none did,
+                                 begin.terms is 0.  Of its `from` only b and
                                  g.y are set */
-    int landed;               /* if the run holds theta: the step before was
-                                 one in t */
+    int landed; /* whether the last step was one in t, so that the run has
+                   theta */
 } coin_priv_sliding;
 
 /* The most steps of a call, those refused included. */
@@ -80,8 +80,7 @@ double coin_priv_roll_rate(const coin_priv_sliding *g);
 /* A step as long as its error allows, at most `most`: its tau, or 0. */
 double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most);
 
-/* Keeps where such a step begins; repeats the step from there, with another
- * tau. */
+/* Keeps where a step begins; repeats the step from there, with another tau. */
 void coin_priv_mark(coin_priv_sliding *g);
 void coin_priv_again(coin_priv_sliding *g, double tau);
 
@@ -92,8 +91,8 @@ void coin_priv_count(coin_priv_sliding *g);
  * cone. */
 void coin_priv_see(coin_priv_sliding *g);
 
-/* coin_priv_left() where the run is. */
-double coin_priv_cone_left(const coin_priv_sliding *g);
+/* coin_priv_clearance() where the run is, of a coin that rolls. */
+double coin_priv_rolling_clearance(const coin_priv_sliding *g);
 
 /* roll.c and slip.c: a step of a coin that rolls; of one that slips.  COIN_OK,
  * or a status that ends the call: COIN_RESTS, COIN_ELIFT, COIN_ESTEP. */
@@ -103,10 +102,10 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g);
 /* onset.c: begins the slip of a coin whose rolling needs too much friction. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g);
 
-/* onset.c: how far the force is within the cone, of a coin near flat whose
- * contact is held by the losses; and the slip of such a coin: 0, and nothing
- * done, if it does not slip. */
-double coin_priv_held_left(const coin_priv_sliding *g);
+/* onset.c: the clearance of a coin near flat whose contact is held by the
+ * losses; and the beginning of its slip: 0, and nothing done, if it does not
+ * slip. */
+double coin_priv_held_clearance(const coin_priv_sliding *g);
 int coin_priv_begin_held_slip(coin_priv_sliding *g);
 
 #endif

@@ -18,10 +18,10 @@
  * has its direction. */
 #define SLIP_ERROR 1e-2
 
-/* A slip is taken as a straight line for the lesser of BRIEF sqrt(tol) and
- * BRIEFEST, in parts of the time in which the motion changes. */
-#define BRIEF 0.25
-#define BRIEFEST 0.003
+/* A slip is taken as a straight line for at most STRAIGHT sqrt(tol), and at
+ * most MOST_STRAIGHT, of the time in which the motion changes. */
+#define STRAIGHT 0.25
+#define MOST_STRAIGHT 0.003
 
 /* A step tried. */
 struct tried {
@@ -41,7 +41,7 @@ static double growth(const coin_priv_slip *y, const coin_priv_slip *d)
     return y->uX / u * d->uX + y->uh / u * d->uh;
 }
 
-/* The rate in tau at which the coin moves; and at which losses slow it. */
+/* The rates in tau: of the coin's motion, and of its slowing by losses. */
 static double own_rate(const coin_priv_sliding *g)
 {
     return 1 / coin_priv_sundman_tau(&g->table.b, &g->w.run.g.y, 1);
@@ -125,18 +125,20 @@ static struct tried attempt(coin_priv_sliding *g, double h)
     return r;
 }
 
-static double time_left(coin_priv_sliding *g, double h)
+/* What is 0 at an event, after a step h: the time left, the normal force, and
+ * cos theta. */
+static double time_left_after(coin_priv_sliding *g, double h)
 {
     return g->rem.sum - attempt(g, h).to.t;
 }
 
-static double force_left(coin_priv_sliding *g, double h)
+static double clearance_after(coin_priv_sliding *g, double h)
 {
     const struct tried r = attempt(g, h);
-    return coin_priv_left(&g->table, &r.to, 1);
+    return coin_priv_clearance(&g->table, &r.to, 1);
 }
 
-static double angle_left(coin_priv_sliding *g, double h)
+static double cos_after(coin_priv_sliding *g, double h)
 {
     return attempt(g, h).to.cth;
 }
@@ -158,8 +160,9 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
     }
 }
 
-/* Whether the normal force is clearly positive all along a step: it changes as
- * the coin moves, and by much less than it is at both ends. */
+/* Whether the normal force, `from` and `to` at the ends, is surely positive all
+ * along a step h of a slip no faster than u: it is if it changes by much less
+ * than its value, and if the coin moves little in the step. */
 static int is_pressed(const coin_priv_sliding *g, double from, double to,
                       double u, double h)
 {
@@ -168,29 +171,30 @@ static int is_pressed(const coin_priv_sliding *g, double from, double to,
            4 * fabs(to - from) + 0.25 * moved * moved;
 }
 
-/* Shortens a step to the first of the end of the time, the end of the normal
- * force, and the table.  Returns the status there. */
+/* Shortens a step, if it goes too far: to the end of the time, to where the
+ * normal force comes to 0, or to where the coin lies on the table, whichever is
+ * first.  Returns the status there. */
 static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
                    double rate)
 {
     const coin_priv_slip from = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     int32_t status = COIN_OK;
     if (r->to.cth <= 0) {
-        *h = coin_priv_locate(g, angle_left, from.cth, *h, r->to.cth);
+        *h = coin_priv_locate(g, cos_after, from.cth, *h, r->to.cth);
         *r = attempt(g, *h);
         status = COIN_RESTS;
     }
     if (r->to.t > g->rem.sum) {
-        *h = coin_priv_locate(g, time_left, g->rem.sum, *h,
+        *h = coin_priv_locate(g, time_left_after, g->rem.sum, *h,
                               g->rem.sum - r->to.t);
         *r = attempt(g, *h);
         r->to.t = g->rem.sum;
         status = COIN_OK;
     }
-    const double left = coin_priv_left(&g->table, &from, 1);
+    const double before = coin_priv_clearance(&g->table, &from, 1);
     const double u =
         speed(&from) > speed(&r->to) ? speed(&from) : speed(&r->to);
-    if (is_pressed(g, left, coin_priv_left(&g->table, &r->to, 1), u, *h))
+    if (is_pressed(g, before, coin_priv_clearance(&g->table, &r->to, 1), u, *h))
         return status;
     for (;;) {
         const coin_priv_look look = {
@@ -202,9 +206,9 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
             *r = attempt(g, *h);
             status = COIN_OK;
         }
-        const double end = coin_priv_left(&g->table, &r->to, 1);
+        const double end = coin_priv_clearance(&g->table, &r->to, 1);
         if (!(end > 0) && (part < 0 || part == 1)) {
-            *h = coin_priv_locate(g, force_left, left, *h, end);
+            *h = coin_priv_locate(g, clearance_after, before, *h, end);
             *r = attempt(g, *h);
             return COIN_ELIFT;
         }
@@ -213,13 +217,15 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
     }
 }
 
-/* The longest sigma in which a slip is taken as a straight line, whose error is
- * of the second order; 0 if its direction turns, or the contact is held. */
-static double brief_of(const coin_priv_sliding *g, const coin_priv_slip *y,
-                       const coin_priv_slip *d)
+/* The longest sigma in which a slip is taken as a straight line; 0 if its
+ * direction turns, or the contact is held.  The line's error is as the square
+ * of sigma. */
+static double longest_line(const coin_priv_sliding *g, const coin_priv_slip *y,
+                           const coin_priv_slip *d)
 {
     const double u = speed(y);
-    const double part = coin_priv_lesser(BRIEF * sqrt(g->tol), BRIEFEST);
+    const double part =
+        coin_priv_lesser(STRAIGHT * sqrt(g->tol), MOST_STRAIGHT);
     const double turn = y->uX / u * d->uh - y->uh / u * d->uX;
     if (g->table.held || fabs(turn) > part * fabs(growth(y, d)))
         return 0;
@@ -242,21 +248,22 @@ static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
     return fits;
 }
 
-/* Takes a brief slip, or the end of one whose speed is nearly 0, in one
- * straight line.  After its end the coin rolls, or slips in another direction.
- * 0 if the slip is not brief, or the coin may lift off: *to is then of no use,
- * and *g as it was. */
-static int go_briefly(coin_priv_sliding *g, coin_priv_slip *to,
-                      const coin_priv_slip *d)
+/* Takes a slip that ends soon to its end, in one straight line, and one that
+ * has just begun as far as such a line goes.  A slip at its end is forgotten:
+ * the next step finds out whether the coin rolls, or slips in another
+ * direction. Returns 0 if the slip is neither, or if the coin may lift off: *to
+ * is then of no use, and *g as it was. */
+static int take_straight(coin_priv_sliding *g, coin_priv_slip *to,
+                         const coin_priv_slip *d)
 {
     const double u = speed(to), grows = growth(to, d);
-    const double h = brief_of(g, to, d);
-    const int least = u < COIN_PRIV_SLIP_LEAST * g->table.w0;
+    const double h = longest_line(g, to, d);
+    const int is_least = u < COIN_PRIV_SLIP_LEAST * g->table.w0;
     const int ends = grows < 0;
-    if (!(ends ? least || u < -grows * h : u < grows * h / 9))
+    if (!(ends ? is_least || u < -grows * h : u < grows * h / 9))
         return 0;
     const int fits = go_straight(to, d, ends ? u / -grows : h, g->rem.sum);
-    if (!(coin_priv_left(&g->table, to, 1) > 0))
+    if (!(coin_priv_clearance(&g->table, to, 1) > 0))
         return 0;
     if (fits && ends) {
         to->uX = to->uh = g->gained = 0;
@@ -279,7 +286,7 @@ static int is_held(const coin_priv_sliding *g, const coin_priv_slip *y)
     const double turn = g->table.mu_kinetic * b->Mga * (b->IX / b->IZ);
     const double hold =
         coin_priv_hold(l, coin_priv_slow2(l, b, v, eps), v->cth);
-    return turn * y->cth * y->cth <= hold && coin_priv_held(l, b, v, eps);
+    return turn * y->cth * y->cth <= hold && coin_priv_is_held(l, b, v, eps);
 }
 
 int32_t coin_priv_slip_on(coin_priv_sliding *g)
@@ -290,7 +297,7 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
     g->table.held = is_held(g, &y);
     coin_priv_slip_slopes((double *)&d, (const double *)&y, &g->table);
     coin_priv_slip to = y;
-    if (go_briefly(g, &to, &d))
+    if (take_straight(g, &to, &d))
         return coin_priv_slip_take(g, &to);
     const double rate =
         rate_of(g, &y) + RELAX * fabs(growth(&y, &d)) / speed(&y);

@@ -113,7 +113,7 @@ static int32_t prepare(struct moving *g, coin_priv_stretch *w,
     f->tol /= w0;
     coin_priv_force_of(&w->begin, &g->run.b, &g->run.g.y, w->unit,
                        COIN_PRIV_FORCE_FEW);
-    const int32_t bits = coin_priv_bits_held(f, s, &w->begin);
+    const int32_t bits = coin_priv_bits_at(f, s, &w->begin);
     return bits == 0 && t >= 0 && coin_priv_rests(s) ? COIN_EFLAT : bits;
 }
 
@@ -139,5 +139,5 @@ int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
     if (status < 0 && g.run.steps > 0)
         coin_priv_read_lean(&g.run.g);
     status = coin_priv_arrive(s, &g.run, status, t, g.rem.sum, reached);
-    return status == COIN_OK ? coin_priv_bits_held(&f, s, &w.begin) : status;
+    return status == COIN_OK ? coin_priv_bits_at(&f, s, &w.begin) : status;
 }

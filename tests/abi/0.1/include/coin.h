@@ -803,11 +803,12 @@ COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
  *         does.  docs/models.md says how often a cheaper model would have done
  *         (test_model).
  * Cost: that of coin_orbit_init(), and of up to 128 looks at the orbit for each
- *         model that is nearly good enough: 65 textbook steps for a quarter,
- *         and 250 and more for a motion that comes near flat.  Where there is
- *         no orbit, up to 64 natural units are stepped: 1,400 textbook steps as
- *         a rule, 8,500 at most.  So ask once for a scene, not for a frame, and
- *         not at all for fewer than some 100 answers.  Some 77 KiB of stack. */
+ *         model that is nearly good enough: 65 textbook steps for a small swing
+ *         about a steady circle, 250 and more for a motion that comes near
+ *         flat.  Where there is no orbit, up to 64 natural units are stepped:
+ *         1,400 textbook steps as a rule, 8,500 at most.  So ask once for a
+ *         scene, not for a frame, and not at all for fewer than some 100
+ *         answers.  Some 77 KiB of stack. */
 COIN_API int32_t coin_model_needed(const coin_state *s, const coin_params *p,
                                    double horizon, double tol);
 
