@@ -63,6 +63,30 @@ static void a_step_through_the_table_has_an_infinite_error(void **unused)
     check(isinf(t.error));
 }
 
+/* A coin that rolls straight on, upright: wZ alone changes. */
+static const coin_state straight = {.wZ = 1};
+
+static void the_error_of_a_straight_roll_is_seen(void **unused)
+{
+    (void)unused;
+    const coin_losses viscous = {.viscous = 1};
+    const coin_priv_lossy w = lossy(&straight, &viscous);
+    double error;
+    const double off = halved(&w, 0.5, &error);
+    check_within(error / off, 3, 3e3);
+}
+
+static void the_error_of_a_step_that_overflows_is_infinite(void **unused)
+{
+    (void)unused;
+    const coin_losses viscous = {.viscous = 1};
+    const coin_priv_lossy w = lossy(&straight, &viscous);
+    coin_priv_trial t;
+    coin_priv_lossy_try(&t, &w, 1e25);
+    check(isfinite(t.next.wZ));
+    check(isinf(t.error));
+}
+
 /* It is the distance to u = 0 over the speed, by half. */
 static void the_bound_halves_the_way_to_where_the_contact_turns(void **unused)
 {
@@ -130,6 +154,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(the_step_is_of_order_8_and_its_estimate_is_larger),
         TEST(a_step_through_the_table_has_an_infinite_error),
+        TEST(the_error_of_a_straight_roll_is_seen),
+        TEST(the_error_of_a_step_that_overflows_is_infinite),
         TEST(the_bound_halves_the_way_to_where_the_contact_turns),
         TEST(at_the_turn_the_bound_is_the_width),
         TEST(friction_shortens_the_step),

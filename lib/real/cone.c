@@ -7,10 +7,6 @@
  * friction is 0, or exactly at its limit, the difference is rounding. */
 #define SLACK 1e-14
 
-/* The largest error of the interpolated margin over stride^6: measured on
- * random motions (test_cone), times 4. */
-#define MISS 0.006
-
 /* A step of less stride is not looked into any further. */
 #define SHORT 1e-3
 
@@ -126,7 +122,7 @@ double coin_priv_looked(const coin_priv_look *look)
     struct end a, b;
     const double s2 = look->stride * look->stride;
     const int closely = look->table->mu_static > 0 && look->stride > SHORT;
-    const double miss = closely ? MISS * s2 * s2 * s2 : 0;
+    const double miss = closely ? COIN_PRIV_MISS * s2 * s2 * s2 : 0;
     const double places = PLACES, edge = EDGE / places;
     double m[PLACES + 1];
     end_of(&a, look, look->from);

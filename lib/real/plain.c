@@ -10,15 +10,6 @@
 
 #include "cone.h"
 
-/* The largest error of the interpolated margin over stride^6: as in cone.c. */
-#define MISS 0.006
-
-/* By how much the curves of degree 3 and 4 may miss the force, over stride^4
- * and stride^5 and the sizes at both ends: measured on random motions of rings
- * and other bodies, times 4. */
-#define MISS3 0.08
-#define MISS4 0.008
-
 /* The slopes of the slopes are differences over this part of the time in
  * which the motion changes. */
 #define NEAR (1.0 / 1048576)
@@ -242,17 +233,19 @@ int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
                     const coin_priv_end *b, double tau, double stride)
 {
     const double s2 = stride * stride, s4 = s2 * s2;
-    const double part = 2 * MISS * (s4 * s2);
+    const double part = 2 * COIN_PRIV_MISS * (s4 * s2);
     const double size = a->force.size + b->force.size;
     coin_priv_need at[PLACES], *const mid = &at[PLACES / 2];
-    if (stays_in_cone(table, a, b, tau / 3, &a->force, MISS3 * s4 * size))
+    const double miss3 = COIN_PRIV_MISS3 * s4 * size;
+    const double miss4 = COIN_PRIV_MISS4 * s4 * stride * size;
+    if (stays_in_cone(table, a, b, tau / 3, &a->force, miss3))
         return 1;
     const double low = coin_priv_lesser(a->margin, b->margin);
     if (!(low > part * coin_priv_lesser(a->miss, b->miss)))
         return 0;
     *mid = need_within(table, f, l, a, b, tau, PLACES / 2);
     const coin_priv_need point = third_point(a, b, tau, mid);
-    if (stays_in_cone(table, a, b, tau / 4, &point, MISS4 * s4 * stride * size))
+    if (stays_in_cone(table, a, b, tau / 4, &point, miss4))
         return 1;
     const struct margin m = margin_of(table, mid);
     if (!(m.margin > part * m.miss))

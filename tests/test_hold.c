@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT */
+/* The losses hold a contact that has stopped as long as they have the torque
+ * for it. */
+#include "hold.h"
+#include "run.h"
+
+#include "support/check.h"
+#include "support/random.h"
+
+#include <math.h>
+
+/* The torque on the roll that keeps d(psi)/dt at 0, by the ideal coin's rates:
+ * a torque Q changes u = cos theta d(psi)/dt by Q (s^2/I_X + c^2/K)/c. */
+static double torque_needed(const coin_state *s, const coin_params *p)
+{
+    coin_state d;
+    check_status(coin_rates(s, p, &d), COIN_OK);
+    const double c = cos(s->theta), sth = sin(s->theta);
+    const double K = p->inertia_Z + p->mass * p->radius * p->radius;
+    const double du = c * d.wZ + sth * d.wY + s->wX * (c * s->wY - sth * s->wZ);
+    return fabs(du) * c / (sth * sth / p->inertia_X + c * c / K);
+}
+
+/* In a fall so fast that gravity hardly adds to it, the torque needed now is
+ * the largest. */
+static void losses_hold_the_torque_that_they_have(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(188);
+    for (int i = 0; i < 200; ++i) {
+        coin_params p;
+        coin_priv_run run;
+        coin_priv_losses l;
+        const double IX = random_between(&r, 0.1, 0.5);
+        const double from_flat = random_between(&r, 0.01, 0.04);
+        const double turn = random_between(&r, -5, 5);
+        const double fall = random_between(&r, 40, 60), eps = 1e-8;
+        const double side = i % 2 ? 1 : -1;
+        check_status(coin_params_body(&p, 1, 1, 1, IX,
+                                      IX * random_between(&r, 0.5, 1.5)),
+                     COIN_OK);
+        const coin_state s = {.theta = side * (1.5707963267948966 - from_flat),
+                              .wX = side * fall,
+                              .wY = turn * sin(from_flat),
+                              .wZ = -side * turn * cos(from_flat)};
+        check_status(coin_priv_check_body(&run.b, &p), COIN_OK);
+        coin_priv_run_unlimited(&run, &s);
+        const coin_priv_variables *y = &run.g.y;
+        coin_losses dry = {.dry = 1};
+        check_status(coin_priv_losses_of(&l, &dry, &run.b), COIN_OK);
+        const double slow2 = coin_priv_slow2(&l, &run.b, y, eps);
+        const double torque = coin_priv_hold(&l, slow2, y->cth);
+        const double need = torque_needed(&s, &p);
+        check_note("case %d", i);
+        for (int more = 0; more < 2; ++more) {
+            dry.dry = (more ? 1.01 : 0.99) * need / torque;
+            check_status(coin_priv_losses_of(&l, &dry, &run.b), COIN_OK);
+            check(coin_priv_is_held(&l, &run.b, y, eps) == more);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(losses_hold_the_torque_that_they_have),
+    };
+    return RUN_TESTS(tests);
+}
