@@ -8,7 +8,6 @@ LAUNCHES ?= 10000
 .PHONY: real-study real-quasi real-cost
 real-study: $(REAL_OUT)/study ## coins to rest: launches, and the time by calls and tolerances
 	$< launches $(LAUNCHES)
-	$< launches $(LAUNCHES) 1
 	$< calls
 
 real-quasi: $(REAL_OUT)/quasi need-gnuplot need-bits ## errors of the quasi-steady model, and their chart
