@@ -33,8 +33,7 @@ static void move(coin_priv_slip *y, const coin_priv_table *table, double h)
     double d[COIN_PRIV_SLIP_SIZE];
     coin_priv_estimates e;
     coin_priv_roll_slopes(d, (const double *)y, table);
-    coin_priv_dopri8((double *)y, d, COIN_PRIV_SLIP_SIZE, coin_priv_roll_slopes,
-                     table, h, &e);
+    coin_priv_dopri8((double *)y, d, coin_priv_roll_slopes, table, h, &e);
 }
 
 /* The largest F/N between the places before and after y, by thirds. */

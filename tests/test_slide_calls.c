@@ -330,6 +330,26 @@ static void mirror_heading_and_units_change_nothing(void **unused)
     }
 }
 
+/* A slip that grows by powers of ten in its last step, whose time no cubic
+ * follows: Newton's method would leave the step. */
+static void a_slip_that_grows_from_little_ends_in_time(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction f = {0.34, 0.25};
+    for (double u = 1e-9; u < 1e-3; u *= 1.1) {
+        coin_slide d = {{.theta = 0.83, .wX = 0.22, .wY = -0.09, .wZ = 0.2},
+                        u - 0.2,
+                        0.15 + u};
+        const double t = 0.04, E = coin_slide_energy(&d, &p);
+        double reached;
+        check_note("slip %g", u);
+        check(coin_slide_advance(&d, &p, &f, NULL, t, 1e-2, &reached) >= 0);
+        check(reached == t);
+        check(coin_slide_energy(&d, &p) < E * (1 + 1e-6));
+    }
+}
+
 /* A slip whose acceleration would be negative, by rounding, takes no root. */
 static void no_launch_sets_errno(void **unused)
 {
@@ -362,6 +382,7 @@ int main(void)
         TEST(a_slip_of_any_speed_takes_few_steps),
         TEST(many_calls_go_where_one_goes),
         TEST(mirror_heading_and_units_change_nothing),
+        TEST(a_slip_that_grows_from_little_ends_in_time),
         TEST(no_launch_sets_errno),
     };
     return RUN_TESTS(tests);

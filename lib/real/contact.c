@@ -42,8 +42,8 @@ static void hold(struct loose *o, const coin_priv_table *t,
     o->zX = sth * sth * b->m / D;  /* (85) */
 }
 
-static void let_roll(struct loose *o, const coin_priv_table *t,
-                     const coin_priv_slip *y)
+COIN_PRIV_INLINE void let_roll(struct loose *o, const coin_priv_table *t,
+                               const coin_priv_slip *y)
 {
     const coin_priv_body *b = &t->b;
     const double wX = y->wX, wY = y->wY, sth = y->sth, cth = y->cth;
@@ -65,7 +65,8 @@ static void let_roll(struct loose *o, const coin_priv_table *t,
     }
 }
 
-static struct loose loose_of(const coin_priv_table *t, const coin_priv_slip *y)
+COIN_PRIV_INLINE struct loose loosen(const coin_priv_table *t,
+                                     const coin_priv_slip *y)
 {
     struct loose o;
     const double wX = y->wX, sth = y->sth, cth = y->cth;
@@ -82,6 +83,12 @@ static struct loose loose_of(const coin_priv_table *t, const coin_priv_slip *y)
     o.uX = o.wZ - o.turn * o.vh;
     o.uh = o.turn * o.vX + o.f * (wX * wX) * sth - cth * o.gX;
     return o;
+}
+
+/* The same as a function. */
+static struct loose loose_of(const coin_priv_table *t, const coin_priv_slip *y)
+{
+    return loosen(t, y);
 }
 
 static coin_priv_push stick(const struct loose *o, const coin_priv_slip *y)
@@ -104,8 +111,9 @@ coin_priv_push coin_priv_static(const coin_priv_table *table,
     return stick(&o, y);
 }
 
-static coin_priv_push slide(const struct loose *o, const coin_priv_slip *y,
-                            double mu, coin_priv_direction n)
+COIN_PRIV_INLINE coin_priv_push slide(const struct loose *o,
+                                      const coin_priv_slip *y, double mu,
+                                      coin_priv_direction n)
 {
     const double part = o->lever * y->sth * y->cth;
     const double N = o->weight / (o->D + part * mu * n.h); /* (80) */
@@ -121,9 +129,9 @@ coin_priv_push coin_priv_kinetic(const coin_priv_table *table,
 }
 
 /* The slope of the slip. */
-static coin_priv_direction slip_slope(const struct loose *o,
-                                      const coin_priv_slip *y,
-                                      const coin_priv_push *p)
+COIN_PRIV_INLINE coin_priv_direction slip_slope(const struct loose *o,
+                                                const coin_priv_slip *y,
+                                                const coin_priv_push *p)
 {
     const double sth = y->sth, cth = y->cth;
     const double turn = o->lever * (p->N * sth - p->h * cth);
@@ -134,28 +142,29 @@ static coin_priv_direction slip_slope(const struct loose *o,
     return d;
 }
 
-static void slopes_under(coin_priv_slip *d, const struct loose *o,
-                         const coin_priv_slip *y, const coin_priv_push *force)
+/* The slopes under a force, times `by`. */
+COIN_PRIV_INLINE void slopes_under(coin_priv_slip *d, const struct loose *o,
+                                   const coin_priv_slip *y,
+                                   const coin_priv_push *force, double by)
 {
     const coin_priv_direction slip = slip_slope(o, y, force);
     const double wX = y->wX, sth = y->sth, cth = y->cth;
     const double sph = y->sph, cph = y->cph, f = o->f;
-    /* clang-format off */
-    d->wX = o->gX + o->lever * (force->N * sth - force->h * cth); /* (81) */
-    d->wY = o->wY + o->yX * force->X;                          /* (81) */
-    d->wZ = o->wZ + o->zX * force->X;                          /* (81) */
-    /* clang-format on */
-    d->sth = f * cth * wX;
-    d->cth = -f * sth * wX;
-    d->uX = slip.X;
-    d->uh = slip.h;
-    d->sph = o->turn * cph;
-    d->cph = -o->turn * sph;
-    d->phi = o->turn;
-    d->psi = o->held ? 0 : cth * y->wZ + sth * y->wY;
-    d->x = f * (o->vX * cph + o->vh * sph);
-    d->z = f * (o->vh * cph - o->vX * sph);
-    d->t = f;
+    const double lean = o->lever * (force->N * sth - force->h * cth);
+    d->wX = by * (o->gX + lean);             /* (81) */
+    d->wY = by * (o->wY + o->yX * force->X); /* (81) */
+    d->wZ = by * (o->wZ + o->zX * force->X); /* (81) */
+    d->sth = by * (f * cth * wX);
+    d->cth = by * (-f * sth * wX);
+    d->uX = by * slip.X;
+    d->uh = by * slip.h;
+    d->sph = by * (o->turn * cph);
+    d->cph = by * (-o->turn * sph);
+    d->phi = by * o->turn;
+    d->psi = by * (o->held ? 0 : cth * y->wZ + sth * y->wY);
+    d->x = by * (f * (o->vX * cph + o->vh * sph));
+    d->z = by * (f * (o->vh * cph - o->vX * sph));
+    d->t = by * f;
 }
 
 void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_table *table,
@@ -163,7 +172,7 @@ void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_table *table,
                             const coin_priv_push *force)
 {
     const struct loose o = loose_of(table, y);
-    slopes_under(d, &o, y, force);
+    slopes_under(d, &o, y, force, 1);
 }
 
 int coin_priv_can_slip(const coin_priv_table *table, const coin_priv_slip *y)
@@ -251,7 +260,7 @@ void coin_priv_roll_slopes(double *dy, const double *y, const void *table)
     const coin_priv_slip *at = (const coin_priv_slip *)(const void *)y;
     const struct loose o = loose_of(t, at);
     const coin_priv_push force = stick(&o, at);
-    slopes_under((coin_priv_slip *)(void *)dy, &o, at, &force);
+    slopes_under((coin_priv_slip *)(void *)dy, &o, at, &force, 1);
 }
 
 void coin_priv_slip_slopes(double *dy, const double *y, const void *table)
@@ -261,9 +270,7 @@ void coin_priv_slip_slopes(double *dy, const double *y, const void *table)
     const double u = coin_priv_hypot(at->uX, at->uh);
     const double scale = coin_priv_slip_scale(t, u);
     const coin_priv_direction n = {at->uX / u, at->uh / u};
-    const struct loose o = loose_of(t, at);
+    const struct loose o = loosen(t, at);
     const coin_priv_push force = slide(&o, at, t->mu_kinetic, n);
-    slopes_under((coin_priv_slip *)(void *)dy, &o, at, &force);
-    for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
-        dy[i] *= scale;
+    slopes_under((coin_priv_slip *)(void *)dy, &o, at, &force, scale);
 }

@@ -14,8 +14,14 @@
 #include <math.h>
 
 /* The variables are computed side by side, as many as a vector holds; any
- * number of lanes gives the same bits.  The variables from n to WIDE are 0. */
-enum { WIDE = 16, SLOPES = 10 };
+ * number of lanes gives the same bits.  Stages compute those that are read, and
+ * some of the others where a vector is not full. */
+enum {
+    SIZE = COIN_PRIV_DOPRI8_SIZE,
+    WIDE = 16,
+    READ = (COIN_PRIV_DOPRI8_READ + LANES - 1) / LANES * LANES,
+    SLOPES = 10
+};
 
 /* A step under way: its start, and the slopes that rows to come read. */
 struct stages {
@@ -37,9 +43,9 @@ COIN_PRIV_INLINE lanes sum_row(const struct stages *s, const double *row,
 
 /* h times a row that begins with stage 1 and goes on with stages 6 to 12. */
 COIN_PRIV_INLINE void sum_end(double *to, const struct stages *s,
-                              const double *row)
+                              const double *row, int width)
 {
-    for (int i = 0; i < WIDE; i += LANES)
+    for (int i = 0; i < width; i += LANES)
         store(to + i, s->h * (row[0] * load(&s->d[0][i])) +
                           s->h * sum_row(s, row + 1, 3, 7, i));
 }
@@ -50,7 +56,7 @@ COIN_PRIV_INLINE void stage(struct stages *s, coin_priv_gbs_slopes *slopes,
                             int to)
 {
     double at[WIDE];
-    for (int i = 0; i < WIDE; i += LANES)
+    for (int i = 0; i < READ; i += LANES)
         store(at + i, load(&s->y[i]) + s->h * sum_row(s, row, 0, count, i));
     slopes(s->d[to], at, problem);
 }
@@ -64,7 +70,7 @@ static void all_stages(struct stages *s, coin_priv_gbs_slopes *f,
     stage(s, f, of, A3, 2, 1);
     stage(s, f, of, A4, 2, 2);
     stage(s, f, of, A5, 3, 3);
-    for (int i = 0; i < WIDE; ++i) {
+    for (int i = 0; i < READ; ++i) {
         s->d[1][i] = s->d[2][i];
         s->d[2][i] = s->d[3][i];
     }
@@ -77,26 +83,30 @@ static void all_stages(struct stages *s, coin_priv_gbs_slopes *f,
     stage(s, f, of, A12, 9, 9);
 }
 
-void coin_priv_dopri8(double *y, const double *d, size_t n,
-                      coin_priv_gbs_slopes *slopes, const void *problem,
-                      double h, coin_priv_estimates *error)
+void coin_priv_dopri8(double *y, const double *d, coin_priv_gbs_slopes *slopes,
+                      const void *problem, double h, coin_priv_estimates *error)
 {
-    static const struct stages none = {0, {0}, {{0}}};
-    struct stages s = none;
-    double end[WIDE], by5[WIDE];
+    struct stages s;
+    double end[WIDE], by5[READ];
     s.h = h;
-    for (size_t i = 0; i < n; ++i) {
+    for (int i = 0; i < SIZE; ++i) {
         s.y[i] = y[i];
         s.d[0][i] = d[i];
     }
+    for (int i = SIZE; i < WIDE; ++i) { /* nothing reads what they lead to */
+        s.y[i] = 0;
+        for (int k = 0; k < SLOPES; ++k)
+            s.d[k][i] = 0;
+    }
     all_stages(&s, slopes, problem);
-    sum_end(end, &s, B);
-    sum_end(by5, &s, E5);
-    for (size_t i = 0; i < n; ++i) {
+    sum_end(end, &s, B, WIDE);
+    sum_end(by5, &s, E5, READ);
+    for (int i = 0; i < COIN_PRIV_DOPRI8_READ; ++i) {
         const double low = E3[0] * s.d[0][i] + E3[1] * s.d[6][i] +
                            E3[2] * s.d[9][i]; /* stages 1, 9 and 12 */
         error->by5[i] = by5[i];
         error->by3[i] = end[i] - h * low;
-        y[i] += end[i];
     }
+    for (int i = 0; i < SIZE; ++i)
+        y[i] += end[i];
 }

@@ -4,18 +4,20 @@
 
 #include "gbs.h"
 
-/* The most variables. */
-#define COIN_PRIV_DOPRI8_MOST 14
+/* The number of variables, and how many of them slopes may read: the first. */
+#define COIN_PRIV_DOPRI8_SIZE 14
+#define COIN_PRIV_DOPRI8_READ 9
 
-/* The estimates of the error of each variable, of order 5 and of order 3. */
+/* The estimates of the error of the variables that are read, of order 5 and of
+ * order 3. */
 typedef struct coin_priv_estimates {
-    double by5[COIN_PRIV_DOPRI8_MOST], by3[COIN_PRIV_DOPRI8_MOST];
+    double by5[COIN_PRIV_DOPRI8_READ], by3[COIN_PRIV_DOPRI8_READ];
 } coin_priv_estimates;
 
-/* One step h of the formula of rk8.t.h, for n <= COIN_PRIV_DOPRI8_MOST
- * variables y of any problem, from the slopes d of y. */
-void coin_priv_dopri8(double *y, const double *d, size_t n,
-                      coin_priv_gbs_slopes *slopes, const void *problem,
-                      double h, coin_priv_estimates *error);
+/* One step h of the formula of rk8.t.h, for the variables y of any problem,
+ * from the slopes d of y. */
+void coin_priv_dopri8(double *y, const double *d, coin_priv_gbs_slopes *slopes,
+                      const void *problem, double h,
+                      coin_priv_estimates *error);
 
 #endif

@@ -7,10 +7,8 @@
 #include "friction.h"
 #include "slide.h"
 
-/* The most trials of coin_priv_locate(); and how near it comes, as a part of
- * the step, over tol. */
+/* The most trials of coin_priv_locate(). */
 #define TRIALS 60
-#define LOCATED 1e-3
 
 coin_priv_slip coin_priv_slip_of(const coin_priv_variables *y, double uX,
                                  double uh)
@@ -56,7 +54,7 @@ int32_t coin_priv_lie(coin_priv_run *r)
 double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
                         double at0, double h1, double at1)
 {
-    const double part = LOCATED * g->tol, rounding = 2 * DBL_EPSILON;
+    const double part = COIN_PRIV_LOCATED * g->tol, rounding = 2 * DBL_EPSILON;
     double h0 = 0;
     int before = 0;
     for (int i = 0; i < TRIALS; ++i) {

@@ -59,6 +59,9 @@ int32_t coin_priv_slip_take(coin_priv_sliding *g, const coin_priv_slip *y);
 /* Sets the lean to flat, and keeps the rate of fall: COIN_RESTS. */
 int32_t coin_priv_lie(coin_priv_run *r);
 
+/* How near an event is located, as a part of the step, over tol. */
+#define COIN_PRIV_LOCATED 1e-3
+
 /* A function of the length of a step that is 0 at an event. */
 typedef double coin_priv_event(coin_priv_sliding *g, double h);
 

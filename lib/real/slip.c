@@ -23,6 +23,9 @@
 #define STRAIGHT 0.25
 #define MOST_STRAIGHT 0.003
 
+/* The most trials of a step that ends in time. */
+#define NEWTONS 4
+
 /* A step tried. */
 struct tried {
     coin_priv_slip to;
@@ -100,9 +103,9 @@ static struct tried attempt(coin_priv_sliding *g, double h)
     coin_priv_estimates e;
     double d[COIN_PRIV_SLIP_SIZE], by5 = 0, by3 = 0, slip5 = 0, slip3 = 0;
     coin_priv_slip_slopes(d, (const double *)&from, &g->table);
-    coin_priv_dopri8((double *)&r.to, d, COIN_PRIV_SLIP_SIZE,
-                     coin_priv_slip_slopes, &g->table, h, &e);
-    for (int i = 0; i < 9; ++i) { /* velocities, pairs, and the slip */
+    coin_priv_dopri8((double *)&r.to, d, coin_priv_slip_slopes, &g->table, h,
+                     &e);
+    for (int i = 0; i < COIN_PRIV_DOPRI8_READ; ++i) {
         const int slip = i == 5 || i == 6;
         const double per = i < 3 || slip ? 1 / w0 : 1;
         const double off5 = e.by5[i] * per;
@@ -171,11 +174,58 @@ static int is_pressed(const coin_priv_sliding *g, double from, double to,
            4 * fabs(to - from) + 0.25 * moved * moved;
 }
 
+/* Moves *y along a straight line by h in sigma. */
+static void move_straight(coin_priv_slip *y, const coin_priv_slip *d, double h)
+{
+    double *at = (double *)y;
+    const double *by = (const double *)d;
+    for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
+        at[i] += h * by[i];
+}
+
+/* The part of a step at which its time is t: by the cubic that has the times 0
+ * and t1, and the slopes d0 and d1, at its ends.  By Newton's method. */
+static double part_at(double t, double t1, double d0, double d1)
+{
+    const double bend = 3 * t1 - 2 * d0 - d1, twist = d0 + d1 - 2 * t1;
+    double x = t / t1;
+    for (int i = 0; i < 4; ++i)
+        x += (t - x * (d0 + x * (bend + x * twist))) /
+             (d0 + x * (2 * bend + 3 * x * twist));
+    return x > 0 && x < 1 ? x : t / t1;
+}
+
+/* Shortens a step of *h, with the slopes *d at its start, to the end of the
+ * time: by a cubic, then by Newton's method, whose last correction is a
+ * straight line if its error is small enough. */
+static void end_in_time(coin_priv_sliding *g, struct tried *r, double *h,
+                        double rate, const coin_priv_slip *d)
+{
+    const double rem = g->rem.sum, whole = *h, over = r->to.t - rem;
+    coin_priv_slip to;
+    coin_priv_slip_slopes((double *)&to, (const double *)&r->to, &g->table);
+    *h *= part_at(rem, r->to.t, whole * d->t, whole * to.t);
+    for (int i = 0; (i < NEWTONS) & (*h > 0) & (*h < whole); ++i) {
+        *r = attempt(g, *h);
+        coin_priv_slip_slopes((double *)&to, (const double *)&r->to, &g->table);
+        const double off = (rem - r->to.t) / to.t, by = off * rate;
+        if (by * by <= COIN_PRIV_LOCATED * g->tol) {
+            move_straight(&r->to, &to, off);
+            r->to.t = rem;
+            return;
+        }
+        *h += off;
+    }
+    *h = coin_priv_locate(g, time_left_after, rem, whole, -over);
+    *r = attempt(g, *h);
+    r->to.t = rem;
+}
+
 /* Shortens a step, if it goes too far: to the end of the time, to where the
  * normal force comes to 0, or to where the coin lies on the table, whichever is
  * first.  Returns the status there. */
 static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
-                   double rate)
+                   double rate, const coin_priv_slip *d)
 {
     const coin_priv_slip from = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     int32_t status = COIN_OK;
@@ -185,10 +235,7 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
         status = COIN_RESTS;
     }
     if (r->to.t > g->rem.sum) {
-        *h = coin_priv_locate(g, time_left_after, g->rem.sum, *h,
-                              g->rem.sum - r->to.t);
-        *r = attempt(g, *h);
-        r->to.t = g->rem.sum;
+        end_in_time(g, r, h, rate, d);
         status = COIN_OK;
     }
     const double before = coin_priv_clearance(&g->table, &from, 1);
@@ -239,10 +286,7 @@ static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
                        double rem)
 {
     const int fits = d->t * h <= rem;
-    double *at = (double *)y;
-    const double *by = (const double *)d;
-    for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i)
-        at[i] += (fits ? h : rem / d->t) * by[i];
+    move_straight(y, d, fits ? h : rem / d->t);
     if (!fits)
         y->t = rem;
     return fits;
@@ -303,7 +347,7 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
         rate_of(g, &y) + RELAX * fabs(growth(&y, &d)) / speed(&y);
     double h;
     struct tried r = step(g, &h, rate, bound_of(g, &y, &d));
-    const int32_t status = cut(g, &r, &h, rate);
+    const int32_t status = cut(g, &r, &h, rate, &d);
     if (status == COIN_RESTS)
         r.to.cth = 0;
     const int32_t taken = coin_priv_slip_take(g, &r.to);
