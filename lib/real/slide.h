@@ -21,8 +21,9 @@ typedef struct coin_priv_sliding {
                           of a coin that rolls */
     coin_params p;     /* for coin_settle() and searches of the cone */
     coin_losses losses;
-    double uX, uh;     /* 0 while the coin rolls */
-    int slips, lossy;  /* whether it slips now; whether it has losses */
+    double uX, uh;        /* 0 while the coin rolls */
+    coin_priv_slip slope; /* where a step of a slip begins */
+    int slips, lossy;     /* whether it slips now; whether it has losses */
     double gained;     /* the slip speed gained so far, where a slip begins */
     coin_priv_sum rem; /* the time still to go */
     coin_priv_reach reach;

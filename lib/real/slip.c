@@ -101,10 +101,9 @@ static struct tried attempt(coin_priv_sliding *g, double h)
     const coin_priv_slip from = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     struct tried r = {from, 0};
     coin_priv_estimates e;
-    double d[COIN_PRIV_SLIP_SIZE], by5 = 0, by3 = 0, slip5 = 0, slip3 = 0;
-    coin_priv_slip_slopes(d, (const double *)&from, &g->table);
-    coin_priv_dopri8((double *)&r.to, d, coin_priv_slip_slopes, &g->table, h,
-                     &e);
+    double by5 = 0, by3 = 0, slip5 = 0, slip3 = 0;
+    coin_priv_dopri8((double *)&r.to, (const double *)&g->slope,
+                     coin_priv_slip_slopes, &g->table, h, &e);
     for (int i = 0; i < COIN_PRIV_DOPRI8_READ; ++i) {
         const int slip = i == 5 || i == 6;
         const double per = i < 3 || slip ? 1 / w0 : 1;
@@ -195,16 +194,15 @@ static double part_at(double t, double t1, double d0, double d1)
     return x > 0 && x < 1 ? x : t / t1;
 }
 
-/* Shortens a step of *h, with the slopes *d at its start, to the end of the
- * time: by a cubic, then by Newton's method, whose last correction is a
- * straight line if its error is small enough. */
+/* Shortens a step to the end of the time: by a cubic, then by Newton's method,
+ * whose last correction is a straight line if its error is small enough. */
 static void end_in_time(coin_priv_sliding *g, struct tried *r, double *h,
-                        double rate, const coin_priv_slip *d)
+                        double rate)
 {
     const double rem = g->rem.sum, whole = *h, over = r->to.t - rem;
     coin_priv_slip to;
     coin_priv_slip_slopes((double *)&to, (const double *)&r->to, &g->table);
-    *h *= part_at(rem, r->to.t, whole * d->t, whole * to.t);
+    *h *= part_at(rem, r->to.t, whole * g->slope.t, whole * to.t);
     for (int i = 0; (i < NEWTONS) & (*h > 0) & (*h < whole); ++i) {
         *r = attempt(g, *h);
         coin_priv_slip_slopes((double *)&to, (const double *)&r->to, &g->table);
@@ -225,7 +223,7 @@ static void end_in_time(coin_priv_sliding *g, struct tried *r, double *h,
  * normal force comes to 0, or to where the coin lies on the table, whichever is
  * first.  Returns the status there. */
 static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
-                   double rate, const coin_priv_slip *d)
+                   double rate)
 {
     const coin_priv_slip from = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     int32_t status = COIN_OK;
@@ -235,7 +233,7 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
         status = COIN_RESTS;
     }
     if (r->to.t > g->rem.sum) {
-        end_in_time(g, r, h, rate, d);
+        end_in_time(g, r, h, rate);
         status = COIN_OK;
     }
     const double before = coin_priv_clearance(&g->table, &from, 1);
@@ -335,19 +333,20 @@ static int is_held(const coin_priv_sliding *g, const coin_priv_slip *y)
 
 int32_t coin_priv_slip_on(coin_priv_sliding *g)
 {
-    coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh), d;
+    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
+    const coin_priv_slip *const d = &g->slope;
     if (!g->table.held && y.cth < COIN_PRIV_FLAT)
         return coin_priv_lie(&g->w.run);
     g->table.held = is_held(g, &y);
-    coin_priv_slip_slopes((double *)&d, (const double *)&y, &g->table);
+    coin_priv_slip_slopes((double *)&g->slope, (const double *)&y, &g->table);
     coin_priv_slip to = y;
-    if (take_straight(g, &to, &d))
+    if (take_straight(g, &to, d))
         return coin_priv_slip_take(g, &to);
     const double rate =
-        rate_of(g, &y) + RELAX * fabs(growth(&y, &d)) / speed(&y);
+        rate_of(g, &y) + RELAX * fabs(growth(&y, d)) / speed(&y);
     double h;
-    struct tried r = step(g, &h, rate, bound_of(g, &y, &d));
-    const int32_t status = cut(g, &r, &h, rate, &d);
+    struct tried r = step(g, &h, rate, bound_of(g, &y, d));
+    const int32_t status = cut(g, &r, &h, rate);
     if (status == COIN_RESTS)
         r.to.cth = 0;
     const int32_t taken = coin_priv_slip_take(g, &r.to);
