@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Coins that roll until they leave the cone of friction, however briefly. */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/peaks.h"
+#include "support/slides.h"
 
 #include <math.h>
 
@@ -82,11 +84,73 @@ static void a_slide_slips_where_polynomials_nearly_miss_it(void **unused)
     }
 }
 
+static int32_t slid(coin_slide *to, const coin_slide *from,
+                    const coin_params *p, const coin_losses *l, double t,
+                    double tol)
+{
+    const coin_friction f = {0.3, 0.24};
+    double reached;
+    *to = *from;
+    const int32_t status = coin_slide_advance(to, p, &f, l, t, tol, &reached);
+    check(status < 0 || reached == t);
+    return status;
+}
+
+/* A time just before a rolling coin slips; 0 if it does not within 3 units. */
+static double before_slip(const coin_slide *d, const coin_params *p,
+                          const coin_losses *l)
+{
+    coin_slide e;
+    double low = 0, high = 0;
+    while (high < 3 && slid(&e, d, p, l, high, 1e-9) == COIN_OK) {
+        low = high;
+        high += 0.05;
+    }
+    if (low == 0 || slid(&e, d, p, l, high, 1e-9) != COIN_SLIPS)
+        return 0;
+    for (int i = 0; i < 40; ++i) {
+        const double mid = (low + high) / 2;
+        if (slid(&e, d, p, l, mid, 1e-12) == COIN_OK)
+            low = mid;
+        else
+            high = mid;
+    }
+    return low;
+}
+
+/* The step that would go past the end of the time meets the slip there. */
+static void a_call_that_ends_just_before_a_slip_keeps_its_time(void **unused)
+{
+    (void)unused;
+    const coin_losses some = {.dry = 0.01, .viscous = 0.02, .spin = 0.005};
+    struct random r = random_begin(189);
+    int found = 0;
+    while (found < 40) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const coin_state s = random_state(&r, &p, 1.2);
+        const coin_losses *l = found % 2 ? &some : NULL;
+        coin_slide d, rough, fine;
+        check_status(coin_slide_of(&d, &s, &p), COIN_OK);
+        const double last = before_slip(&d, &p, l);
+        if (last == 0)
+            continue;
+        ++found;
+        for (double early = 1e-2; early > 1e-6; early /= 3)
+            for (double tol = 1e-4; tol > 1e-9 && early < last; tol /= 10) {
+                check_note("early by %g, tol %g", early, tol);
+                slid(&rough, &d, &p, l, last - early, tol);
+                slid(&fine, &d, &p, l, last - early, 1e-12);
+                check(slides_apart(&rough, &fine, &p) < 20 * tol);
+            }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(a_slide_slips_in_an_excursion_that_hardly_exceeds_mu),
         TEST(a_slide_slips_where_polynomials_nearly_miss_it),
+        TEST(a_call_that_ends_just_before_a_slip_keeps_its_time),
     };
     return RUN_TESTS(tests);
 }

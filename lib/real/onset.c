@@ -105,6 +105,8 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
         y = after(g, from, by);
     }
     coin_priv_count(g);
+    if (g->rem.sum < 0) /* it went too far: roll.c takes it back */
+        return COIN_OK;
     g->gained = coin_priv_hypot(y.uX, y.uh);
     if (end > 0 && g->gained < COIN_PRIV_SLIP_SEED * g->table.w0)
         return COIN_OK;
@@ -139,7 +141,7 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
         wait = o.slope * once >= seed ? once : wait;
     }
     if (!(o.slope >= QUICK * o.friction && o.slope * tau >= seed))
-        return wait_for_speed(g, &start, &o, wait);
+        return wait_for_speed(g, &start, &o, coin_priv_lesser(wait, tau));
     const coin_priv_slip y = euler(&start, &o, seed / o.slope);
     return begin(g, &y);
 }

@@ -351,23 +351,23 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
     if (g->rem.sum > 0 && is_held(g))
         return go_held(g);
     const double rate = coin_priv_roll_rate(g);
-    if (!g->seen)
+    const int back = g->rem.sum < 0; /* along a way that was looked at */
+    if (!g->seen && !back)
         coin_priv_see(g);
-    if (!g->seen && coin_priv_rolling_clearance(g) < 0)
+    if (!g->seen && !back && coin_priv_rolling_clearance(g) < 0)
         return coin_priv_begin_slip(g);
     g->gained = 0;
-    const double before = g->rem.sum;
     int last;
     coin_priv_mark(g);
     const double tau = next_step(g, rate, &last);
     if (tau == 0)
         return COIN_ESTEP;
-    g->seen = is_plain(g, tau, rate);
-    const int rolls = g->seen ? 1 : shorten(g, tau, rate);
+    g->seen = !back && is_plain(g, tau, rate);
+    const int rolls = g->seen || back ? 1 : shorten(g, tau, rate);
     coin_priv_count(g);
     if (last && rolls > 0)
         g->rem.sum = 0;
-    else if ((g->rem.sum < 0) != (before < 0))
+    else if ((g->rem.sum < 0) != back)
         g->roll_stride /= 2;
-    return rolls < 0 ? coin_priv_begin_slip(g) : COIN_OK;
+    return rolls < 0 && g->rem.sum > 0 ? coin_priv_begin_slip(g) : COIN_OK;
 }
