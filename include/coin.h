@@ -1003,9 +1003,10 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  *         motion, or several.  COIN_ESTATE: also if vx or vz is not finite, or
  *         so large that energies would overflow.  COIN_ESTEP: t is negative,
  *         not finite, or beyond 1e15 natural units, and nothing was moved; or
- *         phi, psi, x or z would leave its range, or 2^20 steps were not
- *         enough.  In these two cases the slide is that at *reached, and
- *         another call goes on.
+ *         phi, psi, x or z would leave its range, or 2^20 trials of steps were
+ *         not enough.  In these two cases the slide is that at *reached.
+ *         Another call goes on after the trials; after the range it does once
+ *         whole turns are taken off, or the path is begun anew.
  * t = 0 changes nothing: the status tells whether the coin rolls or slips.  A
  * slip speed below 1e-10 sqrt(g a) counts as 0.  A coin also rolls if its
  * friction exceeds mu_static N by less than 1e-14 of the terms of the force,

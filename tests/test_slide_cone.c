@@ -145,12 +145,43 @@ static void a_call_that_ends_just_before_a_slip_keeps_its_time(void **unused)
     }
 }
 
+/* The part of a step up to a slip has a larger estimate of its error here than
+ * the step, which was accepted. */
+static void a_part_of_an_accepted_step_is_accepted(void **unused)
+{
+    (void)unused;
+    const coin_state s = {
+        .theta = -0.44503551407829045,
+        .wX = 0.69214152233077297,
+        .wY = -0.59902687696245338,
+        .wZ = -0.26564914597865319,
+    };
+    const coin_losses l = {
+        .dry = 0.002229606176924004,
+        .viscous = 0.013680597566117843,
+        .spin = 0.019704546954364643,
+    };
+    const coin_friction f = {0.26322905376873362, 0.13161452688436681};
+    const double t = 0.5;
+    coin_params p;
+    coin_slide d;
+    double reached;
+    check_status(
+        coin_params_body(&p, 1, 1, 1, 0.14444757567219141, 0.11944820439138072),
+        COIN_OK);
+    check_status(coin_slide_of(&d, &s, &p), COIN_OK);
+    check_status(coin_slide_advance(&d, &p, &f, &l, t, 1e-11, &reached),
+                 COIN_SLIPS);
+    check(reached == t);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(a_slide_slips_in_an_excursion_that_hardly_exceeds_mu),
         TEST(a_slide_slips_where_polynomials_nearly_miss_it),
         TEST(a_call_that_ends_just_before_a_slip_keeps_its_time),
+        TEST(a_part_of_an_accepted_step_is_accepted),
     };
     return RUN_TESTS(tests);
 }

@@ -27,6 +27,9 @@ int main(void)
         printf("%s\n", coin_status_string(status));
     else
         printf("%s after %.4f s, at %.3f m/s\n",
-               status == COIN_OK ? "rolls" : "still slips", t, d.vx);
+               status == COIN_OK      ? "rolls"
+               : status == COIN_SLIPS ? "still slips"
+                                      : "lies flat",
+               t, d.vx);
     return status == COIN_OK ? 0 : 1;
 }

@@ -28,8 +28,8 @@ typedef struct coin_priv_look {
 
 /* The clearance: how far the force is within the cone of friction.  Of a coin
  * that rolls it is the margin of the force that rolling needs, of one that
- * slips it is the normal force, both over the largest of their terms.  Below 0
- * a rolling coin slips or lifts off, and a slipping one lifts off. */
+ * slips it is the normal force, both over a scale of the force.  Below 0 a
+ * rolling coin slips or lifts off, and a slipping one lifts off. */
 double coin_priv_clearance(const coin_priv_table *table,
                            const coin_priv_slip *y, int slips);
 
@@ -40,19 +40,20 @@ double coin_priv_clearance(const coin_priv_table *table,
 double coin_priv_looked(const coin_priv_look *look);
 
 /* The force that a rolling coin needs, over M a and times cos theta: along e_y,
- * e_X and e_h.  size: the sum of its terms. */
+ * e_X and e_h.  size: the scale by which forces are compared. */
 typedef struct coin_priv_need {
     double N, X, h, size;
 } coin_priv_need;
 
 /* An end of a rolling step, by tau: wX, wY, wZ, sin and cos theta, their slopes
- * and those of their slopes; the force and its slope.  margin: mu^2 N^2 - F^2,
- * and miss: what an error of the variables changes in it, both over the size.
- */
+ * and those of their slopes; the force and its slope.  margin: mu N |mu N| -
+ * F^2 over size^2, and over mu^2 too if mu > 1.  weight: the sum of mu |N|,
+ * |F_X| and |F_h| in the same units, by which errors of the force are
+ * multiplied. */
 typedef struct coin_priv_end {
     double y[5], d[5], dd[5];
     coin_priv_need force, slope;
-    double margin, miss;
+    double margin, weight;
 } coin_priv_end;
 
 /* The end at *y; time is the tau in which the motion changes. */
@@ -60,9 +61,9 @@ void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
                       const coin_priv_field *f, const coin_priv_losses *l,
                       const coin_priv_variables *y, double time);
 
-/* Whether it is plain that a rolling step of tau from *a to *b, of the stride
- * given, keeps well within the cone, by a look at three places.  l is null
- * without losses.  Where it says no, coin_priv_looked() tells. */
+/* Whether a rolling step of tau from *a to *b, of the stride given, certainly
+ * keeps within the cone: by curves of degree 3 and 4, or by three places within
+ * the step.  0: that is not known.  l is null without losses. */
 int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
                     const coin_priv_losses *l, const coin_priv_end *a,
                     const coin_priv_end *b, double tau, double stride);

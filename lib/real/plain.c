@@ -71,9 +71,9 @@ COIN_PRIV_INLINE struct scale scale_of(const coin_priv_table *t, double size)
     return r;
 }
 
-/* The margin at a place, and its error, as in coin_priv_end. */
+/* The margin at a place, and its weight, as in coin_priv_end. */
 struct margin {
-    double margin, miss;
+    double margin, weight;
 };
 
 COIN_PRIV_INLINE struct margin margin_of(const coin_priv_table *t,
@@ -113,7 +113,7 @@ void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
     e->slope.h = per * (F.h - e->force.h);
     const struct margin m = margin_of(table, &e->force);
     e->margin = m.margin;
-    e->miss = m.miss;
+    e->weight = m.weight;
 }
 
 /* Hermite's polynomial of degree 5 at 1/4, 1/2, 3/4. */
@@ -217,15 +217,29 @@ static int has_margin(const coin_priv_table *table, const coin_priv_end *a,
                       const coin_priv_end *b, const coin_priv_need *at,
                       double part)
 {
-    double m[PLACES + 2], terms = a->miss > b->miss ? a->miss : b->miss;
+    double m[PLACES + 2], terms = a->weight > b->weight ? a->weight : b->weight;
     m[0] = a->margin;
     m[PLACES + 1] = b->margin;
     for (int k = 0; k < PLACES; ++k) {
         const struct margin here = margin_of(table, &at[k]);
         m[k + 1] = here.margin;
-        terms = here.miss > terms ? here.miss : terms;
+        terms = here.weight > terms ? here.weight : terms;
     }
     return least(m) > part * terms;
+}
+
+/* cos(theta) d(psi)/dt at an end. */
+COIN_PRIV_INLINE double roll_of(const coin_priv_end *e)
+{
+    return e->y[COS] * e->y[WZ] + e->y[SIN] * e->y[WY];
+}
+
+/* Whether the contact turns round between two ends, where dry friction changes
+ * the force so quickly that no curve follows it. */
+static int turns_round(const coin_priv_losses *l, const coin_priv_end *a,
+                       const coin_priv_end *b)
+{
+    return l && l->solid > 0 && (roll_of(a) < 0) != (roll_of(b) < 0);
 }
 
 int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
@@ -236,19 +250,21 @@ int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
     const double part = 2 * COIN_PRIV_MISS * (s4 * s2);
     const double size = a->force.size + b->force.size;
     coin_priv_need at[PLACES], *const mid = &at[PLACES / 2];
+    if (turns_round(l, a, b))
+        return 0;
     const double miss3 = COIN_PRIV_MISS3 * s4 * size;
     const double miss4 = COIN_PRIV_MISS4 * s4 * stride * size;
     if (stays_in_cone(table, a, b, tau / 3, &a->force, miss3))
         return 1;
     const double low = coin_priv_lesser(a->margin, b->margin);
-    if (!(low > part * coin_priv_lesser(a->miss, b->miss)))
+    if (!(low > part * coin_priv_lesser(a->weight, b->weight)))
         return 0;
     *mid = need_within(table, f, l, a, b, tau, PLACES / 2);
     const coin_priv_need point = third_point(a, b, tau, mid);
     if (stays_in_cone(table, a, b, tau / 4, &point, miss4))
         return 1;
     const struct margin m = margin_of(table, mid);
-    if (!(m.margin > part * m.miss))
+    if (!(m.margin > part * m.weight))
         return 0;
     at[0] = need_within(table, f, l, a, b, tau, 0);
     at[PLACES - 1] = need_within(table, f, l, a, b, tau, PLACES - 1);

@@ -25,7 +25,9 @@
 /* A longer stride that is not judged as a whole may be so by halves. */
 #define HALVED 0.5
 
-double coin_priv_roll_try(coin_priv_sliding *g, double tau)
+/* As coin_priv_roll_try(), where the error may be `worst` times as large as
+ * else. */
+static double roll_by(coin_priv_sliding *g, double tau, double worst)
 {
     coin_priv_run *const r = &g->w.run;
     ++g->tries;
@@ -36,9 +38,15 @@ double coin_priv_roll_try(coin_priv_sliding *g, double tau)
     coin_priv_lossy_try(&trial, &g->w, tau);
     const double most = coin_priv_allowed(r, g->tol, trial.adds.t);
     const double error = trial.error / most;
-    if (error <= 1 && !coin_priv_sundman_accept(r, &trial.next, &trial.adds))
+    if (error <= worst &&
+        !coin_priv_sundman_accept(r, &trial.next, &trial.adds))
         return -1;
     return error;
+}
+
+double coin_priv_roll_try(coin_priv_sliding *g, double tau)
+{
+    return roll_by(g, tau, 1);
 }
 
 double coin_priv_roll_rate(const coin_priv_sliding *g)
@@ -54,13 +62,15 @@ void coin_priv_mark(coin_priv_sliding *g)
     g->steps = g->w.run.steps;
 }
 
+/* A part of a step that was accepted is accepted too, even if its error is
+ * estimated to be larger. */
 void coin_priv_again(coin_priv_sliding *g, double tau)
 {
     g->w.run.g = g->from;
     g->w.run.steps = g->steps;
     g->w.run.g.added.t = 0;
     g->landed = 0;
-    (void)coin_priv_roll_try(g, tau);
+    (void)roll_by(g, tau, DBL_MAX);
 }
 
 double coin_priv_rolling_clearance(const coin_priv_sliding *g)
@@ -287,7 +297,8 @@ static int is_plain(coin_priv_sliding *g, double tau, double rate)
 }
 
 /* Shortens the step made, of tau, to where the coin is known to roll.  Returns
- * 1 if it need not; 0; or -1 if the coin leaves the cone at its end. */
+ * 1 if the whole step was kept, 0 if a shorter one was, -1 if the coin leaves
+ * the cone at its end. */
 static int shorten(coin_priv_sliding *g, double tau, double rate)
 {
     const coin_priv_slip from = coin_priv_slip_of(&g->from.y, 0, 0);

@@ -115,7 +115,8 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
         coin_priv_see(g);
 }
 
-/* What holds where the slide has come to: COIN_OK, COIN_SLIPS, COIN_ELIFT. */
+/* What the coin does where the slide has come to: COIN_OK if it rolls,
+ * COIN_SLIPS if it slips or is about to, COIN_ELIFT if it lifts off. */
 static int32_t mode_of(const coin_priv_sliding *g)
 {
     const int32_t slips = COIN_SLIPS, lifts = COIN_ELIFT;

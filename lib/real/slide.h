@@ -43,7 +43,8 @@ typedef struct coin_priv_sliding {
                    theta */
 } coin_priv_sliding;
 
-/* The most steps of a call, those refused included. */
+/* The most trials of a call: steps, those refused or made again included, and
+ * calls of coin_settle(). */
 #define COIN_PRIV_SLIDE_TRIES (UINT64_C(1) << 20)
 
 /* The variables of a slip, with a pose of 0. */
@@ -67,15 +68,17 @@ int32_t coin_priv_lie(coin_priv_run *r);
 typedef double coin_priv_event(coin_priv_sliding *g, double h);
 
 /* The h in [0, h1] at which an event happens: from its values at0 at 0, and
- * at1 <= 0 at h1.  It is not after the event.  0 unless at0 > 0.  An event of a
- * rolling step moves the run: the caller then calls coin_priv_again(). */
+ * at1 <= 0 at h1.  It is not after the event.  0 unless at0 > 0.  The functions
+ * of events in roll.c and onset.c move the run: their caller then makes the
+ * step to h. */
 double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
                         double at0, double h1, double at1);
 
 /* roll.c: a step of tau of a coin that rolls, from where the run is, if its
- * error is allowed.  Returns the error over what is allowed: above 1 only
- * added.t was set, to 0.  -1, and nothing done, if the pose would leave its
- * range. */
+ * error is allowed.  Returns, with losses, the error over what is allowed:
+ * above 1 only added.t was set, to 0.  Without losses the length of a step is
+ * chosen for its error: 0.  -1, and the run as it was, if the pose would leave
+ * its range, or if a step without losses would lead to the table. */
 double coin_priv_roll_try(coin_priv_sliding *g, double tau);
 
 /* The rate in tau that measures its steps. */
