@@ -72,17 +72,17 @@ COIN_PRIV_INLINE struct scale scale_of(const coin_priv_table *t, double size)
 }
 
 /* The margin at a place, and its weight, as in coin_priv_end. */
-struct margin {
+struct cone_margin {
     double margin, weight;
 };
 
-COIN_PRIV_INLINE struct margin margin_of(const coin_priv_table *t,
-                                         const coin_priv_need *F)
+COIN_PRIV_INLINE struct cone_margin margin_of(const coin_priv_table *t,
+                                              const coin_priv_need *F)
 {
     const struct scale per = scale_of(t, F->size);
     const double most = per.N * F->N;
     const double along_X = per.F * F->X, along_h = per.F * F->h;
-    const struct margin r = {
+    const struct cone_margin r = {
         most * fabs(most) - (along_X * along_X + along_h * along_h),
         fabs(most) + fabs(along_X) + fabs(along_h),
     };
@@ -111,7 +111,7 @@ void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
     e->slope.N = per * (F.N - e->force.N);
     e->slope.X = per * (F.X - e->force.X);
     e->slope.h = per * (F.h - e->force.h);
-    const struct margin m = margin_of(table, &e->force);
+    const struct cone_margin m = margin_of(table, &e->force);
     e->margin = m.margin;
     e->weight = m.weight;
 }
@@ -221,7 +221,7 @@ static int has_margin(const coin_priv_table *table, const coin_priv_end *a,
     m[0] = a->margin;
     m[PLACES + 1] = b->margin;
     for (int k = 0; k < PLACES; ++k) {
-        const struct margin here = margin_of(table, &at[k]);
+        const struct cone_margin here = margin_of(table, &at[k]);
         m[k + 1] = here.margin;
         terms = here.weight > terms ? here.weight : terms;
     }
@@ -263,7 +263,7 @@ int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
     const coin_priv_need point = third_point(a, b, tau, mid);
     if (stays_in_cone(table, a, b, tau / 4, &point, miss4))
         return 1;
-    const struct margin m = margin_of(table, mid);
+    const struct cone_margin m = margin_of(table, mid);
     if (!(m.margin > part * m.weight))
         return 0;
     at[0] = need_within(table, f, l, a, b, tau, 0);

@@ -1012,8 +1012,8 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  * friction exceeds mu_static N by less than 1e-14 of the terms of the force,
  * which is rounding.  Without a slip the motion is that of coin_advance().
  * mu_static = mu_kinetic is accepted.  A slip then begins without acceleration,
- * and many short steps follow until it has grown.  A launch costs 13 times as
- * much as with mu_kinetic = 0.9 mu_static in the mean, and 60 times in the
+ * and many short steps follow until it has grown.  A launch costs 14 times as
+ * much as with mu_kinetic = 0.9 mu_static in the mean, and 70 times in the
  * worst case (make slide-study).  No launch of that study needed 2^20 steps.
  * Accuracy: the times at which slips begin and end err by less than 1e-8 at
  *         tol = 1e-10 (test_slide).  The exception is a slip whose speed nearly
