@@ -9,9 +9,9 @@
 /* What a coin does that the table carries without friction, and how friction
  * acts on it. */
 struct loose {
-    int held;        /* as in coin_priv_table */
     double f;        /* dt over that of the slopes: cos theta, or 1 */
     double turn;     /* the slope of phi */
+    double roll;     /* the slope of psi */
     double gX;       /* the slope of wX without any force */
     double wY, wZ;   /* those of wY and wZ without friction */
     double yX, zX;   /* what friction along e_X adds to them */
@@ -35,6 +35,7 @@ static void hold(struct loose *o, const coin_priv_table *t,
                         D; /* (85) */
     o->f = 1;
     o->turn = turn;
+    o->roll = 0;
     o->gX = sth * cth * turn * turn * (b->k1 - 1); /* (85) */
     o->wY = cth * fade - sth * wX * turn;
     o->wZ = -sth * fade - cth * wX * turn;
@@ -50,6 +51,7 @@ COIN_PRIV_INLINE void let_roll(struct loose *o, const coin_priv_table *t,
     const double cwZ = cth * y->wZ;
     o->f = cth;
     o->turn = wY;
+    o->roll = cwZ + sth * wY;
     /* clang-format off */
     o->gX = -wY * (b->k1 * cwZ + wY * sth);                  /* (78) */
     o->wY = wX * (b->k1 * cwZ + wY * sth);                   /* (78) */
@@ -70,7 +72,6 @@ COIN_PRIV_INLINE struct loose loosen(const coin_priv_table *t,
 {
     struct loose o;
     const double wX = y->wX, sth = y->sth, cth = y->cth;
-    o.held = t->held;
     if (t->held)
         hold(&o, t, y);
     else
@@ -161,7 +162,7 @@ COIN_PRIV_INLINE void slopes_under(coin_priv_slip *d, const struct loose *o,
     d->sph = by * (o->turn * cph);
     d->cph = by * (-o->turn * sph);
     d->phi = by * o->turn;
-    d->psi = by * (o->held ? 0 : cth * y->wZ + sth * y->wY);
+    d->psi = by * o->roll;
     d->x = by * (f * (o->vX * cph + o->vh * sph));
     d->z = by * (f * (o->vh * cph - o->vX * sph));
     d->t = by * f;

@@ -141,7 +141,7 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
         wait = o.slope * once >= seed ? once : wait;
     }
     if (!(o.slope >= QUICK * o.friction && o.slope * tau >= seed))
-        return wait_for_speed(g, &start, &o, coin_priv_lesser(wait, tau));
+        return wait_for_speed(g, &start, &o, wait);
     const coin_priv_slip y = euler(&start, &o, seed / o.slope);
     return begin(g, &y);
 }
