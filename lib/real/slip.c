@@ -191,7 +191,8 @@ static double part_at(double t, double t1, double d0, double d1)
     for (int i = 0; i < 4; ++i)
         x += (t - x * (d0 + x * (bend + x * twist))) /
              (d0 + x * (2 * bend + 3 * x * twist));
-    return (x > 0) & (x < 1) ? x : t / t1;
+    const int within = (x > 0) & (x < 1);
+    return within ? x : t / t1;
 }
 
 /* Shortens a step to the end of the time: by a cubic, then by Newton's method,
