@@ -11,7 +11,7 @@
 
 /* The variables of a step.  All are doubles, so that the method takes them as
  * an array.  uX, uh: the slip velocity along e_X and e_h = (sin phi, 0, cos
- * phi). phi to t are what the step adds: no slope reads them. */
+ * phi).  phi, psi, x, z and t are what the step adds: no slope reads them. */
 typedef struct coin_priv_slip {
     double wX, wY, wZ, sth, cth, uX, uh; /* what the force depends on */
     double sph, cph;                     /* what the path depends on */

@@ -25,8 +25,8 @@
 /* A longer stride that is not judged as a whole may be so by halves. */
 #define HALVED 0.5
 
-/* As coin_priv_roll_try(), where the error may be `worst` times as large as
- * else. */
+/* As coin_priv_roll_try(), but a step is accepted whose error is at most
+ * `worst` times what is allowed. */
 static double roll_by(coin_priv_sliding *g, double tau, double worst)
 {
     coin_priv_run *const r = &g->w.run;

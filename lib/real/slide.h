@@ -43,8 +43,8 @@ typedef struct coin_priv_sliding {
                    theta */
 } coin_priv_sliding;
 
-/* The most trials of a call: steps, those refused or made again included, and
- * calls of coin_settle(). */
+/* The most trials of a call.  A trial is a step, whether it is kept, refused or
+ * made again, or a call of coin_settle(). */
 #define COIN_PRIV_SLIDE_TRIES (UINT64_C(1) << 20)
 
 /* The variables of a slip, with a pose of 0. */
@@ -68,9 +68,9 @@ int32_t coin_priv_lie(coin_priv_run *r);
 typedef double coin_priv_event(coin_priv_sliding *g, double h);
 
 /* The h in [0, h1] at which an event happens: from its values at0 at 0, and
- * at1 <= 0 at h1.  It is not after the event.  0 unless at0 > 0.  The functions
- * of events in roll.c and onset.c move the run: their caller then makes the
- * step to h. */
+ * at1 <= 0 at h1.  It is not after the event.  0 unless at0 > 0.  In roll.c and
+ * onset.c the functions of events move the run, so that their caller has to
+ * make the step to h afterwards. */
 double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
                         double at0, double h1, double at1);
 
@@ -109,9 +109,9 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g);
 /* onset.c: begins the slip of a coin whose rolling needs too much friction. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g);
 
-/* onset.c: the clearance of a coin near flat whose contact is held by the
- * losses; and the beginning of its slip: 0, and nothing done, if it does not
- * slip. */
+/* onset.c, of a coin near flat whose contact is held by the losses.  The first
+ * is its clearance.  The second begins its slip; it returns 0, and does
+ * nothing, if the coin does not slip. */
 double coin_priv_held_clearance(const coin_priv_sliding *g);
 int coin_priv_begin_held_slip(coin_priv_sliding *g);
 

@@ -182,8 +182,9 @@ static void move_straight(coin_priv_slip *y, const coin_priv_slip *d, double h)
         at[i] += h * by[i];
 }
 
-/* The part of a step at which its time is t: by the cubic that has the times 0
- * and t1, and the slopes d0 and d1, at its ends.  By Newton's method. */
+/* The part of a step, from 0 to 1, at which the time t has passed.  The time is
+ * taken as a cubic: 0 and t1 at the ends of the step, with the slopes d0 and
+ * d1.  Its root is found by Newton's method. */
 static double part_at(double t, double t1, double d0, double d1)
 {
     const double bend = 3 * t1 - 2 * d0 - d1, twist = d0 + d1 - 2 * t1;
@@ -291,11 +292,11 @@ static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
     return fits;
 }
 
-/* Takes a slip that ends soon to its end, in one straight line, and one that
- * has just begun as far as such a line goes.  A slip at its end is forgotten:
- * the next step finds out whether the coin rolls, or slips in another
- * direction. Returns 0 if the slip is neither, or if the coin may lift off: *to
- * is then of no use, and *g as it was. */
+/* Takes one straight line where it is accurate enough: to the end of a slip, if
+ * it ends soon, or as far as the line may go, if the slip has just begun.  A
+ * slip that ended is forgotten: the next step finds out whether the coin rolls,
+ * or slips in another direction.  Returns 0 if there is no such line, or if the
+ * coin may lift off on it: *to is then of no use, and *g as it was. */
 static int take_straight(coin_priv_sliding *g, coin_priv_slip *to,
                          const coin_priv_slip *d)
 {
