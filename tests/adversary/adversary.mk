@@ -4,7 +4,8 @@
 #
 #   make adversary                      the gate: a minute on two cores, the
 #                                       same work each time
-#   make adversary EVALUATIONS=1000000  longer, by hand
+#   make adversary EVALUATIONS=1000000  three quarters of an hour, by
+#                                       hand
 #   make adversary-update               renews tests/bench/results and the table
 #                                       of docs/limits.md from the last search;
 #                                       the cases stay in build/adversary
@@ -16,8 +17,8 @@ ADV_OBJ   = $(patsubst $(ADV_SRC)/%.cpp,$(ADV_OUT)/%.o,\
                        $(wildcard $(ADV_SRC)/*.cpp))
 ADV_CASES = $(ADV_SRC)/cases.txt
 
-# Of the cheapest functions; each has its share.  FUNCTION searches those whose
-# names contain it.
+# Of the cheapest functions; the others have a share.  From a million on all have
+# as many, or a quarter of them.  FUNCTION searches those whose names contain it.
 EVALUATIONS ?= 100000
 ADV_SEED    ?= 11
 FUNCTION    ?=

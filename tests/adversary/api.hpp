@@ -38,8 +38,7 @@
 
 struct doubles {
     using real = double;
-    static constexpr double u = 0x1p-53, least = DBL_TRUE_MIN,
-                            normal = DBL_MIN;
+    static constexpr double u = 0x1p-53, least = DBL_TRUE_MIN, normal = DBL_MIN;
     TWINS(coin);
     static double low(const state &, int)
     {
@@ -49,8 +48,7 @@ struct doubles {
 
 struct floats {
     using real = float;
-    static constexpr double u = 0x1p-24, least = FLT_TRUE_MIN,
-                            normal = FLT_MIN;
+    static constexpr double u = 0x1p-24, least = FLT_TRUE_MIN, normal = FLT_MIN;
     TWINS(coinf);
     static double low(const state &s, int i)
     {

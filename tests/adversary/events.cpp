@@ -3,7 +3,7 @@
  * table on a coin that may slip. */
 #include "growth.hpp"
 #include "row.hpp"
-#include "slides.hpp"
+#include "slip_growth.hpp"
 
 namespace
 {
@@ -24,21 +24,27 @@ template <class R> R allowed(R tol, R natural)
 constexpr double BLURRED = 1e-3;
 
 /* How far from a true time the status changes from one to another, in parts of
- * `bound`: found by halving within REACH bounds, and REACH beyond them. */
+ * `bound`: halved from the first of `enough` parts, twice as many and so on
+ * before and behind which it is known; REACH where that is beyond.  Half of
+ * enough, where it is less than enough. */
 constexpr double REACH = 32;
 
 double distance(const asked &q, double tol, double when, double bound,
-                int32_t before, int32_t after)
+                int32_t before, int32_t after, double enough)
 {
     const auto status = [&](double t) {
         coin_slide d = q.d;
-        return q.advance(&d, t, tol);
+        return q.advance(&d, larger(t, 0.0), tol);
     };
-    double low = larger(when - REACH * bound, 0.0);
-    double high = when + REACH * bound;
-    if (status(low) != before || status(high) != after)
-        return REACH;
-    for (int i = 0; i < 16; ++i) {
+    double far = enough > 0 ? enough : 1 / REACH;
+    while (status(when - far * bound) != before ||
+           status(when + far * bound) != after)
+        if ((far *= 2) > REACH)
+            return REACH;
+    if (far == enough)
+        return enough / 2;
+    double low = larger(when - far * bound, 0.0), high = when + far * bound;
+    for (int i = 0; i < 8; ++i) {
         const double middle = (low + high) / 2;
         (status(middle) == before ? low : high) = middle;
     }
@@ -138,17 +144,16 @@ template <class R> double begins(const scene &s, double enough)
     if (!(when > 0))
         return NO_CLAIM;
     const R natural = when * truth.at.w;
-    const double bound = double(blurred(allowed(R(tol), natural),
-                                        truth.moves(), truth.slope()) /
-                                truth.at.w);
+    const double bound =
+        double(blurred(allowed(R(tol), natural), truth.moves(), truth.slope()) /
+               truth.at.w);
     if (!(bound * double(truth.at.w) < BLURRED / double(truth.at.fastest())))
         return NO_CLAIM;
     const double ratio =
-        distance(q, tol, double(when), bound, COIN_OK, COIN_SLIPS);
-    const double dear = larger(enough, UNAMPLIFIED);
-    return ratio <= dear ? ratio
-                         : larger(dear, ratio / growth(q.p, q.d.s,
-                                                       double(when) / 8, 8));
+        distance(q, tol, double(when), bound, COIN_OK, COIN_SLIPS, enough);
+    return unamplified(ratio, enough, [&](double most) {
+        return growth(q.p, q.d.s, double(when) / 8, 8, most);
+    });
 }
 
 /* ----------------------------------------------------------- ends of slips */
@@ -183,10 +188,11 @@ template <class R> double ends(const scene &s, double enough)
     if (!(bound * w < BLURRED))
         return NO_CLAIM;
     const double when = double(natural) / w;
-    const double ratio = distance(q, tol, when, bound, COIN_SLIPS, COIN_OK);
-    const double dear = larger(enough, UNAMPLIFIED);
-    return ratio <= dear ? ratio
-                         : larger(dear, ratio / growth(q, 0.9L * when));
+    const double ratio =
+        distance(q, tol, when, bound, COIN_SLIPS, COIN_OK, enough);
+    return unamplified(ratio, enough, [&](double most) {
+        return growth(q, 0.9L * when, most);
+    });
 }
 
 template <class R> double lifts(const scene &s, double enough)
@@ -206,15 +212,14 @@ template <class R> double lifts(const scene &s, double enough)
     coin_slide d = q.d;
     double reached;
     if (coin_slide_advance(&d, &q.p, &q.f, nullptr,
-                           double(truth.took) / w * 1.01, tol, &reached) !=
-        COIN_ELIFT)
+                           double(truth.took) / w * 1.01, tol,
+                           &reached) != COIN_ELIFT)
         return BROKEN;
     const double ratio =
         double(magnitude(R(reached) * truth.w - truth.took) / bound);
-    const double dear = larger(enough, UNAMPLIFIED);
-    return ratio <= dear
-               ? ratio
-               : larger(dear, ratio / growth(q, 0.9L * truth.took / truth.w));
+    return unamplified(ratio, enough, [&](double most) {
+        return growth(q, 0.9L * truth.took / truth.w, most);
+    });
 }
 
 /* --------------------------------------------------------------- reaction */
@@ -273,7 +278,7 @@ void add_slide_events(std::vector<row> *rows)
 {
     const char *law = "tol (1 + natural time) over the rate; before "
                       "amplification";
-    rows->push_back({"coin_slide_advance_begins", law, 100, false, thrown_far,
+    rows->push_back({"coin_slide_advance_begins", law, 5, false, thrown_far,
                      begins<long double>, begins<quad>});
     rows->push_back({"coin_slide_advance_ends", law, 100, false, thrown_far,
                      ends<long double>, ends<quad>});

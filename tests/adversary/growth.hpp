@@ -5,6 +5,7 @@
 #define ROLLCOIN_ADVERSARY_GROWTH_HPP
 
 #include "path.hpp"
+#include "row.hpp"
 
 #include <utility>
 #include <vector>
@@ -30,15 +31,16 @@ template <class R> R apart(const path<R> &a, const path<R> &b)
 
 /* How much an error at *from has grown when the motion comes to end: errors of
  * the lean and of each rate, as an error of a step is, and of the heading,
- * which turns the way that is left. */
+ * which turns the way that is left.  Or so much of it that it is enough. */
 inline long double growth_of(const path<long double> &from,
-                             const path<long double> &end, long double t)
+                             const path<long double> &end, long double t,
+                             long double enough)
 {
     const long double size = 1e-7L;
     const long double dx = end.at()[3] - from.at()[3];
     const long double dz = end.at()[4] - from.at()[4];
     long double sum = 1 + root(dx * dx + dz * dz);
-    for (int which = 0; which < 4; ++which) {
+    for (int which = 0; which < 4 && sum < enough; ++which) {
         long double most = 0;
         for (int side = -1; side <= 1; side += 2) {
             path<long double> other = from;
@@ -53,11 +55,16 @@ inline long double growth_of(const path<long double> &from,
 }
 
 /* From the worst of some moments of a motion of so many times dt: the start,
- * five on the way, and that where W is largest. */
+ * five on the way, and that where W is largest.  If that is more than enough,
+ * something between the two. */
 template <class P, class S>
-double growth(const P &p, const S &s, double dt, uint64_t times)
+double growth(const P &p, const S &s, double dt, uint64_t times, double enough,
+              const losses<long double> *slow = nullptr)
 {
-    path<long double> now(p, s), fast = now;
+    path<long double> now(p, s);
+    now.slow = slow;
+    now.be_quick();
+    path<long double> fast = now;
     std::vector<std::pair<path<long double>, long double>> moments;
     long double most = 0, left_fast = 0;
     for (uint64_t k = 0; k < times; ++k) {
@@ -73,10 +80,29 @@ double growth(const P &p, const S &s, double dt, uint64_t times)
             return 1e30;
     }
     moments.push_back({fast, left_fast});
+    static size_t worst_before = 0; /* the next motion is like the last */
+    const size_t first = worst_before;
     long double worst = 1;
-    for (const auto &m : moments)
-        worst = larger(worst, growth_of(m.first, now, m.second));
+    for (size_t i = 0; i < moments.size() && worst < enough; ++i) {
+        const size_t k = (first + i) % moments.size();
+        const long double grown =
+            growth_of(moments[k].first, now, moments[k].second, enough);
+        worst_before = grown > worst ? k : worst_before;
+        worst = larger(worst, grown);
+    }
     return double(worst);
+}
+
+/* A ratio above UNAMPLIFIED, without the growth that grown(most) tells, where
+ * more than most need not be known.  Not more than enough need be known of the
+ * result. */
+template <class F>
+double unamplified(double ratio, double enough, const F &grown)
+{
+    if (!(ratio > larger(enough, UNAMPLIFIED)))
+        return ratio;
+    const double most = enough > 0 ? ratio / enough : 1e30;
+    return ratio / grown(most);
 }
 
 #endif

@@ -92,7 +92,8 @@ void some_losses(scene *s, const double *g)
     s->tol = std::pow(10, 9 * g[24] - 9);
 }
 
-/* -------------------------------------------------------------- the way to rest */
+/* -------------------------------------------------------------- the way to
+ * rest */
 /* Followed by the textbook's equations and torques for up to 80 rad, as far as
  * friction is smooth. */
 template <class R> double settle(const scene &s, double enough)
@@ -120,10 +121,11 @@ template <class R> double settle(const scene &s, double enough)
     if (bound >= 1)
         return NO_CLAIM;
     const double ratio = worst <= R(1e30) ? double(worst / bound) : BROKEN;
-    const double dear = larger(enough, UNAMPLIFIED);
-    return ratio <= dear
-               ? ratio
-               : larger(dear, ratio / growth(p, start, s.t / 16, 16));
+    const losses<long double> by(l, softening(l, p), p.mass, p.radius,
+                                 1 / (long double)truth.w);
+    return unamplified(ratio, enough, [&](double most) {
+        return growth(p, start, s.t / 16, 16, most, &by);
+    });
 }
 
 /* Forward, 0.01 to 30 natural units; losses up to 0.03. */
@@ -140,7 +142,8 @@ void launches(scene *s, const double *g)
     s->z = s->a * (6 * g[21] - 3);
 }
 
-/* ------------------------------------------------------- the quasi-steady model */
+/* ------------------------------------------------------- the quasi-steady
+ * model */
 /* A number and its derivative: so that no formula of a derivative is shared. */
 template <class R> struct dual {
     R x, d;
@@ -153,6 +156,10 @@ template <class R> dual<R> operator+(dual<R> a, dual<R> b)
 {
     return {a.x + b.x, a.d + b.d};
 }
+
+/* A correction that is none, in parts of a variable. */
+template <class R>
+constexpr double NONE_SLOW = std::is_same_v<R, long double> ? 1e-15 : 1e-19;
 
 /* Steady motions, one after the other, by r, the root of cos theta: natural
  * units. */
@@ -205,7 +212,7 @@ template <class R> struct slow_path {
                 sizes[i] = magnitude(y[i]) + magnitude(d0[i] * r) + R(1e-30);
             if (!extrapolated<R, 6>(
                     [this](const vector &v, vector &d) { d = rates(v); }, sizes,
-                    H, change, 1e-15)) {
+                    H, change, NONE_SLOW<R>)) {
                 part /= 2;
                 continue;
             }
@@ -286,8 +293,8 @@ template <class R> double quasisteady_at(const scene &s, double)
     const quasi<R> q(s);
     const double T = coin_time_to_rest(&q.start, &q.p, &q.l);
     coin_state out;
-    if (!(T < 1e300) || coin_quasisteady_at(&q.start, &q.p, &q.l, T * s.t,
-                                            &out) != COIN_OK)
+    if (!(T < 1e300) ||
+        coin_quasisteady_at(&q.start, &q.p, &q.l, T * s.t, &out) != COIN_OK)
         return NO_CLAIM;
     slow_path<R> path(q.p, q.start, &q.of);
     const R c = cosine(R(out.theta)), r = root(c);
@@ -299,12 +306,14 @@ template <class R> double quasisteady_at(const scene &s, double)
                      R(out.psi)};
     verdict<R> v;
     for (int i = 0; i < 5; ++i) {
-        const R way = i < 3 ? magnitude(path.y[i])
-                            : magnitude(path.y[i] -
-                                        R(i == 3 ? q.start.phi : q.start.psi));
+        const R way =
+            i < 3
+                ? magnitude(path.y[i])
+                : magnitude(path.y[i] - R(i == 3 ? q.start.phi : q.start.psi));
         v.hold(got[i], path.y[i],
                R(SHARP) * (way + (i < 2 ? R(1) : R(0))) +
-                   magnitude(d[i]) * lean + 8 * R(doubles::u) * magnitude(got[i]));
+                   magnitude(d[i]) * lean +
+                   8 * R(doubles::u) * magnitude(got[i]));
     }
     return v.worst;
 }
@@ -360,20 +369,17 @@ void slow_motions(scene *s, const double *g)
 void add_losses(std::vector<row> *rows)
 {
     const row made[] = {
-        LOSSES(power, "coin_losses_power", "16 u of the terms", 1,
-               some_losses),
-        LOSSES(rates, "coin_losses_rates", "16 u of the terms", 1,
-               some_losses),
+        LOSSES(power, "coin_losses_power", "16 u of the terms", 1, some_losses),
+        LOSSES(rates, "coin_losses_rates", "16 u of the terms", 1, some_losses),
         LOSSES(reaction, "coin_losses_reaction", "16 u of the terms", 1,
                some_losses),
-        LOSSES(settle, "coin_settle", "10 tol a radius of speed + rounding",
-               100, launches),
+        LOSSES(settle, "coin_settle", "10 tol a radius of speed + rounding", 25,
+               launches),
         LOSSES(time_to_rest, "coin_time_to_rest", "1e-6 of the model's", 20,
                slow_motions),
-        LOSSES(quasisteady_at, "coin_quasisteady_at", "1e-9 of the model's",
-               100, slow_motions),
-        LOSSES(fit, "coin_losses_fit", "1e-6 of the model's", 100,
+        LOSSES(quasisteady_at, "coin_quasisteady_at", "1e-9 of the model's", 25,
                slow_motions),
+        LOSSES(fit, "coin_losses_fit", "1e-6 of the model's", 25, slow_motions),
     };
     for (const row &r : made)
         rows->push_back(r);

@@ -12,8 +12,9 @@
 inline coin_losses losses_of(const scene &s)
 {
     const double w = std::sqrt(s.g / s.a), torque = s.M * s.g * s.a;
-    const double unit[] = {1,          torque, torque / w, torque / w / std::sqrt(w),
-                           torque / w, torque, torque / w, w};
+    const double unit[] = {
+        1,          torque, torque / w, torque / w / std::sqrt(w),
+        torque / w, torque, torque / w, w};
     coin_losses l = {};
     for (int i = 0; i < 8; ++i)
         if (int(s.steps) >> i & 1)
@@ -50,8 +51,9 @@ template <class R> struct losses {
                layer * root(rate) + gap / c;
     }
 
-    /* Of a body I_X, J, K. */
-    slowing<R> at(R IX, R J, R K, R s, R c, R wX, R wY, R wZ) const
+    /* Of a body I_X, J, K.  Inline: most callers need no sizes, or no power. */
+    __attribute__((always_inline)) slowing<R> at(R IX, R J, R K, R s, R c, R wX,
+                                                 R wY, R wZ) const
     {
         const R T = s / c, roll = wZ + wY * T;
         const R size = magnitude(wZ) + magnitude(wY * T);

@@ -48,10 +48,9 @@ template <class R> double advance(const scene &s, double enough)
         ratio_of(double(pose_apart(truth, end)), double(bound));
     if (bound >= 1)
         return NO_CLAIM;
-    const double dear = larger(enough, UNAMPLIFIED);
-    return ratio <= dear ? ratio
-                         : larger(dear, ratio / growth(p, state_of<doubles>(s),
-                                                       s.t / 16, 16));
+    return unamplified(ratio, enough, [&](double most) {
+        return growth(p, state_of<doubles>(s), s.t / 16, 16, most);
+    });
 }
 
 /* By what part of mu F/N exceeds it on a path, 1 where N <= 0: in natural
@@ -95,7 +94,7 @@ template <class R> double until(const scene &s, double)
             return NO_CLAIM;
         worst = larger(worst, excess(truth, p, R(s.tol)));
     }
-    if (worst > 0 && growth(p, start, reached / 16, 16) > 1000)
+    if (worst > 0 && growth(p, start, reached / 16, 16, 1001) > 1000)
         return NO_CLAIM;
     return double(worst / R(1e-6));
 }
@@ -151,8 +150,7 @@ template <class R> double orbit(const scene &s, double enough)
     const double far = o.radius_max > 0 ? o.radius_max / s.a : 0;
     const double time = (std::fabs(s.t) + o.period) * double(truth.w);
     R W = truth.most_W;
-    const R residue =
-        o.period > 0 ? R(0) : residue_of(p, start, W, R(time));
+    const R residue = o.period > 0 ? R(0) : residue_of(p, start, W, R(time));
     double amplified = 0;
     const auto ratio = [&] {
         const double bound = 1e-14 + 1e-15 * o.conditioning * periods +
@@ -165,29 +163,39 @@ template <class R> double orbit(const scene &s, double enough)
         return ratio();
     W = fastest_ever(truth, R(o.period));
     if (ratio() > larger(enough, UNAMPLIFIED))
-        amplified = 4 * doubles::u * growth(p, start, s.t / 16, 16);
+        amplified = 4 * doubles::u * growth(p, start, s.t / 16, 16, 1e30);
     return ratio();
 }
 
 /* ------------------------------------------------------------------ models */
 
-int32_t by_model(int32_t model, const scene &s, double t, coin_state *out)
+class named_model
 {
-    const coin_params p = params_of<doubles>(s);
-    const coin_state start = state_of<doubles>(s);
-    static coin_orbit o;
-    coin_state steady;
-    if (model == COIN_MODEL_ORBIT) {
-        const int32_t status = coin_orbit_init(&o, &start, &p);
-        return status ? status : coin_orbit_at(&o, t, out);
+  public:
+    int32_t status; /* of what the model is begun with */
+
+    named_model(int32_t name, const coin_params &body, const coin_state &from)
+        : status(COIN_OK), model(name), p(body), start(from)
+    {
+        status = model == COIN_MODEL_ORBIT
+                     ? coin_orbit_init(&o, &start, &p)
+                     : coin_steady_near(&start, &p, &steady);
     }
-    const int32_t status = coin_steady_near(&start, &p, &steady);
-    if (status != COIN_OK)
-        return status;
-    return model == COIN_MODEL_STEADY
-               ? coin_steady_at(&steady, &p, t, out)
-               : coin_wobble_at(&steady, &p, &start, t, out);
-}
+    int32_t at(double t, coin_state *out) const
+    {
+        return model == COIN_MODEL_ORBIT ? coin_orbit_at(&o, t, out)
+               : model == COIN_MODEL_STEADY
+                   ? coin_steady_at(&steady, &p, t, out)
+                   : coin_wobble_at(&steady, &p, &start, t, out);
+    }
+
+  private:
+    int32_t model;
+    const coin_params &p;
+    const coin_state &start;
+    coin_state steady;
+    coin_orbit o;
+};
 
 /* The pose at twelve times of the horizon. */
 template <class R> double model(const scene &s, double)
@@ -200,12 +208,15 @@ template <class R> double model(const scene &s, double)
     const int32_t named = coin_model_needed(&start, &p, s.t, s.tol);
     if (named < 0 || named == COIN_MODEL_STEPS)
         return NO_CLAIM;
+    const named_model by(named, p, start);
+    if (by.status != COIN_OK)
+        return BROKEN;
     double worst = 0;
     for (int k = 1; k <= 12; ++k) {
         coin_state out;
         if (!truth.follow(R(s.t) / 12))
             return NO_CLAIM;
-        if (by_model(named, s, s.t * k / 12, &out) != COIN_OK)
+        if (by.at(s.t * k / 12, &out) != COIN_OK)
             return BROKEN;
         const double error = double(pose_apart(truth, out));
         worst = error > worst || !(error >= 0) ? error : worst;
@@ -300,13 +311,15 @@ void spins(scene *s, const double *g)
 void add_motions(std::vector<row> *rows)
 {
     const row made[] = {
-        MOTION(advance, "coin_advance", "2 tol a radius of speed + rounding",
-               200, horizon),
-        MOTION(until, "coin_advance_until", "F/N over mu by 1e-6 of mu", 200,
+        MOTION(advance, "coin_advance", "2 tol a radius of speed + rounding", 5,
+               horizon),
+        MOTION(until, "coin_advance_until", "F/N over mu by 1e-6 of mu", 2,
                until_it_slips),
-        MOTION(orbit, "coin_orbit_at", "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + period) + 4 u amplified",
-               40, about_circles),
-        MOTION(model, "coin_model_needed", "tol", 10, about_circles),
+        MOTION(orbit, "coin_orbit_at",
+               "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + period) "
+               "+ 4 u amplified",
+               10, about_circles),
+        MOTION(model, "coin_model_needed", "tol", 5, about_circles),
         MOTION(max_dt, "coin_max_dt", "2 tol a natural unit", 50, spins),
     };
     for (const row &r : made)

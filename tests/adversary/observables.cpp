@@ -26,8 +26,9 @@ template <class T, class R> struct asked {
         R product = 1, part = 1;
         for (R x : w)
             for (R other : {R(1), w[0], w[1], w[2]})
-                product = x * other == 0 ? product
-                                         : lesser(product, magnitude(x * other));
+                product = x * other == 0
+                              ? product
+                              : lesser(product, magnitude(x * other));
         for (R x : few)
             part *= x == 0 ? R(1) : lesser(R(1), magnitude(x));
         return product * part >= R(T::normal);
@@ -282,8 +283,7 @@ template <class T, class R> double from_landing(const scene &s, double)
     asked<T, R> a(s);
     const real q[] = {real(s.q[0]), real(s.q[1]), real(s.q[2]), real(s.q[3])};
     const real w[] = {real(s.wX), real(s.wY), real(s.wZ)};
-    const real v[] = {a.p.radius * w[2], -a.p.radius * w[0],
-                      a.p.radius * w[1]};
+    const real v[] = {a.p.radius * w[2], -a.p.radius * w[0], a.p.radius * w[1]};
     typename T::state y;
     if (T::from_landing(&y, &a.p, q, w, v, a.y.x, a.y.z) != COIN_OK ||
         !a.is_normal())

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The true motion: the textbook's equations (14)-(20) in angles and rates, by
- * extrapolation of the modified midpoint rule (Gragg, Bulirsch, Stoer), each
- * step to the precision of R.  Natural units: M = a = g = 1. */
+/* The true motion: the textbook's equations (14)-(20) in angles and rates, each
+ * step to the precision of R.  The quick truth sums power series in time.  The
+ * exact one extrapolates the modified midpoint rule (Gragg, Bulirsch, Stoer):
+ * what a search finds is confirmed by another method.  Natural units: M = a =
+ * g = 1. */
 #ifndef ROLLCOIN_ADVERSARY_PATH_HPP
 #define ROLLCOIN_ADVERSARY_PATH_HPP
 
+#include "course.hpp"
 #include "losses.hpp"
 #include "midpoint.hpp"
 
@@ -29,34 +32,19 @@ template <class R> class path
         rebase(s.theta);
     }
 
-    R a, w; /* the radius, and natural units of rate in the coin's own */
+    R a, w;       /* the radius, and natural units of rate in the coin's own */
     R most_W = 0; /* the largest W where a step began */
     const losses<R> *slow = nullptr; /* what slows the coin, or null */
 
     /* Follows the motion; false if it falls flat or takes too long. */
     bool follow(R t)
     {
-        R left = t * w;
         if (is_long(t))
             return false;
-        for (int steps = 0; left != 0; ++steps) {
-            const R W = fastest();
-            R h = R(REACH) / W;
-            most_W = larger(most_W, W);
-            h = magnitude(left) < h ? left : left < 0 ? -h : h;
-            int halvings = 0;
-            while (!step(h)) {
-                h /= 2;
-                if (++halvings > 12)
-                    return false;
-            }
-            left -= h;
-            if (steps > MOST_STEPS)
-                return false;
-            if (magnitude(y[0]) > R(0.8))
-                rebase(base * half_pi<R>() + y[0]);
-        }
-        return true;
+        if constexpr (IS_QUICK)
+            return by_series(t * w);
+        else
+            return by_midpoints(t * w);
     }
 
     /* Whether a truth would cost too much. */
@@ -108,6 +96,14 @@ template <class R> class path
         const R c = cth(y[0]);
         y[which == 0 ? 0 : 4 + which] +=
             size * c * (which == 0 ? 1 : fastest());
+        if constexpr (IS_QUICK)
+            ahead.known = false;
+    }
+
+    /* Sharp enough to compare motions a ten millionth apart. */
+    void be_quick()
+    {
+        ahead.way.ends = 0x1p-42;
     }
 
     const vector &at() const
@@ -130,8 +126,10 @@ template <class R> class path
     static constexpr int MOST_TURN = 80; /* radians: what a truth costs */
 
   private:
-    /* Radians of the fastest rate in a step. */
-    static constexpr double REACH = std::is_same_v<R, long double> ? 0.6 : 0.3;
+    static constexpr bool IS_QUICK = std::is_same_v<R, long double>;
+
+    /* Radians of the fastest rate in a step; by series, in a unit of time. */
+    static constexpr double REACH = 0.3;
     static constexpr int MOST_STEPS = int(2 * MOST_TURN / REACH);
 
     R IX, IZ;
@@ -141,6 +139,18 @@ template <class R> class path
     R sphi0, cphi0, sph0, cph0; /* of the heading: there, and where a step
                                    begins */
     int base = 0; /* y[0] is the lean from base pi/2: sharp near flat too */
+
+    /* The series that y lies on, and where. */
+    struct stretch {
+        bool known = false;
+        R at; /* the time since it began */
+        vector from;
+        R roll; /* the rate of roll where it began */
+        course<8> way;
+    };
+    struct nothing {
+    };
+    std::conditional_t<IS_QUICK, stretch, nothing> ahead;
 
     R from_flat(R theta) const
     {
@@ -187,12 +197,106 @@ template <class R> class path
             slow->add(IX, IZ, s, c, wX, wY, wZ, &d[5]);
     }
 
+    bool by_midpoints(R left)
+    {
+        for (int steps = 0; left != 0; ++steps) {
+            const R W = fastest();
+            R h = R(REACH) / W;
+            most_W = larger(most_W, W);
+            h = magnitude(left) < h ? left : left < 0 ? -h : h;
+            int halvings = 0;
+            while (!step(h)) {
+                h /= 2;
+                if (++halvings > 12)
+                    return false;
+            }
+            left -= h;
+            if (steps > MOST_STEPS)
+                return false;
+            if (magnitude(y[0]) > R(0.8))
+                rebase(base * half_pi<R>() + y[0]);
+        }
+        return true;
+    }
+
+    /* Follows series for a natural time, each as far as it reaches. */
+    bool by_series(R left)
+    {
+        R turned = 0;
+        while (left != 0) {
+            if (!ahead.known && !foresee(&turned))
+                return false;
+            const R far = ahead.way.far, to = ahead.at + left;
+            const bool within = magnitude(to) <= far;
+            const R at = within ? to : left < 0 ? -far : far;
+            left -= within ? left : at - ahead.at;
+            ahead.at = at;
+            ahead.known = within;
+            move();
+            if (!(cth(y[0]) > 0) || turned_round())
+                return false;
+        }
+        return true;
+    }
+
+    /* The series from here; false if there are none, or the coin has turned too
+     * far.  A series counts for as much as one reaches as a rule. */
+    bool foresee(R *turned)
+    {
+        if (magnitude(y[0]) > R(0.8))
+            rebase(base * half_pi<R>() + y[0]);
+        const R W = fastest();
+        most_W = larger(most_W, W);
+        const outset here = {IX,   IZ,   sth(y[0]), cth(y[0]), y[5],
+                             y[6], y[7], 0,         0};
+        if (!ahead.way.begin(here, W, R(REACH) / W, rolling_series(here, slow)))
+            return false;
+        *turned += larger(W * ahead.way.far, R(0.2));
+        ahead.known = true;
+        ahead.at = 0;
+        ahead.from = y;
+        ahead.roll = rolls();
+        return *turned <= 2 * MOST_TURN;
+    }
+
+    /* The rate of roll. */
+    R rolls() const
+    {
+        return y[7] + y[6] * sth(y[0]) / cth(y[0]);
+    }
+
+    /* Whether the contact has, where its friction is not smooth there. */
+    bool turned_round() const
+    {
+        return slow && (slow->damping != 0 || slow->layer != 0) &&
+               !(rolls() * ahead.roll > 0);
+    }
+
+    /* To where `ahead` is at. */
+    void move()
+    {
+        vector change;
+        ahead.way.at(ahead.at, change);
+        for (int i = 0; i < 8; ++i)
+            y[i] = ahead.from[i] + change[i];
+        turn_axes();
+        y[3] = ahead.from[3] + change[3] * cph0 + change[4] * sph0;
+        y[4] = ahead.from[4] - change[3] * sph0 + change[4] * cph0;
+    }
+
+    /* The sine and the cosine of the heading here. */
+    void turn_axes()
+    {
+        const R st = sine(y[1]), ct = cosine(y[1]);
+        sph0 = sphi0 * ct + cphi0 * st;
+        cph0 = cphi0 * ct - sphi0 * st;
+    }
+
     bool step(R H)
     {
         vector change;
         const R W = fastest();
-        sph0 = sphi0 * cosine(y[1]) + cphi0 * sine(y[1]);
-        cph0 = cphi0 * cosine(y[1]) - sphi0 * sine(y[1]);
+        turn_axes();
         const vector sizes = {1, 1, 1, 1, 1, W, W, W};
         if (!extrapolated<R, 8>(
                 [this](const vector &v, vector &d) { rates(v, d); }, sizes, H,

@@ -22,7 +22,8 @@ using judge = double (*)(const scene &s, double enough);
 struct row {
     const char *function;
     const char *law; /* the documented bound, in words */
-    int share;       /* one evaluation in so many: what a truth costs */
+    int share;       /* one evaluation in so many, in a search of a minute: what
+                        one costs */
     bool narrow;     /* scenes within the range of floats */
     void (*edge)(scene *, const double *genes); /* leads to the row's own edge;
                                                    may be null */

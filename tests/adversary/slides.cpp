@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Coins that slip: what is read off a slide, and its way while it slips, by the
  * equations of Newton and Euler in time. */
-#include "slides.hpp"
+#include "growth.hpp"
 #include "row.hpp"
+#include "slip_growth.hpp"
 
 namespace
 {
@@ -40,9 +41,10 @@ template <class R> double velocity(const scene &s, double)
     return v.worst;
 }
 
-/* ------------------------------------------------------------ while it slips */
-template <class R> double slip(const asked &q, const scene &s, double factor,
-                               double enough)
+/* ------------------------------------------------------------ while it slips
+ */
+template <class R>
+double slip(const asked &q, const scene &s, double factor, double enough)
 {
     const double tol = s.q[3];
     coin_slide end = q.d;
@@ -54,11 +56,11 @@ template <class R> double slip(const asked &q, const scene &s, double factor,
     const R natural = R(s.t) * truth.w;
     const R bound = R(factor) * R(tol) * (1 + natural) +
                     R(1e-14) * (1 + natural) +
-                    64 * R(doubles::u) * (1 + magnitude(truth.y[3]) +
-                                          magnitude(truth.y[4]));
+                    64 * R(doubles::u) *
+                        (1 + magnitude(truth.y[3]) + magnitude(truth.y[4]));
     const double ratio = double(truth.apart(end) / bound);
-    const double dear = larger(enough, UNAMPLIFIED);
-    return ratio <= dear ? ratio : larger(dear, ratio / growth(q, s.t));
+    return unamplified(ratio, enough,
+                       [&](double most) { return growth(q, s.t, most); });
 }
 
 template <class R> double advance(const scene &s, double enough)
@@ -96,7 +98,7 @@ void add_slides(std::vector<row> *rows)
                      nullptr, velocity<long double>, velocity<quad>});
     rows->push_back({"coin_slide_advance",
                      "tol (1 + natural time) before amplification; slipping",
-                     5, false, thrown, advance<long double>, advance<quad>});
+                     25, false, thrown, advance<long double>, advance<quad>});
     rows->push_back({"coin_slide_advance_losses",
                      "10 tol (1 + natural time) before amplification; slipping",
                      25, false, thrown_flat, with_losses<long double>,

@@ -3,7 +3,7 @@
 #ifndef ROLLCOIN_ADVERSARY_SLIDES_HPP
 #define ROLLCOIN_ADVERSARY_SLIDES_HPP
 
-#include "losses.hpp"
+#include "course.hpp"
 #include "midpoint.hpp"
 #include "scene.hpp"
 #include "truth.hpp"
@@ -65,10 +65,10 @@ template <class R> struct held {
     {
         const R wX = w[0], wY = w[1], wZ = w[2];
         const R dwX = (-(1 + IZ) * wY * wZ - IX * wY * wY * s / c + s) /
-                      (1 + IX);                    /* (14) */
-        N = 1 - wX * wX * c - dwX * s;             /* (27) */
-        X = wX * wY * IZ / (1 + IZ);               /* (25) */
-        h = -wX * wX * s + dwX * c + wY * wZ / c;  /* (26) */
+                      (1 + IX);                   /* (14) */
+        N = 1 - wX * wX * c - dwX * s;            /* (27) */
+        X = wX * wY * IZ / (1 + IZ);              /* (25) */
+        h = -wX * wX * s + dwX * c + wY * wZ / c; /* (26) */
     }
     R friction() const
     {
@@ -95,8 +95,14 @@ template <class R> class slide
         IX = m.IX / m.m;
         IZ = m.IZ / m.m;
         mu = q.f.mu_kinetic;
-        y = {m.theta, m.phi,    m.psi,    m.x / a,
-             m.z / a, m.wX / w, m.wY / w, m.wZ / w,
+        y = {m.theta,
+             m.phi,
+             m.psi,
+             m.x / a,
+             m.z / a,
+             m.wX / w,
+             m.wY / w,
+             m.wZ / w,
              u.X.value / (a * w) - m.wZ / w,
              u.h.value / (a * w) + m.wX / w * m.c};
     }
@@ -106,20 +112,34 @@ template <class R> class slide
     enum fate { SLIPS, STOPS, LIFTS, UNKNOWN };
 
     /* Follows the slip for a time, or until its speed is `least`, or it lifts
-     * off; the time is then in `took`, in natural units. */
+     * off; the time is then in `took`, in natural units.  Steps are short where
+     * the normal force is small.  Where it has a minimum near 0, it is unknown
+     * whether the coin lifts off. */
     fate follow(R t, R least = R(1e-3))
     {
         R left = t * w;
+        R before = pressed(), last = before; /* where steps began */
         took = 0;
         for (int steps = 0; left > 0; ++steps) {
-            R h = lesser(left, R(0.25) / rate());
-            slide next = *this;
-            if (!(rate() * lesser(R(1), 100 * speed(y)) < 1e3) || steps > 3000 || !next.step(h))
+            const vector from = y;
+            const R fast = rate();
+            R h = lesser(left, R(0.25) / fast);
+            if (!(fast * lesser(R(1), 100 * speed(y)) < 1e3) ||
+                steps > MOST_STEPS || !foresee(fast, left, &h))
                 return UNKNOWN;
-            const bool lifts = !(next.pressed() > 0);
+            if (last < R(0.5))
+                h = lesser(h, R(0.1) / fast);
+            for (int halvings = 0; !move(from, h); ++halvings, h /= 2)
+                if (halvings > 8)
+                    return UNKNOWN;
+            const R now = pressed();
+            const bool lifts = !(now > 0);
+            if (last < before && last < now && last < R(0.05))
+                return UNKNOWN;
             if (lifts)
-                h = until_lifted(h, &next);
-            y = next.y;
+                h = until_lifted(from, h);
+            before = last;
+            last = now;
             left -= h;
             took += h;
             if (lifts)
@@ -130,6 +150,12 @@ template <class R> class slide
         return SLIPS;
     }
     R took = 0;
+
+    /* Sharp enough to compare motions a ten millionth apart. */
+    void be_quick()
+    {
+        ahead.ends = 0x1p-42;
+    }
 
     /* The slope of the slip speed. */
     R speed_slope() const
@@ -178,8 +204,14 @@ template <class R> class slide
     R apart(const coin_slide &d) const
     {
         const R sph = sine(y[1]), cph = cosine(y[1]), v = a * w;
-        const R at[] = {d.s.theta,    d.s.phi,      d.s.psi,     d.s.x / a,
-                        d.s.z / a,    d.s.wX / w,   d.s.wY / w,  d.s.wZ / w,
+        const R at[] = {d.s.theta,
+                        d.s.phi,
+                        d.s.psi,
+                        d.s.x / a,
+                        d.s.z / a,
+                        d.s.wX / w,
+                        d.s.wY / w,
+                        d.s.wZ / w,
                         R(d.vx) / v * cph - R(d.vz) / v * sph,
                         R(d.vx) / v * sph + R(d.vz) / v * cph};
         R worst = 0;
@@ -202,16 +234,27 @@ template <class R> class slide
     }
 
   private:
+    static constexpr bool IS_QUICK = std::is_same_v<R, long double>;
+    struct nothing {
+    };
+
+    static constexpr int MOST_STEPS = IS_QUICK ? 600 : 3000;
     R IX, IZ, mu;
+    std::conditional_t<IS_QUICK, course<10>, nothing> ahead;
     losses<R> of;
     bool lossy;
+
+    /* W of (47). */
+    R turning(R c) const
+    {
+        return root((y[5] * y[5] + y[6] * y[6]) / (c * c) + y[7] * y[7] +
+                    1 / c);
+    }
 
     R rate() const
     {
         const R s = sine(y[0]), c = cosine(y[0]);
-        return root((y[5] * y[5] + y[6] * y[6]) / (c * c) + y[7] * y[7] +
-                    1 / c) +
-               mu * pressed() * (1 + 1 / IX) / speed(y) +
+        return turning(c) + mu * pressed() * (1 + 1 / IX) / speed(y) +
                (lossy ? slowed(s, c) : R(0));
     }
 
@@ -236,16 +279,48 @@ template <class R> class slide
         return true;
     }
 
-    /* The part of a step h that ends where N = 0; *end is there. */
-    R until_lifted(R h, slide *end) const
+    /* The series from here, and as far as they go or is left; by midpoints
+     * there are none. */
+    bool foresee(R fast, R left, R *h)
+    {
+        if constexpr (IS_QUICK) {
+            const R s = sine(y[0]), c = cosine(y[0]);
+            const outset here = {IX, IZ, s, c, y[5], y[6], y[7], y[8], y[9]};
+            if (!ahead.begin(here, turning(c), 1 / fast,
+                             slipping_series(here, mu, lossy ? &of : nullptr)))
+                return false;
+            *h = lesser(left, ahead.far);
+        }
+        return true;
+    }
+
+    /* To h from where the series began, or by midpoints. */
+    bool move(const vector &from, R h)
+    {
+        y = from;
+        if constexpr (IS_QUICK) {
+            vector d;
+            ahead.at(h, d);
+            for (int i = 0; i < 10; ++i)
+                y[i] += d[i];
+            const R sph = sine(y[1]), cph = cosine(y[1]);
+            y[3] = from[3] + d[3] * cph + d[4] * sph;
+            y[4] = from[4] - d[3] * sph + d[4] * cph;
+            return cosine(y[0]) > 0;
+        } else {
+            return step(h);
+        }
+    }
+
+    /* To the end of the part of a step h that ends where N = 0; how long. */
+    R until_lifted(const vector &from, R h)
     {
         R low = 0, high = h;
         for (int i = 0; i < 60; ++i) {
             const R middle = (low + high) / 2;
-            *end = *this;
-            if (!end->step(middle))
+            if (!move(from, middle))
                 return high;
-            (end->pressed() > 0 ? low : high) = middle;
+            (pressed() > 0 ? low : high) = middle;
         }
         return high;
     }
@@ -282,30 +357,6 @@ template <class R> class slide
         return N;
     }
 };
-
-/* By how much errors on the way grow until t. */
-inline double growth(const asked &q, long double t)
-{
-    using truth = slide<long double>;
-    truth from(q), end(q);
-    if (end.follow(t) != truth::SLIPS)
-        return 1e30;
-    long double worst = 1;
-    for (int k = 0; k < 4; ++k) {
-        long double sum = 1;
-        for (int i : {0, 5, 6, 7, 8, 9}) {
-            truth other = from;
-            other.y[size_t(i)] += 1e-7L;
-            if (other.follow(t * (4 - k) / 4) != truth::SLIPS)
-                return 1e30;
-            sum += end.apart(other) / 1e-7L;
-        }
-        worst = larger(worst, sum);
-        if (from.follow(t / 4) != truth::SLIPS)
-            return 1e30;
-    }
-    return double(worst);
-}
 
 /* Any velocity of the centre and friction. */
 inline void thrown(scene *s, const double *g)

@@ -262,11 +262,13 @@ void add_steady(std::vector<row> *rows)
         STEADY(stability, "coin_stability", "16 u of the terms", 1,
                steady_edge),
         STEADY(critical, "coin_critical_roll_and_spin", "8 u", 1, nullptr),
-        STEADY(near, "coin_steady_near", "1e-9 of (39); 64 u of K + 8 u/cos theta of the rates", 40,
+        STEADY(near, "coin_steady_near",
+               "1e-9 of (39); 64 u of K + 8 u/cos theta of the rates", 1,
                nullptr),
         STEADY(steady_at, "coin_steady_at", "6 u of the angles and path", 1,
                steady_edge),
-        STEADY(wobble, "coin_wobble_at", "30 A^2 (1 + abs(t) W) W^2/abs(lambda^2); lean 3 reach", 10,
+        STEADY(wobble, "coin_wobble_at",
+               "30 A^2 (1 + abs(t) W) W^2/abs(lambda^2); lean 3 reach", 5,
                wobble_edge),
     };
     for (const row &r : made)
