@@ -148,18 +148,21 @@ static void the_cone_is_the_sum_of_squares(void **unused)
     }
 }
 
+static const int all_terms[] = {COIN_PRIV_FORCE_FEW, COIN_PRIV_FORCE_SOME,
+                                COIN_PRIV_FORCE_TERMS};
+
 /* By either way to cut. */
 static void two_halves_are_the_whole(void **unused)
 {
     (void)unused;
     struct random r = random_begin(205);
     for (int n = 0; n < 100; ++n) {
-        const int terms = n % 2 ? COIN_PRIV_FORCE_FEW : COIN_PRIV_FORCE_TERMS;
+        const int terms = all_terms[n % 3];
         const int degree = COIN_PRIV_DEGREE(terms);
         double whole[LAST + 1], first[LAST + 1], second[LAST + 1];
         for (int k = 0; k <= degree; ++k)
             second[k] = whole[k] = random_between(&r, -1, 1);
-        if (n % 4 < 2)
+        if (n % 2)
             coin_priv_cut(first, second, degree);
         else
             coin_priv_cut_joined(first, second, terms);
@@ -176,12 +179,12 @@ static void two_halves_are_the_whole(void **unused)
 static void what_joins_has_the_terms_of_both_ends(void **unused)
 {
     (void)unused;
-    const double begin[COIN_PRIV_FORCE_TERMS] = {0, 0, 0.25};
-    const double end[COIN_PRIV_FORCE_TERMS] = {1, 1, 0.25};
-    for (int few = 0; few < 2; ++few) {
-        const int terms = few ? COIN_PRIV_FORCE_FEW : COIN_PRIV_FORCE_TERMS;
+    const coin_priv_ends ends[COIN_PRIV_FORCE_TERMS] = {
+        {{0, 1}}, {{0, 1}}, {{0.25, 0.25}}};
+    for (int i = 0; i < 3; ++i) {
+        const int terms = all_terms[i];
         double b[LAST + 1];
-        coin_priv_join(b, begin, end, 2, 3, terms);
+        coin_priv_join(b, ends, 2, 3, terms);
         for (double x = 0; x <= 1; x += 0.0625)
             check_near(coin_priv_value(b, COIN_PRIV_DEGREE(terms), x),
                        3 * x * x, 40 * U);

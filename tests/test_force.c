@@ -61,11 +61,12 @@ static struct four truth(const struct stretch *w, coin_priv_run *r)
     return is;
 }
 
-static double sum(const double *terms, double x)
+/* Of the series at an end. */
+static double sum(const coin_priv_ends *terms, int end, double x)
 {
     double value = 0;
     for (int k = COIN_PRIV_FORCE_TERMS - 1; k >= 0; --k)
-        value = value * x + terms[k];
+        value = value * x + terms[k].at[end];
     return value;
 }
 
@@ -82,18 +83,22 @@ static void the_series_give_the_force_further_on(void **unused)
     const double x[] = {0, 0.01, 0.02, -0.02};
     for (int n = 0; n < 300; ++n) {
         const struct stretch w = random_stretch(&r);
+        const struct stretch other = random_stretch(&r);
+        const int end = n % 2;
+        const coin_priv_variables *y = &w.run.g.y, *y2 = &other.run.g.y;
         coin_priv_force f;
-        coin_priv_force_of(&f, &w.run.b, &w.run.g.y, w.unit,
+        coin_priv_force_of(&f, &w.run.b, end ? y2 : y, end ? y : y2, w.unit,
                            COIN_PRIV_FORCE_TERMS);
         for (int i = 0; i < 4; ++i) {
             coin_priv_run to = after(&w, x[i]);
             const struct four want = truth(&w, &to);
             const double bound =
                 size_of(&want) * (100 * U / want.of[3] + 1e3 * pow(x[i], 6));
-            check_near(sum(f.along, x[i]), want.of[0], bound);
-            check_near(sum(f.across, x[i]), want.of[1], bound);
-            check_near(sum(f.normal, x[i]), want.of[2], bound);
-            check_near(sum(f.cth, x[i]), want.of[3], 40 * U + pow(x[i], 6));
+            check_near(sum(f.along, end, x[i]), want.of[0], bound);
+            check_near(sum(f.across, end, x[i]), want.of[1], bound);
+            check_near(sum(f.normal, end, x[i]), want.of[2], bound);
+            check_near(sum(f.cth, end, x[i]), want.of[3],
+                       40 * U + pow(x[i], 6));
         }
     }
 }
@@ -108,14 +113,13 @@ static void joined_within(const struct stretch *w, double h, int terms,
     coin_priv_run end = after(w, h);
     coin_priv_run begin = w->run;
     const struct four first = truth(w, &begin), last = truth(w, &end);
-    coin_priv_force f, g;
-    coin_priv_force_of(&f, &w->run.b, &w->run.g.y, w->unit, terms);
-    coin_priv_force_of(&g, &w->run.b, &end.g.y, w->unit, terms);
+    coin_priv_force f;
+    coin_priv_force_of(&f, &w->run.b, &w->run.g.y, &end.g.y, w->unit, terms);
     double curve[4][LAST + 1];
-    coin_priv_join(curve[0], f.along, g.along, h, 1, terms);
-    coin_priv_join(curve[1], f.across, g.across, h, 1, terms);
-    coin_priv_join(curve[2], f.normal, g.normal, h, 1, terms);
-    coin_priv_join(curve[3], f.cth, g.cth, h, 1, terms);
+    coin_priv_join(curve[0], f.along, h, 1, terms);
+    coin_priv_join(curve[1], f.across, h, 1, terms);
+    coin_priv_join(curve[2], f.normal, h, 1, terms);
+    coin_priv_join(curve[3], f.cth, h, 1, terms);
     const double size = size_of(&first) + size_of(&last);
     const double cths = first.of[3] + last.of[3];
     for (double x = 0; x <= 1; x += 0.125) {
@@ -135,9 +139,19 @@ static void two_series_join_to_one_curve(void **unused)
         const struct stretch w = random_stretch(&r);
         for (double h = 0.2; h < 1.45; h += 0.2) {
             joined_within(&w, h, COIN_PRIV_FORCE_TERMS, COIN_PRIV_REACH);
+            joined_within(&w, h, COIN_PRIV_FORCE_SOME, COIN_PRIV_SOME_REACH);
             joined_within(&w, h, COIN_PRIV_FORCE_FEW, COIN_PRIV_FEW_REACH);
         }
     }
+}
+
+/* Newton's method is given two iterations, or three for all terms. */
+static void tau_within(coin_priv_stretch *w, double tau, double h, int terms,
+                       double reach)
+{
+    const double rest = terms == COIN_PRIV_FORCE_TERMS ? 1e-13 : 1e-9;
+    coin_priv_stretch_know(w, terms);
+    check_near(w->tau, tau, fabs(tau) * (pow(h / reach, 2 * terms) + rest));
 }
 
 /* The tau of a stretch is found from its time, by a guess that is as far off as
@@ -151,23 +165,17 @@ static void the_tau_of_a_stretch_is_that_of_its_time(void **unused)
         const double h = random_between(&r, 0.01, 1.2);
         const double tau = h * of.unit * (n % 2 ? 1 : -1);
         const double guess = tau * (1 + random_between(&r, -3e-3, 3e-3));
-        coin_priv_stretch w = {of.run,
-                               of.run.g.y,
-                               of.unit,
-                               guess,
-                               0,
-                               {0, {0}, {0}, {0}, {0}},
-                               {0, {0}, {0}, {0}, {0}}};
+        coin_priv_stretch w;
         coin_priv_run end = of.run;
         check(coin_priv_extrapolate(&end, tau));
+        w.from = of.run;
         w.to = end.g.y;
+        w.unit = of.unit;
+        w.tau = guess;
         w.t = end.g.added.t;
-        coin_priv_stretch_know(&w, COIN_PRIV_FORCE_FEW);
-        check_near(w.tau, tau,
-                   fabs(tau) * (pow(h / COIN_PRIV_FEW_REACH, 8) + 1e-9));
-        coin_priv_stretch_know(&w, COIN_PRIV_FORCE_TERMS);
-        check_near(w.tau, tau,
-                   fabs(tau) * (pow(h / COIN_PRIV_REACH, 14) + 1e-13));
+        tau_within(&w, tau, h, COIN_PRIV_FORCE_FEW, COIN_PRIV_FEW_REACH);
+        tau_within(&w, tau, h, COIN_PRIV_FORCE_SOME, COIN_PRIV_SOME_REACH);
+        tau_within(&w, tau, h, COIN_PRIV_FORCE_TERMS, COIN_PRIV_REACH);
     }
 }
 

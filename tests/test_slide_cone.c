@@ -84,16 +84,23 @@ static void a_slide_slips_where_polynomials_nearly_miss_it(void **unused)
     }
 }
 
+static int32_t slid_on(coin_slide *to, const coin_slide *from,
+                       const coin_params *p, const coin_friction *f,
+                       const coin_losses *l, double t, double tol)
+{
+    double reached;
+    *to = *from;
+    const int32_t status = coin_slide_advance(to, p, f, l, t, tol, &reached);
+    check(status < 0 || reached == t);
+    return status;
+}
+
 static int32_t slid(coin_slide *to, const coin_slide *from,
                     const coin_params *p, const coin_losses *l, double t,
                     double tol)
 {
     const coin_friction f = {0.3, 0.24};
-    double reached;
-    *to = *from;
-    const int32_t status = coin_slide_advance(to, p, &f, l, t, tol, &reached);
-    check(status < 0 || reached == t);
-    return status;
+    return slid_on(to, from, p, &f, l, t, tol);
 }
 
 /* A time just before a rolling coin slips; 0 if it does not within 3 units. */
@@ -145,6 +152,35 @@ static void a_call_that_ends_just_before_a_slip_keeps_its_time(void **unused)
     }
 }
 
+/* A slip that begins slowly: mu_kinetic is hardly below mu_static.  A coin that
+ * would roll on to the end of the call errs by up to 50 tol.  What is allowed
+ * is tol for the beginning of the slip, and as much for the motion before. */
+static void a_call_that_ends_as_a_slip_begins_has_its_friction(void **unused)
+{
+    (void)unused;
+    const coin_friction f = {0.3, 0.2999};
+    struct random r = random_begin(190);
+    int found = 0;
+    while (found < 12) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const coin_state s = random_state(&r, &p, 1.2);
+        coin_slide d, rough, fine;
+        check_status(coin_slide_of(&d, &s, &p), COIN_OK);
+        const double last = before_slip(&d, &p, NULL);
+        if (last == 0)
+            continue;
+        ++found;
+        for (double late = 0.2; late > 1e-4; late /= 1.5)
+            for (double tol = 1e-2; tol > 1e-7; tol /= 10) {
+                check_note("late by %g, tol %g", late, tol);
+                const double t = last + late;
+                const int32_t got = slid_on(&rough, &d, &p, &f, NULL, t, tol);
+                check_status(slid_on(&fine, &d, &p, &f, NULL, t, 1e-12), got);
+                check(got < 0 || slides_apart(&rough, &fine, &p) < 2 * tol);
+            }
+    }
+}
+
 /* The part of a step up to a slip has a larger estimate of its error here than
  * the step, which was accepted. */
 static void a_part_of_an_accepted_step_is_accepted(void **unused)
@@ -181,6 +217,7 @@ int main(void)
         TEST(a_slide_slips_in_an_excursion_that_hardly_exceeds_mu),
         TEST(a_slide_slips_where_polynomials_nearly_miss_it),
         TEST(a_call_that_ends_just_before_a_slip_keeps_its_time),
+        TEST(a_call_that_ends_as_a_slip_begins_has_its_friction),
         TEST(a_part_of_an_accepted_step_is_accepted),
     };
     return RUN_TESTS(tests);

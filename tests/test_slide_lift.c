@@ -40,6 +40,43 @@ static void a_coin_lifts_off_where_the_force_of_its_slip_is_0(void **unused)
     }
 }
 
+/* Calls that end just before a lift, at a tol so large that the step to it may
+ * go past their end.  A lift is located to 1e-3 tol of a step, which is below a
+ * unit of time; a longer call tells when it is. */
+static void no_coin_lifts_off_after_the_end_of_a_call(void **unused)
+{
+    (void)unused;
+    const coin_friction high = {1.1, 1.1};
+    const coin_params p = disc();
+    const double tol = 1e-2;
+    struct random r = random_begin(191);
+    int lifted = 0;
+    for (int i = 0; i < 300; ++i) {
+        const coin_state s = random_state(&r, &p, 1.2);
+        coin_slide start, d;
+        double when, reached;
+        coin_slide_of(&start, &s, &p);
+        d = start;
+        if (coin_slide_advance(&d, &p, &high, NULL, 3, tol, &when) !=
+            COIN_ELIFT)
+            continue;
+        ++lifted;
+        for (double early = 1e-2; early > 1e-7; early /= 1.2) {
+            const double t = when * (1 - early);
+            d = start;
+            const int32_t status =
+                coin_slide_advance(&d, &p, &high, NULL, t, tol, &reached);
+            check_within(reached, 0, t);
+            if (status != COIN_ELIFT)
+                continue;
+            d = start;
+            coin_slide_advance(&d, &p, &high, NULL, t + tol, tol, &reached);
+            check_within(reached, 0, t + 5e-3 * tol);
+        }
+    }
+    check(lifted > 20);
+}
+
 /* Upright but for 0.1, and falling so fast that N is all but 0: there is hardly
  * any friction, and the slip that has begun grows as rolling lets it. */
 static void a_coin_lifts_off_in_a_slip_that_has_just_begun(void **unused)
@@ -114,6 +151,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(a_coin_lifts_off_where_the_force_of_its_slip_is_0),
+        TEST(no_coin_lifts_off_after_the_end_of_a_call),
         TEST(a_coin_lifts_off_in_a_slip_that_has_just_begun),
         TEST(a_force_that_pulls_straight_down_is_told),
         TEST(a_coin_slips_where_only_rolling_would_lift_it),

@@ -3,6 +3,8 @@
 
 #include "bernstein.h"
 
+#include "ends.t.h"
+
 #include <math.h>
 
 enum { MOST = COIN_PRIV_SQUARED, JOINED = COIN_PRIV_JOINED };
@@ -14,10 +16,12 @@ enum { HALVINGS = 13 };
 /* Binomial coefficients of both degrees. */
 static const double binomial[] = {1,    13,   78,  286, 715, 1287, 1716,
                                   1716, 1287, 715, 286, 78,  13,   1};
-/* One over the first half of these, and of those of few terms. */
+/* One over the first half of these, and of those of fewer terms. */
 static const double share[] = {1.0,       1.0 / 13,   1.0 / 78,  1.0 / 286,
                                1.0 / 715, 1.0 / 1287, 1.0 / 1716};
-static const double share_of_few[] = {1.0, 1.0 / 7, 1.0 / 21, 1.0 / 35};
+static const double share_of_some[] = {1.0, 1.0 / 9, 1.0 / 36, 1.0 / 84,
+                                       1.0 / 126};
+static const double share_of_few[] = {1.0, 1.0 / 5, 1.0 / 10};
 static const double binomial_of_squares[] = {
     1,       26,      325,     2600,    14950,   65780,   230230,
     657800,  1562275, 3124550, 5311735, 7726160, 9657700, 10400600,
@@ -25,42 +29,48 @@ static const double binomial_of_squares[] = {
     65780,   14950,   2600,    325,     26,      1,
 };
 
-/* The first half of the numbers, from the terms at 0; `step` is 1, or -1 where
- * they are counted from the end. */
-COIN_PRIV_INLINE void half_of(double *b, int step, const double *of, double h,
+/* Half of the numbers from either end. */
+COIN_PRIV_INLINE void join_of(double *b, const coin_priv_ends *ends, double h,
                               double scale, const double *shares, int terms)
 {
-    double power = scale, sum[COIN_PRIV_FORCE_TERMS];
+    const int degree = COIN_PRIV_DEGREE(terms);
+    for
+        EACH_END(which)
+        {
+            const lanes step = at_ends(h, -h, which);
+            lanes power = at_ends(scale, scale, which),
+                  sum[COIN_PRIV_FORCE_TERMS];
 #pragma GCC unroll 8
-    for (int k = 0; k < terms; ++k) {
-        sum[k] = (power * shares[k]) * of[k];
-        power *= h;
-    }
+            for (int k = 0; k < terms; ++k) {
+                sum[k] = (power * shares[k]) * load(&ends[k].at[which]);
+                power *= step;
+            }
 #pragma GCC unroll 8
-    for (int k = 1; k < terms; ++k)
+            for (int k = 1; k < terms; ++k)
 #pragma GCC unroll 8
-        for (int i = terms - 1; i >= k; --i)
-            sum[i] += sum[i - 1];
+                for (int i = terms - 1; i >= k; --i)
+                    sum[i] += sum[i - 1];
 #pragma GCC unroll 8
-    for (int k = 0; k < terms; ++k)
-        b[step * k] = sum[k];
+            for (int k = 0; k < terms; ++k) {
+                double both[2];
+                store(&both[which], sum[k]);
+                if (LANES > 1 || which == 0)
+                    b[k] = both[0];
+                if (LANES > 1 || which == 1)
+                    b[degree - k] = both[1];
+            }
+        }
 }
 
-COIN_PRIV_INLINE void join_of(double *b, const double *begin, const double *end,
-                              double h, double scale, const double *shares,
-                              int terms)
-{
-    half_of(b, 1, begin, h, scale, shares, terms);
-    half_of(b + COIN_PRIV_DEGREE(terms), -1, end, -h, scale, shares, terms);
-}
-
-void coin_priv_join(double *b, const double *begin, const double *end, double h,
+void coin_priv_join(double *b, const coin_priv_ends *ends, double h,
                     double scale, int terms)
 {
     if (terms == COIN_PRIV_FORCE_FEW)
-        join_of(b, begin, end, h, scale, share_of_few, COIN_PRIV_FORCE_FEW);
+        join_of(b, ends, h, scale, share_of_few, COIN_PRIV_FORCE_FEW);
+    else if (terms == COIN_PRIV_FORCE_SOME)
+        join_of(b, ends, h, scale, share_of_some, COIN_PRIV_FORCE_SOME);
     else
-        join_of(b, begin, end, h, scale, share, COIN_PRIV_FORCE_TERMS);
+        join_of(b, ends, h, scale, share, COIN_PRIV_FORCE_TERMS);
 }
 
 void coin_priv_cone(double *b, const double *x, const double *y,
@@ -143,6 +153,8 @@ void coin_priv_cut_joined(double *first, double *b, int terms)
 {
     if (terms == COIN_PRIV_FORCE_FEW)
         cut_joined(first, b, COIN_PRIV_DEGREE(COIN_PRIV_FORCE_FEW));
+    else if (terms == COIN_PRIV_FORCE_SOME)
+        cut_joined(first, b, COIN_PRIV_DEGREE(COIN_PRIV_FORCE_SOME));
     else
         cut_joined(first, b, JOINED);
 }

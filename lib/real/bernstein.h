@@ -13,9 +13,9 @@
 #define COIN_PRIV_JOINED COIN_PRIV_DEGREE(COIN_PRIV_FORCE_TERMS)
 #define COIN_PRIV_SQUARED (2 * COIN_PRIV_JOINED)
 
-/* `scale` times the polynomial that has these terms at 0 and at 1; the series
- * are in powers of x/h (Hermite). */
-void coin_priv_join(double *b, const double *begin, const double *end, double h,
+/* `scale` times the polynomial that has these terms, one at 0 and one at 1; the
+ * series are in powers of x/h (Hermite). */
+void coin_priv_join(double *b, const coin_priv_ends *ends, double h,
                     double scale, int terms);
 
 /* Cuts at 1/2: b becomes the second part, first the first (de Casteljau). */

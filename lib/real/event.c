@@ -25,10 +25,11 @@ static int32_t bits_of(const coin_priv_search *f, const coin_state *s)
 int32_t coin_priv_bits_at(const coin_priv_search *f, const coin_state *s,
                           const coin_priv_force *at)
 {
-    const double A = f->less * at->along[0], B = f->less * at->across[0];
-    const double room = f->more * at->normal[0] - ROUNDED;
+    const double A = f->less * at->along[0].at[1],
+                 B = f->less * at->across[0].at[1];
+    const double room = f->more * at->normal[0].at[1] - ROUNDED;
     const int is_clear = (room >= 0) & (A * A + B * B <= room * room) &
-                         (at->cth[0] > 1.5 * COIN_PRIV_NEARLY_FLAT);
+                         (at->cth[0].at[1] > 1.5 * COIN_PRIV_NEARLY_FLAT);
     return is_clear ? 0 : bits_of(f, s);
 }
 
@@ -99,7 +100,7 @@ static coin_priv_moment between(const coin_priv_search *f,
  * factor below 3 in half a step. */
 static double least_part(const coin_priv_search *f, const coin_priv_stretch *w)
 {
-    const double a = w->begin.cth[0], b = w->end.cth[0];
+    const double a = w->from.g.y.cth, b = w->to.cth;
     return f->tol / (3 * fabs(w->tau) * (a > b ? a : b));
 }
 
@@ -157,19 +158,18 @@ static int first_in_parts(coin_priv_moment *out, const coin_priv_search *f,
     const int parts = 1 + (int)(stride / SHORT);
     const double h = w->tau / w->unit / parts;
     coin_priv_part part;
-    coin_priv_force begin = w->begin, end;
+    coin_priv_variables begin = w->from.g.y;
+    coin_priv_force force;
     part.of = w;
     part.first = 0;
     part.width = 1.0 / parts;
     for (int i = 1; i <= parts; ++i) {
-        end = w->end;
-        if (i < parts) {
-            const coin_priv_run r = run_to(w, i * part.width);
-            coin_priv_force_of(&end, &r.b, &r.g.y, w->unit,
-                               COIN_PRIV_FORCE_TERMS);
-        }
-        if (!coin_priv_is_clear(f, &begin, &end, h, stride / parts)) {
-            coin_priv_join_part(&part, f, &begin, &end);
+        const coin_priv_variables end =
+            i < parts ? run_to(w, i * part.width).g.y : w->to;
+        coin_priv_force_of(&force, &w->from.b, &begin, &end, w->unit,
+                           COIN_PRIV_FORCE_TERMS);
+        if (!coin_priv_is_clear(f, &force, h, stride / parts)) {
+            coin_priv_join_part(&part, f, &force);
             if (first_of_part(out, f, &part))
                 return 1;
         }
@@ -182,16 +182,8 @@ static int first_in_parts(coin_priv_moment *out, const coin_priv_search *f,
 int coin_priv_first_event(coin_priv_moment *out, const coin_priv_search *f,
                           coin_priv_stretch *w)
 {
-    static const int terms[] = {COIN_PRIV_FORCE_FEW, COIN_PRIV_FORCE_TERMS};
     const double one = coin_priv_sundman_tau(&w->from.b, &w->from.g.y, 1);
-    double stride = fabs(w->tau) / one;
-    const int near = w->begin.terms == COIN_PRIV_FORCE_TERMS &&
-                     coin_priv_is_near(f, &w->begin, stride);
-    for (int i = near; i < 2; ++i) {
-        coin_priv_stretch_know(w, terms[i]);
-        stride = fabs(w->tau) / one;
-        if (coin_priv_is_clear(f, &w->begin, &w->end, w->tau / w->unit, stride))
-            return 0;
-    }
-    return first_in_parts(out, f, w, stride);
+    const int terms = coin_priv_terms_for(f, &w->force, fabs(w->tau) / one);
+    return !coin_priv_is_clear_all_along(f, w, one, terms) &&
+           first_in_parts(out, f, w, fabs(w->tau) / one);
 }

@@ -3,22 +3,24 @@
 
 #include "force.h"
 
+#include "ends.t.h"
+
 enum { TERMS = COIN_PRIV_FORCE_TERMS };
 
 /* The series of the variables, with one term more, and of their products in
  * (32). */
 struct series {
-    double X[TERMS + 1], Y[TERMS + 1], Z[TERMS + 1];
-    double s[TERMS + 1], c[TERMS + 1];
-    double cX[TERMS + 1], sX[TERMS + 1], cZ[TERMS], sY[TERMS];
-    double down[TERMS], up[TERMS]; /* the factors of wY in wX*, of wX in wY* */
+    lanes X[TERMS + 1], Y[TERMS + 1], Z[TERMS + 1];
+    lanes s[TERMS + 1], c[TERMS + 1];
+    lanes cX[TERMS + 1], sX[TERMS + 1], cZ[TERMS], sY[TERMS];
+    lanes down[TERMS], up[TERMS]; /* the factors of wY in wX*, of wX in wY* */
 };
 
 /* Term k of a product.  The terms computed last are added last, so that the sum
  * of the others does not wait for them. */
-COIN_PRIV_INLINE double product(const double *a, const double *b, int k)
+COIN_PRIV_INLINE lanes product(const lanes *a, const lanes *b, int k)
 {
-    double sum = 0;
+    lanes sum = {0};
 #pragma GCC unroll 8
     for (int i = 1; i < k; ++i)
         sum += a[i] * b[k - i];
@@ -28,15 +30,15 @@ COIN_PRIV_INLINE double product(const double *a, const double *b, int k)
 /* Term k of the products, where those of c X and s X are already there, and
  * term k + 1 of the variables. */
 COIN_PRIV_INLINE void next_terms(struct series *w, coin_priv_force *out,
-                                 const coin_priv_field *f, int k)
+                                 const coin_priv_field *f, int k, int which)
 {
     const double part = 1.0 / (k + 1);
     w->cZ[k] = product(w->c, w->Z, k);
     w->sY[k] = product(w->s, w->Y, k);
     w->down[k] = f->KJ * w->cZ[k] + f->XJ * w->sY[k];
     w->up[k] = w->sY[k] + f->k1 * w->cZ[k];
-    const double cXY = product(w->Y, w->cX, k);
-    const double fall = f->GJ * product(w->s, w->c, k);
+    const lanes cXY = product(w->Y, w->cX, k);
+    const lanes fall = f->GJ * product(w->s, w->c, k);
     /* clang-format off */
     w->X[k + 1] = part * (fall - product(w->Y, w->down, k));    /* (32) */
     w->Y[k + 1] = part * product(w->X, w->up, k);               /* (32) */
@@ -44,37 +46,46 @@ COIN_PRIV_INLINE void next_terms(struct series *w, coin_priv_force *out,
     w->s[k + 1] = part * product(w->c, w->cX, k);               /* (32) */
     w->c[k + 1] = -part * product(w->c, w->sX, k);              /* (32) */
     /* clang-format on */
-    out->along[k] = cXY;
-    out->across[k] = product(w->Y, w->Z, k);
-    out->cth[k] = w->c[k];
+    store(&out->along[k].at[which], cXY);
+    store(&out->across[k].at[which], product(w->Y, w->Z, k));
+    store(&out->cth[k].at[which], w->c[k]);
 }
 
 void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
-                        const coin_priv_variables *y, double unit, int terms)
+                        const coin_priv_variables *begin,
+                        const coin_priv_variables *end, double unit, int terms)
 {
     const double g_a = unit * unit * b->g_a, share = b->IZ / b->K;
     const coin_priv_field f = {
         unit, unit * unit * b->GJ, b->KJ, b->XJ, b->k1, b->k2,
     };
-    struct series w;
-    w.X[0] = unit * y->wX;
-    w.Y[0] = unit * y->wY;
-    w.Z[0] = unit * y->wZ;
-    w.s[0] = y->sth;
-    w.c[0] = y->cth;
+    for
+        EACH_END(which)
+        {
+            struct series w;
+            w.X[0] = unit * at_ends(begin->wX, end->wX, which);
+            w.Y[0] = unit * at_ends(begin->wY, end->wY, which);
+            w.Z[0] = unit * at_ends(begin->wZ, end->wZ, which);
+            w.s[0] = at_ends(begin->sth, end->sth, which);
+            w.c[0] = at_ends(begin->cth, end->cth, which);
 #pragma GCC unroll 8
-    for (int k = 0; k <= TERMS; ++k) {
-        if (k > terms)
-            break;
-        w.cX[k] = product(w.c, w.X, k);
-        w.sX[k] = product(w.s, w.X, k);
-        if (k < TERMS && k < terms)
-            next_terms(&w, out, &f, k);
-    }
+            for (int k = 0; k <= TERMS; ++k) {
+                if (k > terms)
+                    break;
+                w.cX[k] = product(w.c, w.X, k);
+                w.sX[k] = product(w.s, w.X, k);
+                if (k < TERMS && k < terms)
+                    next_terms(&w, out, &f, k, which);
+            }
+            for (int k = 0; k < terms; ++k) {
+                double *const along = &out->along[k].at[which];
+                double *const across = &out->across[k].at[which];
+                double *const normal = &out->normal[k].at[which];
+                const double next = k + 1;
+                store(along, share * load(along));                /* (92) */
+                store(across, load(across) + next * w.cX[k + 1]); /* (92) */
+                store(normal, g_a * w.c[k] - next * w.sX[k + 1]); /* (92) */
+            }
+        }
     out->terms = terms;
-    for (int k = 0; k < terms; ++k) {
-        out->along[k] *= share;                                /* (92) */
-        out->across[k] += (k + 1) * w.cX[k + 1];               /* (92) */
-        out->normal[k] = g_a * w.c[k] - (k + 1) * w.sX[k + 1]; /* (92) */
-    }
 }

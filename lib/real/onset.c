@@ -92,6 +92,11 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
     double by = coin_priv_roll_step(g, coin_priv_roll_rate(g), tau);
     if (by == 0)
         return COIN_ESTEP;
+    const double over = g->w.run.g.added.t - g->rem.sum;
+    if (over > 0) { /* past the end of the time: make a shorter one */
+        by *= 1 - 2 * over / g->w.run.g.added.t;
+        coin_priv_again(g, by);
+    }
     if (coin_priv_rolling_clearance(g) >= 0) {
         coin_priv_count(g);
         return COIN_OK;
@@ -105,8 +110,6 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
         y = after(g, from, by);
     }
     coin_priv_count(g);
-    if (g->rem.sum < 0) /* it went too far: roll.c takes it back */
-        return COIN_OK;
     g->gained = coin_priv_hypot(y.uX, y.uh);
     if (end > 0 && g->gained < COIN_PRIV_SLIP_SEED * g->table.w0)
         return COIN_OK;

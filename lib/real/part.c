@@ -14,6 +14,7 @@
 enum {
     JOINED = COIN_PRIV_JOINED,
     ALL = COIN_PRIV_FORCE_TERMS,
+    SOME = COIN_PRIV_FORCE_SOME,
     FEW = COIN_PRIV_FORCE_FEW
 };
 
@@ -65,9 +66,11 @@ COIN_PRIV_INLINE int stays_within(coin_priv_curve pile[CUTS + 1], int terms)
     return 1;
 }
 
-static double size_of(const coin_priv_force *f)
+/* The size of the force at an end, 0 or 1. */
+static double size_of(const coin_priv_force *f, int end)
 {
-    return fabs(f->along[0]) + fabs(f->across[0]) + fabs(f->normal[0]);
+    return fabs(f->along[0].at[end]) + fabs(f->across[0].at[end]) +
+           fabs(f->normal[0].at[end]);
 }
 
 /* How far a force may move towards the edge where its three parts err by 1. */
@@ -76,27 +79,30 @@ static double slack(const coin_priv_search *f)
     return 1.5 * f->less + f->more;
 }
 
-/* Whether a force is in the cone, and off its edge. */
+/* Whether the force at an end is in the cone, and off its edge. */
 static int force_is_in_cone(const coin_priv_search *f,
-                            const coin_priv_force *at, double off)
+                            const coin_priv_force *at, int end, double off)
 {
-    const double A = f->less * at->along[0], B = f->less * at->across[0];
-    const double C = f->more * at->normal[0] - off;
+    const double A = f->less * at->along[0].at[end];
+    const double B = f->less * at->across[0].at[end];
+    const double C = f->more * at->normal[0].at[end] - off;
     return (A * A + B * B <= C * C) & (C >= 0);
 }
 
 /* Whether the force stays there all along. */
-static int force_stays(const coin_priv_search *f, const coin_priv_force *begin,
-                       const coin_priv_force *end, double h, double off)
+static int force_stays(const coin_priv_search *f, const coin_priv_force *at,
+                       double h, double off)
 {
     coin_priv_curve pile[CUTS + 1], *const c = pile;
-    const int terms = end->terms;
-    coin_priv_join(c->along, begin->along, end->along, h, f->less, terms);
-    coin_priv_join(c->across, begin->across, end->across, h, f->less, terms);
-    coin_priv_join(c->bound, begin->normal, end->normal, h, f->more, terms);
+    const int terms = at->terms;
+    coin_priv_join(c->along, at->along, h, f->less, terms);
+    coin_priv_join(c->across, at->across, h, f->less, terms);
+    coin_priv_join(c->bound, at->normal, h, f->more, terms);
     for (int k = 0; k <= COIN_PRIV_DEGREE(terms); ++k)
         c->bound[k] -= off;
-    return terms > FEW ? stays_within(pile, ALL) : stays_within(pile, FEW);
+    return terms == FEW    ? stays_within(pile, FEW)
+           : terms == SOME ? stays_within(pile, SOME)
+                           : stays_within(pile, ALL);
 }
 
 static int is_above(const double *b, double least, int degree)
@@ -107,59 +113,73 @@ static int is_above(const double *b, double least, int degree)
     return above;
 }
 
-static int stays_off_flat(const coin_priv_force *begin,
-                          const coin_priv_force *end, double h, double off)
+static int stays_off_flat(const coin_priv_force *at, double h, double off)
 {
     double c[JOINED + 1];
-    const int terms = end->terms;
-    coin_priv_join(c, begin->cth, end->cth, h, 1, terms);
-    return is_above(c, COIN_PRIV_NEARLY_FLAT + off, COIN_PRIV_DEGREE(terms));
+    coin_priv_join(c, at->cth, h, 1, at->terms);
+    return is_above(c, COIN_PRIV_NEARLY_FLAT + off,
+                    COIN_PRIV_DEGREE(at->terms));
 }
 
 /* What a curve may err by, in parts of the forces: (stride/reach)^(2 terms). */
 static double error_of(double stride, int terms)
 {
-    const double x =
-        stride / (terms == FEW ? COIN_PRIV_FEW_REACH : COIN_PRIV_REACH);
-    const double x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
-    return terms == FEW ? x8 : x8 * x4 * x2;
+    const double x = stride / (terms == FEW    ? COIN_PRIV_FEW_REACH
+                               : terms == SOME ? COIN_PRIV_SOME_REACH
+                                               : COIN_PRIV_REACH);
+    const double x2 = x * x, x4 = x2 * x2;
+    return x4 * x2 * (terms == FEW ? 1 : terms == SOME ? x4 : x4 * x4);
 }
 
-int coin_priv_is_near(const coin_priv_search *f, const coin_priv_force *at,
-                      double stride)
+int coin_priv_terms_for(const coin_priv_search *f, const coin_priv_force *at,
+                        double stride)
 {
-    const double off = 2 * slack(f) * error_of(stride, FEW) * size_of(at);
-    return (f->bits & ON_FORCE) != 0 && !force_is_in_cone(f, at, off);
+    const double part = 2 * slack(f) * size_of(at, 1);
+    if (!(f->bits & ON_FORCE) ||
+        force_is_in_cone(f, at, 1, part * error_of(stride, FEW)))
+        return FEW;
+    return force_is_in_cone(f, at, 1, part * error_of(stride, SOME)) ? SOME
+                                                                     : ALL;
 }
 
-int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *begin,
-                       const coin_priv_force *end, double h, double stride)
+int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *at,
+                       double h, double stride)
 {
-    const double part = error_of(stride, end->terms);
-    const double off = slack(f) * part * (size_of(begin) + size_of(end));
-    const double rise = part * (begin->cth[0] + end->cth[0]);
-    if ((f->bits & ON_FORCE) &&
-        !(force_is_in_cone(f, begin, off) && force_is_in_cone(f, end, off) &&
-          force_stays(f, begin, end, h, off)))
+    const double part = error_of(stride, at->terms);
+    const double off = slack(f) * part * (size_of(at, 0) + size_of(at, 1));
+    const double rise = part * (at->cth[0].at[0] + at->cth[0].at[1]);
+    if ((f->bits & ON_FORCE) && !force_stays(f, at, h, off))
         return 0;
-    return !(f->bits & COIN_NEARLY_FLAT) || stays_off_flat(begin, end, h, rise);
+    return !(f->bits & COIN_NEARLY_FLAT) || stays_off_flat(at, h, rise);
+}
+
+int coin_priv_is_clear_all_along(const coin_priv_search *f,
+                                 coin_priv_stretch *w, double one, int terms)
+{
+    for (;; terms = ALL) {
+        coin_priv_stretch_know(w, terms);
+        if (coin_priv_is_clear(f, &w->force, w->tau / w->unit,
+                               fabs(w->tau) / one))
+            return 1;
+        if (terms == ALL)
+            return 0;
+    }
 }
 
 /* --------------------------------------------- where a bit holds in a part */
 void coin_priv_join_part(coin_priv_part *w, const coin_priv_search *f,
-                         const coin_priv_force *begin,
-                         const coin_priv_force *end)
+                         const coin_priv_force *at)
 {
     const double h = w->width * w->of->tau / w->of->unit;
     coin_priv_curve *const c = &w->force;
     if (f->bits & COIN_NEARLY_FLAT)
-        coin_priv_join(w->cth, begin->cth, end->cth, h, 1, ALL);
+        coin_priv_join(w->cth, at->cth, h, 1, ALL);
     if (f->bits & ON_FORCE)
-        coin_priv_join(w->normal, begin->normal, end->normal, h, 1, ALL);
+        coin_priv_join(w->normal, at->normal, h, 1, ALL);
     if (!(f->bits & COIN_SLIPS))
         return;
-    coin_priv_join(c->along, begin->along, end->along, h, f->less, ALL);
-    coin_priv_join(c->across, begin->across, end->across, h, f->less, ALL);
+    coin_priv_join(c->along, at->along, h, f->less, ALL);
+    coin_priv_join(c->across, at->across, h, f->less, ALL);
     for (int k = 0; k <= JOINED; ++k)
         c->bound[k] = f->more * w->normal[k];
 }

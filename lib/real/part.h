@@ -24,18 +24,23 @@ typedef struct coin_priv_search {
  * the forces at both ends, and cos theta by less of its values there
  * (test_force). */
 #define COIN_PRIV_REACH 2.85
-#define COIN_PRIV_FEW_REACH 2.5
+#define COIN_PRIV_SOME_REACH 2.55
+#define COIN_PRIV_FEW_REACH 2.2
 
-/* Whether the force is so near the edge that few terms will not do for a
- * stretch of so many strides. */
-int coin_priv_is_near(const coin_priv_search *f, const coin_priv_force *at,
-                      double stride);
+/* The least number of terms that may do for a stretch of so many strides, which
+ * begins where the one before ends: *at is the force on that one. */
+int coin_priv_terms_for(const coin_priv_search *f, const coin_priv_force *at,
+                        double stride);
 
-/* Whether no bit holds on the way between two forces, beyond doubt: by the
- * terms that the later one has.  The way takes h in the unit of the series, and
- * is so many strides long. */
-int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *begin,
-                       const coin_priv_force *end, double h, double stride);
+/* Whether no bit holds on a way of h in the unit of the series, of so many
+ * strides, beyond doubt: by the terms that *at has. */
+int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *at,
+                       double h, double stride);
+
+/* Whether no bit holds on a stretch, beyond doubt: by so many terms, or else by
+ * all.  `one` is the tau of a stride. */
+int coin_priv_is_clear_all_along(const coin_priv_search *f,
+                                 coin_priv_stretch *w, double one, int terms);
 
 /* The force along a curve in Bernstein's form, scaled so that the coin slips
  * where along^2 + across^2 > bound^2. */
@@ -56,8 +61,7 @@ typedef struct coin_priv_part {
 
 /* Sets the polynomials by the forces at the ends of the part, of all terms. */
 void coin_priv_join_part(coin_priv_part *w, const coin_priv_search *f,
-                         const coin_priv_force *begin,
-                         const coin_priv_force *end);
+                         const coin_priv_force *at);
 
 /* Where in a part, 0 to 1, a bit holds; from > 1 if nowhere. */
 typedef struct coin_priv_place {

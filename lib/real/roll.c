@@ -5,14 +5,10 @@
 
 #include "control.h"
 #include "hold.h"
-#include "part.h"
 #include "slide.h"
 
 /* |rem| times the fastest rate below which a step with losses lands. */
 #define LAST 1e-5
-
-/* A coin whose margin is above this rolls, whatever rounding does. */
-#define CLEAR 1e-12
 
 /* A step of less than this part of the stride and the final one are judged as
  * one. */
@@ -21,9 +17,6 @@
 /* The part of coin_priv_rise_time() in which the rise ends: a half, and a
  * little more, so that the coin then falls. */
 #define TOP 0.505
-
-/* A longer stride that is not judged as a whole may be so by halves. */
-#define HALVED 0.5
 
 /* As coin_priv_roll_try(), but a step is accepted whose error is at most
  * `worst` times what is allowed. */
@@ -216,86 +209,6 @@ double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most)
     }
 }
 
-/* Whether the step made, with losses, is plain by halves. */
-static int is_plain_by_halves(coin_priv_sliding *g, const coin_priv_end *from,
-                              const coin_priv_end *to, double tau, double rate)
-{
-    const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
-    const coin_priv_run at = g->w.run;
-    const double half = tau / 2, stride = fabs(half) * rate;
-    coin_priv_end mid;
-    if (!(stride > HALVED / 2))
-        return 0;
-    coin_priv_again(g, half);
-    coin_priv_end_of(&mid, &g->table, &f, &g->w.l, &g->w.run.g.y, 1 / rate);
-    g->w.run = at;
-    return coin_priv_plain(&g->table, &f, &g->w.l, from, &mid, half, stride) &&
-           coin_priv_plain(&g->table, &f, &g->w.l, &mid, to, half, stride);
-}
-
-static coin_priv_search search_of(const coin_priv_sliding *g)
-{
-    const double mu = g->table.mu_static;
-    const coin_priv_search f = {
-        &g->p, mu, mu > 1 ? 1 / mu : 1, mu > 1 ? 1 : mu, 0, COIN_SLIPS,
-    };
-    return f;
-}
-
-/* Whether to judge the step made by series at once: they judged the step
- * before, and its end is too near the edge of the cone for coin_priv_plain().
- */
-static int is_near(const coin_priv_sliding *g, double stride)
-{
-    const coin_priv_search f = search_of(g);
-    return g->series.begin.terms > 0 &&
-           coin_priv_is_near(&f, &g->series.begin, stride);
-}
-
-/* Whether the coin certainly rolls all along the step made, without losses: by
- * series at its ends, which err far less than coin_priv_plain(). */
-static int is_plain_by_series(coin_priv_sliding *g, double tau, double rate)
-{
-    const coin_priv_search f = search_of(g);
-    coin_priv_stretch *const w = &g->series;
-    if (w->begin.terms == 0)
-        w->unit = 1 / rate;
-    w->from.g.y = g->from.y;
-    w->to = g->w.run.g.y;
-    w->tau = tau;
-    w->t = g->landed ? g->w.run.g.added.t : 0;
-    coin_priv_stretch_know(w, COIN_PRIV_FORCE_TERMS);
-    const int plain = coin_priv_is_clear(&f, &w->begin, &w->end,
-                                         w->tau / w->unit, fabs(tau) * rate);
-    w->begin = w->end;
-    return plain;
-}
-
-/* Whether the coin certainly rolls all along the step made.  Near the edge of
- * the cone only the series are asked, and the ends are not computed. */
-static int is_plain(coin_priv_sliding *g, double tau, double rate)
-{
-    const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
-    const coin_priv_losses *l = g->lossy ? &g->w.l : NULL;
-    const double stride = fabs(tau) * rate;
-    if (is_near(g, stride))
-        return is_plain_by_series(g, tau, rate);
-    coin_priv_end *const from = &g->ends[g->at];
-    if (g->series.begin.terms > 0)
-        coin_priv_end_of(from, &g->table, &f, l, &g->from.y, 1 / rate);
-    g->at = !g->at;
-    coin_priv_end *const to = &g->ends[g->at];
-    coin_priv_end_of(to, &g->table, &f, l, &g->w.run.g.y, 1 / rate);
-    if (coin_priv_plain(&g->table, &f, l, from, to, tau, stride)) {
-        g->series.begin.terms = 0;
-        return 1;
-    }
-    if (!(to->margin > 0))
-        return 0;
-    return g->lossy ? is_plain_by_halves(g, from, to, tau, rate)
-                    : is_plain_by_series(g, tau, rate);
-}
-
 /* Shortens the step made, of tau, to where the coin is known to roll.  Returns
  * 1 if the whole step was kept, 0 if a shorter one was, -1 if the coin leaves
  * the cone at its end. */
@@ -322,16 +235,6 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
         if (part == 1)
             return whole;
     }
-}
-
-void coin_priv_see(coin_priv_sliding *g)
-{
-    const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
-    g->at = 0;
-    coin_priv_end_of(&g->ends[0], &g->table, &f, g->lossy ? &g->w.l : NULL,
-                     &g->w.run.g.y, 1 / coin_priv_roll_rate(g));
-    g->seen = g->ends[0].margin > CLEAR;
-    g->series.begin.terms = 0;
 }
 
 /* The next step, and with it the last one if that is near; its tau, or 0.
@@ -365,7 +268,7 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
     const int back = g->rem.sum < 0; /* along a way that was looked at */
     if (!g->seen && !back)
         coin_priv_see(g);
-    if (!g->seen && !back && coin_priv_rolling_clearance(g) < 0)
+    if (!g->seen && coin_priv_rolling_clearance(g) < 0)
         return coin_priv_begin_slip(g);
     g->gained = 0;
     int last;
@@ -373,7 +276,7 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
     const double tau = next_step(g, rate, &last);
     if (tau == 0)
         return COIN_ESTEP;
-    g->seen = !back && is_plain(g, tau, rate);
+    g->seen = !back && coin_priv_keeps_rolling(g, tau, rate);
     const int rolls = g->seen || back ? 1 : shorten(g, tau, rate);
     coin_priv_count(g);
     if (last && rolls > 0)

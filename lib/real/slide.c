@@ -103,7 +103,7 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
     g->gained = 0;
     g->seen = g->landed = 0;
     g->series.from.b = g->table.b;
-    g->series.begin.terms = 0;
+    g->series.force.terms = 0;
     g->rem.sum = t;
     g->rem.low = 0;
     g->tol = tol;
@@ -187,7 +187,9 @@ int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
                 status = COIN_ESTEP;
             } else {
                 *d = end;
-                moved = t - g.rem.sum;
+                /* A moment is located to within COIN_PRIV_LOCATED tol, and may
+                 * lie so far beyond t. */
+                moved = coin_priv_lesser(t - g.rem.sum, t);
             }
         }
     }

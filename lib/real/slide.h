@@ -33,14 +33,15 @@ typedef struct coin_priv_sliding {
     uint64_t steps;          /* the number of steps of the run there */
     coin_state stopped; /* where the losses were found to hold the contact */
     int seen; /* whether the force is known to lie within the cone here */
-    coin_priv_end ends[2]; /* of a step; ends[at] is here, if `seen` and if the
-                              last step was not judged by series */
+    coin_priv_end ends[2]; /* of a step; ends[at] is here, if at >= 0 */
     int at;
-    coin_priv_stretch series; /* those that judged the last step; if none did,
-                                 begin.terms is 0.  Of its `from` only b and
-                                 g.y are set */
-    int landed; /* whether the last step was one in t, so that the run has
-                   theta */
+    coin_priv_stretch series; /* those that judged the last step, if at < 0 and
+                                 force.terms > 0.  Of its `from` only b and g.y
+                                 are set */
+    int turns; /* how often wX has changed its sign since coin_priv_see(), */
+    double low, high; /* and between which sin theta steps have ended since */
+    int landed;       /* whether the last step was one in t, so that the run has
+                         theta */
 } coin_priv_sliding;
 
 /* The most trials of a call.  A trial is a step, whether it is kept, refused or
@@ -94,9 +95,11 @@ void coin_priv_again(coin_priv_sliding *g, double tau);
 /* Counts the time of that step. */
 void coin_priv_count(coin_priv_sliding *g);
 
-/* Computes ends[at] here, and sets g->seen if the force is clearly within the
- * cone. */
+/* judge.c.  The first looks at the force here: it computes ends[at], and sets
+ * g->seen if the force is clearly within the cone.  The second tells whether
+ * the coin is known to roll all along the step just made; 0 may be doubt. */
 void coin_priv_see(coin_priv_sliding *g);
+int coin_priv_keeps_rolling(coin_priv_sliding *g, double tau, double rate);
 
 /* coin_priv_clearance() where the run is, of a coin that rolls. */
 double coin_priv_rolling_clearance(const coin_priv_sliding *g);

@@ -8,11 +8,12 @@
 COIN_PRIV_INLINE double tau_between(const coin_priv_stretch *w,
                                     const double *weight, int terms, int times)
 {
+    const coin_priv_ends *const c = w->force.cth;
     double of[COIN_PRIV_FORCE_TERMS], h = w->tau / w->unit;
 #pragma GCC unroll 8
     for (int k = 0; k < terms; ++k)
-        of[k] = weight[k] * (k % 2 ? w->begin.cth[k] - w->end.cth[k]
-                                   : w->begin.cth[k] + w->end.cth[k]);
+        of[k] = weight[k] *
+                (k % 2 ? c[k].at[0] - c[k].at[1] : c[k].at[0] + c[k].at[1]);
     for (int i = 0; i < times; ++i) {
         double value = 0, slope = 0;
 #pragma GCC unroll 8
@@ -29,18 +30,20 @@ static double tau_of(const coin_priv_stretch *w, int terms)
 {
     static const double all[] = {1.0 / 2,    3.0 / 26,   5.0 / 156,  5.0 / 572,
                                  3.0 / 1430, 1.0 / 2574, 1.0 / 24024};
-    static const double few[] = {1.0 / 2, 3.0 / 28, 1.0 / 42, 1.0 / 280};
-    return terms == COIN_PRIV_FORCE_FEW
-               ? tau_between(w, few, COIN_PRIV_FORCE_FEW, 2)
-               : tau_between(w, all, COIN_PRIV_FORCE_TERMS, 3);
+    static const double some[] = {1.0 / 2, 1.0 / 9, 1.0 / 36, 1.0 / 168,
+                                  1.0 / 1260};
+    static const double few[] = {1.0 / 2, 1.0 / 10, 1.0 / 60};
+    if (terms == COIN_PRIV_FORCE_FEW)
+        return tau_between(w, few, COIN_PRIV_FORCE_FEW, 2);
+    if (terms == COIN_PRIV_FORCE_SOME)
+        return tau_between(w, some, COIN_PRIV_FORCE_SOME, 2);
+    return tau_between(w, all, COIN_PRIV_FORCE_TERMS, 3);
 }
 
 void coin_priv_stretch_know(coin_priv_stretch *w, int terms)
 {
-    const coin_priv_body *b = &w->from.b;
-    if (w->begin.terms < terms)
-        coin_priv_force_of(&w->begin, b, &w->from.g.y, w->unit, terms);
-    coin_priv_force_of(&w->end, b, &w->to, w->unit, terms);
+    coin_priv_force_of(&w->force, &w->from.b, &w->from.g.y, &w->to, w->unit,
+                       terms);
     if (w->t != 0)
         w->tau = tau_of(w, terms);
 }

@@ -8,19 +8,17 @@
 
 #include "force.h"
 
-/* The unit of time of the series is the same in all stretches of a call, so
- * that the end of one is the begin of the next. */
 typedef struct coin_priv_stretch {
     coin_priv_run from;     /* the run at its begin */
     coin_priv_variables to; /* the variables at its end */
-    double unit;
-    double tau; /* how long it lasts, exact if t is 0 */
-    double t;   /* if not 0: its last step was one in t, the whole lasts t */
-    coin_priv_force begin, end;
+    double unit;            /* of the series */
+    double tau;             /* how long it lasts, exact if t is 0 */
+    double t; /* if not 0: its last step was one in t, the whole lasts t */
+    coin_priv_force force;
 } coin_priv_stretch;
 
-/* Computes what is not known yet of so many terms: of the forces, and the tau
- * of a stretch whose t is not 0, to the accuracy of the terms. */
+/* Computes so many terms of the force, and by them the tau of a stretch whose t
+ * is not 0; t is 0 if only one term is asked for. */
 void coin_priv_stretch_know(coin_priv_stretch *w, int terms);
 
 #endif

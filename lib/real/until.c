@@ -88,7 +88,6 @@ static int32_t follow(struct moving *g, coin_priv_stretch *w,
             stop_at(g, &m, rem);
             return m.bits;
         }
-        w->begin = w->end;
     }
     return status;
 }
@@ -111,9 +110,11 @@ static int32_t prepare(struct moving *g, coin_priv_stretch *w,
     g->rem.low = 0;
     w->unit = coin_priv_sundman_tau(&g->run.b, &g->run.g.y, 1);
     f->tol /= w0;
-    coin_priv_force_of(&w->begin, &g->run.b, &g->run.g.y, w->unit,
-                       COIN_PRIV_FORCE_FEW);
-    const int32_t bits = coin_priv_bits_at(f, s, &w->begin);
+    w->from = g->run;
+    w->to = g->run.g.y;
+    w->t = 0;
+    coin_priv_stretch_know(w, 1);
+    const int32_t bits = coin_priv_bits_at(f, s, &w->force);
     return bits == 0 && t >= 0 && coin_priv_rests(s) ? COIN_EFLAT : bits;
 }
 
@@ -139,5 +140,5 @@ int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
     if (status < 0 && g.run.steps > 0)
         coin_priv_read_lean(&g.run.g);
     status = coin_priv_arrive(s, &g.run, status, t, g.rem.sum, reached);
-    return status == COIN_OK ? coin_priv_bits_at(&f, s, &w.begin) : status;
+    return status == COIN_OK ? coin_priv_bits_at(&f, s, &w.force) : status;
 }
