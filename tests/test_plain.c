@@ -85,7 +85,10 @@ static struct path path_any(struct random *r, int wide, int lossy)
     check_status(coin_priv_table_of(&w.table, &p, &f, lossy ? &losses : NULL),
                  COIN_OK);
     check_status(coin_priv_check_body(&run.b, &p), COIN_OK);
-    check_status(coin_priv_losses_of(&w.losses, &losses, &run.b), COIN_OK);
+    const coin_losses none = {.dry = 0};
+    check_status(
+        coin_priv_losses_of(&w.losses, lossy ? &losses : &none, &run.b),
+        COIN_OK);
     coin_priv_run_unlimited(&run, &s);
     w.lossy = lossy;
     const coin_priv_variables *y = &run.g.y;
@@ -134,8 +137,7 @@ static coin_priv_end end_at(const struct path *w, const coin_priv_slip *y)
         y->wX, y->wY, y->wZ, y->sth, y->cth, 0, 0, 0, 0,
     };
     coin_priv_end e;
-    coin_priv_end_of(&e, &w->table, &f, w->lossy ? &w->losses : NULL, &v,
-                     w->unit);
+    coin_priv_end_of(&e, &w->table, &f, &w->losses, &v, w->unit);
     return e;
 }
 
@@ -144,8 +146,8 @@ static int is_plain(struct path *w, double mu)
     const coin_priv_field f = coin_priv_field_of(&w->table.b, 1);
     w->table.mu_static = mu;
     const coin_priv_end a = end_at(w, &w->y[0]), b = end_at(w, &w->y[LOOKS]);
-    return coin_priv_plain(&w->table, &f, w->lossy ? &w->losses : NULL, &a, &b,
-                           w->tau, w->stride);
+    return coin_priv_plain(&w->table, &f, &w->losses, &a, &b, w->tau,
+                           w->stride);
 }
 
 static void no_step_that_leaves_the_cone_is_plain(void **unused)

@@ -16,7 +16,7 @@ enum { HALVINGS = 13 };
 /* Binomial coefficients of both degrees. */
 static const double binomial[] = {1,    13,   78,  286, 715, 1287, 1716,
                                   1716, 1287, 715, 286, 78,  13,   1};
-/* One over the first half of these, and of those of fewer terms. */
+/* 1/C(n, k), k < terms, for the degrees n that all, some and few terms make. */
 static const double share[] = {1.0,       1.0 / 13,   1.0 / 78,  1.0 / 286,
                                1.0 / 715, 1.0 / 1287, 1.0 / 1716};
 static const double share_of_some[] = {1.0, 1.0 / 9, 1.0 / 36, 1.0 / 84,
@@ -29,37 +29,35 @@ static const double binomial_of_squares[] = {
     65780,   14950,   2600,    325,     26,      1,
 };
 
-/* Half of the numbers from either end. */
+/* The first half of the numbers comes from the series at 0, the second from
+ * that at 1, where the same sums are made with a step of -h. */
 COIN_PRIV_INLINE void join_of(double *b, const coin_priv_ends *ends, double h,
                               double scale, const double *shares, int terms)
 {
     const int degree = COIN_PRIV_DEGREE(terms);
-    for
-        EACH_END(which)
-        {
-            const lanes step = at_ends(h, -h, which);
-            lanes power = at_ends(scale, scale, which),
-                  sum[COIN_PRIV_FORCE_TERMS];
+    for (int which = 0; which < 2; which += LANES) {
+        const lanes step = at_ends(h, -h, which);
+        lanes power = at_ends(scale, scale, which), sum[COIN_PRIV_FORCE_TERMS];
 #pragma GCC unroll 8
-            for (int k = 0; k < terms; ++k) {
-                sum[k] = (power * shares[k]) * load(&ends[k].at[which]);
-                power *= step;
-            }
-#pragma GCC unroll 8
-            for (int k = 1; k < terms; ++k)
-#pragma GCC unroll 8
-                for (int i = terms - 1; i >= k; --i)
-                    sum[i] += sum[i - 1];
-#pragma GCC unroll 8
-            for (int k = 0; k < terms; ++k) {
-                double both[2];
-                store(&both[which], sum[k]);
-                if (LANES > 1 || which == 0)
-                    b[k] = both[0];
-                if (LANES > 1 || which == 1)
-                    b[degree - k] = both[1];
-            }
+        for (int k = 0; k < terms; ++k) {
+            sum[k] = (power * shares[k]) * load(&ends[k].at[which]);
+            power *= step;
         }
+#pragma GCC unroll 8
+        for (int k = 1; k < terms; ++k)
+#pragma GCC unroll 8
+            for (int i = terms - 1; i >= k; --i)
+                sum[i] += sum[i - 1];
+#pragma GCC unroll 8
+        for (int k = 0; k < terms; ++k) {
+            double both[2];
+            store(&both[which], sum[k]);
+            if (LANES > 1 || which == 0)
+                b[k] = both[0];
+            if (LANES > 1 || which == 1)
+                b[degree - k] = both[1];
+        }
+    }
 }
 
 void coin_priv_join(double *b, const coin_priv_ends *ends, double h,

@@ -56,6 +56,11 @@ typedef struct coin_priv_end {
     double margin, weight;
 } coin_priv_end;
 
+/* The margin there, of a coin without losses. */
+double coin_priv_margin_at(const coin_priv_table *table,
+                           const coin_priv_field *f,
+                           const coin_priv_variables *y);
+
 /* The end at *y; time is the tau in which the motion changes. */
 void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
                       const coin_priv_field *f, const coin_priv_losses *l,
@@ -63,7 +68,7 @@ void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
 
 /* Whether a rolling step of tau from *a to *b, of the stride given, certainly
  * keeps within the cone: by curves of degree 3 and 4, or by three places within
- * the step.  0: that is not known.  l is null without losses. */
+ * the step.  0: that is not known. */
 int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
                     const coin_priv_losses *l, const coin_priv_end *a,
                     const coin_priv_end *b, double tau, double stride);

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* A number at the begin of a stretch of motion and one at its end, side by side
- * in a vector where there is one.  Else they take turns: which of them is meant
- * is then 0 or 1, counted by EACH_END. */
+/* Numbers at the begin and at the end of a stretch of motion, side by side in a
+ * vector, if the compiler has vectors.  Otherwise the code runs twice, once for
+ * each end:
+ *     for (int which = 0; which < 2; which += LANES)
+ * where `which` is 0 for the begin, 1 for the end. */
 #include "../motion/vector.h"
 
 #if COIN_PRIV_WIDTH
@@ -10,8 +12,6 @@
 #define LANES 1
 #endif
 #include "../motion/lanes.t.h"
-
-#define EACH_END(which) (int which = 0; which < 2; which += LANES)
 
 COIN_PRIV_INLINE lanes at_ends(double begin, double end, int which)
 {

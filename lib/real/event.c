@@ -9,7 +9,8 @@
 
 #include <math.h>
 
-/* The curve over a part as long as this errs by less than 1e-8 (test_force). */
+/* The curve over a part of so many strides errs by less than 3e-8 of the
+ * changes of the force at its ends (part.h). */
 #define SHORT 0.8
 
 /* The force of a state and that of the series at it differ by rounding: by less
@@ -151,29 +152,31 @@ static int first_of_part(coin_priv_moment *out, const coin_priv_search *f,
 }
 
 /* The first event of a stretch that the polynomials of the whole did not clear,
- * part by part. */
+ * part by part.  A part is at most SHORT of the strides where it begins. */
 static int first_in_parts(coin_priv_moment *out, const coin_priv_search *f,
-                          const coin_priv_stretch *w, double stride)
+                          const coin_priv_stretch *w)
 {
-    const int parts = 1 + (int)(stride / SHORT);
-    const double h = w->tau / w->unit / parts;
+    const double length = fabs(w->tau);
     coin_priv_part part;
     coin_priv_variables begin = w->from.g.y;
     coin_priv_force force;
     part.of = w;
     part.first = 0;
-    part.width = 1.0 / parts;
-    for (int i = 1; i <= parts; ++i) {
+    for (int parts = 2; parts > 1; part.first += part.width) {
+        const double one = coin_priv_sundman_tau(&w->from.b, &begin, 1);
+        const double left = 1 - part.first;
+        parts = 1 + (int)(left * length / (SHORT * one));
+        part.width = left / parts;
         const coin_priv_variables end =
-            i < parts ? run_to(w, i * part.width).g.y : w->to;
+            parts > 1 ? run_to(w, part.first + part.width).g.y : w->to;
         coin_priv_force_of(&force, &w->from.b, &begin, &end, w->unit,
                            COIN_PRIV_FORCE_TERMS);
-        if (!coin_priv_is_clear(f, &force, h, stride / parts)) {
+        if (!coin_priv_is_clear(f, &force, part.width * w->tau / w->unit,
+                                part.width * length / one)) {
             coin_priv_join_part(&part, f, &force);
             if (first_of_part(out, f, &part))
                 return 1;
         }
-        part.first = i * part.width;
         begin = end;
     }
     return 0;
@@ -183,7 +186,6 @@ int coin_priv_first_event(coin_priv_moment *out, const coin_priv_search *f,
                           coin_priv_stretch *w)
 {
     const double one = coin_priv_sundman_tau(&w->from.b, &w->from.g.y, 1);
-    const int terms = coin_priv_terms_for(f, &w->force, fabs(w->tau) / one);
-    return !coin_priv_is_clear_all_along(f, w, one, terms) &&
-           first_in_parts(out, f, w, fabs(w->tau) / one);
+    return !coin_priv_is_clear_all_along(f, w, one) &&
+           first_in_parts(out, f, w);
 }

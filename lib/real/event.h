@@ -19,8 +19,10 @@ typedef struct coin_priv_moment {
 int32_t coin_priv_bits_at(const coin_priv_search *f, const coin_state *s,
                           const coin_priv_force *at);
 
-/* The first event of a stretch at whose begin none of the bits holds, within
- * tol of where the event begins; 0 if there is none. */
+/* Sets *out to the first event of a stretch at whose begin no bit holds, within
+ * tol of the time at which the event begins; returns 0 if there is none.
+ * w->force is first the force on the stretch before, of which one term may do,
+ * and then that on this one. */
 int coin_priv_first_event(coin_priv_moment *out, const coin_priv_search *f,
                           coin_priv_stretch *w);
 

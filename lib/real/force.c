@@ -7,8 +7,8 @@
 
 enum { TERMS = COIN_PRIV_FORCE_TERMS };
 
-/* The series of the variables, with one term more, and of their products in
- * (32). */
+/* The series of the variables, one term longer than those of the force, and of
+ * the products in (32). */
 struct series {
     lanes X[TERMS + 1], Y[TERMS + 1], Z[TERMS + 1];
     lanes s[TERMS + 1], c[TERMS + 1];
@@ -59,33 +59,31 @@ void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
     const coin_priv_field f = {
         unit, unit * unit * b->GJ, b->KJ, b->XJ, b->k1, b->k2,
     };
-    for
-        EACH_END(which)
-        {
-            struct series w;
-            w.X[0] = unit * at_ends(begin->wX, end->wX, which);
-            w.Y[0] = unit * at_ends(begin->wY, end->wY, which);
-            w.Z[0] = unit * at_ends(begin->wZ, end->wZ, which);
-            w.s[0] = at_ends(begin->sth, end->sth, which);
-            w.c[0] = at_ends(begin->cth, end->cth, which);
+    for (int which = 0; which < 2; which += LANES) {
+        struct series w;
+        w.X[0] = unit * at_ends(begin->wX, end->wX, which);
+        w.Y[0] = unit * at_ends(begin->wY, end->wY, which);
+        w.Z[0] = unit * at_ends(begin->wZ, end->wZ, which);
+        w.s[0] = at_ends(begin->sth, end->sth, which);
+        w.c[0] = at_ends(begin->cth, end->cth, which);
 #pragma GCC unroll 8
-            for (int k = 0; k <= TERMS; ++k) {
-                if (k > terms)
-                    break;
-                w.cX[k] = product(w.c, w.X, k);
-                w.sX[k] = product(w.s, w.X, k);
-                if (k < TERMS && k < terms)
-                    next_terms(&w, out, &f, k, which);
-            }
-            for (int k = 0; k < terms; ++k) {
-                double *const along = &out->along[k].at[which];
-                double *const across = &out->across[k].at[which];
-                double *const normal = &out->normal[k].at[which];
-                const double next = k + 1;
-                store(along, share * load(along));                /* (92) */
-                store(across, load(across) + next * w.cX[k + 1]); /* (92) */
-                store(normal, g_a * w.c[k] - next * w.sX[k + 1]); /* (92) */
-            }
+        for (int k = 0; k <= TERMS; ++k) {
+            if (k > terms)
+                break;
+            w.cX[k] = product(w.c, w.X, k);
+            w.sX[k] = product(w.s, w.X, k);
+            if (k < TERMS && k < terms)
+                next_terms(&w, out, &f, k, which);
         }
+        for (int k = 0; k < terms; ++k) {
+            double *const along = &out->along[k].at[which];
+            double *const across = &out->across[k].at[which];
+            double *const normal = &out->normal[k].at[which];
+            const double next = k + 1;
+            store(along, share * load(along));                /* (92) */
+            store(across, load(across) + next * w.cX[k + 1]); /* (92) */
+            store(normal, g_a * w.c[k] - next * w.sX[k + 1]); /* (92) */
+        }
+    }
     out->terms = terms;
 }

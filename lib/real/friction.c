@@ -4,15 +4,28 @@
 #include "friction.h"
 #include "slide.h"
 
-int32_t coin_priv_check_slide(const coin_slide *d, const coin_params *p,
-                              coin_priv_body *b)
+/* The status of a slide whose state has the status given. */
+static int32_t status_of(int32_t status, const coin_slide *d,
+                         const coin_priv_body *b)
 {
-    const int32_t status = d ? coin_priv_check(&d->s, p, b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
     const double most = sqrt(b->w2_max);
     const int slow = fabs(d->vx) <= most * b->a && fabs(d->vz) <= most * b->a;
     return slow ? COIN_OK : COIN_ESTATE;
+}
+
+int32_t coin_priv_check_slide(const coin_slide *d, const coin_priv_body *b)
+{
+    return status_of(coin_priv_check_state(&d->s, b), d, b);
+}
+
+/* COIN_OK and the body of a slide that can be computed with, or COIN_EARG,
+ * COIN_EPARAMS, COIN_ESTATE in this order. */
+static int32_t check(coin_priv_body *b, const coin_slide *d,
+                     const coin_params *p)
+{
+    return d ? status_of(coin_priv_check(&d->s, p, b), d, b) : COIN_EARG;
 }
 
 int32_t coin_priv_table_of(coin_priv_table *out, const coin_params *p,
@@ -77,7 +90,7 @@ int32_t coin_slide_of(coin_slide *d, const coin_state *s, const coin_params *p)
 double coin_slide_energy(const coin_slide *d, const coin_params *p)
 {
     coin_priv_body b;
-    if (coin_priv_check_slide(d, p, &b) != COIN_OK)
+    if (check(&b, d, p) != COIN_OK)
         return (double)NAN;
     const coin_priv_sc th = coin_priv_sincos(d->s.theta);
     const double wX = d->s.wX, wY = d->s.wY, wZ = d->s.wZ;
@@ -92,7 +105,7 @@ int32_t coin_slide_velocity(const coin_slide *d, const coin_params *p,
                             double u[2])
 {
     coin_priv_body b;
-    const int32_t status = u ? coin_priv_check_slide(d, p, &b) : COIN_EARG;
+    const int32_t status = u ? check(&b, d, p) : COIN_EARG;
     if (status != COIN_OK)
         return status;
     const coin_priv_variables at = coin_priv_variables_of(&d->s);
@@ -124,18 +137,18 @@ int32_t coin_slide_reaction(const coin_slide *d, const coin_params *p,
                             coin_force *out)
 {
     coin_priv_table table;
-    coin_priv_body b;
     if (!d || !p || !f || !out)
         return COIN_EARG;
     if (coin_priv_table_of(&table, p, f, l) != COIN_OK)
         return COIN_EPARAMS;
-    const int32_t status = coin_priv_check_slide(d, p, &b);
+    const coin_priv_body *const b = &table.b;
+    const int32_t status = coin_priv_check_slide(d, b);
     if (status != COIN_OK)
         return status;
     const coin_priv_variables at = coin_priv_variables_of(&d->s);
-    coin_priv_slip y = coin_priv_slip_start(d, &at, b.a);
+    coin_priv_slip y = coin_priv_slip_start(d, &at, b->a);
     const coin_priv_push push = push_of(&table, &y);
-    const double scale = b.M * b.a / y.cth;
+    const double scale = b->M * b->a / y.cth;
     coin_force r;
     r.R[0] = scale * (push.X * y.cph + push.h * y.sph);
     r.R[1] = r.normal = scale * push.N;

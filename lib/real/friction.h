@@ -6,10 +6,8 @@
 
 #include "contact.h"
 
-/* The checks of a coin that may slip: COIN_EARG, COIN_EPARAMS, COIN_ESTATE in
- * this order.  After COIN_OK *b holds the body. */
-int32_t coin_priv_check_slide(const coin_slide *d, const coin_params *p,
-                              coin_priv_body *b);
+/* Whether a slide of a body can be computed with: COIN_OK or COIN_ESTATE. */
+int32_t coin_priv_check_slide(const coin_slide *d, const coin_priv_body *b);
 
 /* The variables of a slide, whose state has those of *y. */
 coin_priv_slip coin_priv_slip_start(const coin_slide *d,

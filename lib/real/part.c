@@ -41,7 +41,7 @@ COIN_PRIV_INLINE int is_within(const coin_priv_curve *w, int degree)
     return in;
 }
 
-/* Whether the curve stays in the cone, its begin being there.  The parts still
+/* Whether it is certain that the whole curve lies in the cone.  The parts still
  * to be looked at lie in a pile, the next one on top. */
 COIN_PRIV_INLINE int stays_within(coin_priv_curve pile[CUTS + 1], int terms)
 {
@@ -66,30 +66,39 @@ COIN_PRIV_INLINE int stays_within(coin_priv_curve pile[CUTS + 1], int terms)
     return 1;
 }
 
-/* The size of the force at an end, 0 or 1. */
-static double size_of(const coin_priv_force *f, int end)
+/* The size of term k of the force at an end, 0 or 1. */
+static double size_of(const coin_priv_force *f, int k, int end)
 {
-    return fabs(f->along[0].at[end]) + fabs(f->across[0].at[end]) +
-           fabs(f->normal[0].at[end]);
+    return fabs(f->along[k].at[end]) + fabs(f->across[k].at[end]) +
+           fabs(f->normal[k].at[end]);
 }
 
-/* How far a force may move towards the edge where its three parts err by 1. */
+/* How fast the force changes at an end: the sum of its first and second
+ * derivatives by strides, of which one is `one` units of the series. */
+static double change_at(const coin_priv_force *f, int end, double one)
+{
+    return one * (size_of(f, 1, end) + one * size_of(f, 2, end));
+}
+
+/* By how much a force may seem too far within the cone if each of its three
+ * components errs by 1. */
 static double slack(const coin_priv_search *f)
 {
     return 1.5 * f->less + f->more;
 }
 
-/* Whether the force at an end is in the cone, and off its edge. */
-static int force_is_in_cone(const coin_priv_search *f,
-                            const coin_priv_force *at, int end, double off)
+/* Whether the force at the end is in the cone, and so far off its edge. */
+static int end_is_in_cone(const coin_priv_search *f, const coin_priv_force *at,
+                          double off)
 {
-    const double A = f->less * at->along[0].at[end];
-    const double B = f->less * at->across[0].at[end];
-    const double C = f->more * at->normal[0].at[end] - off;
+    const double A = f->less * at->along[0].at[1];
+    const double B = f->less * at->across[0].at[1];
+    const double C = f->more * at->normal[0].at[1] - off;
     return (A * A + B * B <= C * C) & (C >= 0);
 }
 
-/* Whether the force stays there all along. */
+/* Whether it is certain that the force stays in the cone all along, and so far
+ * off its edge. */
 static int force_stays(const coin_priv_search *f, const coin_priv_force *at,
                        double h, double off)
 {
@@ -121,7 +130,7 @@ static int stays_off_flat(const coin_priv_force *at, double h, double off)
                     COIN_PRIV_DEGREE(at->terms));
 }
 
-/* What a curve may err by, in parts of the forces: (stride/reach)^(2 terms). */
+/* What a curve errs by at most, over the changes at both ends. */
 static double error_of(double stride, int terms)
 {
     const double x = stride / (terms == FEW    ? COIN_PRIV_FEW_REACH
@@ -131,38 +140,48 @@ static double error_of(double stride, int terms)
     return x4 * x2 * (terms == FEW ? 1 : terms == SOME ? x4 : x4 * x4);
 }
 
-int coin_priv_terms_for(const coin_priv_search *f, const coin_priv_force *at,
-                        double stride)
-{
-    const double part = 2 * slack(f) * size_of(at, 1);
-    if (!(f->bits & ON_FORCE) ||
-        force_is_in_cone(f, at, 1, part * error_of(stride, FEW)))
-        return FEW;
-    return force_is_in_cone(f, at, 1, part * error_of(stride, SOME)) ? SOME
-                                                                     : ALL;
-}
-
 int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *at,
                        double h, double stride)
 {
-    const double part = error_of(stride, at->terms);
-    const double off = slack(f) * part * (size_of(at, 0) + size_of(at, 1));
-    const double rise = part * (at->cth[0].at[0] + at->cth[0].at[1]);
-    if ((f->bits & ON_FORCE) && !force_stays(f, at, h, off))
+    const double one = fabs(h) / stride, error = error_of(stride, at->terms);
+    const double change = change_at(at, 0, one) + change_at(at, 1, one);
+    const double rise = error * (at->cth[0].at[0] + at->cth[0].at[1]);
+    if ((f->bits & ON_FORCE) &&
+        !force_stays(f, at, h, slack(f) * error * change))
         return 0;
     return !(f->bits & COIN_NEARLY_FLAT) || stays_off_flat(at, h, rise);
 }
 
-int coin_priv_is_clear_all_along(const coin_priv_search *f,
-                                 coin_priv_stretch *w, double one, int terms)
+/* How many terms are worth a try on a stretch of so many strides: the fewest
+ * whose error is less than how far the force at the end of *at lies from the
+ * edge of the cone.  The changes of the force are taken to be those at that
+ * end; or as large as the force, if only one term is set. */
+static int terms_for(const coin_priv_search *f, const coin_priv_force *at,
+                     double one, double stride)
 {
-    for (;; terms = ALL) {
+    if (!(f->bits & ON_FORCE) || at->terms == 0)
+        return FEW;
+    const double change =
+        at->terms > 1 ? change_at(at, 1, one) : size_of(at, 0, 1);
+    const double by = slack(f) * 2 * change;
+    return end_is_in_cone(f, at, by * error_of(stride, FEW))    ? FEW
+           : end_is_in_cone(f, at, by * error_of(stride, SOME)) ? SOME
+                                                                : ALL;
+}
+
+int coin_priv_is_clear_all_along(const coin_priv_search *f,
+                                 coin_priv_stretch *w, double one)
+{
+    const double unit = one / w->unit, stride = fabs(w->tau) / one;
+    for (int terms = terms_for(f, &w->force, unit, stride);;) {
         coin_priv_stretch_know(w, terms);
         if (coin_priv_is_clear(f, &w->force, w->tau / w->unit,
                                fabs(w->tau) / one))
             return 1;
         if (terms == ALL)
             return 0;
+        const int more = terms_for(f, &w->force, unit, stride);
+        terms = more > terms ? more : ALL;
     }
 }
 

@@ -20,27 +20,26 @@ typedef struct coin_priv_search {
     int32_t bits;
 } coin_priv_search;
 
-/* A curve over a stretch of h strides errs by less than (h/these)^(2 terms) of
- * the forces at both ends, and cos theta by less of its values there
- * (test_force). */
-#define COIN_PRIV_REACH 2.85
-#define COIN_PRIV_SOME_REACH 2.55
-#define COIN_PRIV_FEW_REACH 2.2
+/* The curve that joins series of n terms at both ends of a stretch errs by less
+ * than (strides/reach)^(2 n) times the changes of the force at both ends: its
+ * first and second derivatives by strides.  The curve of cos theta errs by less
+ * than that times the sum of its two values.  These are the reaches for all,
+ * for some and for few terms.  On 840,000 random stretches of any body the
+ * errors came to at most a half of that.  test_force tests it. */
+#define COIN_PRIV_REACH 2.75
+#define COIN_PRIV_SOME_REACH 2.45
+#define COIN_PRIV_FEW_REACH 1.7
 
-/* The least number of terms that may do for a stretch of so many strides, which
- * begins where the one before ends: *at is the force on that one. */
-int coin_priv_terms_for(const coin_priv_search *f, const coin_priv_force *at,
-                        double stride);
-
-/* Whether no bit holds on a way of h in the unit of the series, of so many
- * strides, beyond doubt: by the terms that *at has. */
+/* Whether it is certain that no bit holds on a stretch with this force at its
+ * ends.  h is its length in the unit of the series.  0 if it is not certain. */
 int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *at,
                        double h, double stride);
 
-/* Whether no bit holds on a stretch, beyond doubt: by so many terms, or else by
- * all.  `one` is the tau of a stride. */
+/* The same of a whole stretch, whose force is computed: by as many terms as the
+ * force on the stretch before, in w->force, makes likely to be enough, and by
+ * more if they are not.  `one` is the tau of a stride. */
 int coin_priv_is_clear_all_along(const coin_priv_search *f,
-                                 coin_priv_stretch *w, double one, int terms);
+                                 coin_priv_stretch *w, double one);
 
 /* The force along a curve in Bernstein's form, scaled so that the coin slips
  * where along^2 + across^2 > bound^2. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The test that decides nearly all steps of a rolling coin, without a root.
+/* The test that decides nearly all steps of a coin that rolls with losses.
  *
  * First the force along the step is taken as a polynomial of degree 3, by the
  * forces and their slopes at both ends, and then as one of degree 4, by the
@@ -25,12 +25,10 @@ COIN_PRIV_INLINE coin_priv_variables rates(const coin_priv_field *f,
         y[WX], y[WY], y[WZ], y[SIN], y[COS], 0, 0, 0, 0,
     };
     coin_priv_variables d = coin_priv_sundman_rates(f, &at);
-    if (l) {
-        const coin_priv_slowing slow = coin_priv_slow(l, &at);
-        d.wX += slow.wX;
-        d.wY += slow.wY;
-        d.wZ += slow.wZ;
-    }
+    const coin_priv_slowing slow = coin_priv_slow(l, &at);
+    d.wX += slow.wX;
+    d.wY += slow.wY;
+    d.wZ += slow.wZ;
     return d;
 }
 
@@ -87,6 +85,16 @@ COIN_PRIV_INLINE struct cone_margin margin_of(const coin_priv_table *t,
         fabs(most) + fabs(along_X) + fabs(along_h),
     };
     return r;
+}
+
+double coin_priv_margin_at(const coin_priv_table *table,
+                           const coin_priv_field *f,
+                           const coin_priv_variables *at)
+{
+    const double y[VARIABLES] = {at->wX, at->wY, at->wZ, at->sth, at->cth};
+    const coin_priv_variables d = coin_priv_sundman_rates(f, at);
+    const coin_priv_need F = need_of(table, y, d.wX, d.wZ);
+    return margin_of(table, &F).margin;
 }
 
 void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
@@ -239,7 +247,7 @@ COIN_PRIV_INLINE double roll_of(const coin_priv_end *e)
 static int turns_round(const coin_priv_losses *l, const coin_priv_end *a,
                        const coin_priv_end *b)
 {
-    return l && l->solid > 0 && (roll_of(a) < 0) != (roll_of(b) < 0);
+    return l->solid > 0 && (roll_of(a) < 0) != (roll_of(b) < 0);
 }
 
 int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,

@@ -104,6 +104,7 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
     g->seen = g->landed = 0;
     g->series.from.b = g->table.b;
     g->series.force.terms = 0;
+    g->at = 0;
     g->rem.sum = t;
     g->rem.low = 0;
     g->tol = tol;
@@ -169,7 +170,7 @@ int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
         return COIN_EARG;
     if (coin_priv_table_of(&g.table, p, f, l) != COIN_OK)
         return COIN_EPARAMS;
-    int32_t status = coin_priv_check_slide(d, p, &g.table.b);
+    int32_t status = coin_priv_check_slide(d, &g.table.b);
     if (status != COIN_OK)
         return status;
     if (!(t >= 0 && t * g.table.w0 <= COIN_PRIV_TOO_LONG))

@@ -33,15 +33,16 @@ typedef struct coin_priv_sliding {
     uint64_t steps;          /* the number of steps of the run there */
     coin_state stopped; /* where the losses were found to hold the contact */
     int seen; /* whether the force is known to lie within the cone here */
-    coin_priv_end ends[2]; /* of a step; ends[at] is here, if at >= 0 */
+    coin_priv_end ends[2]; /* with losses: of a step; ends[at] is here */
     int at;
-    coin_priv_stretch series; /* those that judged the last step, if at < 0 and
-                                 force.terms > 0.  Of its `from` only b and g.y
-                                 are set */
-    int turns; /* how often wX has changed its sign since coin_priv_see(), */
-    double low, high; /* and between which sin theta steps have ended since */
-    int landed;       /* whether the last step was one in t, so that the run has
-                         theta */
+    coin_priv_stretch series; /* without losses: the last step that was judged,
+                                 if force.terms > 0.  Of its `from` only b and
+                                 g.y are set */
+    int turns;        /* the number of turning points of the lean that were
+                         passed since coin_priv_see() */
+    double low, high; /* the least and the largest sin theta at which steps
+                         ended since coin_priv_see() */
+    int landed; /* whether the last step was one in t: the run has theta */
 } coin_priv_sliding;
 
 /* The most trials of a call.  A trial is a step, whether it is kept, refused or
@@ -95,10 +96,12 @@ void coin_priv_again(coin_priv_sliding *g, double tau);
 /* Counts the time of that step. */
 void coin_priv_count(coin_priv_sliding *g);
 
-/* judge.c.  The first looks at the force here: it computes ends[at], and sets
- * g->seen if the force is clearly within the cone.  The second tells whether
- * the coin is known to roll all along the step just made; 0 may be doubt. */
+/* judge.c: looks at the force here.  Sets g->seen if it is clearly within the
+ * cone; and ends[at], with losses. */
 void coin_priv_see(coin_priv_sliding *g);
+
+/* judge.c: whether it is certain that the coin rolls all along the step just
+ * made.  0 if it slips, or if that is not certain. */
 int coin_priv_keeps_rolling(coin_priv_sliding *g, double tau, double rate);
 
 /* coin_priv_clearance() where the run is, of a coin that rolls. */
