@@ -450,8 +450,9 @@ COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
  *         every angular velocity that coin_state_check() accepts.  NaN on the
  *         usual errors, an unknown method, or tol out of range.
  * Accuracy: the error stays within 2 tol for discs and hoops that spin nearly
- *         upright (test_max_dt).  docs/accuracy.md says how often it stays
- *         within tol for random coins.
+ *         upright, at leans up to 0.2 and rates of 1.5 to 21 sqrt(g/a) (make
+ *         adversary).  docs/accuracy.md says how often it stays within tol for
+ *         random coins.
  * Cost: that of a run of some hundreds of steps as a rule, and of 40,000 at
  *         most. */
 COIN_API double coin_max_dt(const coin_state *s, const coin_params *p,
@@ -486,7 +487,7 @@ COIN_API int32_t coin_integrals(const coin_state *s, const coin_params *p,
 /** The force of the table on the coin.  Eq. (25)-(28).  The rolling model holds
  * the coin to the table, so that N may be negative: see COIN_LIFTS.
  * @return COIN_OK; the usual errors.
- * Accuracy: 12 u of the terms (test_reaction). */
+ * Accuracy: 14 u of the terms (make adversary). */
 COIN_API int32_t coin_reaction(const coin_state *s, const coin_params *p,
                                coin_force *out);
 
@@ -652,7 +653,7 @@ COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
  * It may be unstable: coin_stability().  Of two extrema closer to each other
  * than 0.0005 cos(theta) both may be missed.
  * Accuracy: *out is steady by the test of coin_steady_radii().  Its integrals
- *         differ from those of s by at most 64 u of their terms, plus the
+ *         differ from those of s by at most 96 u of their terms, plus the
  *         effect of a change of both rates by 8 u/cos(theta) of the larger of
  *         |wY|, |wZ|.  Near flat a double cannot hold the lean more accurately
  *         (test_steady_near).
@@ -926,7 +927,8 @@ COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
  *         10 m, the errors of theta, wY and wZ are proportional to m^2, and
  *         those of phi and psi to m: 70 m at half of the time to rest of a spin
  *         from 0.1 rad.  x and z err as phi does (test_quasisteady).  The model
- *         itself is solved to 1e-9.
+ *         itself is solved to 1e-9: in natural units, or relative where a
+ *         variable is larger than 1 (make adversary).
  * Cost: up to 230 textbook steps, whatever t. */
 COIN_API int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
                                      const coin_losses *l, double t,

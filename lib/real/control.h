@@ -56,11 +56,12 @@ COIN_PRIV_INLINE double coin_priv_change(double error, double most)
     return factor < 2 ? factor : 2;
 }
 
-/* The part of its rates at which a contact counts as stopped. */
+/* The part of the rates of a fall at which a contact counts as stopped.  What
+ * then is left out of its roll would turn the coin by at most twice that. */
 COIN_PRIV_INLINE double coin_priv_stopped(double tol)
 {
-    const double most = 10 * tol;
-    return most < 1e-7 ? most > 1e-10 ? most : 1e-10 : 1e-7;
+    const double part = 2 * tol, most = 1e-7;
+    return part < most ? part : most;
 }
 
 /* The first stride of a call. */

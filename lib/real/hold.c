@@ -109,7 +109,7 @@ int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
 {
     const real cth = y->cth, wX = y->wX;
     const real u = cth * y->wZ + y->sth * y->wY;
-    const real small2 = PRIV(slow2)(l, b, y, eps);
+    const real small2 = PRIV(slow2)(b, y, eps);
     if (!(cth < NEAR_FLAT && u * u <= small2))
         return 0;
     /* The largest torque along e_Z that holding the contact takes, against what

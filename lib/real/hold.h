@@ -16,10 +16,10 @@ typedef struct PRIV(held_fall) {
 
 /* The square of the u = cos(theta) d(psi)/dt below which a contact counts as
  * stopped, a part eps of the rates that a fall has. */
-COIN_PRIV_INLINE real PRIV(slow2)(const PRIV(losses) * l, const PRIV(body) * b,
+COIN_PRIV_INLINE real PRIV(slow2)(const PRIV(body) * b,
                                   const PRIV(variables) * y, real eps)
 {
-    return eps * eps * (l->J * y->wX * y->wX + b->Mga * y->cth) / l->IX;
+    return eps * eps * (y->wX * y->wX + b->GJ * y->cth);
 }
 
 /* The torque along e_Z that the losses give to a contact so slow. */

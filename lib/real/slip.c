@@ -328,8 +328,7 @@ static int is_held(const coin_priv_sliding *g, const coin_priv_slip *y)
     if (!g->lossy)
         return 0;
     const double turn = g->table.mu_kinetic * b->Mga * (b->IX / b->IZ);
-    const double hold =
-        coin_priv_hold(l, coin_priv_slow2(l, b, v, eps), v->cth);
+    const double hold = coin_priv_hold(l, coin_priv_slow2(b, v, eps), v->cth);
     return turn * y->cth * y->cth <= hold && coin_priv_is_held(l, b, v, eps);
 }
 

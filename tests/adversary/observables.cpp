@@ -73,13 +73,13 @@ template <class T, class R> double reaction(const scene &s, double)
         return NO_CLAIM;
     const table_force<R> want = force_of(q.at);
     const R F = want.friction,
-            allowed = 12 * (q.u * want.friction_size + q.least);
-    const R normal = 12 * (q.u * want.normal.size + q.least);
+            allowed = 14 * (q.u * want.friction_size + q.least);
+    const R normal = 14 * (q.u * want.normal.size + q.least);
     const R N = want.normal.value;
-    q.hold(f.R[0], want.Rx, 12);
-    q.hold(f.R[1], want.normal, 12);
-    q.hold(f.R[2], want.Rz, 12);
-    q.hold(f.normal, want.normal, 12);
+    q.hold(f.R[0], want.Rx, 14);
+    q.hold(f.R[1], want.normal, 14);
+    q.hold(f.R[2], want.Rz, 14);
+    q.hold(f.normal, want.normal, 14);
     q.v.hold(R(f.friction), F, allowed);
     if (N > 2 * normal && F / N < R(1e30))
         q.v.hold(R(f.ratio), F / N,
@@ -402,7 +402,7 @@ void add_observables(std::vector<row> *rows)
     ROW("params_ring", "4 u", params_ring, NO_EDGE);
     ROW("energy", "8 u", energy, NO_EDGE);
     ROW("integrals", "16 u of the terms", integrals, NO_EDGE);
-    ROW("reaction", "12 u of the terms", reaction, NO_EDGE);
+    ROW("reaction", "14 u of the terms", reaction, NO_EDGE);
     ROW("rates", "12 u of the terms", rates, NO_EDGE);
     ROW("center", "4 u", center, NO_EDGE);
     ROW("velocity", "8 u of the terms", velocity, NO_EDGE);

@@ -124,7 +124,7 @@ template <class R> double critical(const scene &s, double)
     return v.worst;
 }
 
-/* Steady as coin_steady_radii() asks.  Both integrals are kept to 64 u of
+/* Steady as coin_steady_radii() asks.  Both integrals are kept to 96 u of
  * their terms, and what rates off by 8 u/cos theta of both do to them. */
 template <class R> double near(const scene &s, double)
 {
@@ -146,7 +146,7 @@ template <class R> double near(const scene &s, double)
     terms<R> KY2, KZ2;
     off.wY = off.wZ = 8 / y.c * larger(magnitude(y.wY), magnitude(y.wZ));
     integrals_of(off, &KY2, &KZ2);
-    const R u = R(doubles::u), few = 64 * size + R(1e-300);
+    const R u = R(doubles::u), few = 96 * size + R(1e-300);
     v.hold(KY1.value, KY.value, u * (few + KY2.size));
     v.hold(KZ1.value, KZ.value, u * (few + KZ2.size));
     v.equal(out.phi == start.phi && out.psi == start.psi && out.wX == 0);
@@ -263,7 +263,7 @@ void add_steady(std::vector<row> *rows)
                steady_edge),
         STEADY(critical, "coin_critical_roll_and_spin", "8 u", 1, nullptr),
         STEADY(near, "coin_steady_near",
-               "1e-9 of (39); 64 u of K + 8 u/cos theta of the rates", 1,
+               "1e-9 of (39); 96 u of K + 8 u/cos theta of the rates", 1,
                nullptr),
         STEADY(steady_at, "coin_steady_at", "6 u of the angles and path", 1,
                steady_edge),
