@@ -49,3 +49,56 @@ double slip_speed(const coin_slide *d, const coin_params *p)
     check_status(coin_slide_velocity(d, p, u), COIN_OK);
     return hypot(u[0], u[1]);
 }
+
+/* While rolling needs a friction of mu N, and there is only mu_kinetic N, the
+ * slip grows at (mu - mu_kinetic) N/M or more.  From the largest F/N until it
+ * falls to the mean of both coefficients, but for a tenth of a natural unit at
+ * most, so that the motion that rolls tells N.  A half of what that takes. */
+static double least_loss(const coin_params *p, const coin_state *start,
+                         const coin_friction *f, double t)
+{
+    enum { LOOKS = 4000 };
+    const double mean = (f->mu_static + f->mu_kinetic) / 2;
+    double most = 0, time = 0, N = 0;
+    int over = 0;
+    coin_state s = *start;
+    for (int i = 0; i <= LOOKS; ++i) {
+        coin_force at;
+        check_status(coin_reaction(&s, p, &at), COIN_OK);
+        if (at.ratio > most) {
+            most = at.ratio;
+            time = 0;
+            N = at.normal;
+            over = 1;
+        } else if (over && at.ratio > mean && time < natural_time(p) / 10) {
+            time += t / LOOKS;
+            N = fmin(N, at.normal);
+        } else
+            over = 0;
+        check_status(coin_advance(&s, p, t / LOOKS, 1e-9, NULL), COIN_OK);
+    }
+    check(most > 0.999 * f->mu_static); /* as near as samples come */
+    return N > 0 ? f->mu_kinetic * N * (mean - f->mu_kinetic) * N * time *
+                       time / (4 * p->mass)
+                 : 0;
+}
+
+void check_slips(const coin_params *p, const coin_state *s,
+                 const coin_friction *f, double t, double tol)
+{
+    const coin_friction rough = {INFINITY, 0};
+    coin_slide slips, rolls;
+    check_status(coin_slide_of(&slips, s, p), COIN_OK);
+    rolls = slips;
+    const int32_t got = coin_slide_advance(&slips, p, f, NULL, t, tol, NULL);
+    if (got == COIN_ELIFT)
+        return;
+    check(got >= 0);
+    check_status(coin_slide_advance(&rolls, p, &rough, NULL, t, tol, NULL),
+                 COIN_OK);
+    const double lost =
+        coin_slide_energy(&rolls, p) - coin_slide_energy(&slips, p);
+    const double least = least_loss(p, s, f, t);
+    check_note("lost %g, at least %g", lost, least);
+    check(lost > least);
+}

@@ -18,6 +18,12 @@ coin_slide random_launch(struct random *r, const coin_params *p);
 double slides_apart(const coin_slide *a, const coin_slide *b,
                     const coin_params *p);
 
+/* Checks that a coin that rolls at first slips within t, by the energy that the
+ * slip takes: more than a slip whose friction is mu_kinetic N must take after
+ * the largest F/N of the motion that rolls. */
+void check_slips(const coin_params *p, const coin_state *s,
+                 const coin_friction *f, double t, double tol);
+
 /* The speed of the slip. */
 double slip_speed(const coin_slide *d, const coin_params *p);
 
