@@ -20,7 +20,7 @@
 /* A step to be looked at. */
 typedef struct coin_priv_look {
     const coin_priv_table *table;
-    coin_priv_gbs_slopes *slopes; /* of the step */
+    coin_priv_right_hand_side *slopes; /* of the step */
     const coin_priv_slip *from, *to;
     double h;      /* its length */
     double stride; /* h over the time in which the motion changes */

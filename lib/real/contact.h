@@ -72,14 +72,14 @@ void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_table *table,
                             const coin_priv_slip *y,
                             const coin_priv_push *force);
 
-/* mu_static N - F, or that over mu_static where it is above 1: >= 0 as long as
- * the force keeps to the cone of friction, and N > 0. */
+/* mu_static N - F, divided by mu_static if that is above 1.  If N > 0, it is >=
+ * 0 as long as the force keeps within the cone of friction. */
 double coin_priv_margin(const coin_priv_table *table,
                         const coin_priv_push *force);
 
-/* Whether a coin whose contact leaves the cone of friction slips.  If not, it
- * lifts off: N of (80), whose sign is that of all directions, is not above 0,
- * or mu_static is infinite. */
+/* Whether a coin whose contact leaves the cone of friction slips.  Otherwise it
+ * lifts off: if mu_static is infinite, or if the N of a slip, (80), is not
+ * above 0.  The sign of that N is the same for slips in all directions. */
 int coin_priv_can_slip(const coin_priv_table *table, const coin_priv_slip *y);
 
 /* The direction in which a slip begins where sticking would need more friction

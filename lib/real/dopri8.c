@@ -51,7 +51,7 @@ COIN_PRIV_INLINE void sum_end(double *to, const struct stages *s,
 }
 
 /* A stage: the slopes, number `to`, where a row of `count` leads. */
-COIN_PRIV_INLINE void stage(struct stages *s, coin_priv_gbs_slopes *slopes,
+COIN_PRIV_INLINE void stage(struct stages *s, coin_priv_right_hand_side *slopes,
                             const void *problem, const double *row, int count,
                             int to)
 {
@@ -63,7 +63,7 @@ COIN_PRIV_INLINE void stage(struct stages *s, coin_priv_gbs_slopes *slopes,
 
 /* Stages 2 to 12.  Their slopes lie as the rows list them: those of stages 2
  * and 3 are overwritten as soon as no row reads them. */
-static void all_stages(struct stages *s, coin_priv_gbs_slopes *f,
+static void all_stages(struct stages *s, coin_priv_right_hand_side *f,
                        const void *of)
 {
     stage(s, f, of, A2, 1, 1);
@@ -83,8 +83,9 @@ static void all_stages(struct stages *s, coin_priv_gbs_slopes *f,
     stage(s, f, of, A12, 9, 9);
 }
 
-void coin_priv_dopri8(double *y, const double *d, coin_priv_gbs_slopes *slopes,
-                      const void *problem, double h, coin_priv_estimates *error)
+void coin_priv_dopri8(double *y, const double *d,
+                      coin_priv_right_hand_side *slopes, const void *problem,
+                      double h, coin_priv_estimates *error)
 {
     struct stages s;
     double end[WIDE], by5[READ];

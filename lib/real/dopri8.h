@@ -16,8 +16,8 @@ typedef struct coin_priv_estimates {
 
 /* One step h of the formula of rk8.t.h with its estimates, for variables y that
  * any problem gives slopes; d are those of y. */
-void coin_priv_dopri8(double *y, const double *d, coin_priv_gbs_slopes *slopes,
-                      const void *problem, double h,
-                      coin_priv_estimates *error);
+void coin_priv_dopri8(double *y, const double *d,
+                      coin_priv_right_hand_side *slopes, const void *problem,
+                      double h, coin_priv_estimates *error);
 
 #endif

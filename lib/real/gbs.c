@@ -7,8 +7,8 @@ enum { COLUMNS = COIN_PRIV_GBS_COLUMNS, MOST = COIN_PRIV_GBS_MOST };
 
 /* The modified midpoint rule over h, with 2 k substeps. */
 static void midpoints(real *to, const real *y, size_t n,
-                      PRIV(gbs_slopes) * slopes, const void *problem, real h,
-                      int k)
+                      PRIV(right_hand_side) * slopes, const void *problem,
+                      real h, int k)
 {
     real before[MOST], d[MOST];
     const real step = h / (real)(2 * k);
@@ -27,7 +27,7 @@ static void midpoints(real *to, const real *y, size_t n,
     }
 }
 
-real PRIV(gbs)(real *y, size_t n, PRIV(gbs_slopes) * slopes,
+real PRIV(gbs)(real *y, size_t n, PRIV(right_hand_side) * slopes,
                const void *problem, real h)
 {
     real table[COLUMNS][MOST], error = 0;

@@ -9,14 +9,16 @@
 /* The most variables. */
 #define COIN_PRIV_GBS_MOST 8
 
-/* d/dx of the n variables y of a problem. */
-typedef void PRIV(gbs_slopes)(real *dy, const real *y, const void *problem);
+/* The right-hand side of the equations of a problem: d/dx of its variables y.
+ */
+typedef void PRIV(right_hand_side)(real *dy, const real *y,
+                                   const void *problem);
 
 /* One step h of the modified midpoint rule, extrapolated (Gragg, Bulirsch and
  * Stoer); n <= COIN_PRIV_GBS_MOST.  Returns an estimate of the error: the
  * largest difference from the result whose order is lower by 2, relative for
  * variables above 1, and NaN if a slope is NaN. */
-real PRIV(gbs)(real *y, size_t n, PRIV(gbs_slopes) * slopes,
+real PRIV(gbs)(real *y, size_t n, PRIV(right_hand_side) * slopes,
                const void *problem, real h);
 
 #endif

@@ -134,8 +134,9 @@ static const double weights[PLACES][6] = {
      27.0 / 2048},
 };
 
-/* The least that a smooth function may have: below the least of samples by what
- * parabolas, and the third differences, leave. */
+/* The least value that a smooth function may have between samples: the least
+ * sample, less how far parabolas through the samples may dip below it, and less
+ * what the third differences say that parabolas miss. */
 COIN_PRIV_INLINE double least(const double m[PLACES + 2])
 {
     double low = m[0], second = 0, third = 0, before = 0;

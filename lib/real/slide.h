@@ -16,23 +16,32 @@
 
 /* A slide under way. */
 typedef struct coin_priv_sliding {
-    coin_priv_table table;
+    /* Set by slide.c for the whole call. */
+    coin_params p; /* for coin_settle() and searches of the cone */
+    coin_losses losses;
+    int lossy; /* whether it has losses */
+    double tol;
+    coin_priv_reach reach;
+    coin_priv_table table; /* but slip.c and onset.c set table.held */
+
+    /* Where the slide is.  roll.c, onset.c and slip.c move it. */
     coin_priv_lossy w; /* its run holds all but the slip; its losses are those
                           of a coin that rolls */
-    coin_params p;     /* for coin_settle() and searches of the cone */
-    coin_losses losses;
-    double uX, uh;        /* 0 while the coin rolls */
-    coin_priv_slip slope; /* where a step of a slip begins */
-    int slips, lossy;     /* whether it slips now; whether it has losses */
-    double gained;     /* the slip speed gained so far, where a slip begins */
+    double uX, uh;     /* the slip velocity, 0 while the coin rolls */
+    int slips;         /* whether it slips now */
     coin_priv_sum rem; /* the time still to go */
-    coin_priv_reach reach;
-    double tol, roll_stride, slip_stride;
-    uint64_t tries;
-    coin_priv_progress from; /* where the step began: set by coin_priv_mark() */
+    uint64_t tries;    /* of steps */
+    int landed;        /* whether the last step was one in t: then the run
+                          has theta */
+
+    /* The steps of a rolling coin, of roll.c. */
+    double roll_stride;
+    coin_priv_progress from; /* where the step began: coin_priv_mark() */
     uint64_t steps;          /* the number of steps of the run there */
     coin_state stopped; /* where the losses were found to hold the contact */
-    int seen; /* whether the force is known to lie within the cone here */
+
+    /* What judge.c knows of the force while the coin rolls. */
+    int seen;              /* whether it is within the cone here */
     coin_priv_end ends[2]; /* with losses: of a step; ends[at] is here */
     int at;
     coin_priv_stretch series; /* without losses: the last step that was judged,
@@ -42,7 +51,11 @@ typedef struct coin_priv_sliding {
                          passed since coin_priv_see() */
     double low, high; /* the least and the largest sin theta at which steps
                          ended since coin_priv_see() */
-    int landed; /* whether the last step was one in t: the run has theta */
+
+    /* The steps of a slip, of slip.c; onset.c sets the first stride. */
+    double slip_stride;
+    coin_priv_slip slope; /* where the step began */
+    double gained; /* of onset.c: the slip speed so far, where a slip begins */
 } coin_priv_sliding;
 
 /* The most trials of a call.  A trial is a step, whether it is kept, refused or

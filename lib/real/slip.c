@@ -293,10 +293,11 @@ static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
 }
 
 /* Takes one straight line where it is accurate enough: to the end of a slip, if
- * it ends soon, or as far as the line may go, if the slip has just begun.  A
- * slip that ended is forgotten: the next step finds out whether the coin rolls,
- * or slips in another direction.  Returns 0 if there is no such line, or if the
- * coin may lift off on it: *to is then of no use, and *g as it was. */
+ * it ends soon; or as far as the line may go, if the slip is then ten times as
+ * fast.  A slip that ended is forgotten: the next step finds out whether the
+ * coin rolls, or slips in another direction.  Returns 0 if there is no such
+ * line, or if the coin may lift off on it: *to is then of no use, and *g as it
+ * was. */
 static int take_straight(coin_priv_sliding *g, coin_priv_slip *to,
                          const coin_priv_slip *d)
 {

@@ -24,7 +24,7 @@ COIN_PRIV_INLINE uint64_t coin_priv_run_by(coin_priv_run *r, int32_t method,
     case COIN_SYMPLECTIC2:
         coin_priv_symplectic2(r, n);
         break;
-    default:
+    default: /* COIN_SYMPLECTIC4: the method has been checked */
         coin_priv_symplectic4(r, n);
     }
     return r->steps - before;
