@@ -67,7 +67,7 @@ static int is_plain(coin_priv_sliding *g, double tau, double rate)
  * wX only the sign of F along e_X changes.  So a coin that kept within the cone
  * from one turning point of its lean to the next keeps within it for ever.
  * Errors may lead it to other leans, which are then looked at. */
-static int is_repeated(coin_priv_sliding *g)
+static int is_repeated(const coin_priv_sliding *g)
 {
     const double sth = g->w.run.g.y.sth;
     return !g->lossy && g->turns >= 2 && sth >= g->low && sth <= g->high;
