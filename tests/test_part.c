@@ -87,6 +87,25 @@ static void what_is_cleared_holds_no_bit(void **unused)
     }
 }
 
+/* A force along the vertical that changes at one end, by its first or its
+ * second derivative, over so many strides that the error is the change: of that
+ * force 2.5 times as much may be wrong where mu = 1. */
+static void each_change_at_each_end_counts(void **unused)
+{
+    (void)unused;
+    const coin_priv_search f = search_of(1);
+    const double stride = COIN_PRIV_FEW_REACH;
+    for (int i = 0; i < 4; ++i) {
+        coin_priv_force at = {.terms = COIN_PRIV_FORCE_FEW};
+        double *const change = &at.along[1 + i / 2].at[i % 2];
+        at.normal[0].at[0] = at.normal[0].at[1] = 1;
+        *change = 0.3;
+        check(coin_priv_is_clear(&f, &at, stride, stride));
+        *change = 0.45;
+        check(!coin_priv_is_clear(&f, &at, stride, stride));
+    }
+}
+
 /* Whether one that is larger by 2 % is cleared; -1 where the coin nearly lifts
  * off. */
 static int clears(struct random *r, double stride, int terms)
@@ -165,6 +184,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(what_is_cleared_holds_no_bit),
+        TEST(each_change_at_each_end_counts),
         TEST(most_of_what_holds_no_bit_is_cleared),
         TEST(the_briefest_excursion_within_a_step_is_found),
     };
