@@ -17,7 +17,7 @@
 /* The error that a step may have, relative or absolute; and the lengths of the
  * first and of the shortest step along the arc.  Where a shorter one would be
  * needed, the steady motion becomes unstable. */
-#define ERROR 1e-11
+#define ERROR 1e-12
 #define FIRST 0.05
 #define SHORTEST 1e-6
 
