@@ -87,7 +87,8 @@ static void the_error_of_a_step_that_overflows_is_infinite(void **unused)
     check(isinf(t.error));
 }
 
-/* It is the distance to u = 0 over the speed, by half. */
+/* The contact turns round where its rate of roll u is 0.  The longest step is
+ * half of the time in which u comes to 0. */
 static void the_bound_halves_the_way_to_where_the_contact_turns(void **unused)
 {
     (void)unused;
@@ -102,8 +103,9 @@ static void the_bound_halves_the_way_to_where_the_contact_turns(void **unused)
     check_near(coin_priv_lossy_bound(&w, 1e-9) * fabs(du) / u, 0.5, 1e-3);
 }
 
-/* Within the width of the softening it is that, and with layer or damping what
- * the error allows. */
+/* At u = 0 the longest step with dry friction is as the width of the softening,
+ * whatever error is allowed.  With layer or damping it is as a power of that
+ * error, and with viscous friction there is no bound. */
 static void at_the_turn_the_bound_is_the_width(void **unused)
 {
     (void)unused;

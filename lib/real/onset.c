@@ -5,8 +5,8 @@
 #include "control.h"
 #include "slide.h"
 
-/* The slope of a slip over friction from which on it begins at once; and the
- * largest tol that a slower beginning makes use of. */
+/* A slip begins at once if its slope is at least QUICK times friction.  The
+ * error of a slower beginning is kept below tol, but below LOOSEST at most. */
 #define QUICK 0.5
 #define LOOSEST 5e-5
 
@@ -117,11 +117,12 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
     return end > 0 ? begun : COIN_ELIFT;
 }
 
-/* If its slope is at least QUICK times friction, a slip begins at once, with a
- * speed of COIN_PRIV_SLIP_SEED: the steps that it needs to grow are as friction
- * over the slope.  Else the coin rolls on for a time, and what friction would
- * have changed is added as an impulse.  The error is as the slope times that
- * time squared.  It is below tol, or LOOSEST if the time may be chosen. */
+/* A slip whose speed grows fast begins at once, with a speed of
+ * COIN_PRIV_SLIP_SEED.  The number of steps in which it then grows is
+ * proportional to friction over the slope of its speed.  So a slow one waits:
+ * the coin rolls on for a time, and what friction would have changed meanwhile
+ * is added as an impulse.  The error of that is proportional to the slope times
+ * the square of the time waited. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g)
 {
     const coin_priv_slip start = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
@@ -149,8 +150,8 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     return begin(g, &y);
 }
 
-/* A held coin slips where F/N exceeds mu_static, and mu_kinetic by so much: the
- * slip then has an acceleration. */
+/* A held coin slips where F/N exceeds mu_static.  It has to exceed mu_kinetic
+ * by HELD_EXCESS as well, so that the slip accelerates. */
 #define HELD_EXCESS 1e-5
 
 double coin_priv_held_clearance(const coin_priv_sliding *g)
@@ -164,8 +165,9 @@ double coin_priv_held_clearance(const coin_priv_sliding *g)
     return coin_priv_clearance(&table, &y, 0);
 }
 
-/* It begins at once, by the slopes of half its first time; or not at all, if it
- * were slower than COIN_PRIV_SLIP_SEED as long as the coin keeps its lean. */
+/* The slip begins at once, with a speed of COIN_PRIV_SLIP_SEED.  Its slopes are
+ * those in the middle of the time in which it gains that speed.  There is no
+ * slip if it would not gain that speed while the coin keeps its lean. */
 int coin_priv_begin_held_slip(coin_priv_sliding *g)
 {
     coin_priv_table *const t = &g->table;
