@@ -319,6 +319,34 @@ static void of_random_launches_no_energy_rises_and_no_force_pulls(void **unused)
     check(ended[0] > 50 && ended[1] > 50 && ended[2] > 50);
 }
 
+/* Friction all but at the bound of Painleve, so that N and the slip change ever
+ * faster: the estimate of a step's error passes through 0 where the step takes
+ * the whole time, and the error is 1e-6. */
+static void a_step_is_short_enough_where_its_estimate_is_0(void **unused)
+{
+    (void)unused;
+    const double k = 0.131804, bound = 2 * sqrt(k * (1 + k));
+    const coin_friction f = {1.1 * bound, bound * (1 - 1e-12)};
+    const coin_slide start = {{.theta = 0.548131,
+                               .wX = -0.711697,
+                               .wY = -0.0337859,
+                               .wZ = 0.00198285},
+                              0.15968,
+                              -0.63995};
+    coin_params p;
+    check_status(coin_params_body(&p, 1, 1, 1, k, 0.238727), COIN_OK);
+    coin_slide want = start;
+    check_status(coin_slide_advance(&want, &p, &f, NULL, 0.1, 1e-13, NULL),
+                 COIN_SLIPS);
+    for (double tol = 1e-6; tol > 1e-10; tol /= 1.1) {
+        coin_slide d = start;
+        check_status(coin_slide_advance(&d, &p, &f, NULL, 0.1, tol, NULL),
+                     COIN_SLIPS);
+        check_note("tol %g", tol);
+        check_within(slides_apart(&d, &want, &p), 0, 2 * tol);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -329,6 +357,7 @@ int main(void)
         TEST(a_tumbling_coin_slips_and_rolls_again_at_the_reference_times),
         TEST(a_slip_shorter_than_a_step_is_not_stepped_over),
         TEST(an_event_is_located_however_curved_its_function_is),
+        TEST(a_step_is_short_enough_where_its_estimate_is_0),
         TEST(the_energy_lost_is_the_integral_of_friction_times_slip),
         TEST(of_random_launches_no_energy_rises_and_no_force_pulls),
     };

@@ -94,6 +94,15 @@ static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
     return way / (du + 1e-30 * g->table.w0 * way); /* nothing divides by 0 */
 }
 
+/* The error that a step has as a rule: of order 9, by the one of order 4 whose
+ * square is by3, and the size of the variables.  The estimate may pass through
+ * 0 as a step grows, where the error does not. */
+static double usual_error(double by3, double size)
+{
+    const double part = coin_priv_lesser(sqrt(by3) / size, 1);
+    return size * (part * part * sqrt(sqrt(part)));
+}
+
 /* The step h, and its error. */
 static struct tried attempt(coin_priv_sliding *g, double h)
 {
@@ -116,8 +125,12 @@ static struct tried attempt(coin_priv_sliding *g, double h)
     }
     ++g->tries;
     const double rounding = 4 * DBL_EPSILON * (speed(&from) / w0);
+    const double rates = fabs(from.wX) + fabs(from.wY) + fabs(from.wZ);
+    const double size = 1 + (rates + speed(&from)) / w0;
     const double most = coin_priv_allowed(&g->w.run, g->tol, r.to.t) + rounding;
-    const double own = coin_priv_error_of(by5, by3) / most;
+    const double estimate = coin_priv_error_of(by5, by3);
+    const double usual = usual_error(by3, size);
+    const double own = (estimate > usual ? estimate : usual) / most;
     const double of_slip =
         coin_priv_error_of(slip5, slip3) * w0 / (SLIP_ERROR * speed(&from));
     r.error = own > of_slip ? own : of_slip;
