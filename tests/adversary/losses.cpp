@@ -377,7 +377,7 @@ void add_losses(std::vector<row> *rows)
         LOSSES(time_to_rest, "coin_time_to_rest", "1e-6 of the model's", 20,
                slow_motions),
         LOSSES(quasisteady_at, "coin_quasisteady_at",
-               "1e-9 of the model's, or of 1", 25, slow_motions),
+               "1e-9 of the model's or of 1", 25, slow_motions),
         LOSSES(fit, "coin_losses_fit", "1e-6 of the model's", 25, slow_motions),
     };
     for (const row &r : made)
