@@ -103,9 +103,10 @@ static void the_bound_halves_the_way_to_where_the_contact_turns(void **unused)
     check_near(coin_priv_lossy_bound(&w, 1e-9) * fabs(du) / u, 0.5, 1e-3);
 }
 
-/* At u = 0 the longest step with dry friction is as the width of the softening,
- * whatever error is allowed.  With layer or damping it is as a power of that
- * error, and with viscous friction there is no bound. */
+/* At u = 0 the longest step with dry friction is proportional to the width of
+ * the softening, whatever error is allowed.  With layer or damping it is
+ * proportional to a power of that error.  With viscous friction there is no
+ * bound. */
 static void at_the_turn_the_bound_is_the_width(void **unused)
 {
     (void)unused;

@@ -87,9 +87,10 @@ static void what_is_cleared_holds_no_bit(void **unused)
     }
 }
 
-/* A force along the vertical that changes at one end, by its first or its
- * second derivative, over so many strides that the error is the change: of that
- * force 2.5 times as much may be wrong where mu = 1. */
+/* A force of 1 along the vertical, and a derivative of another component that
+ * is not 0 at one end.  The stretch is as long as the reach, so that each
+ * component may err by that derivative.  Where mu = 1, the force has to lie 2.5
+ * times that from the edge of the cone. */
 static void each_change_at_each_end_counts(void **unused)
 {
     (void)unused;

@@ -56,8 +56,9 @@ COIN_PRIV_INLINE double coin_priv_change(double error, double most)
     return factor < 2 ? factor : 2;
 }
 
-/* The part of the rates of a fall at which a contact counts as stopped.  What
- * then is left out of its roll would turn the coin by at most twice that. */
+/* A contact counts as stopped if it rolls at less than this part of the rates
+ * of the fall.  Its roll is then left out, which would have turned the coin by
+ * at most twice this part, in radians. */
 COIN_PRIV_INLINE double coin_priv_stopped(double tol)
 {
     const double part = 2 * tol, most = 1e-7;

@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-/* The curve over a part of so many strides errs by less than 3e-8 of the
+/* The curve over a part of so many strides errs by less than 4e-8 of the
  * changes of the force at its ends (part.h). */
 #define SHORT 0.8
 

@@ -11,7 +11,8 @@
 #define COIN_PRIV_FORCE_SOME 5
 #define COIN_PRIV_FORCE_FEW 3
 
-/* A number at the begin and one at the end of a stretch of motion. */
+/* The values of a quantity at both ends of a stretch of motion: at[0] where it
+ * begins, at[1] where it ends. */
 typedef struct coin_priv_ends {
     double at[2];
 } coin_priv_ends;

@@ -4,7 +4,8 @@
 #include "friction.h"
 #include "slide.h"
 
-/* The status of a slide whose state has the status given. */
+/* COIN_ESTATE if the centre moves too fast; else the status given, which is
+ * that of the state. */
 static int32_t status_of(int32_t status, const coin_slide *d,
                          const coin_priv_body *b)
 {

@@ -9,8 +9,7 @@
 /* The most variables. */
 #define COIN_PRIV_GBS_MOST 8
 
-/* The right-hand side of the equations of a problem: d/dx of its variables y.
- */
+/* The right-hand side of a problem's equations: d/dx of its variables y. */
 typedef void PRIV(right_hand_side)(real *dy, const real *y,
                                    const void *problem);
 

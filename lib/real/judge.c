@@ -62,11 +62,12 @@ static int is_plain(coin_priv_sliding *g, double tau, double rate)
 }
 
 /* Whether the coin rolls all along the step just made because it did so before
- * at the same leans.  Without losses F and N depend on the lean alone: wY and
- * wZ are functions of it by the integrals, wX^2 is one by the energy, and with
- * wX only the sign of F along e_X changes.  So a coin that kept within the cone
- * from one turning point of its lean to the next keeps within it for ever.
- * Errors may lead it to other leans, which are then looked at. */
+ * at the same leans.  Without losses F/N depends on the lean alone: the
+ * integrals give wY and wZ at each lean, and the energy gives wX^2.  The sign
+ * of wX changes the sign of F along e_X, and nothing else.  So a coin that kept
+ * within the cone from one turning point of its lean to the next keeps within
+ * it for ever.  If errors take it to a lean beyond those, the step is tested.
+ */
 static int is_repeated(const coin_priv_sliding *g)
 {
     const double sth = g->w.run.g.y.sth;

@@ -6,7 +6,7 @@
 #include "slide.h"
 
 /* A slip begins at once if its slope is at least QUICK times friction.  The
- * error of a slower beginning is kept below tol, but below LOOSEST at most. */
+ * error of a slower beginning is kept below tol and below LOOSEST. */
 #define QUICK 0.5
 #define LOOSEST 5e-5
 

@@ -94,9 +94,9 @@ static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
     return way / (du + 1e-30 * g->table.w0 * way); /* nothing divides by 0 */
 }
 
-/* The error that a step has as a rule: of order 9, by the one of order 4 whose
- * square is by3, and the size of the variables.  The estimate may pass through
- * 0 as a step grows, where the error does not. */
+/* A guess of a step's error, which is of order 9: from the square by3 of an
+ * error of order 4, and the size of the variables.  It is needed because the
+ * estimate may pass through 0 as a step grows, where the error does not. */
 static double usual_error(double by3, double size)
 {
     const double part = coin_priv_lesser(sqrt(by3) / size, 1);
