@@ -182,9 +182,10 @@ static void the_drift_s_series_is_good_to_rounding(void **unused)
         const double part = random_between(&r, 0, COIN_PRIV_SERIES_REACH);
         worst = fmax(worst, series_error(&r, part));
         worst = fmax(worst, series_error(&r, COIN_PRIV_SERIES_REACH));
-        beyond = fmax(beyond, series_error(&r, 2 * COIN_PRIV_SERIES_REACH));
     }
-    check_note("1000 random bodies and leans");
+    for (int i = 0; i < 100; ++i)
+        beyond = fmax(beyond, series_error(&r, 2 * COIN_PRIV_SERIES_REACH));
+    check_note("random bodies and leans");
     check_within(worst, 0, 6);
     /* The reach is no larger than the series needs. */
     check(beyond > 1000);

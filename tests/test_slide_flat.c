@@ -98,7 +98,7 @@ static void losses_of_rolling_change_nothing_of_a_planar_fall(void **unused)
     (void)unused;
     struct random r = random_begin(222);
     int slips = 0;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < 600; ++i) {
         const coin_params p = ring(random_between(&r, 0, 1));
         const double mu = random_between(&r, 0.02, 0.3);
         const coin_friction f = {i % 2 ? mu : 1.1 * mu, mu};

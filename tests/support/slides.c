@@ -75,7 +75,7 @@ static double least_loss(const coin_params *p, const coin_state *start,
             N = fmin(N, at.normal);
         } else
             over = 0;
-        check_status(coin_advance(&s, p, t / LOOKS, 1e-9, NULL), COIN_OK);
+        check_status(coin_advance(&s, p, t / LOOKS, 1e-7, NULL), COIN_OK);
     }
     check(most > 0.999 * f->mu_static); /* as near as samples come */
     return N > 0 ? f->mu_kinetic * N * (mean - f->mu_kinetic) * N * time *
