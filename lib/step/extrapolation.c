@@ -15,6 +15,13 @@
  * exact multiple.  Z is wZ times k1 = I_Z/I_X, which saves a product. */
 #include "../motion/pinned.h"
 
+/* Registers that do not repeat let the next substep start sooner.  This saves
+ * 5 % of a step in vectors of two, and nothing in vectors of four. */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__) &&         \
+    !defined(__AVX__)
+#pragma GCC optimize("rename-registers", "no-tree-ter")
+#endif
+
 #include "extrapolation.h"
 #include "sundman.h"
 
@@ -149,49 +156,47 @@ COIN_PRIV_INLINE void odd_substep_of(struct columns *c, const struct problem *p,
 
 /* ------------------------------------------------------------ the columns --
  */
-/* The substeps up to the odd one k, of group g.  Two groups take turns, so that
- * one computes while the other waits for its sums. */
-#define UP_TO(k, g)                                                            \
+/* An even substep of group g and the odd one after it.  Two groups take turns,
+ * so that one computes while the other waits for its sums.  These are loops,
+ * because code that runs once waits for the cache: with all substeps written
+ * out a short call of coin_advance() would take 1.3 times as long. */
+#define ROUND(g)                                                               \
     even_substep(&c[g], p);                                                    \
     odd_substep(&c[g], p);
-#define UP_TO_OF(k, g, on)                                                     \
+#define ROUND_OF(g, on)                                                        \
     even_substep(&c[g], p);                                                    \
     odd_substep_of(&c[g], p, on);
 
 #if LANES == 4
 COIN_PRIV_INLINE void all_substeps(struct columns *c, const struct problem *p)
 {
+    static const int last[] = {3, 2, 1, 1};
     odd_substep(&c[0], p);
     odd_substep(&c[1], p);
-    UP_TO(3, 0)
-    UP_TO_OF(3, 1, 2)
-    UP_TO(5, 0)
-    UP_TO_OF(5, 1, 1)
-    UP_TO(7, 0)
-    UP_TO_OF(9, 0, 3)
-    UP_TO_OF(11, 0, 2)
-    UP_TO_OF(13, 0, 1)
-    UP_TO_OF(15, 0, 1)
+    for (int on = 2; on > 0; --on) {
+        ROUND(0)
+        ROUND_OF(1, on)
+    }
+    ROUND(0)
+    for (int i = 0; i < 4; ++i) {
+        ROUND_OF(0, last[i])
+    }
 }
 #elif LANES == 2
 COIN_PRIV_INLINE void all_substeps(struct columns *c, const struct problem *p)
 {
     odd_substep(&c[0], p);
     odd_substep(&c[1], p);
-    UP_TO(3, 0)
-    UP_TO(3, 1)
-    UP_TO(5, 0)
-    UP_TO(5, 1)
-    UP_TO(7, 0)
-    UP_TO(7, 1)
-    UP_TO(9, 0)
-    UP_TO_OF(9, 1, 1)
-    UP_TO(11, 0)
+    for (int i = 0; i < 4; ++i) {
+        ROUND(0)
+        ROUND_OF(1, i < 3 ? 2 : 1)
+    }
     odd_substep(&c[2], p);
-    UP_TO(3, 2)
-    UP_TO_OF(13, 0, 1)
-    UP_TO_OF(5, 2, 1)
-    UP_TO_OF(15, 0, 1)
+    for (int on = 2; on > 0; --on) {
+        ROUND_OF(0, on)
+        ROUND_OF(2, on)
+    }
+    ROUND_OF(0, 1)
     odd_substep(&c[3], p);
 }
 #else

@@ -1,6 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
+/* gcc would move the arithmetic of the step's end behind the branches that use
+ * it, which costs 10 % of a step; in vectors of four it saves 2 %. */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__) &&         \
+    !defined(__AVX__)
+#pragma GCC optimize("no-tree-sink", "no-tree-pre", "rename-registers")
+#endif
+
 #include "loop.h"
 #include "rk8.t.h"
 
