@@ -4,7 +4,7 @@
 /* gcc would move the arithmetic of the step's end behind the branches that use
  * it, which costs 10 % of a step; in vectors of four it saves 2 %. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__) &&         \
-    !defined(__AVX__)
+    defined(__x86_64__) && !defined(__AVX__)
 #pragma GCC optimize("no-tree-sink", "no-tree-pre", "rename-registers")
 #endif
 
