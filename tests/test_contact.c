@@ -9,12 +9,12 @@
 #include <math.h>
 
 /* A coin of M = a = g = 1 with a moment of spin, on a table. */
-static coin_priv_table table_for(const coin_params *p, double spin)
+static coin_priv_contact table_for(const coin_params *p, double spin)
 {
     const coin_friction f = {0.55, 0.5};
     const coin_losses l = {.spin = spin};
-    coin_priv_table t;
-    check_status(coin_priv_table_of(&t, p, &f, &l), COIN_OK);
+    coin_priv_contact t;
+    check_status(coin_priv_contact_of(&t, p, &f, &l), COIN_OK);
     return t;
 }
 
@@ -46,13 +46,13 @@ static void a_held_contact_turns_as_euler_says(void **unused)
         const double IX = p.inertia_X, IZ = p.inertia_Z;
         const double spin = random_between(&r, 0, 0.1);
         const double side = i % 2 ? 1 : -1;
-        coin_priv_table t = table_for(&p, spin);
+        coin_priv_contact t = table_for(&p, spin);
         coin_priv_slip y = random_slip(&r, side * random_between(&r, 1, 1.57));
         const double s = y.sth, c = y.cth, turn = random_between(&r, -1, 1);
         coin_priv_slip d;
         y.wY = c * turn;
         y.wZ = -s * turn;
-        t.held = 1;
+        t.psi_held = 1;
         const double u = hypot(y.uX, y.uh);
         const coin_priv_direction n = {y.uX / u, y.uh / u};
         const coin_priv_push F = coin_priv_kinetic(&t, &y, n);
@@ -78,7 +78,7 @@ static void slopes_of_a_slip_are_bounded_however_slow_it_is(void **unused)
     struct random r = random_begin(222);
     for (int i = 0; i < 100; ++i) {
         const coin_params p = ring(random_between(&r, 0, 1));
-        const coin_priv_table t = table_for(&p, 0);
+        const coin_priv_contact t = table_for(&p, 0);
         const double size = pow(10, -i / 8);
         coin_priv_slip y = random_slip(&r, random_between(&r, -1.2, 1.2)), d;
         y.uX *= size;

@@ -17,26 +17,26 @@ enum { LOOKS = 32, STEPS = 1000 };
 
 /* A step of tau from a state, by many short steps. */
 struct path {
-    coin_priv_table table;
+    coin_priv_contact contact;
     coin_priv_slip y[LOOKS + 1];
     double tau, stride, unit; /* tau = stride unit */
     coin_priv_losses losses;
     int lossy;
 };
 
-static double ratio(const coin_priv_table *table, const coin_priv_slip *y)
+static double ratio(const coin_priv_contact *contact, const coin_priv_slip *y)
 {
-    const coin_priv_push need = coin_priv_static(table, y);
+    const coin_priv_push need = coin_priv_static(contact, y);
     return need.N > 0 ? hypot(need.X, need.h) / need.N : INFINITY;
 }
 
 /* Moves *y by one step. */
-static void move(coin_priv_slip *y, const coin_priv_table *table, double h)
+static void move(coin_priv_slip *y, const coin_priv_contact *contact, double h)
 {
     double d[COIN_PRIV_SLIP_SIZE];
     coin_priv_estimates e;
-    coin_priv_roll_slopes(d, (const double *)y, table);
-    coin_priv_dopri8((double *)y, d, coin_priv_roll_slopes, table, h, &e);
+    coin_priv_roll_slopes(d, (const double *)y, contact);
+    coin_priv_dopri8((double *)y, d, coin_priv_roll_slopes, contact, h, &e);
 }
 
 /* The largest F/N between the places before and after y, by thirds. */
@@ -48,8 +48,8 @@ static double peak_near(const struct path *w, const coin_priv_slip *before)
         double r[2];
         for (int k = 0; k < 2; ++k) {
             coin_priv_slip at = *before;
-            move(&at, &w->table, low + (k + 1) * third);
-            r[k] = ratio(&w->table, &at);
+            move(&at, &w->contact, low + (k + 1) * third);
+            r[k] = ratio(&w->contact, &at);
             most = fmax(most, r[k]);
         }
         if (r[0] < r[1])
@@ -82,8 +82,9 @@ static struct path path_any(struct random *r, int wide, int lossy)
         .viscous = pow(10, random_between(r, -4, -1)),
         .spin = pow(10, random_between(r, -4, -1)),
     };
-    check_status(coin_priv_table_of(&w.table, &p, &f, lossy ? &losses : NULL),
-                 COIN_OK);
+    check_status(
+        coin_priv_contact_of(&w.contact, &p, &f, lossy ? &losses : NULL),
+        COIN_OK);
     check_status(coin_priv_check_body(&run.b, &p), COIN_OK);
     const coin_losses none = {.dry = 0};
     check_status(
@@ -108,7 +109,7 @@ static struct path path_any(struct random *r, int wide, int lossy)
     w.y[0] = start;
     for (int i = 0; i < LOOKS; ++i) {
         w.y[i + 1] = w.y[i];
-        move(&w.y[i + 1], &w.table, w.tau / LOOKS);
+        move(&w.y[i + 1], &w.contact, w.tau / LOOKS);
     }
     return w;
 }
@@ -116,10 +117,10 @@ static struct path path_any(struct random *r, int wide, int lossy)
 /* The largest F/N of a step; 0 if it is at an end, or too large for a cone. */
 static double peak_of(const struct path *w)
 {
-    double most = ratio(&w->table, &w->y[0]);
+    double most = ratio(&w->contact, &w->y[0]);
     int at = 0;
     for (int i = 1; i <= LOOKS; ++i) {
-        const double here = ratio(&w->table, &w->y[i]);
+        const double here = ratio(&w->contact, &w->y[i]);
         if (here > most) {
             most = here;
             at = i;
@@ -132,21 +133,21 @@ static double peak_of(const struct path *w)
 /* As coin_priv_end_of() has it. */
 static coin_priv_end end_at(const struct path *w, const coin_priv_slip *y)
 {
-    const coin_priv_field f = coin_priv_field_of(&w->table.b, 1);
+    const coin_priv_field f = coin_priv_field_of(&w->contact.b, 1);
     const coin_priv_variables v = {
         y->wX, y->wY, y->wZ, y->sth, y->cth, 0, 0, 0, 0,
     };
     coin_priv_end e;
-    coin_priv_end_of(&e, &w->table, &f, &w->losses, &v, w->unit);
+    coin_priv_end_of(&e, &w->contact, &f, &w->losses, &v, w->unit);
     return e;
 }
 
 static int is_plain(struct path *w, double mu)
 {
-    const coin_priv_field f = coin_priv_field_of(&w->table.b, 1);
-    w->table.mu_static = mu;
+    const coin_priv_field f = coin_priv_field_of(&w->contact.b, 1);
+    w->contact.mu_static = mu;
     const coin_priv_end a = end_at(w, &w->y[0]), b = end_at(w, &w->y[LOOKS]);
-    return coin_priv_plain(&w->table, &f, &w->losses, &a, &b, w->tau,
+    return coin_priv_plain(&w->contact, &f, &w->losses, &a, &b, w->tau,
                            w->stride);
 }
 
@@ -236,7 +237,8 @@ static void note_misses(struct misses *most, const struct path *w)
         const coin_priv_end near = end_at(w, &at);
         const double terms = fmax(a->weight, fmax(b->weight, near.weight));
         const double by5 = COIN_PRIV_MISS * pow(stride, 6) * terms;
-        most->by5 = fmax(most->by5, fabs(near.margin - e[k].margin) / by5);
+        most->by5 = fmax(most->by5,
+                         fabs(near.square_margin - e[k].square_margin) / by5);
     }
 }
 

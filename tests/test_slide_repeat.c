@@ -105,14 +105,14 @@ static int keeps_rolling(coin_priv_sliding *g, int turns, double low,
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
     check(ratio_of(&s, &p) > 2 * f.mu_static);
-    check_status(coin_priv_table_of(&g->table, &p, &f, NULL), COIN_OK);
+    check_status(coin_priv_contact_of(&g->contact, &p, &f, NULL), COIN_OK);
     g->p = p;
     g->lossy = 0;
-    g->w.run.b = g->series.from.b = g->table.b;
+    g->w.run.b = g->series.from.b = g->contact.b;
     coin_priv_run_unlimited(&g->w.run, &s);
-    const double unit = coin_priv_sundman_tau(&g->table.b, &g->w.run.g.y, 1);
-    coin_priv_see(g);
-    g->turns = turns;
+    const double unit = coin_priv_sundman_tau(&g->contact.b, &g->w.run.g.y, 1);
+    coin_priv_judge_here(g);
+    g->turning_points = turns;
     g->low = low;
     g->high = high;
     g->landed = 0;
@@ -132,9 +132,9 @@ static void leans_that_were_not_looked_at_are(void **unused)
     check(!keeps_rolling(&g, 1, -1, 1));
     check(!keeps_rolling(&g, 2, to + U, 1));
     check(!keeps_rolling(&g, 2, -1, to - U));
-    check(g.low == -1 && g.high == to && g.turns == 2);
+    check(g.low == -1 && g.high == to && g.turning_points == 2);
     check(!keeps_rolling(&g, 0, to + U, 1));
-    check(g.low == to && g.high == 1 && g.turns == 0);
+    check(g.low == to && g.high == 1 && g.turning_points == 0);
 }
 
 int main(void)

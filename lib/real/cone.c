@@ -7,27 +7,30 @@
  * friction is 0, or exactly at its limit, the difference is rounding. */
 #define SLACK 1e-14
 
-/* A step of less stride is not looked into any further. */
+/* At a shorter stride the error of the interpolation counts as 0, and the
+ * slopes of the clearance at the ends are not looked at. */
 #define SHORT 1e-3
 
-/* The slopes of the slopes are differences over this part of the step. */
+/* The slopes of the slopes are differences of the slopes this part of the step
+ * before and after. */
 #define NEAR (1.0 / 256)
 
-/* Places within a step that are looked at, and what is interpolated. */
+/* A step is looked at at its ends and at PLACES - 1 places between them.  The
+ * first MOVED variables are interpolated. */
 enum { PLACES = 8, MOVED = 7 };
 
-double coin_priv_clearance(const coin_priv_table *table,
+double coin_priv_clearance(const coin_priv_contact *contact,
                            const coin_priv_slip *y, int slips)
 {
-    const double f = table->held ? 1 : y->cth;
-    const double size = f * (table->b.g_a + y->wX * y->wX) +
+    const double f = contact->psi_held ? 1 : y->cth;
+    const double size = f * (contact->b.g_a + y->wX * y->wX) +
                         fabs(y->wY) * (fabs(y->wY) + fabs(y->wZ));
     if (!slips) {
-        const coin_priv_push stick = coin_priv_static(table, y);
-        return coin_priv_margin(table, &stick) / size + SLACK;
+        const coin_priv_push stick = coin_priv_static(contact, y);
+        return coin_priv_margin(contact, &stick) / size + SLACK;
     }
     const coin_priv_direction none = {0, 0};
-    return coin_priv_kinetic(table, y, none).N / size;
+    return coin_priv_kinetic(contact, y, none).N / size;
 }
 
 /* The value, slope and second derivative of the step's variables at an end, the
@@ -42,7 +45,7 @@ static void end_of(struct end *e, const coin_priv_look *look,
 {
     const double *y = (const double *)at;
     double to[COIN_PRIV_SLIP_SIZE], back[COIN_PRIV_SLIP_SIZE];
-    look->slopes(e->d, y, look->table);
+    look->slopes(e->d, y, look->contact);
     for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i) {
         e->y[i] = y[i];
         e->d[i] *= look->h;
@@ -50,8 +53,8 @@ static void end_of(struct end *e, const coin_priv_look *look,
         back[i] = y[i] - NEAR * e->d[i];
     }
     double d1[COIN_PRIV_SLIP_SIZE], d0[COIN_PRIV_SLIP_SIZE];
-    look->slopes(d1, to, look->table);
-    look->slopes(d0, back, look->table);
+    look->slopes(d1, to, look->contact);
+    look->slopes(d0, back, look->contact);
     for (int i = 0; i < MOVED; ++i)
         e->dd[i] = look->h * (d1[i] - d0[i]) / (2 * NEAR);
 }
@@ -88,7 +91,8 @@ static double third(const double *m, int k)
 }
 
 /* The least of the parabola through place k and its neighbours, and below that
- * what the third differences say that it may miss. */
+ * what the third differences say that it may miss.  A cubic misses it by at
+ * most 1/15 of its third difference; an eighth is taken. */
 static double least(const double *m, int k)
 {
     const double slope = m[k + 1] - m[k - 1], b = bend(&m[k]);
@@ -113,7 +117,7 @@ static double clearance_between(const coin_priv_look *look, const struct end *a,
 {
     coin_priv_slip at;
     between(&at, a, b, x);
-    return coin_priv_clearance(look->table, &at,
+    return coin_priv_clearance(look->contact, &at,
                                look->slopes == coin_priv_slip_slopes);
 }
 
@@ -121,7 +125,7 @@ double coin_priv_looked(const coin_priv_look *look)
 {
     struct end a, b;
     const double s2 = look->stride * look->stride;
-    const int closely = look->table->mu_static > 0 && look->stride > SHORT;
+    const int closely = look->contact->mu_static > 0 && look->stride > SHORT;
     const double miss = closely ? COIN_PRIV_MISS * s2 * s2 * s2 : 0;
     const double places = PLACES, edge = EDGE / places;
     double m[PLACES + 1];

@@ -23,7 +23,7 @@ struct loose {
 
 /* A slipping coin near flat whose contact is held turns about the vertical
  * through its centre. */
-static void hold(struct loose *o, const coin_priv_table *t,
+static void hold(struct loose *o, const coin_priv_contact *t,
                  const coin_priv_slip *y)
 {
     const coin_priv_body *b = &t->b;
@@ -43,7 +43,7 @@ static void hold(struct loose *o, const coin_priv_table *t,
     o->zX = sth * sth * b->m / D;  /* (85) */
 }
 
-COIN_PRIV_INLINE void let_roll(struct loose *o, const coin_priv_table *t,
+COIN_PRIV_INLINE void let_roll(struct loose *o, const coin_priv_contact *t,
                                const coin_priv_slip *y)
 {
     const coin_priv_body *b = &t->b;
@@ -67,12 +67,12 @@ COIN_PRIV_INLINE void let_roll(struct loose *o, const coin_priv_table *t,
     }
 }
 
-COIN_PRIV_INLINE struct loose loosen(const coin_priv_table *t,
+COIN_PRIV_INLINE struct loose loosen(const coin_priv_contact *t,
                                      const coin_priv_slip *y)
 {
     struct loose o;
     const double wX = y->wX, sth = y->sth, cth = y->cth;
-    if (t->held)
+    if (t->psi_held)
         hold(&o, t, y);
     else
         let_roll(&o, t, y);
@@ -87,7 +87,8 @@ COIN_PRIV_INLINE struct loose loosen(const coin_priv_table *t,
 }
 
 /* The same as a function. */
-static struct loose loose_of(const coin_priv_table *t, const coin_priv_slip *y)
+static struct loose loose_of(const coin_priv_contact *t,
+                             const coin_priv_slip *y)
 {
     return loosen(t, y);
 }
@@ -105,10 +106,10 @@ static coin_priv_push stick(const struct loose *o, const coin_priv_slip *y)
     return force;
 }
 
-coin_priv_push coin_priv_static(const coin_priv_table *table,
+coin_priv_push coin_priv_static(const coin_priv_contact *contact,
                                 const coin_priv_slip *y)
 {
-    const struct loose o = loose_of(table, y);
+    const struct loose o = loose_of(contact, y);
     return stick(&o, y);
 }
 
@@ -122,11 +123,11 @@ COIN_PRIV_INLINE coin_priv_push slide(const struct loose *o,
     return force;
 }
 
-coin_priv_push coin_priv_kinetic(const coin_priv_table *table,
+coin_priv_push coin_priv_kinetic(const coin_priv_contact *contact,
                                  const coin_priv_slip *y, coin_priv_direction n)
 {
-    const struct loose o = loose_of(table, y);
-    return slide(&o, y, table->mu_kinetic, n);
+    const struct loose o = loose_of(contact, y);
+    return slide(&o, y, contact->mu_kinetic, n);
 }
 
 /* The slope of the slip. */
@@ -168,25 +169,26 @@ COIN_PRIV_INLINE void slopes_under(coin_priv_slip *d, const struct loose *o,
     d->t = by * f;
 }
 
-void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_table *table,
+void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_contact *contact,
                             const coin_priv_slip *y,
                             const coin_priv_push *force)
 {
-    const struct loose o = loose_of(table, y);
+    const struct loose o = loose_of(contact, y);
     slopes_under(d, &o, y, force, 1);
 }
 
-int coin_priv_can_slip(const coin_priv_table *table, const coin_priv_slip *y)
+int coin_priv_can_slip(const coin_priv_contact *contact,
+                       const coin_priv_slip *y)
 {
     const coin_priv_direction none = {0, 0};
-    return table->mu_static <= DBL_MAX &&
-           coin_priv_kinetic(table, y, none).N > 0;
+    return contact->mu_static <= DBL_MAX &&
+           coin_priv_kinetic(contact, y, none).N > 0;
 }
 
-double coin_priv_margin(const coin_priv_table *table,
+double coin_priv_margin(const coin_priv_contact *contact,
                         const coin_priv_push *force)
 {
-    const double mu = table->mu_static;
+    const double mu = contact->mu_static;
     const double F = coin_priv_hypot(force->X, force->h);
     return mu > 1 ? force->N - F / mu : mu * force->N - F;
 }
@@ -212,7 +214,7 @@ static coin_priv_direction within(const struct fan *f, double part)
 
 /* How far the slip's slope, if it begins there, turns away from its direction.
  */
-static double turn_away(const struct loose *o, const coin_priv_table *t,
+static double turn_away(const struct loose *o, const coin_priv_contact *t,
                         const coin_priv_slip *y, const struct fan *f,
                         double part)
 {
@@ -224,24 +226,24 @@ static double turn_away(const struct loose *o, const coin_priv_table *t,
 
 /* The root of (84) lies between the direction against the static force and that
  * of the slip without friction.  Where they agree, or nearly, it is either. */
-coin_priv_direction coin_priv_onset(const coin_priv_table *table,
+coin_priv_direction coin_priv_onset(const coin_priv_contact *contact,
                                     const coin_priv_slip *y,
                                     const coin_priv_push *stick)
 {
-    const struct loose o = loose_of(table, y);
+    const struct loose o = loose_of(contact, y);
     const double lever_h = (1 + o.lever) / o.D;
     const struct fan fan = {
         unit(-stick->X, -stick->h),
         unit(-stick->X * (1 + o.zX), -stick->h * lever_h),
     };
-    double x0 = 0, off0 = turn_away(&o, table, y, &fan, 0);
-    double x1 = 1, off1 = turn_away(&o, table, y, &fan, 1);
+    double x0 = 0, off0 = turn_away(&o, contact, y, &fan, 0);
+    double x1 = 1, off1 = turn_away(&o, contact, y, &fan, 1);
     double x = fabs(off0) < fabs(off1) ? x0 : x1, step = 1;
     for (int i = 0;
          (i < TRIALS) & (step > DBL_EPSILON) & ((off0 < 0) != (off1 < 0));
          ++i) {
         x = x0 + (x1 - x0) * (off0 / (off0 - off1));
-        const double off = turn_away(&o, table, y, &fan, x);
+        const double off = turn_away(&o, contact, y, &fan, x);
         step = fabs(x - x1);
         if ((off < 0) == (off1 < 0)) {
             off0 /= 2; /* Illinois */
@@ -255,18 +257,18 @@ coin_priv_direction coin_priv_onset(const coin_priv_table *table,
     return within(&fan, x);
 }
 
-void coin_priv_roll_slopes(double *dy, const double *y, const void *table)
+void coin_priv_roll_slopes(double *dy, const double *y, const void *contact)
 {
-    const coin_priv_table *t = (const coin_priv_table *)table;
+    const coin_priv_contact *t = (const coin_priv_contact *)contact;
     const coin_priv_slip *at = (const coin_priv_slip *)(const void *)y;
     const struct loose o = loose_of(t, at);
     const coin_priv_push force = stick(&o, at);
     slopes_under((coin_priv_slip *)(void *)dy, &o, at, &force, 1);
 }
 
-void coin_priv_slip_slopes(double *dy, const double *y, const void *table)
+void coin_priv_slip_slopes(double *dy, const double *y, const void *contact)
 {
-    const coin_priv_table *t = (const coin_priv_table *)table;
+    const coin_priv_contact *t = (const coin_priv_contact *)contact;
     const coin_priv_slip *at = (const coin_priv_slip *)(const void *)y;
     const double u = coin_priv_hypot(at->uX, at->uh);
     const double scale = coin_priv_slip_scale(t, u);

@@ -5,8 +5,8 @@
 
 #include "../step/run.h"
 
-/* The first step of a call is FIRST tol^(1/8) over the rate: most motions admit
- * it.  No step is longer than LONGEST over the rate: beyond that the estimate
+/* The first step of a call has a stride of FIRST_STRIDE tol^(1/8): most motions
+ * admit it.  No stride is longer than LONGEST_STRIDE: beyond that the estimate
  * of the error is poor. */
 #define COIN_PRIV_FIRST_STRIDE 4.0
 #define COIN_PRIV_LONGEST_STRIDE 1.2
@@ -19,8 +19,9 @@
 #define COIN_PRIV_ESTIMATE 4.0
 #define COIN_PRIV_BRIEF 0.03
 
-/* The error that DOP853 estimates, from sums of squares of what it has of order
- * 5 and of order 3. */
+/* The error that DOP853 estimates, from the sums of squares of its differences
+ * from a formula of order 5, which are as h^6, and from one of order 3, which
+ * are as h^4.  The estimate is as h^8. */
 COIN_PRIV_INLINE double coin_priv_error_of(double by5, double by3)
 {
     const double sum = by5 + 0.01 * by3;

@@ -8,8 +8,8 @@
 #define COIN_PRIV_DOPRI8_SIZE 14
 #define COIN_PRIV_DOPRI8_READ 9
 
-/* The estimates of the error of the variables that are read, of order 5 and of
- * order 3. */
+/* The differences of the variables that are read from formulas of order 5 and
+ * of order 3. */
 typedef struct coin_priv_estimates {
     double by5[COIN_PRIV_DOPRI8_READ], by3[COIN_PRIV_DOPRI8_READ];
 } coin_priv_estimates;

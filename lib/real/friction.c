@@ -29,8 +29,8 @@ static int32_t check(coin_priv_body *b, const coin_slide *d,
     return d ? status_of(coin_priv_check(&d->s, p, b), d, b) : COIN_EARG;
 }
 
-int32_t coin_priv_table_of(coin_priv_table *out, const coin_params *p,
-                           const coin_friction *f, const coin_losses *l)
+int32_t coin_priv_contact_of(coin_priv_contact *out, const coin_params *p,
+                             const coin_friction *f, const coin_losses *l)
 {
     if (coin_priv_check_body(&out->b, p) != COIN_OK)
         return COIN_EPARAMS;
@@ -47,7 +47,7 @@ int32_t coin_priv_table_of(coin_priv_table *out, const coin_params *p,
     out->mu_static = f->mu_static;
     out->mu_kinetic = f->mu_kinetic;
     out->w0 = sqrt(out->b.g_a);
-    out->held = 0;
+    out->psi_held = 0;
     const int good = f->mu_kinetic >= 0 && f->mu_kinetic <= f->mu_static &&
                      f->mu_kinetic < bound;
     return good ? COIN_OK : COIN_EPARAMS;
@@ -117,7 +117,7 @@ int32_t coin_slide_velocity(const coin_slide *d, const coin_params *p,
 }
 
 /* The force of the table, over M a and times cos theta. */
-static coin_priv_push push_of(const coin_priv_table *t, coin_priv_slip *y)
+static coin_priv_push push_of(const coin_priv_contact *t, coin_priv_slip *y)
 {
     const double u = coin_priv_hypot(y->uX, y->uh);
     if (!(u < COIN_PRIV_SLIP_LEAST * t->w0)) {
@@ -137,18 +137,18 @@ int32_t coin_slide_reaction(const coin_slide *d, const coin_params *p,
                             const coin_friction *f, const coin_losses *l,
                             coin_force *out)
 {
-    coin_priv_table table;
+    coin_priv_contact contact;
     if (!d || !p || !f || !out)
         return COIN_EARG;
-    if (coin_priv_table_of(&table, p, f, l) != COIN_OK)
+    if (coin_priv_contact_of(&contact, p, f, l) != COIN_OK)
         return COIN_EPARAMS;
-    const coin_priv_body *const b = &table.b;
+    const coin_priv_body *const b = &contact.b;
     const int32_t status = coin_priv_check_slide(d, b);
     if (status != COIN_OK)
         return status;
     const coin_priv_variables at = coin_priv_variables_of(&d->s);
     coin_priv_slip y = coin_priv_slip_start(d, &at, b->a);
-    const coin_priv_push push = push_of(&table, &y);
+    const coin_priv_push push = push_of(&contact, &y);
     const double scale = b->M * b->a / y.cth;
     coin_force r;
     r.R[0] = scale * (push.X * y.cph + push.h * y.sph);

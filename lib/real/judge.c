@@ -5,7 +5,7 @@
 #include "part.h"
 #include "slide.h"
 
-/* A coin whose margin is above this rolls, whatever rounding does. */
+/* A coin whose square margin is above this rolls, whatever rounding does. */
 #define CLEAR 1e-12
 
 /* A step of more strides than this is cut in two halves if it cannot be judged
@@ -24,17 +24,18 @@ static int is_plain_by_halves(coin_priv_sliding *g, const coin_priv_end *from,
     if (!(stride > HALVED / 2))
         return 0;
     coin_priv_again(g, half);
-    coin_priv_end_of(&mid, &g->table, &f, &g->w.l, &g->w.run.g.y, 1 / rate);
+    coin_priv_end_of(&mid, &g->contact, &f, &g->w.l, &g->w.run.g.y, 1 / rate);
     g->w.run = at;
-    return coin_priv_plain(&g->table, &f, &g->w.l, from, &mid, half, stride) &&
-           coin_priv_plain(&g->table, &f, &g->w.l, &mid, to, half, stride);
+    return coin_priv_plain(&g->contact, &f, &g->w.l, from, &mid, half,
+                           stride) &&
+           coin_priv_plain(&g->contact, &f, &g->w.l, &mid, to, half, stride);
 }
 
 /* Whether it is certain, by series of the force, that the coin rolls all along
  * the step just made.  It has no losses. */
 static int is_clear(coin_priv_sliding *g, double tau, double rate)
 {
-    const double mu = g->table.mu_static;
+    const double mu = g->contact.mu_static;
     const coin_priv_search f = {
         &g->p, mu, mu > 1 ? 1 / mu : 1, mu > 1 ? 1 : mu, 0, COIN_SLIPS,
     };
@@ -53,12 +54,14 @@ static int is_plain(coin_priv_sliding *g, double tau, double rate)
 {
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
     const coin_priv_losses *l = &g->w.l;
-    const coin_priv_end *const from = &g->ends[g->at];
-    g->at = !g->at;
-    coin_priv_end *const to = &g->ends[g->at];
-    coin_priv_end_of(to, &g->table, &f, l, &g->w.run.g.y, 1 / rate);
-    return coin_priv_plain(&g->table, &f, l, from, to, tau, fabs(tau) * rate) ||
-           (to->margin > 0 && is_plain_by_halves(g, from, to, tau, rate));
+    const coin_priv_end *const from = &g->ends[g->now];
+    g->now = !g->now;
+    coin_priv_end *const to = &g->ends[g->now];
+    coin_priv_end_of(to, &g->contact, &f, l, &g->w.run.g.y, 1 / rate);
+    return coin_priv_plain(&g->contact, &f, l, from, to, tau,
+                           fabs(tau) * rate) ||
+           (to->square_margin > 0 &&
+            is_plain_by_halves(g, from, to, tau, rate));
 }
 
 /* Whether the coin rolls all along the step just made because it did so before
@@ -71,7 +74,8 @@ static int is_plain(coin_priv_sliding *g, double tau, double rate)
 static int is_repeated(const coin_priv_sliding *g)
 {
     const double sth = g->w.run.g.y.sth;
-    return !g->lossy && g->turns >= 2 && sth >= g->low && sth <= g->high;
+    const int within = sth >= g->low && sth <= g->high;
+    return !g->lossy && g->turning_points >= 2 && within;
 }
 
 int coin_priv_keeps_rolling(coin_priv_sliding *g, double tau, double rate)
@@ -79,22 +83,23 @@ int coin_priv_keeps_rolling(coin_priv_sliding *g, double tau, double rate)
     const coin_priv_variables *y = &g->w.run.g.y;
     if (is_repeated(g))
         return 1;
-    g->turns += (g->from.y.wX < 0) != (y->wX < 0);
+    g->turning_points += (g->from.y.wX < 0) != (y->wX < 0);
     g->low = coin_priv_lesser(g->low, y->sth);
     g->high = y->sth > g->high ? y->sth : g->high;
     return g->lossy ? is_plain(g, tau, rate) : is_clear(g, tau, rate);
 }
 
-void coin_priv_see(coin_priv_sliding *g)
+void coin_priv_judge_here(coin_priv_sliding *g)
 {
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
     const coin_priv_variables *y = &g->w.run.g.y;
     if (g->lossy) {
-        coin_priv_end_of(&g->ends[g->at], &g->table, &f, &g->w.l, y,
+        coin_priv_end_of(&g->ends[g->now], &g->contact, &f, &g->w.l, y,
                          1 / coin_priv_roll_rate(g));
-        g->seen = g->ends[g->at].margin > CLEAR;
+        g->surely_rolls = g->ends[g->now].square_margin > CLEAR;
     } else
-        g->seen = coin_priv_margin_at(&g->table, &f, y) > CLEAR;
-    g->turns = 0;
+        g->surely_rolls =
+            coin_priv_square_margin_at(&g->contact, &f, y) > CLEAR;
+    g->turning_points = 0;
     g->low = g->high = y->sth;
 }

@@ -5,13 +5,15 @@
 #include "control.h"
 #include "slide.h"
 
-/* A slip begins at once if its slope is at least QUICK times friction.  The
- * error of a slower beginning is kept below tol and below LOOSEST. */
+/* A slip begins at once if its slope is at least QUICK times friction, and if
+ * it gains COIN_PRIV_SLIP_SEED within the usual wait.  A slower slip would grow
+ * by many short steps, and waits.  The error of that is kept below tol and
+ * below LOOSEST. */
 #define QUICK 0.5
 #define LOOSEST 5e-5
 
-/* How a slip would begin here: its direction, its slope by tau, friction over M
- * a times cos theta, and the slopes of the coin then and as it rolls. */
+/* How a slip would begin here: its direction, its slope, the friction, and the
+ * slopes of the coin if it slips and if it rolls, in the units of contact.h. */
 struct onset {
     coin_priv_direction n;
     double slope, friction;
@@ -21,7 +23,7 @@ struct onset {
 static struct onset onset_of(const coin_priv_sliding *g)
 {
     struct onset o;
-    const coin_priv_table *t = &g->table;
+    const coin_priv_contact *t = &g->contact;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
     const coin_priv_push stick = coin_priv_static(t, &y);
     o.n = coin_priv_onset(t, &y, &stick);
@@ -46,8 +48,9 @@ static coin_priv_slip euler(const coin_priv_slip *from, const struct onset *o,
     return y;
 }
 
-/* The coin where the run is, which has rolled for tau since an onset, with the
- * impulse of friction from then on. */
+/* Where the coin would be if it had slipped since an onset, a tau ago.  The run
+ * has rolled to here.  What friction would have changed meanwhile is added, by
+ * the trapezoidal rule. */
 static coin_priv_slip after(const coin_priv_sliding *g,
                             const struct onset *from, double tau)
 {
@@ -72,7 +75,7 @@ static double clearance_after(coin_priv_sliding *g, double tau)
     const struct onset from = onset_of(g);
     coin_priv_again(g, tau);
     const coin_priv_slip y = after(g, &from, tau);
-    return coin_priv_clearance(&g->table, &y, 1);
+    return coin_priv_clearance(&g->contact, &y, 1);
 }
 
 /* The slip begins at *y. */
@@ -102,16 +105,16 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
         return COIN_OK;
     }
     coin_priv_slip y = after(g, from, by);
-    const double end = coin_priv_clearance(&g->table, &y, 1);
+    const double end = coin_priv_clearance(&g->contact, &y, 1);
     if (end <= 0) {
-        const double before = coin_priv_clearance(&g->table, start, 1);
+        const double before = coin_priv_clearance(&g->contact, start, 1);
         by = coin_priv_locate(g, clearance_after, before, by, end);
         coin_priv_again(g, by);
         y = after(g, from, by);
     }
     coin_priv_count(g);
     g->gained = coin_priv_hypot(y.uX, y.uh);
-    if (end > 0 && g->gained < COIN_PRIV_SLIP_SEED * g->table.w0)
+    if (end > 0 && g->gained < COIN_PRIV_SLIP_SEED * g->contact.w0)
         return COIN_OK;
     const int32_t begun = begin(g, &y);
     return end > 0 ? begun : COIN_ELIFT;
@@ -126,13 +129,14 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
 int32_t coin_priv_begin_slip(coin_priv_sliding *g)
 {
     const coin_priv_slip start = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
-    const double seed = COIN_PRIV_SLIP_SEED * g->table.w0;
+    const double seed = COIN_PRIV_SLIP_SEED * g->contact.w0;
     const double r4 = sqrt(sqrt(g->tol));
     const double tol = coin_priv_lesser(g->tol, LOOSEST);
     const double unit = 1 / coin_priv_roll_rate(g);
+    /* The usual wait is 2 tol^(3/8) of the time in which the motion changes. */
     double wait = unit * (2 * r4 * sqrt(r4));
-    g->seen = 0;
-    if (!coin_priv_can_slip(&g->table, &start))
+    g->surely_rolls = 0;
+    if (!coin_priv_can_slip(&g->contact, &start))
         return COIN_ELIFT;
     if (g->rem.sum <= DBL_EPSILON * wait * start.cth) {
         g->rem.sum = 0;
@@ -140,9 +144,11 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     }
     const struct onset o = onset_of(g);
     const double tau = coin_priv_lesser(wait, g->rem.sum / start.cth);
+    /* The error of a wait is as slope/friction times its square.  From this
+     * slope on the wait whose error is tol is the shorter one. */
     if (o.slope >= r4 / 4 * o.friction) {
-        const double once = unit * sqrt(tol * (o.friction / o.slope));
-        wait = o.slope * once >= seed ? once : wait;
+        const double of_error = unit * sqrt(tol * (o.friction / o.slope));
+        wait = o.slope * of_error >= seed ? of_error : wait;
     }
     if (!(o.slope >= QUICK * o.friction && o.slope * tau >= seed))
         return wait_for_speed(g, &start, &o, wait);
@@ -156,13 +162,13 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
 
 double coin_priv_held_clearance(const coin_priv_sliding *g)
 {
-    coin_priv_table table = g->table;
+    coin_priv_contact contact = g->contact;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
-    const double least = table.mu_kinetic + HELD_EXCESS;
-    table.held = 1;
-    if (table.mu_static < least)
-        table.mu_static = least;
-    return coin_priv_clearance(&table, &y, 0);
+    const double least = contact.mu_kinetic + HELD_EXCESS;
+    contact.psi_held = 1;
+    if (contact.mu_static < least)
+        contact.mu_static = least;
+    return coin_priv_clearance(&contact, &y, 0);
 }
 
 /* The slip begins at once, with a speed of COIN_PRIV_SLIP_SEED.  Its slopes are
@@ -170,11 +176,11 @@ double coin_priv_held_clearance(const coin_priv_sliding *g)
  * slip if it would not gain that speed while the coin keeps its lean. */
 int coin_priv_begin_held_slip(coin_priv_sliding *g)
 {
-    coin_priv_table *const t = &g->table;
+    coin_priv_contact *const t = &g->contact;
     const coin_priv_slip start = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
-    const double own = coin_priv_sundman_tau(&t->b, &g->w.run.g.y, 1);
-    const double time = coin_priv_lesser(own * start.cth, g->rem.sum);
-    t->held = 1;
+    const double unit = coin_priv_sundman_tau(&t->b, &g->w.run.g.y, 1);
+    const double time = coin_priv_lesser(unit * start.cth, g->rem.sum);
+    t->psi_held = 1;
     struct onset o = onset_of(g);
     const double seed = COIN_PRIV_SLIP_SEED * t->w0, first = seed / o.slope;
     const int slips = o.slope * time >= seed;
@@ -183,7 +189,7 @@ int coin_priv_begin_held_slip(coin_priv_sliding *g)
         const coin_priv_push friction = coin_priv_kinetic(t, &mid, o.n);
         coin_priv_slopes_under(&o.slides, t, &mid, &friction);
     }
-    t->held = 0;
+    t->psi_held = 0;
     if (!slips)
         return 0;
     const coin_priv_slip y = euler(&start, &o, first);

@@ -84,16 +84,16 @@ static double change_at(const coin_priv_force *f, int end, double one)
  * components errs by 1. */
 static double slack(const coin_priv_search *f)
 {
-    return 1.5 * f->less + f->more;
+    return 1.5 * f->per_F + f->per_N;
 }
 
 /* Whether the force at the end is in the cone, and so far off its edge. */
 static int end_is_in_cone(const coin_priv_search *f, const coin_priv_force *at,
                           double off)
 {
-    const double A = f->less * at->along[0].at[1];
-    const double B = f->less * at->across[0].at[1];
-    const double C = f->more * at->normal[0].at[1] - off;
+    const double A = f->per_F * at->along[0].at[1];
+    const double B = f->per_F * at->across[0].at[1];
+    const double C = f->per_N * at->normal[0].at[1] - off;
     return (A * A + B * B <= C * C) & (C >= 0);
 }
 
@@ -104,9 +104,9 @@ static int force_stays(const coin_priv_search *f, const coin_priv_force *at,
 {
     coin_priv_curve pile[CUTS + 1], *const c = pile;
     const int terms = at->terms;
-    coin_priv_join(c->along, at->along, h, f->less, terms);
-    coin_priv_join(c->across, at->across, h, f->less, terms);
-    coin_priv_join(c->bound, at->normal, h, f->more, terms);
+    coin_priv_join(c->along, at->along, h, f->per_F, terms);
+    coin_priv_join(c->across, at->across, h, f->per_F, terms);
+    coin_priv_join(c->bound, at->normal, h, f->per_N, terms);
     for (int k = 0; k <= COIN_PRIV_DEGREE(terms); ++k)
         c->bound[k] -= off;
     return terms == FEW    ? stays_within(pile, FEW)
@@ -197,10 +197,10 @@ void coin_priv_join_part(coin_priv_part *w, const coin_priv_search *f,
         coin_priv_join(w->normal, at->normal, h, 1, ALL);
     if (!(f->bits & COIN_SLIPS))
         return;
-    coin_priv_join(c->along, at->along, h, f->less, ALL);
-    coin_priv_join(c->across, at->across, h, f->less, ALL);
+    coin_priv_join(c->along, at->along, h, f->per_F, ALL);
+    coin_priv_join(c->across, at->across, h, f->per_F, ALL);
     for (int k = 0; k <= JOINED; ++k)
-        c->bound[k] = f->more * w->normal[k];
+        c->bound[k] = f->per_N * w->normal[k];
 }
 
 static void negate(double *b, int degree)
@@ -214,7 +214,8 @@ static coin_priv_place earlier(coin_priv_place a, coin_priv_place b)
     return a.from <= b.from ? a : b;
 }
 
-/* Where a polynomial is positive next, which is negated. */
+/* The next place where the polynomial b is positive, up to where it is not.  b
+ * is negated. */
 static coin_priv_place positive(double *b, int degree, double from)
 {
     coin_priv_place r = {coin_priv_rise(b, degree, from), 2};

@@ -11,12 +11,12 @@
 /* COIN_NEARLY_FLAT begins at this cos theta. */
 #define COIN_PRIV_NEARLY_FLAT 0.01
 
-/* What is looked for: bits of coin_check(), within a time tol [T].  No
- * bit holds where less F < more N: those are 1/mu and 1, or 1 and mu, so that
- * neither is above 1; and 0 and 1 if slipping does not count. */
+/* What is looked for: bits of coin_check(), to within a time tol [T].  The coin
+ * neither slips nor lifts off where per_F F < per_N N.  These two are 1 and mu,
+ * or 1/mu and 1 if mu > 1; or 0 and 1 if slipping does not count. */
 typedef struct coin_priv_search {
     const coin_params *p;
-    double mu, less, more, tol;
+    double mu, per_F, per_N, tol;
     int32_t bits;
 } coin_priv_search;
 

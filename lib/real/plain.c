@@ -5,7 +5,7 @@
  * forces and their slopes at both ends, and then as one of degree 4, by the
  * force in the middle as well.  If the polynomial's points in Bernstein's form
  * lie in the cone of friction, so does the polynomial.  If neither decides, the
- * margin is computed at three places of the interpolated motion. */
+ * square margin is computed at three places of the interpolated motion. */
 #include "../motion/pinned.h"
 
 #include "cone.h"
@@ -43,7 +43,7 @@ COIN_PRIV_INLINE void slopes(double *d, const coin_priv_field *f,
     d[COS] = v.cth;
 }
 
-COIN_PRIV_INLINE coin_priv_need need_of(const coin_priv_table *t,
+COIN_PRIV_INLINE coin_priv_need need_of(const coin_priv_contact *t,
                                         const double *y, double dwX, double dwZ)
 {
     const double wX = y[WX], wY = y[WY], sth = y[SIN], cth = y[COS];
@@ -57,24 +57,24 @@ COIN_PRIV_INLINE coin_priv_need need_of(const coin_priv_table *t,
     return F;
 }
 
-/* The factors of N and F in the margin. */
+/* The factors of N and F in the square margin. */
 struct scale {
     double N, F;
 };
 
-COIN_PRIV_INLINE struct scale scale_of(const coin_priv_table *t, double size)
+COIN_PRIV_INLINE struct scale scale_of(const coin_priv_contact *t, double size)
 {
     const double mu = t->mu_static, per = 1 / size;
     const struct scale r = {mu > 1 ? per : mu * per, mu > 1 ? per / mu : per};
     return r;
 }
 
-/* The margin at a place, and its weight, as in coin_priv_end. */
+/* The square margin at a place, and its weight, as in coin_priv_end. */
 struct cone_margin {
-    double margin, weight;
+    double square_margin, weight;
 };
 
-COIN_PRIV_INLINE struct cone_margin margin_of(const coin_priv_table *t,
+COIN_PRIV_INLINE struct cone_margin margin_of(const coin_priv_contact *t,
                                               const coin_priv_need *F)
 {
     const struct scale per = scale_of(t, F->size);
@@ -87,17 +87,17 @@ COIN_PRIV_INLINE struct cone_margin margin_of(const coin_priv_table *t,
     return r;
 }
 
-double coin_priv_margin_at(const coin_priv_table *table,
-                           const coin_priv_field *f,
-                           const coin_priv_variables *at)
+double coin_priv_square_margin_at(const coin_priv_contact *contact,
+                                  const coin_priv_field *f,
+                                  const coin_priv_variables *at)
 {
     const double y[VARIABLES] = {at->wX, at->wY, at->wZ, at->sth, at->cth};
     const coin_priv_variables d = coin_priv_sundman_rates(f, at);
-    const coin_priv_need F = need_of(table, y, d.wX, d.wZ);
-    return margin_of(table, &F).margin;
+    const coin_priv_need F = need_of(contact, y, d.wX, d.wZ);
+    return margin_of(contact, &F).square_margin;
 }
 
-void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
+void coin_priv_end_of(coin_priv_end *e, const coin_priv_contact *contact,
                       const coin_priv_field *f, const coin_priv_losses *l,
                       const coin_priv_variables *y, double time)
 {
@@ -114,13 +114,13 @@ void coin_priv_end_of(coin_priv_end *e, const coin_priv_table *table,
     slopes(d, f, l, to);
     for (int i = 0; i < VARIABLES; ++i)
         e->dd[i] = per * (d[i] - e->d[i]);
-    e->force = need_of(table, e->y, e->d[WX], e->d[WZ]);
-    const coin_priv_need F = need_of(table, to, d[WX], d[WZ]);
+    e->force = need_of(contact, e->y, e->d[WX], e->d[WZ]);
+    const coin_priv_need F = need_of(contact, to, d[WX], d[WZ]);
     e->slope.N = per * (F.N - e->force.N);
     e->slope.X = per * (F.X - e->force.X);
     e->slope.h = per * (F.h - e->force.h);
-    const struct cone_margin m = margin_of(table, &e->force);
-    e->margin = m.margin;
+    const struct cone_margin m = margin_of(contact, &e->force);
+    e->square_margin = m.square_margin;
     e->weight = m.weight;
 }
 
@@ -152,7 +152,7 @@ COIN_PRIV_INLINE double least(const double m[PLACES + 2])
 }
 
 /* The force at place k. */
-static coin_priv_need need_within(const coin_priv_table *table,
+static coin_priv_need need_within(const coin_priv_contact *contact,
                                   const coin_priv_field *f,
                                   const coin_priv_losses *l,
                                   const coin_priv_end *a,
@@ -166,7 +166,7 @@ static coin_priv_need need_within(const coin_priv_table *table,
                tau * (w[1] * a->d[i] + w[4] * b->d[i]) +
                tau2 * (w[2] * a->dd[i] + w[5] * b->dd[i]);
     const coin_priv_variables d = rates(f, l, y);
-    return need_of(table, y, d.wX, d.wZ);
+    return need_of(contact, y, d.wX, d.wZ);
 }
 
 /* The force that an end's slope leads to. */
@@ -206,8 +206,9 @@ COIN_PRIV_INLINE int is_in_cone(const coin_priv_need *F,
 }
 
 /* Whether a curve stays in the cone: it does if its points in Bernstein's form
- * do, which are both ends, those a part of tau from them, and one more. */
-COIN_PRIV_INLINE int stays_in_cone(const coin_priv_table *t,
+ * do.  They are both ends, those at the time to_next from them along the
+ * slopes, and `point`; a curve of degree 3 has only the first four. */
+COIN_PRIV_INLINE int stays_in_cone(const coin_priv_contact *t,
                                    const coin_priv_end *a,
                                    const coin_priv_end *b, double part,
                                    const coin_priv_need *point, double miss)
@@ -221,20 +222,22 @@ COIN_PRIV_INLINE int stays_in_cone(const coin_priv_table *t,
            is_in_cone(point, &per, off);
 }
 
-/* Whether the margin is large enough at the places and at both ends. */
-static int has_margin(const coin_priv_table *table, const coin_priv_end *a,
+/* Whether the square margin is above `allowed` times the largest weight, at the
+ * places and at both ends. */
+static int has_margin(const coin_priv_contact *contact, const coin_priv_end *a,
                       const coin_priv_end *b, const coin_priv_need *at,
-                      double part)
+                      double allowed)
 {
-    double m[PLACES + 2], terms = a->weight > b->weight ? a->weight : b->weight;
-    m[0] = a->margin;
-    m[PLACES + 1] = b->margin;
+    double m[PLACES + 2],
+        weight = a->weight > b->weight ? a->weight : b->weight;
+    m[0] = a->square_margin;
+    m[PLACES + 1] = b->square_margin;
     for (int k = 0; k < PLACES; ++k) {
-        const struct cone_margin here = margin_of(table, &at[k]);
-        m[k + 1] = here.margin;
-        terms = here.weight > terms ? here.weight : terms;
+        const struct cone_margin here = margin_of(contact, &at[k]);
+        m[k + 1] = here.square_margin;
+        weight = here.weight > weight ? here.weight : weight;
     }
-    return least(m) > part * terms;
+    return least(m) > allowed * weight;
 }
 
 /* cos(theta) d(psi)/dt at an end. */
@@ -251,31 +254,31 @@ static int turns_round(const coin_priv_losses *l, const coin_priv_end *a,
     return l->solid > 0 && (roll_of(a) < 0) != (roll_of(b) < 0);
 }
 
-int coin_priv_plain(const coin_priv_table *table, const coin_priv_field *f,
+int coin_priv_plain(const coin_priv_contact *contact, const coin_priv_field *f,
                     const coin_priv_losses *l, const coin_priv_end *a,
                     const coin_priv_end *b, double tau, double stride)
 {
     const double s2 = stride * stride, s4 = s2 * s2;
-    const double part = 2 * COIN_PRIV_MISS * (s4 * s2);
+    const double allowed = 2 * COIN_PRIV_MISS * (s4 * s2);
     const double size = a->force.size + b->force.size;
     coin_priv_need at[PLACES], *const mid = &at[PLACES / 2];
     if (turns_round(l, a, b))
         return 0;
     const double miss3 = COIN_PRIV_MISS3 * s4 * size;
     const double miss4 = COIN_PRIV_MISS4 * s4 * stride * size;
-    if (stays_in_cone(table, a, b, tau / 3, &a->force, miss3))
+    if (stays_in_cone(contact, a, b, tau / 3, &a->force, miss3))
         return 1;
-    const double low = coin_priv_lesser(a->margin, b->margin);
-    if (!(low > part * coin_priv_lesser(a->weight, b->weight)))
+    const double low = coin_priv_lesser(a->square_margin, b->square_margin);
+    if (!(low > allowed * coin_priv_lesser(a->weight, b->weight)))
         return 0;
-    *mid = need_within(table, f, l, a, b, tau, PLACES / 2);
+    *mid = need_within(contact, f, l, a, b, tau, PLACES / 2);
     const coin_priv_need point = third_point(a, b, tau, mid);
-    if (stays_in_cone(table, a, b, tau / 4, &point, miss4))
+    if (stays_in_cone(contact, a, b, tau / 4, &point, miss4))
         return 1;
-    const struct cone_margin m = margin_of(table, mid);
-    if (!(m.margin > part * m.weight))
+    const struct cone_margin m = margin_of(contact, mid);
+    if (!(m.square_margin > allowed * m.weight))
         return 0;
-    at[0] = need_within(table, f, l, a, b, tau, 0);
-    at[PLACES - 1] = need_within(table, f, l, a, b, tau, PLACES - 1);
-    return has_margin(table, a, b, at, part);
+    at[0] = need_within(contact, f, l, a, b, tau, 0);
+    at[PLACES - 1] = need_within(contact, f, l, a, b, tau, PLACES - 1);
+    return has_margin(contact, a, b, at, allowed);
 }

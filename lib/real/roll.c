@@ -69,7 +69,7 @@ void coin_priv_again(coin_priv_sliding *g, double tau)
 double coin_priv_rolling_clearance(const coin_priv_sliding *g)
 {
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
-    return coin_priv_clearance(&g->table, &y, 0);
+    return coin_priv_clearance(&g->contact, &y, 0);
 }
 
 static double clearance_after(coin_priv_sliding *g, double tau)
@@ -136,7 +136,7 @@ static int32_t go_held(coin_priv_sliding *g)
     const double before = coin_priv_held_clearance(g);
     double moved = time_held(g);
     const int whole = moved == g->rem.sum;
-    g->seen = 0;
+    g->surely_rolls = 0;
     if (before < 0 && coin_priv_begin_held_slip(g))
         return COIN_OK;
     coin_priv_read_lean(&g->w.run.g);
@@ -215,11 +215,12 @@ double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most)
 static int shorten(coin_priv_sliding *g, double tau, double rate)
 {
     const coin_priv_slip from = coin_priv_slip_of(&g->from.y, 0, 0);
-    const double before = coin_priv_clearance(&g->table, &from, 0);
+    const double before = coin_priv_clearance(&g->contact, &from, 0);
     for (int whole = 1;; whole = 0) {
         const coin_priv_slip to = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
         const coin_priv_look look = {
-            &g->table, coin_priv_roll_slopes, &from, &to, tau, fabs(tau) * rate,
+            &g->contact, coin_priv_roll_slopes, &from, &to,
+            tau,         fabs(tau) * rate,
         };
         const double part = coin_priv_looked(&look);
         if (part < 1) {
@@ -266,9 +267,9 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
         return go_held(g);
     const double rate = coin_priv_roll_rate(g);
     const int back = g->rem.sum < 0; /* along a way that was looked at */
-    if (!g->seen && !back)
-        coin_priv_see(g);
-    if (!g->seen && coin_priv_rolling_clearance(g) < 0)
+    if (!g->surely_rolls && !back)
+        coin_priv_judge_here(g);
+    if (!g->surely_rolls && coin_priv_rolling_clearance(g) < 0)
         return coin_priv_begin_slip(g);
     g->gained = 0;
     int last;
@@ -276,8 +277,8 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
     const double tau = next_step(g, rate, &last);
     if (tau == 0)
         return COIN_ESTEP;
-    g->seen = !back && coin_priv_keeps_rolling(g, tau, rate);
-    const int rolls = g->seen || back ? 1 : shorten(g, tau, rate);
+    g->surely_rolls = !back && coin_priv_keeps_rolling(g, tau, rate);
+    const int rolls = g->surely_rolls || back ? 1 : shorten(g, tau, rate);
     coin_priv_count(g);
     if (last && rolls > 0)
         g->rem.sum = 0;

@@ -90,21 +90,21 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
     g->p = *p;
     g->losses = l ? *l : none;
     g->lossy = !coin_priv_lossless(&g->losses);
-    g->w.run.b = g->table.b;
+    g->w.run.b = g->contact.b;
     if (g->lossy)
-        (void)coin_priv_losses_of(&g->w.l, &g->losses, &g->table.b);
+        (void)coin_priv_losses_of(&g->w.l, &g->losses, &g->contact.b);
     coin_priv_run_unlimited(&g->w.run, &d->s);
     const coin_priv_slip y =
-        coin_priv_slip_start(d, &g->w.run.g.y, g->table.b.a);
+        coin_priv_slip_start(d, &g->w.run.g.y, g->contact.b.a);
     g->slips =
-        !(coin_priv_hypot(y.uX, y.uh) < COIN_PRIV_SLIP_LEAST * g->table.w0);
+        !(coin_priv_hypot(y.uX, y.uh) < COIN_PRIV_SLIP_LEAST * g->contact.w0);
     g->uX = g->slips ? y.uX : 0;
     g->uh = g->slips ? y.uh : 0;
     g->gained = 0;
-    g->seen = g->landed = 0;
-    g->series.from.b = g->table.b;
+    g->surely_rolls = g->landed = 0;
+    g->series.from.b = g->contact.b;
     g->series.force.terms = 0;
-    g->at = 0;
+    g->now = 0;
     g->rem.sum = t;
     g->rem.low = 0;
     g->tol = tol;
@@ -113,7 +113,7 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
     g->slip_stride = coin_priv_first_stride(tol);
     g->tries = 0;
     if (!g->slips)
-        coin_priv_see(g);
+        coin_priv_judge_here(g);
 }
 
 /* What the coin does where the slide has come to: COIN_OK if it rolls,
@@ -121,8 +121,8 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
 static int32_t mode_of(const coin_priv_sliding *g)
 {
     const int32_t slips = COIN_SLIPS, lifts = COIN_ELIFT;
-    const coin_priv_table *t = &g->table;
-    if (g->seen) /* and rolls */
+    const coin_priv_contact *t = &g->contact;
+    if (g->surely_rolls) /* and rolls */
         return COIN_OK;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     if (g->slips)
@@ -150,7 +150,7 @@ static coin_slide end_of(coin_priv_sliding *g, int32_t status)
     coin_slide end;
     double v[2];
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
-    coin_priv_centre_velocity(v, &y, g->table.b.a);
+    coin_priv_centre_velocity(v, &y, g->contact.b.a);
     if (g->w.run.steps > 0 && !g->landed)
         coin_priv_read_lean(&g->w.run.g);
     end.s = coin_priv_run_state(&g->w.run);
@@ -168,12 +168,12 @@ int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
     coin_priv_sliding g;
     if (!d || !p || !f || !(tol >= 1e-13 && tol <= 1e-2))
         return COIN_EARG;
-    if (coin_priv_table_of(&g.table, p, f, l) != COIN_OK)
+    if (coin_priv_contact_of(&g.contact, p, f, l) != COIN_OK)
         return COIN_EPARAMS;
-    int32_t status = coin_priv_check_slide(d, &g.table.b);
+    int32_t status = coin_priv_check_slide(d, &g.contact.b);
     if (status != COIN_OK)
         return status;
-    if (!(t >= 0 && t * g.table.w0 <= COIN_PRIV_TOO_LONG))
+    if (!(t >= 0 && t * g.contact.w0 <= COIN_PRIV_TOO_LONG))
         return COIN_ESTEP;
     double moved = 0;
     status = COIN_RESTS;

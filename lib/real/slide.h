@@ -9,8 +9,8 @@
 #include "lossy.h"
 #include "stretch.h"
 
-/* The slip speeds, in natural units, below which a coin rolls, and with which a
- * slip begins. */
+/* Slip speeds in natural units.  A slip that slows to SLIP_LEAST ends.  One
+ * begins with SLIP_SEED, twice that, so that it does not end at once. */
 #define COIN_PRIV_SLIP_LEAST 1e-10
 #define COIN_PRIV_SLIP_SEED 2e-10
 
@@ -22,7 +22,7 @@ typedef struct coin_priv_sliding {
     int lossy; /* whether it has losses */
     double tol;
     coin_priv_reach reach;
-    coin_priv_table table; /* but slip.c and onset.c set table.held */
+    coin_priv_contact contact; /* but slip.c and onset.c set table.held */
 
     /* Where the slide is.  roll.c, onset.c and slip.c move it. */
     coin_priv_lossy w; /* its run holds all but the slip; its losses are those
@@ -41,21 +41,23 @@ typedef struct coin_priv_sliding {
     coin_state stopped; /* where the losses were found to hold the contact */
 
     /* What judge.c knows of the force while the coin rolls. */
-    int seen;              /* whether it is within the cone here */
-    coin_priv_end ends[2]; /* with losses: of a step; ends[at] is here */
-    int at;
+    int surely_rolls; /* 1: the force here is certainly within the cone.  0: it
+                    is not, or that is not known */
+    coin_priv_end ends[2]; /* with losses: of a step; ends[now] is here */
+    int now;
     coin_priv_stretch series; /* without losses: the last step that was judged,
                                  if force.terms > 0.  Of its `from` only b and
                                  g.y are set */
-    int turns;        /* the number of turning points of the lean that were
-                         passed since coin_priv_see() */
-    double low, high; /* the least and the largest sin theta at which steps
-                         ended since coin_priv_see() */
+    int turning_points; /* the number of turning points of the lean that were
+                  passed since coin_priv_judge_here() */
+    double low, high;   /* the least and the largest sin theta at which steps
+                           ended since coin_priv_judge_here() */
 
     /* The steps of a slip, of slip.c; onset.c sets the first stride. */
     double slip_stride;
-    coin_priv_slip slope; /* where the step began */
-    double gained; /* of onset.c: the slip speed so far, where a slip begins */
+    coin_priv_slip slope; /* by sigma, where the step began */
+    double gained; /* of onset.c: the slip speed that friction would have given
+                      a coin whose slip waits; 0 if none waits */
 } coin_priv_sliding;
 
 /* The most trials of a call.  A trial is a step, whether it is kept, refused or
@@ -89,11 +91,14 @@ typedef double coin_priv_event(coin_priv_sliding *g, double h);
 double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
                         double at0, double h1, double at1);
 
-/* roll.c: a step of tau of a coin that rolls, from where the run is, if its
- * error is allowed.  Returns, with losses, the error over what is allowed:
- * above 1 only added.t was set, to 0.  Without losses the length of a step is
- * chosen for its error: 0.  -1, and the run as it was, if the pose would leave
- * its range, or if a step without losses would lead to the table. */
+/* roll.c: tries a step of tau of a coin that rolls, from where the run is.
+ * Returns
+ *     -1      phi or psi would leave its range, or a step without losses would
+ *             lead to the table: the step is not made
+ *     0       made, without losses: its length was chosen for its error
+ *     0 to 1  made, with losses: its error over what is allowed
+ *     > 1     not made, with losses: its error is too large
+ * added.t becomes the time moved, which is 0 if the step is not made. */
 double coin_priv_roll_try(coin_priv_sliding *g, double tau);
 
 /* The rate in tau that measures its steps. */
@@ -109,9 +114,10 @@ void coin_priv_again(coin_priv_sliding *g, double tau);
 /* Counts the time of that step. */
 void coin_priv_count(coin_priv_sliding *g);
 
-/* judge.c: looks at the force here.  Sets g->seen if it is clearly within the
- * cone; and ends[at], with losses. */
-void coin_priv_see(coin_priv_sliding *g);
+/* judge.c: computes the force where the run is, and sets g->surely_rolls.  It
+ * starts a new count of turning points and a new range of leans.  With losses
+ * it also sets g->ends[g->now]. */
+void coin_priv_judge_here(coin_priv_sliding *g);
 
 /* judge.c: whether it is certain that the coin rolls all along the step just
  * made.  0 if it slips, or if that is not certain. */
@@ -125,7 +131,10 @@ double coin_priv_rolling_clearance(const coin_priv_sliding *g);
 int32_t coin_priv_roll_on(coin_priv_sliding *g);
 int32_t coin_priv_slip_on(coin_priv_sliding *g);
 
-/* onset.c: begins the slip of a coin whose rolling needs too much friction. */
+/* onset.c: goes on from where rolling needs too much friction.  The slip
+ * begins, and g->slips becomes 1.  A slip that would grow too slowly waits: the
+ * coin rolls on for one step, and g->gained keeps what friction would have
+ * done. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g);
 
 /* onset.c, of a coin near flat whose contact is held by the losses.  The first

@@ -18,12 +18,13 @@
  * has its direction. */
 #define SLIP_ERROR 1e-2
 
-/* A slip is taken as a straight line for at most STRAIGHT sqrt(tol), and at
- * most MOST_STRAIGHT, of the time in which the motion changes. */
+/* A slip is taken as a straight line for at most STRAIGHT sqrt(tol) of the time
+ * in which the motion changes: the error of the line is as the square of that,
+ * about tol/32.  The limit for large tol is MOST_STRAIGHT. */
 #define STRAIGHT 0.25
 #define MOST_STRAIGHT 0.003
 
-/* The most trials of a step that ends in time. */
+/* The most trials of a step that is cut to the end of the time. */
 #define NEWTONS 4
 
 /* A step tried. */
@@ -44,17 +45,18 @@ static double growth(const coin_priv_slip *y, const coin_priv_slip *d)
     return y->uX / u * d->uX + y->uh / u * d->uh;
 }
 
-/* The rates in tau: of the coin's motion, and of its slowing by losses. */
+/* The rate in tau of the coin's motion. */
 static double own_rate(const coin_priv_sliding *g)
 {
-    return 1 / coin_priv_sundman_tau(&g->table.b, &g->w.run.g.y, 1);
+    return 1 / coin_priv_sundman_tau(&g->contact.b, &g->w.run.g.y, 1);
 }
 
+/* The rate in tau at which losses slow the coin; 0 if they hold psi. */
 static double loss_rate(const coin_priv_sliding *g, const coin_priv_slip *y)
 {
-    const coin_priv_losses *l = &g->table.l;
+    const coin_priv_losses *l = &g->contact.l;
     const double sth = y->sth, cth = y->cth;
-    if (!g->lossy || g->table.held)
+    if (!g->lossy || g->contact.psi_held)
         return 0;
     const double roll = cth * y->wZ + sth * y->wY;
     const double arm = sth * sth / l->IX + cth * cth / l->K;
@@ -65,7 +67,7 @@ static double loss_rate(const coin_priv_sliding *g, const coin_priv_slip *y)
  * direction settles, and as losses do. */
 static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
 {
-    const coin_priv_table *t = &g->table;
+    const coin_priv_contact *t = &g->contact;
     const double u = speed(y), scale = coin_priv_slip_scale(t, u);
     const double sth = y->sth;
     const coin_priv_direction n = {y->uX / u, y->uh / u};
@@ -83,20 +85,22 @@ static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
 static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
                        const coin_priv_slip *d)
 {
-    const coin_priv_losses *l = &g->table.l;
-    if (!(l->solid > 0) || g->table.held)
+    const coin_priv_losses *l = &g->contact.l;
+    if (!(l->solid > 0) || g->contact.psi_held)
         return (double)INFINITY;
-    const double u = y->cth * y->wZ + y->sth * y->wY;
-    const double du =
+    const double roll = y->cth * y->wZ + y->sth * y->wY; /* d(psi)/dtau */
+    const double droll =
         fabs(y->cth * d->wZ + y->sth * d->wY + d->cth * y->wZ + d->sth * y->wY);
     const double soft = l->soft2 * y->cth * y->cth;
-    const double way = TURN_ROUND * sqrt(u * u + soft);
-    return way / (du + 1e-30 * g->table.w0 * way); /* nothing divides by 0 */
+    const double way = TURN_ROUND * sqrt(roll * roll + soft);
+    return way /
+           (droll + 1e-30 * g->contact.w0 * way); /* nothing divides by 0 */
 }
 
-/* A guess of a step's error, which is of order 9: from the square by3 of an
- * error of order 4, and the size of the variables.  It is needed because the
- * estimate may pass through 0 as a step grows, where the error does not. */
+/* A guess of the error of a step h, which is as h^9: from by3, the square of a
+ * difference that is as h^4, and the size of the variables.  It is needed
+ * because the estimate may pass through 0 as h grows, where the error does not.
+ */
 static double usual_error(double by3, double size)
 {
     const double part = coin_priv_lesser(sqrt(by3) / size, 1);
@@ -106,13 +110,13 @@ static double usual_error(double by3, double size)
 /* The step h, and its error. */
 static struct tried attempt(coin_priv_sliding *g, double h)
 {
-    const double w0 = g->table.w0;
+    const double w0 = g->contact.w0;
     const coin_priv_slip from = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     struct tried r = {from, 0};
     coin_priv_estimates e;
     double by5 = 0, by3 = 0, slip5 = 0, slip3 = 0;
     coin_priv_dopri8((double *)&r.to, (const double *)&g->slope,
-                     coin_priv_slip_slopes, &g->table, h, &e);
+                     coin_priv_slip_slopes, &g->contact, h, &e);
     for (int i = 0; i < COIN_PRIV_DOPRI8_READ; ++i) {
         const int slip = i == 5 || i == 6;
         const double per = i < 3 || slip ? 1 / w0 : 1;
@@ -130,11 +134,11 @@ static struct tried attempt(coin_priv_sliding *g, double h)
     const double most = coin_priv_allowed(&g->w.run, g->tol, r.to.t) + rounding;
     const double estimate = coin_priv_error_of(by5, by3);
     const double usual = usual_error(by3, size);
-    const double own = (estimate > usual ? estimate : usual) / most;
+    const double of_all = (estimate > usual ? estimate : usual) / most;
     const double of_slip =
         coin_priv_error_of(slip5, slip3) * w0 / (SLIP_ERROR * speed(&from));
-    r.error = own > of_slip ? own : of_slip;
-    const int above = g->table.held | (r.to.cth > 0);
+    r.error = of_all > of_slip ? of_all : of_slip;
+    const int above = g->contact.psi_held | (r.to.cth > 0);
     const int finite = by5 + by3 <= DBL_MAX;
     r.error = (above & finite & (r.to.t >= 0)) ? r.error : (double)INFINITY;
     return r;
@@ -150,7 +154,7 @@ static double time_left_after(coin_priv_sliding *g, double h)
 static double clearance_after(coin_priv_sliding *g, double h)
 {
     const struct tried r = attempt(g, h);
-    return coin_priv_clearance(&g->table, &r.to, 1);
+    return coin_priv_clearance(&g->contact, &r.to, 1);
 }
 
 static double cos_after(coin_priv_sliding *g, double h)
@@ -175,13 +179,14 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
     }
 }
 
-/* Whether the normal force, `from` and `to` at the ends, is surely positive all
- * along a step h of a slip no faster than u: it is if it changes by much less
- * than its value, and if the coin moves little in the step. */
+/* Whether the normal force is surely positive all along a step h of a slip no
+ * faster than u.  `from` and `to` are its values at the ends.  Between them it
+ * may dip by an eighth of its second derivative: 0.25 moved^2 allows for one of
+ * 2 moved^2. */
 static int is_pressed(const coin_priv_sliding *g, double from, double to,
                       double u, double h)
 {
-    const double moved = h * coin_priv_slip_scale(&g->table, u) * own_rate(g);
+    const double moved = h * coin_priv_slip_scale(&g->contact, u) * own_rate(g);
     return coin_priv_lesser(from, to) >
            4 * fabs(to - from) + 0.25 * moved * moved;
 }
@@ -216,11 +221,12 @@ static void end_in_time(coin_priv_sliding *g, struct tried *r, double *h,
 {
     const double rem = g->rem.sum, whole = *h, over = r->to.t - rem;
     coin_priv_slip to;
-    coin_priv_slip_slopes((double *)&to, (const double *)&r->to, &g->table);
+    coin_priv_slip_slopes((double *)&to, (const double *)&r->to, &g->contact);
     *h *= part_at(rem, r->to.t, whole * g->slope.t, whole * to.t);
     for (int i = 0; (i < NEWTONS) & (*h > 0) & (*h < whole); ++i) {
         *r = attempt(g, *h);
-        coin_priv_slip_slopes((double *)&to, (const double *)&r->to, &g->table);
+        coin_priv_slip_slopes((double *)&to, (const double *)&r->to,
+                              &g->contact);
         const double off = (rem - r->to.t) / to.t, by = off * rate;
         if (by * by <= COIN_PRIV_LOCATED * g->tol) {
             move_straight(&r->to, &to, off);
@@ -251,14 +257,15 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
         end_in_time(g, r, h, rate);
         status = COIN_OK;
     }
-    const double before = coin_priv_clearance(&g->table, &from, 1);
+    const double before = coin_priv_clearance(&g->contact, &from, 1);
     const double u =
         speed(&from) > speed(&r->to) ? speed(&from) : speed(&r->to);
-    if (is_pressed(g, before, coin_priv_clearance(&g->table, &r->to, 1), u, *h))
+    if (is_pressed(g, before, coin_priv_clearance(&g->contact, &r->to, 1), u,
+                   *h))
         return status;
     for (;;) {
         const coin_priv_look look = {
-            &g->table, coin_priv_slip_slopes, &from, &r->to, *h, *h * rate,
+            &g->contact, coin_priv_slip_slopes, &from, &r->to, *h, *h * rate,
         };
         const double part = coin_priv_looked(&look);
         if (part < 1) {
@@ -266,7 +273,7 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
             *r = attempt(g, *h);
             status = COIN_OK;
         }
-        const double end = coin_priv_clearance(&g->table, &r->to, 1);
+        const double end = coin_priv_clearance(&g->contact, &r->to, 1);
         if (!(end > 0) && (part < 0 || part == 1)) {
             *h = coin_priv_locate(g, clearance_after, before, *h, end);
             *r = attempt(g, *h);
@@ -286,11 +293,11 @@ static double longest_line(const coin_priv_sliding *g, const coin_priv_slip *y,
     const double u = speed(y);
     const double part =
         coin_priv_lesser(STRAIGHT * sqrt(g->tol), MOST_STRAIGHT);
-    const double turn = y->uX / u * d->uh - y->uh / u * d->uX;
-    if (g->table.held || fabs(turn) > part * fabs(growth(y, d)))
+    const double sideways = y->uX / u * d->uh - y->uh / u * d->uX;
+    if (g->contact.psi_held || fabs(sideways) > part * fabs(growth(y, d)))
         return 0;
     const double rate = own_rate(g) + loss_rate(g, y);
-    return part / (rate * coin_priv_slip_scale(&g->table, u));
+    return part / (rate * coin_priv_slip_scale(&g->contact, u));
 }
 
 /* Moves *y along a straight line, by h in sigma or to the end of the time;
@@ -316,44 +323,47 @@ static int take_straight(coin_priv_sliding *g, coin_priv_slip *to,
 {
     const double u = speed(to), grows = growth(to, d);
     const double h = longest_line(g, to, d);
-    const int is_least = u < COIN_PRIV_SLIP_LEAST * g->table.w0;
+    const int is_least = u < COIN_PRIV_SLIP_LEAST * g->contact.w0;
     const int ends = grows < 0;
     if (!(ends ? is_least || u < -grows * h : u < grows * h / 9))
         return 0;
     const int fits = go_straight(to, d, ends ? u / -grows : h, g->rem.sum);
-    if (!(coin_priv_clearance(&g->table, to, 1) > 0))
+    if (!(coin_priv_clearance(&g->contact, to, 1) > 0))
         return 0;
     if (fits && ends) {
         to->uX = to->uh = g->gained = 0;
-        g->slips = g->seen = g->table.held = 0;
+        g->slips = g->surely_rolls = g->contact.psi_held = 0;
     }
     return 1;
 }
 
-/* Whether the contact of a slipping coin near flat has stopped, and the losses
- * hold it there: (73) of a coin that is free at its contact, against friction
- * that turns it about the vertical, (85). */
-static int is_held(const coin_priv_sliding *g, const coin_priv_slip *y)
+/* Whether losses keep d(psi)/dt = 0 of a coin that slips near flat.  Two
+ * torques along e_Z would change it, and the losses have to exceed each of
+ * them.  One is that of friction, about a F_X (I_X/I_Z) cos^2 theta by (81) and
+ * (85), with F_X = mu_k M g.  The other is (73), of a coin that is free at its
+ * contact: I_Z stands in the place of K. */
+static int psi_is_held(const coin_priv_sliding *g, const coin_priv_slip *y)
 {
-    const coin_priv_losses *l = &g->table.l;
+    const coin_priv_losses *l = &g->contact.l;
     const coin_priv_variables *v = &g->w.run.g.y;
-    const coin_priv_body *b = &g->table.b;
+    const coin_priv_body *b = &g->contact.b;
     const double eps = coin_priv_stopped(g->tol);
     if (!g->lossy)
         return 0;
-    const double turn = g->table.mu_kinetic * b->Mga * (b->IX / b->IZ);
+    const double by_friction = g->contact.mu_kinetic * b->Mga * (b->IX / b->IZ);
     const double hold = coin_priv_hold(l, coin_priv_slow2(b, v, eps), v->cth);
-    return turn * y->cth * y->cth <= hold && coin_priv_is_held(l, b, v, eps);
+    return by_friction * y->cth * y->cth <= hold &&
+           coin_priv_is_held(l, b, v, eps);
 }
 
 int32_t coin_priv_slip_on(coin_priv_sliding *g)
 {
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     const coin_priv_slip *const d = &g->slope;
-    if (!g->table.held && y.cth < COIN_PRIV_FLAT)
+    if (!g->contact.psi_held && y.cth < COIN_PRIV_FLAT)
         return coin_priv_lie(&g->w.run);
-    g->table.held = is_held(g, &y);
-    coin_priv_slip_slopes((double *)&g->slope, (const double *)&y, &g->table);
+    g->contact.psi_held = psi_is_held(g, &y);
+    coin_priv_slip_slopes((double *)&g->slope, (const double *)&y, &g->contact);
     coin_priv_slip to = y;
     if (take_straight(g, &to, d))
         return coin_priv_slip_take(g, &to);

@@ -127,8 +127,8 @@ int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
     const int good = tol >= 1e-13 && tol <= 1e-2 && mu >= 0 && bits != 0 &&
                      (bits & ~EVERY_BIT) == 0;
     if (bits & COIN_SLIPS) {
-        f.less = mu > 1 ? 1 / mu : 1;
-        f.more = mu > 1 ? 1 : mu;
+        f.per_F = mu > 1 ? 1 / mu : 1;
+        f.per_N = mu > 1 ? 1 : mu;
     }
     int32_t status = good ? prepare(&g, &w, &f, s, t) : COIN_EARG;
     if (status != COIN_OK) {

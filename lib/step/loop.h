@@ -31,8 +31,9 @@ typedef void coin_priv_step(coin_priv_step_end *end, coin_priv_variables *next,
                             const coin_priv_variables *y,
                             const void *coefficients);
 
-/* A turn, of lean or heading, beyond which no step is accepted: a step that
- * turns so far has missed what happens on the way. */
+/* The most by which a step may turn lean or heading: a step that turns them
+ * further has missed what happens on the way.  It is below pi/2, up to which
+ * coin_priv_turned() is accurate. */
 #define COIN_PRIV_TURN_MAX 1.5
 
 /* Whether phi and psi, as they will be reported, are in the range of
@@ -46,7 +47,8 @@ COIN_PRIV_INLINE int coin_priv_angles_hold(const coin_priv_progress *g,
            fabs(coin_priv_total(g->psi, added->psi)) <= most;
 }
 
-/* Twice what the 64 steps of a block can turn phi or psi by, 2 rad each. */
+/* Twice what the 64 steps of a block can turn phi or psi by.  Both turn by less
+ * than 2 rad in a step: phi by TURN_MAX at most, psi by sqrt(2) |dt| W. */
 #define COIN_PRIV_BLOCK_TURN 256.0
 
 /* The cos theta above which W^2, Eq. (47), is below coarse2 whatever the rates,

@@ -25,7 +25,7 @@ int32_t coin_step(coin_state *s, const coin_params *p, double dt)
     if (!coin_priv_rate2_holds(&limits, coin_priv_rate2(b.g_a, &y)))
         return COIN_ESTEP;
     const coin_priv_rk4_fields k = coin_priv_rk4_fields_of(&b, dt);
-    coin_priv_rk4_lean unused;
+    coin_priv_rk4_lean unused; /* it would serve a next step */
     const coin_priv_step_end end = coin_priv_rk4_end(&unused, &y, &k);
     /* A run adds all but theta to a sum of 0, where -0 becomes 0. */
     const coin_priv_pose none = {0, 0, 0, 0, 0, 0};

@@ -9,8 +9,8 @@
  * in no time that a double can tell. */
 #define COIN_PRIV_FLAT 1e-30
 
-/* The step in tau of the given stride from here.  advance.h chooses the stride
- * by tol, at most 1.65; a look ahead takes 0.5 (max_dt.c). */
+/* The tau of a step of the given stride from here.  A stride of 1 is the tau in
+ * which the motion changes: 1 over the coin's own rate. */
 double coin_priv_sundman_tau(const coin_priv_body *b,
                              const coin_priv_variables *y, double stride);
 

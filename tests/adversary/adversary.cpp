@@ -128,12 +128,11 @@ bool wanted(const row &r, const char *pattern)
     return !pattern || std::strstr(r.function, pattern);
 }
 
-/* A long search asks every function equally often, but for those whose answer
- * takes a millisecond. */
+/* A long search asks every function equally often. */
 constexpr long LONG = 1000000;
 long evaluations_of(const row &r, long most)
 {
-    return most / (most < LONG ? r.share : r.share > 20 ? 4 : 1);
+    return most / (most < LONG ? r.share : 1);
 }
 
 /* Every row once in parts: its evaluations, by its own seed. */
