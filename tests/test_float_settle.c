@@ -278,22 +278,23 @@ static void a_contact_that_cannot_be_held_rolls_on(void **unused)
 {
     (void)unused;
     const coinf_params p = disc_f();
-    const coinf_losses weak = {.dry = 1e-9f}, fair = {.dry = 6e-5f};
+    const coinf_losses weak = {.dry = 1e-9f}, fair = {.dry = 8e-4f};
     coinf_state s = {.theta = 1.57079637f - 0.03f,
                      .wX = -0.1f,
                      .wY = 2 * sinf(0.03f),
                      .wZ = -2 * cosf(0.03f)};
-    coinf_state rises = s;
+    coinf_state rises = {.theta = 1.57079637f - 0.05f,
+                         .wX = -0.84f,
+                         .wY = 2.8f * sinf(0.05f),
+                         .wZ = -2.8f * cosf(0.05f)};
     check_status(coinf_settle(&s, &p, &weak, 1, 1e-4f, NULL), COIN_OK);
     check(fabsf(s.psi) > 1e-6f);
     /* Held where it is, but not where a part of its rise would lead. */
-    rises.wX = -0.5f;
     const coin_params P = doubles_params(&p);
     const coin_losses L = doubles_losses(&fair);
     coin_state want = doubles_state(&rises);
-    check_status(coinf_settle(&rises, &p, &fair, 0.2f, 1e-5f, NULL), COIN_OK);
-    check_status(coin_settle(&want, &P, &L, (double)0.2f, 1e-10, NULL),
-                 COIN_OK);
+    check_status(coinf_settle(&rises, &p, &fair, 0.5f, 1e-5f, NULL), COIN_OK);
+    check_status(coin_settle(&want, &P, &L, 0.5, 1e-10, NULL), COIN_OK);
     check(fabsf(rises.psi) > 1e-6f);
     check_within(pose_apart(&rises, &want, 1), 0, 1e-5);
 }
