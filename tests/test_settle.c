@@ -73,6 +73,39 @@ static void every_row_of_the_reference_is_met_in_any_units(void **unused)
         check_losses_rows(scenes[i].name, check_row, &scenes[i]);
 }
 
+/* To the bit, in units that are powers of 2 of each other: how far a
+ * stopped contact that rises near flat is held. */
+static void how_far_a_rise_is_held_does_not_depend_on_units(void **unused)
+{
+    (void)unused;
+    const double e = 0.01, dry = 3e-7, spin = 0.03, T = 0x1p-3;
+    const coin_losses at_one = {.dry = dry, .spin = spin};
+    const coin_state start = {.theta = 1.5707963267948966 - e,
+                              .wX = -0.457,
+                              .wY = 0.5 * sin(e),
+                              .wZ = -0.5 * cos(e)};
+    coin_params p;
+    coin_state want = start;
+    check_status(coin_params_body(&p, 1, 1, 1, 0.3, 0.5), COIN_OK);
+    check_status(coin_settle(&want, &p, &at_one, 0.2, 1e-6, NULL), COIN_OK);
+    check(want.psi != start.psi);
+    for (int unit = -800; unit <= 200; unit += 200) {
+        const double M = ldexp(1, unit / 2), L = ldexp(1, unit / 4);
+        const double I = M * L * L, torque = I / (T * T);
+        const coin_losses l = {.dry = torque * dry, .spin = torque * T * spin};
+        coin_state s = start;
+        s.wX /= T;
+        s.wY /= T;
+        s.wZ /= T;
+        check_note("units 2^%d", unit);
+        check_status(coin_params_body(&p, M, L, L / (T * T), 0.3 * I, 0.5 * I),
+                     COIN_OK);
+        check_status(coin_settle(&s, &p, &l, 0.2 * T, 1e-6, NULL), COIN_OK);
+        check(s.theta == want.theta && s.psi == want.psi);
+        check(s.phi == want.phi && s.wX * T == want.wX);
+    }
+}
+
 static void the_time_of_rest_is_right_to_12_digits(void **unused)
 {
     (void)unused;
@@ -235,6 +268,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(every_row_of_the_reference_is_met_in_any_units),
+        TEST(how_far_a_rise_is_held_does_not_depend_on_units),
         TEST(the_time_of_rest_is_right_to_12_digits),
         TEST(the_energy_lost_is_the_integral_of_the_power),
         TEST(of_random_launches_99_of_100_err_by_less_than_tol),

@@ -115,12 +115,11 @@ int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
     /* The largest torque along e_Z that holding the contact takes, against what
      * the losses give as long as u is small. */
     const PRIV(held_fall) f = PRIV(fall_of)(l, y);
-    const real turn = f.L / inertia(l, cth);
+    const real D = inertia(l, cth), turn = f.L / D;
     const real A = slope(&f, l, b).v;
     const real fastest = SQRT(wX * wX + 2 * A * f.x);
-    const real twice = l->K * (2 * l->IX - b->IZ);
-    const real lever =
-        (twice + cth * cth * b->IZ * (l->K - l->IX)) / inertia(l, cth);
+    const real lever = l->K / D * (2 * l->IX - b->IZ) +
+                       cth * cth * (b->IZ / D) * (l->K - l->IX);
     const real need = FABS(turn * lever) * cth * fastest; /* (73) */
     return need <= PRIV(hold)(l, small2, cth);
 }
