@@ -16,6 +16,7 @@ usage: make_flats.py [FILE]    (needs python3-mpmath)
 import pathlib
 import random
 import sys
+from decimal import Decimal
 
 from mpmath import mp, mpf, nstr
 
@@ -65,6 +66,13 @@ def first_pass(start):
     return time, d, W
 
 
+def rounded(v, W):
+    """To 1e-17 W: the orbits' bound is above 4e-16 W."""
+    places = int(mp.ceil(17 - mp.log10(W)))
+    number = Decimal(int(mp.nint(v * 10 ** places))).scaleb(-places)
+    return f"{number.normalize():f}"
+
+
 def rows(r, i):
     far = 10 ** -(2 + 4 * i / (STARTS - 1))
     b, theta = r.uniform(0, 1), r.uniform(-1, 1)
@@ -85,7 +93,7 @@ def rows(r, i):
     print(i, nstr(d, 3), nstr(W, 3), middle, flush=True)
     for t, y in zip(near + [20.0, -15.0], ahead + [mirror]):
         yield ([repr(v) for v in start] + [nstr(d, 6), nstr(W, 6), repr(t)] +
-               [nstr(y[n], 17, min_fixed=1, max_fixed=0) for n in STATE])
+               [rounded(y[n], W) for n in STATE])
 
 
 def main():
