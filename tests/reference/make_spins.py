@@ -21,7 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 LEANS = (1e-9, 1e-7, 1e-5, 1e-3, 0.02, 0.2)
 SPINS = (1.5, 5.0, 22.0)
 TIMES = [1.0, 8.0]
-STATE = "theta phi psi x z wX wY wZ".split()
+STATE = "theta phi psi x z".split()
 ORDER_OF_SERIES = "theta wX wY wZ phi psi x z".split()
 
 
