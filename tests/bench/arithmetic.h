@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A double that counts: every operation adds to operations, and every value
+/* A double that counts: every operation adds to operations, but for one that
+ * repeats another on the same numbers, which compilers share.  Every value
  * knows when it is ready at the earliest, were there no end of adders: the
  * length in ns of the longest chain of operations that it came from.  Forced
  * into the library's sources in place of double, which compile as C++ then. */
@@ -24,6 +25,30 @@ struct arithmetic {
     double add_ns, mul_ns, div_ns, root_ns;
 };
 extern arithmetic operations;
+
+/* 1; 0 if the same was computed among the latest NEAR. */
+static inline unsigned long is_new(char operation, double a, double b)
+{
+    enum { NEAR = 256 };
+    struct computed {
+        double a, b;
+        char operation;
+        unsigned long when;
+    };
+    static computed latest[1 << 16];
+    static unsigned long when = NEAR;
+    uint64_t bits[2];
+    const int swap = (operation == '+' || operation == '*') && b < a;
+    const computed now = {swap ? b : a, swap ? a : b, operation, ++when};
+    memcpy(bits, &now, sizeof bits);
+    const uint64_t hash = (bits[0] * 3 + bits[1] + (uint64_t)operation) *
+                          UINT64_C(0x9e3779b97f4a7c15);
+    computed *const at = &latest[hash >> 48];
+    const int known = when - at->when < NEAR && at->operation == operation &&
+                      !memcmp(at, &now, sizeof bits);
+    *at = now;
+    return !known;
+}
 
 struct counted {
     double value, ready;
@@ -53,7 +78,7 @@ static inline double later(counted a, counted b)
 #define COUNTED(op, kind)                                                      \
     static inline counted operator op(counted a, counted b)                    \
     {                                                                          \
-        ++operations.kind;                                                     \
+        operations.kind += is_new(*#op, a.value, b.value);                     \
         return {a.value op b.value, later(a, b) + operations.kind##_ns};       \
     }                                                                          \
     static inline counted &operator op##=(counted &a, counted b)               \
