@@ -11,12 +11,12 @@
  * slopes of the clearance at the ends are not looked at. */
 #define SHORT 1e-3
 
-/* The slopes of the slopes are differences of the slopes this part of the step
- * before and after. */
+/* A second derivative is the difference of the slopes at two points: this part
+ * of the step before, and after. */
 #define NEAR (1.0 / 256)
 
-/* A step is looked at at its ends and at PLACES - 1 places between them.  The
- * first MOVED variables are interpolated. */
+/* The force is computed at both ends of a step and at PLACES - 1 places between
+ * them.  The first MOVED variables are interpolated. */
 enum { PLACES = 8, MOVED = 7 };
 
 double coin_priv_clearance(const coin_priv_contact *contact,

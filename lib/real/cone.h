@@ -6,12 +6,12 @@
 #include "contact.h"
 #include "gbs.h"
 
-/* The error that is allowed for where the motion is interpolated, over
- * stride^6.  cone.c allows for it in the clearance.  plain.c allows for twice
- * this times `weight` in the square margin.  Random motions of any body, with
- * strides up to 1.65, have a tenth of MISS times `weight`.  Fast passes near
- * flat exceed it: there the differences of the square margin make up for that.
- * No step that leaves the cone was found plain (test_plain). */
+/* What is allowed for the error of the interpolated motion, over stride^6.  In
+ * cone.c it is an error of the clearance.  In plain.c it is a half of the error
+ * of the square margin, over `weight`.  Random motions of any body, with
+ * strides up to 1.65, have a tenth of that.  Fast passes near flat have more:
+ * there the differences of the square margin make up for it.  No step that
+ * leaves the cone was found plain (test_plain). */
 #define COIN_PRIV_MISS 0.006
 
 /* What plain.c allows for where it takes the force as a polynomial: MISS3 for

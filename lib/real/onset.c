@@ -48,8 +48,8 @@ static coin_priv_slip euler(const coin_priv_slip *from, const struct onset *o,
     return y;
 }
 
-/* Where the coin would be if it had slipped since an onset, a tau ago.  The run
- * has rolled to here.  What friction would have changed meanwhile is added, by
+/* The coin as if it had slipped since an onset a tau ago.  The run has rolled
+ * from there to here.  What friction would have changed on the way is added, by
  * the trapezoidal rule. */
 static coin_priv_slip after(const coin_priv_sliding *g,
                             const struct onset *from, double tau)

@@ -210,14 +210,14 @@ COIN_PRIV_INLINE int is_in_cone(const coin_priv_need *F,
  * slopes, and `point`; a curve of degree 3 has only the first four. */
 COIN_PRIV_INLINE int stays_in_cone(const coin_priv_contact *t,
                                    const coin_priv_end *a,
-                                   const coin_priv_end *b, double part,
+                                   const coin_priv_end *b, double to_next,
                                    const coin_priv_need *point, double miss)
 {
     const struct scale per = scale_of(t, a->force.size + b->force.size);
     const double off = miss * (1.5 * per.F + per.N);
     if (!(is_in_cone(&a->force, &per, off) & is_in_cone(&b->force, &per, off)))
         return 0;
-    const coin_priv_need from = along(a, part), to = along(b, -part);
+    const coin_priv_need from = along(a, to_next), to = along(b, -to_next);
     return is_in_cone(&from, &per, off) & is_in_cone(&to, &per, off) &
            is_in_cone(point, &per, off);
 }

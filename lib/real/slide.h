@@ -22,7 +22,7 @@ typedef struct coin_priv_sliding {
     int lossy; /* whether it has losses */
     double tol;
     coin_priv_reach reach;
-    coin_priv_contact contact; /* but slip.c and onset.c set table.held */
+    coin_priv_contact contact; /* but slip.c and onset.c set psi_held */
 
     /* Where the slide is.  roll.c, onset.c and slip.c move it. */
     coin_priv_lossy w; /* its run holds all but the slip; its losses are those

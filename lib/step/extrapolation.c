@@ -15,8 +15,9 @@
  * exact multiple.  Z is wZ times k1 = I_Z/I_X, which saves a product. */
 #include "../motion/pinned.h"
 
-/* Registers that do not repeat let the next substep start sooner.  This saves
- * 5 % of a step in vectors of two, and nothing in vectors of four. */
+/* With another register for each result a substep need not wait until the one
+ * before it has freed its registers.  This saves 5 % of a step in vectors of
+ * two, and nothing in vectors of four. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__) &&         \
     defined(__x86_64__) && !defined(__AVX__)
 #pragma GCC optimize("rename-registers", "no-tree-ter")

@@ -47,8 +47,9 @@ COIN_PRIV_INLINE int coin_priv_angles_hold(const coin_priv_progress *g,
            fabs(coin_priv_total(g->psi, added->psi)) <= most;
 }
 
-/* Twice what the 64 steps of a block can turn phi or psi by.  Both turn by less
- * than 2 rad in a step: phi by TURN_MAX at most, psi by sqrt(2) |dt| W. */
+/* Twice what the 64 steps of a block can turn phi or psi by.  A step turns phi
+ * by at most TURN_MAX, and psi by at most sqrt(2) |dt| W: both by less than 2
+ * rad. */
 #define COIN_PRIV_BLOCK_TURN 256.0
 
 /* The cos theta above which W^2, Eq. (47), is below coarse2 whatever the rates,
