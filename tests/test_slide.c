@@ -154,6 +154,40 @@ static void without_friction_five_quantities_are_kept(void **unused)
     }
 }
 
+/* The rate of fall squared of a coin on ice that passed upright at wX. */
+static double fall2(const coin_params *p, double wX, double theta)
+{
+    const double height = 1 - cos(theta);
+    return (p->inertia_X * wX * wX + 2 * height) /
+           (p->inertia_X + sin(theta) * sin(theta));
+}
+
+/* Nearly upright the slip grows slowly. */
+static void a_fall_on_ice_keeps_its_energy_and_its_time(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction ice = {0, 0};
+    const double wX = 0.5, t = 0.5;
+    for (double lean = 1e-10; lean < 2e-6; lean *= 2)
+        for (double tol = 1e-9; tol < 1e-3; tol *= 10) {
+            const coin_state upright = {.theta = lean, .wX = wX};
+            coin_slide d;
+            coin_slide_of(&d, &upright, &p);
+            check_note("lean %g, tol %g", lean, tol);
+            check_status(coin_slide_advance(&d, &p, &ice, NULL, t, tol, NULL),
+                         COIN_SLIPS);
+            const double h = (d.s.theta - lean) / 1000;
+            double when = 0; /* Simpson's rule */
+            for (int i = 0; i <= 1000; ++i) {
+                const double weight = i % 1000 ? (i % 2 ? 4 : 2) : 1;
+                when += weight * h / 3 / sqrt(fall2(&p, wX, lean + i * h));
+            }
+            check_near(when, t, tol * (1 + t));
+            check_near(d.s.wX, sqrt(fall2(&p, wX, d.s.theta)), tol * (1 + t));
+        }
+}
+
 /* ------------------------------------------------------------------ events */
 /* The first time after t0 at which the status is other than from t0 on. */
 static double change_after(const coin_slide *d, const coin_params *p,
@@ -354,6 +388,7 @@ int main(void)
         TEST(an_upright_slide_rolls_when_and_as_fast_as_in_closed_form),
         TEST(an_upright_spin_feels_no_friction),
         TEST(without_friction_five_quantities_are_kept),
+        TEST(a_fall_on_ice_keeps_its_energy_and_its_time),
         TEST(a_tumbling_coin_slips_and_rolls_again_at_the_reference_times),
         TEST(a_slip_shorter_than_a_step_is_not_stepped_over),
         TEST(an_event_is_located_however_curved_its_function_is),

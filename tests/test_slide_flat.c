@@ -146,6 +146,31 @@ static void a_slip_that_losses_end_at_once_does_not_grow(void **unused)
     }
 }
 
+/* The coin slides by its closest approach to the table, where the slip comes
+ * near 0 and slows down little by little: it does not end there. */
+static void a_slip_that_passes_near_0_keeps_the_energy(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction ice = {0, 0};
+    const coin_slide from = {
+        {.theta = 1.5707906047489981, .wY = 0.0042724609375}, 0, 0};
+    const double t = 0.0066964225658259265;
+    const double E = coin_slide_energy(&from, &p);
+    coin_slide best = from;
+    check_status(coin_slide_advance(&best, &p, &ice, NULL, t, 1e-13, NULL),
+                 COIN_SLIPS);
+    for (double tol = 1e-12; tol < 2e-4; tol *= 10) {
+        coin_slide d = from;
+        check_status(coin_slide_advance(&d, &p, &ice, NULL, t, tol, NULL),
+                     COIN_SLIPS);
+        check_near(coin_slide_energy(&d, &p), E, 1e-3 * tol);
+        check_near(d.s.theta, best.s.theta, 1e-3 * tol);
+        check_near(d.s.wX, best.s.wX, tol);
+        check_near(d.s.phi, best.s.phi, 100 * tol);
+    }
+}
+
 /* The coin rolls, and its last step goes beyond the end of the time, to where
  * losses hold the contact: the next goes back. */
 static void a_step_beyond_the_end_is_taken_back(void **unused)
@@ -181,6 +206,7 @@ int main(void)
         TEST(tolerances_agree_and_no_energy_is_gained),
         TEST(losses_of_rolling_change_nothing_of_a_planar_fall),
         TEST(a_slip_that_losses_end_at_once_does_not_grow),
+        TEST(a_slip_that_passes_near_0_keeps_the_energy),
         TEST(a_step_beyond_the_end_is_taken_back),
     };
     return RUN_TESTS(tests);

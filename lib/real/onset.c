@@ -35,9 +35,8 @@ static struct onset onset_of(const coin_priv_sliding *g)
     return o;
 }
 
-/* The coin after a slip of so short a tau; the direction is that of the slope.
- */
-static coin_priv_slip euler(const coin_priv_slip *from, const struct onset *o,
+/* The coin a tau after *from, by the slopes of its slip. */
+static coin_priv_slip after_slopes(const coin_priv_slip *from, const struct onset *o,
                             double tau)
 {
     coin_priv_slip y = *from;
@@ -84,6 +83,18 @@ static int32_t begin(coin_priv_sliding *g, const coin_priv_slip *y)
     g->slips = 1;
     g->slip_stride = coin_priv_first_stride(g->tol);
     return coin_priv_slip_take(g, y);
+}
+
+/* The slip that begins at *start has gained COIN_PRIV_SLIP_SEED: a step of the
+ * midpoint rule, since without friction it may be long. */
+static coin_priv_slip at_seed(const coin_priv_contact *t,
+                              const coin_priv_slip *start, struct onset *o)
+{
+    const double tau = COIN_PRIV_SLIP_SEED * t->w0 / o->slope;
+    const coin_priv_slip mid = after_slopes(start, o, tau / 2);
+    const coin_priv_push friction = coin_priv_kinetic(t, &mid, o->n);
+    coin_priv_slopes_under(&o->slides, t, &mid, &friction);
+    return after_slopes(start, o, tau);
 }
 
 /* Rolls on for at most tau from an onset at *start, where friction changes the
@@ -142,7 +153,7 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
         g->rem.sum = 0;
         return COIN_OK;
     }
-    const struct onset o = onset_of(g);
+    struct onset o = onset_of(g);
     const double tau = coin_priv_lesser(wait, g->rem.sum / start.cth);
     /* The error of a wait is as slope/friction times its square.  From this
      * slope on the wait whose error is tol is the shorter one. */
@@ -152,7 +163,7 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     }
     if (!(o.slope >= QUICK * o.friction && o.slope * tau >= seed))
         return wait_for_speed(g, &start, &o, wait);
-    const coin_priv_slip y = euler(&start, &o, seed / o.slope);
+    const coin_priv_slip y = at_seed(&g->contact, &start, &o);
     return begin(g, &y);
 }
 
@@ -171,8 +182,7 @@ double coin_priv_held_clearance(const coin_priv_sliding *g)
     return coin_priv_clearance(&contact, &y, 0);
 }
 
-/* The slip begins at once, with a speed of COIN_PRIV_SLIP_SEED.  Its slopes are
- * those in the middle of the time in which it gains that speed.  There is no
+/* The slip begins at once, with a speed of COIN_PRIV_SLIP_SEED.  There is no
  * slip if it would not gain that speed while the coin keeps its lean. */
 int coin_priv_begin_held_slip(coin_priv_sliding *g)
 {
@@ -182,16 +192,8 @@ int coin_priv_begin_held_slip(coin_priv_sliding *g)
     const double time = coin_priv_lesser(unit * start.cth, g->rem.sum);
     t->psi_held = 1;
     struct onset o = onset_of(g);
-    const double seed = COIN_PRIV_SLIP_SEED * t->w0, first = seed / o.slope;
-    const int slips = o.slope * time >= seed;
-    if (slips) {
-        const coin_priv_slip mid = euler(&start, &o, first / 2);
-        const coin_priv_push friction = coin_priv_kinetic(t, &mid, o.n);
-        coin_priv_slopes_under(&o.slides, t, &mid, &friction);
-    }
+    const int slips = o.slope * time >= COIN_PRIV_SLIP_SEED * t->w0;
+    const coin_priv_slip y = slips ? at_seed(t, &start, &o) : start;
     t->psi_held = 0;
-    if (!slips)
-        return 0;
-    const coin_priv_slip y = euler(&start, &o, first);
-    return begin(g, &y) == COIN_OK;
+    return slips && begin(g, &y) == COIN_OK;
 }

@@ -284,22 +284,6 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
     }
 }
 
-/* The longest sigma in which a slip is taken as a straight line; 0 if its
- * direction turns, or the contact is held.  The line's error is as the square
- * of sigma. */
-static double longest_line(const coin_priv_sliding *g, const coin_priv_slip *y,
-                           const coin_priv_slip *d)
-{
-    const double u = speed(y);
-    const double part =
-        coin_priv_lesser(STRAIGHT * sqrt(g->tol), MOST_STRAIGHT);
-    const double sideways = y->uX / u * d->uh - y->uh / u * d->uX;
-    if (g->contact.psi_held || fabs(sideways) > part * fabs(growth(y, d)))
-        return 0;
-    const double rate = own_rate(g) + loss_rate(g, y);
-    return part / (rate * coin_priv_slip_scale(&g->contact, u));
-}
-
 /* Moves *y along a straight line, by h in sigma or to the end of the time;
  * whether it came to h. */
 static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
@@ -314,18 +298,27 @@ static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
 
 /* Takes one straight line where it is accurate enough: to the end of a slip, if
  * it ends soon; or as far as the line may go, if the slip is then ten times as
- * fast.  A slip that ended is forgotten: the next step finds out whether the
- * coin rolls, or slips in another direction.  Returns 0 if there is no such
- * line, or if the coin may lift off on it: *to is then of no use, and *g as it
- * was. */
+ * fast.  Its length is limited, since its error is as the square of it.  A slip
+ * whose direction turns, or whose contact is held, takes one to its end alone,
+ * and only below COIN_PRIV_SLIP_LEAST.  A slip that ended is forgotten: the
+ * next step finds out whether the coin rolls, or slips in another direction.
+ * Returns 0 if there is no such line, or if the coin may lift off on it: *to is
+ * then of no use, and *g as it was. */
 static int take_straight(coin_priv_sliding *g, coin_priv_slip *to,
                          const coin_priv_slip *d)
 {
     const double u = speed(to), grows = growth(to, d);
-    const double h = longest_line(g, to, d);
+    const double part =
+        coin_priv_lesser(STRAIGHT * sqrt(g->tol), MOST_STRAIGHT);
+    const double rate = own_rate(g) + loss_rate(g, to);
+    const double h = part / (rate * coin_priv_slip_scale(&g->contact, u));
+    const double sideways = to->uX / u * d->uh - to->uh / u * d->uX;
+    const int turns = fabs(sideways) > part * fabs(grows);
     const int is_least = u < COIN_PRIV_SLIP_LEAST * g->contact.w0;
     const int ends = grows < 0;
-    if (!(ends ? is_least || u < -grows * h : u < grows * h / 9))
+    if ((turns | g->contact.psi_held) & !(ends & is_least))
+        return 0;
+    if (!(ends ? u < -grows * h : u < grows * h / 9))
         return 0;
     const int fits = go_straight(to, d, ends ? u / -grows : h, g->rem.sum);
     if (!(coin_priv_clearance(&g->contact, to, 1) > 0))
