@@ -1010,9 +1010,10 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  *         Another call goes on after the trials; after the range it does once
  *         whole turns are taken off, or the path is begun anew.
  * t = 0 changes nothing: the status tells whether the coin rolls or slips.  A
- * slip speed below 1e-10 sqrt(g a) counts as 0.  A coin also rolls if its
- * friction exceeds mu_static N by less than 1e-14 of the terms of the force,
- * which is rounding.  Without a slip the motion is that of coin_advance().
+ * slip speed below 1e-10 sqrt(g a) counts as 0, and so does that of a slip that
+ * begins until it is 2e-10 sqrt(g a).  A coin also rolls if its friction
+ * exceeds mu_static N by less than 1e-14 of the terms of the force, which is
+ * rounding.  Without a slip the motion is that of coin_advance().
  * mu_static = mu_kinetic is accepted.  A slip then begins without acceleration,
  * and many short steps follow until it has grown.  A launch costs 14 times as
  * much as with mu_kinetic = 0.9 mu_static in the mean, and 70 times in the

@@ -36,8 +36,8 @@ static struct onset onset_of(const coin_priv_sliding *g)
 }
 
 /* The coin a tau after *from, by the slopes of its slip. */
-static coin_priv_slip after_slopes(const coin_priv_slip *from, const struct onset *o,
-                            double tau)
+static coin_priv_slip after_slopes(const coin_priv_slip *from,
+                                   const struct onset *o, double tau)
 {
     coin_priv_slip y = *from;
     double *at = (double *)&y;
@@ -143,7 +143,8 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     const double seed = COIN_PRIV_SLIP_SEED * g->contact.w0;
     const double r4 = sqrt(sqrt(g->tol));
     const double tol = coin_priv_lesser(g->tol, LOOSEST);
-    const double unit = 1 / coin_priv_roll_rate(g);
+    const double unit = coin_priv_lesser(1 / coin_priv_roll_rate(g),
+                                         1 / coin_priv_slip_rate(g));
     /* The usual wait is 2 tol^(3/8) of the time in which the motion changes. */
     double wait = unit * (2 * r4 * sqrt(r4));
     g->surely_rolls = 0;

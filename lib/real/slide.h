@@ -104,6 +104,9 @@ double coin_priv_roll_try(coin_priv_sliding *g, double tau);
 /* The rate in tau that measures its steps. */
 double coin_priv_roll_rate(const coin_priv_sliding *g);
 
+/* slip.c: the rate in tau at which the coin's motion changes while it slips. */
+double coin_priv_slip_rate(const coin_priv_sliding *g);
+
 /* A step as long as its error allows, at most `most`: its tau, or 0. */
 double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most);
 

@@ -45,10 +45,14 @@ static double growth(const coin_priv_slip *y, const coin_priv_slip *d)
     return y->uX / u * d->uX + y->uh / u * d->uh;
 }
 
-/* The rate in tau of the coin's motion. */
-static double own_rate(const coin_priv_sliding *g)
+/* A slip frees the lean: the inertia against its changes is I_X instead of
+ * I_X + M a^2.  For a disc, whose I_X is M a^2/4, the rate of (47) is enough.
+ */
+double coin_priv_slip_rate(const coin_priv_sliding *g)
 {
-    return 1 / coin_priv_sundman_tau(&g->contact.b, &g->w.run.g.y, 1);
+    const coin_priv_body *b = &g->contact.b;
+    const double freed = sqrt(b->m / b->IX) / 2;
+    return (freed > 1 ? freed : 1) / coin_priv_sundman_tau(b, &g->w.run.g.y, 1);
 }
 
 /* The rate in tau at which losses slow the coin; 0 if they hold psi. */
@@ -76,7 +80,7 @@ static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
     const double across = n.h * n.h * (1 + t->b.m / t->b.IZ) +
                           n.X * n.X * (1 + lever) / (1 + lever * sth * sth);
     const double settle = t->mu_kinetic * N * across / (u + t->w0);
-    return scale * own_rate(g) +
+    return scale * coin_priv_slip_rate(g) +
            RELAX * (settle + scale * loss_rate(g, y)); /* (87) */
 }
 
@@ -186,7 +190,8 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
 static int is_pressed(const coin_priv_sliding *g, double from, double to,
                       double u, double h)
 {
-    const double moved = h * coin_priv_slip_scale(&g->contact, u) * own_rate(g);
+    const double moved =
+        h * coin_priv_slip_scale(&g->contact, u) * coin_priv_slip_rate(g);
     return coin_priv_lesser(from, to) >
            4 * fabs(to - from) + 0.25 * moved * moved;
 }
@@ -310,7 +315,7 @@ static int take_straight(coin_priv_sliding *g, coin_priv_slip *to,
     const double u = speed(to), grows = growth(to, d);
     const double part =
         coin_priv_lesser(STRAIGHT * sqrt(g->tol), MOST_STRAIGHT);
-    const double rate = own_rate(g) + loss_rate(g, to);
+    const double rate = coin_priv_slip_rate(g) + loss_rate(g, to);
     const double h = part / (rate * coin_priv_slip_scale(&g->contact, u));
     const double sideways = to->uX / u * d->uh - to->uh / u * d->uX;
     const int turns = fabs(sideways) > part * fabs(grows);

@@ -243,10 +243,9 @@ struct slipping_series : turning_series {
   private:
     series force;
 
-    /* The slip and the normal force of order n. */
-    template <class T> void press(int n)
+    /* The direction of the slip of order n; without friction it is 0. */
+    template <class T> void direct(int n)
     {
-        const T X = T(IX), Z = T(IZ), one = n == 0;
         uX.set(n, vX.at<T>(n) + wZ.at<T>(n));
         uh.set(n, vh.at<T>(n) - fall.at<T>(n));
         speed.set(n, speed.root_of<T>(series::product<T>(uX, uX, n) +
@@ -254,6 +253,14 @@ struct slipping_series : turning_series {
                                       n));
         nX.set(n, nX.quotient<T>(uX.at<T>(n), speed, n));
         nh.set(n, nh.quotient<T>(uh.at<T>(n), speed, n));
+    }
+
+    /* The normal force of order n. */
+    template <class T> void press(int n)
+    {
+        const T X = T(IX), Z = T(IZ), one = n == 0;
+        if (mu > 0)
+            direct<T>(n);
         gyro.set(n, Z / X * wZ.at<T>(n) + spun.at<T>(n));
         still.set(n, -series::product<T>(wY, gyro, n)); /* (78) */
         hinder.set(n, series::product<T>(nh, c, n));

@@ -49,13 +49,19 @@ double slip(const asked &q, const scene &s, double factor, double enough)
     const double tol = s.q[3];
     coin_slide end = q.d;
     slide<R> truth(q);
-    if (!(truth.speed(truth.y) > R(1e-2)) ||
-        q.advance(&end, s.t, tol) != COIN_SLIPS ||
+    const bool on_ice = !(q.f.mu_kinetic > 0);
+    if (!(on_ice || truth.speed(truth.y) > R(1e-2)))
+        return NO_CLAIM;
+    const int32_t status = q.advance(&end, s.t, tol);
+    if (!(status == COIN_SLIPS || (on_ice && status == COIN_OK)) ||
         truth.follow(R(s.t)) != slide<R>::SLIPS)
         return NO_CLAIM;
     const R natural = R(s.t) * truth.w;
+    /* A slip that begins counts as 0 below 2e-10, and so does what it changes
+     * of the rates until then. */
+    const R begun = R(on_ice ? 4e-10 : 0);
     const R bound = R(factor) * R(tol) * (1 + natural) +
-                    R(1e-14) * (1 + natural) +
+                    R(1e-14) * (1 + natural) + begun +
                     64 * R(doubles::u) *
                         (1 + magnitude(truth.y[3]) + magnitude(truth.y[4]));
     const double ratio = double(truth.apart(end) / bound);
@@ -66,6 +72,16 @@ double slip(const asked &q, const scene &s, double factor, double enough)
 template <class R> double advance(const scene &s, double enough)
 {
     return slip<R>(asked(s), s, 1, enough);
+}
+
+/* From where the coin rolls, without friction. */
+template <class R> double on_ice(const scene &s, double enough)
+{
+    asked q(s);
+    q.f = {0, 0};
+    return coin_slide_of(&q.d, &q.d.s, &q.p) == COIN_OK
+               ? slip<R>(q, s, 1, enough)
+               : NO_CLAIM;
 }
 
 template <class R> double with_losses(const scene &s, double enough)
@@ -99,6 +115,9 @@ void add_slides(std::vector<row> *rows)
     rows->push_back({"coin_slide_advance",
                      "tol (1 + natural time) before amplification; slipping",
                      25, false, thrown, advance<long double>, advance<quad>});
+    rows->push_back({"coin_slide_advance_ice",
+                     "tol (1 + natural time) before amplification; slipping",
+                     25, false, thrown, on_ice<long double>, on_ice<quad>});
     rows->push_back({"coin_slide_advance_losses",
                      "10 tol (1 + natural time) before amplification; slipping",
                      25, false, thrown_flat, with_losses<long double>,

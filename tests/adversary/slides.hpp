@@ -111,8 +111,8 @@ template <class R> class slide
      * off, or that is too costly to tell. */
     enum fate { SLIPS, STOPS, LIFTS, UNKNOWN };
 
-    /* Follows the slip for a time, or until its speed is `least`, or it lifts
-     * off; the time is then in `took`, in natural units.  Steps are short where
+    /* Follows the slip for a time, or until friction has slowed it to `least`,
+     * or it lifts off; the time is then in `took`, in natural units.  Steps are short where
      * the normal force is small.  Where it has a minimum near 0, it is unknown
      * whether the coin lifts off. */
     fate follow(R t, R least = R(1e-3))
@@ -144,7 +144,7 @@ template <class R> class slide
             took += h;
             if (lifts)
                 return LIFTS;
-            if (speed(y) < least)
+            if (mu > 0 && speed(y) < least)
                 return STOPS;
         }
         return SLIPS;
@@ -254,8 +254,9 @@ template <class R> class slide
     R rate() const
     {
         const R s = sine(y[0]), c = cosine(y[0]);
-        return turning(c) + mu * pressed() * (1 + 1 / IX) / speed(y) +
-               (lossy ? slowed(s, c) : R(0));
+        const R by_friction =
+            mu > 0 ? mu * pressed() * (1 + 1 / IX) / speed(y) : R(0);
+        return turning(c) + by_friction + (lossy ? slowed(s, c) : R(0));
     }
 
     /* The fastest rate at which the losses slow the body. */
@@ -333,7 +334,8 @@ template <class R> class slide
             q[i] = y[i] + v[i];
         const R s = sine(q[0]), c = cosine(q[0]), T = s / c;
         const R wX = q[5], wY = q[6], wZ = q[7], u = speed(q);
-        const R nX = (q[8] + wZ) / u, nh = (q[9] - wX * c) / u;
+        const R nX = mu > 0 ? (q[8] + wZ) / u : R(0);
+        const R nh = mu > 0 ? (q[9] - wX * c) / u : R(0);
         const R gX = -(IZ * wY * wZ + IX * wY * wY * T) / IX; /* (78) */
         const R N = (1 - wX * wX * c - s * gX) /
                     (1 + s * (s + mu * nh * c) / IX); /* (80) */
