@@ -196,5 +196,7 @@ int coin_priv_begin_held_slip(coin_priv_sliding *g)
     const int slips = o.slope * time >= COIN_PRIV_SLIP_SEED * t->w0;
     const coin_priv_slip y = slips ? at_seed(t, &start, &o) : start;
     t->psi_held = 0;
-    return slips && begin(g, &y) == COIN_OK;
+    if (!slips)
+        return 0;
+    return begin(g, &y) == COIN_OK;
 }

@@ -320,8 +320,9 @@ static int take_straight(coin_priv_sliding *g, coin_priv_slip *to,
     const double sideways = to->uX / u * d->uh - to->uh / u * d->uX;
     const int turns = fabs(sideways) > part * fabs(grows);
     const int is_least = u < COIN_PRIV_SLIP_LEAST * g->contact.w0;
-    const int ends = grows < 0;
-    if ((turns | g->contact.psi_held) & !(ends & is_least))
+    const int ends = grows < 0, stops = ends & is_least;
+    const int bends = turns | g->contact.psi_held;
+    if (bends && !stops)
         return 0;
     if (!(ends ? u < -grows * h : u < grows * h / 9))
         return 0;
