@@ -12,10 +12,9 @@
 #define COIN_PRIV_NEARLY_FLAT 0.01
 
 /* What is looked for: bits of coin_check(), to within a time tol [T].  The coin
- * neither slips nor lifts off where F, times per_F, is less than N, times
- * per_N. These factors are 1 and mu, or 1/mu and 1 if mu > 1, so that neither
- * is above
- * 1.  They are 0 and 1 if slipping does not count. */
+ * neither slips nor lifts off where per_F F < per_N N.  These factors are 1 and
+ * mu, or 1/mu and 1 if mu > 1, so that neither is above 1.  They are 0 and 1 if
+ * slipping does not count. */
 typedef struct coin_priv_search {
     const coin_params *p;
     double mu, per_F, per_N, tol;
