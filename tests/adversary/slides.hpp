@@ -112,13 +112,14 @@ template <class R> class slide
     enum fate { SLIPS, STOPS, LIFTS, UNKNOWN };
 
     /* Follows the slip for a time, or until friction has slowed it to `least`,
-     * or it lifts off; the time is then in `took`, in natural units.  Steps are short where
-     * the normal force is small.  Where it has a minimum near 0, it is unknown
-     * whether the coin lifts off. */
+     * or it lifts off; the time is then in `took`, in natural units.  Steps are
+     * short where the normal force is small.  Where it has a minimum near 0, it
+     * is unknown whether the coin lifts off. */
     fate follow(R t, R least = R(1e-3))
     {
         R left = t * w;
-        R before = pressed(), last = before; /* where steps began */
+        /* Where steps began; before the first, by the slope. */
+        R last = pressed(), before = last - lightening();
         took = 0;
         for (int steps = 0; left > 0; ++steps) {
             const vector from = y;
