@@ -9,7 +9,7 @@ quarter of the room.
 A cost is in steps of the textbook's RK4 per natural unit of time, each relative
 to one timed at the same moments; what that step took when it was quickest is
 kept for each build and scene.  Of the rungs below the floor of rounding two are
-kept.  Settings and right-hand sides are those of the portable build.
+kept.  Right-hand sides are those of the portable build.
 """
 import csv
 import math
@@ -54,7 +54,6 @@ def kept(lines):
         ran = above_floor(all_of_it)
         good = [r["status"] == "ok" for r in ran]
         for quantity, values in (
-                ("setting", [short(float(r["setting"])) for r in ran]),
                 ("slopes", [short(float(r["slopes_per_unit"])) for r in ran]),
                 ("error", [short(float(r["error"]), 2) if ok
                            else r["status"].replace(" ", "_")
