@@ -12,9 +12,8 @@
 #define COIN_PRIV_NEARLY_FLAT 0.01
 
 /* What is looked for: bits of coin_check(), to within a time tol [T].  The coin
- * neither slips nor lifts off where per_F F < per_N N.  These factors are 1 and
- * mu, or 1/mu and 1 if mu > 1, so that neither is above 1.  They are 0 and 1 if
- * slipping does not count. */
+ * neither slips nor lifts off where per_F F < per_N N.  The pair per_F, per_N
+ * is (1, mu) for mu <= 1 and (1/mu, 1) above; (0, 1) if no slip counts. */
 typedef struct coin_priv_search {
     const coin_params *p;
     double mu, per_F, per_N, tol;

@@ -118,7 +118,8 @@ template <class R> class slide
     fate follow(R t, R least = R(1e-3))
     {
         R left = t * w;
-        /* Where steps began; before the first, by the slope. */
+        /* N where the last step began, and where the one before it did: at
+         * first by the slope. */
         R last = pressed(), before = last - lightening();
         took = 0;
         for (int steps = 0; left > 0; ++steps) {
