@@ -1,39 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The variables and the coefficients of the equations of motion, from a state
- * and a body. */
+/* The equations of motion, and what follows from them. */
 #ifndef ROLLCOIN_EQUATIONS_H
 #define ROLLCOIN_EQUATIONS_H
 
-#include "angles.h"
-#include "body.h"
-
 #include "equations.t.h"
 
-/* The variables of a state, inline in the caller.  The lean is reduced only
- * where that is needed: its sine and cosine are then known sooner, and a step
- * waits for them. */
-COIN_PRIV_INLINE PRIV(variables) PRIV(variables_inline)(const COIN(state) * s)
-{
-    const PRIV(sc) ph = PRIV(sine_cosine)(s->phi);
-    const PRIV(sc) th = FABS(s->theta) <= K(0.5) * COIN_PRIV_HALF_PI
-                            ? PRIV(sine_cosine_reduced)(s->theta, 0)
-                            : PRIV(sine_cosine)(s->theta);
-    const real q = 1 / th.c;
-    const PRIV(variables) y = {
-        s->wX, s->wY, s->wZ, th.s, th.c, q, q * th.s, ph.s, ph.c,
-    };
-    return y;
-}
-
-COIN_PRIV_INLINE PRIV(field) PRIV(field_of)(const PRIV(body) * b, real h)
-{
-    const PRIV(field) f = {
-        h, h * b->GJ, h * b->KJ, b->XJ, h * b->k1, h * b->k2,
-    };
-    return f;
-}
-
-/* The same as a function, for callers that may take a little longer. */
+/* The variables of a state as a function, for callers that may take a little
+ * longer than those of variables_inline(). */
 PRIV(variables) PRIV(variables_of)(const COIN(state) * s);
 
 /* The rows e_X, e_Y, e_Z of the coin's frame in the table's. */

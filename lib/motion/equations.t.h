@@ -7,6 +7,7 @@
  * velocity, so that no stage of a step takes a sine of an angle.  The pose is a
  * quadrature: no equation reads it. */
 #include "angles.h"
+#include "body.h"
 
 #include "kind.h"
 
@@ -27,6 +28,32 @@ typedef struct PRIV(pose) {
 typedef struct PRIV(field) {
     real h, GJ, KJ, XJ, k1, k2;
 } PRIV(field);
+
+#ifndef COIN_PRIV_ABREAST
+/* The variables of a state, inline in the caller.  The lean is reduced only
+ * where that is needed: its sine and cosine are then known sooner, and a step
+ * waits for them. */
+COIN_PRIV_INLINE PRIV(variables) PRIV(variables_inline)(const COIN(state) * s)
+{
+    const PRIV(sc) ph = PRIV(sine_cosine)(s->phi);
+    const PRIV(sc) th = FABS(s->theta) <= K(0.5) * COIN_PRIV_HALF_PI
+                            ? PRIV(sine_cosine_reduced)(s->theta, 0)
+                            : PRIV(sine_cosine)(s->theta);
+    const real q = 1 / th.c;
+    const PRIV(variables) y = {
+        s->wX, s->wY, s->wZ, th.s, th.c, q, q * th.s, ph.s, ph.c,
+    };
+    return y;
+}
+
+COIN_PRIV_INLINE PRIV(field) PRIV(field_of)(const PRIV(body) * b, real h)
+{
+    const PRIV(field) f = {
+        h, h * b->GJ, h * b->KJ, b->XJ, h * b->k1, h * b->k2,
+    };
+    return f;
+}
+#endif
 
 /* h d/dt of the variables.  Factors are grouped so that chains of dependent
  * operations are short: a step takes as long as the longest of them. */
@@ -160,6 +187,17 @@ COIN_PRIV_INLINE PRIV(variables)
     return r;
 }
 
+/* a + w b, member by member, but for t: steps in tau add that themselves. */
+COIN_PRIV_INLINE PRIV(pose)
+    PRIV(pose_plus)(const PRIV(pose) * a, scalar w, const PRIV(pose) * b)
+{
+    const PRIV(pose) r = {
+        a->theta + w * b->theta, a->phi + w * b->phi, a->psi + w * b->psi,
+        a->x + w * b->x,         a->z + w * b->z,     a->t,
+    };
+    return r;
+}
+
 /* The velocity of the centre along x, y, z: a (-wZ e_X + wX e_Z). */
 COIN_PRIV_INLINE void PRIV(velocity_of)(real v[3], real a,
                                         const PRIV(variables) * y)
@@ -176,4 +214,34 @@ COIN_PRIV_INLINE real PRIV(rate2)(real g_a, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ, q = y->q;
     return (wX * wX + wY * wY) * (q * q) + (wZ * wZ + g_a * q); /* (47) */
+}
+
+/* Where a step leads: the rates, what it adds to the pose, and the least cos
+ * theta of its stages. */
+typedef struct PRIV(step_end) {
+    real wX, wY, wZ;
+    PRIV(pose) adds;
+    real least_cth;
+} PRIV(step_end);
+
+/* The variables at the end of a step, where the pairs are known. */
+COIN_PRIV_INLINE PRIV(variables)
+    PRIV(variables_at)(const PRIV(step_end) * end, PRIV(sc) th, PRIV(sc) ph)
+{
+    const real q = 1 / th.c;
+    const PRIV(variables) next = {
+        end->wX, end->wY, end->wZ, th.s, th.c, q, q * th.s, ph.s, ph.c,
+    };
+    return next;
+}
+
+/* The same, after a step from *y.  The pairs turn by what the step adds to the
+ * angles.  So, to rounding, angles and pairs agree, and a run of n steps equals
+ * n runs of one step. */
+COIN_PRIV_INLINE PRIV(variables)
+    PRIV(variables_after)(const PRIV(variables) * y, const PRIV(step_end) * end)
+{
+    PRIV(sc) th = {y->sth, y->cth}, ph = {y->sph, y->cph};
+    PRIV(turn_both)(&th, &ph, end->adds.theta, end->adds.phi);
+    return PRIV(variables_at)(end, th, ph);
 }

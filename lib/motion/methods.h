@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* How far a step of each method may go: |dt| W, with W of Eq. (47), beyond
- * which a step is COIN_COARSE, and beyond which it is refused. */
+/* How far a step of each method may go.  Beyond one limit of |dt| W, with W of
+ * Eq. (47), a step is COIN_COARSE; beyond another one it is refused. */
 #ifndef ROLLCOIN_METHODS_H
 #define ROLLCOIN_METHODS_H
 
-#include "body.h"
+#include "equations.h"
 
 /* Whether there is such a method; the functions below require it.  Floats have
  * RK4 and the symplectic method of order 2. */
@@ -70,6 +70,25 @@ COIN_PRIV_INLINE int PRIV(rate2_holds)(PRIV(limits) * limits, real rate2)
         return 1;
     limits->warnings = COIN_COARSE;
     return rate2 <= limits->most2;
+}
+
+/* The most by which a step may turn lean or heading: a step that turns them
+ * further has missed what happens on the way.  It is below pi/2, up to which
+ * coin_priv_turned() is accurate. */
+#define COIN_PRIV_TURN_MAX 1.5
+
+/* Whether a step is sound: neither longer nor nearer to the table than the
+ * limits allow. */
+COIN_PRIV_INLINE int PRIV(step_holds)(PRIV(limits) * limits, real g_a,
+                                      const PRIV(step_end) * end,
+                                      const PRIV(variables) * next)
+{
+    const int turn_holds = (FABS(end->adds.theta) <= COIN_PRIV_TURN_MAX) &
+                           (FABS(end->adds.phi) <= COIN_PRIV_TURN_MAX);
+    /* In tests no step had only its end below the table. */
+    const int above = (end->least_cth > 0) & (next->cth > 0);
+    return turn_holds && above &&
+           PRIV(rate2_holds)(limits, PRIV(rate2)(g_a, next));
 }
 
 #endif

@@ -4,8 +4,13 @@
 #define ROLLCOIN_LOOP_H
 
 #include "../motion/methods.h"
+#include "../motion/state.h"
 
-#include "progress.h"
+#include "progress.t.h"
+
+/* Steps of a block; blocks are counted from the start of a run, so that its
+ * bits do not depend on where it is looked at. */
+#define COIN_PRIV_BLOCK 64
 
 /* A run by steps of dt. */
 typedef struct coin_priv_run {
@@ -30,11 +35,6 @@ void coin_priv_run_unlimited(coin_priv_run *r, const coin_state *s);
 typedef void coin_priv_step(coin_priv_step_end *end, coin_priv_variables *next,
                             const coin_priv_variables *y,
                             const void *coefficients);
-
-/* The most by which a step may turn lean or heading: a step that turns them
- * further has missed what happens on the way.  It is below pi/2, up to which
- * coin_priv_turned() is accurate. */
-#define COIN_PRIV_TURN_MAX 1.5
 
 /* Whether phi and psi, as they will be reported, are in the range of
  * coin_state_check(), at least `margin` from its ends.  NaN is not. */
@@ -74,17 +74,26 @@ COIN_PRIV_INLINE double coin_priv_safe_cosine(const coin_priv_body *b,
     return fall + sqrt(fall * fall + E2 / b->IX / spare);
 }
 
-/* Whether a step is sound that coin_priv_safe_cosine() does not decide. */
-COIN_PRIV_INLINE int coin_priv_step_holds(coin_priv_limits *limits, double g_a,
-                                          const coin_priv_step_end *end,
-                                          const coin_priv_variables *next)
+/* The state that a run from *start has come to. */
+COIN_PRIV_INLINE coin_state coin_priv_state_of(const coin_priv_progress *g,
+                                               const coin_state *start,
+                                               double a)
 {
-    const int turn_holds = (fabs(end->adds.theta) <= COIN_PRIV_TURN_MAX) &
-                           (fabs(end->adds.phi) <= COIN_PRIV_TURN_MAX);
-    /* In tests no step had only its end below the table. */
-    const int above = (end->least_cth > 0) & (next->cth > 0);
-    return turn_holds && above &&
-           coin_priv_rate2_holds(limits, coin_priv_rate2(g_a, next));
+    const coin_priv_pose to = coin_priv_pose_of(g, a);
+    const double most = COIN_PRIV_HALF_PI - COIN_PRIV_EPSILON;
+    const coin_state s = {
+        to.theta > most    ? most
+        : to.theta < -most ? -most
+                           : to.theta,
+        to.phi,
+        to.psi,
+        start->x + to.x,
+        start->z + to.z,
+        g->y.wX,
+        g->y.wY,
+        g->y.wZ,
+    };
+    return s;
 }
 
 /* Up to n steps of a run.  It ends early where a step would not be sound, and

@@ -9,14 +9,6 @@ typedef struct PRIV(sum) {
     real sum, low;
 } PRIV(sum);
 
-/* Where a step leads: the rates, what it adds to the pose, and the least cos
- * theta of its stages. */
-typedef struct PRIV(step_end) {
-    real wX, wY, wZ;
-    PRIV(pose) adds;
-    real least_cth;
-} PRIV(step_end);
-
 /* A run under way: its variables, its pose at the beginning of a block of
  * steps, and what the steps of the block have added to it.  A steady motion
  * adds the same in every step, and one long plain sum would round it the same
@@ -30,17 +22,6 @@ typedef struct PRIV(progress) {
     PRIV(pose) added;
     PRIV(sum) phi, psi, x, z;
 } PRIV(progress);
-
-/* a + w b, member by member, but for t: steps in tau add that themselves. */
-COIN_PRIV_INLINE PRIV(pose)
-    PRIV(pose_plus)(const PRIV(pose) * a, scalar w, const PRIV(pose) * b)
-{
-    const PRIV(pose) r = {
-        a->theta + w * b->theta, a->phi + w * b->phi, a->psi + w * b->psi,
-        a->x + w * b->x,         a->z + w * b->z,     a->t,
-    };
-    return r;
-}
 
 /* Adds a part, by Knuth's exact sum. */
 COIN_PRIV_PART void PRIV(add)(PRIV(sum) * to, real part)
@@ -126,28 +107,6 @@ COIN_PRIV_INLINE void PRIV(end_block)(PRIV(progress) * g)
     y->tth = th.s * y->q;
     y->sph = ph.s;
     y->cph = ph.c;
-}
-
-/* The variables at the end of a step, where the pairs are known. */
-COIN_PRIV_INLINE PRIV(variables)
-    PRIV(variables_at)(const PRIV(step_end) * end, PRIV(sc) th, PRIV(sc) ph)
-{
-    const real q = 1 / th.c;
-    const PRIV(variables) next = {
-        end->wX, end->wY, end->wZ, th.s, th.c, q, q * th.s, ph.s, ph.c,
-    };
-    return next;
-}
-
-/* The same, after a step from *y.  The pairs turn by what the step adds to the
- * angles.  So, to rounding, angles and pairs agree, and a run of n steps equals
- * n runs of one step. */
-COIN_PRIV_INLINE PRIV(variables)
-    PRIV(variables_after)(const PRIV(variables) * y, const PRIV(step_end) * end)
-{
-    PRIV(sc) th = {y->sth, y->cth}, ph = {y->sph, y->cph};
-    PRIV(turn_both)(&th, &ph, end->adds.theta, end->adds.phi);
-    return PRIV(variables_at)(end, th, ph);
 }
 
 /* The pose of a run: its angles, and x, z [L] from where it started. */

@@ -2,14 +2,25 @@
 /* The classical Runge-Kutta method. */
 #include "../motion/equations.h"
 
-#include "progress.h"
-
 #include "../motion/kind.h"
 
 /* The coefficients for a step h: times h/2, h and h/6. */
 typedef struct PRIV(rk4_fields) {
     PRIV(field) half, full, sixth;
 } PRIV(rk4_fields);
+
+#ifndef COIN_PRIV_ABREAST
+COIN_PRIV_INLINE PRIV(rk4_fields)
+    PRIV(rk4_fields_of)(const PRIV(body) * b, real dt)
+{
+    const PRIV(rk4_fields) k = {
+        PRIV(field_of)(b, dt / 2),
+        PRIV(field_of)(b, dt),
+        PRIV(field_of)(b, dt / 6),
+    };
+    return k;
+}
+#endif
 
 /* A stage: the start plus a slope, with two exceptions.  1/cos theta is
  * computed by a division, and the pair of the heading is turned.  As the start

@@ -8,7 +8,7 @@
  * EACH_POSE(F), the members of the latter, and get rk8_sums().  Who defines
  * ERROR_TO(f, e5, e3) too is given, variable by variable, the two sums of
  * slopes that estimate a step's error (ibid., II.5). */
-#include "progress.h"
+#include "../motion/equations.h"
 
 #include "../motion/kind.h"
 

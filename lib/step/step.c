@@ -7,8 +7,10 @@
 #pragma GCC optimize("no-tree-sink", "no-tree-pre")
 #endif
 
-#include "loop.h"
-#include "rk4.h"
+#include "../motion/methods.h"
+#include "../motion/state.h"
+
+#include "rk4.t.h"
 
 int32_t coin_step(coin_state *s, const coin_params *p, double dt)
 {
