@@ -83,8 +83,8 @@ COIN_PRIV_INLINE int PRIV(step_holds)(PRIV(limits) * limits, real g_a,
                                       const PRIV(step_end) * end,
                                       const PRIV(variables) * next)
 {
-    const int turn_holds = (FABS(end->adds.theta) <= COIN_PRIV_TURN_MAX) &
-                           (FABS(end->adds.phi) <= COIN_PRIV_TURN_MAX);
+    const int turn_holds = (FABS(end->adds.theta) <= K(COIN_PRIV_TURN_MAX)) &
+                           (FABS(end->adds.phi) <= K(COIN_PRIV_TURN_MAX));
     /* In tests no step had only its end below the table. */
     const int above = (end->least_cth > 0) & (next->cth > 0);
     return turn_holds && above &&
