@@ -11,7 +11,7 @@
 #endif
 
 #include "loop.h"
-#include "rk4.t.h"
+#include "rk4.h"
 
 COIN_PRIV_INLINE void step(coin_priv_step_end *end, coin_priv_variables *next,
                            const coin_priv_variables *y, const void *fields)

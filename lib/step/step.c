@@ -10,7 +10,7 @@
 #include "../motion/methods.h"
 #include "../motion/state.h"
 
-#include "rk4.t.h"
+#include "rk4.h"
 
 int32_t coin_step(coin_state *s, const coin_params *p, double dt)
 {
