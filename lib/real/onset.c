@@ -8,7 +8,11 @@
 /* A slip begins at once if its slope is at least QUICK times friction, and if
  * it gains COIN_PRIV_SLIP_SEED within the usual wait.  A slower slip would grow
  * by many short steps, and waits.  The error of that is kept below tol and
- * below LOOSEST. */
+ * below LOOSEST.
+ *
+ * Measured on 3900 random slides.  Any QUICK from 0.25 to 2 gives the same
+ * number of steps.  0, no wait for speed, gives 2 to 7 % more.  Without LOOSEST
+ * the errors at tol = 1e-4 are a fifth larger, for 0.5 % fewer steps. */
 #define QUICK 0.5
 #define LOOSEST 5e-5
 
@@ -169,7 +173,8 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
 }
 
 /* A held coin slips where F/N exceeds mu_static.  It has to exceed mu_kinetic
- * by HELD_EXCESS as well, so that the slip accelerates. */
+ * by HELD_EXCESS as well, so that the slip accelerates.  With 0 a slip may
+ * begin that rounding alone accelerates (test_slide_flat). */
 #define HELD_EXCESS 1e-5
 
 double coin_priv_held_clearance(const coin_priv_sliding *g)

@@ -15,12 +15,16 @@
 #define TURN_ROUND 0.5
 
 /* The largest error of the slip velocity, in parts of that velocity: friction
- * has its direction. */
+ * has its direction.  It limits steps at tol = 1e-4 and above.  With 0.1 the
+ * worst hundredth of random slides err by 2 tol at tol = 1e-2, with this value
+ * by 0.5 tol, with 0.001 by 0.2 tol for 8 % more steps. */
 #define SLIP_ERROR 1e-2
 
 /* A slip is taken as a straight line for at most STRAIGHT sqrt(tol) of the time
  * in which the motion changes: the error of the line is as the square of that,
- * about tol/32.  The limit for large tol is MOST_STRAIGHT. */
+ * about tol/32.  The limit for large tol is MOST_STRAIGHT.  Without it the
+ * median error at tol = 1e-2 is 20 times as large, for 7 % fewer steps; with a
+ * tenth of it there are 7 % more. */
 #define STRAIGHT 0.25
 #define MOST_STRAIGHT 0.003
 
