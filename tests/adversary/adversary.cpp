@@ -13,7 +13,10 @@
 
 namespace
 {
-/* A climb that has not risen for so many evaluations starts anew. */
+/* A climb begins where there is a claim.  One that has not risen by this factor
+ * in so many evaluations ends: next to a smooth maximum it would rise a little
+ * for ever. */
+constexpr double RISE = 1.001;
 constexpr long PATIENCE = 300;
 
 /* ----------------------------------------------------------------- chance */
@@ -89,17 +92,21 @@ best search(const row &r, long evaluations, uint64_t seed)
     chance c = {seed};
     best found, top;
     genome at = {};
-    long since = PATIENCE;
+    double mark = 0; /* the ratio at the last rise */
+    long since = 0;
     for (long i = 0; i < evaluations; ++i) {
-        const bool anew = since >= PATIENCE;
+        const bool anew = since >= PATIENCE || top.ratio == NO_CLAIM;
         if (anew) {
             confirm(r, top, &found);
             top = best();
+            mark = 0;
         }
         const genome g = anew ? anywhere(&c) : beside(at, &c);
         const scene s = made(r, g);
         const double ratio = r.quick(s, top.ratio);
-        since = ratio > top.ratio ? 0 : since + 1;
+        const bool rises = ratio > RISE * mark;
+        since = anew || rises ? 0 : since + 1;
+        mark = rises ? ratio : mark;
         if (anew || ratio >= top.ratio) {
             top = {ratio, s};
             at = g;
