@@ -118,7 +118,7 @@ static int keeps_rolling(coin_priv_sliding *g, int turns, double low,
     g->landed = 0;
     coin_priv_mark(g);
     check(coin_priv_roll_try(g, unit / 2) == 0);
-    return coin_priv_keeps_rolling(g, unit / 2, 1 / unit);
+    return coin_priv_judge_step(g, unit / 2, 1 / unit);
 }
 
 static void leans_that_were_not_looked_at_are(void **unused)

@@ -10,7 +10,7 @@ int coinf_priv_step_rk4(coinf_state *s, int32_t *warnings,
     coinf_priv_slope first, rest;
     coinf_priv_variables last;
     coinf_priv_slopes(&first, &rest, &last, plan, y, coinf_priv_slope_at);
-    if (!coinf_priv_rate_holds(warnings, plan, &last))
+    if (!coinf_priv_admit_rate(warnings, plan, &last))
         return 0;
     coinf_state next = *s;
     coinf_priv_change(&next, &first, &rest);
@@ -71,7 +71,7 @@ int coinf_priv_step_by(coinf_state *s, int32_t *warnings,
                        coinf_priv_step_function *method)
 {
     const coinf_priv_variables y = coinf_priv_variables_with_low(s);
-    return coinf_priv_rate_holds(warnings, plan, &y) &&
+    return coinf_priv_admit_rate(warnings, plan, &y) &&
            method(s, warnings, plan, &y);
 }
 

@@ -106,6 +106,6 @@ int coinf_priv_step_symplectic2(coinf_state *s, int32_t *warnings,
     if (!drift(&next, plan, &y))
         return 0;
     half_kick(&next, plan, &y);
-    return coinf_priv_rate_holds(warnings, plan, &y) &&
+    return coinf_priv_admit_rate(warnings, plan, &y) &&
            coinf_priv_finish_step(s, &next, plan);
 }

@@ -28,9 +28,9 @@ typedef int coinf_priv_step_function(coinf_state *s, int32_t *warnings,
 
 coinf_priv_step_function coinf_priv_step_rk4, coinf_priv_step_symplectic2;
 
-/* Whether W^2 is within the limit most2; NaN is not.  Notes COIN_COARSE if it
- * is beyond coarse2. */
-COIN_PRIV_INLINE int coinf_priv_rate_holds(int32_t *warnings,
+/* Notes COIN_COARSE if W^2 is beyond coarse2.  Returns 0, a refusal, if it is
+ * beyond most2 or NaN. */
+COIN_PRIV_INLINE int coinf_priv_admit_rate(int32_t *warnings,
                                            const coinf_priv_plan *plan,
                                            const coinf_priv_variables *y)
 {

@@ -62,9 +62,9 @@ COIN_PRIV_INLINE PRIV(limits)
     return limits;
 }
 
-/* Whether W^2 is within the limit most2; NaN is not.  Notes COIN_COARSE if it
- * is beyond coarse2. */
-COIN_PRIV_INLINE int PRIV(rate2_holds)(PRIV(limits) * limits, real rate2)
+/* Notes COIN_COARSE if W^2 is beyond coarse2.  Returns 0, a refusal, if it is
+ * beyond most2 or NaN. */
+COIN_PRIV_INLINE int PRIV(admit_rate2)(PRIV(limits) * limits, real rate2)
 {
     if (rate2 <= limits->coarse2)
         return 1;
@@ -77,9 +77,9 @@ COIN_PRIV_INLINE int PRIV(rate2_holds)(PRIV(limits) * limits, real rate2)
  * coin_priv_turned() is accurate. */
 #define COIN_PRIV_TURN_MAX 1.5
 
-/* Whether a step is sound: neither longer nor nearer to the table than the
- * limits allow. */
-COIN_PRIV_INLINE int PRIV(step_holds)(PRIV(limits) * limits, real g_a,
+/* The same for a step.  It is also refused if it turns lean or heading too far,
+ * or if it leads through the table. */
+COIN_PRIV_INLINE int PRIV(admit_step)(PRIV(limits) * limits, real g_a,
                                       const PRIV(step_end) * end,
                                       const PRIV(variables) * next)
 {
@@ -88,7 +88,7 @@ COIN_PRIV_INLINE int PRIV(step_holds)(PRIV(limits) * limits, real g_a,
     /* In tests no step had only its end below the table. */
     const int above = (end->least_cth > 0) & (next->cth > 0);
     return turn_holds && above &&
-           PRIV(rate2_holds)(limits, PRIV(rate2)(g_a, next));
+           PRIV(admit_rate2)(limits, PRIV(rate2)(g_a, next));
 }
 
 #endif

@@ -186,6 +186,5 @@ int coin_priv_first_event(coin_priv_moment *out, const coin_priv_search *f,
                           coin_priv_stretch *w)
 {
     const double one = coin_priv_sundman_tau(&w->from.b, &w->from.g.y, 1);
-    return !coin_priv_is_clear_all_along(f, w, one) &&
-           first_in_parts(out, f, w);
+    return !coin_priv_judge_stretch(f, w, one) && first_in_parts(out, f, w);
 }

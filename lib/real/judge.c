@@ -14,10 +14,10 @@
  * as a whole. */
 #define HALVED 0.5
 
-/* coin_priv_plain() of both halves of the step just made; 0 for a short step,
- * which is not cut. */
-static int is_plain_by_halves(coin_priv_sliding *g, const coin_priv_end *from,
-                              const coin_priv_end *to, double tau, double rate)
+/* Judges both halves of the step just made by coin_priv_plain(); 0 for a short
+ * step, which is not cut. */
+static int judge_halves(coin_priv_sliding *g, const coin_priv_end *from,
+                        const coin_priv_end *to, double tau, double rate)
 {
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
     const coin_priv_run at = g->w.run;
@@ -33,9 +33,9 @@ static int is_plain_by_halves(coin_priv_sliding *g, const coin_priv_end *from,
            coin_priv_plain(&g->contact, &f, &g->w.l, &mid, to, half, stride);
 }
 
-/* Whether it is certain, by series of the force, that the coin rolls all along
- * the step just made.  It has no losses. */
-static int is_clear(coin_priv_sliding *g, double tau, double rate)
+/* Judges the step just made of a coin without losses by series of the force:
+ * returns 1 if it is certain that the coin rolls all along. */
+static int judge_by_series(coin_priv_sliding *g, double tau, double rate)
 {
     const double mu = g->contact.mu_static;
     const coin_priv_search f = {
@@ -47,12 +47,12 @@ static int is_clear(coin_priv_sliding *g, double tau, double rate)
     w->unit = 1 / rate;
     w->tau = tau;
     w->t = g->landed ? g->w.run.g.added.t : 0;
-    return coin_priv_is_clear_all_along(&f, w, 1 / rate);
+    return coin_priv_judge_stretch(&f, w, 1 / rate);
 }
 
-/* Whether it is certain, by the forces at its ends and within, that a coin with
- * losses rolls all along the step just made. */
-static int is_plain(coin_priv_sliding *g, double tau, double rate)
+/* The same for a coin with losses, by the forces at the ends of the step and
+ * within. */
+static int judge_by_ends(coin_priv_sliding *g, double tau, double rate)
 {
     const coin_priv_field f = coin_priv_field_of(&g->w.run.b, 1);
     const coin_priv_losses *l = &g->w.l;
@@ -62,8 +62,7 @@ static int is_plain(coin_priv_sliding *g, double tau, double rate)
     coin_priv_end_of(to, &g->contact, &f, l, &g->w.run.g.y, 1 / rate);
     return coin_priv_plain(&g->contact, &f, l, from, to, tau,
                            fabs(tau) * rate) ||
-           (to->square_margin > 0 &&
-            is_plain_by_halves(g, from, to, tau, rate));
+           (to->square_margin > 0 && judge_halves(g, from, to, tau, rate));
 }
 
 /* Whether the coin rolls all along the step just made because it did so before
@@ -80,7 +79,7 @@ static int is_repeated(const coin_priv_sliding *g)
     return !g->lossy && g->turning_points >= 2 && within;
 }
 
-int coin_priv_keeps_rolling(coin_priv_sliding *g, double tau, double rate)
+int coin_priv_judge_step(coin_priv_sliding *g, double tau, double rate)
 {
     const coin_priv_variables *y = &g->w.run.g.y;
     if (is_repeated(g))
@@ -88,7 +87,8 @@ int coin_priv_keeps_rolling(coin_priv_sliding *g, double tau, double rate)
     g->turning_points += (g->from.y.wX < 0) != (y->wX < 0);
     g->low = coin_priv_lesser(g->low, y->sth);
     g->high = y->sth > g->high ? y->sth : g->high;
-    return g->lossy ? is_plain(g, tau, rate) : is_clear(g, tau, rate);
+    return g->lossy ? judge_by_ends(g, tau, rate)
+                    : judge_by_series(g, tau, rate);
 }
 
 void coin_priv_judge_here(coin_priv_sliding *g)

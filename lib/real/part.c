@@ -169,8 +169,8 @@ static int terms_for(const coin_priv_search *f, const coin_priv_force *at,
                                                                 : ALL;
 }
 
-int coin_priv_is_clear_all_along(const coin_priv_search *f,
-                                 coin_priv_stretch *w, double one)
+int coin_priv_judge_stretch(const coin_priv_search *f, coin_priv_stretch *w,
+                            double one)
 {
     const double unit = one / w->unit, stride = fabs(w->tau) / one;
     for (int terms = terms_for(f, &w->force, unit, stride);;) {

@@ -35,11 +35,12 @@ typedef struct coin_priv_search {
 int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *at,
                        double h, double stride);
 
-/* The same of a whole stretch, whose force is computed: by as many terms as the
- * force on the stretch before, in w->force, makes likely to be enough, and by
- * more if they are not.  `one` is the tau of a stride. */
-int coin_priv_is_clear_all_along(const coin_priv_search *f,
-                                 coin_priv_stretch *w, double one);
+/* Computes the force at the ends of a stretch into w->force, and returns the
+ * same of the whole stretch.  It takes as many terms as the force on the
+ * stretch before, in w->force, makes likely to be enough, and more if they are
+ * not. `one` is the tau of a stride. */
+int coin_priv_judge_stretch(const coin_priv_search *f, coin_priv_stretch *w,
+                            double one);
 
 /* The force along a curve in Bernstein's form, scaled so that the coin slips
  * where along^2 + across^2 > bound^2. */

@@ -277,7 +277,7 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
     const double tau = next_step(g, rate, &last);
     if (tau == 0)
         return COIN_ESTEP;
-    g->surely_rolls = !back && coin_priv_keeps_rolling(g, tau, rate);
+    g->surely_rolls = !back && coin_priv_judge_step(g, tau, rate);
     const int rolls = g->surely_rolls || back ? 1 : shorten(g, tau, rate);
     coin_priv_count(g);
     if (last && rolls > 0)

@@ -122,9 +122,9 @@ void coin_priv_count(coin_priv_sliding *g);
  * it also sets g->ends[g->now]. */
 void coin_priv_judge_here(coin_priv_sliding *g);
 
-/* judge.c: whether it is certain that the coin rolls all along the step just
- * made.  0 if it slips, or if that is not certain. */
-int coin_priv_keeps_rolling(coin_priv_sliding *g, double tau, double rate);
+/* judge.c: judges the step just made.  Returns 1 if it is certain that the coin
+ * rolls all along, 0 if it slips or if that is not certain. */
+int coin_priv_judge_step(coin_priv_sliding *g, double tau, double rate);
 
 /* coin_priv_clearance() where the run is, of a coin that rolls. */
 double coin_priv_rolling_clearance(const coin_priv_sliding *g);

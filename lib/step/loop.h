@@ -109,7 +109,7 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
     coin_priv_step_end end;
     const double g_a = r->b.g_a;
     int sound =
-        n == 0 || coin_priv_rate2_holds(&r->limits, coin_priv_rate2(g_a, &y));
+        n == 0 || coin_priv_admit_rate2(&r->limits, coin_priv_rate2(g_a, &y));
     while (sound && n > 0) {
         const uint64_t rest = COIN_PRIV_BLOCK - r->steps % COIN_PRIV_BLOCK;
         const uint64_t block = n < rest ? n : rest;
@@ -123,7 +123,7 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
             step(&end, &next, &y, coefficients);
             const double low = coin_priv_lesser(end.least_cth, next.cth);
             if (COIN_PRIV_RARELY(!(low > safe)) &&
-                !coin_priv_step_holds(&r->limits, g_a, &end, &next))
+                !coin_priv_admit_step(&r->limits, g_a, &end, &next))
                 break;
             sum = coin_priv_pose_plus(&added, 1, &end.adds);
             if (at_edge && !coin_priv_angles_hold(g, &sum, 0))
