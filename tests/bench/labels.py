@@ -77,9 +77,10 @@ def clear(rows, start, end):
                    for k in range(4, n))
 
 
-def candidates(panel, text, mine, all_rows, others):
+def candidates(panel, text, mine, all_rows, others, crossing=False):
     """(distance, place, where its leader begins, or None) of a label, nearest
-    first.  One that is far, or near to another curve too, has a leader."""
+    first.  One that is far, or near to another curve too, has a leader, which
+    meets no other curve unless `crossing`."""
     size, found = panel.box(text.partition("\t")[0]), []
     is_mark = len(mine[1]) == 1
     nearest = MARK + 2 if is_mark else 4
@@ -92,7 +93,8 @@ def candidates(panel, text, mine, all_rows, others):
                     continue
                 if gap < 14 and (is_mark or panel.free(others, at, size, gap)):
                     found.append((gap, at, None))
-                elif gap >= 14 and not is_mark and clear(others, start, edge):
+                elif gap >= 14 and not is_mark and \
+                        (crossing or clear(others, start, edge)):
                     found.append((3*gap, at, (*start, *edge)))
     return sorted(found, key=lambda f: f[0])
 
@@ -114,16 +116,20 @@ def place(panel, curves, end):
             if text != but:
                 rows = [a | b for a, b in zip(rows, mine)]
         return rows
-    places, left = {}, dict(drawn)
-    while left:
-        everything = union()
-        options = {text: candidates(panel, text, mine, everything, union(text))
-                   for text, mine in left.items()}
-        text = min(options, key=lambda t: len(options[t]))
-        del left[text]
-        if options[text]:
-            _, at, leader = options[text][0]
-            places[text] = (*panel.value(*at), leader and (
-                *panel.value(*leader[:2]), *panel.value(*leader[2:])))
-            panel.reserve(at, panel.box(text.partition("\t")[0]))
+    places = {}
+    for crossing in (False, True):
+        left = {text: mine for text, mine in drawn.items()
+                if text not in places}
+        while left:
+            everything = union()
+            options = {text: candidates(panel, text, mine, everything,
+                                        union(text), crossing)
+                       for text, mine in left.items()}
+            text = min(options, key=lambda t: len(options[t]))
+            del left[text]
+            if options[text]:
+                _, at, leader = options[text][0]
+                places[text] = (*panel.value(*at), leader and (
+                    *panel.value(*leader[:2]), *panel.value(*leader[2:])))
+                panel.reserve(at, panel.box(text.partition("\t")[0]))
     return places
