@@ -29,6 +29,10 @@ template <class R> R apart(const path<R> &a, const path<R> &b)
     return worst;
 }
 
+/* A small error that has become so large grew by more than its size shows: next
+ * to an unstable steady motion it would tell nothing of smaller ones. */
+constexpr long double TOO_FAR = 0.1L;
+
 /* How much an error at *from has grown when the motion comes to end: errors of
  * the lean and of each rate, as an error of a step is, and of the heading,
  * which turns the way that is left.  Or so much of it that it is enough. */
@@ -47,7 +51,10 @@ inline long double growth_of(const path<long double> &from,
             other.nudge(which, side * size);
             if (!other.follow(t))
                 return 1e30L;
-            most = larger(most, apart(end, other) / size);
+            const long double off = apart(end, other);
+            if (off > TOO_FAR)
+                return 1e30L;
+            most = larger(most, off / size);
         }
         sum += most;
     }
