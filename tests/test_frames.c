@@ -59,7 +59,7 @@ static void at_1e_9_it_is_one_step_in_tau(void **unused)
         coin_priv_run_from(&r, &s, COIN_RK4, 0);
         const double full = coin_priv_sundman_tau(&r.b, &r.g.y, reach.stride);
         check_note("frame %d", i);
-        check(!coin_priv_lands(&r, &reach, 1.0 / 60));
+        check(!coin_priv_arrives(&r, &reach, 1.0 / 60));
         check(coin_priv_next_tau(&r, reach.stride, 1.0 / 60) > 1.6 * full);
         /* Not after the first step, and not in a coin that turns fast. */
         r.steps = 1;

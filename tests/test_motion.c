@@ -89,7 +89,7 @@ static struct slopes random_slopes(struct random *r)
     check_status(coin_priv_check_body(&k.b, &p), COIN_OK);
     const coin_priv_field f = coin_priv_field_of(&k.b, k.h);
     k.y = coin_priv_variables_of(&k.s);
-    k.d = coin_priv_rates(&f, &k.y);
+    k.d = coin_priv_slopes_at(&f, &k.y);
     check_status(coin_rates(&k.s, &p, &k.rates), COIN_OK);
     return k;
 }

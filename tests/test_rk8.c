@@ -10,8 +10,8 @@
 /* The step of lib/step/rk8.t.h, given slopes that are no motion but show which
  * coefficient goes where. */
 #include "run.h"
-#define RATES probe_slopes
-#define POSE_RATES probe_path
+#define SLOPES probe_slopes
+#define POSE_SLOPES probe_path
 #define EACH_POSE(F) F(theta) F(phi) F(psi) F(x) F(z) F(t)
 static coin_priv_variables probe_slopes(const coin_priv_field *f,
                                         const coin_priv_variables *y);

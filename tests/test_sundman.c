@@ -28,10 +28,10 @@ static struct forms random_forms(struct random *r)
     check_status(coin_priv_check_body(&b, &p), COIN_OK);
     const coin_priv_field field = coin_priv_field_of(&b, f.h);
     const coin_priv_variables y = coin_priv_variables_of(&s);
-    f.time = coin_priv_rates(&field, &y);
-    f.sundman = coin_priv_sundman_rates(&field, &y);
-    f.time_path = coin_priv_pose_rates(&field, &y);
-    f.sundman_path = coin_priv_sundman_pose_rates(&field, &y);
+    f.time = coin_priv_slopes_at(&field, &y);
+    f.sundman = coin_priv_sundman_slopes(&field, &y);
+    f.time_path = coin_priv_pose_slopes(&field, &y);
+    f.sundman_path = coin_priv_sundman_pose_slopes(&field, &y);
     return f;
 }
 

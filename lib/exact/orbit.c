@@ -2,7 +2,7 @@
 #include "../motion/pinned.h"
 
 #include "../motion/angles.h"
-#include "half.h"
+#include "half_period.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,7 +26,7 @@
 
 /* ------------------------------------------------------------- the frame -- */
 /* Measures times, angles and path of all pieces from A, in A's frame. */
-static void measure_from_A(const coin_priv_half *h)
+static void measure_from_A(const coin_priv_half_period *h)
 {
     coin_orbit *o = h->o;
     const coin_priv_turn *A = &h->A;
@@ -62,7 +62,7 @@ static void turns_of(double part[3], double angle)
                         (a[0] * b[2] + a[1] * b[1] + a[2] * b[0]));
 }
 
-static void set_times(const coin_priv_half *h)
+static void set_times(const coin_priv_half_period *h)
 {
     coin_orbit *o = h->o;
     double *f = o->private_frame;
@@ -90,7 +90,8 @@ static void set_times(const coin_priv_half *h)
     }
 }
 
-static void set_angles(const coin_priv_half *h, const coin_state *s, double a)
+static void set_angles(const coin_priv_half_period *h, const coin_state *s,
+                       double a)
 {
     coin_orbit *o = h->o;
     double *f = o->private_frame;
@@ -175,7 +176,8 @@ static struct sight look_along(coin_orbit *o, int piece, double from,
 /* The radii of the annulus, in the frame of A.  A and B are extremes
  * themselves.  The search leaves out a 1024th of a piece at both, where the
  * rate's sign is rounding; an extreme there would differ by 1e-12. */
-static void set_annulus(const coin_priv_half *h, double center, double half)
+static void set_annulus(const coin_priv_half_period *h, double center,
+                        double half)
 {
     coin_orbit *o = h->o;
     const double *t = o->private_centers, *edge = o->private_edges;
@@ -197,7 +199,7 @@ static void set_annulus(const coin_priv_half *h, double center, double half)
     }
 }
 
-static void set_path(const coin_priv_half *h, double a, double half)
+static void set_path(const coin_priv_half_period *h, double a, double half)
 {
     coin_orbit *o = h->o;
     double *f = o->private_frame;
@@ -259,7 +261,7 @@ static double stretch(const coin_priv_law *law, const coin_priv_point *p,
 
 /* 1 + J/2 |dT/dE| s^2/w with w^2 = 2E/J, and s the larger acceleration of theta
  * at a turning point, w^2 at most. */
-static double conditioning_of(const coin_priv_half *h, double half)
+static double conditioning_of(const coin_priv_half_period *h, double half)
 {
     const coin_orbit *o = h->o;
     const coin_priv_law *law = &h->law;
@@ -294,7 +296,7 @@ static double conditioning_of(const coin_priv_half *h, double half)
 
 /* Whether the lean is constant to rounding: its swing is below the rounding of
  * the lean, or its acceleration below that of its terms. */
-static int is_steady(const coin_priv_half *h, double L)
+static int is_steady(const coin_priv_half_period *h, double L)
 {
     const coin_priv_point *p = h->now.at;
     const double wX = OF(p->row[1], 1), dwX = coin_priv_point_fall(&h->law, p);
@@ -306,7 +308,8 @@ static int is_steady(const coin_priv_half *h, double L)
     return fabs(wX) * sqrt(fabs(L)) + fabs(dwX) <= 4 * DBL_EPSILON * least;
 }
 
-static void set_steady(const coin_priv_half *h, const coin_state *s, double a)
+static void set_steady(const coin_priv_half_period *h, const coin_state *s,
+                       double a)
 {
     const coin_priv_point *p = h->now.at;
     const double heading = OF(p[1].row[0], 1) * h->rate;
@@ -329,10 +332,10 @@ static void set_steady(const coin_priv_half *h, const coin_state *s, double a)
 /* Returns how many pieces are filled, 0 if there is no orbit. */
 static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
 {
-    coin_priv_half h;
+    coin_priv_half_period h;
     o->conditioning = 1;
     o->private_frame[0] = COIN_PRIV_FORMAT;
-    coin_priv_half_begin(&h, o, s, b);
+    coin_priv_half_period_begin(&h, o, s, b);
     const double L = coin_priv_point_fall_slope(&h.law, h.now.at);
     if (is_steady(&h, L)) {
         /* An unstable motion that is not upright is steady only by rounding. */
@@ -341,7 +344,7 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
         set_steady(&h, s, b->a);
         return 1;
     }
-    if (!coin_priv_half_solve(&h))
+    if (!coin_priv_half_period_solve(&h))
         return 0;
     if (!(fabs(h.A.theta) < HIGHEST && fabs(h.B.theta) < HIGHEST))
         return 0;

@@ -14,7 +14,7 @@ struct rates {
 static struct rates rates_of(const coinf_priv_field *f,
                              const coinf_priv_variables *y)
 {
-    const coinf_priv_pose v = coinf_priv_pose_rates(f, y);
+    const coinf_priv_pose v = coinf_priv_pose_slopes(f, y);
     const float hwX = f->h * y->wX, hwY = f->h * y->wY, tth = y->tth;
     const float slope_wY = hwY * tth + f->k1 * y->wZ; /* (15) */
     struct rates r = {v.phi, v.psi, v.x, v.z, 0, 0, 0, 0};
@@ -37,7 +37,7 @@ static void half_kick(coinf_state *s, const coinf_priv_plan *plan,
                       coinf_priv_variables *y)
 {
     const float hdwX =
-        coinf_priv_rates(&plan->f, y).wX + coinf_priv_fall_low(plan, y);
+        coinf_priv_slopes_at(&plan->f, y).wX + coinf_priv_fall_low(plan, y);
     coinf_priv_add_parts(&s->wX, &s->low[5], hdwX / 2, 0); /* (50) */
     y->wX = s->wX;
 }

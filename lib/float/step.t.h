@@ -123,10 +123,10 @@ COIN_PRIV_INLINE PRIV(slope)
                    const PRIV(variables) * y)
 {
     const PRIV(field) *f = &plan->f;
-    const real phi = PRIV(pose_rates)(f, y).phi;
+    const real phi = PRIV(pose_slopes)(f, y).phi;
     real v[3];
     PRIV(velocity_of)(v, f->h * plan->a, y);
-    *d = PRIV(rates)(f, y);
+    *d = PRIV(slopes_at)(f, y);
     const PRIV(slope) of = {
         f->h * y->wX,                /* (17) */
         phi,                         /* (18) */

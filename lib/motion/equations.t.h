@@ -30,9 +30,9 @@ typedef struct PRIV(field) {
 } PRIV(field);
 
 #ifndef COIN_PRIV_ABREAST
-/* The variables of a state, inline in the caller.  The lean is reduced only
- * where that is needed: its sine and cosine are then known sooner, and a step
- * waits for them. */
+/* The variables of a state, inline in the caller.  A lean below pi/4 is not
+ * reduced to that range.  Its sine and cosine are then known sooner, and a step
+ * cannot begin without them. */
 COIN_PRIV_INLINE PRIV(variables) PRIV(variables_inline)(const COIN(state) * s)
 {
     const PRIV(sc) ph = PRIV(sine_cosine)(s->phi);
@@ -58,7 +58,7 @@ COIN_PRIV_INLINE PRIV(field) PRIV(field_of)(const PRIV(body) * b, real h)
 /* h d/dt of the variables.  Factors are grouped so that chains of dependent
  * operations are short: a step takes as long as the longest of them. */
 COIN_PRIV_INLINE PRIV(variables)
-    PRIV(rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(slopes_at)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth, q = y->q;
@@ -93,7 +93,7 @@ COIN_PRIV_INLINE void PRIV(path_rates)(real *dx, real *dz, real wXcth, real wZ,
 /* h d/dt of the pose.  The path is that of the centre: the point of contact may
  * move on a circle while the centre rests. */
 COIN_PRIV_INLINE PRIV(pose)
-    PRIV(pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(pose_slopes)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real hwX = f->h * y->wX, hwY = f->h * y->wY, hwZ = f->h * y->wZ;
     const real none = {0};
@@ -111,7 +111,7 @@ COIN_PRIV_INLINE PRIV(pose)
  * energy bounds, regular down to the table.  They do not contain q and tan
  * theta. */
 COIN_PRIV_INLINE PRIV(variables)
-    PRIV(sundman_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(sundman_slopes)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth;
@@ -136,7 +136,7 @@ COIN_PRIV_INLINE PRIV(variables)
 
 /* h d/dtau of the pose and of the time. */
 COIN_PRIV_INLINE PRIV(pose)
-    PRIV(sundman_pose_rates)(const PRIV(field) * f, const PRIV(variables) * y)
+    PRIV(sundman_pose_slopes)(const PRIV(field) * f, const PRIV(variables) * y)
 {
     const real hwY = f->h * y->wY, hc = f->h * y->cth;
     const real hcwZ = hc * y->wZ, none = {0};

@@ -77,8 +77,8 @@ COIN_PRIV_INLINE int PRIV(admit_rate2)(PRIV(limits) * limits, real rate2)
  * coin_priv_turned() is accurate. */
 #define COIN_PRIV_TURN_MAX 1.5
 
-/* The same for a step.  It is also refused if it turns lean or heading too far,
- * or if it leads through the table. */
+/* admit_rate2() where a step ends.  The step is also refused if it turned lean
+ * or heading by more than COIN_PRIV_TURN_MAX, or led through the table. */
 COIN_PRIV_INLINE int PRIV(admit_step)(PRIV(limits) * limits, real g_a,
                                       const PRIV(step_end) * end,
                                       const PRIV(variables) * next)

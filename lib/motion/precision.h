@@ -172,8 +172,9 @@ static inline int coinf_priv_low_holds(const float low[8])
 
 /* ---------------------------------------------------------------- limits -- */
 
-/* Numbers in here can be multiplied by each other's ratios, and by the 1/cos
- * of the flattest lean, and stay normal: 1e-300 and 1e300 leave 2^26. */
+/* The numbers of a body, its constants and the squares of its rates lie between
+ * these.  A double underflows 4e7 times below and overflows 1e8 times above:
+ * that is left for sums and products with the ratios of such numbers. */
 #define COIN_PRIV_LEAST 1e-300
 #define COIN_PRIV_MOST 1e300
 

@@ -34,7 +34,7 @@ int32_t COIN(contact)(const COIN(state) * s, const COIN(params) * p, real r[3],
         return status;
     const PRIV(field) field = PRIV(field_of)(&b, 1);
     const PRIV(variables) y = PRIV(variables_of)(s);
-    const real a_dpsi = b.a * PRIV(pose_rates)(&field, &y).psi;
+    const real a_dpsi = b.a * PRIV(pose_slopes)(&field, &y).psi;
     r[0] = s->x - b.a * y.sth * y.sph; /* (21) */
     r[1] = 0;
     r[2] = s->z - b.a * y.sth * y.cph; /* (21) */

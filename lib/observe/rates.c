@@ -11,8 +11,8 @@ int32_t COIN(rates)(const COIN(state) * s, const COIN(params) * p,
         return status;
     const PRIV(field) field = PRIV(field_of)(&b, 1);
     const PRIV(variables) y = PRIV(variables_of)(s);
-    const PRIV(variables) d = PRIV(rates)(&field, &y);
-    const PRIV(pose) v = PRIV(pose_rates)(&field, &y);
+    const PRIV(variables) d = PRIV(slopes_at)(&field, &y);
+    const PRIV(pose) v = PRIV(pose_slopes)(&field, &y);
     real path[3];
     PRIV(velocity_of)(path, b.a, &y);
     const COIN(state) rates = {

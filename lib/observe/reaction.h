@@ -12,7 +12,7 @@ COIN_PRIV_INLINE COIN(force)
     const real sth = y->sth, cth = y->cth, sph = y->sph, cph = y->cph;
     const real Ma = b->M * b->a;
     const PRIV(field) field = PRIV(field_of)(b, 1);
-    const real dwX = PRIV(rates)(&field, y).wX;
+    const real dwX = PRIV(slopes_at)(&field, y).wX;
     /* Along e_X, and along the horizontal e_h = (sin phi, 0, cos phi). */
     const real RX = Ma * (wX * wY * (b->IZ / b->K)); /* (25) */
     const real Rh =

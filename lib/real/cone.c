@@ -122,7 +122,7 @@ static double clearance_between(const coin_priv_look *look, const struct end *a,
                                look->slopes == coin_priv_slip_slopes);
 }
 
-double coin_priv_looked(const coin_priv_look *look)
+double coin_priv_cone_left_at(const coin_priv_look *look)
 {
     struct end a, b;
     const double s2 = look->stride * look->stride;

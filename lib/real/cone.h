@@ -42,7 +42,7 @@ double coin_priv_clearance(const coin_priv_contact *contact,
  * positive before.  Returns 0.5 if neither is known: the caller then tries half
  * of the step.  Between the ends the motion is Hermite's polynomial of degree
  * 5. */
-double coin_priv_looked(const coin_priv_look *look);
+double coin_priv_cone_left_at(const coin_priv_look *look);
 
 /* The force that a rolling coin needs, over M a and times cos theta: along e_y,
  * e_X and e_h.  size: the scale by which forces are compared. */

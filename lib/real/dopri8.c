@@ -4,7 +4,7 @@
 #include "../motion/kind.h"
 
 #define LANES COIN_PRIV_LANES
-#include "../motion/lanes.t.h"
+#include "../motion/vector.t.h"
 
 #include "dopri8.h"
 

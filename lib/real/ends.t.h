@@ -11,7 +11,7 @@
 #else
 #define LANES 1
 #endif
-#include "../motion/lanes.t.h"
+#include "../motion/vector.t.h"
 
 COIN_PRIV_INLINE lanes at_ends(double begin, double end, int which)
 {

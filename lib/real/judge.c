@@ -46,7 +46,7 @@ static int judge_by_series(coin_priv_sliding *g, double tau, double rate)
     w->to = g->w.run.g.y;
     w->unit = 1 / rate;
     w->tau = tau;
-    w->t = g->landed ? g->w.run.g.added.t : 0;
+    w->t = g->arrived ? g->w.run.g.added.t : 0;
     return coin_priv_judge_stretch(&f, w, 1 / rate);
 }
 

@@ -19,7 +19,7 @@ COIN_PRIV_INLINE coin_priv_variables lossy(const coin_priv_field *f,
     const struct lossy_field *with =
         (const struct lossy_field *)(const void *)f;
     const coin_priv_slowing slow = coin_priv_slow(with->l, y);
-    coin_priv_variables d = coin_priv_sundman_rates(f, y);
+    coin_priv_variables d = coin_priv_sundman_slopes(f, y);
     d.wX += f->h * slow.wX;
     d.wY += f->h * slow.wY;
     d.wZ += f->h * slow.wZ;
@@ -46,8 +46,8 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
     *with->error = coin_priv_error_of(size2(with, e5), size2(with, e3));
 }
 
-#define RATES lossy
-#define POSE_RATES coin_priv_sundman_pose_rates
+#define SLOPES lossy
+#define POSE_SLOPES coin_priv_sundman_pose_slopes
 #define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
 #define ERROR_TO note_error
 #include "../step/rk8.t.h"

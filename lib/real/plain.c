@@ -17,14 +17,14 @@
 /* The variables that the force depends on. */
 enum { WX, WY, WZ, SIN, COS, VARIABLES };
 
-COIN_PRIV_INLINE coin_priv_variables rates(const coin_priv_field *f,
-                                           const coin_priv_losses *l,
-                                           const double *y)
+COIN_PRIV_INLINE coin_priv_variables slopes_at(const coin_priv_field *f,
+                                               const coin_priv_losses *l,
+                                               const double *y)
 {
     const coin_priv_variables at = {
         y[WX], y[WY], y[WZ], y[SIN], y[COS], 0, 0, 0, 0,
     };
-    coin_priv_variables d = coin_priv_sundman_rates(f, &at);
+    coin_priv_variables d = coin_priv_sundman_slopes(f, &at);
     const coin_priv_slowing slow = coin_priv_slow(l, &at);
     d.wX += slow.wX;
     d.wY += slow.wY;
@@ -35,7 +35,7 @@ COIN_PRIV_INLINE coin_priv_variables rates(const coin_priv_field *f,
 COIN_PRIV_INLINE void slopes(double *d, const coin_priv_field *f,
                              const coin_priv_losses *l, const double *y)
 {
-    const coin_priv_variables v = rates(f, l, y);
+    const coin_priv_variables v = slopes_at(f, l, y);
     d[WX] = v.wX;
     d[WY] = v.wY;
     d[WZ] = v.wZ;
@@ -92,7 +92,7 @@ double coin_priv_square_margin_at(const coin_priv_contact *contact,
                                   const coin_priv_variables *at)
 {
     const double y[VARIABLES] = {at->wX, at->wY, at->wZ, at->sth, at->cth};
-    const coin_priv_variables d = coin_priv_sundman_rates(f, at);
+    const coin_priv_variables d = coin_priv_sundman_slopes(f, at);
     const coin_priv_need F = need_of(contact, y, d.wX, d.wZ);
     return margin_of(contact, &F).square_margin;
 }
@@ -165,7 +165,7 @@ static coin_priv_need need_within(const coin_priv_contact *contact,
         y[i] = (w[0] * a->y[i] + w[3] * b->y[i]) +
                tau * (w[1] * a->d[i] + w[4] * b->d[i]) +
                tau2 * (w[2] * a->dd[i] + w[5] * b->dd[i]);
-    const coin_priv_variables d = rates(f, l, y);
+    const coin_priv_variables d = slopes_at(f, l, y);
     return need_of(contact, y, d.wX, d.wZ);
 }
 

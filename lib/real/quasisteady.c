@@ -25,7 +25,7 @@
  * 30. */
 #define TRIES_MAX 32768
 
-/* The most tries to land on a time. */
+/* The most tries to arrive at a time. */
 #define LANDINGS_MAX 40
 
 /* The part of ROOT, sqrt(cos theta), that a step may take off; and the ROOT
@@ -180,8 +180,8 @@ static double longest(const struct passing *g)
 /* Shortens a step h from the variables before so that it ends at the time t, to
  * rounding: by Newton's method, or by halving where that would leave the step.
  * Near the end the time hardly grows with the arc. */
-static void land(double *y, const double *before, const struct slow *q,
-                 double h, double t)
+static void arrive(double *y, const double *before, const struct slow *q,
+                   double h, double t)
 {
     double least = 0, most = h;
     for (int i = 0; i < LANDINGS_MAX; ++i) {
@@ -223,7 +223,7 @@ static int32_t pass(struct passing *g, double t)
             continue;
         }
         if (next[TIME] > t)
-            land(next, before, &g->q, h, t);
+            arrive(next, before, &g->q, h, t);
         for (int k = 0; k < VARIABLES; ++k)
             g->y[k] = next[k];
         draw(g, before);

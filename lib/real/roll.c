@@ -7,7 +7,7 @@
 #include "hold.h"
 #include "slide.h"
 
-/* |rem| times the fastest rate below which a step with losses lands. */
+/* |rem| times the fastest rate below which a step with losses arrives. */
 #define LAST 1e-5
 
 /* A step of less than this part of the stride and the final one are judged as
@@ -62,7 +62,7 @@ void coin_priv_again(coin_priv_sliding *g, double tau)
     g->w.run.g = g->from;
     g->w.run.steps = g->steps;
     g->w.run.g.added.t = 0;
-    g->landed = 0;
+    g->arrived = 0;
     (void)roll_by(g, tau, DBL_MAX);
 }
 
@@ -84,7 +84,7 @@ void coin_priv_count(coin_priv_sliding *g)
 }
 
 /* The rest of the time in one short step, as coin_advance() ends; its tau. */
-static double land(coin_priv_sliding *g, double left)
+static double arrive(coin_priv_sliding *g, double left)
 {
     coin_priv_run *const r = &g->w.run;
     coin_priv_sum rem = {left, 0};
@@ -93,7 +93,7 @@ static double land(coin_priv_sliding *g, double left)
         coin_priv_read_lean(&r->g);
     const int done = coin_priv_last_step(r, &g->reach, &rem) == COIN_OK;
     r->g.added.t = g->rem.sum;
-    g->landed = 1;
+    g->arrived = 1;
     return done ? tau : 0;
 }
 
@@ -186,7 +186,7 @@ static int is_last(const coin_priv_sliding *g, double rem, double rate)
     const coin_priv_run *r = &g->w.run;
     if (g->lossy)
         return fabs(rem) * rate <= LAST * r->g.y.cth;
-    return coin_priv_lands(r, &g->reach, rem);
+    return coin_priv_arrives(r, &g->reach, rem);
 }
 
 double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most)
@@ -222,7 +222,7 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
             &g->contact, coin_priv_roll_slopes, &from, &to,
             tau,         fabs(tau) * rate,
         };
-        const double part = coin_priv_looked(&look);
+        const double part = coin_priv_cone_left_at(&look);
         if (part < 1) {
             tau *= fabs(part);
             coin_priv_again(g, tau);
@@ -254,7 +254,7 @@ static double next_step(coin_priv_sliding *g, double rate, int *last)
         if (!*last)
             return tau;
     }
-    const double more = land(g, left);
+    const double more = arrive(g, left);
     return more == 0 ? 0 : tau + more;
 }
 

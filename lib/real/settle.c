@@ -14,7 +14,7 @@
 /* The most steps of a call, those refused included: 0.4 s. */
 #define TRIES_MAX (UINT64_C(1) << 20)
 
-/* |rem| times the fastest rate below which one step lands, by a series to the
+/* |rem| times the fastest rate below which one step arrives, by a series to the
  * second order. */
 #define LAST 1e-5
 

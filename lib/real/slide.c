@@ -101,7 +101,7 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
     g->uX = g->slips ? y.uX : 0;
     g->uh = g->slips ? y.uh : 0;
     g->gained = 0;
-    g->surely_rolls = g->landed = 0;
+    g->surely_rolls = g->arrived = 0;
     g->series.from.b = g->contact.b;
     g->series.force.terms = 0;
     g->now = 0;
@@ -151,7 +151,7 @@ static coin_slide end_of(coin_priv_sliding *g, int32_t status)
     double v[2];
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     coin_priv_centre_velocity(v, &y, g->contact.b.a);
-    if (g->w.run.steps > 0 && !g->landed)
+    if (g->w.run.steps > 0 && !g->arrived)
         coin_priv_read_lean(&g->w.run.g);
     end.s = coin_priv_run_state(&g->w.run);
     if (status == COIN_RESTS)

@@ -31,8 +31,8 @@ typedef struct coin_priv_sliding {
     int slips;         /* whether it slips now */
     coin_priv_sum rem; /* the time still to go */
     uint64_t tries;    /* of steps */
-    int landed;        /* whether the last step was one in t: then the run
-                          has theta */
+    int arrived;       /* whether the last step was one in t: then the run
+                         has theta */
 
     /* The steps of a rolling coin, of roll.c. */
     double roll_stride;

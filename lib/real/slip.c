@@ -276,7 +276,7 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
         const coin_priv_look look = {
             &g->contact, coin_priv_slip_slopes, &from, &r->to, *h, *h * rate,
         };
-        const double part = coin_priv_looked(&look);
+        const double part = coin_priv_cone_left_at(&look);
         if (part < 1) {
             *h *= fabs(part);
             *r = attempt(g, *h);

@@ -28,7 +28,7 @@ static int32_t step(struct moving *g, coin_priv_stretch *w)
     int32_t status = COIN_OK;
     w->tau = 0;
     do {
-        if (coin_priv_lands(r, &g->reach, g->rem.sum))
+        if (coin_priv_arrives(r, &g->reach, g->rem.sum))
             break;
         const double tau = coin_priv_next_tau(r, g->stride, g->rem.sum);
         status = coin_priv_advance_by(r, tau, &g->stride, &g->rem);
@@ -46,7 +46,7 @@ static int32_t next_stretch(struct moving *g, coin_priv_stretch *w, int *last)
     w->from = g->run;
     w->t = 0;
     int32_t status = step(g, w);
-    *last = status == COIN_OK && coin_priv_lands(r, &g->reach, g->rem.sum);
+    *last = status == COIN_OK && coin_priv_arrives(r, &g->reach, g->rem.sum);
     if (*last) {
         const double left = g->rem.sum;
         const double tau = coin_priv_tau_of(&r->b, &r->g.y, left);

@@ -11,7 +11,7 @@ static int32_t approach(coin_priv_run *r, const coin_priv_reach *reach,
 {
     double stride = reach->stride;
     int32_t status = COIN_OK;
-    while (status == COIN_OK && !coin_priv_lands(r, reach, rem->sum)) {
+    while (status == COIN_OK && !coin_priv_arrives(r, reach, rem->sum)) {
         const double tau = coin_priv_next_tau(r, stride, rem->sum);
         status = coin_priv_advance_by(r, tau, &stride, rem);
     }

@@ -13,9 +13,9 @@
 /* The most steps of a call: 0.2 s. */
 #define COIN_PRIV_STEPS_MAX (UINT64_C(1) << 20)
 
-/* |rem| W below which one step in t lands, in units of tol^(1/8) for RK8 and of
- * tol^(3/16) for RK4: measured so that its error stays below tol/10.  The most
- * for RK8 at any tol: from 0.9 on some would lead through the table. */
+/* |rem| W below which one step in t arrives, in units of tol^(1/8) for RK8 and
+ * of tol^(3/16) for RK4: measured so that its error stays below tol/10.  The
+ * most for RK8 at any tol: from 0.9 on some would lead through the table. */
 #define COIN_PRIV_LAST_RK8 1.6
 #define COIN_PRIV_LAST_RK4 0.6
 #define COIN_PRIV_LAST_MOST 0.5
@@ -81,7 +81,7 @@ COIN_PRIV_INLINE double coin_priv_tau_of(const coin_priv_body *b,
 {
     const coin_priv_field f = coin_priv_field_of(b, 1);
     const double c = y->cth, r = rem / c;
-    const double dwX = coin_priv_sundman_rates(&f, y).wX / c;
+    const double dwX = coin_priv_sundman_slopes(&f, y).wX / c;
     const double c1 = -y->sth * y->wX * r; /* times r, r^2: without unit */
     const double c2 = (-c * y->wX * y->wX - y->sth * dwX) * r * r;
     return r * (1 - c1 / 2 + (2 * c1 * c1 - c * c2) / 6);
@@ -96,12 +96,12 @@ COIN_PRIV_INLINE int coin_priv_is_slow(const coin_priv_run *r, double rem,
         return 0;
     const coin_priv_variables *y = &r->g.y;
     const coin_priv_field f = coin_priv_field_of(&r->b, rem);
-    const double wX = fabs(y->wX) + fabs(coin_priv_rates(&f, y).wX) / 2;
+    const double wX = fabs(y->wX) + fabs(coin_priv_slopes_at(&f, y).wX) / 2;
     const double turn2 = (wX * wX + y->wY * y->wY) * (rem * rem);
     return turn2 <= (angle * angle) * (y->cth * y->cth);
 }
 
-/* The next step in tau: a full one, or what lands on rem if that is less.  The
+/* The next step in tau: a full one, or what arrives at rem if that is less. The
  * series holds for a step or so; what it gives beyond is not trusted. */
 COIN_PRIV_INLINE double coin_priv_next_tau(const coin_priv_run *r,
                                            double stride, double rem)
@@ -115,9 +115,9 @@ COIN_PRIV_INLINE double coin_priv_next_tau(const coin_priv_run *r,
         return tau;
     const double only =
         coin_priv_lesser(COIN_PRIV_ONLY, COIN_PRIV_LONGEST / stride) * full;
-    const int lands =
+    const int arrives =
         fabs(tau) < only && coin_priv_is_slow(r, rem, COIN_PRIV_SLOW);
-    return lands ? tau : side * full;
+    return arrives ? tau : side * full;
 }
 
 /* The square of what is to be compared with a reach in t. */
@@ -126,9 +126,9 @@ COIN_PRIV_INLINE double coin_priv_left2(const coin_priv_run *r, double rem)
     return rem * rem * coin_priv_rate2(r->b.g_a, &r->g.y);
 }
 
-/* Whether one step in t lands. */
-COIN_PRIV_INLINE int coin_priv_lands(const coin_priv_run *r,
-                                     const coin_priv_reach *reach, double rem)
+/* Whether one step in t arrives. */
+COIN_PRIV_INLINE int coin_priv_arrives(const coin_priv_run *r,
+                                       const coin_priv_reach *reach, double rem)
 {
     const double left2 = coin_priv_left2(r, rem);
     const double most2 = COIN_PRIV_FASTEST * COIN_PRIV_FASTEST * r->b.g_a;

@@ -37,7 +37,7 @@
 #define LANES 1
 #endif
 #endif
-#include "../motion/lanes.t.h"
+#include "../motion/vector.t.h"
 
 /* The columns of 16, 12, 10, ..., 2 substeps, and that of 2 once more, of
  * weight 0, where lanes are left over. */

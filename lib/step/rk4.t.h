@@ -40,8 +40,9 @@ COIN_PRIV_INLINE PRIV(variables)
     return y;
 }
 
-/* theta's pair at the end of a step, if |late| <= COIN_PRIV_LITTLE_TURN.  The
- * next step waits for this pair.  Most of the turn is known after the first
+/* sin theta and cos theta after the step, valid if |late| is at most
+ * COIN_PRIV_LITTLE_TURN; otherwise the caller computes them.  The next step
+ * waits for this pair.  Most of the turn is known after the first
  * stage: its sine and cosine are computed during the others, and `late` is the
  * rest. */
 typedef struct PRIV(rk4_lean) {
@@ -56,30 +57,30 @@ COIN_PRIV_INLINE PRIV(step_end)
     PRIV(rk4_end)(PRIV(rk4_lean) * lean_after, const PRIV(variables) * y1,
                   const PRIV(rk4_fields) * k)
 {
-    PRIV(variables) sum = PRIV(rates)(&k->half, y1), d;
-    PRIV(pose) path = PRIV(pose_rates)(&k->half, y1), v;
+    PRIV(variables) sum = PRIV(slopes_at)(&k->half, y1), d;
+    PRIV(pose) path = PRIV(pose_slopes)(&k->half, y1), v;
     PRIV(variables) y = PRIV(stage)(y1, &sum, path.phi);
     const PRIV(sc) lean = {y1->sth, y1->cth};
     const real early = k->full.h * y.wX;
     const PRIV(sc) near = PRIV(turned)(lean, early);
     real least = y.cth;
 
-    d = PRIV(rates)(&k->half, &y);
-    v = PRIV(pose_rates)(&k->half, &y);
+    d = PRIV(slopes_at)(&k->half, &y);
+    v = PRIV(pose_slopes)(&k->half, &y);
     y = PRIV(stage)(y1, &d, v.phi);
     sum = PRIV(variables_plus)(&sum, 2, &d);
     path = PRIV(pose_plus)(&path, 2, &v);
     least = PRIV(lesser)(least, y.cth);
 
-    d = PRIV(rates)(&k->full, &y);
-    v = PRIV(pose_rates)(&k->full, &y);
+    d = PRIV(slopes_at)(&k->full, &y);
+    v = PRIV(pose_slopes)(&k->full, &y);
     y = PRIV(stage)(y1, &d, v.phi);
     sum = PRIV(variables_plus)(&sum, 1, &d);
     path = PRIV(pose_plus)(&path, 1, &v);
     least = PRIV(lesser)(least, y.cth);
 
-    d = PRIV(rates)(&k->sixth, &y);
-    v = PRIV(pose_rates)(&k->sixth, &y);
+    d = PRIV(slopes_at)(&k->sixth, &y);
+    v = PRIV(pose_slopes)(&k->sixth, &y);
     y = PRIV(variables_plus)(y1, K(1.0 / 3), &sum);
     const PRIV(pose) adds = PRIV(pose_plus)(&v, K(1.0 / 3), &path);
     const PRIV(step_end) end = {

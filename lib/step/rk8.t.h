@@ -3,8 +3,8 @@
  * Norsett, Wanner, Solving Ordinary Differential Equations I), without its
  * error estimate; test_rk8 holds it against the conditions of order.
  *
- * For either form of the equations of motion: its users define RATES and
- * POSE_RATES, the slopes times h of the variables and of the pose, and
+ * For either form of the equations of motion: its users define SLOPES and
+ * POSE_SLOPES, the slopes times h of the variables and of the pose, and
  * EACH_POSE(F), the members of the latter, and get rk8_sums().  Who defines
  * ERROR_TO(f, e5, e3) too is given, variable by variable, the two sums of
  * slopes that estimate a step's error (ibid., II.5). */
@@ -12,9 +12,9 @@
 
 #include "../motion/kind.h"
 
-#ifndef RATES
-#define RATES PRIV(rates)
-#define POSE_RATES PRIV(pose_rates)
+#ifndef SLOPES
+#define SLOPES PRIV(slopes_at)
+#define POSE_SLOPES PRIV(pose_slopes)
 #define EACH_POSE(F) F(theta) F(phi) F(psi) F(x) F(z)
 #endif
 
@@ -157,10 +157,11 @@ COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
 #define STAGE(i, j)                                                            \
     EACH(ROW##i)                                                               \
     SUM_OLD(j);                                                                \
-    const PRIV(variables) s##i = variables_of_row(&y), k##i = RATES(f, &s##i); \
+    const PRIV(variables) s##i = variables_of_row(&y),                         \
+                          k##i = SLOPES(f, &s##i);                             \
     const struct row d##i = row_of(&k##i);                                     \
     low = PRIV(lesser)(low, s##i.cth)
-#define PATH(i) const PRIV(pose) v##i = POSE_RATES(f, &s##i)
+#define PATH(i) const PRIV(pose) v##i = POSE_SLOPES(f, &s##i)
 
 #ifdef ERROR_TO
 #define SUM_E5(m)                                                              \
@@ -179,7 +180,7 @@ COIN_PRIV_INLINE real rk8_sums(PRIV(variables) * end, PRIV(pose) * adds,
                                const PRIV(variables) * y1,
                                const PRIV(field) * f)
 {
-    const PRIV(variables) s1 = *y1, k1 = RATES(f, &s1);
+    const PRIV(variables) s1 = *y1, k1 = SLOPES(f, &s1);
     const struct row y0 = row_of(&s1), d1 = row_of(&k1);
     struct row y;
     real low = s1.cth;

@@ -28,7 +28,7 @@ struct split {
 
 COIN_PRIV_INLINE void kick(struct part *c, const struct split *k, double h)
 {
-    c->y.wX += h * coin_priv_rates(&k->f, &c->y).wX; /* (50) */
+    c->y.wX += h * coin_priv_slopes_at(&k->f, &c->y).wX; /* (50) */
 }
 
 /* Chin's kick: F + h^2/24 F dF/dtheta instead of F, over 2/3 h. */
@@ -36,7 +36,7 @@ COIN_PRIV_INLINE void modified_kick(struct part *c, const struct split *k)
 {
     const coin_priv_variables *y = &c->y;
     const coin_priv_body *b = k->b;
-    const double h = k->h, F = coin_priv_rates(&k->f, y).wX;
+    const double h = k->h, F = coin_priv_slopes_at(&k->f, y).wX;
     const double dF = coin_priv_fall_slope(b, y);
     c->y.wX += 2.0 / 3 * h * F * (1 + h * h / 24 * dF); /* (50) */
 }
@@ -98,15 +98,15 @@ COIN_PRIV_APART void drift(struct part *c, const struct split *k, double h)
     y->tth = y->sth * y->q;
     c->sound &= fabs(turn) <= COIN_PRIV_TURN_MAX && y->cth > 0 &&
                 shift(y, &y0, by, k->b);
-    const coin_priv_pose v0 = coin_priv_pose_rates(&k->f, &y0);
-    coin_priv_pose v1 = coin_priv_pose_rates(&k->f, y);
+    const coin_priv_pose v0 = coin_priv_pose_slopes(&k->f, &y0);
+    coin_priv_pose v1 = coin_priv_pose_slopes(&k->f, y);
     const coin_priv_drift_slopes s0 = coin_priv_drift_slopes_of(k->b, &y0);
     const coin_priv_drift_slopes s1 = coin_priv_drift_slopes_of(k->b, y);
     const double dph = hermite(h, v0.phi, v1.phi, s0.phi, s1.phi);
     const coin_priv_sc ph = coin_priv_turned(heading, dph);
     y->sph = ph.s;
     y->cph = ph.c;
-    v1 = coin_priv_pose_rates(&k->f, y);
+    v1 = coin_priv_pose_slopes(&k->f, y);
     c->adds.theta += turn;
     c->adds.phi += dph;
     c->adds.psi += hermite(h, v0.psi, v1.psi, s0.psi, s1.psi);

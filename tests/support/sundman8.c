@@ -3,8 +3,8 @@
 
 #include "sundman.h"
 
-#define RATES coin_priv_sundman_rates
-#define POSE_RATES coin_priv_sundman_pose_rates
+#define SLOPES coin_priv_sundman_slopes
+#define POSE_SLOPES coin_priv_sundman_pose_slopes
 #define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
 #include "rk8.t.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef ROLLCOIN_HALF_H
-#define ROLLCOIN_HALF_H
+#ifndef ROLLCOIN_HALF_PERIOD_H
+#define ROLLCOIN_HALF_PERIOD_H
 
 #include "../motion/state.h"
 #include "orbit.h"
@@ -15,7 +15,7 @@ typedef struct coin_priv_turn {
 
 /* Half a period while it is computed: from A to B through the start.  Heading,
  * roll and path are measured from the start. */
-typedef struct coin_priv_half {
+typedef struct coin_priv_half_period {
     coin_orbit *o;                  /* gets the pieces */
     coin_priv_law law;              /* in the orbit's unit of time, as g_a */
     double g_a, rate;               /* 1 over that unit */
@@ -26,7 +26,7 @@ typedef struct coin_priv_half {
     double reach[COIN_PRIV_PIECES]; /* of each piece to both sides */
     double joint[COIN_PRIV_PIECES]; /* from its centre to the piece before it */
     coin_priv_turn A, B;
-} coin_priv_half;
+} coin_priv_half_period;
 
 /* d(wX)/dt and lambda^2 at a point. */
 double coin_priv_point_fall(const coin_priv_law *law, const coin_priv_point *p);
@@ -34,11 +34,11 @@ double coin_priv_point_fall_slope(const coin_priv_law *law,
                                   const coin_priv_point *p);
 
 /* Computes the series about the start, in *h. */
-void coin_priv_half_begin(coin_priv_half *h, coin_orbit *o, const coin_state *s,
-                          const coin_priv_body *b);
+void coin_priv_half_period_begin(coin_priv_half_period *h, coin_orbit *o,
+                                 const coin_state *s, const coin_priv_body *b);
 
 /* Computes the pieces and both turning points; 0 if that takes more pieces than
  * there are, or is not possible. */
-int coin_priv_half_solve(coin_priv_half *h);
+int coin_priv_half_period_solve(coin_priv_half_period *h);
 
 #endif

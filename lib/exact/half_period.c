@@ -2,7 +2,7 @@
 #include "../motion/pinned.h"
 
 #include "../motion/angles.h"
-#include "half.h"
+#include "half_period.h"
 
 #include <math.h>
 
@@ -34,7 +34,7 @@ static double wX_of(const coin_priv_point *p)
     return OF(p->row[1], 1);
 }
 
-static double W2_of(const coin_priv_half *h, const coin_priv_point *p)
+static double W2_of(const coin_priv_half_period *h, const coin_priv_point *p)
 {
     const double wX = wX_of(p), c = OF(p->th, 0);
     const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
@@ -54,7 +54,8 @@ static double root_28(double x)
 }
 
 /* How far a series reaches: where its last powers come down to LEFT_OUT. */
-static double reach_of(const coin_priv_half *h, const coin_priv_series *s)
+static double reach_of(const coin_priv_half_period *h,
+                       const coin_priv_series *s)
 {
     const coin_priv_point *p = s->at;
     double last = 0;
@@ -128,7 +129,7 @@ static void normalize(coin_priv_point *p)
 
 /* Begins a series at the point that another has at the time t; 0 if the coin is
  * too fast there. */
-static int begin_at(const coin_priv_half *h, coin_priv_series *to,
+static int begin_at(const coin_priv_half_period *h, coin_priv_series *to,
                     const coin_priv_series *from, double t)
 {
     const double most = FASTEST * FASTEST;
@@ -144,7 +145,7 @@ static int begin_at(const coin_priv_half *h, coin_priv_series *to,
 
 /* Makes the series h->now a piece.  Its path is computed, and moved so that at
  * the time `joint` after its centre it is where the piece before has it. */
-static void add_piece(coin_priv_half *h, double center, double joint,
+static void add_piece(coin_priv_half_period *h, double center, double joint,
                       coin_priv_pair path)
 {
     const int n = h->count++;
@@ -160,8 +161,8 @@ static void add_piece(coin_priv_half *h, double center, double joint,
                           h->o->private_terms + COIN_PRIV_PIECE * n);
 }
 
-static int turns_within(const coin_priv_half *h, const coin_priv_series *s,
-                        double t)
+static int turns_within(const coin_priv_half_period *h,
+                        const coin_priv_series *s, double t)
 {
     const coin_priv_point p = coin_priv_series_at(s, t);
     return !(wX_of(&p) * h->toward > 0);
@@ -178,7 +179,7 @@ static double beyond(double reach, double at_end)
 /* Adds the piece that begins where another ends.  A series about that end leads
  * to the new centre; if it reaches a turning point, it is the piece itself.
  * Returns 0 if no piece can be added. */
-static int go_on(coin_priv_half *h, int from, double side)
+static int go_on(coin_priv_half_period *h, int from, double side)
 {
     const double end = h->o->private_centers[from] + side * h->reach[from];
     const double tau = end - h->o->private_centers[from];
@@ -207,7 +208,8 @@ static int go_on(coin_priv_half *h, int from, double side)
     return 1;
 }
 
-static coin_priv_turn turn_at(const coin_priv_half *h, int piece, double tau)
+static coin_priv_turn turn_at(const coin_priv_half_period *h, int piece,
+                              double tau)
 {
     const coin_priv_point p = coin_priv_series_at(&h->now, tau);
     const coin_priv_pair path = coin_priv_series_path(&h->now, tau);
@@ -227,7 +229,7 @@ static coin_priv_turn turn_at(const coin_priv_half *h, int piece, double tau)
 
 /* Adds pieces from the start to the turning point on one side; 0 if none is
  * found. */
-static int walk(coin_priv_half *h, coin_priv_turn *turn, double side)
+static int walk(coin_priv_half_period *h, coin_priv_turn *turn, double side)
 {
     int piece = 0;
     while (!turns_within(h, &h->now, side * h->reach[piece])) {
@@ -250,8 +252,8 @@ static double rate_of(double W2)
     return rate;
 }
 
-void coin_priv_half_begin(coin_priv_half *h, coin_orbit *o, const coin_state *s,
-                          const coin_priv_body *b)
+void coin_priv_half_period_begin(coin_priv_half_period *h, coin_orbit *o,
+                                 const coin_state *s, const coin_priv_body *b)
 {
     const coin_priv_sc th = coin_priv_sincos(s->theta);
     const double wX = s->wX, wY = s->wY, wZ = s->wZ;
@@ -277,7 +279,7 @@ void coin_priv_half_begin(coin_priv_half *h, coin_orbit *o, const coin_state *s,
     coin_priv_series_fill(&h->now, &h->law);
 }
 
-int coin_priv_half_solve(coin_priv_half *h)
+int coin_priv_half_period_solve(coin_priv_half_period *h)
 {
     add_piece(h, 0, 0, coin_priv_pair_of(0, 0));
     const coin_priv_series start = h->now;
