@@ -327,10 +327,10 @@ COIN_API int32_t coin_angular_velocity(const coin_state *s, double omega[3]);
  *     if (coin_step(&s, &p, 1e-3) < 0)
  *         return 1;
  * @endcode
- * Cost: 1,017 instructions on a desktop, 0.55 of a textbook step (COST, above).
- *         More than half of them check the arguments and compute sines and
- *         cosines, which coin_run() does once for all of its steps.  It needs
- *         800 bytes of stack on a Cortex-M4F. */
+ * Cost: 1,017 instructions on a desktop, where a textbook step takes 1,901
+ *         (COST, above).  More than half of them check the arguments and
+ *         compute sines and cosines, which coin_run() does once for all of its
+ *         steps.  It needs 800 bytes of stack on a Cortex-M4F. */
 COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
 
 /** Moves a coin by a number of fixed steps.
@@ -745,10 +745,10 @@ COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
  *         well-defined period: it is an unstable steady motion that is not
  *         exactly upright; or it is so close to a separatrix that conditioning
  *         is 1e12 or more; or it comes so close to flat that the pieces of an
- *         orbit do not suffice.  Fewer than 1 in 100 are refused of the motions
- *         that stay at least 1e-6 rad from flat, unless they come so close on
- *         both sides and start there.  All motions that come closer than 1e-9
- *         rad are refused.
+ *         orbit do not suffice.  Of the motions that stay at least 1e-6 rad
+ *         from flat, fewer than 1 in 100 are refused; motions that start about
+ *         1e-6 rad from flat, and come as close on the other side, are the
+ *         exception.  All motions that come closer than 1e-9 rad are refused.
  * A stable steady motion is an orbit too, of period 0.  An unstable one is an
  * orbit only if it is exactly upright: rounding would take any other away from
  * the steady motion.
@@ -771,11 +771,11 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         times conditioning for each period since the start; and
  *         4 u W (|t| + period), as from a rounding of t, where W is the fastest
  *         rate of the motion, Eq. (47), which is large in a pass close to flat.
- *         In x and z 1 + radius_max/radius times as many radii; in the rates W
- *         times as much (test_orbit_edges).  In all members 4 u of the state,
- *         amplified as the motion amplifies an error in the lean or a rate:
- *         next to an unstable motion heading and roll may lose a thousand times
- *         1e-15 conditioning.  A steady motion also misses what
+ *         In x and z, in radii, 1 + radius_max/radius times that sum; in the
+ *         rates W times that sum (test_orbit_edges).  In all members 4 u of the
+ *         state, amplified as the motion amplifies an error in the lean or a
+ *         rate: next to an unstable motion heading and roll may lose a thousand
+ *         times 1e-15 conditioning.  A steady motion also misses what
  *         coin_steady_at() leaves out: here 16 u of the terms of (39) over
  *         |lambda^2| in the lean, which heading and roll gather in time (make
  *         adversary).
@@ -1018,6 +1018,8 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  * and many short steps follow until it has grown.  A launch costs 14 times as
  * much as with mu_kinetic = 0.9 mu_static in the mean, and 70 times in the
  * worst case (make slide-study).  No launch of that study needed 2^20 steps.
+ * A body with I_Z below 1e-6 M a^2 or I_X below 1e-4 M a^2 is stiff while it
+ * slips: 2^20 trials may then last for less than a natural unit of time.
  * Accuracy: the times at which slips begin and end err by less than 1e-8 at
  *         tol = 1e-10 (test_slide).  The exception is a slip whose speed nearly
  *         comes to 0: its direction turns round almost at once, and the time of

@@ -26,20 +26,26 @@ constexpr double BLURRED = 1e-3;
 /* How far from a true time the status changes from one to another, in parts of
  * `bound`: halved from the first of `enough` parts, twice as many and so on
  * before and behind which it is known; REACH where that is beyond.  Half of
- * enough, where it is less than enough. */
+ * enough, where it is less than enough.  No claim if a call says COIN_ESTEP:
+ * its trials were not enough, and it tells neither. */
 constexpr double REACH = 32;
 
 double distance(const asked &q, double tol, double when, double bound,
                 int32_t before, int32_t after, double enough)
 {
+    bool tells = true;
     const auto status = [&](double t) {
         coin_slide d = q.d;
-        return q.advance(&d, larger(t, 0.0), tol);
+        const int32_t is = q.advance(&d, larger(t, 0.0), tol);
+        tells = tells && is != COIN_ESTEP;
+        return is;
     };
     double far = enough > 0 ? enough : 1 / REACH;
     while (status(when - far * bound) != before ||
            status(when + far * bound) != after)
-        if ((far *= 2) > REACH)
+        if (!tells)
+            return NO_CLAIM;
+        else if ((far *= 2) > REACH)
             return REACH;
     if (far == enough)
         return enough / 2;

@@ -52,9 +52,11 @@ double slip(const asked &q, const scene &s, double factor, double enough)
     const bool on_ice = !(q.f.mu_kinetic > 0);
     if (!(on_ice || truth.speed(truth.y) > R(1e-2)))
         return NO_CLAIM;
+    /* The truth first: it gives up sooner than a call whose trials run out. */
+    if (truth.follow(R(s.t)) != slide<R>::SLIPS)
+        return NO_CLAIM;
     const int32_t status = q.advance(&end, s.t, tol);
-    if (!(status == COIN_SLIPS || (on_ice && status == COIN_OK)) ||
-        truth.follow(R(s.t)) != slide<R>::SLIPS)
+    if (!(status == COIN_SLIPS || (on_ice && status == COIN_OK)))
         return NO_CLAIM;
     const R natural = R(s.t) * truth.w;
     /* A slip that begins counts as 0 below 2e-10, and so does what it changes
