@@ -132,7 +132,7 @@ QUOTES = (
      *quarter("coin_step", 1000)),
     ("docs/accuracy.md", r"per frame \| (\S+) after a second of a quarter",
      *quarter("one step of RK8", 60)),
-    ("README.md", r"\| ([\d.]+), with AVX-512 ([\d.]+)",
+    ("README.md", r"\| ([\d.]+), compiled for AVX-512 ([\d.]+)",
      share("portable"), share("native")),
     ("docs/guide.md", r"of RK4 takes (\d+) ns with the two",
      abreast("portable")),
