@@ -55,13 +55,17 @@ static double growth(const coin_priv_slip *y, const coin_priv_slip *d)
     return y->uX / u * d->uX + y->uh / u * d->uh;
 }
 
-/* A slip frees the lean: the inertia against its changes is I_X instead of
- * I_X + M a^2.  For a disc, whose I_X is M a^2/4, the rate of (47) is enough.
- */
+/* A slip frees the lean: the inertia against its changes is I_X + M a^2 sin^2
+ * theta instead of I_X + M a^2.  For a disc, whose I_X is M a^2/4, the rate of
+ * (47) is enough.  For a body of small I_X the normal force has a narrow peak
+ * about upright, where M a^2 sin^2 theta is less than I_X.  An eighth of
+ * sin theta counts, so that the longest step changes sin theta by 0.3 of itself
+ * and cannot pass over the peak. */
 double coin_priv_slip_rate(const coin_priv_sliding *g)
 {
     const coin_priv_body *b = &g->contact.b;
-    const double freed = sqrt(b->m / b->IX) / 2;
+    const double sth = g->w.run.g.y.sth / 8;
+    const double freed = sqrt(b->m / (b->IX + b->m * (sth * sth))) / 2;
     return (freed > 1 ? freed : 1) / coin_priv_sundman_tau(b, &g->w.run.g.y, 1);
 }
 
