@@ -44,8 +44,8 @@ nm -D --defined-only --with-symbol-versions "$library" | sed 's/^[^ ]* //' |
 for list in macros constants layout functions; do
     "$PYTHON" "$SRC/tests/ffi/header.py" "$include" $list >"$work/new/$list.txt"
 done
-abidw --no-corpus-path --no-comp-dir-path --no-show-locs "$library" \
-    >"$work/new/rollcoin.abi"
+abidw --exported-interfaces-only --no-corpus-path --no-comp-dir-path \
+    --no-show-locs "$library" >"$work/new/rollcoin.abi"
 
 # --------------------------------------------------------------- since a release
 # What a release of this soname had stays, and what came since has symbols in
