@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The size of every public struct, for bindings that no C compiler reads. */
+/* The size of every public struct.  Bindings of other languages compare their
+ * own structs with it. */
 #include "../motion/pinned.h"
 
 #include <coin.h>

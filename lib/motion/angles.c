@@ -17,9 +17,10 @@ static real arcsine(real x)
 
 real PRIV(angle)(PRIV(sc) of)
 {
-    /* The guess is an arc sine of the smaller of the two.  Its error is largest
-     * where they are equal, 0.007.  The arc sine of the difference's sine,
-     * which is added, leaves less than 1e-16. */
+    /* The guess takes the arc sine of the sine or of the cosine, whichever is
+     * smaller.  Its series errs most where the two are equal, by less than
+     * 0.007.  The result is the guess plus the arc sine of sin(angle - guess),
+     * whose series then errs by less than 1e-16. */
     real guess;
     if (FABS(of.s) < SMALL && of.c > 0)
         return arcsine(of.s);

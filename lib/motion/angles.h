@@ -4,8 +4,8 @@
 
 #include "number.h"
 
-/* For one double, the polynomials of sine and cosine are evaluated side by
- * side, where there are vectors of two. */
+/* For one double, a vector of two evaluates the polynomials of sine and of
+ * cosine together, if the compiler has such vectors. */
 #if COIN_PRIV_WIDTH && !defined(COIN_PRIV_FLOAT)
 #define COIN_PRIV_PAIR
 #include "number.t.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Sine and cosine, the same bits everywhere.  With COIN_PRIV_BY_PAIRS, the
- * functions of one number use those of a pair of numbers, included before. */
+/* Sine and cosine, with the same bits on every platform.  If COIN_PRIV_BY_PAIRS
+ * is defined, the functions of one number use those of a pair of numbers, for
+ * which this file has been included before. */
 #include "number.h"
 
 #include "kind.h"
@@ -79,9 +80,9 @@ COIN_PRIV_PART PRIV(sc) PRIV(turn_adds)(PRIV(sc) of, real d)
     return r;
 }
 
-/* The sine and cosine of the angle turned.
+/* The sine and cosine of an angle after it is turned by d, |d| <= pi/2.
  * Accuracy: 2 u of the pair's norm for |d| <= 1/2, 3 u for |d| <= 1, 5 u up to
- * pi/2 (test_angles). */
+ * pi/2, where u is half of COIN_PRIV_EPSILON (test_angles). */
 COIN_PRIV_INLINE PRIV(sc) PRIV(turned)(PRIV(sc) of, real d)
 {
     const PRIV(sc) by = PRIV(turn_adds)(of, d);

@@ -9,7 +9,8 @@
  * longer than those of variables_inline(). */
 PRIV(variables) PRIV(variables_of)(const COIN(state) * s);
 
-/* The rows e_X, e_Y, e_Z of the coin's frame in the table's. */
+/* Sets the rows of R to e_X, e_Y, e_Z, the axes of the coin, in the coordinates
+ * x, y, z of the table. */
 COIN_PRIV_INLINE void PRIV(axes)(const PRIV(variables) * y, real R[9])
 {
     const real sth = y->sth, cth = y->cth, sph = y->sph, cph = y->cph;

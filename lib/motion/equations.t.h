@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The equations of motion, as slopes.  Their other forms stand where they are
- * needed, such as those for power series and those for steps by extrapolation,
- * side by side (step/extrapolation.c); tests/lint/homes.py lists most of them.
+/* The equations of motion, as slopes.  Some sources need other forms of them,
+ * and contain these: step/extrapolation.c, for example, and the sources of
+ * power series.  tests/lint/homes.py lists most of them.
  *
  * The sines and cosines of lean and heading are variables like the angular
  * velocity, so that no stage of a step takes a sine of an angle.  The pose is a
@@ -30,9 +30,9 @@ typedef struct PRIV(field) {
 } PRIV(field);
 
 #ifndef COIN_PRIV_ABREAST
-/* The variables of a state, inline in the caller.  A lean below pi/4 is not
- * reduced to that range.  Its sine and cosine are then known sooner, and a step
- * cannot begin without them. */
+/* The variables of a state, inline in the caller.  The reduction of the lean to
+ * |theta| <= pi/4 is left out for a lean that is in this range.  Its sine and
+ * cosine are then known sooner, and a step cannot begin without them. */
 COIN_PRIV_INLINE PRIV(variables) PRIV(variables_inline)(const COIN(state) * s)
 {
     const PRIV(sc) ph = PRIV(sine_cosine)(s->phi);
@@ -81,8 +81,9 @@ COIN_PRIV_INLINE PRIV(variables)
     return d;
 }
 
-/* The velocity of the centre along x and z in radii, that of -wZ e_X + wX e_Z.
- * If wXcth and wZ are given times h, so is the velocity. */
+/* The components along x and z of the velocity of the centre, -wZ e_X + wX e_Z
+ * in radii.  wXcth is wX cos theta.  If wXcth and wZ are multiplied by h, the
+ * velocity is too. */
 COIN_PRIV_INLINE void PRIV(path_rates)(real *dx, real *dz, real wXcth, real wZ,
                                        const PRIV(variables) * y)
 {

@@ -9,12 +9,15 @@
 
 #include "number.h"
 
-/* p = KY Pe + k1 KZ Po and wZ = KZ We + k2 KY Wo; Pe We - kap Po Wo = 1. */
+/* Solutions that are even and odd about u = 0: Pe and Po for p, We and Wo for
+ * wZ.  p = KY Pe + k1 KZ Po and wZ = KZ We + k2 KY Wo.
+ * Pe We - kap Po Wo = 1. */
 typedef struct PRIV(central) {
     real Pe, Po, We, Wo;
 } PRIV(central);
 
-/* wZ = al R + be S and k2 p = al PR + be PS; R PS - S PR = -2. */
+/* Solutions about the flat coin: R and S for wZ, PR and PS for k2 p.
+ * wZ = al R + be S and k2 p = al PR + be PS.  R PS - S PR = -2. */
 typedef struct PRIV(flat) {
     real R, S, PR, PS;
 } PRIV(flat);
@@ -24,20 +27,22 @@ typedef struct PRIV(flat) {
 PRIV(central) PRIV(legendre_central)(real kap, real u);
 
 /* The series about the flat coin, v = (1 - |u|)/2 = sin^2(delta/2) with delta =
- * pi/2 - |theta|.  ln_v is ln v, or that plus a constant, the same wherever one
- * pair of solutions is used: S is then another solution.
+ * pi/2 - |theta|.  ln_v is ln v plus any constant.  The constant selects the
+ * solution S, so that it has to be the same wherever al and be are.
  * Pre: 0 < v <= 1/2.  Accuracy: 1e-15 of the terms, 5e-15 at v = 1/2, down to
  * v = 1e-32 (test_legendre).  Cost: at most 65 terms. */
 PRIV(flat) PRIV(legendre_flat)(real kap, real v, real ln_v);
 
-/* The pair at u + e, from that at u, by its power series about u.  (34)
- * Pre: |e| (1 + |u|) <= COIN_PRIV_SERIES_REACH c2, c2 = 1 - u^2, which makes
- * the series' ratio 0.18.  Accuracy: 6 u of the terms of the change
- * (test_drift).
+/* legendre_change() and legendre_shift() lead from the pair at u to that at
+ * u + e, by the power series about u, (34).  c2 is 1 - u^2.
+ * Pre: |e| (1 + |u|) <= COIN_PRIV_SERIES_REACH c2.  Each term of the series is
+ * then at most 0.18 of the one before.
+ * Accuracy: 6 units of rounding of the terms of the change (test_drift).
  * Cost: COIN_PRIV_SERIES_TERMS terms, always: 22, and 11 for floats. */
 #define COIN_PRIV_SERIES_REACH K(0.18)
 
-/* 1/((n + 1)(n + 2)): a division costs a step as much as three products. */
+/* 1/((n + 1)(n + 2)), in a table: a division takes as long as three products.
+ */
 #define COIN_PRIV_OVER(n) (K(1.0) / (((n) + 1) * ((n) + 2)))
 #define COIN_PRIV_OVER4(n)                                                     \
     COIN_PRIV_OVER(n), COIN_PRIV_OVER(n + 1), COIN_PRIV_OVER(n + 2),           \
@@ -47,7 +52,7 @@ static const real PRIV(over)[24] = {
     COIN_PRIV_OVER4(12), COIN_PRIV_OVER4(16), COIN_PRIV_OVER4(20),
 };
 
-/* What the pair changes by. */
+/* Sets *dp and *dwZ to the changes of p and wZ. */
 COIN_PRIV_INLINE void PRIV(legendre_change)(real *dp, real *dwZ, real p,
                                             real wZ, real k1, real k2, real u,
                                             real c2, real e)
@@ -69,6 +74,7 @@ COIN_PRIV_INLINE void PRIV(legendre_change)(real *dp, real *dwZ, real p,
     *dwZ = change;
 }
 
+/* Adds these changes to *p and *wZ. */
 COIN_PRIV_INLINE void PRIV(legendre_shift)(real *p, real *wZ, real k1, real k2,
                                            real u, real c2, real e)
 {

@@ -6,7 +6,7 @@
 
 #include "number.t.h"
 
-/* Not NaN either: a comparison with it is false. */
+/* 0 for infinity and for NaN: a comparison with NaN is false. */
 COIN_PRIV_INLINE int PRIV(is_finite)(real x)
 {
     return FABS(x) <= COIN_PRIV_LARGEST;

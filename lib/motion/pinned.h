@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* One bit pattern on every platform: included first by every source.
  *
- * The Makefile passes -ffp-contract=off; these guards serve whoever compiles
- * the sources with flags of their own.  What no guard here can see (clang with
- * an explicit -ffp-contract=fast) coin_selftest() reports at run time. */
+ * The Makefile passes -ffp-contract=off.  These guards protect builds with
+ * other flags.  They cannot see clang's -ffp-contract=fast.  coin_selftest()
+ * reports it at run time. */
 #ifndef ROLLCOIN_PINNED_H
 #define ROLLCOIN_PINNED_H
 
@@ -26,17 +26,20 @@
 #elif defined(__GNUC__) && !defined(__TINYC__)
 #pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize",               \
                      "no-tree-loop-vectorize")
-/* The loop of coin_priv_copy_state() must not become a memcpy() either. */
+/* gcc would turn the loop of coin_priv_copy_state() into memcpy(), whose wide
+ * moves that function avoids. */
 #pragma GCC optimize("no-tree-loop-distribute-patterns")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #endif
 
-/* The parts of a step are inlined, whatever their size, and code that rarely
- * runs is moved out of the way.  Parts marked COIN_PRIV_PART stay functions in
- * doubles where each operation of doubles is a call, or with COIN_PRIV_SMALL
- * defined.  Each of them is then in the code once, and its stack is free when
- * it returns. */
+/* COIN_PRIV_INLINE inlines a part of a step, whatever its size.
+ * COIN_PRIV_RARELY moves code that rarely runs out of the way.
+ *
+ * COIN_PRIV_SMALL is defined for processors on which each operation of doubles
+ * is a call, and may be defined by the user.  The parts of a step of doubles
+ * that are marked COIN_PRIV_PART are then functions.  Each of them is in the
+ * code once, and its stack is free when it returns. */
 #if defined(__GNUC__)
 #define COIN_PRIV_INLINE static inline __attribute__((always_inline))
 #define COIN_PRIV_APART static __attribute__((noinline, unused))

@@ -51,19 +51,20 @@
 
 /* ---------------------------------------------------------------- limits -- */
 
-/* Numbers in here can be multiplied by each other's ratios, and by the 1/cos
- * of the flattest lean, and stay normal: 1e-30 and 1e30 leave 2^26. */
+/* The numbers of a body, its constants and the squares of its rates lie between
+ * these.  A float underflows and overflows 2^26 times beyond.  That is left for
+ * ratios of such numbers, and for 1/cos theta of the flattest lean. */
 #define COIN_PRIV_LEAST 1e-30f
 #define COIN_PRIV_MOST 1e30f
 
-/* That over the largest 1/cos^2 theta: below 1e16 for every |theta| < pi/2
- * that a float and its remainder hold. */
+/* COIN_PRIV_MOST over the largest 1/cos^2 theta, which is below 1e16 for every
+ * |theta| < pi/2 that a float and its remainder hold. */
 #define COIN_PRIV_W2_MAX 1e14f
 
 /* A body whose five numbers lie between these keeps the limits above, whatever
- * their ratios: the longest quotients, M g a/J and m/K, take three factors of
- * the least over one of the most, 2^-84/2^15.  There is no limit of |omega|^2
- * for all of them, which 0 stands for. */
+ * their ratios.  The least quotients, M g a/J and m/K, are above 2^-84/2^15:
+ * three of the least numbers over one of the largest.  COIN_PRIV_ORDINARY_W2 is
+ * 0: no limit of |omega|^2 suits all these bodies, so each computes its own. */
 #define COIN_PRIV_ORDINARY_LEAST 3.7252903e-9f /* 2^-28 */
 #define COIN_PRIV_ORDINARY_MOST 16384.0f       /* 2^14 */
 #define COIN_PRIV_ORDINARY_W2 0
@@ -76,8 +77,9 @@
 /* I_Z may be this part larger than 2 I_X, for the rounding of both. */
 #define COIN_PRIV_INERTIA_SLACK 1e-6f
 
-/* Whether the remainders that a state keeps are in range: those of the angles
- * are below 2^-22 within half a turn, and stages take them to first order. */
+/* Whether the remainders that a state keeps are in range.  The remainder of an
+ * angle within half a turn is below 2^-22, so that three add up to less than
+ * 2^-20.  Larger ones are refused, because stages use them to first order. */
 #define COIN_PRIV_LOW_HOLDS(s) coinf_priv_low_holds((s)->low)
 static inline int coinf_priv_low_holds(const float low[8])
 {
@@ -99,13 +101,15 @@ static inline int coinf_priv_low_holds(const float low[8])
 /* Terms below this part of their sum no longer change it. */
 #define COIN_PRIV_NEGLIGIBLE 1e-9f
 
-/* Terms that the drift's series takes: its ratio is at most 0.18. */
+/* The number of terms of the drift's series.  Each is at most 0.18 of the one
+ * before; 0.18^11 is 6e-9. */
 #define COIN_PRIV_SERIES_TERMS 11
 
 /* ---------------------------------------------------------------- losses -- */
 
-/* The largest member of coinf_losses, also over a moment of inertia: far above
- * any coin's, and so far below overflow that a step's rates stay finite. */
+/* The largest member of coinf_losses, and the largest ratio of a member and a
+ * moment of inertia.  It is far above that of any coin, and so far below
+ * overflow that the rates of a step stay finite. */
 #define COIN_PRIV_LOSS_MOST 1e9f
 
 /* The least softening rate, in natural units.  Its square shifts the motion by
@@ -178,13 +182,14 @@ static inline int coinf_priv_low_holds(const float low[8])
 #define COIN_PRIV_LEAST 1e-300
 #define COIN_PRIV_MOST 1e300
 
-/* That over the largest 1/cos^2 theta: below 1e32 for every |theta| < pi/2
- * that a double holds. */
+/* COIN_PRIV_MOST over the largest 1/cos^2 theta, which is below 1e32 for every
+ * |theta| < pi/2 that a double holds. */
 #define COIN_PRIV_W2_MAX (COIN_PRIV_MOST / 1e32)
 
 /* A body whose five numbers lie between these keeps the limits above, whatever
- * their ratios: no formula takes more than six factors of them.  With J and K
- * below 2^242 the last is less than what COIN_PRIV_W2_MAX leaves. */
+ * their ratios: no formula takes more than six factors of them.  J and K are
+ * then below 2^242, and w2_max of every such body is above
+ * COIN_PRIV_ORDINARY_W2, which is used in its place. */
 #define COIN_PRIV_ORDINARY_LEAST 8.271806125530277e-25 /* 2^-80 */
 #define COIN_PRIV_ORDINARY_MOST 1.2089258196146292e24  /* 2^80 */
 #define COIN_PRIV_ORDINARY_W2 1e190
@@ -209,13 +214,15 @@ static inline int coinf_priv_low_holds(const float low[8])
 /* Terms below this part of their sum no longer change it. */
 #define COIN_PRIV_NEGLIGIBLE 1e-17
 
-/* Terms that the drift's series takes: its ratio is at most 0.18. */
+/* The number of terms of the drift's series.  Each is at most 0.18 of the one
+ * before; 0.18^22 is 4e-17. */
 #define COIN_PRIV_SERIES_TERMS 22
 
 /* ---------------------------------------------------------------- losses -- */
 
-/* The largest member of coin_losses, also over a moment of inertia: far above
- * any coin's, and so far below overflow that a step's rates stay finite. */
+/* The largest member of coin_losses, and the largest ratio of a member and a
+ * moment of inertia.  It is far above that of any coin, and so far below
+ * overflow that the rates of a step stay finite. */
 #define COIN_PRIV_LOSS_MOST 1e60
 
 /* The least softening rate, in natural units.  Its square shifts the motion by

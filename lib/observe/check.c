@@ -3,6 +3,7 @@
 #include "../motion/state.h"
 #include "reaction.h"
 
+/* COIN_NEARLY_FLAT begins at this cos theta (coin.h). */
 #define NEARLY_FLAT K(0.01)
 
 int32_t COIN(check)(const COIN(state) * s, const COIN(params) * p,

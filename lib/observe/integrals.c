@@ -16,8 +16,9 @@ static void from_central(real K[2], const PRIV(body) * b, real u, real p,
     K[1] = c.Pe * wZ - b->k2 * c.Wo * p; /* (35) */
 }
 
-/* The same near the table, theta > 0, with delta = pi/2 - theta.  The flat
- * solutions lead to u = CENTRAL_MAX, and the central ones from there. */
+/* K_Y and K_Z of a coin near the table, theta > 0, with delta = pi/2 - theta.
+ * The flat solutions give p and wZ at u = CENTRAL_MAX, and the central ones
+ * give K_Y and K_Z from these. */
 static void from_flat(real K[2], const PRIV(body) * b, real delta, real p,
                       real wZ)
 {

@@ -124,7 +124,8 @@ static real angle_of(real s, real c)
     return angle == -2 * COIN_PRIV_HALF_PI ? -angle : angle;
 }
 
-/* Squares and products of numbers up to here neither overflow nor underflow. */
+/* Squares and products of numbers between 1/NORM_MAX and NORM_MAX neither
+ * overflow nor underflow. */
 #define NORM_MAX (1 / (COIN_PRIV_EPSILON * COIN_PRIV_EPSILON))
 
 /* The angles of a rotation, by Eq. (30).  With C2, S2 the cosine and sine of

@@ -7,23 +7,27 @@
 #include "extrapolation.h"
 #include "sundman.h"
 
-/* Natural units of time beyond which a step would change nothing of t. */
+/* The longest time of a call, in natural units.  The rounding of t is 0.1 unit
+ * there, so that a step would hardly change it. */
 #define COIN_PRIV_TOO_LONG 1e15
 
-/* The most steps of a call: 0.2 s. */
+/* The most steps of a call.  They take 0.2 s. */
 #define COIN_PRIV_STEPS_MAX (UINT64_C(1) << 20)
 
-/* |rem| W below which one step in t arrives, in units of tol^(1/8) for RK8 and
- * of tol^(3/16) for RK4: measured so that its error stays below tol/10.  The
- * most for RK8 at any tol: from 0.9 on some would lead through the table. */
+/* One step in t ends the call where |rem| W is at most LAST_RK8 tol^(1/8), and
+ * at most LAST_MOST.  It is a step of RK4 where |rem| W is at most LAST_RK4
+ * tol^(3/16).  Both factors are measured: the error of the step stays below
+ * tol/10.  LAST_MOST leaves room to 0.9, from where on some steps would lead
+ * through the table. */
 #define COIN_PRIV_LAST_RK8 1.6
 #define COIN_PRIV_LAST_RK4 0.6
 #define COIN_PRIV_LAST_MOST 0.5
 
-/* A call that ends by its first step may step further if lean and heading turn
- * slowly.  RK8 may where they turn by less than SLOW_RK8 tol^(1/8).  Its error
- * is as rem (rem W)^8, so that W has a limit too, FASTEST in natural units:
- * measured so that the error stays below 0.6 tol per unit. */
+/* Where the first step of a call is its last, a step of RK8 may be longer if
+ * lean and heading turn by less than SLOW_RK8 tol^(1/8) in it: |rem| W may be
+ * ONLY_RK8 tol^(1/8), but at most 1.  The error of that step is proportional to
+ * rem (rem W)^8, so that W has a limit too, FASTEST in natural units.  The
+ * numbers are measured: the error stays below 0.6 tol per unit. */
 #define COIN_PRIV_ONLY_RK8 4.7
 #define COIN_PRIV_SLOW_RK8 0.5
 #define COIN_PRIV_FASTEST 3.0
@@ -33,26 +37,29 @@
  * unit. */
 #define COIN_PRIV_ONLY_RK4 16.0
 
-/* A step is STRIDE tol^(1/14) over the rate, at most LONGEST: measured so that
- * its error stays below tol per natural unit of time (docs/accuracy.md). */
+/* The tau of a step is STRIDE tol^(1/14), but at most LONGEST, divided by the
+ * rate of sundman.h.  Both are measured: the error of the step stays below tol
+ * per natural unit of time (docs/accuracy.md). */
 #define COIN_PRIV_STRIDE 3.0
 #define COIN_PRIV_LONGEST 1.65
 
-/* An only step may be so many strides long, but no longer than LONGEST, where
- * lean and heading turn by less than SLOW: measured as ONLY_RK8 was. */
+/* Where the first step in tau would be the last of a call, it may be ONLY
+ * strides long if lean and heading turn by less than SLOW in it.  LONGEST
+ * remains the limit.  Both are measured as ONLY_RK8 is. */
 #define COIN_PRIV_ONLY 1.75
 #define COIN_PRIV_SLOW 0.1
 
 /* How far a call may step. */
 typedef struct coin_priv_reach {
-    double stride;   /* in tau, over the rate */
-    double rk8, rk4; /* in t, times W */
-    double only_rk8; /* the same for an only step */
-    double slow;     /* what lean and heading may turn by in that */
-    double only_rk4; /* W (t W)^4 of an only step */
+    double stride;   /* of a step in tau: tau times the rate */
+    double rk8, rk4; /* the most |rem| W of a last step */
+    double only_rk8; /* the same if the first step of a call is its last */
+    double slow;     /* by how much lean and heading may turn in that step */
+    double only_rk4; /* the most W (rem W)^4 if the first step is the last */
 } coin_priv_reach;
 
-/* tol^(1/14) of x = tol^(1/16): x^(8/7) within 0.6 % from tol = 1e-14 up. */
+/* tol^(1/14) from x = tol^(1/16): a parabola in place of x^(8/7), which errs by
+ * less than 0.6 % for tol >= 1e-14. */
 COIN_PRIV_INLINE double coin_priv_root14(double x)
 {
     return (0.2127 * x + 0.8261) * x - 0.014;
@@ -73,8 +80,8 @@ COIN_PRIV_INLINE coin_priv_reach coin_priv_reach_of(double tol)
     return r;
 }
 
-/* The tau that the time rem takes from here: t = c0 tau + ... reversed to
- * third order, with the derivatives c1, c2 of cos theta by t.  (54) */
+/* The tau in which the time rem passes from here, by its power series in rem to
+ * third order.  c, c1, c2: cos theta and its derivatives by t.  (54) */
 COIN_PRIV_INLINE double coin_priv_tau_of(const coin_priv_body *b,
                                          const coin_priv_variables *y,
                                          double rem)
@@ -87,8 +94,8 @@ COIN_PRIV_INLINE double coin_priv_tau_of(const coin_priv_body *b,
     return r * (1 - c1 / 2 + (2 * c1 * c1 - c * c2) / 6);
 }
 
-/* Whether lean and heading turn by less than an angle in the time rem; near the
- * table only by so much less as cos theta is.  0 after the first step. */
+/* Whether lean and heading turn by less than `angle` times cos theta in the
+ * time rem.  Always 0 after the first step of a call. */
 COIN_PRIV_INLINE int coin_priv_is_slow(const coin_priv_run *r, double rem,
                                        double angle)
 {
@@ -101,8 +108,9 @@ COIN_PRIV_INLINE int coin_priv_is_slow(const coin_priv_run *r, double rem,
     return turn2 <= (angle * angle) * (y->cth * y->cth);
 }
 
-/* The next step in tau: a full one, or what arrives at rem if that is less. The
- * series holds for a step or so; what it gives beyond is not trusted. */
+/* The next step in tau: a full one, or a shorter one that ends at rem.  The
+ * series of coin_priv_tau_of() is accurate for about one step, so that it is
+ * not used if rem is longer than two. */
 COIN_PRIV_INLINE double coin_priv_next_tau(const coin_priv_run *r,
                                            double stride, double rem)
 {
@@ -120,7 +128,7 @@ COIN_PRIV_INLINE double coin_priv_next_tau(const coin_priv_run *r,
     return arrives ? tau : side * full;
 }
 
-/* The square of what is to be compared with a reach in t. */
+/* (rem W)^2, whose limits are the squares of rk8, only_rk8 and rk4. */
 COIN_PRIV_INLINE double coin_priv_left2(const coin_priv_run *r, double rem)
 {
     return rem * rem * coin_priv_rate2(r->b.g_a, &r->g.y);
@@ -138,9 +146,9 @@ COIN_PRIV_INLINE int coin_priv_arrives(const coin_priv_run *r,
             coin_priv_is_slow(r, rem, reach->slow));
 }
 
-/* A step of tau; each time that one goes too far the next may go only half as
- * far: however bad the series, that ends.  *r is untouched if the coin is flat,
- * or the step fails or is one too many. */
+/* A step of tau.  If it passes the end of the time, it halves *stride, so that
+ * the steps come to an end even where coin_priv_tau_of() is poor.  *r is
+ * untouched if the coin is flat, or the step fails or is one too many. */
 COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r, double tau,
                                               double *stride,
                                               coin_priv_sum *rem)
@@ -171,7 +179,7 @@ COIN_PRIV_INLINE int coin_priv_rk4_lands(const coin_priv_run *r,
     return left2 * left2 * left2 * left2 * left2 <= error * error * r->b.g_a;
 }
 
-/* The last bit of the way, in t; not 0. */
+/* One step in t over the time left, which is not 0. */
 COIN_PRIV_INLINE int32_t coin_priv_last_step(coin_priv_run *r,
                                              const coin_priv_reach *reach,
                                              coin_priv_sum *rem)
@@ -188,7 +196,7 @@ COIN_PRIV_INLINE int32_t coin_priv_last_step(coin_priv_run *r,
     return COIN_OK;
 }
 
-/* That, if anything is left. */
+/* coin_priv_last_step(), unless no time is left. */
 COIN_PRIV_INLINE int32_t coin_priv_land(coin_priv_run *r,
                                         const coin_priv_reach *reach,
                                         coin_priv_sum *rem)
@@ -196,8 +204,8 @@ COIN_PRIV_INLINE int32_t coin_priv_land(coin_priv_run *r,
     return rem->sum == 0 ? COIN_OK : coin_priv_last_step(r, reach, rem);
 }
 
-/* Ends a call that was to move *s by t, of which rem is left.  A path so long
- * that x or z overflowed counts as none, as in a run. */
+/* Ends a call that was to move *s by t, of which rem is left.  If x or z has
+ * overflowed, *s stays as it was and *reached becomes 0, as in a run. */
 COIN_PRIV_INLINE int32_t coin_priv_arrive(coin_state *s, const coin_priv_run *r,
                                           int32_t status, double t, double rem,
                                           double *reached)

@@ -3,7 +3,8 @@
 
 #include "lanes.h"
 
-/* A group of coins side by side.  Places left over have a copy of the first. */
+/* A group of coins side by side.  Lanes that are left over hold copies of its
+ * first coin. */
 struct group {
     coin_state *where[COIN_PRIV_LANES], spare[COIN_PRIV_LANES];
     int size;

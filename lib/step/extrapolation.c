@@ -15,9 +15,9 @@
  * exact multiple.  Z is wZ times k1 = I_Z/I_X, which saves a product. */
 #include "../motion/pinned.h"
 
-/* With another register for each result a substep need not wait until the one
- * before it has freed its registers.  This saves 5 % of a step in vectors of
- * two, and nothing in vectors of four. */
+/* With this pragma gcc puts each result in another register, so that a substep
+ * does not wait until the substep before it has freed its registers.  This
+ * saves 5 % of a step in vectors of two, and nothing in vectors of four. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__) &&         \
     defined(__x86_64__) && !defined(__AVX__)
 #pragma GCC optimize("rename-registers", "no-tree-ter")
@@ -72,8 +72,9 @@ struct problem {
 /* 2h. */
 static const double double_substep[] = {15, 20, 24, 30, 40, 60, 120, 120};
 
-/* The weight of a column: the product of n^2/(n^2 - m^2) over the others.
- * Rounded to multiples of 2^-48 the weights add up to 1 exactly.  With columns
+/* The weight of the column of n substeps: the product of n^2/(n^2 - m^2) over
+ * the columns of m substeps.  GRID rounds a weight to a multiple of 2^-49, so
+ * that the sums in C2 are exact and the weights add up to 1.  With columns
  * of 2, 4, ..., 14 substeps the weights would be twice as large, and with them
  * the effect of rounding. */
 #define GRID(x) (((x) + 12) - 12)
@@ -144,7 +145,8 @@ COIN_PRIV_INLINE void odd_substep(struct columns *c, const struct problem *p)
 }
 
 #if LANES > 1
-/* The same for the first `on` lanes.  The columns of the others have ended. */
+/* odd_substep() in the first `on` lanes.  The columns of the others have ended.
+ */
 COIN_PRIV_INLINE void odd_substep_of(struct columns *c, const struct problem *p,
                                      int on)
 {
@@ -158,9 +160,10 @@ COIN_PRIV_INLINE void odd_substep_of(struct columns *c, const struct problem *p,
 /* ------------------------------------------------------------ the columns --
  */
 /* An even substep of group g and the odd one after it.  Two groups take turns,
- * so that one computes while the other waits for its sums.  These are loops,
- * because code that runs once waits for the cache: with all substeps written
- * out a short call of coin_advance() would take 1.3 times as long. */
+ * so that one computes while the other waits for its sums.  all_substeps() has
+ * loops, because code that runs once has to wait for the cache: with all
+ * substeps written out a short call of coin_advance() takes 1.3 times as long.
+ */
 #define ROUND(g)                                                               \
     even_substep(&c[g], p);                                                    \
     odd_substep(&c[g], p);
@@ -252,8 +255,8 @@ DEFINE_TOTAL(path.z, z)
 DEFINE_TOTAL(path.dY, dY)
 DEFINE_TOTAL(path.dcth, dcth)
 
-/* The end of the step, and what it adds to the pose.  From the path of the
- * point of contact, (21) leads to the centre's. */
+/* The end of the step, and what it adds to the pose.  The columns integrate the
+ * path of the point of contact; (21) gives that of the centre. */
 COIN_PRIV_INLINE void add_totals(coin_priv_variables *to, coin_priv_pose *adds,
                                  const coin_priv_variables *y,
                                  const struct columns *c,

@@ -4,19 +4,19 @@
 #include "extrapolation.h"
 #include "sundman.h"
 
-/* Steps have their largest error once in a period of theta, as a rule.  So the
- * motion is followed through one period.  The look ahead, by coarse steps,
- * finds the period's length, its largest W and where that is.  In a trial the
- * method itself runs with dt and with dt/2; the difference of the states
- * estimates the error of dt. */
+/* As a rule the largest error of a step occurs once in a period of theta.  So
+ * one period is examined, in two stages.  The look ahead takes coarse steps in
+ * tau.  It finds the length of the period, its largest W and where that is.
+ * The trial runs the method itself, with dt and with dt/2.  The difference of
+ * their states estimates the error of dt. */
 
 /* The look ahead covers two turning points of theta and at least this many
  * natural units: where nutation and heading have nearly one period, the error
  * of the path grows as t^2 over many of them. */
 #define LOOK_TIME_MIN 4.0
 
-/* It ends after this many natural units where turning points are late or
- * missing. */
+/* The look ahead ends after this many natural units, even if there were fewer
+ * than two turning points. */
 #define LOOK_TIME_MAX 20.0
 
 /* The largest numbers of steps of a look ahead and of a trial, and of states
@@ -138,7 +138,8 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
     if (!coin_priv_method_is_known(method) || !(tol >= 1e-13 && tol <= 1e-2) ||
         coin_priv_check(s, p, &b) != COIN_OK)
         return NAN;
-    /* From phi = psi = 0, so that the range of angles cannot end the trial. */
+    /* The trial starts at phi = psi = 0, so that the range of these angles
+     * cannot end it. */
     const coin_state lean = {s->theta, 0, 0, 0, 0, s->wX, s->wY, s->wZ};
     coin_priv_run start;
     start.b = b;

@@ -93,8 +93,8 @@ COIN_PRIV_INLINE void PRIV(end_block)(PRIV(progress) * g)
     PRIV(add_block)(g);
     PRIV(variables) *const y = &g->y;
     const PRIV(sc) at = PRIV(sine_cosine)(g->added.theta);
-    /* Near the table the rounding of theta is a large part of cos theta: the
-     * pair is kept there. */
+    /* Near the table the rounding of theta is a large part of cos theta.  The
+     * sine and cosine that the steps have turned are kept there. */
     const whole near = PRIV(truth)(y->cth < K(0.0078125));
     const PRIV(sc) th = {
         PRIV(choose)(near, y->sth, at.s),

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The template for one number, included once. */
+/* Includes the template rk4.t.h for one number.  The guard is for the single
+ * header, which joins the two sources that need it. */
 #ifndef ROLLCOIN_RK4_H
 #define ROLLCOIN_RK4_H
 

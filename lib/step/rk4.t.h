@@ -40,11 +40,12 @@ COIN_PRIV_INLINE PRIV(variables)
     return y;
 }
 
-/* sin theta and cos theta after the step, valid if |late| is at most
- * COIN_PRIV_LITTLE_TURN; otherwise the caller computes them.  The next step
- * waits for this pair.  Most of the turn is known after the first
- * stage: its sine and cosine are computed during the others, and `late` is the
- * rest. */
+/* sin theta and cos theta after the step.  They are valid if |late| is at most
+ * COIN_PRIV_LITTLE_TURN; otherwise the caller computes them.
+ *
+ * The next step waits for this pair.  So it is turned in two parts.  The first
+ * is h wX after the first stage, which is most of the turn, and is done during
+ * the other stages.  `late` is the rest of the turn. */
 typedef struct PRIV(rk4_lean) {
     PRIV(sc) th;
     real late;

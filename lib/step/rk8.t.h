@@ -3,11 +3,12 @@
  * Norsett, Wanner, Solving Ordinary Differential Equations I), without its
  * error estimate; test_rk8 holds it against the conditions of order.
  *
- * For either form of the equations of motion: its users define SLOPES and
- * POSE_SLOPES, the slopes times h of the variables and of the pose, and
- * EACH_POSE(F), the members of the latter, and get rk8_sums().  Who defines
- * ERROR_TO(f, e5, e3) too is given, variable by variable, the two sums of
- * slopes that estimate a step's error (ibid., II.5). */
+ * A source defines SLOPES and POSE_SLOPES, which give the slopes times h of the
+ * variables and of the pose, in t or in tau, and EACH_POSE(F), the members of
+ * the pose that POSE_SLOPES sets.  This file then defines rk8_sums().  If the
+ * source defines ERROR_TO(f, e5, e3) too, rk8_sums() calls it with the two sums
+ * of slopes that estimate the error of a step, for each variable (ibid., II.5).
+ */
 #include "../motion/equations.h"
 
 #include "../motion/kind.h"
@@ -20,9 +21,9 @@
 
 #include "tableau.t.h"
 
-/* The variables that slopes move, side by side: a row of the tableau
- * is the same sum for each, which gcc and clang then take in pairs, by the
- * baseline of every 64-bit processor, and to the same bits. */
+/* The variables that have slopes, in one array.  A row of the tableau is the
+ * same sum for each of them.  gcc and clang compute two such sums by one
+ * instruction, which every 64-bit processor has, with the same bits. */
 #if COIN_PRIV_WIDTH && !defined(COIN_PRIV_ABREAST)
 typedef coin_pair lane;
 #define AT(row, k) (row).v[(k) / 2][(k) % 2]
@@ -38,9 +39,9 @@ typedef real lane;
 #define EACH(F) F(0) F(1) F(2) F(3) F(4) F(5) F(6) F(7)
 #endif
 
-/* With AVX the slopes of a row but the newest are summed in vectors of four, w,
- * before the newest is known.  The newest is added in pairs: moving it into
- * vectors of four and back would take longer than it saves. */
+/* With AVX all slopes of a row but the newest are summed in vectors of four,
+ * w[], before the newest is known.  The newest is added in vectors of two:
+ * moving it into vectors of four and back would take longer than it saves. */
 #ifdef FOURS
 typedef double four COIN_PRIV_VECTOR(32);
 struct row {
@@ -152,8 +153,10 @@ COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
                B[4] * v9.m + B[5] * v10.m + B[6] * v11.m) +                    \
               B[7] * v12.m;
 
-/* Stage i, where 13 is the end: its variables by row i, and its slopes; and the
- * sum of the older slopes of row j, the next.  PATH only where b_i is not 0. */
+/* Stage i: s##i are its variables, by row i of the tableau, and k##i their
+ * slopes.  Row 13 is the end of the step.  With AVX the stage also sums all
+ * slopes of row j, the next one, but the newest.  PATH is used only for stages
+ * whose weight b_i is not 0. */
 #define STAGE(i, j)                                                            \
     EACH(ROW##i)                                                               \
     SUM_OLD(j);                                                                \
@@ -173,9 +176,10 @@ COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
               (E3[0] * d1.v[m] + E3[1] * d9.v[m] + E3[2] * d12.v[m]);
 #endif
 
-/* One step h from *y1: the variables *end, each by its own sum, and what the
- * step adds to the pose; returns the least cos theta of its stages.  In each
- * row the newest slope is added last: the older part does not wait for it. */
+/* One step h from *y1.  Sets *end to the variables at its end, each by the sum
+ * of its own slopes, and *adds to what the step adds to the pose.  Returns the
+ * least cos theta of the stages.  In each row the newest slope is added last,
+ * so that the sum of the others does not wait for it. */
 COIN_PRIV_INLINE real rk8_sums(PRIV(variables) * end, PRIV(pose) * adds,
                                const PRIV(variables) * y1,
                                const PRIV(field) * f)

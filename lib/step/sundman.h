@@ -5,12 +5,13 @@
 
 #include "run.h"
 
-/* A coin that comes nearer to flat than this lies flat: its pass would be over
- * in no time that a double can tell. */
+/* Where cos theta is less than this, the coin counts as flat.  A pass as close
+ * as that would take less time than a double resolves. */
 #define COIN_PRIV_FLAT 1e-30
 
-/* The tau of a step of the given stride from here.  A stride of 1 is the tau in
- * which the motion changes: 1 over the coin's own rate. */
+/* The tau of a step of the given stride from here: the stride divided by the
+ * coin's own rate.  A step of stride 1 takes the tau in which the motion
+ * changes. */
 double coin_priv_sundman_tau(const coin_priv_body *b,
                              const coin_priv_variables *y, double stride);
 

@@ -61,14 +61,16 @@ COIN_PRIV_INLINE int shift(coin_priv_variables *y,
         return 0;
     coin_priv_legendre_change(&dp, &dwZ, y0->wY * y0->cth, y0->wZ, b->k1, b->k2,
                               y0->sth, c2, by.s); /* (49) */
-    /* In this form wY stays the same, to the bit, where the lean does. */
+    /* Where the lean does not change, wY does not either, to the bit: this form
+     * of (49) adds 0 to it. */
     y->wY = y0->wY + (dp - y0->wY * by.c) * y->q;
     y->wZ = y0->wZ + dwZ;
     return 1;
 }
 
-/* d/dt of the centre's velocity, Eq. (20), along a drift: its parts at right
- * angles to e_X and along it, in radii. */
+/* d/dt of the velocity of the centre, Eq. (20), along a drift, in radii.
+ * `along` is its component along the horizontal e_h = (sin phi, 0, cos phi),
+ * and `across` that along e_X. */
 struct turn {
     double along, across;
 };
