@@ -11,9 +11,9 @@
 /* The largest value of a series' last terms within its reach. */
 #define LEFT_OUT 1e-17
 
-/* The longest reach of a series, over the fastest rate W of (47); a swing takes
- * pi/2 over W at least.  With little spin, a series of a longer reach would
- * lead past the table. */
+/* The longest reach of a series, times the rate W of W2_of().  A swing takes at
+ * least pi/2 over W.  With little spin, a series of a longer reach would lead
+ * past the table. */
 #define LONGEST 1.2
 
 /* A series may be used up to this many times its reach: its error is then
@@ -34,6 +34,7 @@ static double wX_of(const coin_priv_point *p)
     return OF(p->row[1], 1);
 }
 
+/* W^2 of (47), with g/a in the place of g/(a cos theta). */
 static double W2_of(const coin_priv_half_period *h, const coin_priv_point *p)
 {
     const double wX = wX_of(p), c = OF(p->th, 0);
@@ -41,8 +42,9 @@ static double W2_of(const coin_priv_half_period *h, const coin_priv_point *p)
     return (wX * wX + wY * wY) / (c * c) + wZ * wZ + h->g_a; /* (47) */
 }
 
-/* x to the power 1/COIN_PRIV_ORDER = 1/28 = 1/32 + 1/32/8 + 1/32/64 + ...,
- * of which three terms change it by 3 % at most for x > 1e-190. */
+/* x to the power 1/COIN_PRIV_ORDER = 1/28 = 1/32 + 1/32/8 + 1/32/64 + ...  The
+ * first three terms are taken.  The rest of them would change the result by at
+ * most 3 % for x > 1e-190. */
 static double root_28(double x)
 {
     double y = sqrt(sqrt(sqrt(sqrt(sqrt(x))))), product = y;
@@ -63,7 +65,7 @@ static double reach_of(const coin_priv_half_period *h,
         for (int i = 0; i < COIN_PRIV_PATH; ++i)
             last = larger(larger(last, OF(p[k].row[i], 0)), OF(p[k].row[i], 1));
     const double longest = LONGEST / sqrt(W2_of(h, p));
-    /* So that its power does not overflow. */
+    /* A limit that keeps its power from overflowing. */
     const double most = longest < 1e10 ? longest : 1e10;
     double power = 1;
     for (int k = 0; k < COIN_PRIV_ORDER; ++k)
@@ -143,8 +145,9 @@ static int begin_at(const coin_priv_half_period *h, coin_priv_series *to,
     return 1;
 }
 
-/* Makes the series h->now a piece.  Its path is computed, and moved so that at
- * the time `joint` after its centre it is where the piece before has it. */
+/* Makes the series h->now a piece.  Its path is computed, and then moved so
+ * that it is at `path` at the time `joint` after its centre: there the piece
+ * continues another one. */
 static void add_piece(coin_priv_half_period *h, double center, double joint,
                       coin_priv_pair path)
 {
@@ -198,7 +201,7 @@ static int go_on(coin_priv_half_period *h, int from, double side)
         const double before = step,
                      center = end + side * (back > 0 ? back : step);
         step = fabs(center - end);
-        /* A time that rounding loses leads no farther. */
+        /* Gives up if rounding keeps the step from getting shorter. */
         if ((back > 0 && !(step < before)) ||
             !begin_at(h, &h->now, between, center - end))
             return 0;

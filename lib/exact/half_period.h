@@ -13,22 +13,24 @@ typedef struct coin_priv_turn {
     double theta, phi, psi, z, x;
 } coin_priv_turn;
 
-/* Half a period while it is computed: from A to B through the start.  Heading,
- * roll and path are measured from the start. */
+/* Half a period while it is computed: from the turning point A to the turning
+ * point B, through the start.  Heading, roll and path are measured from the
+ * start. */
 typedef struct coin_priv_half_period {
     coin_orbit *o;                  /* gets the pieces */
-    coin_priv_law law;              /* in the orbit's unit of time, as g_a */
-    double g_a, rate;               /* 1 over that unit */
+    coin_priv_law law;              /* in the orbit's unit of time */
+    double g_a, rate;               /* g/a in that unit; 1 over the unit */
     coin_priv_series now;           /* about the latest centre */
     coin_priv_series between;       /* about the end of a piece */
-    int count, back;                /* pieces; those before the start's */
-    double toward;                  /* -1 or 1: of wX between A and B */
-    double reach[COIN_PRIV_PIECES]; /* of each piece to both sides */
-    double joint[COIN_PRIV_PIECES]; /* from its centre to the piece before it */
+    int count, back;                /* all pieces; those before the start's */
+    double toward;                  /* the sign of wX between A and B */
+    double reach[COIN_PRIV_PIECES]; /* the reach of a piece to both sides */
+    double joint[COIN_PRIV_PIECES]; /* the time from the centre of a piece to
+                                       where the piece it continues ends */
     coin_priv_turn A, B;
 } coin_priv_half_period;
 
-/* d(wX)/dt and lambda^2 at a point. */
+/* d(wX)/dt at a point, and its derivative by theta along the leaf. */
 double coin_priv_point_fall(const coin_priv_law *law, const coin_priv_point *p);
 double coin_priv_point_fall_slope(const coin_priv_law *law,
                                   const coin_priv_point *p);
@@ -37,8 +39,8 @@ double coin_priv_point_fall_slope(const coin_priv_law *law,
 void coin_priv_half_period_begin(coin_priv_half_period *h, coin_orbit *o,
                                  const coin_state *s, const coin_priv_body *b);
 
-/* Computes the pieces and both turning points; 0 if that takes more pieces than
- * there are, or is not possible. */
+/* Computes the pieces and both turning points.  Returns 0 if that would take
+ * more than COIN_PRIV_PIECES pieces, or if a series cannot be continued. */
 int coin_priv_half_period_solve(coin_priv_half_period *h);
 
 #endif

@@ -12,16 +12,16 @@
 #define AT_THE_END 32
 #define EVERYWHERE 96
 
-/* The difference may be this part of the tolerance where a model is compared.
- * The rest is for the times between. */
+/* Where a model is compared, it may differ by this part of the tolerance.  The
+ * rest is for the times between. */
 #define KEPT 0.5
 
 /* The part of the tolerance that the error of the full motion may take. */
 #define OWN 0.25
 
 /* Where there is no orbit, the motion is followed by steps, for at most
- * TIME_MAX natural units and STEPS_MAX steps.  It is unstable or next to the
- * table, so that no cheaper model holds for longer. */
+ * TIME_MAX natural units and STEPS_MAX steps.  Such a motion is unstable or
+ * next to the table, so that no cheaper model holds for longer. */
 #define TIME_MAX 64.0
 #define STEPS_MAX 4096
 
@@ -29,12 +29,13 @@
  * swing would not be small. */
 #define NEAR 0.5
 
-/* The stride of these steps: half of what coin_advance() takes at its least
- * tol, because a model is compared at many places. */
+/* The stride of these steps.  It is less than half of the stride of
+ * coin_advance() at its least tol, because a model is compared at many places.
+ */
 #define STRIDE 0.15
 
-/* Rounding of the acceleration next to a steady motion, in parts of its terms:
- * 128 u. */
+/* The rounding of the acceleration of the lean next to a steady motion, over
+ * the size of its terms: 128 u, u = 2^-53. */
 #define ROUNDED (64 * DBL_EPSILON)
 
 /* A scene, and the steady motion next to its start. */
@@ -42,8 +43,10 @@ struct scene {
     coin_priv_body b;
     const coin_state *start;
     double horizon, tol;
-    int near, swings;  /* whether there is one; whether a wobble about it is */
-    coin_state steady; /* with its constant rates and lambda^2 */
+    /* near: whether there is such a steady motion.  swings: whether the start
+     * is a small wobble about it. */
+    int near, swings;
+    coin_state steady; /* that motion, its constant rates and its lambda^2 */
     coin_priv_steady rates;
     double lambda2;
     coin_priv_wobble wobble;
@@ -76,7 +79,7 @@ static double apart(const coin_state *s, const coin_state *r, double a)
     return most;
 }
 
-/* Whether a model gives the state `is` at t, within KEPT of the tolerance. */
+/* Whether a model gives the state *is at the time t, to within KEPT tol. */
 static int keeps(const struct scene *scene, int32_t model, double t,
                  const coin_state *is)
 {
@@ -89,16 +92,16 @@ static int keeps(const struct scene *scene, int32_t model, double t,
     return (status == COIN_OK) & (apart(is, &said, b->a) <= KEPT * scene->tol);
 }
 
-/* Whether steps give the full motion next to the steady one.  Rounding moves
- * the steady motion; if it is unstable, steps may stay at it where the coin
- * itself leaves.  Two wobbles, apart by the rounding, tell the difference at
- * the end. */
+/* Whether steps can be trusted next to the steady motion.  If that motion is
+ * unstable, rounding may keep the steps on it although the coin leaves it.  The
+ * effect of rounding at the end of the horizon is the distance of two wobbles,
+ * one of which is displaced by the rounding. */
 static int is_known(const struct scene *scene)
 {
     const coin_priv_body *b = &scene->b;
     const coin_state *steady = &scene->steady;
     const double sth = coin_priv_sincos(steady->theta).s;
-    /* Of Eq. (14), whose terms balance. */
+    /* The size of the terms of Eq. (14), which balance each other. */
     const double terms =
         b->GJ * fabs(sth) + b->KJ * fabs(steady->wY * steady->wZ);
     coin_priv_wobble off = scene->wobble;
@@ -147,7 +150,8 @@ static double own_error(const struct scene *scene, const coin_orbit *o,
     const double turned = fabs(end->phi - scene->start->phi);
     const double rolled = fabs(end->psi - scene->start->psi);
     const double periods = o->period > 0 ? fabs(scene->horizon) / o->period : 0;
-    /* NaN, which only == compares without an exception, if the coin drifts. */
+    /* radius_max is NaN if the coin drifts.  Only == compares a NaN without an
+     * exception. */
     const int circles = o->radius_max == o->radius_max;
     const double reach =
         circles && o->radius_max > 0 ? o->radius_max / scene->b.a : rolled;
@@ -166,7 +170,8 @@ static int32_t judge_by_orbit(struct scene *scene, const coin_orbit *o)
         return status;
     if (!(own_error(scene, o, &end) <= OWN * scene->tol))
         return COIN_MODEL_STEPS;
-    /* Between its turning points the potential has a minimum. */
+    /* The steady motion is looked for no farther away than the turning points:
+     * the potential has a minimum between them. */
     const double most = up > down ? up : down;
     find_steady(scene, most < NEAR ? most : NEAR);
     if (scene->near && (scene->lambda2 < 0 || is_known(scene))) {
@@ -179,8 +184,9 @@ static int32_t judge_by_orbit(struct scene *scene, const coin_orbit *o)
 }
 
 /* -------------------------------------------------------------- by steps -- */
-/* Steps over the horizon, and clears good[] of a model when it differs.
- * COIN_MODEL_STEPS if these are too many steps, and the usual statuses. */
+/* Steps over the horizon, and clears good[k] where model k differs.  Returns
+ * COIN_OK at the end of the horizon, COIN_MODEL_STEPS after too many steps, or
+ * an error. */
 static int32_t follow(const struct scene *scene, int good[2])
 {
     const double all = fabs(scene->horizon), side = scene->horizon < 0 ? -1 : 1;

@@ -12,16 +12,17 @@
 /* An orbit whose conditioning is above this is refused. */
 #define WORST 1e12
 
-/* So are those that come nearer to flat: a lean within 1/WORST of it is rounded
- * by WORST times as much as the rates there admit. */
+/* An orbit whose lean comes nearer to flat than this is refused.  There the
+ * rounding of theta, 1e-16, is 1e-7 of the angle from flat. */
 #define HIGHEST (COIN_PRIV_HALF_PI - 1e-9)
 
 /* If half of the heading gained in a period differs from a multiple of pi by
  * less than this, the difference is rounding, and the path drifts. */
 #define STRAIGHT 1e-15
 
-/* Parts of a piece, so short that none has two extremes of the distance.  Even
- * with 2 parts the radii of 6000 coins were those with 60, to rounding. */
+/* The number of parts of a piece in each of which an extreme of the distance is
+ * looked for.  They are so short that none has two extremes.  Even with 2 parts
+ * the radii of 6000 coins were those with 60, to rounding. */
 #define LOOKS 4
 
 /* ------------------------------------------------------------- the frame -- */
@@ -49,8 +50,9 @@ static void measure_from_A(const coin_priv_half_period *h)
     }
 }
 
-/* An angle in turns, to the nearest whole one, in three parts: the products of
- * its parts and those of 1/(2 pi), of which all but the last are exact. */
+/* An angle in turns, less the nearest whole number of them, in three parts: the
+ * products of its parts and those of 1/(2 pi).  All but the last products are
+ * exact. */
 static void turns_of(double part[3], double angle)
 {
     double a[3], b[3];
@@ -97,7 +99,7 @@ static void set_angles(const coin_priv_half_period *h, const coin_state *s,
     double *f = o->private_frame;
     const coin_priv_turn *A = &h->A, *B = &h->B;
     const coin_priv_sc ph = coin_priv_sincos(s->phi);
-    const coin_priv_sc by = coin_priv_sincos(A->phi); /* the sum may be lost */
+    const coin_priv_sc by = coin_priv_sincos(A->phi); /* phi + A's is rounded */
     o->heading_per_period = 2 * (B->phi - A->phi);    /* (57) */
     o->roll_per_period = 2 * (B->psi - A->psi);       /* (57) */
     o->theta_min = A->theta < B->theta ? A->theta : B->theta;
@@ -117,8 +119,8 @@ static void set_angles(const coin_priv_half_period *h, const coin_state *s,
 
 /* ------------------------------------------------------------ the annulus --
  */
-/* A point of the path, from the centre of the annulus, which is on A's axis;
- * and half the rate of its squared distance. */
+/* A point of the path relative to the centre of the annulus, which lies on A's
+ * axis, and half of the derivative of its squared distance by time. */
 struct sight {
     double z, x, rate;
 };
@@ -173,9 +175,10 @@ static struct sight look_along(coin_orbit *o, int piece, double from,
     return end;
 }
 
-/* The radii of the annulus, in the frame of A.  A and B are extremes
- * themselves.  The search leaves out a 1024th of a piece at both, where the
- * rate's sign is rounding; an extreme there would differ by 1e-12. */
+/* The radii of the annulus, in the frame of A.  The distance has extremes at A
+ * and B.  The search leaves out a 1024th of a piece next to each: there the
+ * sign of the rate is rounding.  An extreme in that part would differ from that
+ * at A or B by 1e-12. */
 static void set_annulus(const coin_priv_half_period *h, double center,
                         double half)
 {
@@ -247,9 +250,10 @@ static coin_priv_point lean_at(const coin_orbit *o, int piece, double t)
     return p;
 }
 
-/* -J/2 dT/dE is the integral of this from A to B, with any k: that of 1/wX^2
- * less the change of its infinite parts.  With the frequency of a small swing
- * for k it is small along all of one. */
+/* The integral of this from A to B is -J/2 dT/dE, for any k.  It is the finite
+ * part of the integral of 1/wX^2, which is infinite at A and B: the derivative
+ * of a/(wX Q) by time has been added, and is infinite there too.  If k is the
+ * frequency of a small swing, the sum is small all along the swing. */
 static double stretch(const coin_priv_law *law, const coin_priv_point *p,
                       double k)
 {
@@ -259,8 +263,8 @@ static double stretch(const coin_priv_law *law, const coin_priv_point *p,
            (Q * Q);
 }
 
-/* 1 + J/2 |dT/dE| s^2/w with w^2 = 2E/J, and s the larger acceleration of theta
- * at a turning point, w^2 at most. */
+/* 1 + J/2 |dT/dE| s^2/w with w^2 = 2E/J.  s is the larger of the accelerations
+ * of theta at A and B, but at most w^2. */
 static double conditioning_of(const coin_priv_half_period *h, double half)
 {
     const coin_orbit *o = h->o;
@@ -295,7 +299,7 @@ static double conditioning_of(const coin_priv_half_period *h, double half)
 }
 
 /* Whether the lean is constant to rounding: its swing is below the rounding of
- * the lean, or its acceleration below that of its terms. */
+ * the lean, or its acceleration is below the rounding of the terms of (14). */
 static int is_steady(const coin_priv_half_period *h, double L)
 {
     const coin_priv_point *p = h->now.at;
@@ -338,7 +342,8 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
     coin_priv_half_period_begin(&h, o, s, b);
     const double L = coin_priv_point_fall_slope(&h.law, h.now.at);
     if (is_steady(&h, L)) {
-        /* An unstable motion that is not upright is steady only by rounding. */
+        /* Rounding makes an unstable motion look steady, unless it is upright:
+         * the coin itself would leave it. */
         if (!(L < 0) && s->theta != 0)
             return 0;
         set_steady(&h, s, b->a);

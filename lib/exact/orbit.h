@@ -36,7 +36,8 @@ enum {
      COIN_VERSION_PATCH)
 #define COIN_PRIV_FORMAT (2.2073158e-107 * (16777216.0 + COIN_PRIV_VERSION))
 
-/* private_frame of an orbit with a period; "in three" as coin_priv_split(). */
+/* private_frame of an orbit with a period.  "In three": as the three parts that
+ * coin_priv_split() gives. */
 enum {
     COIN_PRIV_RATE = 1,     /* 1 over the unit of time */
     COIN_PRIV_COUNT,        /* how many pieces there are */
@@ -46,14 +47,14 @@ enum {
     COIN_PRIV_PERIOD,       /* in three */
     COIN_PRIV_HEADING = 10, /* per period, in three */
     COIN_PRIV_ROLL = 13,    /* per period, in three */
-    COIN_PRIV_TURN = 16,    /* heading per period in turns, to the nearest
-                               whole one, in three */
-    COIN_PRIV_PHI0 = 19,    /* of the start, and what A to the start adds */
-    COIN_PRIV_PSI0 = 21,
-    COIN_PRIV_AXIS = 23,  /* radius times cosine and sine of A's heading */
-    COIN_PRIV_PLACE = 25, /* z and x of A's centre of mass */
-    COIN_PRIV_SWING = 27, /* of (58): L/sin(b), or 0 if b is next to 0 */
-    COIN_PRIV_DRIFT       /* L if b is next to 0 */
+    COIN_PRIV_TURN = 16,    /* heading per period in turns, less the nearest
+                               whole number, in three */
+    COIN_PRIV_PHI0 = 19,    /* phi of the start; phi of A minus that */
+    COIN_PRIV_PSI0 = 21,    /* the same of psi */
+    COIN_PRIV_AXIS = 23,    /* radius times cosine and sine of A's heading */
+    COIN_PRIV_PLACE = 25,   /* z and x of the centre of mass at A */
+    COIN_PRIV_SWING = 27,   /* of (58): L/sin(b), or 0 if b is next to 0 */
+    COIN_PRIV_DRIFT         /* L if b is next to 0 */
 };
 
 /* private_frame of a steady motion, whose start is private_terms: theta, phi,
@@ -94,8 +95,9 @@ COIN_PRIV_INLINE coin_priv_pair coin_priv_row_at(const double *row, double t)
     return coin_priv_pair_of(E + t * O, O + 2 * (t * (dE + t * dO)));
 }
 
-/* The piece that is the rank-th in time.  Pieces are stored in another order:
- * that of the start, those after it, then those before it, backward. */
+/* The index of the piece that is the rank-th in time.  Pieces are stored in
+ * another order: first that of the start, then those after it, then those
+ * before it, backward in time. */
 static inline int coin_priv_piece(int rank, int back, int count)
 {
     return rank < back ? count - 1 - rank : rank - back;
@@ -107,8 +109,8 @@ static inline double coin_priv_round(double x)
     return (x + COIN_PRIV_ROUNDER) - COIN_PRIV_ROUNDER;
 }
 
-/* high + low as two parts of 22 bits and the rest: an integer of up to 31 bits
- * times one of the two is exact. */
+/* high + low as two parts of 22 bits and the rest.  The product of an integer
+ * of up to 31 bits and one of the first two parts is exact. */
 static inline void coin_priv_split(double part[3], double high, double low)
 {
     const double shift = 2147483649.0; /* 2^31 + 1 */

@@ -19,9 +19,9 @@
 #define ROW_AT(rows, row, t)                                                   \
     coin_priv_row_at((rows) + COIN_PRIV_TERMS * (row), t)
 
-/* The rank of the piece that a time is in: the number of edges, without the
- * first, that are not beyond it.  They are counted by steps of 16, then of 1;
- * no comparison waits for another, as in a search by halves. */
+/* The rank of the piece that contains the time t: the number of edges, without
+ * the first, that are not beyond t.  They are counted by steps of 16, then of
+ * 1.  Unlike in a binary search, no comparison waits for another. */
 static inline int rank_of(const double *edge, int count, double t)
 {
     int rank = 0;
@@ -34,8 +34,9 @@ static inline int rank_of(const double *edge, int count, double t)
     return rank < count ? rank : count - 1;
 }
 
-/* An angle k periods after that of the start, to which `since_A` is added.  The
- * products of the large parts are exact, and their sum is taken first. */
+/* An angle: that at A, start[0] + start[1], plus what k periods add, plus
+ * since_A.  The products with part[0] and part[1] are exact.  That with part[0]
+ * is the largest and is added first. */
 static inline double angle_of(const double start[2], const double part[3],
                               double k, double since_A)
 {
@@ -49,7 +50,8 @@ static inline void set_place(coin_state *at, const double *f, double k,
                              double z, double x)
 {
     const double *b = f + COIN_PRIV_TURN;
-    /* Half a turn more would change both signs, and no product. */
+    /* Leaves out whole half turns.  An odd number of them would change the
+     * signs of kb.s and kb.c, and so none of their products. */
     const double whole = coin_priv_round(k * b[0]);
     const double half_turns = ((k * b[0] - whole) + k * b[1]) + k * b[2];
     const coin_priv_sc kb =
@@ -82,8 +84,9 @@ static int32_t steady_at(const coin_orbit *o, double t, coin_state *out)
     return COIN_OK;
 }
 
-/* The state k periods later, in a piece a time tau from its centre; side is -1
- * where it is mirrored. */
+/* The state in a piece a time tau after its centre, moved on by k periods.  If
+ * side is -1, the mirror image of that state: that before A instead of after
+ * A. */
 COIN_PRIV_INLINE coin_state state_at(const coin_orbit *o, int piece, double tau,
                                      double side, double k)
 {
@@ -125,7 +128,8 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
         return COIN_ESTEP;
     const double now = t * f[COIN_PRIV_RATE];
     const double periods = (now + f[COIN_PRIV_SINCE]) * f[COIN_PRIV_OVER];
-    /* The time since the nearest A; before it, all is mirrored.  (57) */
+    /* r is the time since the nearest A.  Before A, where r < 0, the motion is
+     * the mirror image of that after A, (57). */
     const double k = coin_priv_round(periods);
     const double r = (((now - k * T[0]) - k * T[1]) + f[COIN_PRIV_SINCE]) +
                      (f[COIN_PRIV_SINCE + 1] - k * T[2]);

@@ -20,8 +20,8 @@ static const double over_n[COIN_PRIV_ORDER + 1] = {
     0, OVER4(1), OVER4(5), OVER4(9), OVER4(13), OVER4(17), OVER4(21), OVER4(25),
 };
 
-/* The factors of the products that the equations of motion are made of, power
- * by power; a factor of two numbers stands twice. */
+/* The powers of the factors of the products in the equations of motion.  Both
+ * numbers of a pair are the same where one factor multiplies two others. */
 struct factors {
     coin_priv_pair th[COIN_PRIV_ORDER], wX[COIN_PRIV_ORDER];
     coin_priv_pair vY[COIN_PRIV_ORDER]; /* wY tan theta + k1 wZ, wY */
@@ -30,9 +30,9 @@ struct factors {
     double over;                        /* 1/cos theta at the point */
 };
 
-/* Power k + 1 of lean, angles and rates from the powers up to k.  The loop
- * leaves out the terms with a factor's power k, which are added when it is
- * known. */
+/* Computes power k + 1 of lean, angles and rates from the powers up to k.  The
+ * loop leaves out the terms that contain power k of a factor.  They are added
+ * as soon as that power is known. */
 static void lean_power(coin_priv_series *s, struct factors *f,
                        const coin_priv_law *law, int k)
 {
@@ -86,8 +86,8 @@ void coin_priv_series_fill(coin_priv_series *s, const coin_priv_law *law)
         lean_power(s, &f, law, k);
 }
 
-/* Power n of phi and of sin theta give power n - 1 of their rates: phi' and
- * wX cos theta. */
+/* The powers of phi' and of wX cos theta are those of the derivatives of phi
+ * and sin theta. */
 void coin_priv_series_follow(coin_priv_series *s)
 {
     coin_priv_pair r[COIN_PRIV_ORDER], g[COIN_PRIV_ORDER], wZ[COIN_PRIV_ORDER];

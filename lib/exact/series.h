@@ -5,7 +5,8 @@
 #include "orbit.h"
 #include "pair.h"
 
-/* A motion about a point as powers of time. */
+/* A motion about a point, as power series of time.  COIN_PRIV_ORDER: the
+ * highest power.  COIN_PRIV_PATH: the row of z and x. */
 enum { COIN_PRIV_ORDER = 28, COIN_PRIV_PATH = 3 };
 
 typedef struct coin_priv_point {
@@ -22,20 +23,21 @@ typedef struct coin_priv_law {
     double GJ, KJ, XJ, k1, k2;
 } coin_priv_law;
 
-/* Computes the powers from at[0], which is given; not those of path and ph. */
+/* Computes all powers from at[0], which is given, but those of path and ph. */
 void coin_priv_series_fill(coin_priv_series *s, const coin_priv_law *law);
 
 /* Computes the powers of the path and of ph.  Both functions together cost as
  * much as 40 steps of COIN_RK4. */
 void coin_priv_series_follow(coin_priv_series *s);
 
-/* The point a time t later; its path and ph are those of at[0]. */
+/* The point a time t later.  Its path and ph are not computed: they are those
+ * of at[0]. */
 coin_priv_point coin_priv_series_at(const coin_priv_series *s, double t);
 
 /* The path a time t later. */
 coin_priv_pair coin_priv_series_path(const coin_priv_series *s, double t);
 
-/* Writes the rows of a piece of this reach to both sides. */
+/* Writes the rows of a piece that holds for times from -reach to reach. */
 void coin_priv_series_keep(const coin_priv_series *s, double reach,
                            double *rows);
 

@@ -38,7 +38,8 @@ int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
     return status == COIN_OK ? coin_priv_balanced(s, b, th) : status;
 }
 
-/* Writes a steady state if it is one: with moments of inertia 1e200 apart a
+/* Makes *s the state with this lean and these rates, if the checks find it to
+ * be a steady one.  For moments of inertia that differ by a factor of 1e200 a
  * rate may lie beyond all doubles (test_steady). */
 static int32_t steady(coin_state *s, const coin_params *p, double theta,
                       double wY, double wZ)
@@ -66,7 +67,8 @@ int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p, double wY)
 int32_t coin_steady_spin(coin_state *s, const coin_params *p, double theta)
 {
     coin_priv_body b;
-    /* At rest at this lean: its checks give all errors but the spin's. */
+    /* The checks of a coin at rest with this lean find every error except a
+     * spin out of range, which steady() finds. */
     const coin_state rest = {theta, 0, 0, 0, 0, 0, 0, 0};
     const int32_t status = s ? coin_priv_check(&rest, p, &b) : COIN_EARG;
     if (status != COIN_OK)
@@ -92,7 +94,7 @@ int32_t coin_steady_circle(coin_state *s, const coin_params *p, double theta,
     const double A = b.IX / b.K * (th.s / th.c), G = b.Mga / b.K * th.s;
     const double rest = sqrt(b.IX / b.K * (b.Mga / b.K) / th.c);
     const double root = coin_priv_hypot(wZ, 2 * th.s * rest);
-    /* The root q/A, where nothing cancels, is f- unless wZ < 0. */
+    /* q/A, where nothing cancels, is the root f- of (40), or f+ if wZ < 0. */
     const double q = -(wZ + (wZ < 0 ? -root : root)) / 2; /* (40) */
     const int large = (branch < 0) == !(wZ < 0);
     if (q == 0) /* wZ and theta are so small that q underflows */

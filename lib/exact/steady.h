@@ -5,8 +5,8 @@
 #include "../motion/equations.h"
 #include "../motion/state.h"
 
-/* COIN_OK, or COIN_EDOMAIN unless the motion is steady, and sine and cosine of
- * its lean.  s has passed coin_priv_check_state(). */
+/* COIN_OK if the motion is steady, else COIN_EDOMAIN.  Sets *th to sine and
+ * cosine of its lean.  s has passed coin_priv_check_state(). */
 int32_t coin_priv_balanced(const coin_state *s, const coin_priv_body *b,
                            coin_priv_sc *th);
 

@@ -21,8 +21,8 @@ int32_t coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
     const double half = rates->heading * t / 2; /* (56) */
     const coin_priv_sc h = coin_priv_sincos(half),
                        ph = coin_priv_sincos(s->phi);
-    /* One division, never 0 by 0, even if a compiler divides before it
-     * compares. */
+    /* The operands are chosen before one division, so that no compiler can make
+     * it divide 0 by 0. */
     const int turns = half != 0;
     const double sinc = (turns ? h.s : 1) / (turns ? half : 1);
     const double way = rates->speed * t * sinc; /* (56) */
@@ -30,7 +30,8 @@ int32_t coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
     at.wX = 0;
     at.phi += 2 * half;        /* (56) */
     at.psi += rates->roll * t; /* (56) */
-    /* Along phi + half, whose sum would be rounded if phi is large. */
+    /* The direction is phi + half.  That sum is not computed, as it would be
+     * rounded if phi is large. */
     at.x -= way * (ph.c * h.c - ph.s * h.s); /* (56) */
     at.z += way * (ph.s * h.c + ph.c * h.s); /* (56) */
     if (coin_priv_check_members(&at) != COIN_OK)

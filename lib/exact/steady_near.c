@@ -15,9 +15,9 @@ struct place {
     double fall, fall_slope; /* d(wX)/dt = -V'/J, and its slope along theta */
 };
 
-/* The longest and the shortest step of the search, in cos theta.  The series
- * of (34) reaches twice as far as the longest; two extrema nearer to each
- * other than the shortest may both be missed. */
+/* The longest and the shortest step of the search, in units of cos theta.  The
+ * series of (34) reaches twice as far as the longest.  Two extrema that are
+ * nearer to each other than the shortest may both be missed. */
 #define LONG_STEP 0.04
 #define SHORT_STEP 0.0005
 
@@ -44,15 +44,17 @@ static int sign_of(double x)
     return (x > 0) - (x < 0);
 }
 
-/* Moves along the potential, by at most 2 LONG_STEP cos theta.  Near flat the
- * cosine of the middle needs what rounding takes from that angle. */
+/* Moves *o to another theta on the same potential, by at most 2 LONG_STEP
+ * cos theta.  The cosine of the angle in the middle is corrected for the
+ * rounding of that angle, which matters near flat. */
 static void move(struct place *o, const coin_priv_body *b, double theta)
 {
     const double half = (theta - o->theta) / 2;
     const double middle = o->theta + half, lost = o->theta - middle + half;
     const coin_priv_sc at = coin_priv_sincos(middle);
     const double c = at.c - lost * at.s;
-    const double e = 2 * c * coin_priv_sincos(half).s; /* of sin theta */
+    /* The change of sin theta. */
+    const double e = 2 * c * coin_priv_sincos(half).s;
     coin_priv_legendre_shift(&o->p, &o->wZ, b->k1, b->k2, o->at.s,
                              o->at.c * o->at.c, e); /* (34) */
     o->theta = theta;
@@ -81,8 +83,8 @@ static void to_extremum(struct place *o, const coin_priv_body *b, double end)
     }
 }
 
-/* A step long enough to pass an extremum near by, and too short to pass a
- * second one behind it. */
+/* A step of the search: 1.5 times that of Newton's method, which is enough to
+ * pass an extremum near by, and too short to pass a second one behind it. */
 static double step_of(const struct place *o)
 {
     const double guess = 1.5 * fabs(o->fall / o->fall_slope);
@@ -126,11 +128,11 @@ static int nearest(struct place *o, const coin_priv_body *b, double most)
     return above || below;
 }
 
-/* Changes the rates as little as possible so that (39) holds at this lean.  The
- * `fall` that is left is due to the rounding of theta, and large for fast
- * coins.  Newton's method in the plane of wY and wZ is used; at rates of 1e16
- * its second step still has an effect.  For slow coins the change would not be
- * small, and is not needed. */
+/* Changes the rates as little as possible so that (39) holds at this lean.  At
+ * the extremum `fall` is not 0, due to the rounding of theta, and large for
+ * fast coins.  Newton's method in the plane of wY and wZ makes it 0; at rates
+ * of 1e16 its second step still has an effect.  For slow coins the change would
+ * not be small, and is not needed. */
 static void balance(struct place *o, const coin_priv_body *b)
 {
     const double tth = o->at.s / o->at.c;

@@ -8,18 +8,20 @@
 
 #include <math.h>
 
-/* If |lambda^2| is below this, in units of g/a, it is taken as minus this: a
- * period of 6000 natural units.  In t this changes the lean by 1e-6 t^2/2 of
- * itself.  Near criticality that is less than what (60) leaves out. */
+/* If |lambda^2| is below this, in units of g/a, it is replaced by minus this: a
+ * period of 6000 natural units.  In the time t, in these units, this changes
+ * the lean by 1e-6 t^2/2 of itself.  Near criticality (60) leaves out more. */
 #define CRITICAL 1e-6
 
-/* If the lean of the neighbour differs by more [rad], no wobble is small. */
+/* If the leans of the neighbour and of the steady motion differ by more than
+ * this [rad], the wobble does not count as small. */
 #define NEIGHBOUR 0.1
 
 /* The acceleration that the linear law leaves out may displace the lean by this
- * part of its reach.  A force that differs from the linear one by less than
- * half of this, at every lean reached, has no other zero there: the coin stays
- * about its steady motion. */
+ * part of its reach.  In the long run that acceleration is then at most half of
+ * this part of the linear one at the end of the reach.  So the full force has
+ * no other zero within the reach, and the coin stays about its steady motion.
+ */
 #define DISPLACED 0.5
 
 /* Rounding of the acceleration and of lambda^2, in parts of the terms. */
@@ -87,7 +89,7 @@ static struct phasor mean_exp(double x, double y)
     }
     const coin_priv_sc half = coin_priv_sincos(y / 2);
     const struct swing still = {0, 0};
-    const struct swing g = x == 0 ? still : growth(x); /* often */
+    const struct swing g = x == 0 ? still : growth(x); /* x is often 0 */
     const double grown = g.s + g.c1, back = 2 * half.s * half.s;
     const struct phasor change = {grown * (1 - back) - back,
                                   (1 + grown) * 2 * half.s * half.c};
@@ -95,9 +97,9 @@ static struct phasor mean_exp(double x, double y)
     return times(change, over);
 }
 
-/* The neighbour, and the derivatives of all rates by the lean, taken at the
- * steady motion.  F is the remainder of (39): the motion given need not be
- * steady to the bit. */
+/* Computes the neighbour, and the derivatives of all rates by the lean, taken
+ * at the steady motion.  F is what is left of (39): the motion given need not
+ * be steady to the bit. */
 static void respond(coin_priv_wobble *w, const coin_state *steady,
                     const coin_priv_body *b, const coin_priv_sc *th)
 {
@@ -120,9 +122,9 @@ static void respond(coin_priv_wobble *w, const coin_state *steady,
     w->Y = lean - w->apart;
 }
 
-/* The rates and the lean's acceleration along a leaf, as powers of
- * (theta - lean)/cos(lean).  With this variable the coefficients have one size
- * down to the table. */
+/* The rates and d(wX)/dt along a leaf, as power series about a lean, in powers
+ * of (theta - lean)/cos(lean).  With this variable the coefficients do not grow
+ * as the lean comes near the table. */
 struct leaf {
     double wY[TERMS], wZ[TERMS], dwX[TERMS];
     double size; /* of the terms of dwX[0] */
@@ -167,7 +169,8 @@ static double sum_at(const double terms[TERMS], double x)
     return sum;
 }
 
-/* What the linear law leaves out of the acceleration, about the neighbour. */
+/* Sets w->left_out: what the linear law leaves out of the acceleration of the
+ * lean, as powers about the neighbour. */
 static void leave_out(coin_priv_wobble *w, const coin_priv_body *b)
 {
     const double from = coin_priv_sincos(w->start.theta).c;
@@ -194,7 +197,7 @@ static double reach_of(const coin_priv_wobble *w, double x, double leant)
     return fabs(w->apart) + (within < ever ? within : ever);
 }
 
-/* The acceleration that the linear law leaves out at that distance. */
+/* The acceleration that the linear law leaves out at the distance `reach`. */
 static double left_out_at(const coin_priv_wobble *w, double reach)
 {
     const double d = sum_at(w->left_out, reach / w->cth) - w->rounding;
@@ -215,8 +218,8 @@ static int is_small(const coin_priv_wobble *w, double x, double reach,
            DISPLACED * fabs(w->L) * reach;
 }
 
-/* The integral of psi' exp(i (phi - phi0)) over t, to first order in the lean
- * Y and its rate V: three exponentials. */
+/* The integral of psi' exp(i (phi - phi0)) over t, to first order in Y and v of
+ * the start: a sum of three exponentials. */
 static struct phasor rolled(const coin_priv_wobble *w, double t)
 {
     const double angle = w->dphi * t, x = w->rate * t;

@@ -8,7 +8,10 @@
 /* Coefficients kept of the lean's acceleration along a leaf. */
 enum { COIN_PRIV_WOBBLE_TERMS = 6 };
 
-/* A small wobble, prepared for any number of times. */
+/* A small wobble, prepared for any number of times.  The leaf of a state is the
+ * set of all states with its K_Y and K_Z.  The neighbour is the steady motion
+ * on the leaf of the start, to first order, (60).  y is the lean minus that of
+ * the neighbour. */
 typedef struct coin_priv_wobble {
     coin_state start;
     double a;
@@ -18,8 +21,8 @@ typedef struct coin_priv_wobble {
     double wY, wZ;   /* d(wY)/dy, d(wZ)/dy */
     double phi, psi; /* d(phi')/dy, d(psi')/dy */
     double dphi, dpsi; /* phi', psi' of the neighbour */
-    /* |wX' - lambda^2 y| is at most rounding + sum left_out[k] (y/cos theta)^k
-     * at a lean y away from the neighbour, on the leaf of the start. */
+    /* On the leaf of the start |wX' - lambda^2 y| is at most rounding + the sum
+     * of left_out[k] (|y|/cth)^k.  cth is cos theta of the neighbour. */
     double left_out[COIN_PRIV_WOBBLE_TERMS], rounding, cth;
 } coin_priv_wobble;
 
