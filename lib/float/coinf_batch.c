@@ -31,7 +31,7 @@ int32_t coinf_batch_run(coinf_state *s, size_t count, const coinf_params *p,
     struct group r;
     coinf_priv_body b;
     coinf_priv_batch_result o = {0, COIN_OK, COIN_OK};
-    /* What the steps share does not depend on the state. */
+    /* r.plan does not depend on a state: any valid one will do here. */
     if (!s || !p || !coinf_priv_method_is_known(method))
         return COIN_EARG;
     const int32_t shared = coinf_priv_plan_of(&r.plan, &rest, p, method, dt);

@@ -100,8 +100,9 @@ struct verdict {
     mask coarse; /* whether any step so far was coarse */
 };
 
-/* One step of each coin; 0 if it would be sound for none.  A coin whose step
- * would not be sound stays where it is, at this step and at all others. */
+/* One step of each coin.  Returns 0 if it would be sound for no coin.  A coin
+ * whose step would not be sound stays where it is.  So its next step, from the
+ * same state, is not made either. */
 static int step_of_each(coinf_lanes_state *s, struct verdict *of,
                         const coinf_lanes_plan *plan)
 {

@@ -7,20 +7,23 @@
 #include "../motion/rest.h"
 #include "../real/hold.h"
 
-/* Natural units of time beyond which a step would change nothing of t. */
+/* The longest time of a call, in natural units.  The rounding of t is 0.03 unit
+ * there, so that a step would hardly change it. */
 #define TOO_LONG 1e6f
 
-/* The most steps of a call: a second of a Cortex-M4F. */
+/* The most steps of a call.  They take a second on a Cortex-M4F. */
 #define STEPS_MAX 65536
 
-/* A step is STRIDE tol^(1/4) over the fastest rate, so that the error stays
- * below tol per natural unit of time (test_float_settle); never longer than
- * what COIN_COARSE begins at. */
+/* A step is STRIDE tol^(1/4) divided by the fastest rate, so that the error
+ * stays below tol per natural unit of time (test_float_settle).  LONGEST takes
+ * the place of STRIDE tol^(1/4) where that is more; a longer step of RK4 would
+ * be COIN_COARSE. */
 #define STRIDE 1.6f
 #define LONGEST 0.35f
 
-/* How much of the friction's own rate counts: a step is then up to 1.2 of its
- * relaxation times, and the method is stable up to 2.7. */
+/* The part of the rate of friction that is added to that of the coin.  A step
+ * is then at most 1.2 relaxation times of friction; the method is stable up to
+ * 2.7. */
 #define FRICTION 0.3f
 
 /* The part of the way to where the contact turns round, d(psi)/dt = 0, that a
@@ -30,9 +33,9 @@
 /* The part of the rates of a fall within which a contact has stopped. */
 #define STOPPED 1e-5f
 
-/* Nearer to flat than this, and too slow to rise, a coin whose losses have no
- * stop is at its end; nearer than the other it lies flat, as a float cannot
- * hold its lean. */
+/* Where cos theta is less than END and the coin is too slow to rise, the law of
+ * losses that never stop the contact gives the time left.  Where cos theta is
+ * less than FLAT the coin lies flat: no float below pi/2 is so near to it. */
 #define END 1e-5f
 #define FLAT 3e-8f
 
@@ -115,7 +118,8 @@ static void pass(struct settling *g, float time)
         coinf_priv_add_parts(&g->rem, &g->rem_low, -time, 0);
 }
 
-/* The coin after a part of a fall in which its contact stays. */
+/* Sets the coin to the end of a part of a fall, in which its point of contact
+ * stays where it is. */
 static void put(struct settling *g, const coinf_priv_variables *from,
                 const coinf_priv_held_fall *f, const coinf_priv_held_fall *to)
 {
@@ -154,7 +158,8 @@ static int32_t lay(struct settling *g)
 }
 
 /* The fall, or a part of the rise, of a coin whose contact has stopped.
- * COIN_ESTEP, and nothing done, where a rise is not held. */
+ * Returns COIN_ESTEP, and does nothing, if the losses do not hold the contact
+ * until the end of that part. */
 COIN_PRIV_APART int32_t fall_or_rise(struct settling *g,
                                      const coinf_priv_variables *y)
 {
@@ -180,9 +185,10 @@ COIN_PRIV_APART int32_t fall_or_rise(struct settling *g,
     return COIN_ESTEP;
 }
 
-/* Lays a coin that is so flat and slow that it will not rise again, by the
- * losses that never stop the contact: (t0 - t)^2 is as its energy.  0, and
- * nothing done, where it is not, or the time is over before. */
+/* Lets the time pass until the coin lies flat, at t0, if it is too flat and too
+ * slow to rise again and its losses never stop the contact.  Its energy is then
+ * proportional to (t0 - t)^2.  Returns 0, and does nothing, for other coins, or
+ * if the time left is shorter. */
 COIN_PRIV_APART int end(struct settling *g, const coinf_priv_variables *y)
 {
     const float Mgac = g->b.Mga * y->cth;
@@ -241,7 +247,8 @@ int32_t coinf_settle(coinf_state *s, const coinf_params *p,
     g.stride = stride < LONGEST ? stride : LONGEST;
     (void)coinf_priv_losses_of(&g.l, l, &g.b);
     status = coinf_priv_rests(s) ? COIN_RESTS : approach(&g);
-    /* A fall of a body that floats hardly hold may be too fast for them. */
+    /* For a body next to the limits of coinf_params the rates of a fall may
+     * exceed what a state may have. */
     const int lost = coinf_priv_check_state(&g.s, &g.b) != COIN_OK;
     if (!lost)
         *s = g.s;

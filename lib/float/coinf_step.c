@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "step.h"
 
-/* If the last stage is near the table, its W is above the limit: no check of
- * its cos theta is needed. */
+/* The cos theta of the last stage is not checked: if it is near the table, its
+ * W is above the limit. */
 int coinf_priv_step_rk4(coinf_state *s, int32_t *warnings,
                         const coinf_priv_plan *plan,
                         const coinf_priv_variables *y)
@@ -30,9 +30,9 @@ int coinf_priv_finish_step(coinf_state *s, coinf_state *next,
     return 1;
 }
 
-/* What to add to KJ so that it is K/(M g a) = (a + I_Z/(M a))/g times GJ.  In a
- * steady motion the terms of KJ and GJ are in balance.  An error of their ratio
- * makes the heading drift; a common error of both does not. */
+/* KJ_low, with which KJ + KJ_low is K/(M g a) = (a + I_Z/(M a))/g times GJ.  In
+ * a steady motion the terms with KJ and with GJ balance.  An error of the ratio
+ * of KJ and GJ makes the heading drift; an error common to both does not. */
 static float balance(const coinf_priv_field *f, const coinf_priv_body *b,
                      float g)
 {

@@ -42,10 +42,11 @@ static void half_kick(coinf_state *s, const coinf_priv_plan *plan,
     y->wX = s->wX;
 }
 
-/* Moves wY, wZ and the pair of theta in *y by a turn, which theta already has.
- * 0 if that is beyond the series' reach.  What the turn adds to the pair is
- * computed directly, as a difference of sines would cancel.  With |dt| W <= 1,
- * Eq. (14) keeps |turn| below 1.2. */
+/* Moves wY, wZ and the pair of theta in *y by a turn of the lean, which
+ * s->theta already contains.  Returns 0 if the turn is beyond the reach of the
+ * series.  What the turn adds to the pair is computed directly, as a difference
+ * of sines would cancel.  coinf_priv_turn_adds() needs |turn| <= pi/2: with
+ * |dt| W <= 1, Eq. (14) keeps it below 1.2. */
 static int shift(coinf_state *s, const coinf_priv_plan *plan,
                  coinf_priv_variables *y, float turn)
 {
@@ -70,7 +71,8 @@ static int shift(coinf_state *s, const coinf_priv_plan *plan,
     return 1;
 }
 
-/* The drift of a step, after theta: the rates first, then the pose by them. */
+/* The drift of a step: theta first, then the rates, then the rest of the pose
+ * by the rates at both ends. */
 static int drift(coinf_state *s, const coinf_priv_plan *plan,
                  coinf_priv_variables *y)
 {

@@ -2,9 +2,10 @@
 /* A step in single precision.
  *
  * Each addition to a float loses up to 6e-8 of it, and a firmware loop adds
- * thousands of steps.  So a state keeps what its sums left out, a step computes
- * changes instead of values, and takes its sines and cosines anew from the
- * angles: a run of n steps is n runs of one step, to the bit. */
+ * thousands of steps.  So a state keeps what the rounding of its members left
+ * out, and a step computes changes instead of values.  A step takes its sines
+ * and cosines anew from the angles.  So a run of n steps is n runs of one step,
+ * to the bit. */
 #ifndef ROLLCOIN_FLOAT_STEP_H
 #define ROLLCOIN_FLOAT_STEP_H
 
@@ -45,8 +46,8 @@ int coinf_priv_step_by(coinf_state *s, int32_t *warnings,
                        const coinf_priv_plan *plan,
                        coinf_priv_step_function *method);
 
-/* Ends a step: *s becomes *next, its heading and roll within half a turn, if
- * that is a sound state. */
+/* Ends a step.  If *next is a sound state, *s becomes *next, with heading and
+ * roll brought within half a turn.  Else returns 0 and leaves *s untouched. */
 int coinf_priv_finish_step(coinf_state *s, coinf_state *next,
                            const coinf_priv_plan *plan);
 

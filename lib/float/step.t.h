@@ -155,8 +155,9 @@ COIN_PRIV_INLINE void PRIV(gather)(PRIV(slope) * rest, scalar w,
     rest->wZ += w * (of->wZ - first->wZ);
 }
 
-/* What the rounding of the first slope left out, of those parts that are the
- * same in each step of a steady motion, so that their errors add up. */
+/* What the rounding of the first slope left out.  It is computed only for those
+ * parts that are the same in each step of a steady motion: their errors would
+ * add up. */
 COIN_PRIV_INLINE PRIV(slope)
     PRIV(left_out)(const PRIV(slope) * first, const PRIV(plan) * plan,
                    const PRIV(variables) * y)
@@ -176,11 +177,11 @@ typedef PRIV(slope)
     PRIV(slope_function)(PRIV(variables) * d, const PRIV(plan) * plan,
                          const PRIV(variables) * y);
 
-/* The classical Runge-Kutta step, as the first slope and the rest of the
- * change: ((f2 - f1) + (f3 - f1))/3 + (f4 - f1)/6.  The rounded weights then
- * multiply the rest only, which is small: in a steady motion their errors would
- * add up.
- * *last is the last stage, which stands for the end of the step. */
+/* The classical Runge-Kutta step, as the first slope f1 and the rest of the
+ * change, ((f2 - f1) + (f3 - f1))/3 + (f4 - f1)/6.  The rounded weights then
+ * multiply the rest only, which is small.  If they multiplied f1, their errors
+ * would add up in a steady motion.
+ * *last becomes the last stage, which stands for the end of the step. */
 COIN_PRIV_INLINE void PRIV(slopes)(PRIV(slope) * first, PRIV(slope) * rest,
                                    PRIV(variables) * last,
                                    const PRIV(plan) * plan,

@@ -9,8 +9,9 @@
 
 enum { MOST = COIN_PRIV_SQUARED, JOINED = COIN_PRIV_JOINED };
 
-/* Halvings of [0, 1].  Between two zeros nearer than that, the polynomial rises
- * by at most 2^-28 of what its curvature makes over the whole. */
+/* The most halvings of [0, 1].  Between two zeros that are nearer to each other
+ * than 2^-13, a polynomial rises by at most 2^-29 of the largest value of its
+ * second derivative. */
 enum { HALVINGS = 13 };
 
 /* Binomial coefficients of both degrees. */
@@ -88,8 +89,7 @@ void coin_priv_cone(double *b, const double *x, const double *y,
     }
 }
 
-/* As Horner's rule: n b_1 x (1 - x)^(n - 1) and so on, the binomials as it
- * goes. */
+/* Horner's rule in 1 - x.  `weight` is C(n, k) x^k. */
 double coin_priv_value(const double *b, int degree, double x)
 {
     const double y = 1 - x;
@@ -128,8 +128,8 @@ void coin_priv_cut(double *first, double *b, int degree)
     }
 }
 
-/* The same of the numbers that series join to, in registers: the halves are
- * taken at the end. */
+/* coin_priv_cut() for a constant degree, so that the sums stay in registers.
+ * It adds neighbours, and multiplies by the powers of 1/2 at the end. */
 COIN_PRIV_INLINE void cut_joined(double *first, double *b, int degree)
 {
     double sum[JOINED + 1], half = 1;
@@ -157,9 +157,9 @@ void coin_priv_cut_joined(double *first, double *b, int terms)
         cut_joined(first, b, JOINED);
 }
 
-/* The zero of a polynomial that begins below 0 and ends above, approached from
- * above: by false position, where the value at an end that stays is halved
- * (Illinois), and every fourth time by halving the bracket. */
+/* The zero of a polynomial that begins below 0 and ends above; the upper end of
+ * the last bracket.  By false position, which halves the value at an end that
+ * stays (Illinois), and every fourth time by halving the bracket. */
 static double zero(const double *b, int degree)
 {
     double low = 0, high = 1, at_low = b[0], at_high = b[degree];

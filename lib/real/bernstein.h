@@ -7,18 +7,21 @@
 
 #include "force.h"
 
-/* The degree of what series of so many terms join to; and, of all terms, that
- * of its square. */
+/* COIN_PRIV_DEGREE: the degree of the polynomial that joins two series of so
+ * many terms.  COIN_PRIV_JOINED: that for series of all terms.
+ * COIN_PRIV_SQUARED: the degree of the square of that polynomial. */
 #define COIN_PRIV_DEGREE(terms) (2 * (terms)-1)
 #define COIN_PRIV_JOINED COIN_PRIV_DEGREE(COIN_PRIV_FORCE_TERMS)
 #define COIN_PRIV_SQUARED (2 * COIN_PRIV_JOINED)
 
-/* `scale` times the polynomial that has these terms, one at 0 and one at 1; the
- * series are in powers of x/h (Hermite). */
+/* `scale` times the polynomial of x that has so many terms of these series, one
+ * about x = 0 and one about x = 1 (Hermite).  The series are in powers of h x
+ * and of h (x - 1). */
 void coin_priv_join(double *b, const coin_priv_ends *ends, double h,
                     double scale, int terms);
 
-/* Cuts at 1/2: b becomes the second part, first the first (de Casteljau). */
+/* Cuts at 1/2 (de Casteljau): `first` becomes the first half, and b the second.
+ * coin_priv_cut_joined() is faster, for a polynomial that joins two series. */
 void coin_priv_cut(double *first, double *b, int degree);
 void coin_priv_cut_joined(double *first, double *b, int terms);
 
@@ -29,8 +32,9 @@ void coin_priv_cone(double *b, const double *x, const double *y,
 
 double coin_priv_value(const double *b, int degree, double x);
 
-/* The first place beyond `from` where the polynomial becomes positive, as far
- * as two zeros next to each other are 2^-13 apart; 2 if there is none. */
+/* The first place beyond `from` where the polynomial becomes positive; 2 if
+ * there is none.  It may miss a place where the polynomial is positive between
+ * two zeros that are nearer to each other than 2^-13. */
 double coin_priv_rise(const double *b, int degree, double from);
 
 #endif

@@ -34,8 +34,8 @@ double coin_priv_clearance(const coin_priv_contact *contact,
     return coin_priv_kinetic(contact, y, none).N / size;
 }
 
-/* The value, slope and second derivative of the step's variables at an end, the
- * step as unit. */
+/* The variables at an end of the step, and their first and second derivatives
+ * by the part of the step, 0 to 1. */
 struct end {
     double y[COIN_PRIV_SLIP_SIZE], d[COIN_PRIV_SLIP_SIZE],
         dd[COIN_PRIV_SLIP_SIZE];
@@ -101,8 +101,9 @@ static double least(const double *m, int k)
     return m[k] - dip - third(m, k) / 8;
 }
 
-/* The least between an end, m0, and the place k next to it, by the slope there:
- * m1 is the clearance at a part EDGE of the way. */
+/* The least clearance between an end of the step, where it is m0, and place k,
+ * the next one, by the slope at the end.  m1 is the clearance at a part EDGE of
+ * the way from that end to that place. */
 #define EDGE (1.0 / 256)
 static double least_beside(double m0, double m1, const double *m, int k)
 {

@@ -7,17 +7,18 @@
 #include "gbs.h"
 
 /* What is allowed for the error of the interpolated motion, over stride^6.  In
- * cone.c it is an error of the clearance.  In plain.c it is a half of the error
- * of the square margin, over `weight`.  Random motions of any body, with
- * strides up to 1.65, have a tenth of that.  Fast passes near flat have more:
- * there the differences of the square margin make up for it.  No step that
- * leaves the cone was found plain (test_plain). */
+ * cone.c that is an error of the clearance.  In plain.c it is half of the error
+ * of the square margin, over `weight`.  On random motions of any body, with
+ * strides up to 1.65, the error came to a tenth of this.  On fast passes near
+ * flat it was larger, but there the differences that least() of plain.c
+ * subtracts are large enough.  coin_priv_plain() passed no step that leaves the
+ * cone (test_plain). */
 #define COIN_PRIV_MISS 0.006
 
-/* What plain.c allows for where it takes the force as a polynomial: MISS3 for
- * degree 3, over stride^4, and MISS4 for degree 4, over stride^5; both over the
- * sum of the sizes at both ends.  Random motions have a third of it
- * (test_plain). */
+/* What plain.c allows for the error of the force where it takes it as a
+ * polynomial, divided by the sum of the sizes at both ends: MISS3 stride^4 for
+ * degree 3, and MISS4 stride^5 for degree 4.  On random motions the error came
+ * to a third of it (test_plain). */
 #define COIN_PRIV_MISS3 0.08
 #define COIN_PRIV_MISS4 0.008
 
@@ -50,11 +51,11 @@ typedef struct coin_priv_need {
     double N, X, h, size;
 } coin_priv_need;
 
-/* An end of a rolling step, by tau: wX, wY, wZ, sin and cos theta, their slopes
- * and those of their slopes; the force and its slope.  square_margin: mu N |mu
- * N| - F^2 over size^2, and over mu^2 too if mu > 1.  weight: the sum of mu
- * |N|, |F_X| and |F_h| in the same units, by which errors of the force are
- * multiplied. */
+/* An end of a rolling step.  y, d, dd: wX, wY, wZ, sin and cos theta, and their
+ * first and second derivatives by tau.  force, slope: the force, and its
+ * derivative by tau.  square_margin: mu N |mu N| - F^2 over size^2, and over
+ * mu^2 too if mu > 1.  weight: the sum of mu |N|, |F_X| and |F_h| in the same
+ * units.  An error e of each changes the square margin by about 2 e weight. */
 typedef struct coin_priv_end {
     double y[5], d[5], dd[5];
     coin_priv_need force, slope;
@@ -71,9 +72,9 @@ void coin_priv_end_of(coin_priv_end *e, const coin_priv_contact *contact,
                       const coin_priv_field *f, const coin_priv_losses *l,
                       const coin_priv_variables *y, double time);
 
-/* Whether a rolling step of tau from *a to *b, of the stride given, certainly
- * keeps within the cone: by curves of degree 3 and 4, or by three places within
- * the step.  0: that is not known. */
+/* Returns 1 if a rolling step of tau from *a to *b, of the stride given,
+ * certainly keeps within the cone, by curves of degree 3 and 4 or by three
+ * places within the step.  Returns 0 if that is not certain. */
 int coin_priv_plain(const coin_priv_contact *contact, const coin_priv_field *f,
                     const coin_priv_losses *l, const coin_priv_end *a,
                     const coin_priv_end *b, double tau, double stride);

@@ -6,19 +6,19 @@
 /* The most trials of coin_priv_onset(). */
 #define TRIALS 60
 
-/* What a coin does that the table carries without friction, and how friction
- * acts on it. */
+/* A coin at a contact: its slopes without friction, and what a force of the
+ * contact adds to them. */
 struct loose {
-    double f;        /* dt over that of the slopes: cos theta, or 1 */
+    double f;        /* the slope of the time: cos theta, or 1 */
     double turn;     /* the slope of phi */
     double roll;     /* the slope of psi */
-    double gX;       /* the slope of wX without any force */
-    double wY, wZ;   /* those of wY and wZ without friction */
-    double yX, zX;   /* what friction along e_X adds to them */
-    double uX, uh;   /* those of the slip without friction or N */
-    double weight;   /* N times D without friction */
+    double gX;       /* the slope of wX without a force of the table */
+    double wY, wZ;   /* the slopes of wY and wZ without friction */
+    double yX, zX;   /* what they gain per unit of friction along e_X */
+    double uX, uh;   /* the slope of the slip without a force of the table */
+    double weight;   /* the N without friction, times D */
     double vX, vh;   /* the velocity of the centre */
-    double lever, D; /* M a^2/I_X; 1 + that times sin^2 theta */
+    double lever, D; /* M a^2/I_X; 1 + lever sin^2 theta */
 };
 
 /* A slipping coin near flat whose contact is held turns about the vertical
@@ -193,8 +193,7 @@ double coin_priv_margin(const coin_priv_contact *contact,
     return mu > 1 ? force->N - F / mu : mu * force->N - F;
 }
 
-/* Where the direction of a slip that begins is looked for: a part of the way
- * from one direction to another. */
+/* Two directions.  That of a slip that begins is looked for between them. */
 struct fan {
     coin_priv_direction from, to;
 };
@@ -212,8 +211,9 @@ static coin_priv_direction within(const struct fan *f, double part)
                 (1 - part) * f->from.h + part * f->to.h);
 }
 
-/* How far the slip's slope, if it begins there, turns away from its direction.
- */
+/* The cross product of the slope of the slip and n, for a slip that begins in
+ * the direction n, a part of the way through the fan.  It is 0 if the slip
+ * keeps that direction. */
 static double turn_away(const struct loose *o, const coin_priv_contact *t,
                         const coin_priv_slip *y, const struct fan *f,
                         double part)
@@ -225,7 +225,8 @@ static double turn_away(const struct loose *o, const coin_priv_contact *t,
 }
 
 /* The root of (84) lies between the direction against the static force and that
- * of the slip without friction.  Where they agree, or nearly, it is either. */
+ * of the slip without friction.  Where these agree to rounding, the one with
+ * the smaller cross product is taken. */
 coin_priv_direction coin_priv_onset(const coin_priv_contact *contact,
                                     const coin_priv_slip *y,
                                     const coin_priv_push *stick)

@@ -62,10 +62,10 @@ COIN_PRIV_INLINE double coin_priv_slip_scale(const coin_priv_contact *contact,
     return u / (u + contact->w0); /* (83) */
 }
 
-/* d/dtau of a coin that rolls, and d/dsigma of one that slips: in sigma the end
- * and the beginning of a slip are exponential, and smooth however near the slip
- * comes to 0.  For coin_priv_dopri8(): the problem is a coin_priv_contact.
- */
+/* The slopes by tau of a coin that rolls, and by sigma of one that slips.  In
+ * sigma a slip begins and ends exponentially, and is smooth however near its
+ * speed comes to 0.  For coin_priv_dopri8(); the problem is a
+ * coin_priv_contact. */
 void coin_priv_roll_slopes(double *dy, const double *y, const void *contact);
 void coin_priv_slip_slopes(double *dy, const double *y, const void *contact);
 

@@ -19,9 +19,9 @@
 #define COIN_PRIV_ESTIMATE 4.0
 #define COIN_PRIV_BRIEF 0.03
 
-/* The error that DOP853 estimates, from the sums of squares of its differences
- * from a formula of order 5, which are as h^6, and from one of order 3, which
- * are as h^4.  The estimate is as h^8. */
+/* The estimate of the error of a step of DOP853, which is proportional to h^8.
+ * by5: the sum of the squares of its differences from a formula of order 5,
+ * which are proportional to h^6.  by3: the same for order 3 and h^4. */
 COIN_PRIV_INLINE double coin_priv_error_of(double by5, double by3)
 {
     const double sum = by5 + 0.01 * by3;
@@ -29,7 +29,7 @@ COIN_PRIV_INLINE double coin_priv_error_of(double by5, double by3)
 }
 
 /* The largest estimate with which a step of so many natural units is accepted:
- * by tol, plus what rounding makes of it. */
+ * what tol allows, plus the estimate that rounding alone may cause. */
 COIN_PRIV_INLINE double coin_priv_allowed_in(const coin_priv_run *r, double tol,
                                              double units)
 {
@@ -47,8 +47,8 @@ COIN_PRIV_INLINE double coin_priv_allowed(const coin_priv_run *r, double tol,
     return coin_priv_allowed_in(r, tol, units > brief ? units : brief);
 }
 
-/* The factor from a step to the next: about (most/error)^(1/8), from 0.2 to 2.
- */
+/* The factor from the length of a step to that of the next, from 0.2 to 2: 0.2
+ * + 0.7 (most/error)^(1/8), which is 0.9 where the error is just allowed. */
 COIN_PRIV_INLINE double coin_priv_change(double error, double most)
 {
     const double least = 1e-9 * most; /* so that nothing divides by 0 */

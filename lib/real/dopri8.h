@@ -14,8 +14,9 @@ typedef struct coin_priv_estimates {
     double by5[COIN_PRIV_DOPRI8_READ], by3[COIN_PRIV_DOPRI8_READ];
 } coin_priv_estimates;
 
-/* One step h of the formula of rk8.t.h with its estimates, for variables y that
- * any problem gives slopes; d are those of y. */
+/* One step h of the formula of rk8.t.h, with its estimates, for any problem.
+ * `slopes` computes the slopes of the variables; d are those of y, at the
+ * start. */
 void coin_priv_dopri8(double *y, const double *d,
                       coin_priv_right_hand_side *slopes, const void *problem,
                       double h, coin_priv_estimates *error);

@@ -63,8 +63,8 @@ static int presses(const coin_priv_search *f, const coin_priv_moment *m)
     return force.normal > 0;
 }
 
-/* Moves *high to the moment from which on a bit holds, to within tol.  No bit
- * holds at low; one does at high. */
+/* Moves *high back to the moment from which on a bit holds, to within tol.  No
+ * bit holds at low; one does at *high. */
 static void bisect(const coin_priv_search *f, const coin_priv_stretch *w,
                    double low, coin_priv_moment *high, double tol)
 {
@@ -77,8 +77,9 @@ static void bisect(const coin_priv_search *f, const coin_priv_stretch *w,
     }
 }
 
-/* A moment between two at which no bit holds and N has different signs.  Where
- * N changes its sign, F exceeds mu N for every mu, and so a bit holds. */
+/* A moment at which a bit holds, between two moments at which none does, if N
+ * has different signs at these.  Where N changes its sign, F exceeds mu N for
+ * every mu, so that a bit holds.  Returns high if N has one sign at both. */
 static coin_priv_moment between(const coin_priv_search *f,
                                 const coin_priv_stretch *w,
                                 coin_priv_moment low, coin_priv_moment high)
@@ -105,8 +106,9 @@ static double least_part(const coin_priv_search *f, const coin_priv_stretch *w)
     return f->tol / (3 * fabs(w->tau) * (a > b ? a : b));
 }
 
-/* The moment from which on a bit holds, to within tol, at or next to a place of
- * a part, by the motion itself; its bits are 0 if none holds there. */
+/* Searches the motion itself, at and next to a place that the polynomials of a
+ * part have found.  Returns the moment from which on a bit holds, to within
+ * tol, or a moment with bits 0 if none holds there. */
 static coin_priv_moment locate(const coin_priv_search *f,
                                const coin_priv_part *w, coin_priv_place at)
 {

@@ -6,12 +6,11 @@
 
 #include "part.h"
 
-/* A moment of a stretch: how far in it, 0 to 1, the run that leads there, whose
- * added.t is the time since the stretch began, and the bits that hold. */
+/* A moment of a stretch. */
 typedef struct coin_priv_moment {
-    double x;
-    coin_priv_run run;
-    int32_t bits;
+    double x;          /* the part of the stretch that has passed, 0 to 1 */
+    coin_priv_run run; /* added.t is the time since the stretch began */
+    int32_t bits;      /* those that hold */
 } coin_priv_moment;
 
 /* The bits looked for that hold in a state, where the force is *at.
@@ -20,9 +19,9 @@ int32_t coin_priv_bits_at(const coin_priv_search *f, const coin_state *s,
                           const coin_priv_force *at);
 
 /* Sets *out to the first event of a stretch at whose begin no bit holds, within
- * tol of the time at which the event begins; returns 0 if there is none.
- * w->force is first the force on the stretch before, of which one term may do,
- * and then that on this one. */
+ * tol of the time at which the event begins; returns 0 if there is none.  On
+ * entry w->force is the force on the stretch before, of which one term is
+ * enough.  On return it is the force on this stretch. */
 int coin_priv_first_event(coin_priv_moment *out, const coin_priv_search *f,
                           coin_priv_stretch *w);
 

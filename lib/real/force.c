@@ -13,7 +13,8 @@ struct series {
     lanes X[TERMS + 1], Y[TERMS + 1], Z[TERMS + 1];
     lanes s[TERMS + 1], c[TERMS + 1];
     lanes cX[TERMS + 1], sX[TERMS + 1], cZ[TERMS], sY[TERMS];
-    lanes down[TERMS], up[TERMS]; /* the factors of wY in wX*, of wX in wY* */
+    lanes down[TERMS], up[TERMS]; /* in (32): -Y down is a part of the slope of
+                                     X, and X up is the slope of Y */
 };
 
 /* Term k of a product.  The terms computed last are added last, so that the sum

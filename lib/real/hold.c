@@ -112,8 +112,8 @@ int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
     const real small2 = PRIV(slow2)(b, y, eps);
     if (!(cth < NEAR_FLAT && u * u <= small2))
         return 0;
-    /* The largest torque along e_Z that holding the contact takes, against what
-     * the losses give as long as u is small. */
+    /* The torque along e_Z that it takes to hold the contact, at its largest,
+     * must not exceed the torque that the losses give as long as u is small. */
     const PRIV(held_fall) f = PRIV(fall_of)(l, y);
     const real D = inertia(l, cth), turn = f.L / D;
     const real A = slope(&f, l, b).v;

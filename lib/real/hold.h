@@ -14,15 +14,15 @@ typedef struct PRIV(held_fall) {
     real phi; /* the heading gained */
 } PRIV(held_fall);
 
-/* The square of the u = cos(theta) d(psi)/dt below which a contact counts as
- * stopped, a part eps of the rates that a fall has. */
+/* A contact counts as stopped where u^2, with u = cos(theta) d(psi)/dt, is at
+ * most this: the square of a part eps of the rates of a fall. */
 COIN_PRIV_INLINE real PRIV(slow2)(const PRIV(body) * b,
                                   const PRIV(variables) * y, real eps)
 {
     return eps * eps * (y->wX * y->wX + b->GJ * y->cth);
 }
 
-/* The torque along e_Z that the losses give to a contact so slow. */
+/* The torque of the losses along e_Z at a u with this square. */
 COIN_PRIV_INLINE real PRIV(hold)(const PRIV(losses) * l, real u2, real cth)
 {
     const real u = SQRT(u2);
@@ -38,7 +38,7 @@ int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
 PRIV(held_fall)
 PRIV(fall_of)(const PRIV(losses) * l, const PRIV(variables) * y);
 
-/* Moves the fall by a time within it. */
+/* Moves the fall on by the time t, which does not lead beyond flat. */
 void PRIV(fall_by)(PRIV(held_fall) * f, const PRIV(losses) * l,
                    const PRIV(body) * b, real t);
 
@@ -46,8 +46,8 @@ void PRIV(fall_by)(PRIV(held_fall) * f, const PRIV(losses) * l,
 real PRIV(fall_time)(const PRIV(held_fall) * f, const PRIV(losses) * l,
                      const PRIV(body) * b);
 
-/* A time in which a rising coin at most doubles its angle from flat.  If it
- * stops rising before, it is falling at the end of it. */
+/* A time in which a rising coin at most doubles its angle from flat.  If the
+ * coin stops rising within that time, it is falling at the end of it. */
 real PRIV(rise_time)(const PRIV(held_fall) * f, const PRIV(losses) * l,
                      const PRIV(body) * b);
 

@@ -14,8 +14,8 @@
  * as a whole. */
 #define HALVED 0.5
 
-/* Judges both halves of the step just made by coin_priv_plain(); 0 for a short
- * step, which is not cut. */
+/* Calls coin_priv_plain() for both halves of the step just made.  Returns 0 for
+ * a short step, which is not cut. */
 static int judge_halves(coin_priv_sliding *g, const coin_priv_end *from,
                         const coin_priv_end *to, double tau, double rate)
 {

@@ -64,7 +64,8 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
  * round. */
 #define TURN_ROUND 0.5
 
-/* 1 over the natural units of tau within which that place must be. */
+/* If that point is 1/FAR natural units of tau away or more, it does not limit a
+ * step. */
 #define FAR 1e-30
 
 /* The coin's own rate in tau, over which coin_advance() measures its steps. */
@@ -79,9 +80,11 @@ double coin_priv_lossy_rate(const coin_priv_lossy *w)
            FRICTION * coin_priv_friction_rate(&w->l, &w->run.g.y); /* (71) */
 }
 
-/* The z of (71), with u = cos(theta) d(psi)/dt: where |u| < z, a step may pass
- * u = 0.  It is the width of the softening and, for the terms without one, the
- * width in which they change the rates by no more than the error. */
+/* The width z of (71) about u = cos(theta) d(psi)/dt = 0, which a step need not
+ * resolve.  For dry and rolling friction it is the width of the softening.  For
+ * layer and damping, which have none, it is so small that they change the rates
+ * by no more than `error` within it.  If several of them act, the least width
+ * counts. */
 static double zone(const coin_priv_lossy *w, double du, double error)
 {
     const coin_priv_variables *y = &w->run.g.y;

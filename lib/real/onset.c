@@ -6,9 +6,9 @@
 #include "slide.h"
 
 /* A slip begins at once if its slope is at least QUICK times friction, and if
- * it gains COIN_PRIV_SLIP_SEED within the usual wait.  A slower slip would grow
- * by many short steps, and waits.  The error of that is kept below tol and
- * below LOOSEST.
+ * it gains COIN_PRIV_SLIP_SEED within the usual wait of coin_priv_begin_slip().
+ * A slower slip would grow by many short steps.  It waits instead.  The error
+ * of the wait is kept below tol and below LOOSEST.
  *
  * Measured on 3900 random slides.  Any QUICK from 0.25 to 2 gives the same
  * number of steps.  0, no wait for speed, gives 2 to 7 % more.  Without LOOSEST
@@ -89,8 +89,9 @@ static int32_t begin(coin_priv_sliding *g, const coin_priv_slip *y)
     return coin_priv_slip_take(g, y);
 }
 
-/* The slip that begins at *start has gained COIN_PRIV_SLIP_SEED: a step of the
- * midpoint rule, since without friction it may be long. */
+/* The coin where the slip that began at *start has the speed
+ * COIN_PRIV_SLIP_SEED.  One step of the midpoint rule leads there.  Straight
+ * slopes would not do: without friction the step may be long. */
 static coin_priv_slip at_seed(const coin_priv_contact *t,
                               const coin_priv_slip *start, struct onset *o)
 {
@@ -111,7 +112,7 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
     if (by == 0)
         return COIN_ESTEP;
     const double over = g->w.run.g.added.t - g->rem.sum;
-    if (over > 0) { /* past the end of the time: make a shorter one */
+    if (over > 0) { /* the step passed the end of the time: a shorter one */
         by *= 1 - 2 * over / g->w.run.g.added.t;
         coin_priv_again(g, by);
     }
@@ -139,7 +140,7 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
  * COIN_PRIV_SLIP_SEED.  The number of steps in which it then grows is
  * proportional to friction over the slope of its speed.  So a slow one waits:
  * the coin rolls on for a time, and what friction would have changed meanwhile
- * is added as an impulse.  The error of that is proportional to the slope times
+ * is added as an impulse.  The error of the wait is proportional to slope times
  * the square of the time waited. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g)
 {
@@ -160,8 +161,9 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     }
     struct onset o = onset_of(g);
     const double tau = coin_priv_lesser(wait, g->rem.sum / start.cth);
-    /* The error of a wait is as slope/friction times its square.  From this
-     * slope on the wait whose error is tol is the shorter one. */
+    /* The error of a wait is proportional to slope/friction times the square of
+     * the wait.  of_error is the wait whose error is tol.  For slopes from this
+     * one on it is shorter than the usual wait. */
     if (o.slope >= r4 / 4 * o.friction) {
         const double of_error = unit * sqrt(tol * (o.friction / o.slope));
         wait = o.slope * of_error >= seed ? of_error : wait;

@@ -80,14 +80,14 @@ static double change_at(const coin_priv_force *f, int end, double one)
     return one * (size_of(f, 1, end) + one * size_of(f, 2, end));
 }
 
-/* By how much a force may seem too far within the cone if each of its three
- * components errs by 1. */
+/* How much nearer to the edge of the cone a force may be than it seems, if each
+ * of its three components errs by 1: per_F sqrt(2) + per_N, rounded up. */
 static double slack(const coin_priv_search *f)
 {
     return 1.5 * f->per_F + f->per_N;
 }
 
-/* Whether the force at the end is in the cone, and so far off its edge. */
+/* Whether the force at the end is in the cone, at least `off` from its edge. */
 static int end_is_in_cone(const coin_priv_search *f, const coin_priv_force *at,
                           double off)
 {
@@ -97,8 +97,8 @@ static int end_is_in_cone(const coin_priv_search *f, const coin_priv_force *at,
     return (A * A + B * B <= C * C) & (C >= 0);
 }
 
-/* Whether it is certain that the force stays in the cone all along, and so far
- * off its edge. */
+/* Whether it is certain that the curve of the force stays in the cone all
+ * along, at least `off` from its edge. */
 static int force_stays(const coin_priv_search *f, const coin_priv_force *at,
                        double h, double off)
 {
@@ -130,7 +130,7 @@ static int stays_off_flat(const coin_priv_force *at, double h, double off)
                     COIN_PRIV_DEGREE(at->terms));
 }
 
-/* What a curve errs by at most, over the changes at both ends. */
+/* The bound x of the error of a curve: part.h. */
 static double error_of(double stride, int terms)
 {
     const double x = stride / (terms == FEW    ? COIN_PRIV_FEW_REACH
@@ -152,10 +152,10 @@ int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *at,
     return !(f->bits & COIN_NEARLY_FLAT) || stays_off_flat(at, h, rise);
 }
 
-/* How many terms are worth a try on a stretch of so many strides: the fewest
- * whose error is less than how far the force at the end of *at lies from the
- * edge of the cone.  The changes of the force are taken to be those at that
- * end; or as large as the force, if only one term is set. */
+/* How many terms to try on a stretch of so many strides: the fewest whose error
+ * is less than the distance of the force from the edge of the cone.  The
+ * distance is that at the end of *at.  So are the changes of the force; if only
+ * one term is set, they are taken to be as large as the force. */
 static int terms_for(const coin_priv_search *f, const coin_priv_force *at,
                      double one, double stride)
 {

@@ -20,12 +20,13 @@ typedef struct coin_priv_search {
     int32_t bits;
 } coin_priv_search;
 
-/* The curve that joins series of n terms at both ends of a stretch errs by less
- * than (strides/reach)^(2 n) times the changes of the force at both ends: its
- * first and second derivatives by strides.  The curve of cos theta errs by less
- * than that times the sum of its two values.  These are the reaches for all,
- * for some and for few terms.  On 840,000 random stretches of any body the
- * errors came to at most a half of that.  test_force tests it. */
+/* Bounds of the error of a curve that joins series of n terms at both ends of a
+ * stretch.  Let x be (strides/reach)^(2 n).  A curve of the force errs by less
+ * than x times the sum of the first and second derivatives of the force by
+ * strides, at both ends.  The curve of cos theta errs by less than x times the
+ * sum of its values at the ends.  These are the reaches for all, for some and
+ * for few terms.  On 840,000 random stretches of any body the errors came to at
+ * most half of these bounds, which test_force tests. */
 #define COIN_PRIV_REACH 2.75
 #define COIN_PRIV_SOME_REACH 2.45
 #define COIN_PRIV_FEW_REACH 1.7
@@ -35,10 +36,10 @@ typedef struct coin_priv_search {
 int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *at,
                        double h, double stride);
 
-/* Computes the force at the ends of a stretch into w->force, and returns the
- * same of the whole stretch.  It takes as many terms as the force on the
- * stretch before, in w->force, makes likely to be enough, and more if they are
- * not. `one` is the tau of a stride. */
+/* coin_priv_is_clear() of a whole stretch.  Computes the force at its ends into
+ * w->force, which on entry is the force on the stretch before.  By that it
+ * chooses how many terms are likely to be enough, and takes more if they are
+ * not.  `one` is the tau of a stride. */
 int coin_priv_judge_stretch(const coin_priv_search *f, coin_priv_stretch *w,
                             double one);
 
@@ -50,8 +51,8 @@ typedef struct coin_priv_curve {
     double bound[COIN_PRIV_JOINED + 1];
 } coin_priv_curve;
 
-/* A part of a stretch, and its polynomials: those are set that the bits looked
- * for need. */
+/* A part of a stretch, and its polynomials.  Only those that the bits looked
+ * for need are set. */
 typedef struct coin_priv_part {
     const coin_priv_stretch *of;
     double first, width; /* the whole stretch is 0, 1 */

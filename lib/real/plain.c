@@ -196,7 +196,7 @@ COIN_PRIV_INLINE coin_priv_need third_point(const coin_priv_end *a,
     return F;
 }
 
-/* Whether a force is in the cone, and off its edge. */
+/* Whether a force is in the cone, at least `off` from its edge. */
 COIN_PRIV_INLINE int is_in_cone(const coin_priv_need *F,
                                 const struct scale *per, double off)
 {
@@ -205,9 +205,10 @@ COIN_PRIV_INLINE int is_in_cone(const coin_priv_need *F,
     return (most >= 0) & (along_X * along_X + along_h * along_h <= most * most);
 }
 
-/* Whether a curve stays in the cone: it does if its points in Bernstein's form
- * do.  They are both ends, those at the time to_next from them along the
- * slopes, and `point`; a curve of degree 3 has only the first four. */
+/* Whether a curve certainly stays in the cone: all its points in Bernstein's
+ * form are in the cone.  These are the forces at both ends, those at the time
+ * to_next from the ends along their slopes, and `point`.  A curve of degree 3
+ * has only the first four; `point` is then one of them once more. */
 COIN_PRIV_INLINE int stays_in_cone(const coin_priv_contact *t,
                                    const coin_priv_end *a,
                                    const coin_priv_end *b, double to_next,

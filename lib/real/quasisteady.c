@@ -28,8 +28,8 @@
 /* The most tries to arrive at a time. */
 #define LANDINGS_MAX 40
 
-/* The part of ROOT, sqrt(cos theta), that a step may take off; and the ROOT
- * below which the law of the end is taken. */
+/* A step may lessen ROOT, sqrt(cos theta), by this part of it.  Where ROOT is
+ * less than END, the time left is taken as ROOT over its rate. */
 #define PART 0.7
 #define END 1e-5
 
@@ -42,7 +42,8 @@
  * its length. */
 #define TURN 1.0
 
-/* 1 over the largest factor of coin_losses_fit(): no loss overflows by it. */
+/* 1 over the largest factor of coin_losses_fit().  The product of this factor
+ * and COIN_PRIV_LOSS_MOST does not overflow. */
 #define FACTOR_LEAST 1e-240
 
 /* The variables, in natural units: sine of the lean and root of its cosine; the
@@ -53,7 +54,7 @@ struct slow {
     coin_priv_body b;
     coin_priv_losses l;
     double w0;    /* 1 over the natural unit of time */
-    double least; /* what the arc grows by, at least, in that unit */
+    double least; /* the least growth of the arc in a natural unit of time */
 };
 
 /* d/dt in natural units. */
@@ -88,9 +89,10 @@ static struct rates rates_of(const double *y, const struct slow *q)
 
 /* Derivatives by the length of the arc of the motion in the space of ROOT and
  * the rates.  A step then takes a long time where the motion changes slowly,
- * and a short one where the end is near.  To this length is added q->least
- * times the time, so that it grows by 1 at least until a given time: a coin
- * with pivoting friction approaches a circle without losses for ever. */
+ * and a short one where the end is near.  q->least times the time is added to
+ * this length, so that it grows by at least 1 until a given time.  Otherwise a
+ * coin with pivoting friction, which approaches a circle without losses, would
+ * never reach that time. */
 static void slopes(double *dy, const double *y, const void *problem)
 {
     const struct rates d = rates_of(y, (const struct slow *)problem);

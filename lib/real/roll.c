@@ -10,8 +10,8 @@
 /* |rem| times the fastest rate below which a step with losses arrives. */
 #define LAST 1e-5
 
-/* A step of less than this part of the stride and the final one are judged as
- * one. */
+/* If the last step but one is shorter than this part of the stride, it and the
+ * last step are judged together. */
 #define TOGETHER 0.9
 
 /* The part of coin_priv_rise_time() in which the rise ends: a half, and a
@@ -83,7 +83,8 @@ void coin_priv_count(coin_priv_sliding *g)
     coin_priv_add(&g->rem, -g->w.run.g.added.t);
 }
 
-/* The rest of the time in one short step, as coin_advance() ends; its tau. */
+/* Takes the rest of the time in one step in t, as coin_advance() does.  Returns
+ * its tau, or 0 if the step fails. */
 static double arrive(coin_priv_sliding *g, double left)
 {
     coin_priv_run *const r = &g->w.run;
@@ -97,8 +98,9 @@ static double arrive(coin_priv_sliding *g, double left)
     return done ? tau : 0;
 }
 
-/* How long coin_settle() may take a coin whose contact is held by the losses:
- * to the end of the time, or of a rise, where it needs most friction. */
+/* For how long coin_settle() may move a coin whose contact is held by the
+ * losses: to the end of the time, or to the end of a rise.  A coin needs most
+ * friction there. */
 static double time_held(const coin_priv_sliding *g)
 {
     const coin_priv_held_fall f = coin_priv_fall_of(&g->w.l, &g->w.run.g.y);
@@ -108,8 +110,8 @@ static double time_held(const coin_priv_sliding *g)
     return coin_priv_lesser(TOP * rise, g->rem.sum);
 }
 
-/* Takes the coin on by coin_settle() from g->stopped; *time is the time asked,
- * then moved. */
+/* Moves the coin by coin_settle(), from g->stopped.  *time is the time to move,
+ * and becomes the time moved. */
 static int32_t settle(coin_priv_sliding *g, double *time)
 {
     coin_state s = g->stopped;
@@ -168,7 +170,8 @@ static int is_held(const coin_priv_sliding *g)
     return g->lossy && coin_priv_is_held(&g->w.l, &g->w.run.b, y, eps);
 }
 
-/* The length of a step by its rules: of time, of rate, and of losses. */
+/* The tau of the next step.  It is limited by the time left, by the stride, and
+ * by `bound`. */
 static double next_tau(const coin_priv_sliding *g, double rate, double bound)
 {
     const coin_priv_run *r = &g->w.run;
@@ -238,8 +241,8 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
     }
 }
 
-/* The next step, and with it the last one if that is near; its tau, or 0.
- * *last: whether it takes the rest of the time. */
+/* Makes the next step, and with it the last one if that is near.  Returns the
+ * tau of both, or 0 if one fails.  *last: whether no time is left. */
 static double next_step(coin_priv_sliding *g, double rate, int *last)
 {
     double left = g->rem.sum, tau = 0;
@@ -266,7 +269,7 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
     if (g->rem.sum > 0 && is_held(g))
         return go_held(g);
     const double rate = coin_priv_roll_rate(g);
-    const int back = g->rem.sum < 0; /* along a way that was looked at */
+    const int back = g->rem.sum < 0; /* over a motion that has been judged */
     if (!g->surely_rolls && !back)
         coin_priv_judge_here(g);
     if (!g->surely_rolls && coin_priv_rolling_clearance(g) < 0)

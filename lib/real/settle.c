@@ -8,18 +8,19 @@
 #include "hold.h"
 #include "lossy.h"
 
-/* Natural units of time beyond which a step would change nothing of t. */
+/* The longest time of a call, in natural units.  The rounding of t is 0.1 unit
+ * there, so that a step would hardly change it. */
 #define TOO_LONG 1e15
 
-/* The most steps of a call, those refused included: 0.4 s. */
+/* The most steps of a call, those refused included.  They take 0.4 s. */
 #define TRIES_MAX (UINT64_C(1) << 20)
 
-/* |rem| times the fastest rate below which one step arrives, by a series to the
- * second order. */
+/* Where |rem| times the fastest rate is at most this, one step ends the call.
+ * Its tau is a series in rem of second order. */
 #define LAST 1e-5
 
-/* Nearer to flat than this, and too slow to rise, a coin whose losses have no
- * stop is at its end. */
+/* Where cos theta is less than this and the coin is too slow to rise, the law
+ * of losses that never stop the contact gives the time left. */
 #define END 1e-10
 
 /* A coin on its way to rest. */
@@ -39,7 +40,8 @@ static double tau_of(const coin_priv_variables *y, double rem)
     return room >= 0 ? 2 * r / (1 + sqrt(room)) : (double)INFINITY;
 }
 
-/* The next tau: by the stride, by the bound of (71), or what is left. */
+/* The tau of the next step.  It is limited by the stride, by the bound of (71),
+ * and by the time left. */
 static double next_tau(const struct settling *g, double rate)
 {
     const double least =
@@ -76,7 +78,8 @@ static int32_t step(struct settling *g, double rate)
     return COIN_OK;
 }
 
-/* Sets the coin to the end of a fall or a part of it; its contact stays. */
+/* Sets the coin to the end of a fall or of a part of it.  Its point of contact
+ * stays where it is. */
 static void put(coin_priv_run *r, const coin_priv_held_fall *f,
                 const coin_priv_losses *l)
 {
@@ -100,8 +103,8 @@ static void put(coin_priv_run *r, const coin_priv_held_fall *f,
     ++r->steps;
 }
 
-/* A part of the rise of a coin whose contact has stopped; 0, and nothing done,
- * where the contact is not held as far as that. */
+/* Makes a part of the rise of a coin whose contact has stopped.  Returns 0, and
+ * does nothing, if the losses do not hold the contact until its end. */
 static int rise(struct settling *g, double eps)
 {
     coin_priv_run after = g->w.run;

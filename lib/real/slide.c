@@ -59,7 +59,7 @@ double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
     int before = 0;
     for (int i = 0; i < TRIALS; ++i) {
         const double off = (part > rounding ? part : rounding) * h1 / 2;
-        /* The halves may underflow. */
+        /* at0, which is halved below, may have become 0. */
         if (!((h1 - h0 > 2 * off) & (at0 > 0)))
             break;
         const double x = h0 + (h1 - h0) * (at0 / (at0 - at1));
@@ -122,7 +122,7 @@ static int32_t mode_of(const coin_priv_sliding *g)
 {
     const int32_t slips = COIN_SLIPS, lifts = COIN_ELIFT;
     const coin_priv_contact *t = &g->contact;
-    if (g->surely_rolls) /* and rolls */
+    if (g->surely_rolls) /* then slips is 0 */
         return COIN_OK;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     if (g->slips)

@@ -84,9 +84,9 @@ int32_t coin_priv_lie(coin_priv_run *r);
 /* A function of the length of a step that is 0 at an event. */
 typedef double coin_priv_event(coin_priv_sliding *g, double h);
 
-/* The h in [0, h1] at which an event happens: from its values at0 at 0, and
- * at1 <= 0 at h1.  It is not after the event.  0 unless at0 > 0.  In roll.c and
- * onset.c the functions of events move the run, so that their caller has to
+/* Returns an h in [0, h1] at or just before an event.  The function of the
+ * event is at0 at 0, and at1 <= 0 at h1.  Returns 0 unless at0 > 0.  In roll.c
+ * and onset.c the functions of events move the run, so that their caller has to
  * make the step to h afterwards. */
 double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
                         double at0, double h1, double at1);
@@ -101,7 +101,7 @@ double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
  * added.t becomes the time moved, which is 0 if the step is not made. */
 double coin_priv_roll_try(coin_priv_sliding *g, double tau);
 
-/* The rate in tau that measures its steps. */
+/* The rate in tau by which the steps of a rolling coin are measured. */
 double coin_priv_roll_rate(const coin_priv_sliding *g);
 
 /* slip.c: the rate in tau at which the coin's motion changes while it slips. */
@@ -110,11 +110,12 @@ double coin_priv_slip_rate(const coin_priv_sliding *g);
 /* A step as long as its error allows, at most `most`: its tau, or 0. */
 double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most);
 
-/* Keeps where a step begins; repeats the step from there, with another tau. */
+/* coin_priv_mark() notes where a step begins.  coin_priv_again() repeats the
+ * step from there, with another tau. */
 void coin_priv_mark(coin_priv_sliding *g);
 void coin_priv_again(coin_priv_sliding *g, double tau);
 
-/* Counts the time of that step. */
+/* Subtracts the time of that step from the time left. */
 void coin_priv_count(coin_priv_sliding *g);
 
 /* judge.c: computes the force where the run is, and sets g->surely_rolls.  It
@@ -140,9 +141,9 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g);
  * done. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g);
 
-/* onset.c, of a coin near flat whose contact is held by the losses.  The first
- * is its clearance.  The second begins its slip; it returns 0, and does
- * nothing, if the coin does not slip. */
+/* onset.c, for a coin near flat whose contact is held by the losses: its
+ * clearance, and the beginning of its slip.  coin_priv_begin_held_slip()
+ * returns 0, and does nothing, if the coin does not slip. */
 double coin_priv_held_clearance(const coin_priv_sliding *g);
 int coin_priv_begin_held_slip(coin_priv_sliding *g);
 

@@ -10,8 +10,7 @@
  * more: those at which the direction of the slip settles, at which losses slow
  * the coin, and at which the slip velocity changes, relative to it.  The
  * longest step is then 5 times what the direction needs to settle, and the
- * method is stable up to 6.
- */
+ * method is stable up to 6. */
 #define RELAX 0.24
 
 /* A step goes at most this part of the way to where d(psi)/dt changes sign. */
@@ -57,8 +56,8 @@ static double growth(const coin_priv_slip *y, const coin_priv_slip *d)
 
 /* A slip frees the lean: the inertia against its changes is I_X + M a^2 sin^2
  * theta instead of I_X + M a^2.  For a disc, whose I_X is M a^2/4, the rate of
- * (47) is enough.  For a body of small I_X the normal force has a narrow peak
- * about upright, where M a^2 sin^2 theta is less than I_X.  An eighth of
+ * sundman.h is enough.  For a body of small I_X the normal force has a narrow
+ * peak about upright, where M a^2 sin^2 theta is less than I_X.  An eighth of
  * sin theta counts, so that the longest step changes sin theta by 0.3 of itself
  * and cannot pass over the peak. */
 double coin_priv_slip_rate(const coin_priv_sliding *g)
@@ -81,8 +80,7 @@ static double loss_rate(const coin_priv_sliding *g, const coin_priv_slip *y)
     return coin_priv_grip(l, roll, cth) * arm + l->spin * cth / l->IX;
 }
 
-/* The rate in sigma at which a slip changes: as the coin moves, as its
- * direction settles, and as losses do. */
+/* The rate in sigma of (87), but for the change of the slip velocity. */
 static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
 {
     const coin_priv_contact *t = &g->contact;
@@ -98,8 +96,8 @@ static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
            RELAX * (settle + scale * loss_rate(g, y)); /* (87) */
 }
 
-/* The longest step that does not pass where the contact turns round: dry
- * friction is not smooth there. */
+/* The longest step that does not pass the place where the contact turns round:
+ * dry friction is not smooth there. */
 static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
                        const coin_priv_slip *d)
 {
@@ -115,12 +113,11 @@ static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
            (droll + 1e-30 * g->contact.w0 * way); /* nothing divides by 0 */
 }
 
-/* A guess of the error of a step h, which is proportional to h^9.  by3 is the
- * square of a difference that is proportional to h^4, so that (sqrt(by3)/size)
- * to the power 9/4 is proportional to h^9.  size is that of the variables, or
- * of their change in the step if that is less and more than rounding.  The
- * guess is needed because the estimate may pass through 0 as h grows, where the
- * error does not. */
+/* A guess of the error of a step h, which is proportional to h^9, as by3^(9/8)
+ * is: by3 is the square of a difference that is proportional to h^4.  size is
+ * that of the variables, or of their change in the step if that is less and
+ * more than rounding.  The guess is needed because the estimate may pass
+ * through 0 as h grows, where the error does not. */
 static double usual_error(double by3, double size)
 {
     const double part = coin_priv_lesser(sqrt(by3) / size, 1);
@@ -203,9 +200,9 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
 }
 
 /* Whether the normal force is surely positive all along a step h of a slip no
- * faster than u.  `from` and `to` are its values at the ends.  Between them it
- * may dip by an eighth of its second derivative: 0.25 moved^2 allows for one of
- * 2 moved^2. */
+ * faster than u.  `from` and `to` are the clearances at its ends.  Between them
+ * the clearance may dip by an eighth of its second derivative: 0.25 moved^2
+ * allows for one of 2 moved^2. */
 static int is_pressed(const coin_priv_sliding *g, double from, double to,
                       double u, double h)
 {
@@ -264,9 +261,8 @@ static void end_in_time(coin_priv_sliding *g, struct tried *r, double *h,
     r->to.t = rem;
 }
 
-/* Shortens a step, if it goes too far: to the end of the time, to where the
- * normal force comes to 0, or to where the coin lies on the table, whichever is
- * first.  Returns the status there. */
+/* Shortens a step to the end of the time, to where the normal force comes to 0,
+ * or to flat, whichever it passes first.  Returns the status there. */
 static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
                    double rate)
 {
@@ -308,8 +304,8 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
     }
 }
 
-/* Moves *y along a straight line, by h in sigma or to the end of the time;
- * whether it came to h. */
+/* Moves *y along a straight line, by h in sigma or to the end of the time.
+ * Returns 1 if it moved by h. */
 static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
                        double rem)
 {

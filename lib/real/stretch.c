@@ -3,8 +3,9 @@
 
 #include "stretch.h"
 
-/* The tau between the two ends of a stretch that lasts t, by Newton: the
- * integral of cos theta from its series at both ends (Hermite). */
+/* The tau in which a stretch passes that lasts t.  t is the integral of cos
+ * theta over tau, which the series at both ends give (Hermite).  Newton's
+ * method solves that for tau. */
 COIN_PRIV_INLINE double tau_between(const coin_priv_stretch *w,
                                     const double *weight, int terms, int times)
 {

@@ -8,8 +8,9 @@
 
 #define EVERY_BIT (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT)
 
-/* The tol of the steps is no larger: longer steps err by more than may be
- * missed of an excursion. */
+/* The largest tol of the steps, whatever the caller asks for.  With a larger
+ * one they would err by more than 1e-6, the part of mu up to which coin.h
+ * allows an excursion beyond the cone to be missed. */
 #define COARSEST 1e-6
 
 /* A motion under way. */
@@ -20,8 +21,8 @@ struct moving {
     coin_priv_sum rem; /* of t, still to go */
 };
 
-/* Steps in tau: one, and others that lead back if it passes the time.  None if
- * the time left is short. */
+/* Makes one step in tau.  If it passes the end of the time, others lead back.
+ * Makes none if the time left is short. */
 static int32_t step(struct moving *g, coin_priv_stretch *w)
 {
     coin_priv_run *const r = &g->run;
@@ -62,9 +63,9 @@ static int32_t next_stretch(struct moving *g, coin_priv_stretch *w, int *last)
     return status;
 }
 
-/* The motion has gone on to the end of a stretch, at whose begin the time `rem`
- * was left.  Puts it back to the event found in the stretch.  The time left is
- * not of the other sign, which rounding could give it. */
+/* The motion is at the end of a stretch, at whose begin the time `rem` was
+ * left.  Puts it back to the event found in the stretch.  If rounding gives the
+ * time left the wrong sign, it becomes 0. */
 static void stop_at(struct moving *g, const coin_priv_moment *event,
                     coin_priv_sum rem)
 {
@@ -92,7 +93,8 @@ static int32_t follow(struct moving *g, coin_priv_stretch *w,
     return status;
 }
 
-/* Errors, and what holds at the start. */
+/* Checks the arguments and starts the motion.  Returns an error, or the bits
+ * that hold at the start. */
 static int32_t prepare(struct moving *g, coin_priv_stretch *w,
                        coin_priv_search *f, const coin_state *s, double t)
 {
