@@ -32,7 +32,7 @@ static void at_every_time_of_every_scene_the_error_is_below_tol(void **unused)
 
 /* The step is as tol^(1/14), and the order 14.  In scenes like these tol is
  * not used up by far: it is made for the worst. */
-static void the_error_is_as_tol(void **unused)
+static void the_error_is_proportional_to_tol(void **unused)
 {
     (void)unused;
     const char *const names[] = {"generic", "ring"};
@@ -77,7 +77,7 @@ static coin_state start_of(const struct table *t, size_t row)
 
 /* The limit holds for most; in the others, which pass near flat, rounding is
  * up to three times as much. */
-static void so_it_is_in_100_random_motions(void **unused)
+static void only_rounding_is_left_in_100_random_motions_too(void **unused)
 {
     (void)unused;
     struct table t;
@@ -152,7 +152,7 @@ static void bodies_far_from_a_disc_are_right_too(void **unused)
 }
 
 /* -------------------------------------------------------------- any time */
-static void no_time_changes_nothing(void **unused)
+static void a_time_of_0_changes_nothing(void **unused)
 {
     (void)unused;
     const coin_params p = ring(0);
@@ -196,7 +196,7 @@ static void the_shortest_times_move_by_the_rates(void **unused)
         }
 }
 
-static void backward_it_returns(void **unused)
+static void a_call_backward_in_time_returns_to_the_start(void **unused)
 {
     (void)unused;
     for (int i = 0; i < SCENES; ++i) {
@@ -268,7 +268,7 @@ static void mirrored_or_backward_every_bit_is_the_same(void **unused)
 
 /* -------------------------------------------------------------- statuses */
 /* Spinning upright by 10, 100 before the end of the range of phi. */
-static void a_heading_out_of_range_ends_the_way(void **unused)
+static void a_heading_out_of_range_ends_the_call(void **unused)
 {
     (void)unused;
     const coin_params p = ring(0);
@@ -367,17 +367,17 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(at_every_time_of_every_scene_the_error_is_below_tol),
-        TEST(the_error_is_as_tol),
+        TEST(the_error_is_proportional_to_tol),
         TEST(near_tol_1e_13_only_rounding_is_left_after_100_units),
-        TEST(so_it_is_in_100_random_motions),
+        TEST(only_rounding_is_left_in_100_random_motions_too),
         TEST(of_300_random_motions_hardly_one_errs_by_more_than_tol),
         TEST(bodies_far_from_a_disc_are_right_too),
-        TEST(no_time_changes_nothing),
+        TEST(a_time_of_0_changes_nothing),
         TEST(the_shortest_times_move_by_the_rates),
-        TEST(backward_it_returns),
+        TEST(a_call_backward_in_time_returns_to_the_start),
         TEST(in_units_a_power_of_two_apart_every_bit_is_the_same),
         TEST(mirrored_or_backward_every_bit_is_the_same),
-        TEST(a_heading_out_of_range_ends_the_way),
+        TEST(a_heading_out_of_range_ends_the_call),
         TEST(a_call_takes_2_20_steps_and_the_next_goes_on),
         TEST(the_usual_errors_touch_nothing),
         TEST(both_ends_of_tol_are_in),

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pairs of sine and cosine that are turned; one double, pairs and lanes. */
+/* Turning a pair of sine and cosine: for one double, for pairs of doubles and
+ * for lanes. */
 #include "angles.h"
 #if COIN_PRIV_WIDTH
 #define COIN_PRIV_ABREAST
@@ -79,7 +80,7 @@ static void a_little_turn_is_as_good_up_to_its_limit_and_not_beyond(
 }
 
 /* Backward is forward mirrored, and 0 is no turn, to the bit. */
-static void turns_are_odd_and_none_is_none(void **unused)
+static void turns_are_odd_and_a_turn_of_0_changes_nothing(void **unused)
 {
     (void)unused;
     struct random r = random_begin(303);
@@ -174,7 +175,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(a_pair_is_turned_to_a_few_u),
         TEST(a_little_turn_is_as_good_up_to_its_limit_and_not_beyond),
-        TEST(turns_are_odd_and_none_is_none),
+        TEST(turns_are_odd_and_a_turn_of_0_changes_nothing),
 #if COIN_PRIV_WIDTH
         TEST(pairs_and_lanes_have_the_bits_of_one_double),
 #endif

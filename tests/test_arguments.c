@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Every function against every bad argument, by one table: what each returns,
- * and that it then leaves everything as it was.  A function is described by
- * the kinds of its pointers; scalars are good, and tested where the function
- * is. */
+/* Every function against every bad pointer, by one table: what it returns, and
+ * that it then leaves everything as it was.  A row of the table lists the kinds
+ * of pointers of a function.  Scalar arguments are good here; bad ones are in
+ * the test of the function. */
 #include "support/check.h"
 #include "support/functions.h"
 
@@ -265,7 +265,7 @@ static void nothing_changes_errno_or_the_rounding_mode(void **unused)
 }
 
 /* Near flat and at the edge of the range, where libm might set errno. */
-static void not_even_at_the_edge(void **unused)
+static void errno_is_unchanged_at_the_edge_of_the_range(void **unused)
 {
     (void)unused;
     const coin_state edge = {
@@ -305,7 +305,7 @@ int main(void)
         TEST(bad_states_are_refused_by_all),
         TEST(numbers_are_nan_where_a_status_would_be_an_error),
         TEST(nothing_changes_errno_or_the_rounding_mode),
-        TEST(not_even_at_the_edge),
+        TEST(errno_is_unchanged_at_the_edge_of_the_range),
         TEST(rates_may_overwrite_their_state),
     };
     return RUN_TESTS(tests);

@@ -172,7 +172,7 @@ static void the_runge_kutta_methods_have_lanes_where_vectors_are(void **unused)
 
 /* The first error is that of the lowest index, though a coin that is no state
  * is found out before one that fails on its way. */
-static void the_first_coin_that_failed_tells_the_status(void **unused)
+static void the_status_is_that_of_the_first_coin_that_failed(void **unused)
 {
     (void)unused;
     struct trial t = {.p = disc(), .count = MOST};
@@ -250,7 +250,7 @@ static void a_path_that_overflows_is_not_taken_in_a_lane(void **unused)
 
 /* Single steps as long as they may be of rings that roll fast, whose lean turns
  * by more than its first stages tell. */
-static void a_turn_that_comes_late_is_that_of_the_coin_alone(void **unused)
+static void a_lean_that_turns_late_in_a_step_goes_as_alone(void **unused)
 {
     (void)unused;
     struct trial t = {.p = disc(), .count = MOST};
@@ -286,7 +286,7 @@ static void a_roll_that_leaves_its_range_for_a_while_ends_the_run(void **unused)
     check(ended > 30 && ended < 50);
 }
 
-static void no_time_and_no_steps_change_nothing(void **unused)
+static void a_time_of_0_and_0_steps_change_nothing(void **unused)
 {
     (void)unused;
     struct trial t = {.p = disc(), .count = MOST};
@@ -355,14 +355,14 @@ int main(void)
         TEST(a_block_is_sound_above_the_safe_cosine_at_every_stage),
 #endif
         TEST(the_runge_kutta_methods_have_lanes_where_vectors_are),
-        TEST(the_first_coin_that_failed_tells_the_status),
+        TEST(the_status_is_that_of_the_first_coin_that_failed),
         TEST(a_coin_that_is_no_state_leaves_the_others_alone),
         TEST(the_longest_and_the_shortest_steps_are_as_alone),
         TEST(a_path_that_overflows_is_not_taken_in_a_lane),
-        TEST(a_turn_that_comes_late_is_that_of_the_coin_alone),
+        TEST(a_lean_that_turns_late_in_a_step_goes_as_alone),
         TEST(a_roll_that_leaves_its_range_for_a_while_ends_the_run),
         TEST(a_batch_ends_where_its_last_coin_does),
-        TEST(no_time_and_no_steps_change_nothing),
+        TEST(a_time_of_0_and_0_steps_change_nothing),
         TEST(bad_arguments_touch_nothing),
     };
     return RUN_TESTS(tests);

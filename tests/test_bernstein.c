@@ -126,7 +126,7 @@ static void a_rise_at_a_cut_is_found(void **unused)
     check_near(coin_priv_rise(b, SQUARE, 0.5), 0.75, 1e-12);
 }
 
-static void the_cone_is_the_sum_of_squares(void **unused)
+static void the_cone_is_x_squared_plus_y_squared_less_z_squared(void **unused)
 {
     (void)unused;
     struct random r = random_begin(204);
@@ -176,7 +176,7 @@ static void two_halves_are_the_whole(void **unused)
 }
 
 /* From b = x^2: its series at both ends, times 3. */
-static void what_joins_has_the_terms_of_both_ends(void **unused)
+static void a_joined_polynomial_has_the_terms_of_both_ends(void **unused)
 {
     (void)unused;
     const coin_priv_ends ends[COIN_PRIV_FORCE_TERMS] = {
@@ -199,9 +199,9 @@ int main(void)
         TEST(brief_excursions_are_found),
         TEST(what_only_touches_or_falls_is_no_rise),
         TEST(a_rise_at_a_cut_is_found),
-        TEST(the_cone_is_the_sum_of_squares),
+        TEST(the_cone_is_x_squared_plus_y_squared_less_z_squared),
         TEST(two_halves_are_the_whole),
-        TEST(what_joins_has_the_terms_of_both_ends),
+        TEST(a_joined_polynomial_has_the_terms_of_both_ends),
     };
     return RUN_TESTS(tests);
 }

@@ -156,7 +156,7 @@ static struct stretch stretch_of(int32_t bit, double mu)
 }
 
 /* By the motion itself; samples lie 0.01 degrees apart. */
-static void so_it_happens_in_a_fall_that_is_run(void **unused)
+static void a_run_of_a_fall_slips_and_lifts_off_there_too(void **unused)
 {
     (void)unused;
     const struct stretch lifts = stretch_of(COIN_LIFTS, INFINITY);
@@ -238,7 +238,7 @@ static void a_step_is_coarse_beyond_the_method_s_limit(void **unused)
 
 /* With a step so short that the state hardly moves, a run warns exactly if
  * the check does. */
-static void a_step_says_the_same(void **unused)
+static void a_step_is_coarse_exactly_where_the_check_says_so(void **unused)
 {
     (void)unused;
     coin_params p = disc();
@@ -277,7 +277,7 @@ static void warnings_come_together(void **unused)
     check_status(bits(&lifted, &p, 1, 0.1), COIN_LIFTS | both);
 }
 
-static void the_bad_are_refused_in_order(void **unused)
+static void bad_arguments_are_refused_in_order(void **unused)
 {
     (void)unused;
     const coin_params good = disc();
@@ -319,14 +319,14 @@ int main(void)
         TEST(a_falling_coin_lifts_off_where_the_normal_force_ends),
         TEST(a_heavy_rim_never_lifts_off_in_such_a_fall),
         TEST(a_falling_coin_slips_before_the_peak_of_its_friction),
-        TEST(so_it_happens_in_a_fall_that_is_run),
+        TEST(a_run_of_a_fall_slips_and_lifts_off_there_too),
         TEST(upright_every_coin_lifts_off_that_leans_fast_enough),
         TEST(a_steady_motion_never_lifts_off_and_slips_below_its_mu),
         TEST(a_step_is_coarse_beyond_the_method_s_limit),
-        TEST(a_step_says_the_same),
+        TEST(a_step_is_coarse_exactly_where_the_check_says_so),
         TEST(a_coin_is_nearly_flat_below_a_cosine_of_0_01),
         TEST(warnings_come_together),
-        TEST(the_bad_are_refused_in_order),
+        TEST(bad_arguments_are_refused_in_order),
     };
     return RUN_TESTS(tests);
 }

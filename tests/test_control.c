@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How the length of a step follows from the estimate of its error. */
+/* How the length of the next step follows from the estimate of the error of
+ * this one. */
 #include "support/check.h"
 
 #include "control.h"

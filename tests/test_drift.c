@@ -215,7 +215,7 @@ static void carry_a_row(const struct table *t, size_t row)
     check_near(vZ / table_at(t, row + 1, "We"), 1, bound);
 }
 
-static void it_carries_the_reference_down_to_the_table(void **unused)
+static void the_series_carries_the_reference_down_to_the_table(void **unused)
 {
     (void)unused;
     struct table t;
@@ -237,7 +237,7 @@ int main(void)
         TEST(no_step_leads_through_the_table),
         TEST(no_step_of_full_accuracy_is_refused),
         TEST(the_drift_s_series_is_good_to_rounding),
-        TEST(it_carries_the_reference_down_to_the_table),
+        TEST(the_series_carries_the_reference_down_to_the_table),
     };
     return RUN_TESTS(tests);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rates near the least and the largest that a double holds a motion of. */
+/* Motions whose rates are near the least or the largest that doubles allow. */
 #include "support/check.h"
 #include "support/coins.h"
 #include "support/methods.h"

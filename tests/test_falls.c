@@ -92,7 +92,7 @@ static void the_last_state_is_that_of_the_impact(void **unused)
     check_within(states_apart(&s, &start, &p), 0, 1e-10);
 }
 
-static void just_before_the_impact_all_is_well(void **unused)
+static void a_call_that_ends_just_before_the_impact_succeeds(void **unused)
 {
     (void)unused;
     const coin_params p = ring(0);
@@ -148,7 +148,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(falls_are_timed_to_1e_11),
         TEST(the_last_state_is_that_of_the_impact),
-        TEST(just_before_the_impact_all_is_well),
+        TEST(a_call_that_ends_just_before_the_impact_succeeds),
         TEST(falls_with_spin_are_the_edge_between_two_passes),
     };
     return RUN_TESTS(tests);

@@ -93,7 +93,7 @@ static void a_loop_of_steps_is_as_exact_as_promised(void **unused)
 }
 
 /* An unstable roll: what it does to an error of a float, it does to ours. */
-static void where_the_motion_amplifies_the_error_is_amplified(void **unused)
+static void an_unstable_roll_amplifies_the_error(void **unused)
 {
     (void)unused;
     const struct start b = start_of("tumble");
@@ -119,7 +119,7 @@ static void without_remainders_fine_steps_lose_digits(void **unused)
 
 /* Random coins, over 4 units so that few amplify: what is left of the promise
  * then, a tenth per unit, for nine of ten. */
-static void random_coins_are_followed_as_exactly(void **unused)
+static void nine_of_ten_random_coins_are_followed_as_exactly(void **unused)
 {
     (void)unused;
     enum { COINS = 60 };
@@ -265,7 +265,7 @@ static int rounds_otherwise(void)
     return one + little != 1 || one - little != 1;
 }
 
-static void another_rounding_mode_does_not(void **unused)
+static void another_rounding_mode_does_not_give_the_pinned_bits(void **unused)
 {
     (void)unused;
     check(fesetround(FE_UPWARD) == 0);
@@ -279,16 +279,16 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(a_loop_of_steps_is_as_exact_as_promised),
-        TEST(where_the_motion_amplifies_the_error_is_amplified),
+        TEST(an_unstable_roll_amplifies_the_error),
         TEST(without_remainders_fine_steps_lose_digits),
-        TEST(random_coins_are_followed_as_exactly),
+        TEST(nine_of_ten_random_coins_are_followed_as_exactly),
         TEST(the_order_is_the_method_s),
         TEST(the_symplectic_method_does_not_drift),
         TEST(a_run_is_so_many_steps_to_the_bit),
         TEST(heading_and_roll_stay_within_half_a_turn),
         TEST(mirrored_and_reversed_motions_have_the_same_bits),
         TEST(this_build_gives_the_pinned_bits),
-        TEST(another_rounding_mode_does_not),
+        TEST(another_rounding_mode_does_not_give_the_pinned_bits),
     };
     return RUN_TESTS(tests);
 }

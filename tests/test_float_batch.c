@@ -102,7 +102,7 @@ static void each_coin_goes_as_it_would_alone(void **unused)
 }
 
 /* Of each reference scene, coins that lean ever more. */
-static void scenes_go_as_alone(void **unused)
+static void coins_of_the_scenes_go_as_they_would_alone(void **unused)
 {
     (void)unused;
     static struct trial t;
@@ -152,7 +152,7 @@ static void sines_and_cosines_have_the_same_bits(void **unused)
 
 /* Angles far from half a turn come back, some each step; half a turn itself
  * stays. */
-static void turns_are_taken_off_each_coin_alone(void **unused)
+static void whole_turns_are_subtracted_as_for_a_coin_alone(void **unused)
 {
     (void)unused;
     static struct trial t = {.p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}},
@@ -172,7 +172,7 @@ static void turns_are_taken_off_each_coin_alone(void **unused)
 
 /* This step leaves a remainder of phi of just half a digit, which to add again
  * would round anew; found by search.  The second coin's roll has turns. */
-static void who_has_no_turns_is_left_alone(void **unused)
+static void a_coin_without_whole_turns_keeps_its_bits(void **unused)
 {
     (void)unused;
     static struct trial t = {
@@ -190,7 +190,7 @@ static void who_has_no_turns_is_left_alone(void **unused)
 
 /* The first error is that of the lowest index, though a coin that is no state
  * is found out before one that fails on its way; the others go on. */
-static void the_first_coin_that_failed_tells_the_status(void **unused)
+static void the_status_is_that_of_the_first_coin_that_failed(void **unused)
 {
     (void)unused;
     static struct trial t = {.p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}},
@@ -213,7 +213,7 @@ static void the_first_coin_that_failed_tells_the_status(void **unused)
 }
 
 /* Coins that all fall: who has none left to move does not go on for ages. */
-static void a_batch_ends_where_all_have_failed(void **unused)
+static void a_batch_ends_when_all_coins_have_failed(void **unused)
 {
     (void)unused;
     static struct trial t = {.p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}},
@@ -225,7 +225,7 @@ static void a_batch_ends_where_all_have_failed(void **unused)
 }
 
 /* Whether a step is coarse where it begins, or where it ends alone. */
-static void a_warning_is_of_the_coin_that_earned_it(void **unused)
+static void a_warning_is_given_only_to_the_coin_it_is_about(void **unused)
 {
     (void)unused;
     static struct trial t = {.p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}},
@@ -245,7 +245,7 @@ static void a_warning_is_of_the_coin_that_earned_it(void **unused)
     check_status(t.want_all, COIN_COARSE);
 }
 
-static void no_time_and_no_steps_change_nothing(void **unused)
+static void a_time_of_0_and_0_steps_change_nothing(void **unused)
 {
     (void)unused;
     static struct trial t, before;
@@ -298,14 +298,14 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(each_coin_goes_as_it_would_alone),
-        TEST(scenes_go_as_alone),
+        TEST(coins_of_the_scenes_go_as_they_would_alone),
         TEST(sines_and_cosines_have_the_same_bits),
-        TEST(turns_are_taken_off_each_coin_alone),
-        TEST(who_has_no_turns_is_left_alone),
-        TEST(the_first_coin_that_failed_tells_the_status),
-        TEST(a_batch_ends_where_all_have_failed),
-        TEST(a_warning_is_of_the_coin_that_earned_it),
-        TEST(no_time_and_no_steps_change_nothing),
+        TEST(whole_turns_are_subtracted_as_for_a_coin_alone),
+        TEST(a_coin_without_whole_turns_keeps_its_bits),
+        TEST(the_status_is_that_of_the_first_coin_that_failed),
+        TEST(a_batch_ends_when_all_coins_have_failed),
+        TEST(a_warning_is_given_only_to_the_coin_it_is_about),
+        TEST(a_time_of_0_and_0_steps_change_nothing),
         TEST(bad_arguments_touch_nothing),
     };
     return RUN_TESTS(tests);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What coinf.h reads off a state, beside coin.h at the same numbers. */
+/* The functions of coinf.h that observe a state, against those of coin.h. */
 #include "support/check.h"
 #include "support/floats.h"
 #include "support/random.h"
@@ -199,7 +199,7 @@ static void each_is_as_exact_as_its_arguments(void **unused)
 
 /* Near flat the distance to pi/2 decides, and a float of pi/2 is 4.4e-8 off:
  * the lean is taken as the number that it is. */
-static void near_flat_the_rest_of_half_pi_counts(void **unused)
+static void near_flat_the_rounding_of_half_pi_is_allowed_for(void **unused)
 {
     (void)unused;
     const coinf_params p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}};
@@ -247,7 +247,7 @@ static void a_coin_is_made_from_a_rotation_and_back(void **unused)
     }
 }
 
-static void half_turns_are_made_too(void **unused)
+static void half_turns_become_states_too(void **unused)
 {
     (void)unused;
     const coinf_params p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}};
@@ -271,7 +271,7 @@ static void half_turns_are_made_too(void **unused)
     }
 }
 
-static void no_rotation_and_a_flat_coin_make_no_state(void **unused)
+static void a_q_of_0_and_a_flat_coin_make_no_state(void **unused)
 {
     (void)unused;
     const float nothing[4] = {0}, flat[4] = {1, 1, 0, 0}, omega[3] = {0, 0, 0};
@@ -321,7 +321,7 @@ static void the_validity_bits_are_those_of_doubles(void **unused)
     check(seen == (COIN_SLIPS | COIN_LIFTS | COIN_COARSE | COIN_NEARLY_FLAT));
 }
 
-static void force_is_infinite_beside_none(void **unused)
+static void the_ratio_is_infinite_without_a_normal_force(void **unused)
 {
     (void)unused;
     const coinf_state lifts = {0.1f, 0, 0, 0, 0, 3, 0, 0, {0}};
@@ -388,12 +388,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(each_is_as_exact_as_its_arguments),
-        TEST(near_flat_the_rest_of_half_pi_counts),
+        TEST(near_flat_the_rounding_of_half_pi_is_allowed_for),
         TEST(a_coin_is_made_from_a_rotation_and_back),
-        TEST(half_turns_are_made_too),
-        TEST(no_rotation_and_a_flat_coin_make_no_state),
+        TEST(half_turns_become_states_too),
+        TEST(a_q_of_0_and_a_flat_coin_make_no_state),
         TEST(the_validity_bits_are_those_of_doubles),
-        TEST(force_is_infinite_beside_none),
+        TEST(the_ratio_is_infinite_without_a_normal_force),
         TEST(bad_arguments_leave_outputs_alone),
     };
     return RUN_TESTS(tests);

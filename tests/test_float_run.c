@@ -131,7 +131,7 @@ static void bad_states_are_refused(void **unused)
     check_status(coinf_state_check(&good, NULL), COIN_EARG);
 }
 
-static void the_edge_of_the_range_is_within(void **unused)
+static void a_state_at_the_edge_of_the_range_is_accepted(void **unused)
 {
     (void)unused;
     const coinf_state edge = {1.57079625f, 4096, -4096, FLT_MAX, -FLT_MAX,
@@ -154,7 +154,7 @@ static void times_that_are_not_finite_are_refused(void **unused)
 }
 
 /* ------------------------------------------------------------------- limits */
-static void no_step_and_no_time_change_nothing(void **unused)
+static void a_time_of_0_and_0_steps_change_nothing(void **unused)
 {
     (void)unused;
     const coinf_state before = {0.5f, 4000, -0.0f, 3, 4, 1, 1, 1, {1e-9f}};
@@ -217,7 +217,7 @@ static void a_step_does_not_end_far_beyond_the_limit(void **unused)
 }
 
 /* Rates at the edge of what a state may have, sqrt(1e14/5.75), stay within. */
-static void rates_at_the_edge_stay_within_it(void **unused)
+static void rates_at_the_edge_of_their_range_stay_within_it(void **unused)
 {
     (void)unused;
     struct random r = random_begin(66);
@@ -240,7 +240,7 @@ static void rates_at_the_edge_stay_within_it(void **unused)
 
 /* Through a pass near flat and up again: a step is coarse if it begins or ends
  * beyond the limit.  The last stage stands for the end, to a part in 20. */
-static void a_pass_is_coarse_where_a_step_begins_or_ends_so(void **unused)
+static void a_step_is_coarse_if_it_begins_or_ends_above_the_limit(void **unused)
 {
     (void)unused;
     const coin_params d = doubles_params(&body);
@@ -353,13 +353,13 @@ int main(void)
         TEST(null_pointers_and_unknown_methods_are_refused),
         TEST(bad_parameters_are_refused),
         TEST(bad_states_are_refused),
-        TEST(the_edge_of_the_range_is_within),
+        TEST(a_state_at_the_edge_of_the_range_is_accepted),
         TEST(times_that_are_not_finite_are_refused),
-        TEST(no_step_and_no_time_change_nothing),
+        TEST(a_time_of_0_and_0_steps_change_nothing),
         TEST(coarse_steps_are_reported_and_coarser_ones_refused),
         TEST(a_step_does_not_end_far_beyond_the_limit),
-        TEST(rates_at_the_edge_stay_within_it),
-        TEST(a_pass_is_coarse_where_a_step_begins_or_ends_so),
+        TEST(rates_at_the_edge_of_their_range_stay_within_it),
+        TEST(a_step_is_coarse_if_it_begins_or_ends_above_the_limit),
         TEST(a_step_through_the_table_is_refused),
         TEST(a_fall_ends_above_the_table_with_its_progress),
         TEST(a_path_beyond_the_floats_is_refused),

@@ -129,7 +129,7 @@ static void of_random_launches_98_of_100_err_by_less_than_tol(void **unused)
 }
 
 /* The order of the steps, on a launch whose contact does not turn round. */
-static void the_error_is_as_tol(void **unused)
+static void the_error_is_proportional_to_tol(void **unused)
 {
     (void)unused;
     const coinf_params p = disc_f();
@@ -300,7 +300,7 @@ static void a_contact_that_cannot_be_held_rolls_on(void **unused)
 }
 
 /* Closer than where the law of the end may begin, but much too fast for it. */
-static void a_pass_near_flat_is_no_end(void **unused)
+static void a_fast_pass_near_flat_does_not_end_the_motion(void **unused)
 {
     (void)unused;
     const coinf_params p = disc_f();
@@ -317,7 +317,7 @@ static void a_pass_near_flat_is_no_end(void **unused)
 }
 
 /* Steps alone would take many calls. */
-static void what_never_stops_ends_by_the_law_of_the_end(void **unused)
+static void a_contact_that_never_stops_ends_by_the_law_of_the_end(void **unused)
 {
     (void)unused;
     const coinf_params p = disc_f();
@@ -343,7 +343,7 @@ static void what_never_stops_ends_by_the_law_of_the_end(void **unused)
 }
 
 /* Where the time is over before, steps go on. */
-static void the_law_of_the_end_waits_for_its_time(void **unused)
+static void the_law_of_the_end_does_not_shorten_the_call(void **unused)
 {
     (void)unused;
     const coinf_params p = disc_f();
@@ -378,15 +378,15 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(a_quarter_rests_after_the_time_of_coin_settle),
         TEST(of_random_launches_98_of_100_err_by_less_than_tol),
-        TEST(the_error_is_as_tol),
+        TEST(the_error_is_proportional_to_tol),
         TEST(the_times_to_rest_are_those_of_the_laws),
         TEST(a_coin_at_rest_stays_there),
         TEST(a_symmetric_fall_is_an_ideal_one),
         TEST(a_stopped_contact_near_flat_is_held),
         TEST(a_contact_that_cannot_be_held_rolls_on),
-        TEST(a_pass_near_flat_is_no_end),
-        TEST(what_never_stops_ends_by_the_law_of_the_end),
-        TEST(the_law_of_the_end_waits_for_its_time),
+        TEST(a_fast_pass_near_flat_does_not_end_the_motion),
+        TEST(a_contact_that_never_stops_ends_by_the_law_of_the_end),
+        TEST(the_law_of_the_end_does_not_shorten_the_call),
         TEST(a_pass_closer_than_a_float_can_tell_is_a_fall),
     };
     return RUN_TESTS(tests);

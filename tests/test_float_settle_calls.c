@@ -14,7 +14,7 @@ static coinf_params disc_f(void)
     return p;
 }
 
-static void no_time_changes_nothing(void **unused)
+static void a_time_of_0_changes_nothing(void **unused)
 {
     (void)unused;
     const coinf_params p = disc_f();
@@ -139,7 +139,7 @@ static void every_member_of_the_losses_is_checked(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(no_time_changes_nothing),
+        TEST(a_time_of_0_changes_nothing),
         TEST(a_call_takes_2_16_steps_and_the_next_goes_on),
         TEST(a_path_beyond_the_floats_is_refused),
         TEST(a_fall_too_fast_for_floats_is_refused),

@@ -121,7 +121,7 @@ static void however_a_coin_turns_the_error_is_below_tol_per_unit(void **unused)
 
 /* Beyond W = 3 one step of RK8 may no longer be so long: in these motions, the
  * worst of a search, it would err by 4 to 8 tol per unit. */
-static void so_it_is_if_the_coin_spins_fast(void **unused)
+static void fast_spins_err_by_less_than_tol_per_unit(void **unused)
 {
     (void)unused;
     const struct {
@@ -156,7 +156,7 @@ static void so_it_is_if_the_coin_spins_fast(void **unused)
 }
 
 /* Of coins that turn up to 20 times as fast as others. */
-static void so_it_is_however_short_the_call(void **unused)
+static void short_calls_err_by_less_than_tol_per_unit(void **unused)
 {
     (void)unused;
     const double tols[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10};
@@ -251,8 +251,8 @@ int main(void)
         TEST(at_1e_9_it_is_one_step_in_tau),
         TEST(until_an_event_frames_have_the_same_bits),
         TEST(however_a_coin_turns_the_error_is_below_tol_per_unit),
-        TEST(so_it_is_if_the_coin_spins_fast),
-        TEST(so_it_is_however_short_the_call),
+        TEST(fast_spins_err_by_less_than_tol_per_unit),
+        TEST(short_calls_err_by_less_than_tol_per_unit),
         TEST(passes_are_right_at_the_coarsest_tol),
         TEST(a_minute_of_frames_errs_by_less_than_tol_per_unit),
     };

@@ -88,7 +88,7 @@ static void a_step_does_not_move_them(void **unused)
 }
 
 /* At sin(theta) = 0.7 one series takes over from the other. */
-static void the_two_series_meet(void **unused)
+static void the_two_series_agree_where_they_meet(void **unused)
 {
     (void)unused;
     struct random r = random_begin(14);
@@ -112,7 +112,7 @@ static void the_two_series_meet(void **unused)
 /* wY cos theta tends to K_Y Pe(1) + k1 K_Z Po(1) as the coin comes to lie: the
  * values at u = 1 are known in Gamma functions.  At 1e-9 from flat what is
  * left of the way moves it by less than 1e-16. */
-static void near_flat_they_give_the_momentum_of_arrival(void **unused)
+static void near_flat_they_give_the_limit_of_wY_cos_theta(void **unused)
 {
     (void)unused;
     const struct {
@@ -148,8 +148,8 @@ int main(void)
         TEST(the_integrals_are_the_reference_s_down_to_the_table),
         TEST(upright_they_are_wY_and_wZ),
         TEST(a_step_does_not_move_them),
-        TEST(the_two_series_meet),
-        TEST(near_flat_they_give_the_momentum_of_arrival),
+        TEST(the_two_series_agree_where_they_meet),
+        TEST(near_flat_they_give_the_limit_of_wY_cos_theta),
     };
     return RUN_TESTS(tests);
 }

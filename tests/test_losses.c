@@ -183,7 +183,7 @@ static void the_reaction_accelerates_the_centre(void **unused)
     }
 }
 
-static void without_losses_they_are_the_ideal_ones(void **unused)
+static void without_losses_the_rates_are_the_ideal_ones(void **unused)
 {
     (void)unused;
     const coin_losses none = {0};
@@ -199,7 +199,7 @@ static void without_losses_they_are_the_ideal_ones(void **unused)
     }
 }
 
-static void soft_of_0_is_a_1024th(void **unused)
+static void a_soft_of_0_stands_for_one_1024th(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -240,7 +240,7 @@ static void every_member_is_checked(void **unused)
 }
 
 /* Small bodies have small limits: a step divides by their inertia. */
-static void the_limit_is_over_the_inertia_too(void **unused)
+static void a_loss_divided_by_the_inertia_is_limited_too(void **unused)
 {
     (void)unused;
     coin_params p;
@@ -302,10 +302,10 @@ int main(void)
         TEST(rates_differ_from_the_ideal_ones_by_the_torques),
         TEST(the_power_is_what_the_energy_loses),
         TEST(the_reaction_accelerates_the_centre),
-        TEST(without_losses_they_are_the_ideal_ones),
-        TEST(soft_of_0_is_a_1024th),
+        TEST(without_losses_the_rates_are_the_ideal_ones),
+        TEST(a_soft_of_0_stands_for_one_1024th),
         TEST(every_member_is_checked),
-        TEST(the_limit_is_over_the_inertia_too),
+        TEST(a_loss_divided_by_the_inertia_is_limited_too),
         TEST(errors_come_in_their_order),
         TEST(what_would_overflow_is_refused),
     };

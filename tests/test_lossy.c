@@ -107,7 +107,7 @@ static void the_bound_halves_the_way_to_where_the_contact_turns(void **unused)
  * the softening, whatever error is allowed.  With layer or damping it is
  * proportional to a power of that error.  With viscous friction there is no
  * bound. */
-static void at_the_turn_the_bound_is_the_width(void **unused)
+static void where_the_contact_turns_the_bound_is_the_width(void **unused)
 {
     (void)unused;
     const coin_state turn = {
@@ -160,7 +160,7 @@ int main(void)
         TEST(the_error_of_a_straight_roll_is_seen),
         TEST(the_error_of_a_step_that_overflows_is_infinite),
         TEST(the_bound_halves_the_way_to_where_the_contact_turns),
-        TEST(at_the_turn_the_bound_is_the_width),
+        TEST(where_the_contact_turns_the_bound_is_the_width),
         TEST(friction_shortens_the_step),
     };
     return RUN_TESTS(tests);

@@ -127,7 +127,7 @@ static void a_matrix_of_floats_is_that_of_the_same_state(void **unused)
     }
 }
 
-static void what_is_no_coin_has_no_matrix(void **unused)
+static void bad_arguments_have_no_matrix(void **unused)
 {
     (void)unused;
     const coin_state good = {0.1, 0, 0, 0, 0, 0, 0, 0};
@@ -153,7 +153,7 @@ int main(void)
         TEST(a_mark_on_the_rim_comes_down_where_the_coin_touches),
         TEST(upright_it_is_a_shift_upwards),
         TEST(a_matrix_of_floats_is_that_of_the_same_state),
-        TEST(what_is_no_coin_has_no_matrix),
+        TEST(bad_arguments_have_no_matrix),
     };
     return RUN_TESTS(tests);
 }

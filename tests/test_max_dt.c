@@ -16,7 +16,7 @@ static const double tol_of[METHODS] = {1e-5, 1e-8, 1e-3, 1e-5};
 
 /* --------------------------------------------------------- what it gives */
 /* However near to flat, and whatever is asked. */
-static void for_any_state_it_is_a_step(void **unused)
+static void every_state_has_a_step_above_0(void **unused)
 {
     (void)unused;
     struct random r = random_begin(100);
@@ -32,7 +32,7 @@ static void for_any_state_it_is_a_step(void **unused)
 }
 
 /* So that the trial gets stuck: the step is then short. */
-static void for_the_flattest_and_fastest_too(void **unused)
+static void the_flattest_and_fastest_states_have_a_short_step(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -68,7 +68,7 @@ static void a_larger_tol_allows_no_smaller_step(void **unused)
 }
 
 /* Away from rounding and the limits dt is as tol^(1/order). */
-static void the_step_is_as_the_root_of_tol(void **unused)
+static void the_step_is_proportional_to_the_root_of_tol(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -82,7 +82,7 @@ static void the_step_is_as_the_root_of_tol(void **unused)
     }
 }
 
-static void a_coin_that_falls_flat_has_none(void **unused)
+static void a_coin_that_falls_flat_has_no_step(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -95,7 +95,7 @@ static void a_coin_that_falls_flat_has_none(void **unused)
 /* It may have no turning point, or none for long; then the limit decides. */
 /* Near flat the heading may turn faster than any rate of a state: steps refuse
  * that, however short, and coin_advance() does not. */
-static void nor_has_one_faster_than_a_state_may_be(void **unused)
+static void a_coin_faster_than_any_state_of_a_run_has_no_step(void **unused)
 {
     (void)unused;
     const coin_params p = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
@@ -270,7 +270,7 @@ static void a_fast_spin_errs_by_at_most_twice_tol_in_a_unit(void **unused)
 
 /* A hoop that nutates nearly as often as it turns: the path's error grows as
  * t^2 for ten periods. */
-static void nor_does_one_whose_path_bends_away_in_ten(void **unused)
+static void a_hoop_near_resonance_errs_by_at_most_twice_tol(void **unused)
 {
     (void)unused;
     coin_params p;
@@ -290,7 +290,7 @@ static void nor_does_one_whose_path_bends_away_in_ten(void **unused)
 
 /* It leans out of a roll that is unstable, and is fastest after 16 units: a
  * step that suits the first ten is then coarse. */
-static void what_comes_within_20_units_is_seen(void **unused)
+static void a_peak_of_W_within_20_units_is_seen(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -344,20 +344,20 @@ static void bad_arguments_give_nan(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(for_any_state_it_is_a_step),
-        TEST(for_the_flattest_and_fastest_too),
+        TEST(every_state_has_a_step_above_0),
+        TEST(the_flattest_and_fastest_states_have_a_short_step),
         TEST(a_larger_tol_allows_no_smaller_step),
-        TEST(the_step_is_as_the_root_of_tol),
-        TEST(a_coin_that_falls_flat_has_none),
-        TEST(nor_has_one_faster_than_a_state_may_be),
+        TEST(the_step_is_proportional_to_the_root_of_tol),
+        TEST(a_coin_that_falls_flat_has_no_step),
+        TEST(a_coin_faster_than_any_state_of_a_run_has_no_step),
         TEST(a_coin_at_rest_has_the_largest_step),
         TEST(wherever_the_coin_is_it_is_the_same),
         TEST(in_units_a_power_of_two_apart_it_is_the_same),
         TEST(the_error_stays_within_tol_and_would_not_for_four_times_the_step),
         TEST(spins_nearly_upright_err_by_at_most_twice_tol),
         TEST(a_fast_spin_errs_by_at_most_twice_tol_in_a_unit),
-        TEST(nor_does_one_whose_path_bends_away_in_ten),
-        TEST(what_comes_within_20_units_is_seen),
+        TEST(a_hoop_near_resonance_errs_by_at_most_twice_tol),
+        TEST(a_peak_of_W_within_20_units_is_seen),
         TEST(no_step_of_that_size_is_coarse),
         TEST(bad_arguments_give_nan),
     };

@@ -36,7 +36,7 @@ static void it_never_names_a_model_that_misses(void **unused)
 
 /* A sample of what `make models` does 20,000 times: on unstable circles, by a
  * truth in long double. */
-static void next_to_an_unstable_circle_none_misses(void **unused)
+static void next_to_an_unstable_circle_no_model_misses(void **unused)
 {
     (void)unused;
     struct random r = random_begin(8);
@@ -57,7 +57,7 @@ static void next_to_an_unstable_circle_none_misses(void **unused)
 
 /* Steps from this circle stay on it for ever; the coin, which a rounding takes
  * off it, is off by 0.07 after 60 units. */
-static void steps_that_rest_are_no_proof_of_rest(void **unused)
+static void steps_that_stay_on_a_circle_do_not_prove_it_steady(void **unused)
 {
     (void)unused;
     struct rung_scene scene = {disc, circle(0.15, 0.15), 60, 1e-2};
@@ -71,7 +71,7 @@ static void steps_that_rest_are_no_proof_of_rest(void **unused)
 }
 
 /* From here coin_orbit_init() may find two turning points of rounding. */
-static void nor_is_a_swing_of_rounding(void **unused)
+static void a_swing_of_rounding_is_no_steady_motion_or_wobble(void **unused)
 {
     (void)unused;
     const coin_state s = {
@@ -82,7 +82,7 @@ static void nor_is_a_swing_of_rounding(void **unused)
 }
 
 /* It rattles next to the table with a period of 1e-3 units. */
-static void what_takes_too_many_steps_is_given_up(void **unused)
+static void a_motion_of_too_many_steps_is_given_up(void **unused)
 {
     (void)unused;
     const coin_state s = {
@@ -95,7 +95,7 @@ static void what_takes_too_many_steps_is_given_up(void **unused)
  * the largest error to some percent.  Once round the circle the path is back
  * where it should be, and the largest error lies between.  Lengths are in
  * units of 4. */
-static void half_of_the_tolerance_is_for_what_it_does_not_see(void **unused)
+static void half_of_the_tolerance_is_kept_for_times_between(void **unused)
 {
     (void)unused;
     const coin_params p = {1, 4, 4, 4, 8, {0, 0, 0}};
@@ -130,7 +130,7 @@ static void a_steady_motion_is_steady_for_long(void **unused)
 
 /* An unstable circle has no orbit: as long as it lasts it is followed by
  * steps, 64 natural units at most. */
-static void an_unstable_one_is_so_for_a_while(void **unused)
+static void an_unstable_circle_is_steady_for_a_while(void **unused)
 {
     (void)unused;
     coin_state s = circle(0.15, 0.5);
@@ -235,13 +235,13 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(it_never_names_a_model_that_misses),
-        TEST(next_to_an_unstable_circle_none_misses),
-        TEST(steps_that_rest_are_no_proof_of_rest),
-        TEST(nor_is_a_swing_of_rounding),
-        TEST(what_takes_too_many_steps_is_given_up),
-        TEST(half_of_the_tolerance_is_for_what_it_does_not_see),
+        TEST(next_to_an_unstable_circle_no_model_misses),
+        TEST(steps_that_stay_on_a_circle_do_not_prove_it_steady),
+        TEST(a_swing_of_rounding_is_no_steady_motion_or_wobble),
+        TEST(a_motion_of_too_many_steps_is_given_up),
+        TEST(half_of_the_tolerance_is_kept_for_times_between),
         TEST(a_steady_motion_is_steady_for_long),
-        TEST(an_unstable_one_is_so_for_a_while),
+        TEST(an_unstable_circle_is_steady_for_a_while),
         TEST(an_orbit_is_named_as_far_as_it_is_exact),
         TEST(bad_horizons_and_tolerances_are_refused),
         TEST(a_fall_on_the_face_is_reported),

@@ -233,7 +233,7 @@ static void units_of_powers_of_two_change_no_bit(void **unused)
 }
 
 /* --------------------------------------------------------------- limits */
-static void what_it_cannot_tell_it_refuses(void **unused)
+static void times_without_a_state_are_refused(void **unused)
 {
     (void)unused;
     coin_params p;
@@ -339,7 +339,7 @@ int main(void)
         TEST(pieces_join),
         TEST(reversed_motion_is_reversed_time),
         TEST(units_of_powers_of_two_change_no_bit),
-        TEST(what_it_cannot_tell_it_refuses),
+        TEST(times_without_a_state_are_refused),
         TEST(a_turning_point_is_a_mirror),
         TEST(products_with_a_number_of_periods_are_exact),
     };

@@ -75,7 +75,7 @@ static void an_orbit_of_another_version_is_refused(void **unused)
 }
 
 /* A later version may give reserved members a meaning, if they are 0 today. */
-static void what_is_spare_is_zero(void **unused)
+static void spare_members_are_zero(void **unused)
 {
     (void)unused;
     static const coin_orbit zero;
@@ -89,7 +89,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(bytes_that_are_no_orbit_do_no_harm),
         TEST(an_orbit_of_another_version_is_refused),
-        TEST(what_is_spare_is_zero),
+        TEST(spare_members_are_zero),
     };
     return RUN_TESTS(tests);
 }

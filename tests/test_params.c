@@ -169,7 +169,7 @@ static void numbers_reach_from_1e_300_to_1e300(void **unused)
 }
 
 /* Each body has one ratio that no double holds, or none. */
-static void ratios_of_inertias_must_not_either(void **unused)
+static void ratios_of_inertias_must_not_leave_the_range_either(void **unused)
 {
     (void)unused;
     const struct {
@@ -221,7 +221,7 @@ int main(void)
         TEST(a_null_pointer_is_noticed_before_anything_else),
         TEST(numbers_reach_from_1e_300_to_1e300),
         TEST(products_must_not_leave_the_range_of_doubles),
-        TEST(ratios_of_inertias_must_not_either),
+        TEST(ratios_of_inertias_must_not_leave_the_range_either),
         TEST(every_sensible_scale_is_accepted),
     };
     return RUN_TESTS(tests);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What polynomials clear of a stretch of motion, against the motion. */
+/* Where the polynomials of lib/real/part.c exclude an event within a stretch of
+ * motion, the motion itself has none. */
 #include "support/check.h"
 #include "support/random.h"
 

@@ -82,7 +82,7 @@ static void a_lean_at_the_table_is_the_last_before_it(void **unused)
 }
 
 /* -------------------------------------------------------------- the sums */
-static void sums_lose_nothing(void **unused)
+static void compensated_sums_keep_what_rounding_leaves_out(void **unused)
 {
     (void)unused;
     coin_priv_sum a = {1e16, 0};
@@ -338,7 +338,7 @@ int main(void)
         TEST(a_run_of_no_steps_is_where_it_began),
         TEST(the_progress_of_no_steps_is_the_state),
         TEST(a_lean_at_the_table_is_the_last_before_it),
-        TEST(sums_lose_nothing),
+        TEST(compensated_sums_keep_what_rounding_leaves_out),
         TEST(a_straight_roll_is_as_long_as_its_product),
         TEST(small_steps_of_a_large_roll_are_not_lost),
         TEST(a_fast_spin_counts_its_turns),

@@ -199,7 +199,7 @@ static void past_the_end_the_coin_lies_flat(void **unused)
     }
 }
 
-static void the_time_goes_down_as_the_time_goes_on(void **unused)
+static void the_time_to_rest_falls_by_the_time_that_passes(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -287,7 +287,7 @@ int main(void)
         TEST(the_time_to_rest_errs_less_than_the_laws_of_the_header),
         TEST(near_flat_it_is_the_closed_law_of_the_end),
         TEST(past_the_end_the_coin_lies_flat),
-        TEST(the_time_goes_down_as_the_time_goes_on),
+        TEST(the_time_to_rest_falls_by_the_time_that_passes),
         TEST(the_lean_changes_by_its_rate_up_to_the_end),
         TEST(fitted_losses_take_the_time_asked),
         TEST(a_quarter_fitted_to_8_s_rests_after_8_s),

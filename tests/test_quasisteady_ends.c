@@ -17,7 +17,7 @@ static coin_state spin(const coin_params *p, double angle)
     return s;
 }
 
-static void without_what_stops_it_the_time_is_infinite(void **unused)
+static void without_a_loss_that_stops_it_the_time_is_infinite(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -83,7 +83,7 @@ static void a_state_that_swings_or_is_unstable_is_refused(void **unused)
 }
 
 /* An absurdly fast spin, which friction hardly slows. */
-static void a_path_of_too_many_steps_is_none(void **unused)
+static void a_motion_of_too_many_steps_is_refused(void **unused)
 {
     (void)unused;
     coin_params p;
@@ -118,7 +118,7 @@ static void at_rest_it_rests(void **unused)
 
 /* -------------------------------------------------------------------- errors
  */
-static void phases_out_of_range_are_a_step_too_far(void **unused)
+static void a_heading_out_of_range_is_refused(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -129,7 +129,7 @@ static void phases_out_of_range_are_a_step_too_far(void **unused)
     check(out.phi == 7);
 }
 
-static void a_fit_beyond_the_range_of_losses_is_none(void **unused)
+static void a_fit_beyond_the_range_of_losses_is_refused(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -188,13 +188,13 @@ static void errors_come_in_their_order(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(without_what_stops_it_the_time_is_infinite),
+        TEST(without_a_loss_that_stops_it_the_time_is_infinite),
         TEST(a_roll_that_slows_becomes_unstable),
         TEST(a_state_that_swings_or_is_unstable_is_refused),
-        TEST(a_path_of_too_many_steps_is_none),
+        TEST(a_motion_of_too_many_steps_is_refused),
         TEST(at_rest_it_rests),
-        TEST(phases_out_of_range_are_a_step_too_far),
-        TEST(a_fit_beyond_the_range_of_losses_is_none),
+        TEST(a_heading_out_of_range_is_refused),
+        TEST(a_fit_beyond_the_range_of_losses_is_refused),
         TEST(errors_come_in_their_order),
     };
     return RUN_TESTS(tests);

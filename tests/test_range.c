@@ -72,7 +72,7 @@ static void a_batch_stops_each_coin_there(void **unused)
 
 /* The roll grows by 1.154, and by 1.059 until the end: it leaves its range and
  * would be back. */
-static void a_batch_sees_what_leaves_and_comes_back(void **unused)
+static void a_batch_sees_a_roll_that_leaves_and_comes_back(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -110,7 +110,7 @@ static void what_is_made_of_parameters_is_at_least_1e_minus_300(void **unused)
                  COIN_EPARAMS);
 }
 
-static void the_same_of_floats_is_1e_minus_30_to_1e30(void **unused)
+static void what_is_made_of_floats_is_1e_minus_30_to_1e30(void **unused)
 {
     (void)unused;
     coinf_params p;
@@ -163,10 +163,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(a_run_stops_where_an_angle_leaves_its_range),
         TEST(a_batch_stops_each_coin_there),
-        TEST(a_batch_sees_what_leaves_and_comes_back),
+        TEST(a_batch_sees_a_roll_that_leaves_and_comes_back),
         TEST(what_is_made_of_parameters_is_at_most_1e300),
         TEST(what_is_made_of_parameters_is_at_least_1e_minus_300),
-        TEST(the_same_of_floats_is_1e_minus_30_to_1e30),
+        TEST(what_is_made_of_floats_is_1e_minus_30_to_1e30),
         TEST(the_square_of_the_rates_has_a_limit),
         TEST(a_step_that_turns_too_far_is_refused),
     };

@@ -27,7 +27,7 @@ static int32_t run(coin_state *s, double dt, uint64_t steps, uint64_t *done)
 }
 
 /* ------------------------------------------------------ what does not move */
-static void no_step_and_no_time_change_nothing(void **unused)
+static void a_time_of_0_and_0_steps_change_nothing(void **unused)
 {
     (void)unused;
     const struct {
@@ -307,7 +307,7 @@ static void a_run_knows_the_methods_that_have_a_name(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(no_step_and_no_time_change_nothing),
+        TEST(a_time_of_0_and_0_steps_change_nothing),
         TEST(the_smallest_of_times_moves_by_nothing),
         TEST(a_step_is_a_run_of_one),
         TEST(a_run_repeats_bit_for_bit),

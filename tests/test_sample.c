@@ -73,7 +73,7 @@ static void samples_may_start_in_their_own_array(void **unused)
     }
 }
 
-static void samples_may_lie_at_one_time_or_be_none(void **unused)
+static void there_may_be_no_samples_or_samples_at_one_time(void **unused)
 {
     (void)unused;
     const coin_state start = scene_state(&scene, 0);
@@ -210,7 +210,7 @@ int main(void)
         TEST(samples_have_the_bits_of_a_run),
         TEST(samples_of_the_longest_and_the_shortest_steps),
         TEST(samples_may_start_in_their_own_array),
-        TEST(samples_may_lie_at_one_time_or_be_none),
+        TEST(there_may_be_no_samples_or_samples_at_one_time),
         TEST(samples_that_fail_keep_those_before),
         TEST(samples_stop_before_the_path_overflows),
         TEST(a_sample_at_the_table_is_the_last_lean_above_it),

@@ -16,7 +16,7 @@ static int rounds_otherwise(void)
     return one + little != 1 || one - little != 1;
 }
 
-static void another_rounding_mode_does_not(void **unused)
+static void another_rounding_mode_does_not_give_the_pinned_bits(void **unused)
 {
     (void)unused;
     const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
@@ -36,7 +36,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(this_build_gives_the_pinned_bits),
-        TEST(another_rounding_mode_does_not),
+        TEST(another_rounding_mode_does_not_give_the_pinned_bits),
     };
     return RUN_TESTS(tests);
 }

@@ -67,7 +67,7 @@ static void many_coins_in_a_loop_settle_as_each_alone(void **unused)
     }
 }
 
-static void no_time_changes_nothing(void **unused)
+static void a_time_of_0_changes_nothing(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -142,7 +142,7 @@ static void a_coin_that_lies_at_once_lies_flat(void **unused)
     }
 }
 
-static void a_heading_out_of_range_ends_the_way(void **unused)
+static void a_heading_out_of_range_ends_the_call(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -234,11 +234,11 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(without_losses_it_is_coin_advance),
         TEST(many_coins_in_a_loop_settle_as_each_alone),
-        TEST(no_time_changes_nothing),
+        TEST(a_time_of_0_changes_nothing),
         TEST(in_units_a_power_of_two_apart_every_bit_is_the_same),
         TEST(mirrored_every_bit_is_the_same),
         TEST(a_coin_that_lies_at_once_lies_flat),
-        TEST(a_heading_out_of_range_ends_the_way),
+        TEST(a_heading_out_of_range_ends_the_call),
         TEST(a_call_takes_2_20_steps_and_the_next_goes_on),
         TEST(a_path_that_overflows_is_none),
         TEST(the_usual_errors_touch_nothing),

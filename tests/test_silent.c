@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* No answer is wrong without a word: random runs by every method, each held
- * against what docs/limits.md states.  `make silent` counts a million. */
+/* No run is wrong without a status that says so: random runs by every method,
+ * each compared with what docs/limits.md states.  `make silent` takes a
+ * million. */
 #include "limits/judge.h"
 
 /* Seed of none of the runs by which claims and limits were set. */
@@ -25,7 +26,7 @@ static int make_runs(void **unused)
     return 0;
 }
 
-static void no_run_is_wrong_without_a_word(void **unused)
+static void no_run_is_wrong_without_a_status(void **unused)
 {
     (void)unused;
     int of[STUDY_OUTCOMES] = {0};
@@ -44,7 +45,7 @@ static void no_run_is_wrong_without_a_word(void **unused)
 }
 
 /* Most of what is refused would have been wrong. */
-static void few_steps_are_refused_for_nothing(void **unused)
+static void most_refused_runs_would_have_been_wrong(void **unused)
 {
     (void)unused;
     int right = 0, wrong = 0;
@@ -57,7 +58,7 @@ static void few_steps_are_refused_for_nothing(void **unused)
 
 /* A claim so lax that nothing could break it shows here: runs of each method
  * use 3 to 30 % of it, where rounding is less. */
-static void no_claim_is_lax(void **unused)
+static void each_method_needs_at_least_3_percent_of_its_claim(void **unused)
 {
     (void)unused;
     double used[STUDY_METHODS] = {0};
@@ -77,9 +78,9 @@ static void no_claim_is_lax(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(no_run_is_wrong_without_a_word),
-        TEST(few_steps_are_refused_for_nothing),
-        TEST(no_claim_is_lax),
+        TEST(no_run_is_wrong_without_a_status),
+        TEST(most_refused_runs_would_have_been_wrong),
+        TEST(each_method_needs_at_least_3_percent_of_its_claim),
     };
     return cmocka_run_group_tests_name(__FILE__, tests, make_runs, NULL);
 }

@@ -108,7 +108,7 @@ static void the_range_ends_at_2_to_the_31(void **unused)
     }
 }
 
-static void half_pi_and_its_rest_are_named_right(void **unused)
+static void half_pi_and_its_rest_are_right(void **unused)
 {
     (void)unused;
     /* cos(HALF_PI) = sin(rest) = rest to 3e-32. */
@@ -157,7 +157,7 @@ static void the_angle_knows_its_quadrant_and_the_axes(void **unused)
     }
 }
 
-static void the_angle_of_nothing_is_nan(void **unused)
+static void the_angle_of_a_nan_is_nan(void **unused)
 {
     (void)unused;
     const coin_priv_sc none[] = {{NAN, 1}, {1, NAN}, {NAN, NAN}};
@@ -189,10 +189,10 @@ int main(void)
         TEST(sine_is_odd_and_cosine_even_bit_for_bit),
         TEST(angles_that_are_no_numbers_give_nan),
         TEST(the_range_ends_at_2_to_the_31),
-        TEST(half_pi_and_its_rest_are_named_right),
+        TEST(half_pi_and_its_rest_are_right),
         TEST(the_angle_of_a_pair_is_the_angle),
         TEST(the_angle_knows_its_quadrant_and_the_axes),
-        TEST(the_angle_of_nothing_is_nan),
+        TEST(the_angle_of_a_nan_is_nan),
         TEST(the_hypotenuse_neither_over_nor_underflows),
     };
     return RUN_TESTS(tests);

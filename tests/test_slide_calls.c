@@ -332,7 +332,7 @@ static void mirror_heading_and_units_change_nothing(void **unused)
 
 /* A slip that grows by powers of ten in its last step, whose time no cubic
  * follows: Newton's method would leave the step. */
-static void a_slip_that_grows_from_little_ends_in_time(void **unused)
+static void a_slip_that_grows_fast_ends_at_the_time_asked(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -382,7 +382,7 @@ int main(void)
         TEST(a_slip_of_any_speed_takes_few_steps),
         TEST(many_calls_go_where_one_goes),
         TEST(mirror_heading_and_units_change_nothing),
-        TEST(a_slip_that_grows_from_little_ends_in_time),
+        TEST(a_slip_that_grows_fast_ends_at_the_time_asked),
         TEST(no_launch_sets_errno),
     };
     return RUN_TESTS(tests);

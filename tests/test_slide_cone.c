@@ -113,7 +113,7 @@ static double before_slip(const coin_slide *d, const coin_params *p,
 }
 
 /* The step that would go past the end of the time meets the slip there. */
-static void a_call_that_ends_just_before_a_slip_keeps_its_time(void **unused)
+static void a_call_that_ends_just_before_a_slip_is_accurate(void **unused)
 {
     (void)unused;
     const coin_losses some = {.dry = 0.01, .viscous = 0.02, .spin = 0.005};
@@ -145,7 +145,7 @@ static void a_call_that_ends_just_before_a_slip_keeps_its_time(void **unused)
 /* A slip that begins slowly: mu_kinetic is hardly below mu_static.  A coin that
  * would roll on to the end of the call errs by up to 50 tol.  What is allowed
  * is tol for the beginning of the slip, and as much for the motion before. */
-static void a_call_that_ends_as_a_slip_begins_has_its_friction(void **unused)
+static void a_call_that_ends_as_a_slip_begins_is_accurate(void **unused)
 {
     (void)unused;
     const coin_friction f = {0.3, 0.2999};
@@ -207,8 +207,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(a_slide_slips_in_an_excursion_that_hardly_exceeds_mu),
         TEST(a_slide_slips_where_polynomials_nearly_miss_it),
-        TEST(a_call_that_ends_just_before_a_slip_keeps_its_time),
-        TEST(a_call_that_ends_as_a_slip_begins_has_its_friction),
+        TEST(a_call_that_ends_just_before_a_slip_is_accurate),
+        TEST(a_call_that_ends_as_a_slip_begins_is_accurate),
         TEST(a_part_of_an_accepted_step_is_accepted),
     };
     return RUN_TESTS(tests);

@@ -134,7 +134,7 @@ static void a_coin_slips_where_only_rolling_would_lift_it(void **unused)
 
 /* A coin that is upright and tips at that rate needs no friction, and a table
  * that pulls: the slip that would begin has no direction. */
-static void a_force_that_pulls_straight_down_is_told(void **unused)
+static void a_force_that_pulls_straight_down_is_returned(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -153,7 +153,7 @@ int main(void)
         TEST(a_coin_lifts_off_where_the_force_of_its_slip_is_0),
         TEST(no_coin_lifts_off_after_the_end_of_a_call),
         TEST(a_coin_lifts_off_in_a_slip_that_has_just_begun),
-        TEST(a_force_that_pulls_straight_down_is_told),
+        TEST(a_force_that_pulls_straight_down_is_returned),
         TEST(a_coin_slips_where_only_rolling_would_lift_it),
     };
     return RUN_TESTS(tests);

@@ -121,7 +121,7 @@ static int keeps_rolling(coin_priv_sliding *g, int turns, double low,
     return coin_priv_judge_step(g, unit / 2, 1 / unit);
 }
 
-static void leans_that_were_not_looked_at_are(void **unused)
+static void leans_that_were_not_tested_yet_are_tested(void **unused)
 {
     (void)unused;
     static coin_priv_sliding g;
@@ -141,7 +141,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(a_slip_at_a_turning_point_is_not_missed),
-        TEST(leans_that_were_not_looked_at_are),
+        TEST(leans_that_were_not_tested_yet_are_tested),
     };
     return RUN_TESTS(tests);
 }

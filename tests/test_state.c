@@ -315,7 +315,7 @@ static void half_a_turn_is_positive(void **unused)
     }
 }
 
-static void no_rotation_is_upright(void **unused)
+static void a_q_of_no_rotation_is_an_upright_coin(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -392,7 +392,7 @@ int main(void)
         TEST(half_a_turn_to_either_side_is_pi),
         TEST(the_worst_rotations_known_are_good_to_8_u),
         TEST(half_a_turn_is_positive),
-        TEST(no_rotation_is_upright),
+        TEST(a_q_of_no_rotation_is_an_upright_coin),
         TEST(a_motion_without_a_state_is_refused),
         TEST(an_angular_velocity_that_overflows_is_refused),
     };

@@ -240,7 +240,7 @@ static int32_t radii_status(const coin_state *s, const coin_params *p)
 }
 
 /* Off by part * 1e-9 in the quantity named. */
-static void steady_counts_up_to_1e_9_of_the_largest(void **unused)
+static void deviations_up_to_1e_9_of_the_largest_are_steady(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -264,7 +264,7 @@ static void steady_counts_up_to_1e_9_of_the_largest(void **unused)
 
 /* Each of |wY|, |wZ|, sqrt(g/a) can be the largest rate, and each term of Eq.
  * (39) the largest torque. */
-static void the_largest_may_be_any_of_them(void **unused)
+static void any_rate_or_torque_may_be_the_largest(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -291,7 +291,7 @@ static void the_largest_may_be_any_of_them(void **unused)
 }
 
 /* ---------------------------------------------------------------- refusals */
-static void the_bad_are_refused_in_order(void **unused)
+static void bad_arguments_are_refused_in_order(void **unused)
 {
     (void)unused;
     const coin_params good = disc();
@@ -384,9 +384,9 @@ int main(void)
         TEST(radii_are_the_reference_s),
         TEST(radii_are_those_of_the_path_that_a_run_takes),
         TEST(straight_and_resting_motions_have_plain_radii),
-        TEST(steady_counts_up_to_1e_9_of_the_largest),
-        TEST(the_largest_may_be_any_of_them),
-        TEST(the_bad_are_refused_in_order),
+        TEST(deviations_up_to_1e_9_of_the_largest_are_steady),
+        TEST(any_rate_or_torque_may_be_the_largest),
+        TEST(bad_arguments_are_refused_in_order),
         TEST(rates_and_leans_out_of_range_are_refused),
         TEST(a_rate_beyond_the_doubles_is_refused),
     };

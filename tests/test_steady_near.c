@@ -85,7 +85,7 @@ static void slow_and_critical_coins_keep_their_integrals(void **unused)
 
 /* No potential has an extremum nearer than the one that was found: the push
  * keeps its sign on the way there and for as far to the other side. */
-static void nothing_nearer_is_passed_over(void **unused)
+static void no_nearer_extremum_is_passed_over(void **unused)
 {
     (void)unused;
     struct random r = random_begin(62);
@@ -141,7 +141,7 @@ static void a_disturbed_circle_finds_its_circle(void **unused)
 }
 
 /* What is steady already comes back as it is. */
-static void a_steady_state_is_its_own(void **unused)
+static void a_steady_state_is_returned_unchanged(void **unused)
 {
     (void)unused;
     coin_params p;
@@ -157,7 +157,7 @@ static void a_steady_state_is_its_own(void **unused)
 
 /* Slow upright rolling is a hill between two valleys: near the top the hill is
  * the nearest, farther out a valley. */
-static void a_hill_is_found_beside_its_valleys(void **unused)
+static void a_maximum_of_the_potential_is_found_beside_its_minima(void **unused)
 {
     (void)unused;
     coin_params p;
@@ -195,7 +195,7 @@ static void the_mirror_of_a_state_has_the_mirrored_motion(void **unused)
 
 /* Without spin the one extremum is upright; leaning further, a coin finds it
  * on one side and the table on the other. */
-static void a_coin_without_spin_has_upright_alone(void **unused)
+static void without_spin_the_one_steady_motion_is_upright(void **unused)
 {
     (void)unused;
     coin_params p;
@@ -238,7 +238,7 @@ static void too_near_the_table_there_is_none(void **unused)
 
 /* Found by fuzzing: fast coins came out unsteady by the rounding of theta,
  * and where gravity is 1e-200 no sign of a push was seen. */
-static void fast_coins_and_slow_worlds_too(void **unused)
+static void fast_coins_and_weak_gravity_are_answered_right(void **unused)
 {
     (void)unused;
     const struct {
@@ -312,15 +312,15 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(the_integrals_are_those_of_the_state),
         TEST(slow_and_critical_coins_keep_their_integrals),
-        TEST(nothing_nearer_is_passed_over),
+        TEST(no_nearer_extremum_is_passed_over),
         TEST(a_disturbed_circle_finds_its_circle),
-        TEST(a_steady_state_is_its_own),
-        TEST(a_hill_is_found_beside_its_valleys),
+        TEST(a_steady_state_is_returned_unchanged),
+        TEST(a_maximum_of_the_potential_is_found_beside_its_minima),
         TEST(the_mirror_of_a_state_has_the_mirrored_motion),
-        TEST(a_coin_without_spin_has_upright_alone),
+        TEST(without_spin_the_one_steady_motion_is_upright),
         TEST(what_is_found_counts_as_steady),
         TEST(too_near_the_table_there_is_none),
-        TEST(fast_coins_and_slow_worlds_too),
+        TEST(fast_coins_and_weak_gravity_are_answered_right),
         TEST(two_extrema_close_to_each_other_are_seen),
     };
     return RUN_TESTS(tests);

@@ -48,7 +48,7 @@ static void from_anywhere_it_is_a_run_of_one(void **unused)
 }
 
 /* Toward the table, so fast that stages are below it. */
-static void over_the_edge_it_is_a_run_of_one(void **unused)
+static void next_to_the_table_it_is_a_run_of_one(void **unused)
 {
     (void)unused;
     struct random r = random_begin(52);
@@ -102,7 +102,7 @@ static void just_where_angles_end_it_is_a_run_of_one(void **unused)
     check(of.warned > 500 && of.failed > 500);
 }
 
-static void where_the_table_ends_it_is_a_run_of_one(void **unused)
+static void where_the_path_overflows_it_is_a_run_of_one(void **unused)
 {
     (void)unused;
     const double headings[] = {0, 1.5707963267948966, 3.141592653589793, -1};
@@ -118,7 +118,7 @@ static void where_the_table_ends_it_is_a_run_of_one(void **unused)
 }
 
 /* At rest, along an axis or mirrored, where terms are zeros of either sign. */
-static void of_zeros_it_is_a_run_of_one(void **unused)
+static void from_zeros_of_either_sign_it_is_a_run_of_one(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -196,11 +196,11 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(from_anywhere_it_is_a_run_of_one),
-        TEST(over_the_edge_it_is_a_run_of_one),
+        TEST(next_to_the_table_it_is_a_run_of_one),
         TEST(where_angles_end_it_is_a_run_of_one),
         TEST(just_where_angles_end_it_is_a_run_of_one),
-        TEST(where_the_table_ends_it_is_a_run_of_one),
-        TEST(of_zeros_it_is_a_run_of_one),
+        TEST(where_the_path_overflows_it_is_a_run_of_one),
+        TEST(from_zeros_of_either_sign_it_is_a_run_of_one),
         TEST(a_step_of_no_time_keeps_the_signs_of_zeros),
         TEST(a_bad_argument_has_the_status_of_a_run_of_one),
         TEST(a_step_too_long_is_refused_without_overflow),

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* lib/motion.h holds the equations of motion twice: in time, and in Sundman's
- * variable, dt = cos theta dtau.  The second is the first times cos theta. */
+/* lib/motion/equations.t.h contains the equations of motion in time and in
+ * Sundman's variable tau, dt = cos theta dtau.  The slopes in tau are those in
+ * time multiplied by cos theta. */
 #include "support/check.h"
 #include "support/observable.h"
 #include "support/random.h"

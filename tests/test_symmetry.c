@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The symmetries of the motion, by every method.  Those that only change signs,
- * or scale by powers of two, hold bit for bit: every operation of a step has
- * them. */
+/* The symmetries of the motion, by every method.  Those that only change signs
+ * or scale by powers of two hold bit for bit, because every operation of a step
+ * has the same symmetry. */
 #include "support/check.h"
 #include "support/methods.h"
 #include "support/random.h"

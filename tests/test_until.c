@@ -279,7 +279,7 @@ static void a_fall_and_a_rest_end_it_as_coin_advance(void **unused)
         COIN_NEARLY_FLAT);
 }
 
-static void no_time_changes_nothing(void **unused)
+static void a_time_of_0_changes_nothing(void **unused)
 {
     (void)unused;
     const coin_state before = {0.1, 0, 0, 0, 0, 0.1, 0.2, 5};
@@ -305,7 +305,7 @@ int main(void)
         TEST(a_bit_that_holds_at_the_start_is_returned_at_once),
         TEST(bad_arguments_are_refused),
         TEST(a_fall_and_a_rest_end_it_as_coin_advance),
-        TEST(no_time_changes_nothing),
+        TEST(a_time_of_0_changes_nothing),
     };
     return RUN_TESTS(tests);
 }

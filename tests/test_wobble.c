@@ -165,7 +165,7 @@ static void a_steady_start_stays_steady(void **unused)
 
 /* A motion counts as steady if it is so to 1e-9.  What is left of (39) makes it
  * wobble by some 1e-10, which the answer has to 1e-12. */
-static void what_is_steady_to_1e_9_wobbles_by_the_rest(void **unused)
+static void a_start_steady_to_1e_9_wobbles_by_what_is_left(void **unused)
 {
     (void)unused;
     for (int i = 0; i < 4; ++i) {
@@ -181,7 +181,7 @@ static void what_is_steady_to_1e_9_wobbles_by_the_rest(void **unused)
 }
 
 /* Lengths, times and masses in units that are powers of two: the same bits. */
-static void it_knows_no_units(void **unused)
+static void units_a_power_of_two_apart_give_the_same_bits(void **unused)
 {
     (void)unused;
     for (int i = 0; i < KINDS; ++i) {
@@ -258,7 +258,7 @@ static void near_critical_it_has_a_period_of_6000(void **unused)
 
 /* The lean of a roll with lambda^2 = 0 stays as it is.  With that of -1e-6 it
  * would be displaced by half of itself at t = 1000. */
-static void a_period_that_is_only_given_is_not_kept_for_long(void **unused)
+static void a_replaced_period_is_not_used_for_long(void **unused)
 {
     (void)unused;
     const coin_params p = ring(0);
@@ -330,7 +330,7 @@ static void what_would_be_no_state_is_refused(void **unused)
 
 /* A roll with wY off by d is next to a circle whose lean obeys (60): here e =
  * -(6/5) wZ d/lambda^2, and lambda^2 = 4/5 - (12/5) wZ^2. */
-static void a_neighbour_further_than_a_tenth_is_none(void **unused)
+static void a_neighbour_farther_than_a_tenth_is_refused(void **unused)
 {
     (void)unused;
     const coin_params p = ring(0);
@@ -352,14 +352,14 @@ int main(void)
         TEST(resonance_with_the_heading_is_no_exception),
         TEST(it_begins_where_the_start_is),
         TEST(a_steady_start_stays_steady),
-        TEST(what_is_steady_to_1e_9_wobbles_by_the_rest),
-        TEST(it_knows_no_units),
+        TEST(a_start_steady_to_1e_9_wobbles_by_what_is_left),
+        TEST(units_a_power_of_two_apart_give_the_same_bits),
         TEST(near_critical_it_has_a_period_of_6000),
-        TEST(a_period_that_is_only_given_is_not_kept_for_long),
+        TEST(a_replaced_period_is_not_used_for_long),
         TEST(at_critical_it_lacks_the_cubic_force_alone),
         TEST(what_is_not_finite_is_refused),
         TEST(what_would_be_no_state_is_refused),
-        TEST(a_neighbour_further_than_a_tenth_is_none),
+        TEST(a_neighbour_farther_than_a_tenth_is_refused),
     };
     return RUN_TESTS(tests);
 }
