@@ -25,11 +25,11 @@
  *
  * STATUS. Functions return an int32_t: 0 is COIN_OK; a positive value means
  * done, with warning bits; a negative value is an error.  After an error every
- * output and the state are exactly as before, unless the function says
- * otherwise: one that moves a state by many steps may stop on the way, and says
- * where.  Where several errors apply, the first of COIN_EARG, COIN_EPARAMS,
- * COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned.  Functions that return a
- * double return NaN on bad input.
+ * output and the state are unchanged, unless the function says otherwise.  A
+ * function that moves a state by many steps may stop before the end, and says
+ * where it stopped.  Where several errors apply, the first of COIN_EARG,
+ * COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned.  Functions
+ * that return a double return NaN on bad input.
  * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
  * coin_params_check() and COIN_ESTATE as coin_state_check().
  *
@@ -50,8 +50,8 @@
  * then discards.
  *
  * ACCURACY. "u" is 2^-53 = 1.1e-16.  "8 u of the terms" bounds an error by 8 u
- * times the sum of the absolute values of the formula's terms.  It takes the
- * double theta as exact.  Bounds hold as long as none of the terms, and no
+ * times the sum of the absolute values of the formula's terms.  The bound takes
+ * the double theta as exact.  Bounds hold as long as none of the terms, and no
  * product in them, is below the normal doubles (2e-308). */
 #ifndef ROLLCOIN_COIN_H
 #define ROLLCOIN_COIN_H
@@ -93,8 +93,9 @@ typedef struct coin_params {
 } coin_params;
 
 /** Where a coin is and how it turns.  The angular velocity is that of the
- * body, resolved along the coin's frame.  The height of the centre is implied:
- * y = radius cos(theta); so is its velocity, by rolling: Eq. (20). */
+ * body, resolved along the coin's frame.  The height of the centre is not a
+ * member: it is y = radius cos(theta).  Nor is the velocity of the centre:
+ * rolling determines it, Eq. (20). */
 typedef struct coin_state {
     double theta; /**< lean, -pi/2 < theta < pi/2 [rad] */
     double phi;   /**< heading, |phi| <= 2^31 [rad] */
@@ -193,19 +194,19 @@ enum {
                             or losses or friction out of range */
     COIN_ESTATE = -2,  /**< state out of range: coin_state_check() */
     COIN_ESTEP = -3,   /**< a step or a time that is not finite or too long.  A
-                            step is too long beyond the method's limit, if it
-                            would cross the table, or if it turns lean or
-                            heading by more than 1.5 rad: shorten dt, or call
-                            coin_advance().  A time is too long if phi, psi, x
-                            or z would leave its range: take whole turns off,
-                            or begin anew.  It is also too long if one
-                            coin_advance() does not have steps enough: call it
-                            again */
+                            step is too long if |dt| W is beyond the method's
+                            limit, if the step would cross the table, or if it
+                            turns lean or heading by more than 1.5 rad: shorten
+                            dt, or call coin_advance().  A time is too long if
+                            phi, psi, x or z would leave its range: subtract
+                            whole turns, or count x and z from another origin.
+                            It is also too long if the steps of one call do
+                            not suffice: call again */
     COIN_EARG = -4,    /**< null pointer, unknown method, branch or bit, bad
                             tolerance, mu of a check < 0 */
-    COIN_EDOMAIN = -5, /**< no such steady motion, or the state is not steady,
-                            or too far from it for a small wobble, or its
-                            motion has no well-defined period */
+    COIN_EDOMAIN = -5, /**< no such steady motion; or the state is not steady,
+                            or too far from a steady motion for a small
+                            wobble; or its motion has no well-defined period */
     COIN_EFLAT = -6,   /**< the coin falls flat within the time asked */
     COIN_EBUILD = -7,  /**< this build does not give the pinned bits:
                             coin_selftest() */
@@ -273,21 +274,21 @@ COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
 
 /** Whether the parameters can be computed with.
  * @return COIN_OK; COIN_EARG null; COIN_EPARAMS if a member is not finite or
- *         not positive, a reserved member is not 0, I_Z > 2 I_X (beyond a
- *         relative 1e-12: no body has that), or one of the following numbers,
- *         in the units of p, is below 1e-300, or their sum is above 1e300: M,
- *         a, g, I_X, I_Z, M a, M g, M a^2, M g a, g/a; with J = I_X + M a^2 and
- *         K = I_Z + M a^2 the ratios I_Z/I_X, M a^2/K, I_X/J, K/J, M g a/J; the
- *         square of coin_critical_roll(). */
+ *         not positive, a reserved member is not 0, I_Z exceeds 2 I_X by more
+ *         than a relative 1e-12 (no rigid body has I_Z > 2 I_X), or one of the
+ *         following numbers, in the units of p, is below 1e-300, or their sum
+ *         is above 1e300: M, a, g, I_X, I_Z, M a, M g, M a^2, M g a, g/a; with
+ *         J = I_X + M a^2 and K = I_Z + M a^2 the ratios I_Z/I_X, M a^2/K,
+ *         I_X/J, K/J, M g a/J; the square of coin_critical_roll(). */
 COIN_API int32_t coin_params_check(const coin_params *p);
 
 /* ---------------------------------------------------------------- state -- */
 
 /** Whether a state can be computed with.
  * @return COIN_OK; COIN_EARG null; COIN_EPARAMS; COIN_ESTATE if a member is
- *         not finite, |theta| >= pi/2, |phi| or |psi| > 2^31 (their sine is
- *         lost), or the angular velocity is so large that energies or forces
- *         would overflow. */
+ *         not finite, |theta| >= pi/2, |phi| or |psi| > 2^31 (the rounding of
+ *         a larger angle is a visible turn), or the angular velocity is so
+ *         large that energies or forces would overflow. */
 COIN_API int32_t coin_state_check(const coin_state *s, const coin_params *p);
 
 /** The state of a coin that an engine holds as a rotation and an angular
@@ -343,22 +344,22 @@ COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
  *         |dt| W beyond the method's limit of full accuracy; the usual errors
  *         and COIN_EARG for an unknown method, with *done untouched;
  *         COIN_ESTEP if dt is not finite (*done untouched), or if a step is
- *         refused.  s is then as after the *done steps before.
+ *         refused: s is then the state after the *done steps before it.
  * A step is refused if |dt| W is beyond 1.2 (COIN_SYMPLECTIC2: 1,
  * COIN_SYMPLECTIC4: 1.4) where it begins or ends; if it would lead through the
  * table or out of the range of coin_state_check(); or if it turns lean or
  * heading by more than 1.5 rad.  The symplectic methods also refuse a coarse
  * step if its drift is beyond the reach of the series of Eq. (34).
  *
- * The increments of theta, phi and psi in a step are those that the method
- * gives for their rates.
+ * In a step the method integrates theta, phi and psi from their rates.
  *
  * A run of n steps equals n runs of one step but for rounding.  So a caller may
  * divide a long run into several calls, and stop between them.  Each further
  * call changes the result by at most 8 u/cos(theta) in radians, radii and
- * natural units of rate, before the motion's own amplification, for steps that
- * are not coarse (COIN_RK4: |dt| W up to 0.2) (test_cuts).  coin_sample()
- * reports states on the way and keeps the bits of one uninterrupted run.
+ * natural units of rate, before the motion's own amplification.  This holds for
+ * steps that are not coarse, with COIN_RK4 for |dt| W up to 0.2 (test_cuts).
+ * coin_sample() reports states on the way and keeps the bits of one
+ * uninterrupted run.
  * Accuracy: a step adds at most 0.1 (|dt| W)^5 radians and radii by COIN_RK4,
  *         2e-4 (|dt| W)^9 by COIN_RK8, 0.6 (|dt| W)^3 by COIN_SYMPLECTIC2 and
  *         0.04 (|dt| W)^5 by COIN_SYMPLECTIC4, and as much, relative to W, in
@@ -431,7 +432,8 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  *         error of u/d in it.  Within a call no such error arises.
  * Cost: proportional to |t|, and to 1/tol^(1/14).  A step costs 1.3 times one
  *         of COIN_RK8.  A pass at a distance d from flat costs as much as
- *         ln(1/d) more units.  Low bounces near flat contain many such passes.
+ *         ln(1/d) more natural units.  Low bounces near flat contain many such
+ *         passes.
  *         A coin that turns fast needs about one step per radian.  A call takes
  *         at most 2^20 steps, some 0.2 s: as a rule enough for 160,000 natural
  *         units at the smallest tol. */
@@ -446,9 +448,9 @@ COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
  * @param tol  1e-13 to 1e-2: error per natural unit of time, in radians and
  *             radii [1]
  * @return dt > 0, never so large that a step would be COIN_COARSE.  0 if the
- *         coin falls flat, or if no step is short enough because W exceeds
- *         every angular velocity that coin_state_check() accepts.  NaN on the
- *         usual errors, an unknown method, or tol out of range.
+ *         coin falls flat, or if W comes to exceed the largest angular velocity
+ *         that coin_state_check() accepts, so that no step is short enough.
+ *         NaN on the usual errors, an unknown method, or tol out of range.
  * Accuracy: the error stays within 2 tol for discs and hoops that spin nearly
  *         upright, at leans up to 0.2 and rates of 1.5 to 21 sqrt(g/a) (make
  *         adversary).  docs/accuracy.md says how often it stays within tol for
@@ -560,9 +562,9 @@ COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
                              double m[16]);
 
 /** coin_advance() that stops at the first moment from which a real coin would
- * slip or lift off, or at which it is nearly flat.  Brief excursions within a
- * step are found as well: from the forces at the ends of a step and their
- * derivatives, Eq. (92), which bound the forces between.
+ * slip or lift off, or at which it is nearly flat.  The forces at the ends of a
+ * step and their derivatives bound the forces between, Eq. (92), so that brief
+ * excursions within a step are found as well.
  * @param[in,out] s  the state
  * @param t          the time, of either sign [T]
  * @param tol        1e-13 to 1e-2: as for coin_advance(), but the steps are
@@ -581,12 +583,12 @@ COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
  *         at once, with *reached = 0.  COIN_EARG also if mu is negative or NaN,
  *         or if bits is 0 or has any other bit; other errors and COIN_EFLAT as
  *         coin_advance().
- * Accuracy: no excursion by which F/N exceeds mu by 1e-6 of mu or more is
- *         missed, wherever it lies, of the motion as computed (test_until).
+ * Accuracy: in the computed motion no excursion is missed in which F/N exceeds
+ *         mu by 1e-6 of mu or more (test_until).
  * Cost: 1.5 to 2.2 times that of coin_advance(), up to 3.4 times where F/N
- *         comes within 1e-4 of mu; 0.2 us more in calls of a step or less.
- *         With tol above 1e-6 as much as with 1e-6.  An event costs as much as
- *         ten to forty steps.  The call needs some 10 KiB of stack. */
+ *         comes within 1e-4 of mu; 0.2 us more in calls of a step or less.  A
+ *         tol above 1e-6 costs as much as 1e-6.  An event costs as much as ten
+ *         to forty steps.  The call needs some 10 KiB of stack. */
 COIN_API int32_t coin_advance_until(coin_state *s, const coin_params *p,
                                     double t, double tol, double mu,
                                     int32_t bits, double *reached);
@@ -596,14 +598,17 @@ COIN_API int32_t coin_advance_until(coin_state *s, const coin_params *p,
  * the point of contact.  Eq. (91).  A coin that rolls already stays as it is.
  * @param[out] s  the state; -pi < phi, psi <= pi
  * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
- * @param omega   [3] angular velocity in the table frame, before [1/T]
- * @param v       [3] velocity of the centre of mass, before.  It may point away
- *                from the table: the same angular momentum is kept [L/T]
+ * @param omega   [3] angular velocity in the table frame before the impact
+ *                [1/T]
+ * @param v       [3] velocity of the centre of mass before the impact.  It may
+ *                point away from the table: the angular momentum is kept then
+ *                too [L/T]
  * @param x,z     the centre of mass [L]
  * @return COIN_OK; the usual errors: COIN_ESTATE as coin_state_from_motion(),
  *         and if v is not finite or the rates would overflow.
- * Accuracy: that of coin_state_from_motion(); 16 u of the terms in the rates,
- *         for the angles that come out (test_landing). */
+ * Accuracy: that of coin_state_from_motion() in the angles; 16 u of the terms
+ *         in the rates, with the computed angles taken as exact
+ *         (test_landing). */
 COIN_API int32_t coin_state_from_landing(coin_state *s, const coin_params *p,
                                          const double q[4],
                                          const double omega[3],
@@ -621,7 +626,7 @@ COIN_API int32_t coin_steady_roll(coin_state *s, const coin_params *p,
 /** Spinning with the centre at rest, leaning: wX = wZ = 0, wY > 0.  Needs no
  * friction.  Eq. (42).
  * @param theta  the lean, |theta| < pi/2 [rad]
- * @return as coin_steady_roll(), COIN_ESTATE for theta. */
+ * @return as coin_steady_roll(), COIN_ESTATE if theta is out of range. */
 COIN_API int32_t coin_steady_spin(coin_state *s, const coin_params *p,
                                   double theta);
 
@@ -717,38 +722,40 @@ COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
  * @return COIN_OK; the usual errors.  COIN_ESTEP: t is not finite, or the
  *         result is not a state: an unstable lean has grown to the table, or
  *         phi or psi leaves its range.  COIN_EDOMAIN: steady is not steady, as
- *         in coin_steady_radii(), or the wobble is not small.  It is not small
- *         if the steady motion with the integrals of start leans more than 0.1
- *         from steady, or if what the linear law leaves out of the acceleration
- *         of the lean could displace it by half of its reach within t.  The
- *         reach is how far the lean goes from the steady motion with the
- *         integrals of start, plus the difference in lean between that motion
- *         and steady.
- * Accuracy: the lean stays in the well of the potential, and is never off by
- *         more than three times its reach (test_wobble_wells).  Let A be the
- *         largest of the reach and of the differences from both steady motions,
- *         in natural units, over cos(theta), and W that of Eq. (47).  The error
- *         is of order A^2 in all members, and grows as t.  For I_X <= M a^2 and
- *         lambda^2 < 0 it is below 30 A^2 (1 + |t| W) times the larger of 1 and
- *         W^2/|lambda^2| (make adversary).  Where the lean grows as
- *         exp(lambda t), A is the value that it has reached (test_wobble).
- *         docs/models.md has figures.
+ *         in coin_steady_radii(), or the wobble is not small.
+ *
+ * The neighbour is the steady motion with the integrals of start.  The reach is
+ * how far the lean goes from the neighbour, plus the difference in lean between
+ * the neighbour and steady.  The wobble is not small if that difference is more
+ * than 0.1 rad.  It is not small either if the terms of the acceleration that
+ * the linear law leaves out could displace the lean by half of the reach within
+ * t.
+ * Accuracy: the lean stays in the well of the potential, and its error is never
+ *         more than three times the reach (test_wobble_wells).  Let A be the
+ *         largest of the reach and of the differences of start from steady and
+ *         from the neighbour, in natural units, over cos(theta), and W that of
+ *         Eq. (47).  The error is of order A^2 in all members, and grows as t.
+ *         For I_X <= M a^2 and lambda^2 < 0 it is below 30 A^2 (1 + |t| W)
+ *         times the larger of 1 and W^2/|lambda^2| (make adversary).  Where the
+ *         lean grows as exp(lambda t), A is the value that it has reached
+ *         (test_wobble).  docs/models.md has figures.
  * Cost: that of ten sines and cosines, whatever t is. */
 COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
                                 const coin_state *start, double t,
                                 coin_state *out);
 
 /** Solves a motion for all times: half a period of theta, between its turning
- * points, by power series.  Mirror and period give the rest.  Eq. (55), (57).
+ * points, by power series.  The rest follows by symmetry about the turning
+ * points and by the period.  Eq. (55), (57).
  * @param[out] o  the orbit
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if the motion has no
  *         well-defined period: it is an unstable steady motion that is not
  *         exactly upright; or it is so close to a separatrix that conditioning
  *         is 1e12 or more; or it comes so close to flat that the pieces of an
  *         orbit do not suffice.  Of the motions that stay at least 1e-6 rad
- *         from flat, fewer than 1 in 100 are refused; motions that start about
- *         1e-6 rad from flat, and come as close on the other side, are the
- *         exception.  All motions that come closer than 1e-9 rad are refused.
+ *         from flat, fewer than 1 in 100 are refused; more are refused of those
+ *         that start about 1e-6 rad from flat and come as close on the other
+ *         side.  All motions that come closer than 1e-9 rad are refused.
  * A stable steady motion is an orbit too, of period 0.  An unstable one is an
  * orbit only if it is exactly upright: rounding would take any other away from
  * the steady motion.
@@ -774,11 +781,11 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         In x and z, in radii, 1 + radius_max/radius times that sum; in the
  *         rates W times that sum (test_orbit_edges).  In all members 4 u of the
  *         state, amplified as the motion amplifies an error in the lean or a
- *         rate: next to an unstable motion heading and roll may lose a thousand
- *         times 1e-15 conditioning.  A steady motion also misses what
- *         coin_steady_at() leaves out: here 16 u of the terms of (39) over
- *         |lambda^2| in the lean, which heading and roll gather in time (make
- *         adversary).
+ *         rate: next to an unstable steady motion the error of heading and roll
+ *         may be a thousand times 1e-15 conditioning.  The orbit of a steady
+ *         motion also leaves out what coin_steady_at() leaves out: here 16 u of
+ *         the terms of (39) over |lambda^2| in the lean, with an effect on
+ *         heading and roll that grows with time (make adversary).
  * Cost: less than a textbook Runge-Kutta step, whatever t is. */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
 
@@ -792,24 +799,25 @@ COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
  * @return COIN_MODEL_STEADY: coin_steady_at() of coin_steady_near();
  *         COIN_MODEL_WOBBLE: coin_wobble_at() about the same;
  *         COIN_MODEL_ORBIT: coin_orbit_init(), coin_orbit_at();
- *         COIN_MODEL_STEPS: coin_run() or coin_advance().  There is no orbit,
- *         or it is not known to be so accurate for so long, or rounding grows
- *         beyond tol in that time, as next to an unstable steady motion.
+ *         COIN_MODEL_STEPS: coin_run() or coin_advance(), if there is no orbit,
+ *         if the orbit is not known to keep tol for the whole horizon, or if
+ *         rounding grows beyond tol in that time, as it does next to an
+ *         unstable steady motion.
  *         Negative: the usual errors; COIN_EARG also for tol not in range;
  *         COIN_ESTEP horizon not finite, or phi, psi, x or z leaves its range
- *         before; COIN_EFLAT the coin falls flat before, and within the steps
- *         that are taken.
+ *         within the horizon; COIN_EFLAT the coin falls flat within the horizon
+ *         and within the steps that are taken.
  * Accuracy: of 10,000 scenes none got a model that misses tol; of 20,000
  *         scenes on unstable circles none got a steady motion or a wobble that
  *         does.  docs/models.md says how often a cheaper model would have done
  *         (test_model).
- * Cost: that of coin_orbit_init(), and of up to 128 looks at the orbit for each
- *         model that is nearly good enough: 65 textbook steps for a small swing
- *         about a steady circle, 250 and more for a motion that comes near
- *         flat.  Where there is no orbit, up to 64 natural units are stepped:
- *         1,400 textbook steps as a rule, 8,500 at most.  So ask once for a
- *         scene, not for a frame, and not at all for fewer than some 100
- *         answers.  Some 77 KiB of stack. */
+ * Cost: that of coin_orbit_init(), and of up to 128 states of the orbit for
+ *         each model that is nearly good enough: 65 textbook steps for a small
+ *         swing about a steady circle, 250 and more for a motion that comes
+ *         near flat.  Where there is no orbit, up to 64 natural units are
+ *         stepped: 1,400 textbook steps as a rule, 8,500 at most.  So call it
+ *         once for a scene, not for each frame, and not at all for fewer than
+ *         some 100 answers.  It needs some 77 KiB of stack. */
 COIN_API int32_t coin_model_needed(const coin_state *s, const coin_params *p,
                                    double horizon, double tol);
 
@@ -863,7 +871,8 @@ COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
  * @param tol        1e-13 to 1e-2: the error that steps may add per natural
  *                   unit of time, in radians and radii, before the motion's
  *                   own amplification [1]
- * @param[out] reached  the time moved by: t, or what was possible; may be null
+ * @param[out] reached  the time moved: t, or less if the call ended early; may
+ *                   be null
  * @return COIN_OK; COIN_RESTS: the coin lies flat, and *reached is the time at
  *         which it came to rest.  In s, |theta| is the last lean that
  *         coin_state_check() accepts, wX the speed of the fall, wX theta >= 0,
@@ -872,22 +881,25 @@ COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
  *         errors; COIN_EARG also for tol out of range; COIN_EPARAMS also as
  *         coin_losses_check(); COIN_ESTEP: t is negative or not finite, or
  *         beyond 1e15 natural units, and nothing was moved; or phi, psi, x or z
- *         leaves its range, or 2^20 steps were not enough.  In these cases the
- *         state is that at *reached, and another call goes on.
+ *         leaves its range, or 2^20 steps were not enough.  In these two cases
+ *         the state is that at *reached.  After 2^20 steps another call goes
+ *         on from there.
  * Without any loss the state and *reached are those of coin_advance(), which
  * returns COIN_EFLAT for a fall.  Pivoting friction alone never brings a coin
  * to rest.  The coin is kept on the table, as by coin_advance(): coin_check()
  * tells whether a real one would slip or lift.  If the losses never stop the
- * contact, as with damping or rolling, the time below cos(theta) = 1e-10 is
- * that of the law by which such a motion ends.
+ * contact, as with damping or rolling, the time from cos(theta) = 1e-10 to rest
+ * is taken from the law by which such a motion ends.
  * Accuracy: in 99 of 100 random launches the error stays within tol per natural
  *         unit of time (test_settle).  Where the contact does not reverse, the
- *         error stays within 10 tol per radius of speed in all launches that
- *         were searched (docs/limits.md).  The time of rest does not depend on
- *         the number of calls, to 1e-9.
- * Cost: some 3 RK8 steps per radian that the contact rolls by, at 1e-9; more
- *         where dry friction holds the contact: the steps then have to follow
- *         the rate dry/(soft cos(theta)), divided by a moment of inertia. */
+ *         error stays within 10 tol (1 + n) in all launches that were searched:
+ *         n is the number of radii that the coin would cover at the speed
+ *         sqrt(2 E/M), E its energy at the start (docs/limits.md).  The time of
+ *         rest is the same to a relative 1e-9 for any number of calls.
+ * Cost: some 3 RK8 steps per radian that the contact rolls by, at 1e-9.  It is
+ *         higher where dry friction holds the contact: the steps then have to
+ *         follow the rate dry/(soft cos(theta)), divided by a moment of
+ *         inertia. */
 COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
                              const coin_losses *l, double t, double tol,
                              double *reached);
@@ -896,16 +908,16 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
  * through steady motions, and the losses move it from one to the next.
  * Eq. (74).
  * @param s  near a steady motion; the model follows that motion
- * @return the time [T]; 0 at rest; +infinity if nothing stops it: without
- *         losses that act, or by pivoting friction alone; NaN on the usual
- *         errors and coin_losses_check(), if the state swings about the steady
- *         motion by more than a tenth of its angle from flat, or if that motion
- *         is unstable, or becomes so before the coin lies flat, or if 2^15
- *         steps are not enough, as for absurdly fast coins.
- * Accuracy: the last fall is not quasi-steady: with m the loss in natural
- *         units, the error is proportional to m^1.2 to m^1.5 for friction of
- *         the contour, to m^0.8 for rolling and m^2 for damping; 6e-5 for a
- *         quarter that dry friction stops after 8 s (docs/models.md,
+ * @return the time [T]; 0 at rest; +infinity if nothing stops the coin: without
+ *         losses that act, or by pivoting friction alone.  NaN on the usual
+ *         errors and coin_losses_check(); if the state swings about the steady
+ *         motion by more than a tenth of its angle from flat; if that motion is
+ *         unstable, or becomes so before the coin lies flat; or if 2^15 steps
+ *         are not enough, as for extremely fast coins.
+ * Accuracy: the last fall is not quasi-steady.  With m the loss in natural
+ *         units, the relative error is proportional to m^1.2 to m^1.5 for
+ *         contour friction, to m^0.8 for rolling and to m^2 for damping.  It is
+ *         6e-5 for a quarter that dry friction stops after 8 s (docs/models.md,
  *         test_quasisteady).  The model itself is solved to 1e-6 of the time.
  * Cost: up to 610 textbook steps. */
 COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
@@ -987,15 +999,15 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  *                   ended early; may be null [T]
  * @return COIN_OK: it rolls at the end; COIN_SLIPS: it slips at the end.
  *         COIN_RESTS: the coin lies flat.  *reached is when it touched down,
- *         and d->s its state then, as coin_settle() says.  A coin without
- *         losses that falls flat ends so too.  If the coin lies flat at the
- *         start, *reached = 0.
+ *         and d->s its state then, as coin_settle() says.  This is returned for
+ *         a fall without losses too.  If the coin lies flat at the start,
+ *         *reached = 0.
  *         COIN_ELIFT: the normal force N has come to 0, and the coin would lift
  *         off.  The slide and *reached are those of that moment.  If N <= 0 at
  *         the start, *reached = 0 and nothing was moved.  N is that of
- *         coin_slide_reaction().  For a coin that rolls, and would need more
- *         friction than mu_static N to go on, it is the N of the slip that
- *         begins: that may be > 0 where rolling would need a table that pulls.
+ *         coin_slide_reaction().  If the coin rolls, and rolling on would need
+ *         more friction than mu_static N, it is the N of the slip that begins.
+ *         That N may be positive where the N of rolling is negative.
  *         The usual errors.  COIN_EARG: also for tol out of range.
  *         COIN_EPARAMS: also as coin_losses_check(), and for damping > 0, which
  *         is defined for coins that roll only.  Also if mu_kinetic is negative,
@@ -1006,14 +1018,15 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  *         so large that energies would overflow.  COIN_ESTEP: t is negative,
  *         not finite, or beyond 1e15 natural units, and nothing was moved; or
  *         phi, psi, x or z would leave its range, or 2^20 trials of steps were
- *         not enough.  In these two cases the slide is that at *reached.
- *         Another call goes on after the trials; after the range it does once
- *         whole turns are taken off, or the path is begun anew.
+ *         not enough.  In these two cases the slide is that at *reached.  After
+ *         2^20 trials another call goes on from there.  If a range is left,
+ *         first subtract whole turns, or count x and z from another origin.
  * t = 0 changes nothing: the status tells whether the coin rolls or slips.  A
- * slip speed below 1e-10 sqrt(g a) counts as 0, and so does that of a slip that
- * begins until it is 2e-10 sqrt(g a).  A coin also rolls if its friction
- * exceeds mu_static N by less than 1e-14 of the terms of the force, which is
- * rounding.  Without a slip the motion is that of coin_advance().
+ * slip speed below 1e-10 sqrt(g a) counts as 0.  While a slip begins, its speed
+ * counts as 0 until it is 2e-10 sqrt(g a).  A coin also rolls if the friction
+ * that it needs exceeds mu_static N by less than 1e-14 of the terms of the
+ * force, which is rounding.  Without a slip the motion is that of
+ * coin_advance().
  * mu_static = mu_kinetic is accepted.  A slip then begins without acceleration,
  * and many short steps follow until it has grown.  A launch costs 14 times as
  * much as with mu_kinetic = 0.9 mu_static in the mean, and 70 times in the
@@ -1021,9 +1034,10 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  * A body with I_Z below 1e-6 M a^2 or I_X below 1e-4 M a^2 is stiff while it
  * slips: 2^20 trials may then last for less than a natural unit of time.
  * Accuracy: the times at which slips begin and end err by less than 1e-8 at
- *         tol = 1e-10 (test_slide).  The exception is a slip whose speed nearly
- *         comes to 0: its direction turns round almost at once, and the time of
- *         that turn is less well determined than the motion after it.
+ *         tol = 1e-10 (test_slide).  The exception is a slip whose speed comes
+ *         close to 0 and grows again: its direction reverses almost at once,
+ *         and the time of that reversal is less accurate than the motion after
+ *         it.
  * Cost: while it rolls 1.25 times that of coin_advance() in long calls (make
  *         slide-study); docs/models.md has more. */
 COIN_API int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
@@ -1067,8 +1081,8 @@ COIN_API uint32_t coin_version(void);
 /** The same as text, "0.1.0". */
 COIN_API const char *coin_version_string(void);
 
-/** What a status means, in English, without a full stop; never null.  Warning
- * bits may be combined: the text then names the set as such. */
+/** What a status means, in English, without a full stop; never null.  If
+ * several warning bits are set, the text names the set. */
 COIN_API const char *coin_status_string(int32_t status);
 
 /** sizeof(coin_params) as the library was compiled: 64.  For bindings. */

@@ -70,8 +70,10 @@ typedef struct coinf_losses {
     float damping; /**< alpha [1] */
     float dry;     /**< contour friction [M L^2/T^2] */
     float viscous; /**< the same, proportional to the rate of roll [M L^2/T] */
-    float layer;   /**< the same, to its power 3/2 [M L^2/T^(1/2)] */
-    float gap;     /**< the same, to that rate over cos(theta) [M L^2/T] */
+    float layer;   /**< the same, proportional to the power 3/2 of that rate
+                        [M L^2/T^(1/2)] */
+    float gap;     /**< the same, proportional to that rate over cos(theta)
+                        [M L^2/T] */
     float rolling; /**< the rolling moment of physics engines [M L^2/T^2] */
     float spin;    /**< pivoting friction [M L^2/T] */
     float soft;    /**< the rate of roll below which dry and rolling fade
@@ -94,8 +96,8 @@ COIN_API int32_t coinf_params_body(coinf_params *p, float mass, float radius,
                                    float gravity, float inertia_X,
                                    float inertia_Z);
 
-/** As coin_params_check(), with 1e-6 for the rounding of I_Z <= 2 I_X, and
- * 1e-30 to 1e30 for what M a^2, M g a, g/a and the ratios may be. */
+/** As coin_params_check(), but I_Z may exceed 2 I_X by a relative 1e-6, and
+ * M a^2, M g a, g/a and the ratios must lie between 1e-30 and 1e30. */
 COIN_API int32_t coinf_params_check(const coinf_params *p);
 
 /* ---------------------------------------------------------------- state -- */
@@ -146,7 +148,7 @@ COIN_API int32_t coinf_batch_run(coinf_state *s, size_t count,
 
 /* --------------------------------------------------------------- losses -- */
 
-/** As coin_losses_check(), with 1e9 for the largest member. */
+/** As coin_losses_check(), with 1e9 in place of 1e60. */
 COIN_API int32_t coinf_losses_check(const coinf_losses *l,
                                     const coinf_params *p);
 
@@ -161,11 +163,10 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  *                   unit of time, in radians and radii [1]
  * @param[out] reached  the time moved; may be null [T]
  * @return as coin_settle(), but COIN_ESTEP after 2^16 steps in one call: the
- *         state and *reached are then as far as it came, and another call goes
- *         on.
+ *         state is then that at *reached, and another call goes on from there.
  * A coin nearer to flat than 3e-8 rad counts as flat.  If the losses never
- * stop the contact, the time below cos(theta) = 1e-5 is that of the law by
- * which such a motion ends.
+ * stop the contact, the time from cos(theta) = 1e-5 to rest is taken from the
+ * law by which such a motion ends.
  * Accuracy: in 98 of 100 random launches the error stays within tol per natural
  *         unit of time.  A quarter that turns for 8 s, in calls of 1 ms or of
  *         1/60 s, rests within 1e-5 s of the time that coin_settle() gives
