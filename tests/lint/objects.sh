@@ -73,7 +73,9 @@ quoted()
 if test $# -gt 0; then
     look "$@"
 else
-    look the "$OUT"/objects/*.o
-    quoted "$OUT"/objects/*.o
+    # Those of the library: the folder may hold one of a source that is gone.
+    set -- $(ar t "$OUT/librollcoin.a" | sed "s,^,$OUT/objects/,")
+    look the "$@"
+    quoted "$@"
 fi
 exit $status
