@@ -53,8 +53,8 @@ static double largest_ratio(const coin_state *start, const coin_params *p,
 }
 
 /* Their largest F/N lies where the interpolation of a step misses it: by more
- * than a millionth of it in cone.c at tol = 1e-7, and by 1e-4 of it in plain.c
- * at tol = 1e-9. */
+ * than a millionth of it in cone.c at tol = 1e-7, and by 1e-4 of it in
+ * cone_by_ends.c at tol = 1e-9. */
 static const coin_state missed[] = {
     {.theta = -0.31780486523710139,
      .wX = -0.91812444742281762,

@@ -4,8 +4,8 @@
 #include "support/check.h"
 #include "support/random.h"
 
+#include "cone_by_series.h"
 #include "extrapolation.h"
-#include "part.h"
 #include "sundman.h"
 
 #include <math.h>
@@ -133,8 +133,8 @@ static double changes(const coin_priv_ends *terms)
 }
 
 /* The curves over a stretch of h strides err by less than (h/reach)^(2 terms)
- * of the changes of the force at its ends, as part.c rests on it; and by
- * rounding. */
+ * of the changes of the force at its ends, as cone_by_series.c rests on it; and
+ * by rounding. */
 static void joined_within(const struct stretch *w, double h, int terms,
                           double reach)
 {

@@ -51,22 +51,22 @@ static void at_1e_9_it_is_one_step_in_tau(void **unused)
 {
     (void)unused;
     const coin_params p = quarter();
-    const coin_priv_reach reach = coin_priv_reach_of(1e-9);
+    const coin_priv_lengths lengths = coin_priv_lengths_of(1e-9);
     coin_state s = rolling;
     for (int i = 0; i < 60; ++i) {
         coin_priv_run r;
         check_status(coin_priv_check(&s, &p, &r.b), COIN_OK);
         coin_priv_run_from(&r, &s, COIN_RK4, 0);
-        const double full = coin_priv_sundman_tau(&r.b, &r.g.y, reach.stride);
+        const double full = coin_priv_sundman_tau(&r.b, &r.g.y, lengths.stride);
         check_note("frame %d", i);
-        check(!coin_priv_arrives(&r, &reach, 1.0 / 60));
-        check(coin_priv_next_tau(&r, reach.stride, 1.0 / 60) > 1.6 * full);
+        check(!coin_priv_one_step_suffices(&r, &lengths, 1.0 / 60));
+        check(coin_priv_next_tau(&r, lengths.stride, 1.0 / 60) > 1.6 * full);
         /* Not after the first step, and not in a coin that turns fast. */
         r.steps = 1;
-        check(coin_priv_next_tau(&r, reach.stride, 1.0 / 60) == full);
+        check(coin_priv_next_tau(&r, lengths.stride, 1.0 / 60) == full);
         r.steps = 0;
         r.g.y.wX = 12;
-        check(coin_priv_next_tau(&r, reach.stride, 1.0 / 60) <= full);
+        check(coin_priv_next_tau(&r, lengths.stride, 1.0 / 60) <= full);
         check_status(coin_advance(&s, &p, 1.0 / 60, 1e-9, NULL), COIN_OK);
     }
 }

@@ -48,8 +48,8 @@ static void losses_hold_the_torque_that_they_have(void **unused)
         const coin_priv_variables *y = &run.g.y;
         coin_losses dry = {.dry = 1};
         check_status(coin_priv_losses_of(&l, &dry, &run.b), COIN_OK);
-        const double slow2 = coin_priv_slow2(&run.b, y, eps);
-        const double torque = coin_priv_hold(&l, slow2, y->cth);
+        const double slow2 = coin_priv_stopped_speed2(&run.b, y, eps);
+        const double torque = coin_priv_holding_torque(&l, slow2, y->cth);
         const double need = torque_needed(&s, &p);
         check_note("case %d", i);
         for (int more = 0; more < 2; ++more) {

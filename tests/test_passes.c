@@ -74,7 +74,7 @@ static void landing_takes_a_step_or_two(void **unused)
         check_status(coin_priv_check_body(&b, &p), COIN_OK);
         const coin_priv_variables y = coin_priv_variables_of(&s);
         const double tau =
-            coin_priv_sundman_tau(&b, &y, coin_priv_reach_of(tol).stride);
+            coin_priv_sundman_tau(&b, &y, coin_priv_lengths_of(tol).stride);
         const double t = random_between(&r, -1, 1) * tau * y.cth;
         sum += steps_of(s, &p, t, tol);
     }

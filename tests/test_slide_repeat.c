@@ -115,7 +115,7 @@ static int keeps_rolling(coin_priv_sliding *g, int turns, double low,
     g->turning_points = turns;
     g->low = low;
     g->high = high;
-    g->arrived = 0;
+    g->ended_in_t = 0;
     coin_priv_mark(g);
     check(coin_priv_roll_try(g, unit / 2) == 0);
     return coin_priv_judge_step(g, unit / 2, 1 / unit);

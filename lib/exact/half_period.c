@@ -211,14 +211,14 @@ static int go_on(coin_priv_half_period *h, int from, double side)
     return 1;
 }
 
-static coin_priv_turn turn_at(const coin_priv_half_period *h, int piece,
-                              double tau)
+static coin_priv_turning_point turn_at(const coin_priv_half_period *h,
+                                       int piece, double tau)
 {
     const coin_priv_point p = coin_priv_series_at(&h->now, tau);
     const coin_priv_pair path = coin_priv_series_path(&h->now, tau);
     const double c = h->o->private_centers[piece], sum = c + tau;
     const double of_tau = sum - c;
-    const coin_priv_turn turn = {
+    const coin_priv_turning_point turn = {
         sum,
         (c - (sum - of_tau)) + (tau - of_tau),
         OF(p.row[0], 0),
@@ -232,7 +232,8 @@ static coin_priv_turn turn_at(const coin_priv_half_period *h, int piece,
 
 /* Adds pieces from the start to the turning point on one side; 0 if none is
  * found. */
-static int walk(coin_priv_half_period *h, coin_priv_turn *turn, double side)
+static int walk(coin_priv_half_period *h, coin_priv_turning_point *turn,
+                double side)
 {
     int piece = 0;
     while (!turns_within(h, &h->now, side * h->reach[piece])) {

@@ -8,10 +8,10 @@
 
 /* A turning point: the time from the start to it, in two parts, its lean, and
  * what the motion from the start to it adds to the rest of the pose. */
-typedef struct coin_priv_turn {
+typedef struct coin_priv_turning_point {
     double time, low;
     double theta, phi, psi, z, x;
-} coin_priv_turn;
+} coin_priv_turning_point;
 
 /* Half a period while it is computed: from the turning point A to the turning
  * point B, through the start.  Heading, roll and path are measured from the
@@ -27,7 +27,7 @@ typedef struct coin_priv_half_period {
     double reach[COIN_PRIV_PIECES]; /* the reach of a piece to both sides */
     double joint[COIN_PRIV_PIECES]; /* the time from the centre of a piece to
                                        where the piece it continues ends */
-    coin_priv_turn A, B;
+    coin_priv_turning_point A, B;
 } coin_priv_half_period;
 
 /* d(wX)/dt at a point, and its derivative by theta along the leaf. */

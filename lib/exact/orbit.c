@@ -30,7 +30,7 @@
 static void measure_from_A(const coin_priv_half_period *h)
 {
     coin_orbit *o = h->o;
-    const coin_priv_turn *A = &h->A;
+    const coin_priv_turning_point *A = &h->A;
     const coin_priv_sc ph = coin_priv_sincos(A->phi);
     double *term = o->private_terms;
     for (int n = 0; n < h->count; ++n) {
@@ -68,7 +68,7 @@ static void set_times(const coin_priv_half_period *h)
 {
     coin_orbit *o = h->o;
     double *f = o->private_frame;
-    const coin_priv_turn *A = &h->A, *B = &h->B;
+    const coin_priv_turning_point *A = &h->A, *B = &h->B;
     const double sum = B->time - A->time, of_B = sum + A->time;
     const double low =
         ((B->time - of_B) - (A->time - (of_B - sum))) + (B->low - A->low);
@@ -97,7 +97,7 @@ static void set_angles(const coin_priv_half_period *h, const coin_state *s,
 {
     coin_orbit *o = h->o;
     double *f = o->private_frame;
-    const coin_priv_turn *A = &h->A, *B = &h->B;
+    const coin_priv_turning_point *A = &h->A, *B = &h->B;
     const coin_priv_sc ph = coin_priv_sincos(s->phi);
     const coin_priv_sc by = coin_priv_sincos(A->phi); /* phi + A's is rounded */
     o->heading_per_period = 2 * (B->phi - A->phi);    /* (57) */

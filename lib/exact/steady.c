@@ -14,8 +14,8 @@ static double larger(double a, double b)
     return fabs(a) > fabs(b) ? fabs(a) : fabs(b);
 }
 
-int32_t coin_priv_balanced(const coin_state *s, const coin_priv_body *b,
-                           coin_priv_sc *th)
+int32_t coin_priv_check_balance(const coin_state *s, const coin_priv_body *b,
+                                coin_priv_sc *th)
 {
     *th = coin_priv_sincos(s->theta);
     const double wX = s->wX, wY = s->wY, wZ = s->wZ;
@@ -35,7 +35,7 @@ int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
                                coin_priv_body *b, coin_priv_sc *th)
 {
     const int32_t status = coin_priv_check(s, p, b);
-    return status == COIN_OK ? coin_priv_balanced(s, b, th) : status;
+    return status == COIN_OK ? coin_priv_check_balance(s, b, th) : status;
 }
 
 /* Makes *s the state with this lean and these rates, if the checks find it to

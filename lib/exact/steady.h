@@ -7,8 +7,8 @@
 
 /* COIN_OK if the motion is steady, else COIN_EDOMAIN.  Sets *th to sine and
  * cosine of its lean.  s has passed coin_priv_check_state(). */
-int32_t coin_priv_balanced(const coin_state *s, const coin_priv_body *b,
-                           coin_priv_sc *th);
+int32_t coin_priv_check_balance(const coin_state *s, const coin_priv_body *b,
+                                coin_priv_sc *th);
 
 /* The usual checks, then COIN_EDOMAIN unless the motion is steady.  After
  * COIN_OK *b and *th hold the body and sine and cosine of the lean. */

@@ -164,7 +164,7 @@ int32_t coin_priv_steady_near(const coin_state *s, const coin_priv_body *b,
     near.wZ = o.wZ;
     /* For bodies with moments of inertia 1e80 apart the search may fail. */
     coin_priv_sc th;
-    const int32_t unbalanced = coin_priv_balanced(&near, b, &th);
+    const int32_t unbalanced = coin_priv_check_balance(&near, b, &th);
     if ((coin_priv_check_state(&near, b) | unbalanced) != COIN_OK)
         return COIN_EDOMAIN;
     *out = near;

@@ -112,7 +112,7 @@ static int step_of_each(coinf_lanes_state *s, struct verdict *of,
     const coinf_lanes_variables y = coinf_lanes_variables_with_low(s);
     coinf_lanes_slopes(&first, &rest, &last, plan, &y, coinf_lanes_slope_at);
     copy(&next, s);
-    coinf_lanes_change(&next, &first, &rest);
+    coinf_lanes_add_change(&next, &first, &rest);
     const coinf_lanes begin = coinf_lanes_rate2(plan->g_a, &y);
     const coinf_lanes end = coinf_lanes_rate2(plan->g_a, &last);
     of->coarse |= ~((begin <= plan->coarse2) & (end <= plan->coarse2));

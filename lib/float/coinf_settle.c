@@ -55,13 +55,13 @@ struct lossy_plan {
 };
 
 /* The slope at a stage: the ideal coin's, and the losses. */
-COIN_PRIV_APART coinf_priv_slope lossy_at(coinf_priv_variables *d,
-                                          const coinf_priv_plan *plan,
-                                          const coinf_priv_variables *y)
+COIN_PRIV_NOINLINE coinf_priv_slope lossy_at(coinf_priv_variables *d,
+                                             const coinf_priv_plan *plan,
+                                             const coinf_priv_variables *y)
 {
     const struct lossy_plan *with =
         (const struct lossy_plan *)(const void *)plan;
-    const coinf_priv_slowing slow = coinf_priv_slow(with->l, y);
+    const coinf_priv_slowing slow = coinf_priv_slowing_of(with->l, y);
     const float h = plan->f.h * y->q; /* dtau = dt/cos(theta) */
     coinf_priv_slope of = coinf_priv_slope_at(d, plan, y);
     of.wX = d->wX += h * slow.wX;
@@ -72,8 +72,8 @@ COIN_PRIV_APART coinf_priv_slope lossy_at(coinf_priv_variables *d,
 
 /* The longest step from here: a part of 1 over the rates of the coin and of
  * friction, and no further than half way to where the contact turns round. */
-COIN_PRIV_APART float longest(const struct settling *g,
-                              const coinf_priv_variables *y)
+COIN_PRIV_NOINLINE float longest(const struct settling *g,
+                                 const coinf_priv_variables *y)
 {
     const coinf_priv_body *b = &g->b;
     const coinf_priv_losses *l = &g->l;
@@ -93,8 +93,8 @@ COIN_PRIV_APART float longest(const struct settling *g,
 }
 
 /* One step; 0 if it would not be sound. */
-COIN_PRIV_APART int lossy_step(struct settling *g,
-                               const coinf_priv_variables *y, float dt)
+COIN_PRIV_NOINLINE int lossy_step(struct settling *g,
+                                  const coinf_priv_variables *y, float dt)
 {
     const coinf_priv_body *b = &g->b;
     const struct lossy_plan plan = {
@@ -106,7 +106,7 @@ COIN_PRIV_APART int lossy_step(struct settling *g,
     coinf_priv_variables last;
     coinf_priv_slopes(&first, &rest, &last, &plan.ideal, y, lossy_at);
     coinf_state next = g->s;
-    coinf_priv_change(&next, &first, &rest);
+    coinf_priv_add_change(&next, &first, &rest);
     return coinf_priv_finish_step(&g->s, &next, &plan.ideal);
 }
 
@@ -160,8 +160,8 @@ static int32_t lay(struct settling *g)
 /* The fall, or a part of the rise, of a coin whose contact has stopped.
  * Returns COIN_ESTEP, and does nothing, if the losses do not hold the contact
  * until the end of that part. */
-COIN_PRIV_APART int32_t fall_or_rise(struct settling *g,
-                                     const coinf_priv_variables *y)
+COIN_PRIV_NOINLINE int32_t fall_or_rise(struct settling *g,
+                                        const coinf_priv_variables *y)
 {
     const coinf_priv_held_fall f = coinf_priv_fall_of(&g->l, y);
     const int rises = f.v < 0;
@@ -189,14 +189,14 @@ COIN_PRIV_APART int32_t fall_or_rise(struct settling *g,
  * slow to rise again and its losses never stop the contact.  Its energy is then
  * proportional to (t0 - t)^2.  Returns 0, and does nothing, for other coins, or
  * if the time left is shorter. */
-COIN_PRIV_APART int end(struct settling *g, const coinf_priv_variables *y)
+COIN_PRIV_NOINLINE int end(struct settling *g, const coinf_priv_variables *y)
 {
     const float Mgac = g->b.Mga * y->cth;
     const float E =
         (g->l.J * y->wX * y->wX + g->l.IX * y->wY * y->wY) / 2 + Mgac;
     if (!(y->cth < END && E < 5 * Mgac))
         return 0;
-    const float power = coinf_priv_slow(&g->l, y).power;
+    const float power = coinf_priv_slowing_of(&g->l, y).power;
     if (!(2 * E * y->cth <= power * g->rem))
         return 0;
     pass(g, 2 * E * y->cth / power);
@@ -246,7 +246,7 @@ int32_t coinf_settle(coinf_state *s, const coinf_params *p,
     g.rem_low = 0;
     g.stride = stride < LONGEST ? stride : LONGEST;
     (void)coinf_priv_losses_of(&g.l, l, &g.b);
-    status = coinf_priv_rests(s) ? COIN_RESTS : approach(&g);
+    status = coinf_priv_lies_flat(s) ? COIN_RESTS : approach(&g);
     /* For a body next to the limits of coinf_params the rates of a fall may
      * exceed what a state may have. */
     const int lost = coinf_priv_check_state(&g.s, &g.b) != COIN_OK;

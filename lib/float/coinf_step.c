@@ -13,7 +13,7 @@ int coinf_priv_step_rk4(coinf_state *s, int32_t *warnings,
     if (!coinf_priv_admit_rate(warnings, plan, &last))
         return 0;
     coinf_state next = *s;
-    coinf_priv_change(&next, &first, &rest);
+    coinf_priv_add_change(&next, &first, &rest);
     return coinf_priv_finish_step(s, &next, plan);
 }
 

@@ -12,7 +12,7 @@
 #ifdef COIN_PRIV_ABREAST
 #define PART COIN_PRIV_INLINE
 #else
-#define PART COIN_PRIV_APART
+#define PART COIN_PRIV_NOINLINE
 #endif
 
 /* A state, with its numbers in the order of coinf_state.  low[0] to low[7] are
@@ -201,8 +201,9 @@ COIN_PRIV_INLINE void PRIV(slopes)(PRIV(slope) * first, PRIV(slope) * rest,
 }
 
 /* Adds the change of a step to a state. */
-COIN_PRIV_INLINE void PRIV(change)(PRIV(state) * s, const PRIV(slope) * first,
-                                   const PRIV(slope) * rest)
+COIN_PRIV_INLINE void PRIV(add_change)(PRIV(state) * s,
+                                       const PRIV(slope) * first,
+                                       const PRIV(slope) * rest)
 {
     PRIV(add_parts)(&s->theta, &s->low[0], first->theta, rest->theta);
     PRIV(add_parts)(&s->phi, &s->low[1], first->phi, rest->phi);

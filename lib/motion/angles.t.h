@@ -66,7 +66,7 @@ COIN_PRIV_INLINE PRIV(sc) PRIV(sine_cosine)(real x)
 
 /* What turning an angle by d, |d| <= pi/2, adds to its sine and cosine, by
  * sin d = 2 sin(d/2) cos(d/2) and 1 - cos d = 2 sin(d/2)^2. */
-COIN_PRIV_PART PRIV(sc) PRIV(turn_adds)(PRIV(sc) of, real d)
+COIN_PRIV_INLINE_UNLESS_SMALL PRIV(sc) PRIV(turn_adds)(PRIV(sc) of, real d)
 {
     const real half = K(0.5) * d, z = half * half;
     const PRIV(sc) p = PRIV(polynomials)(z);

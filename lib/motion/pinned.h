@@ -38,15 +38,15 @@
  *
  * COIN_PRIV_SMALL is defined for processors on which each operation of doubles
  * is a call, and may be defined by the user.  The parts of a step of doubles
- * that are marked COIN_PRIV_PART are then functions.  Each of them is in the
- * code once, and its stack is free when it returns. */
+ * that are marked COIN_PRIV_INLINE_UNLESS_SMALL are then functions.  Each of
+ * them is in the code once, and its stack is free when it returns. */
 #if defined(__GNUC__)
 #define COIN_PRIV_INLINE static inline __attribute__((always_inline))
-#define COIN_PRIV_APART static __attribute__((noinline, unused))
+#define COIN_PRIV_NOINLINE static __attribute__((noinline, unused))
 #define COIN_PRIV_RARELY(condition) __builtin_expect(!!(condition), 0)
 #else
 #define COIN_PRIV_INLINE static inline
-#define COIN_PRIV_APART static
+#define COIN_PRIV_NOINLINE static
 #define COIN_PRIV_RARELY(condition) (condition)
 #endif
 
@@ -56,9 +56,9 @@
 #define COIN_PRIV_SMALL
 #endif
 #if defined(COIN_PRIV_SMALL) && !defined(COIN_PRIV_FLOAT)
-#define COIN_PRIV_PART COIN_PRIV_APART
+#define COIN_PRIV_INLINE_UNLESS_SMALL COIN_PRIV_NOINLINE
 #else
-#define COIN_PRIV_PART COIN_PRIV_INLINE
+#define COIN_PRIV_INLINE_UNLESS_SMALL COIN_PRIV_INLINE
 #endif
 
 #endif

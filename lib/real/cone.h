@@ -7,18 +7,18 @@
 #include "gbs.h"
 
 /* What is allowed for the error of the interpolated motion, over stride^6.  In
- * cone.c that is an error of the clearance.  In plain.c it is half of the error
- * of the square margin, over `weight`.  On random motions of any body, with
- * strides up to 1.65, the error came to a tenth of this.  On fast passes near
- * flat it was larger, but there the differences that least() of plain.c
- * subtracts are large enough.  coin_priv_plain() passed no step that leaves the
- * cone (test_plain). */
+ * cone.c that is an error of the clearance.  In cone_by_ends.c it is half of
+ * the error of the square margin, over `weight`.  On random motions of any
+ * body, with strides up to 1.65, the error came to a tenth of this.  On fast
+ * passes near flat it was larger, but there the differences that least() of
+ * cone_by_ends.c subtracts are large enough.  coin_priv_surely_in_cone() passed
+ * no step that leaves the cone (test_cone_by_ends). */
 #define COIN_PRIV_MISS 0.006
 
-/* What plain.c allows for the error of the force where it takes it as a
+/* What cone_by_ends.c allows for the error of the force where it takes it as a
  * polynomial, divided by the sum of the sizes at both ends: MISS3 stride^4 for
  * degree 3, and MISS4 stride^5 for degree 4.  On random motions the error came
- * to a third of it (test_plain). */
+ * to a third of it (test_cone_by_ends). */
 #define COIN_PRIV_MISS3 0.08
 #define COIN_PRIV_MISS4 0.008
 
@@ -75,8 +75,9 @@ void coin_priv_end_of(coin_priv_end *e, const coin_priv_contact *contact,
 /* Returns 1 if a rolling step of tau from *a to *b, of the stride given,
  * certainly keeps within the cone, by curves of degree 3 and 4 or by three
  * places within the step.  Returns 0 if that is not certain. */
-int coin_priv_plain(const coin_priv_contact *contact, const coin_priv_field *f,
-                    const coin_priv_losses *l, const coin_priv_end *a,
-                    const coin_priv_end *b, double tau, double stride);
+int coin_priv_surely_in_cone(const coin_priv_contact *contact,
+                             const coin_priv_field *f,
+                             const coin_priv_losses *l, const coin_priv_end *a,
+                             const coin_priv_end *b, double tau, double stride);
 
 #endif

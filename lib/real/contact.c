@@ -3,7 +3,7 @@
 
 #include "contact.h"
 
-/* The most trials of coin_priv_onset(). */
+/* The most trials of coin_priv_slip_direction(). */
 #define TRIALS 60
 
 /* A coin at a contact: its slopes without friction, and what a force of the
@@ -61,7 +61,7 @@ COIN_PRIV_INLINE void let_roll(struct loose *o, const coin_priv_contact *t,
     o->zX = b->m / b->IZ;
     if (t->l.solid + t->l.fluid + t->l.spin > 0) {
         const coin_priv_variables v = {wX, wY, y->wZ, sth, cth, 0, 0, 0, 0};
-        const coin_priv_slowing slow = coin_priv_slow(&t->l, &v);
+        const coin_priv_slowing slow = coin_priv_slowing_of(&t->l, &v);
         o->wY += slow.wY;
         o->wZ += slow.wZ;
     }
@@ -227,9 +227,9 @@ static double turn_away(const struct loose *o, const coin_priv_contact *t,
 /* The root of (84) lies between the direction against the static force and that
  * of the slip without friction.  Where these agree to rounding, the one with
  * the smaller cross product is taken. */
-coin_priv_direction coin_priv_onset(const coin_priv_contact *contact,
-                                    const coin_priv_slip *y,
-                                    const coin_priv_push *stick)
+coin_priv_direction coin_priv_slip_direction(const coin_priv_contact *contact,
+                                             const coin_priv_slip *y,
+                                             const coin_priv_push *stick)
 {
     const struct loose o = loose_of(contact, y);
     const double lever_h = (1 + o.lever) / o.D;

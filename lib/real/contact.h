@@ -87,8 +87,8 @@ int coin_priv_can_slip(const coin_priv_contact *contact,
 
 /* The direction in which a slip begins where sticking would need more friction
  * than mu_static gives: (84).  The friction of *stick is not 0. */
-coin_priv_direction coin_priv_onset(const coin_priv_contact *contact,
-                                    const coin_priv_slip *y,
-                                    const coin_priv_push *stick);
+coin_priv_direction coin_priv_slip_direction(const coin_priv_contact *contact,
+                                             const coin_priv_slip *y,
+                                             const coin_priv_push *stick);
 
 #endif

@@ -49,7 +49,7 @@ COIN_PRIV_INLINE double coin_priv_allowed(const coin_priv_run *r, double tol,
 
 /* The factor from the length of a step to that of the next, from 0.2 to 2: 0.2
  * + 0.7 (most/error)^(1/8), which is 0.9 where the error is just allowed. */
-COIN_PRIV_INLINE double coin_priv_change(double error, double most)
+COIN_PRIV_INLINE double coin_priv_stride_factor(double error, double most)
 {
     const double least = 1e-9 * most; /* so that nothing divides by 0 */
     const double ratio = most / (error > least ? error : least);
@@ -79,7 +79,7 @@ COIN_PRIV_INLINE double coin_priv_first_stride(double tol)
 COIN_PRIV_INLINE double coin_priv_next_stride(double stride, double used,
                                               double error)
 {
-    const double next = used * coin_priv_change(error, 1);
+    const double next = used * coin_priv_stride_factor(error, 1);
     if (error <= 1 && !(next > stride) && !(used > 0.999 * stride))
         return stride;
     return next < COIN_PRIV_LONGEST_STRIDE ? next : COIN_PRIV_LONGEST_STRIDE;

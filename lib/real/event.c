@@ -10,7 +10,7 @@
 #include <math.h>
 
 /* The longest part, in strides.  The curve over it errs by less than 4e-8 of
- * the changes of the force at its ends (part.h). */
+ * the changes of the force at its ends (cone_by_series.h). */
 #define SHORT 0.8
 
 /* The force of a state and that of the series at it differ by rounding: by less

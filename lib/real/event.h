@@ -4,7 +4,7 @@
 #ifndef ROLLCOIN_EVENT_H
 #define ROLLCOIN_EVENT_H
 
-#include "part.h"
+#include "cone_by_series.h"
 
 /* A moment of a stretch. */
 typedef struct coin_priv_moment {

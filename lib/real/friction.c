@@ -130,7 +130,7 @@ static coin_priv_push push_of(const coin_priv_contact *t, coin_priv_slip *y)
     const double F = coin_priv_hypot(stick.X, stick.h);
     if (!(leaves & (F > 0) & (t->mu_static <= DBL_MAX)))
         return stick;
-    return coin_priv_kinetic(t, y, coin_priv_onset(t, y, &stick));
+    return coin_priv_kinetic(t, y, coin_priv_slip_direction(t, y, &stick));
 }
 
 int32_t coin_slide_reaction(const coin_slide *d, const coin_params *p,

@@ -30,22 +30,22 @@ static void midpoints(real *to, const real *y, size_t n,
 real PRIV(gbs)(real *y, size_t n, PRIV(right_hand_side) * slopes,
                const void *problem, real h)
 {
-    real contact[COLUMNS][MOST], error = 0;
+    real tableau[COLUMNS][MOST], error = 0;
     for (int k = 0; k < COLUMNS; ++k) {
-        midpoints(contact[k], y, n, slopes, problem, h, k + 1);
+        midpoints(tableau[k], y, n, slopes, problem, h, k + 1);
         for (int j = k - 1; j >= 0; --j) { /* Neville's scheme in 1/k^2 */
             const real ratio = (real)(k + 1) / (real)(j + 1);
             const real part = 1 / (ratio * ratio - 1);
             for (size_t i = 0; i < n; ++i)
-                contact[j][i] = contact[j + 1][i] +
-                                part * (contact[j + 1][i] - contact[j][i]);
+                tableau[j][i] = tableau[j + 1][i] +
+                                part * (tableau[j + 1][i] - tableau[j][i]);
         }
     }
     for (size_t i = 0; i < n; ++i) {
-        const real size = 1 + FABS(contact[0][i]);
-        const real off = FABS(contact[0][i] - contact[1][i]) / size;
+        const real size = 1 + FABS(tableau[0][i]);
+        const real off = FABS(tableau[0][i] - tableau[1][i]) / size;
         error = islessequal(off, error) ? error : off; /* or NaN */
-        y[i] = contact[0][i];
+        y[i] = tableau[0][i];
     }
     return error;
 }

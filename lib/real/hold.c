@@ -109,7 +109,7 @@ int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
 {
     const real cth = y->cth, wX = y->wX;
     const real u = cth * y->wZ + y->sth * y->wY;
-    const real small2 = PRIV(slow2)(b, y, eps);
+    const real small2 = PRIV(stopped_speed2)(b, y, eps);
     if (!(cth < NEAR_FLAT && u * u <= small2))
         return 0;
     /* The torque along e_Z that it takes to hold the contact, at its largest,
@@ -121,5 +121,5 @@ int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
     const real lever = l->K / D * (2 * l->IX - b->IZ) +
                        cth * cth * (b->IZ / D) * (l->K - l->IX);
     const real need = FABS(turn * lever) * cth * fastest; /* (73) */
-    return need <= PRIV(hold)(l, small2, cth);
+    return need <= PRIV(holding_torque)(l, small2, cth);
 }

@@ -16,14 +16,15 @@ typedef struct PRIV(held_fall) {
 
 /* A contact counts as stopped where u^2, with u = cos(theta) d(psi)/dt, is at
  * most this: the square of a part eps of the rates of a fall. */
-COIN_PRIV_INLINE real PRIV(slow2)(const PRIV(body) * b,
-                                  const PRIV(variables) * y, real eps)
+COIN_PRIV_INLINE real PRIV(stopped_speed2)(const PRIV(body) * b,
+                                           const PRIV(variables) * y, real eps)
 {
     return eps * eps * (y->wX * y->wX + b->GJ * y->cth);
 }
 
 /* The torque of the losses along e_Z at a u with this square. */
-COIN_PRIV_INLINE real PRIV(hold)(const PRIV(losses) * l, real u2, real cth)
+COIN_PRIV_INLINE real PRIV(holding_torque)(const PRIV(losses) * l, real u2,
+                                           real cth)
 {
     const real u = SQRT(u2);
     return u * PRIV(grip)(l, u, cth);

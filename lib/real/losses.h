@@ -45,7 +45,7 @@ COIN_PRIV_INLINE real PRIV(grip)(const PRIV(losses) * l, real u, real cth)
 }
 
 COIN_PRIV_INLINE PRIV(slowing)
-    PRIV(slow)(const PRIV(losses) * l, const PRIV(variables) * y)
+    PRIV(slowing_of)(const PRIV(losses) * l, const PRIV(variables) * y)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth;

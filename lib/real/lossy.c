@@ -18,7 +18,7 @@ COIN_PRIV_INLINE coin_priv_variables lossy(const coin_priv_field *f,
 {
     const struct lossy_field *with =
         (const struct lossy_field *)(const void *)f;
-    const coin_priv_slowing slow = coin_priv_slow(with->l, y);
+    const coin_priv_slowing slow = coin_priv_slowing_of(with->l, y);
     coin_priv_variables d = coin_priv_sundman_slopes(f, y);
     d.wX += f->h * slow.wX;
     d.wY += f->h * slow.wY;

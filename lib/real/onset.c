@@ -30,7 +30,7 @@ static struct onset onset_of(const coin_priv_sliding *g)
     const coin_priv_contact *t = &g->contact;
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
     const coin_priv_push stick = coin_priv_static(t, &y);
-    o.n = coin_priv_onset(t, &y, &stick);
+    o.n = coin_priv_slip_direction(t, &y, &stick);
     const coin_priv_push slide = coin_priv_kinetic(t, &y, o.n);
     coin_priv_slopes_under(&o.slides, t, &y, &slide);
     coin_priv_slopes_under(&o.rolls, t, &y, &stick);
@@ -72,7 +72,7 @@ static coin_priv_slip after(const coin_priv_sliding *g,
 
 /* The normal force where the slip would begin, if the coin rolled for tau from
  * coin_priv_mark() on. */
-static double clearance_after(coin_priv_sliding *g, double tau)
+static double roll_to_clearance(coin_priv_sliding *g, double tau)
 {
     g->w.run.g = g->from;
     const struct onset from = onset_of(g);
@@ -124,7 +124,7 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
     const double end = coin_priv_clearance(&g->contact, &y, 1);
     if (end <= 0) {
         const double before = coin_priv_clearance(&g->contact, start, 1);
-        by = coin_priv_locate(g, clearance_after, before, by, end);
+        by = coin_priv_locate(g, roll_to_clearance, before, by, end);
         coin_priv_again(g, by);
         y = after(g, from, by);
     }

@@ -25,8 +25,8 @@
  * 30. */
 #define TRIES_MAX 32768
 
-/* The most tries to arrive at a time. */
-#define LANDINGS_MAX 40
+/* The most tries to shorten_to_time at a time. */
+#define NEWTONS_MAX 40
 
 /* A step may lessen ROOT, sqrt(cos theta), by this part of it.  Where ROOT is
  * less than END, the time left is taken as ROOT over its rate. */
@@ -69,7 +69,7 @@ static struct rates rates_of(const double *y, const struct slow *q)
     const double s = y[STH], c = y[ROOT] * y[ROOT], w0 = q->w0;
     const coin_priv_variables at = {0, w0 * y[WY], w0 * y[WZ], s, c,
                                     0, 0,          0,          1};
-    const coin_priv_slowing slow = coin_priv_slow(&q->l, &at);
+    const coin_priv_slowing slow = coin_priv_slowing_of(&q->l, &at);
     const double wY = y[WY], wZ = y[WZ], T = s / c;
     const double torque_Y = slow.wY / (c * w0 * w0);   /* over I_X */
     const double torque_Z = slow.wZ / (c * w0 * w0);   /* over K */
@@ -182,11 +182,11 @@ static double longest(const struct passing *g)
 /* Shortens a step h from the variables before so that it ends at the time t, to
  * rounding: by Newton's method, or by halving where that would leave the step.
  * Near the end the time hardly grows with the arc. */
-static void arrive(double *y, const double *before, const struct slow *q,
-                   double h, double t)
+static void shorten_to_time(double *y, const double *before,
+                            const struct slow *q, double h, double t)
 {
     double least = 0, most = h;
-    for (int i = 0; i < LANDINGS_MAX; ++i) {
+    for (int i = 0; i < NEWTONS_MAX; ++i) {
         double d[VARIABLES];
         const double off = y[TIME] - t;
         if (fabs(off) <= 4 * DBL_EPSILON * t)
@@ -225,7 +225,7 @@ static int32_t pass(struct passing *g, double t)
             continue;
         }
         if (next[TIME] > t)
-            arrive(next, before, &g->q, h, t);
+            shorten_to_time(next, before, &g->q, h, t);
         for (int k = 0; k < VARIABLES; ++k)
             g->y[k] = next[k];
         draw(g, before);
@@ -295,7 +295,7 @@ static int32_t time_to_rest(double *time, const coin_state *s,
     if (status != COIN_OK)
         return status;
     *time = 0;
-    if (coin_priv_rests(s))
+    if (coin_priv_lies_flat(s))
         return COIN_RESTS;
     status = begin(&g, s, p);
     if (status != COIN_OK)
@@ -349,7 +349,7 @@ int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
     if (status != COIN_OK)
         return status;
     coin_state at = *s;
-    if (coin_priv_rests(s)) {
+    if (coin_priv_lies_flat(s)) {
         at.wX = 0;
         *out = at;
         return COIN_RESTS;

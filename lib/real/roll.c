@@ -62,7 +62,7 @@ void coin_priv_again(coin_priv_sliding *g, double tau)
     g->w.run.g = g->from;
     g->w.run.steps = g->steps;
     g->w.run.g.added.t = 0;
-    g->arrived = 0;
+    g->ended_in_t = 0;
     (void)roll_by(g, tau, DBL_MAX);
 }
 
@@ -72,7 +72,7 @@ double coin_priv_rolling_clearance(const coin_priv_sliding *g)
     return coin_priv_clearance(&g->contact, &y, 0);
 }
 
-static double clearance_after(coin_priv_sliding *g, double tau)
+static double step_to_clearance(coin_priv_sliding *g, double tau)
 {
     coin_priv_again(g, tau);
     return coin_priv_rolling_clearance(g);
@@ -85,16 +85,16 @@ void coin_priv_count(coin_priv_sliding *g)
 
 /* Takes the rest of the time in one step in t, as coin_advance() does.  Returns
  * its tau, or 0 if the step fails. */
-static double arrive(coin_priv_sliding *g, double left)
+static double step_to_end(coin_priv_sliding *g, double left)
 {
     coin_priv_run *const r = &g->w.run;
     coin_priv_sum rem = {left, 0};
     const double tau = coin_priv_tau_of(&r->b, &r->g.y, left);
     if (r->steps > 0)
         coin_priv_read_lean(&r->g);
-    const int done = coin_priv_last_step(r, &g->reach, &rem) == COIN_OK;
+    const int done = coin_priv_last_step(r, &g->lengths, &rem) == COIN_OK;
     r->g.added.t = g->rem.sum;
-    g->arrived = 1;
+    g->ended_in_t = 1;
     return done ? tau : 0;
 }
 
@@ -125,7 +125,7 @@ static int32_t settle(coin_priv_sliding *g, double *time)
     return status;
 }
 
-static double held_clearance_after(coin_priv_sliding *g, double time)
+static double settle_to_clearance(coin_priv_sliding *g, double time)
 {
     (void)settle(g, &time);
     return coin_priv_held_clearance(g);
@@ -148,7 +148,7 @@ static int32_t go_held(coin_priv_sliding *g)
     if (before >= 0 && end < 0) {
         const coin_priv_sum rem = g->rem;
         double part =
-            coin_priv_locate(g, held_clearance_after, before, moved, end);
+            coin_priv_locate(g, settle_to_clearance, before, moved, end);
         (void)settle(g, &part);
         coin_priv_add(&g->rem, -part);
         if (coin_priv_begin_held_slip(g))
@@ -189,7 +189,7 @@ static int is_last(const coin_priv_sliding *g, double rem, double rate)
     const coin_priv_run *r = &g->w.run;
     if (g->lossy)
         return fabs(rem) * rate <= LAST * r->g.y.cth;
-    return coin_priv_arrives(r, &g->reach, rem);
+    return coin_priv_one_step_suffices(r, &g->lengths, rem);
 }
 
 double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most)
@@ -233,7 +233,7 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
         const double end = coin_priv_rolling_clearance(g);
         if (end < 0 && (part < 0 || part == 1)) {
             coin_priv_again(
-                g, coin_priv_locate(g, clearance_after, before, tau, end));
+                g, coin_priv_locate(g, step_to_clearance, before, tau, end));
             return -1;
         }
         if (part == 1)
@@ -257,7 +257,7 @@ static double next_step(coin_priv_sliding *g, double rate, int *last)
         if (!*last)
             return tau;
     }
-    const double more = arrive(g, left);
+    const double more = step_to_end(g, left);
     return more == 0 ? 0 : tau + more;
 }
 
@@ -265,7 +265,7 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
 {
     const coin_priv_variables *y = &g->w.run.g.y;
     if (y->cth < COIN_PRIV_FLAT)
-        return coin_priv_lie(&g->w.run);
+        return coin_priv_lay_flat(&g->w.run);
     if (g->rem.sum > 0 && is_held(g))
         return go_held(g);
     const double rate = coin_priv_roll_rate(g);

@@ -65,7 +65,7 @@ static int32_t step(struct settling *g, double rate)
             return COIN_ESTEP;
         coin_priv_lossy_try(&trial, &g->w, tau);
         const double most = coin_priv_allowed(&g->w.run, g->tol, trial.adds.t);
-        const double next = used * coin_priv_change(trial.error, most);
+        const double next = used * coin_priv_stride_factor(trial.error, most);
         done = trial.error <= most;
         if (!done || next > g->stride || used > 0.999 * g->stride)
             g->stride = next < COIN_PRIV_LONGEST_STRIDE
@@ -155,7 +155,7 @@ static double time_left(const coin_priv_lossy *w)
                      w->run.b.Mga * y->cth;
     if (!(y->cth < END && E < 5 * w->run.b.Mga * y->cth))
         return (double)INFINITY;
-    return 2 * E * y->cth / coin_priv_slow(&w->l, y).power;
+    return 2 * E * y->cth / coin_priv_slowing_of(&w->l, y).power;
 }
 
 /* Lays the coin flat, a time later, with the wX that it has. */
@@ -223,7 +223,7 @@ int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
         return status;
     if (!(t >= 0 && t * sqrt(g.w.run.b.g_a) <= TOO_LONG))
         return COIN_ESTEP;
-    if (coin_priv_rests(s)) {
+    if (coin_priv_lies_flat(s)) {
         if (reached)
             *reached = 0;
         return COIN_RESTS;

@@ -41,7 +41,7 @@ int32_t coin_priv_slip_take(coin_priv_sliding *g, const coin_priv_slip *y)
     return COIN_OK;
 }
 
-int32_t coin_priv_lie(coin_priv_run *r)
+int32_t coin_priv_lay_flat(coin_priv_run *r)
 {
     coin_priv_variables *y = &r->g.y;
     y->sth = y->sth < 0 ? -1 : 1;
@@ -101,15 +101,15 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
     g->uX = g->slips ? y.uX : 0;
     g->uh = g->slips ? y.uh : 0;
     g->gained = 0;
-    g->surely_rolls = g->arrived = 0;
+    g->surely_rolls = g->ended_in_t = 0;
     g->series.from.b = g->contact.b;
     g->series.force.terms = 0;
     g->now = 0;
     g->rem.sum = t;
     g->rem.low = 0;
     g->tol = tol;
-    g->reach = coin_priv_reach_of(tol);
-    g->roll_stride = g->lossy ? coin_priv_first_stride(tol) : g->reach.stride;
+    g->lengths = coin_priv_lengths_of(tol);
+    g->roll_stride = g->lossy ? coin_priv_first_stride(tol) : g->lengths.stride;
     g->slip_stride = coin_priv_first_stride(tol);
     g->tries = 0;
     if (!g->slips)
@@ -151,7 +151,7 @@ static coin_slide end_of(coin_priv_sliding *g, int32_t status)
     double v[2];
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     coin_priv_centre_velocity(v, &y, g->contact.b.a);
-    if (g->w.run.steps > 0 && !g->arrived)
+    if (g->w.run.steps > 0 && !g->ended_in_t)
         coin_priv_read_lean(&g->w.run.g);
     end.s = coin_priv_run_state(&g->w.run);
     if (status == COIN_RESTS)
@@ -177,7 +177,7 @@ int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
         return COIN_ESTEP;
     double moved = 0;
     status = COIN_RESTS;
-    if (!coin_priv_rests(&d->s)) {
+    if (!coin_priv_lies_flat(&d->s)) {
         start(&g, d, p, l, t, tol);
         status = mode_of(&g);
         if (t > 0 && status != COIN_ELIFT) {

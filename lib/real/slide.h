@@ -21,7 +21,7 @@ typedef struct coin_priv_sliding {
     coin_losses losses;
     int lossy; /* whether it has losses */
     double tol;
-    coin_priv_reach reach;
+    coin_priv_lengths lengths;
     coin_priv_contact contact; /* but slip.c and onset.c set psi_held */
 
     /* Where the slide is.  roll.c, onset.c and slip.c move it. */
@@ -31,8 +31,8 @@ typedef struct coin_priv_sliding {
     int slips;         /* whether it slips now */
     coin_priv_sum rem; /* the time still to go */
     uint64_t tries;    /* of steps */
-    int arrived;       /* whether the last step was one in t: then the run
-                         has theta */
+    int ended_in_t;    /* whether the last step was one in t: then the run
+                      has theta */
 
     /* The steps of a rolling coin, of roll.c. */
     double roll_stride;
@@ -40,7 +40,7 @@ typedef struct coin_priv_sliding {
     uint64_t steps;          /* the number of steps of the run there */
     coin_state stopped; /* where the losses were found to hold the contact */
 
-    /* What judge.c knows of the force while the coin rolls. */
+    /* What cone_of_step.c knows of the force while the coin rolls. */
     int surely_rolls; /* 1: the force here is certainly within the cone.  0: it
                     is not, or that is not known */
     coin_priv_end ends[2]; /* with losses: of a step; ends[now] is here */
@@ -76,7 +76,7 @@ int coin_priv_slip_into(coin_priv_run *r, const coin_priv_slip *y);
 int32_t coin_priv_slip_take(coin_priv_sliding *g, const coin_priv_slip *y);
 
 /* Sets the lean to flat, and keeps the rate of fall: COIN_RESTS. */
-int32_t coin_priv_lie(coin_priv_run *r);
+int32_t coin_priv_lay_flat(coin_priv_run *r);
 
 /* How near an event is located, as a part of the step, over tol. */
 #define COIN_PRIV_LOCATED 1e-3
@@ -118,13 +118,13 @@ void coin_priv_again(coin_priv_sliding *g, double tau);
 /* Subtracts the time of that step from the time left. */
 void coin_priv_count(coin_priv_sliding *g);
 
-/* judge.c: computes the force where the run is, and sets g->surely_rolls.  It
- * starts a new count of turning points and a new range of leans.  With losses
- * it also sets g->ends[g->now]. */
+/* cone_of_step.c: computes the force where the run is, and sets
+ * g->surely_rolls.  It starts a new count of turning points and a new range of
+ * leans.  With losses it also sets g->ends[g->now]. */
 void coin_priv_judge_here(coin_priv_sliding *g);
 
-/* judge.c: judges the step just made.  Returns 1 if it is certain that the coin
- * rolls all along, 0 if it slips or if that is not certain. */
+/* cone_of_step.c: judges the step just made.  Returns 1 if it is certain that
+ * the coin rolls all along, 0 if it slips or if that is not certain. */
 int coin_priv_judge_step(coin_priv_sliding *g, double tau, double rate);
 
 /* coin_priv_clearance() where the run is, of a coin that rolls. */

@@ -370,7 +370,8 @@ static int psi_is_held(const coin_priv_sliding *g, const coin_priv_slip *y)
     if (!g->lossy)
         return 0;
     const double by_friction = g->contact.mu_kinetic * b->Mga * (b->IX / b->IZ);
-    const double hold = coin_priv_hold(l, coin_priv_slow2(b, v, eps), v->cth);
+    const double hold = coin_priv_holding_torque(
+        l, coin_priv_stopped_speed2(b, v, eps), v->cth);
     return by_friction * y->cth * y->cth <= hold &&
            coin_priv_is_held(l, b, v, eps);
 }
@@ -380,7 +381,7 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
     const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
     const coin_priv_slip *const d = &g->slope;
     if (!g->contact.psi_held && y.cth < COIN_PRIV_FLAT)
-        return coin_priv_lie(&g->w.run);
+        return coin_priv_lay_flat(&g->w.run);
     g->contact.psi_held = psi_is_held(g, &y);
     coin_priv_slip_slopes((double *)&g->slope, (const double *)&y, &g->contact);
     coin_priv_slip to = y;
@@ -396,5 +397,5 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g)
     const int32_t taken = coin_priv_slip_take(g, &r.to);
     if (taken != COIN_OK)
         return taken;
-    return status == COIN_RESTS ? coin_priv_lie(&g->w.run) : status;
+    return status == COIN_RESTS ? coin_priv_lay_flat(&g->w.run) : status;
 }

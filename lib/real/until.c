@@ -16,7 +16,7 @@
 /* A motion under way. */
 struct moving {
     coin_priv_run run;
-    coin_priv_reach reach;
+    coin_priv_lengths lengths;
     double t, stride;
     coin_priv_sum rem; /* of t, still to go */
 };
@@ -29,7 +29,7 @@ static int32_t step(struct moving *g, coin_priv_stretch *w)
     int32_t status = COIN_OK;
     w->tau = 0;
     do {
-        if (coin_priv_arrives(r, &g->reach, g->rem.sum))
+        if (coin_priv_one_step_suffices(r, &g->lengths, g->rem.sum))
             break;
         const double tau = coin_priv_next_tau(r, g->stride, g->rem.sum);
         status = coin_priv_advance_by(r, tau, &g->stride, &g->rem);
@@ -47,13 +47,14 @@ static int32_t next_stretch(struct moving *g, coin_priv_stretch *w, int *last)
     w->from = g->run;
     w->t = 0;
     int32_t status = step(g, w);
-    *last = status == COIN_OK && coin_priv_arrives(r, &g->reach, g->rem.sum);
+    *last = status == COIN_OK &&
+            coin_priv_one_step_suffices(r, &g->lengths, g->rem.sum);
     if (*last) {
         const double left = g->rem.sum;
         const double tau = coin_priv_tau_of(&r->b, &r->g.y, left);
         if (r->steps > 0)
             coin_priv_read_lean(&r->g);
-        status = coin_priv_land(r, &g->reach, &g->rem);
+        status = coin_priv_step_to_end(r, &g->lengths, &g->rem);
         if (status == COIN_OK && left != 0) {
             w->tau += tau;
             w->t = rem;
@@ -105,8 +106,8 @@ static int32_t prepare(struct moving *g, coin_priv_stretch *w,
     if (!(fabs(t) * w0 <= COIN_PRIV_TOO_LONG))
         return COIN_ESTEP;
     coin_priv_run_unlimited(&g->run, s);
-    g->reach = coin_priv_reach_of(f->tol < COARSEST ? f->tol : COARSEST);
-    g->stride = g->reach.stride;
+    g->lengths = coin_priv_lengths_of(f->tol < COARSEST ? f->tol : COARSEST);
+    g->stride = g->lengths.stride;
     g->t = t;
     g->rem.sum = t;
     g->rem.low = 0;
@@ -117,7 +118,7 @@ static int32_t prepare(struct moving *g, coin_priv_stretch *w,
     w->t = 0;
     coin_priv_stretch_know(w, 1);
     const int32_t bits = coin_priv_bits_at(f, s, &w->force);
-    return bits == 0 && t >= 0 && coin_priv_rests(s) ? COIN_EFLAT : bits;
+    return bits == 0 && t >= 0 && coin_priv_lies_flat(s) ? COIN_EFLAT : bits;
 }
 
 int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
@@ -141,6 +142,6 @@ int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
     status = follow(&g, &w, &f);
     if (status < 0 && g.run.steps > 0)
         coin_priv_read_lean(&g.run.g);
-    status = coin_priv_arrive(s, &g.run, status, t, g.rem.sum, reached);
+    status = coin_priv_end_call(s, &g.run, status, t, g.rem.sum, reached);
     return status == COIN_OK ? coin_priv_bits_at(&f, s, &w.force) : status;
 }

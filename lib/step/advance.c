@@ -6,12 +6,13 @@
 #include "advance.h"
 
 /* Moves *r until *rem, the time still to go, is short. */
-static int32_t approach(coin_priv_run *r, const coin_priv_reach *reach,
+static int32_t approach(coin_priv_run *r, const coin_priv_lengths *lengths,
                         coin_priv_sum *rem)
 {
-    double stride = reach->stride;
+    double stride = lengths->stride;
     int32_t status = COIN_OK;
-    while (status == COIN_OK && !coin_priv_arrives(r, reach, rem->sum)) {
+    while (status == COIN_OK &&
+           !coin_priv_one_step_suffices(r, lengths, rem->sum)) {
         const double tau = coin_priv_next_tau(r, stride, rem->sum);
         status = coin_priv_advance_by(r, tau, &stride, rem);
     }
@@ -28,7 +29,7 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
         return status;
     if (!(fabs(t) * sqrt(b.g_a) <= COIN_PRIV_TOO_LONG))
         return COIN_ESTEP;
-    if (t >= 0 && coin_priv_rests(s)) {
+    if (t >= 0 && coin_priv_lies_flat(s)) {
         if (reached)
             *reached = 0;
         return COIN_EFLAT;
@@ -37,11 +38,11 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
     coin_priv_sum rem = {t, 0};
     r.b = b;
     coin_priv_run_unlimited(&r, s);
-    const coin_priv_reach reach = coin_priv_reach_of(tol);
-    status = approach(&r, &reach, &rem);
+    const coin_priv_lengths lengths = coin_priv_lengths_of(tol);
+    status = approach(&r, &lengths, &rem);
     if (r.steps > 0)
         coin_priv_read_lean(&r.g);
     if (status == COIN_OK)
-        status = coin_priv_land(&r, &reach, &rem);
-    return coin_priv_arrive(s, &r, status, t, rem.sum, reached);
+        status = coin_priv_step_to_end(&r, &lengths, &rem);
+    return coin_priv_end_call(s, &r, status, t, rem.sum, reached);
 }

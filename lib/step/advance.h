@@ -24,12 +24,12 @@
 #define COIN_PRIV_LAST_MOST 0.5
 
 /* Where the first step of a call is its last, a step of RK8 may be longer if
- * lean and heading turn by less than SLOW_RK8 tol^(1/8) in it: |rem| W may be
- * ONLY_RK8 tol^(1/8), but at most 1.  The error of that step is proportional to
- * rem (rem W)^8, so that W has a limit too, FASTEST in natural units.  The
+ * lean and heading turn by less than ONLY_TURN_RK8 tol^(1/8) in it: |rem| W may
+ * be ONLY_RK8 tol^(1/8), but at most 1.  The error of that step is proportional
+ * to rem (rem W)^8, so that W has a limit too, FASTEST in natural units.  The
  * numbers are measured: the error stays below 0.6 tol per unit. */
 #define COIN_PRIV_ONLY_RK8 4.7
-#define COIN_PRIV_SLOW_RK8 0.5
+#define COIN_PRIV_ONLY_TURN_RK8 0.5
 #define COIN_PRIV_FASTEST 3.0
 
 /* RK4 may be the only step of a call where W (rem W)^4 is at most ONLY_RK4 tol,
@@ -44,19 +44,19 @@
 #define COIN_PRIV_LONGEST 1.65
 
 /* Where the first step in tau would be the last of a call, it may be ONLY
- * strides long if lean and heading turn by less than SLOW in it.  LONGEST
+ * strides long if lean and heading turn by less than ONLY_TURN in it.  LONGEST
  * remains the limit.  Both are measured as ONLY_RK8 is. */
 #define COIN_PRIV_ONLY 1.75
-#define COIN_PRIV_SLOW 0.1
+#define COIN_PRIV_ONLY_TURN 0.1
 
 /* How far a call may step. */
-typedef struct coin_priv_reach {
-    double stride;   /* of a step in tau: tau times the rate */
-    double rk8, rk4; /* the most |rem| W of a last step */
-    double only_rk8; /* the same if the first step of a call is its last */
-    double slow;     /* by how much lean and heading may turn in that step */
-    double only_rk4; /* the most W (rem W)^4 if the first step is the last */
-} coin_priv_reach;
+typedef struct coin_priv_lengths {
+    double stride;    /* of a step in tau: tau times the rate */
+    double rk8, rk4;  /* the most |rem| W of a last step */
+    double only_rk8;  /* the same if the first step of a call is its last */
+    double only_turn; /* by how much lean and heading may turn in that step */
+    double only_rk4;  /* the most W (rem W)^4 if the first step is the last */
+} coin_priv_lengths;
 
 /* tol^(1/14) from x = tol^(1/16): a parabola in place of x^(8/7), which errs by
  * less than 0.6 % for tol >= 1e-14. */
@@ -65,16 +65,16 @@ COIN_PRIV_INLINE double coin_priv_root14(double x)
     return (0.2127 * x + 0.8261) * x - 0.014;
 }
 
-COIN_PRIV_INLINE coin_priv_reach coin_priv_reach_of(double tol)
+COIN_PRIV_INLINE coin_priv_lengths coin_priv_lengths_of(double tol)
 {
     const double r8 = sqrt(sqrt(sqrt(tol))), r16 = sqrt(r8);
     const double stride = COIN_PRIV_STRIDE * coin_priv_root14(r16);
-    const coin_priv_reach r = {
+    const coin_priv_lengths r = {
         stride < COIN_PRIV_LONGEST ? stride : COIN_PRIV_LONGEST,
         coin_priv_lesser(COIN_PRIV_LAST_RK8 * r8, COIN_PRIV_LAST_MOST),
         COIN_PRIV_LAST_RK4 * r8 * r16,
         coin_priv_lesser(COIN_PRIV_ONLY_RK8 * r8, 1),
-        COIN_PRIV_SLOW_RK8 * r8,
+        COIN_PRIV_ONLY_TURN_RK8 * r8,
         COIN_PRIV_ONLY_RK4 * tol,
     };
     return r;
@@ -96,8 +96,8 @@ COIN_PRIV_INLINE double coin_priv_tau_of(const coin_priv_body *b,
 
 /* Whether lean and heading turn by less than `angle` times cos theta in the
  * time rem.  Always 0 after the first step of a call. */
-COIN_PRIV_INLINE int coin_priv_is_slow(const coin_priv_run *r, double rem,
-                                       double angle)
+COIN_PRIV_INLINE int coin_priv_turns_little(const coin_priv_run *r, double rem,
+                                            double angle)
 {
     if (r->steps > 0)
         return 0;
@@ -123,9 +123,9 @@ COIN_PRIV_INLINE double coin_priv_next_tau(const coin_priv_run *r,
         return tau;
     const double only =
         coin_priv_lesser(COIN_PRIV_ONLY, COIN_PRIV_LONGEST / stride) * full;
-    const int arrives =
-        fabs(tau) < only && coin_priv_is_slow(r, rem, COIN_PRIV_SLOW);
-    return arrives ? tau : side * full;
+    const int suffices =
+        fabs(tau) < only && coin_priv_turns_little(r, rem, COIN_PRIV_ONLY_TURN);
+    return suffices ? tau : side * full;
 }
 
 /* (rem W)^2, whose limits are the squares of rk8, only_rk8 and rk4. */
@@ -134,16 +134,16 @@ COIN_PRIV_INLINE double coin_priv_left2(const coin_priv_run *r, double rem)
     return rem * rem * coin_priv_rate2(r->b.g_a, &r->g.y);
 }
 
-/* Whether one step in t arrives. */
-COIN_PRIV_INLINE int coin_priv_arrives(const coin_priv_run *r,
-                                       const coin_priv_reach *reach, double rem)
+/* Whether one step in t is accurate enough for all the time left. */
+COIN_PRIV_INLINE int coin_priv_one_step_suffices(
+    const coin_priv_run *r, const coin_priv_lengths *lengths, double rem)
 {
     const double left2 = coin_priv_left2(r, rem);
     const double most2 = COIN_PRIV_FASTEST * COIN_PRIV_FASTEST * r->b.g_a;
-    return left2 <= reach->rk8 * reach->rk8 ||
-           (left2 <= reach->only_rk8 * reach->only_rk8 &&
+    return left2 <= lengths->rk8 * lengths->rk8 ||
+           (left2 <= lengths->only_rk8 * lengths->only_rk8 &&
             left2 <= rem * rem * most2 &&
-            coin_priv_is_slow(r, rem, reach->slow));
+            coin_priv_turns_little(r, rem, lengths->only_turn));
 }
 
 /* A step of tau.  If it passes the end of the time, it halves *stride, so that
@@ -168,25 +168,25 @@ COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r, double tau,
 }
 
 /* Whether RK4 is enough for the last step. */
-COIN_PRIV_INLINE int coin_priv_rk4_lands(const coin_priv_run *r,
-                                         const coin_priv_reach *reach,
-                                         double rem)
+COIN_PRIV_INLINE int coin_priv_rk4_suffices(const coin_priv_run *r,
+                                            const coin_priv_lengths *lengths,
+                                            double rem)
 {
     const double left2 = coin_priv_left2(r, rem);
     if (r->steps != 0)
-        return left2 <= reach->rk4 * reach->rk4;
-    const double error = reach->only_rk4 * rem;
+        return left2 <= lengths->rk4 * lengths->rk4;
+    const double error = lengths->only_rk4 * rem;
     return left2 * left2 * left2 * left2 * left2 <= error * error * r->b.g_a;
 }
 
 /* One step in t over the time left, which is not 0. */
 COIN_PRIV_INLINE int32_t coin_priv_last_step(coin_priv_run *r,
-                                             const coin_priv_reach *reach,
+                                             const coin_priv_lengths *lengths,
                                              coin_priv_sum *rem)
 {
     const uint64_t before = r->steps;
     r->dt = rem->sum;
-    if (coin_priv_rk4_lands(r, reach, rem->sum))
+    if (coin_priv_rk4_suffices(r, lengths, rem->sum))
         coin_priv_rk4(r, 1);
     else
         coin_priv_rk8(r, 1);
@@ -197,18 +197,19 @@ COIN_PRIV_INLINE int32_t coin_priv_last_step(coin_priv_run *r,
 }
 
 /* coin_priv_last_step(), unless no time is left. */
-COIN_PRIV_INLINE int32_t coin_priv_land(coin_priv_run *r,
-                                        const coin_priv_reach *reach,
-                                        coin_priv_sum *rem)
+COIN_PRIV_INLINE int32_t coin_priv_step_to_end(coin_priv_run *r,
+                                               const coin_priv_lengths *lengths,
+                                               coin_priv_sum *rem)
 {
-    return rem->sum == 0 ? COIN_OK : coin_priv_last_step(r, reach, rem);
+    return rem->sum == 0 ? COIN_OK : coin_priv_last_step(r, lengths, rem);
 }
 
 /* Ends a call that was to move *s by t, of which rem is left.  If x or z has
  * overflowed, *s stays as it was and *reached becomes 0, as in a run. */
-COIN_PRIV_INLINE int32_t coin_priv_arrive(coin_state *s, const coin_priv_run *r,
-                                          int32_t status, double t, double rem,
-                                          double *reached)
+COIN_PRIV_INLINE int32_t coin_priv_end_call(coin_state *s,
+                                            const coin_priv_run *r,
+                                            int32_t status, double t,
+                                            double rem, double *reached)
 {
     const coin_state end = coin_priv_run_state(r);
     const int lost = !coin_priv_pose_holds(&end);

@@ -24,7 +24,7 @@ typedef struct PRIV(progress) {
 } PRIV(progress);
 
 /* Adds a part, by Knuth's exact sum. */
-COIN_PRIV_PART void PRIV(add)(PRIV(sum) * to, real part)
+COIN_PRIV_INLINE_UNLESS_SMALL void PRIV(add)(PRIV(sum) * to, real part)
 {
     const real y = part + to->low, sum = to->sum + y;
     const real of_y = sum - to->sum;
@@ -65,7 +65,7 @@ COIN_PRIV_INLINE void PRIV(progress_begin)(PRIV(progress) * g,
 }
 
 /* Sine and cosine of an angle that a sum holds. */
-COIN_PRIV_PART PRIV(sc) PRIV(angle_pair)(PRIV(sum) angle)
+COIN_PRIV_INLINE_UNLESS_SMALL PRIV(sc) PRIV(angle_pair)(PRIV(sum) angle)
 {
     const PRIV(sc) of = PRIV(sine_cosine)(angle.sum);
     const PRIV(sc) r = {

@@ -87,7 +87,7 @@ COIN_PRIV_INLINE struct turn turn_of(const coin_priv_body *b,
 
 /* Moves *c by a drift of h.  A function: the call costs 1 % of a step, and both
  * methods share its code. */
-COIN_PRIV_APART void drift(struct part *c, const struct split *k, double h)
+COIN_PRIV_NOINLINE void drift(struct part *c, const struct split *k, double h)
 {
     const coin_priv_variables y0 = c->y;
     const double turn = h * y0.wX; /* (17) */

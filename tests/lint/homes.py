@@ -38,7 +38,7 @@ OTHER_FORMS = {
     "orbit.c set_steady": "test_orbit",
     "orbit_at.c set_place": "test_orbit_at",
     "orbit_at.c state_at": "test_orbit_at",
-    "plain.c need_of": "test_cone",
+    "cone_by_ends.c need_of": "test_cone",
     "pose.c angles_of": "test_pose",
     "pose.c angular_velocity": "test_pose",
     "pose.c state_from_motion": "test_pose",

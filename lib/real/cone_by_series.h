@@ -2,8 +2,8 @@
 /* Where a real coin would slip or lift off, or is nearly flat, according to the
  * polynomials that join the series at both ends of a stretch of motion, or of a
  * part of it. */
-#ifndef ROLLCOIN_PART_H
-#define ROLLCOIN_PART_H
+#ifndef ROLLCOIN_CONE_BY_SERIES_H
+#define ROLLCOIN_CONE_BY_SERIES_H
 
 #include "bernstein.h"
 #include "stretch.h"

@@ -25,7 +25,7 @@ COIN_PRIV_INLINE coin_priv_variables slopes_at(const coin_priv_field *f,
         y[WX], y[WY], y[WZ], y[SIN], y[COS], 0, 0, 0, 0,
     };
     coin_priv_variables d = coin_priv_sundman_slopes(f, &at);
-    const coin_priv_slowing slow = coin_priv_slow(l, &at);
+    const coin_priv_slowing slow = coin_priv_slowing_of(l, &at);
     d.wX += slow.wX;
     d.wY += slow.wY;
     d.wZ += slow.wZ;
@@ -255,9 +255,10 @@ static int turns_round(const coin_priv_losses *l, const coin_priv_end *a,
     return l->solid > 0 && (roll_of(a) < 0) != (roll_of(b) < 0);
 }
 
-int coin_priv_plain(const coin_priv_contact *contact, const coin_priv_field *f,
-                    const coin_priv_losses *l, const coin_priv_end *a,
-                    const coin_priv_end *b, double tau, double stride)
+int coin_priv_surely_in_cone(const coin_priv_contact *contact,
+                             const coin_priv_field *f,
+                             const coin_priv_losses *l, const coin_priv_end *a,
+                             const coin_priv_end *b, double tau, double stride)
 {
     const double s2 = stride * stride, s4 = s2 * s2;
     const double allowed = 2 * COIN_PRIV_MISS * (s4 * s2);

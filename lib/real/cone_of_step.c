@@ -2,7 +2,7 @@
 /* Whether a step of a rolling coin keeps within the cone of friction. */
 #include "../motion/pinned.h"
 
-#include "part.h"
+#include "cone_by_series.h"
 #include "slide.h"
 
 /* A coin whose square margin is above this rolls, whatever rounding does.  If
@@ -14,8 +14,8 @@
  * as a whole. */
 #define HALVED 0.5
 
-/* Calls coin_priv_plain() for both halves of the step just made.  Returns 0 for
- * a short step, which is not cut. */
+/* Calls coin_priv_surely_in_cone() for both halves of the step just made.
+ * Returns 0 for a short step, which is not cut. */
 static int judge_halves(coin_priv_sliding *g, const coin_priv_end *from,
                         const coin_priv_end *to, double tau, double rate)
 {
@@ -28,9 +28,10 @@ static int judge_halves(coin_priv_sliding *g, const coin_priv_end *from,
     coin_priv_again(g, half);
     coin_priv_end_of(&mid, &g->contact, &f, &g->w.l, &g->w.run.g.y, 1 / rate);
     g->w.run = at;
-    return coin_priv_plain(&g->contact, &f, &g->w.l, from, &mid, half,
-                           stride) &&
-           coin_priv_plain(&g->contact, &f, &g->w.l, &mid, to, half, stride);
+    return coin_priv_surely_in_cone(&g->contact, &f, &g->w.l, from, &mid, half,
+                                    stride) &&
+           coin_priv_surely_in_cone(&g->contact, &f, &g->w.l, &mid, to, half,
+                                    stride);
 }
 
 /* Judges the step just made of a coin without losses by series of the force:
@@ -46,7 +47,7 @@ static int judge_by_series(coin_priv_sliding *g, double tau, double rate)
     w->to = g->w.run.g.y;
     w->unit = 1 / rate;
     w->tau = tau;
-    w->t = g->arrived ? g->w.run.g.added.t : 0;
+    w->t = g->ended_in_t ? g->w.run.g.added.t : 0;
     return coin_priv_judge_stretch(&f, w, 1 / rate);
 }
 
@@ -60,8 +61,8 @@ static int judge_by_ends(coin_priv_sliding *g, double tau, double rate)
     g->now = !g->now;
     coin_priv_end *const to = &g->ends[g->now];
     coin_priv_end_of(to, &g->contact, &f, l, &g->w.run.g.y, 1 / rate);
-    return coin_priv_plain(&g->contact, &f, l, from, to, tau,
-                           fabs(tau) * rate) ||
+    return coin_priv_surely_in_cone(&g->contact, &f, l, from, to, tau,
+                                    fabs(tau) * rate) ||
            (to->square_margin > 0 && judge_halves(g, from, to, tau, rate));
 }
 

@@ -7,7 +7,7 @@
 
 #include "../step/sundman.h"
 
-#include "part.h"
+#include "cone_by_series.h"
 
 #include <math.h>
 
@@ -130,7 +130,7 @@ static int stays_off_flat(const coin_priv_force *at, double h, double off)
                     COIN_PRIV_DEGREE(at->terms));
 }
 
-/* The bound x of the error of a curve: part.h. */
+/* The bound x of the error of a curve: cone_by_series.h. */
 static double error_of(double stride, int terms)
 {
     const double x = stride / (terms == FEW    ? COIN_PRIV_FEW_REACH

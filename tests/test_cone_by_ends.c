@@ -147,8 +147,8 @@ static int is_plain(struct path *w, double mu)
     const coin_priv_field f = coin_priv_field_of(&w->contact.b, 1);
     w->contact.mu_static = mu;
     const coin_priv_end a = end_at(w, &w->y[0]), b = end_at(w, &w->y[LOOKS]);
-    return coin_priv_plain(&w->contact, &f, &w->losses, &a, &b, w->tau,
-                           w->stride);
+    return coin_priv_surely_in_cone(&w->contact, &f, &w->losses, &a, &b, w->tau,
+                                    w->stride);
 }
 
 static void no_step_that_leaves_the_cone_is_plain(void **unused)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Where the polynomials of lib/real/part.c exclude an event within a stretch of
- * motion, the motion itself has none. */
+/* Where the polynomials of lib/real/cone_by_series.c exclude an event within a
+ * stretch of motion, the motion itself has none. */
 #include "support/check.h"
 #include "support/random.h"
 
