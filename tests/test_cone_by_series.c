@@ -22,8 +22,7 @@ struct sample {
 
 static double ratio_of(const coin_priv_force *f)
 {
-    const double A = f->along[0].at[1], B = f->across[0].at[1],
-                 N = f->normal[0].at[1];
+    const double A = f->X[0].at[1], B = f->h[0].at[1], N = f->normal[0].at[1];
     return N > 0 ? sqrt(A * A + B * B) / N : (double)INFINITY;
 }
 
@@ -99,7 +98,7 @@ static void each_change_at_each_end_counts(void **unused)
     const double stride = COIN_PRIV_FEW_REACH;
     for (int i = 0; i < 4; ++i) {
         coin_priv_force at = {.terms = COIN_PRIV_FORCE_FEW};
-        double *const change = &at.along[1 + i / 2].at[i % 2];
+        double *const change = &at.X[1 + i / 2].at[i % 2];
         at.normal[0].at[0] = at.normal[0].at[1] = 1;
         *change = 0.3;
         check(coin_priv_is_clear(&f, &at, stride, stride));

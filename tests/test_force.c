@@ -114,8 +114,8 @@ static void the_series_give_the_force_further_on(void **unused)
             const struct four want = truth(&w, &to);
             const double bound =
                 size_of(&want) * (100 * U / want.of[3] + 1e3 * pow(x[i], 6));
-            check_near(sum(f.along, end, x[i]), want.of[0], bound);
-            check_near(sum(f.across, end, x[i]), want.of[1], bound);
+            check_near(sum(f.X, end, x[i]), want.of[0], bound);
+            check_near(sum(f.h, end, x[i]), want.of[1], bound);
             check_near(sum(f.normal, end, x[i]), want.of[2], bound);
             check_near(sum(f.cth, end, x[i]), want.of[3],
                        40 * U + pow(x[i], 6));
@@ -146,12 +146,11 @@ static void joined_within(const struct stretch *w, double h, int terms,
     coin_priv_force f;
     coin_priv_force_of(&f, &w->run.b, &w->run.g.y, &end.g.y, w->unit, terms);
     double curve[4][LAST + 1];
-    coin_priv_join(curve[0], f.along, h, 1, terms);
-    coin_priv_join(curve[1], f.across, h, 1, terms);
+    coin_priv_join(curve[0], f.X, h, 1, terms);
+    coin_priv_join(curve[1], f.h, h, 1, terms);
     coin_priv_join(curve[2], f.normal, h, 1, terms);
     coin_priv_join(curve[3], f.cth, h, 1, terms);
-    const double change =
-        changes(f.along) + changes(f.across) + changes(f.normal);
+    const double change = changes(f.X) + changes(f.h) + changes(f.normal);
     const double size = size_of(&first) + size_of(&last);
     const double cths = first.of[3] + last.of[3];
     for (double x = 0; x <= 1; x += 0.125) {

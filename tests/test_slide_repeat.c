@@ -113,8 +113,8 @@ static int keeps_rolling(coin_priv_sliding *g, int turns, double low,
     const double unit = coin_priv_sundman_tau(&g->contact.b, &g->w.run.g.y, 1);
     coin_priv_judge_here(g);
     g->turning_points = turns;
-    g->low = low;
-    g->high = high;
+    g->least_sth = low;
+    g->most_sth = high;
     g->ended_in_t = 0;
     coin_priv_mark(g);
     check(coin_priv_roll_try(g, unit / 2) == 0);
@@ -132,9 +132,9 @@ static void leans_that_were_not_tested_yet_are_tested(void **unused)
     check(!keeps_rolling(&g, 1, -1, 1));
     check(!keeps_rolling(&g, 2, to + U, 1));
     check(!keeps_rolling(&g, 2, -1, to - U));
-    check(g.low == -1 && g.high == to && g.turning_points == 2);
+    check(g.least_sth == -1 && g.most_sth == to && g.turning_points == 2);
     check(!keeps_rolling(&g, 0, to + U, 1));
-    check(g.low == to && g.high == 1 && g.turning_points == 0);
+    check(g.least_sth == to && g.most_sth == 1 && g.turning_points == 0);
 }
 
 int main(void)

@@ -85,7 +85,7 @@ COIN_PRIV_NOINLINE float longest(const struct settling *g,
     if (!(l->solid + l->layer + l->damping > 0))
         return dt;
     /* u = cos(theta) d(psi)/dt, and what the ideal coin makes of it. */
-    const float u = cth * wZ + sth * wY;
+    const float u = coinf_priv_roll_speed(wY, wZ, sth, cth);
     const float du = fabsf(y->wX * (wY * ((b->k2 + 1) * cth + sth * y->tth) +
                                     wZ * sth * (b->k1 - 1)));
     const float way = TURN_ROUND * sqrtf(u * u + l->soft2 * (cth * cth));

@@ -109,7 +109,7 @@ typedef struct PRIV(slope) {
     real theta, phi, psi, x, z, wX, wY, wZ;
 } PRIV(slope);
 
-/* What KJ_low adds to h d(wX)/dt, Eq. (14). */
+/* What KJ_low adds to h d(wX)/dt of (14), in KJ wZ wY. */
 COIN_PRIV_INLINE real PRIV(fall_low)(const PRIV(plan) * plan,
                                      const PRIV(variables) * y)
 {

@@ -9,6 +9,9 @@
 #include <float.h>
 #include <math.h>
 
+/* COIN_NEARLY_FLAT begins below this cos theta (coin.h). */
+#define COIN_PRIV_NEARLY_FLAT 0.01
+
 /* The last lean that coin_state_check() accepts: that of a coin at rest. */
 #define COIN_PRIV_LAST_LEAN (COIN_PRIV_HALF_PI - COIN_PRIV_EPSILON)
 

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/methods.h"
+#include "../motion/rest.h"
 #include "../motion/state.h"
 #include "reaction.h"
-
-/* COIN_NEARLY_FLAT begins at this cos theta (coin.h). */
-#define NEARLY_FLAT K(0.01)
 
 int32_t COIN(check)(const COIN(state) * s, const COIN(params) * p,
                     int32_t method, real dt, real mu)
@@ -27,7 +25,7 @@ int32_t COIN(check)(const COIN(state) * s, const COIN(params) * p,
         bits |= COIN_SLIPS;
     if (FABS(dt) * W > PRIV(coarse_limit)(method))
         bits |= COIN_COARSE;
-    if (y.cth < NEARLY_FLAT)
+    if (y.cth < K(COIN_PRIV_NEARLY_FLAT))
         bits |= COIN_NEARLY_FLAT;
     return bits;
 }

@@ -241,10 +241,9 @@ static int has_margin(const coin_priv_contact *contact, const coin_priv_end *a,
     return least(m) > allowed * weight;
 }
 
-/* cos(theta) d(psi)/dt at an end. */
 COIN_PRIV_INLINE double roll_of(const coin_priv_end *e)
 {
-    return e->y[COS] * e->y[WZ] + e->y[SIN] * e->y[WY];
+    return coin_priv_roll_speed(e->y[WY], e->y[WZ], e->y[SIN], e->y[COS]);
 }
 
 /* Whether the contact turns round between two ends, where dry friction changes

@@ -29,7 +29,7 @@ enum { CUTS = 5 };
  * of the curve. */
 COIN_PRIV_INLINE int is_in_cone(const coin_priv_curve *w, int k)
 {
-    const double A = w->along[k], B = w->across[k], C = w->bound[k];
+    const double A = w->X[k], B = w->h[k], C = w->bound[k];
     return (A * A + B * B <= C * C) & (C >= 0);
 }
 
@@ -57,8 +57,8 @@ COIN_PRIV_INLINE int stays_within(coin_priv_curve pile[CUTS + 1], int terms)
         }
         if (cuts[top] == CUTS || !is_in_cone(now, degree))
             return 0;
-        coin_priv_cut_joined(half->along, now->along, terms);
-        coin_priv_cut_joined(half->across, now->across, terms);
+        coin_priv_cut_joined(half->X, now->X, terms);
+        coin_priv_cut_joined(half->h, now->h, terms);
         coin_priv_cut_joined(half->bound, now->bound, terms);
         cuts[parts] = ++cuts[top];
         ++parts;
@@ -69,7 +69,7 @@ COIN_PRIV_INLINE int stays_within(coin_priv_curve pile[CUTS + 1], int terms)
 /* The size of term k of the force at an end, 0 or 1. */
 static double size_of(const coin_priv_force *f, int k, int end)
 {
-    return fabs(f->along[k].at[end]) + fabs(f->across[k].at[end]) +
+    return fabs(f->X[k].at[end]) + fabs(f->h[k].at[end]) +
            fabs(f->normal[k].at[end]);
 }
 
@@ -91,8 +91,8 @@ static double slack(const coin_priv_search *f)
 static int end_is_in_cone(const coin_priv_search *f, const coin_priv_force *at,
                           double off)
 {
-    const double A = f->per_F * at->along[0].at[1];
-    const double B = f->per_F * at->across[0].at[1];
+    const double A = f->per_F * at->X[0].at[1];
+    const double B = f->per_F * at->h[0].at[1];
     const double C = f->per_N * at->normal[0].at[1] - off;
     return (A * A + B * B <= C * C) & (C >= 0);
 }
@@ -104,8 +104,8 @@ static int force_stays(const coin_priv_search *f, const coin_priv_force *at,
 {
     coin_priv_curve pile[CUTS + 1], *const c = pile;
     const int terms = at->terms;
-    coin_priv_join(c->along, at->along, h, f->per_F, terms);
-    coin_priv_join(c->across, at->across, h, f->per_F, terms);
+    coin_priv_join(c->X, at->X, h, f->per_F, terms);
+    coin_priv_join(c->h, at->h, h, f->per_F, terms);
     coin_priv_join(c->bound, at->normal, h, f->per_N, terms);
     for (int k = 0; k <= COIN_PRIV_DEGREE(terms); ++k)
         c->bound[k] -= off;
@@ -197,16 +197,10 @@ void coin_priv_join_part(coin_priv_part *w, const coin_priv_search *f,
         coin_priv_join(w->normal, at->normal, h, 1, ALL);
     if (!(f->bits & COIN_SLIPS))
         return;
-    coin_priv_join(c->along, at->along, h, f->per_F, ALL);
-    coin_priv_join(c->across, at->across, h, f->per_F, ALL);
+    coin_priv_join(c->X, at->X, h, f->per_F, ALL);
+    coin_priv_join(c->h, at->h, h, f->per_F, ALL);
     for (int k = 0; k <= JOINED; ++k)
         c->bound[k] = f->per_N * w->normal[k];
-}
-
-static void negate(double *b, int degree)
-{
-    for (int k = 0; k <= degree; ++k)
-        b[k] = -b[k];
 }
 
 static coin_priv_place earlier(coin_priv_place a, coin_priv_place b)
@@ -214,14 +208,15 @@ static coin_priv_place earlier(coin_priv_place a, coin_priv_place b)
     return a.from <= b.from ? a : b;
 }
 
-/* The next place where the polynomial b is positive, up to where it is not.  b
- * is negated. */
-static coin_priv_place positive(double *b, int degree, double from)
+/* The next place where the polynomial b is positive, up to where it is not. */
+static coin_priv_place next_positive(const double *b, int degree, double from)
 {
     coin_priv_place r = {coin_priv_rise(b, degree, from), 2};
-    negate(b, degree);
+    double minus[COIN_PRIV_SQUARED + 1];
+    for (int k = 0; k <= degree; ++k)
+        minus[k] = -b[k];
     if (r.from < 2)
-        r.to = coin_priv_rise(b, degree, r.from);
+        r.to = coin_priv_rise(minus, degree, r.from);
     return r;
 }
 
@@ -231,7 +226,7 @@ static coin_priv_place below_least(const double *b, double least, double from)
     double lack[JOINED + 1];
     for (int k = 0; k <= JOINED; ++k)
         lack[k] = least - b[k];
-    return positive(lack, JOINED, from);
+    return next_positive(lack, JOINED, from);
 }
 
 /* Where the force leaves the cone, and where N comes from or goes to 0: next to
@@ -240,16 +235,15 @@ static coin_priv_place slip(const coin_priv_part *w, double from)
 {
     double cone[COIN_PRIV_SQUARED + 1], pull[JOINED + 1];
     const double inside = from > 0 ? from : 0;
-    coin_priv_cone(cone, w->force.along, w->force.across, w->force.bound);
-    coin_priv_place r = positive(cone, COIN_PRIV_SQUARED, from);
+    coin_priv_cone(cone, w->force.X, w->force.h, w->force.bound);
+    coin_priv_place r = next_positive(cone, COIN_PRIV_SQUARED, from);
     if (is_above(w->normal, 0, JOINED))
         return r;
     for (int k = 0; k <= JOINED; ++k)
         pull[k] = -w->normal[k];
     const double down = coin_priv_rise(pull, JOINED, inside);
     r.to = coin_priv_lesser(r.to, coin_priv_rise(pull, JOINED, r.from));
-    negate(pull, JOINED);
-    const coin_priv_place up = positive(pull, JOINED, inside);
+    const coin_priv_place up = next_positive(w->normal, JOINED, inside);
     const coin_priv_place falls = {down, down};
     return earlier(earlier(r, up), falls);
 }

@@ -5,11 +5,10 @@
 #ifndef ROLLCOIN_CONE_BY_SERIES_H
 #define ROLLCOIN_CONE_BY_SERIES_H
 
+#include "../motion/rest.h"
+
 #include "bernstein.h"
 #include "stretch.h"
-
-/* COIN_NEARLY_FLAT begins at this cos theta. */
-#define COIN_PRIV_NEARLY_FLAT 0.01
 
 /* What is looked for: bits of coin_check(), to within a time tol [T].  The coin
  * neither slips nor lifts off where per_F F < per_N N.  The pair per_F, per_N
@@ -44,10 +43,10 @@ int coin_priv_judge_stretch(const coin_priv_search *f, coin_priv_stretch *w,
                             double one);
 
 /* The force along a curve in Bernstein's form, scaled so that the coin slips
- * where along^2 + across^2 > bound^2. */
+ * where X^2 + h^2 > bound^2. */
 typedef struct coin_priv_curve {
-    double along[COIN_PRIV_JOINED + 1];
-    double across[COIN_PRIV_JOINED + 1];
+    double X[COIN_PRIV_JOINED + 1];
+    double h[COIN_PRIV_JOINED + 1];
     double bound[COIN_PRIV_JOINED + 1];
 } coin_priv_curve;
 

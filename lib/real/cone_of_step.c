@@ -76,7 +76,7 @@ static int judge_by_ends(coin_priv_sliding *g, double tau, double rate)
 static int is_repeated(const coin_priv_sliding *g)
 {
     const double sth = g->w.run.g.y.sth;
-    const int within = sth >= g->low && sth <= g->high;
+    const int within = sth >= g->least_sth && sth <= g->most_sth;
     return !g->lossy && g->turning_points >= 2 && within;
 }
 
@@ -86,8 +86,8 @@ int coin_priv_judge_step(coin_priv_sliding *g, double tau, double rate)
     if (is_repeated(g))
         return 1;
     g->turning_points += (g->from.y.wX < 0) != (y->wX < 0);
-    g->low = coin_priv_lesser(g->low, y->sth);
-    g->high = y->sth > g->high ? y->sth : g->high;
+    g->least_sth = coin_priv_lesser(g->least_sth, y->sth);
+    g->most_sth = y->sth > g->most_sth ? y->sth : g->most_sth;
     return g->lossy ? judge_by_ends(g, tau, rate)
                     : judge_by_series(g, tau, rate);
 }
@@ -104,5 +104,5 @@ void coin_priv_judge_here(coin_priv_sliding *g)
         g->surely_rolls =
             coin_priv_square_margin_at(&g->contact, &f, y) > CLEAR;
     g->turning_points = 0;
-    g->low = g->high = y->sth;
+    g->least_sth = g->most_sth = y->sth;
 }

@@ -19,6 +19,10 @@
 #define COIN_PRIV_ESTIMATE 4.0
 #define COIN_PRIV_BRIEF 0.03
 
+/* Where |rem| times the fastest rate is at most this, one step with losses ends
+ * the call.  Its tau is a series in rem of second order. */
+#define COIN_PRIV_LAST_LOSSY 1e-5
+
 /* The estimate of the error of a step of DOP853, which is proportional to h^8.
  * by5: the sum of the squares of its differences from a formula of order 5,
  * which are proportional to h^6.  by3: the same for order 3 and h^4. */

@@ -26,8 +26,7 @@ static int32_t bits_of(const coin_priv_search *f, const coin_state *s)
 int32_t coin_priv_bits_at(const coin_priv_search *f, const coin_state *s,
                           const coin_priv_force *at)
 {
-    const double A = f->per_F * at->along[0].at[1],
-                 B = f->per_F * at->across[0].at[1];
+    const double A = f->per_F * at->X[0].at[1], B = f->per_F * at->h[0].at[1];
     const double room = f->per_N * at->normal[0].at[1] - ROUNDED;
     const int is_clear = (room >= 0) & (A * A + B * B <= room * room) &
                          (at->cth[0].at[1] > 1.5 * COIN_PRIV_NEARLY_FLAT);

@@ -47,8 +47,8 @@ COIN_PRIV_INLINE void next_terms(struct series *w, coin_priv_force *out,
     w->s[k + 1] = part * product(w->c, w->cX, k);               /* (32) */
     w->c[k + 1] = -part * product(w->c, w->sX, k);              /* (32) */
     /* clang-format on */
-    store(&out->along[k].at[which], cXY);
-    store(&out->across[k].at[which], product(w->Y, w->Z, k));
+    store(&out->X[k].at[which], cXY);
+    store(&out->h[k].at[which], product(w->Y, w->Z, k));
     store(&out->cth[k].at[which], w->c[k]);
 }
 
@@ -77,12 +77,12 @@ void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
                 next_terms(&w, out, &f, k, which);
         }
         for (int k = 0; k < terms; ++k) {
-            double *const along = &out->along[k].at[which];
-            double *const across = &out->across[k].at[which];
+            double *const X = &out->X[k].at[which];
+            double *const h = &out->h[k].at[which];
             double *const normal = &out->normal[k].at[which];
             const double next = k + 1;
-            store(along, share * load(along));                /* (92) */
-            store(across, load(across) + next * w.cX[k + 1]); /* (92) */
+            store(X, share * load(X));                        /* (92) */
+            store(h, load(h) + next * w.cX[k + 1]);           /* (92) */
             store(normal, g_a * w.c[k] - next * w.sX[k + 1]); /* (92) */
         }
     }

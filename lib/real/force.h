@@ -22,8 +22,8 @@ typedef struct coin_priv_ends {
  * the vertical. */
 typedef struct coin_priv_force {
     int terms; /* how many terms are set */
-    coin_priv_ends along[COIN_PRIV_FORCE_TERMS];
-    coin_priv_ends across[COIN_PRIV_FORCE_TERMS];
+    coin_priv_ends X[COIN_PRIV_FORCE_TERMS];
+    coin_priv_ends h[COIN_PRIV_FORCE_TERMS];
     coin_priv_ends normal[COIN_PRIV_FORCE_TERMS];
     coin_priv_ends cth[COIN_PRIV_FORCE_TERMS];
 } coin_priv_force;

@@ -108,7 +108,7 @@ int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
                   const PRIV(variables) * y, real eps)
 {
     const real cth = y->cth, wX = y->wX;
-    const real u = cth * y->wZ + y->sth * y->wY;
+    const real u = PRIV(roll_speed)(y->wY, y->wZ, y->sth, cth);
     const real small2 = PRIV(stopped_speed2)(b, y, eps);
     if (!(cth < NEAR_FLAT && u * u <= small2))
         return 0;

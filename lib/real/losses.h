@@ -29,7 +29,14 @@ int32_t PRIV(losses_of)(PRIV(losses) * out, const COIN(losses) * l,
 /* Whether all coefficients are 0. */
 int PRIV(lossless)(const COIN(losses) * l);
 
-/* -Q/u of the contour friction, u = cos(theta) d(psi)/dt. */
+/* u = cos(theta) d(psi)/dt: how fast the contact rolls along the rim, by tau.
+ */
+COIN_PRIV_INLINE real PRIV(roll_speed)(real wY, real wZ, real sth, real cth)
+{
+    return cth * wZ + sth * wY;
+}
+
+/* -Q/u of the contour friction. */
 COIN_PRIV_INLINE real PRIV(grip)(const PRIV(losses) * l, real u, real cth)
 {
     real grip = 0;
@@ -49,7 +56,7 @@ COIN_PRIV_INLINE PRIV(slowing)
 {
     const real wX = y->wX, wY = y->wY, wZ = y->wZ;
     const real sth = y->sth, cth = y->cth;
-    const real u = cth * wZ + sth * wY;
+    const real u = PRIV(roll_speed)(wY, wZ, sth, cth);
     const real Q = -u * PRIV(grip)(l, u, cth);
     const real fade = l->damping * FABS(u); /* (66) */
     const real wy = wY * cth - wZ * sth;    /* about the vertical */
@@ -63,12 +70,13 @@ COIN_PRIV_INLINE PRIV(slowing)
     return d;
 }
 
-/* The rate, in tau, at which the losses make the rates decay: (71). */
+/* The rate in tau at which the losses make the rates decay; (71) is made of it.
+ */
 COIN_PRIV_INLINE real PRIV(friction_rate)(const PRIV(losses) * l,
                                           const PRIV(variables) * y)
 {
     const real sth = y->sth, cth = y->cth;
-    const real u = cth * y->wZ + sth * y->wY;
+    const real u = PRIV(roll_speed)(y->wY, y->wZ, sth, cth);
     const real grip = PRIV(grip)(l, u, cth);
     const real lever = sth * sth / l->IX + cth * cth / l->K;
     return grip * lever + l->damping * FABS(u) + l->spin * cth / l->IX;

@@ -113,7 +113,7 @@ double coin_priv_lossy_bound(const coin_priv_lossy *w, double error)
     const struct lossy_field f = {coin_priv_field_of(&w->run.b, 1), &w->l, 0, 0,
                                   0};
     const coin_priv_variables d = lossy(&f.ideal, y);
-    const double u = y->cth * y->wZ + y->sth * y->wY;
+    const double u = coin_priv_roll_speed(y->wY, y->wZ, y->sth, y->cth);
     const double du =
         fabs(y->cth * d.wZ + y->sth * d.wY + d.cth * y->wZ + d.sth * y->wY);
     const double w0 = sqrt(w->run.b.g_a);
@@ -144,4 +144,14 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
     const int above = coin_priv_lesser(lowest, trial->next.cth) > 0;
     const int finite = error <= DBL_MAX;
     trial->error = (above & finite) ? error : (double)INFINITY;
+}
+
+int32_t coin_priv_lay_flat(coin_priv_run *r)
+{
+    coin_priv_variables *y = &r->g.y;
+    y->sth = y->sth < 0 ? -1 : 1;
+    y->cth = 0;
+    y->wY = 0;
+    y->wX = y->sth * fabs(y->wX);
+    return COIN_RESTS;
 }

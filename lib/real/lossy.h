@@ -34,4 +34,7 @@ double coin_priv_lossy_rate(const coin_priv_lossy *w);
  * none.  An effect on the rates below `error` natural units is not resolved. */
 double coin_priv_lossy_bound(const coin_priv_lossy *w, double error);
 
+/* Sets the lean to flat, and keeps the rate of fall: COIN_RESTS. */
+int32_t coin_priv_lay_flat(coin_priv_run *r);
+
 #endif

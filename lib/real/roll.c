@@ -7,9 +7,6 @@
 #include "hold.h"
 #include "slide.h"
 
-/* |rem| times the fastest rate below which a step with losses arrives. */
-#define LAST 1e-5
-
 /* If the last step but one is shorter than this part of the stride, it and the
  * last step are judged together. */
 #define TOGETHER 0.9
@@ -188,7 +185,7 @@ static int is_last(const coin_priv_sliding *g, double rem, double rate)
 {
     const coin_priv_run *r = &g->w.run;
     if (g->lossy)
-        return fabs(rem) * rate <= LAST * r->g.y.cth;
+        return fabs(rem) * rate <= COIN_PRIV_LAST_LOSSY * r->g.y.cth;
     return coin_priv_one_step_suffices(r, &g->lengths, rem);
 }
 

@@ -2,22 +2,14 @@
 #include "../motion/pinned.h"
 
 #include "../motion/rest.h"
-#include "../step/sundman.h"
+#include "../step/advance.h"
 
 #include "control.h"
 #include "hold.h"
 #include "lossy.h"
 
-/* The longest time of a call, in natural units.  The rounding of t is 0.1 unit
- * there, so that a step would hardly change it. */
-#define TOO_LONG 1e15
-
 /* The most steps of a call, those refused included.  They take 0.4 s. */
 #define TRIES_MAX (UINT64_C(1) << 20)
-
-/* Where |rem| times the fastest rate is at most this, one step ends the call.
- * Its tau is a series in rem of second order. */
-#define LAST 1e-5
 
 /* Where cos theta is less than this and the coin is too slow to rise, the law
  * of losses that never stop the contact gives the time left. */
@@ -159,16 +151,11 @@ static double time_left(const coin_priv_lossy *w)
 }
 
 /* Lays the coin flat, a time later, with the wX that it has. */
-static int32_t lay(struct settling *g, double after)
+static int32_t lay_flat(struct settling *g, double after)
 {
-    coin_priv_variables *y = &g->w.run.g.y;
     coin_priv_add(&g->rem, -after);
-    y->sth = y->sth < 0 ? -1 : 1;
-    y->cth = 0;
-    y->wY = 0;
-    y->wX = y->sth * fabs(y->wX);
     ++g->w.run.steps;
-    return COIN_RESTS;
+    return coin_priv_lay_flat(&g->w.run);
 }
 
 /* Moves the coin until the time is over, or it rests, or a step fails or is one
@@ -182,7 +169,7 @@ static int32_t approach(struct settling *g)
         if (rem == 0)
             return COIN_OK;
         if (y->cth < COIN_PRIV_FLAT)
-            return lay(g, 0);
+            return lay_flat(g, 0);
         if (coin_priv_is_held(&g->w.l, &g->w.run.b, y, eps)) {
             if (y->sth * y->wX >= 0)
                 return fall_flat(g);
@@ -190,9 +177,9 @@ static int32_t approach(struct settling *g)
                 continue;
         }
         if (time_left(&g->w) <= rem)
-            return lay(g, time_left(&g->w));
+            return lay_flat(g, time_left(&g->w));
         const double rate = coin_priv_lossy_rate(&g->w);
-        const int last = fabs(rem) * rate <= LAST * y->cth;
+        const int last = fabs(rem) * rate <= COIN_PRIV_LAST_LOSSY * y->cth;
         const int32_t status = step(g, rate);
         if (status != COIN_OK)
             return status;
@@ -214,14 +201,14 @@ int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
                     double t, double tol, double *reached)
 {
     struct settling g;
-    if (!s || !p || !l || !(tol >= 1e-13 && tol <= 1e-2))
+    if (!s || !p || !l || !coin_priv_tol_is_valid(tol))
         return COIN_EARG;
     if (coin_losses_check(l, p) != COIN_OK)
         return COIN_EPARAMS;
     int32_t status = coin_priv_check(s, p, &g.w.run.b);
     if (status != COIN_OK)
         return status;
-    if (!(t >= 0 && t * sqrt(g.w.run.b.g_a) <= TOO_LONG))
+    if (!(t >= 0 && t * sqrt(g.w.run.b.g_a) <= COIN_PRIV_TOO_LONG))
         return COIN_ESTEP;
     if (coin_priv_lies_flat(s)) {
         if (reached)

@@ -41,16 +41,6 @@ int32_t coin_priv_slip_take(coin_priv_sliding *g, const coin_priv_slip *y)
     return COIN_OK;
 }
 
-int32_t coin_priv_lay_flat(coin_priv_run *r)
-{
-    coin_priv_variables *y = &r->g.y;
-    y->sth = y->sth < 0 ? -1 : 1;
-    y->cth = 0;
-    y->wY = 0;
-    y->wX = y->sth * fabs(y->wX);
-    return COIN_RESTS;
-}
-
 double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
                         double at0, double h1, double at1)
 {
@@ -166,7 +156,7 @@ int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
                            double t, double tol, double *reached)
 {
     coin_priv_sliding g;
-    if (!d || !p || !f || !(tol >= 1e-13 && tol <= 1e-2))
+    if (!d || !p || !f || !coin_priv_tol_is_valid(tol))
         return COIN_EARG;
     if (coin_priv_contact_of(&g.contact, p, f, l) != COIN_OK)
         return COIN_EPARAMS;

@@ -50,8 +50,8 @@ typedef struct coin_priv_sliding {
                                  g.y are set */
     int turning_points; /* the number of turning points of the lean that were
                   passed since coin_priv_judge_here() */
-    double low, high;   /* the least and the largest sin theta at which steps
-                           ended since coin_priv_judge_here() */
+    double least_sth, most_sth; /* the least and the largest sin theta at which
+                           steps ended since coin_priv_judge_here() */
 
     /* The steps of a slip, of slip.c; onset.c sets the first stride. */
     double slip_stride;
@@ -74,9 +74,6 @@ int coin_priv_slip_into(coin_priv_run *r, const coin_priv_slip *y);
 
 /* Moves the slide to *y: COIN_OK, or COIN_ESTEP as above. */
 int32_t coin_priv_slip_take(coin_priv_sliding *g, const coin_priv_slip *y);
-
-/* Sets the lean to flat, and keeps the rate of fall: COIN_RESTS. */
-int32_t coin_priv_lay_flat(coin_priv_run *r);
 
 /* How near an event is located, as a part of the step, over tol. */
 #define COIN_PRIV_LOCATED 1e-3

@@ -75,7 +75,7 @@ static double loss_rate(const coin_priv_sliding *g, const coin_priv_slip *y)
     const double sth = y->sth, cth = y->cth;
     if (!g->lossy || g->contact.psi_held)
         return 0;
-    const double roll = cth * y->wZ + sth * y->wY;
+    const double roll = coin_priv_roll_speed(y->wY, y->wZ, sth, cth);
     const double arm = sth * sth / l->IX + cth * cth / l->K; /* K is I_Z */
     return coin_priv_grip(l, roll, cth) * arm + l->spin * cth / l->IX;
 }
@@ -96,15 +96,14 @@ static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
            RELAX * (settle + scale * loss_rate(g, y)); /* (87) */
 }
 
-/* The longest step that does not pass the place where the contact turns round:
- * dry friction is not smooth there. */
+/* The longest step that does not pass where the contact turns round. */
 static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
                        const coin_priv_slip *d)
 {
     const coin_priv_losses *l = &g->contact.l;
     if (!(l->solid > 0) || g->contact.psi_held)
         return (double)INFINITY;
-    const double roll = y->cth * y->wZ + y->sth * y->wY; /* d(psi)/dtau */
+    const double roll = coin_priv_roll_speed(y->wY, y->wZ, y->sth, y->cth);
     const double droll =
         fabs(y->cth * d->wZ + y->sth * d->wY + d->cth * y->wZ + d->sth * y->wY);
     const double soft = l->soft2 * y->cth * y->cth;

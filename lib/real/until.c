@@ -127,7 +127,7 @@ int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
     struct moving g;
     coin_priv_stretch w;
     coin_priv_search f = {p, mu, 0, 1, tol, bits};
-    const int good = tol >= 1e-13 && tol <= 1e-2 && mu >= 0 && bits != 0 &&
+    const int good = coin_priv_tol_is_valid(tol) && mu >= 0 && bits != 0 &&
                      (bits & ~EVERY_BIT) == 0;
     if (bits & COIN_SLIPS) {
         f.per_F = mu > 1 ? 1 / mu : 1;

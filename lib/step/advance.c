@@ -24,7 +24,7 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
 {
     coin_priv_body b;
     int32_t status =
-        tol >= 1e-13 && tol <= 1e-2 ? coin_priv_check(s, p, &b) : COIN_EARG;
+        coin_priv_tol_is_valid(tol) ? coin_priv_check(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
     if (!(fabs(t) * sqrt(b.g_a) <= COIN_PRIV_TOO_LONG))

@@ -111,8 +111,8 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
     int sound =
         n == 0 || coin_priv_admit_rate2(&r->limits, coin_priv_rate2(g_a, &y));
     while (sound && n > 0) {
-        const uint64_t rest = COIN_PRIV_BLOCK - r->steps % COIN_PRIV_BLOCK;
-        const uint64_t block = n < rest ? n : rest;
+        const uint64_t left = COIN_PRIV_BLOCK - r->steps % COIN_PRIV_BLOCK;
+        const uint64_t block = n < left ? n : left;
         /* For one step, W itself is cheaper. */
         const double safe =
             n > 1 ? coin_priv_safe_cosine(&r->b, r->limits.coarse2, &y) : 2;
@@ -121,8 +121,8 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
         uint64_t done = 0;
         for (; done < block; ++done) {
             step(&end, &next, &y, coefficients);
-            const double low = coin_priv_lesser(end.least_cth, next.cth);
-            if (COIN_PRIV_RARELY(!(low > safe)) &&
+            const double least = coin_priv_lesser(end.least_cth, next.cth);
+            if (COIN_PRIV_RARELY(!(least > safe)) &&
                 !coin_priv_admit_step(&r->limits, g_a, &end, &next))
                 break;
             sum = coin_priv_pose_plus(&added, 1, &end.adds);
@@ -136,7 +136,7 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
         n -= done;
         g->y = y;
         g->added = added;
-        if (done == rest) {
+        if (done == left) {
             coin_priv_end_block(g);
             y = g->y;
             added = g->added;

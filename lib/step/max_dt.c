@@ -135,7 +135,7 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
                    double tol)
 {
     coin_priv_body b;
-    if (!coin_priv_method_is_known(method) || !(tol >= 1e-13 && tol <= 1e-2) ||
+    if (!coin_priv_method_is_known(method) || !coin_priv_tol_is_valid(tol) ||
         coin_priv_check(s, p, &b) != COIN_OK)
         return NAN;
     /* The trial starts at phi = psi = 0, so that the range of these angles

@@ -163,7 +163,7 @@ COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
     const PRIV(variables) s##i = variables_of_row(&y),                         \
                           k##i = SLOPES(f, &s##i);                             \
     const struct row d##i = row_of(&k##i);                                     \
-    low = PRIV(lesser)(low, s##i.cth)
+    least_cth = PRIV(lesser)(least_cth, s##i.cth)
 #define PATH(i) const PRIV(pose) v##i = POSE_SLOPES(f, &s##i)
 
 #ifdef ERROR_TO
@@ -187,7 +187,7 @@ COIN_PRIV_INLINE real rk8_sums(PRIV(variables) * end, PRIV(pose) * adds,
     const PRIV(variables) s1 = *y1, k1 = SLOPES(f, &s1);
     const struct row y0 = row_of(&s1), d1 = row_of(&k1);
     struct row y;
-    real low = s1.cth;
+    real least_cth = s1.cth;
     PATH(1);
     STAGE(2, 3);
     STAGE(3, 4);
@@ -218,5 +218,5 @@ COIN_PRIV_INLINE real rk8_sums(PRIV(variables) * end, PRIV(pose) * adds,
 #endif
     EACH_POSE(SUM_POSE)
     *end = variables_of_row(&y);
-    return low;
+    return least_cth;
 }

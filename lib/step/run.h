@@ -5,6 +5,12 @@
 
 #include "loop.h"
 
+/* Whether coin_advance() and others accept a tolerance; NaN is not. */
+COIN_PRIV_INLINE int coin_priv_tol_is_valid(double tol)
+{
+    return tol >= 1e-13 && tol <= 1e-2;
+}
+
 /* Checks everything, then computes what the steps share. */
 int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
                             const coin_params *p, int32_t method, double dt);

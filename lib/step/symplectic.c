@@ -13,7 +13,7 @@
 
 /* A step under way: the variables, what was added to the pose, and whether
  * every drift so far could be done. */
-struct part {
+struct substep {
     coin_priv_variables y;
     coin_priv_pose adds;
     int sound;
@@ -26,13 +26,13 @@ struct split {
     double h;
 };
 
-COIN_PRIV_INLINE void kick(struct part *c, const struct split *k, double h)
+COIN_PRIV_INLINE void kick(struct substep *c, const struct split *k, double h)
 {
     c->y.wX += h * coin_priv_slopes_at(&k->f, &c->y).wX; /* (50) */
 }
 
 /* Chin's kick: F + h^2/24 F dF/dtheta instead of F, over 2/3 h. */
-COIN_PRIV_INLINE void modified_kick(struct part *c, const struct split *k)
+COIN_PRIV_INLINE void modified_kick(struct substep *c, const struct split *k)
 {
     const coin_priv_variables *y = &c->y;
     const coin_priv_body *b = k->b;
@@ -68,26 +68,26 @@ COIN_PRIV_INLINE int shift(coin_priv_variables *y,
     return 1;
 }
 
-/* d/dt of the velocity of the centre, Eq. (20), along a drift, in radii.
- * `along` is its component along the horizontal e_h = (sin phi, 0, cos phi),
- * and `across` that along e_X. */
-struct turn {
-    double along, across;
+/* d/dt of the velocity of the centre, Eq. (20), along a drift, in radii: along
+ * e_X and along the horizontal e_h = (sin phi, 0, cos phi). */
+struct acceleration {
+    double X, h;
 };
 
-COIN_PRIV_INLINE struct turn turn_of(const coin_priv_body *b,
-                                     const coin_priv_variables *y, double dphi)
+COIN_PRIV_INLINE struct acceleration acceleration_of(
+    const coin_priv_body *b, const coin_priv_variables *y, double dphi)
 {
-    const struct turn t = {
-        y->wZ * dphi - y->sth * (y->wX * y->wX),
+    const struct acceleration r = {
         y->wX * y->wY * (1 - b->k2),
+        y->wZ * dphi - y->sth * (y->wX * y->wX),
     };
-    return t;
+    return r;
 }
 
 /* Moves *c by a drift of h.  A function: the call costs 1 % of a step, and both
  * methods share its code. */
-COIN_PRIV_NOINLINE void drift(struct part *c, const struct split *k, double h)
+COIN_PRIV_NOINLINE void drift(struct substep *c, const struct split *k,
+                              double h)
 {
     const coin_priv_variables y0 = c->y;
     const double turn = h * y0.wX; /* (17) */
@@ -112,22 +112,22 @@ COIN_PRIV_NOINLINE void drift(struct part *c, const struct split *k, double h)
     c->adds.theta += turn;
     c->adds.phi += dph;
     c->adds.psi += hermite(h, v0.psi, v1.psi, s0.psi, s1.psi);
-    const struct turn t0 = turn_of(k->b, &y0, v0.phi);
-    const struct turn t1 = turn_of(k->b, y, v1.phi);
-    c->adds.x += hermite(h, v0.x, v1.x, t0.along * y0.sph + t0.across * y0.cph,
-                         t1.along * y->sph + t1.across * y->cph);
-    c->adds.z += hermite(h, v0.z, v1.z, t0.along * y0.cph - t0.across * y0.sph,
-                         t1.along * y->cph - t1.across * y->sph);
+    const struct acceleration t0 = acceleration_of(k->b, &y0, v0.phi);
+    const struct acceleration t1 = acceleration_of(k->b, y, v1.phi);
+    c->adds.x += hermite(h, v0.x, v1.x, t0.h * y0.sph + t0.X * y0.cph,
+                         t1.h * y->sph + t1.X * y->cph);
+    c->adds.z += hermite(h, v0.z, v1.z, t0.h * y0.cph - t0.X * y0.sph,
+                         t1.h * y->cph - t1.X * y->sph);
 }
 
-COIN_PRIV_INLINE struct part begin(const coin_priv_variables *y)
+COIN_PRIV_INLINE struct substep begin(const coin_priv_variables *y)
 {
-    const struct part c = {*y, {0, 0, 0, 0, 0, 0}, 1};
+    const struct substep c = {*y, {0, 0, 0, 0, 0, 0}, 1};
     return c;
 }
 
 COIN_PRIV_INLINE void end_at(coin_priv_step_end *end, coin_priv_variables *next,
-                             const struct part *c)
+                             const struct substep *c)
 {
     *next = c->y;
     end->wX = c->y.wX;
@@ -142,7 +142,7 @@ COIN_PRIV_INLINE void verlet(coin_priv_step_end *end, coin_priv_variables *next,
                              const coin_priv_variables *y, const void *split)
 {
     const struct split *k = (const struct split *)split;
-    struct part c = begin(y);
+    struct substep c = begin(y);
     kick(&c, k, k->h / 2);
     drift(&c, k, k->h);
     kick(&c, k, k->h / 2);
@@ -154,7 +154,7 @@ COIN_PRIV_INLINE void chin(coin_priv_step_end *end, coin_priv_variables *next,
                            const coin_priv_variables *y, const void *split)
 {
     const struct split *k = (const struct split *)split;
-    struct part c = begin(y);
+    struct substep c = begin(y);
     kick(&c, k, k->h / 6);
     drift(&c, k, k->h / 2);
     modified_kick(&c, k);

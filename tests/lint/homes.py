@@ -26,6 +26,7 @@ OTHER_FORMS = {
     "equations.h drift_slopes_of": "test_drift",
     "equations.t.h path_rates": "test_run",
     "equations.t.h sundman_pose_slopes": "test_sundman",
+    "extrapolation.c add_slope": "test_extrapolation",
     "force.c next_terms": "test_force",
     "half_period.c W2_of": "test_orbit",
     "half_period.c coin_priv_point_fall_slope": "test_orbit",
@@ -63,7 +64,7 @@ def tags(file):
     text = file.read_text()
     lines = text.split("\n")
     for name, first, last in functions(text):
-        above = re.search(r"\((\d+)\) \*/$", lines[first - 2])
+        above = re.search(r"\((\d+)\)\.? \*/$", lines[first - 2])
         if above:
             yield name, int(above[1])
         for line in lines[first - 1:last]:
