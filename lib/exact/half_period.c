@@ -211,8 +211,8 @@ static int go_on(coin_priv_half_period *h, int from, double side)
     return 1;
 }
 
-static coin_priv_turning_point turn_at(const coin_priv_half_period *h,
-                                       int piece, double tau)
+static coin_priv_turning_point turning_point_at(const coin_priv_half_period *h,
+                                                int piece, double tau)
 {
     const coin_priv_point p = coin_priv_series_at(&h->now, tau);
     const coin_priv_pair path = coin_priv_series_path(&h->now, tau);
@@ -241,7 +241,8 @@ static int walk(coin_priv_half_period *h, coin_priv_turning_point *turn,
             return 0;
         piece = h->count - 1;
     }
-    *turn = turn_at(h, piece, root(&h->now, side * h->reach[piece], h->toward));
+    *turn = turning_point_at(h, piece,
+                             root(&h->now, side * h->reach[piece], h->toward));
     return 1;
 }
 
@@ -290,7 +291,7 @@ int coin_priv_half_period_solve(coin_priv_half_period *h)
     const double wX = wX_of(start.at);
     h->toward = (wX != 0 ? wX : wX_of(start.at + 1)) < 0 ? -1 : 1;
     if (wX == 0)
-        h->A = turn_at(h, 0, 0);
+        h->A = turning_point_at(h, 0, 0);
     if (!walk(h, &h->B, 1))
         return 0;
     const int ahead = h->count;

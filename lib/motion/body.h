@@ -7,7 +7,8 @@
 #include <coin.h>
 
 /* What the formulas read of a body, in the letters of docs/physics.md:
- * m = M a^2, J = I_X + m, K = I_Z + m. */
+ * m = M a^2, J = I_X + m, K = I_Z + m.  All members are of type real: body.c
+ * reads them as an array. */
 typedef struct PRIV(body) {
     real M, a, IX, IZ;
     real m, J, K;

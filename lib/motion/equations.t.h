@@ -5,7 +5,10 @@
  *
  * The sines and cosines of lean and heading are variables like the angular
  * velocity, so that no stage of a step takes a sine of an angle.  The pose is a
- * quadrature: no equation reads it. */
+ * quadrature: no equation reads it.
+ *
+ * The order of operations is pinned: about/selftest.c has the hash of what they
+ * give. */
 #include "angles.h"
 #include "body.h"
 

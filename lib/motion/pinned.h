@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One bit pattern on every platform: included first by every source.
+/* One bit pattern on every platform: every source has this before its code.
  *
  * The Makefile passes -ffp-contract=off.  These guards protect builds with
  * other flags.  They cannot see clang's -ffp-contract=fast.  coin_selftest()

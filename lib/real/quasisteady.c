@@ -50,7 +50,7 @@
  * rates; the time; heading, roll and length of the path. */
 enum { STH, ROOT, WY, WZ, TIME, PHI, PSI, WAY, VARIABLES };
 
-struct slow {
+struct quasisteady {
     coin_priv_body b;
     coin_priv_losses l;
     double w0;    /* 1 over the natural unit of time */
@@ -63,7 +63,7 @@ struct rates {
     double room; /* -J lambda^2: > 0 while the steady motion is stable */
 };
 
-static struct rates rates_of(const double *y, const struct slow *q)
+static struct rates rates_of(const double *y, const struct quasisteady *q)
 {
     const coin_priv_body *b = &q->b;
     const double s = y[STH], c = y[ROOT] * y[ROOT], w0 = q->w0;
@@ -95,12 +95,12 @@ static struct rates rates_of(const double *y, const struct slow *q)
  * never reach that time. */
 static void slopes(double *dy, const double *y, const void *problem)
 {
-    const struct rates d = rates_of(y, (const struct slow *)problem);
+    const struct rates d = rates_of(y, (const struct quasisteady *)problem);
     const double s = y[STH], root = y[ROOT], c = root * root;
     const double droot = -s * d.dtheta / (2 * root);
     const double arc2 = droot * droot + d.dwY * d.dwY / (1 + y[WY] * y[WY]) +
                         d.dwZ * d.dwZ / (1 + y[WZ] * y[WZ]);
-    const double least = ((const struct slow *)problem)->least;
+    const double least = ((const struct quasisteady *)problem)->least;
     const double dt =
         isgreater(d.room, 0) ? 1 / (least + sqrt(arc2)) : (double)NAN;
     dy[STH] = c * d.dtheta * dt;
@@ -115,7 +115,7 @@ static void slopes(double *dy, const double *y, const void *problem)
 
 /* A coin on its way through steady motions. */
 struct passing {
-    struct slow q;
+    struct quasisteady q;
     double y[VARIABLES];
     double x, z; /* of the centre, in radii, from the start */
 };
@@ -183,7 +183,7 @@ static double longest(const struct passing *g)
  * rounding: by Newton's method, or by halving where that would leave the step.
  * Near the end the time hardly grows with the arc. */
 static void shorten_to_time(double *y, const double *before,
-                            const struct slow *q, double h, double t)
+                            const struct quasisteady *q, double h, double t)
 {
     double least = 0, most = h;
     for (int i = 0; i < NEWTONS_MAX; ++i) {
@@ -266,8 +266,8 @@ static coin_state state_of(const struct passing *g, const coin_state *s,
     return at;
 }
 
-static int32_t check(struct slow *q, const coin_state *s, const coin_params *p,
-                     const coin_losses *l)
+static int32_t check(struct quasisteady *q, const coin_state *s,
+                     const coin_params *p, const coin_losses *l)
 {
     if (!s || !p || !l)
         return COIN_EARG;
@@ -280,7 +280,7 @@ static int32_t check(struct slow *q, const coin_state *s, const coin_params *p,
 }
 
 /* Whether a loss acts that stops the coin: any but pivoting friction. */
-static int stops(const struct slow *q, const coin_state *s,
+static int stops(const struct quasisteady *q, const coin_state *s,
                  const coin_params *p, const coin_losses *l)
 {
     return q->l.solid + q->l.fluid + q->l.damping > 0 &&

@@ -14,9 +14,11 @@ typedef struct PRIV(sum) {
  * adds the same in every step, and one long plain sum would round it the same
  * way each time.  x and z are from the start of the run, in radii.
  *
- * theta is in `added` alone, one plain sum as wX, wY and wZ are.  Next to a
- * steady motion these four change by less than their rounding.  If only one of
- * them kept what rounding leaves out, it would drift. */
+ * added.theta is the lean itself, one plain sum as wX, wY and wZ are.  Next to
+ * a steady motion these four change by less than their rounding.  If only one
+ * of them kept what rounding leaves out, it would drift.
+ *
+ * All members are of type real: lanes.c reads them as an array. */
 typedef struct PRIV(progress) {
     PRIV(variables) y;
     PRIV(pose) added;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The classical Runge-Kutta method. */
+/* The classical Runge-Kutta method.  The order of its operations is pinned by
+ * about/selftest.c, as that of equations.t.h is. */
 #include "../motion/equations.h"
 
 #include "../motion/kind.h"

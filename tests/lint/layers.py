@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""An include in lib/ only points down.
+"""An include in lib/ only points down, and docs/design.md draws lib/ as it is.
 
-FLOORS is the drawing of docs/design.md: the folders of lib/, floor by floor
-from the top, each with all that its files may include besides one another.
+FLOORS is its drawing: the folders of lib/, floor by floor from the top, each
+with all that its files may include besides one another.
 
     layers.py LIB
 """
+import fnmatch
 import os
 import pathlib
 import re
@@ -41,7 +42,43 @@ def circle(file, seen, path=()):
                               for to in sorted(seen.get(file, ())))), None)
 
 
+def drawn(page):
+    """{room: the names of its files without their endings}, as drawn."""
+    rooms, columns = {}, []
+    for line in re.findall(r"^ +\d? *([|+].*[|+])$", page, re.M):
+        if line[0] == "+":
+            columns = []
+            continue
+        cells = line.strip("|").split("|")
+        columns = columns or [[] for _ in cells]
+        for cell, column in zip(cells, columns):
+            words = cell.split()
+            if words and words[0].endswith("/"):
+                rooms[words.pop(0)[:-1]] = column
+            column += words
+    return rooms
+
+
+def unlike(lib, page):
+    """Where the drawing and the paths of the page differ from lib/."""
+    rooms = drawn(page)
+    for room in sorted(SEES):
+        names = {f.name if f.suffix not in (".c", ".h") else
+                 re.sub(r"(\.t)?\.[ch]$", "", f.name)
+                 for f in (lib / room).iterdir()}
+        for name in sorted(names):
+            if not any(fnmatch.fnmatch(name, d) for d in rooms.get(room, ())):
+                yield f"docs/design.md does not draw {room}/{name}"
+        for name in rooms.get(room, ()):
+            if not fnmatch.filter(names, name):
+                yield f"docs/design.md draws {room}/{name}: there is none"
+    for path in sorted(set(re.findall(r"`(\w+/[\w.]+\.[ch])`", page))):
+        if path.split("/")[0] in SEES and not (lib / path).exists():
+            yield f"docs/design.md: there is no {path}"
+
+
 def problems(lib):
+    yield from unlike(lib, (lib / "../docs/design.md").read_text())
     for k, floor in enumerate(FLOORS):
         below = {room for lower in FLOORS[k + 1:] for room in lower}
         for room, seen in floor.items():
