@@ -74,6 +74,49 @@ static void a_body_of_small_I_X_keeps_the_tolerance(void **unused)
     check(slides_apart(&coarse, &fine, &p) < tol * (1 + t));
 }
 
+/* A body with almost no inertia falls freely on ice: its mass is at the centre,
+ * and N turns it without effort.  It would take more than 2^20 steps of the
+ * length that such a body needs next to upright. */
+static void a_body_without_inertia_falls_freely(void **unused)
+{
+    (void)unused;
+    const coin_friction ice = {0, 0};
+    coin_params p;
+    coin_params_body(&p, 1, 1, 1, 1e-13, 2e-13);
+    for (double tol = 1e-3; tol > 1e-9; tol /= 10) {
+        coin_slide d = {{.theta = 0.3}, 0, 0};
+        check_status(coin_slide_advance(&d, &p, &ice, NULL, 1, tol, NULL),
+                     COIN_SLIPS);
+        check_near(cos(d.s.theta), cos(0.3) - 0.5, 2 * tol + 1e-10);
+    }
+}
+
+/* Such a body passes upright, where its normal force has a narrow peak.  With
+ * steps that may pass over the peak the error is 2 tol (1 + t). */
+static void a_body_of_small_I_X_passes_upright(void **unused)
+{
+    (void)unused;
+    const coin_friction ice = {0, 0};
+    const double t = 1.91983;
+    const coin_slide from = {
+        {.theta = -0.115884, .wX = 0.116325, .wY = 0.0589787, .wZ = -0.0138819},
+        1.47524,
+        0.56048};
+    coin_slide fine = from;
+    coin_params p;
+    coin_params_body(&p, 1, 1, 1, 2.09407e-7, 1.18408e-7);
+    check_status(coin_slide_advance(&fine, &p, &ice, NULL, t, 1e-10, NULL),
+                 COIN_SLIPS);
+    for (double tol = 1e-4; tol > 1e-7; tol /= 10) {
+        coin_slide d = from;
+        check_status(coin_slide_advance(&d, &p, &ice, NULL, t, tol, NULL),
+                     COIN_SLIPS);
+        check_note("tol %g: %g", tol,
+                   slides_apart(&d, &fine, &p) / tol / (1 + t));
+        check(slides_apart(&d, &fine, &p) < tol * (1 + t));
+    }
+}
+
 /* No first step is tried that is so long that it overflows. */
 static void a_slip_that_turns_round_raises_no_overflow(void **unused)
 {
@@ -142,6 +185,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(a_slip_that_turns_across_the_path_goes_on),
         TEST(a_body_of_small_I_X_keeps_the_tolerance),
+        TEST(a_body_without_inertia_falls_freely),
+        TEST(a_body_of_small_I_X_passes_upright),
         TEST(a_slip_that_turns_round_raises_no_overflow),
         TEST(a_coin_on_ice_keeps_its_velocity),
         TEST(a_slip_that_nearly_stops_goes_on),
