@@ -91,6 +91,26 @@ static void a_body_without_inertia_falls_freely(void **unused)
     }
 }
 
+/* Such a body slips under a force that is tiny beside the products of its
+ * rates.  Without friction nothing changes wZ. */
+static void a_light_body_on_ice_does_not_roll(void **unused)
+{
+    (void)unused;
+    const coin_friction ice = {0, 0};
+    const double wZ = 2.13e-4;
+    coin_params p;
+    coin_params_body(&p, 1, 1, 1, 9.66e-8, 3.05e-8);
+    for (double tol = 1e-4; tol > 1e-12; tol /= 10) {
+        const coin_state s = {
+            .theta = -5.45e-8, .wX = -4.84e-4, .wY = 3217, .wZ = wZ};
+        coin_slide d;
+        check_status(coin_slide_of(&d, &s, &p), COIN_OK);
+        check_status(coin_slide_advance(&d, &p, &ice, NULL, 0.009, tol, NULL),
+                     COIN_SLIPS);
+        check_near(d.s.wZ, wZ, tol + 4e-10);
+    }
+}
+
 /* Such a body passes upright, where its normal force has a narrow peak.  With
  * steps that may pass over the peak the error is 2 tol (1 + t). */
 static void a_body_of_small_I_X_passes_upright(void **unused)
@@ -186,6 +206,7 @@ int main(void)
         TEST(a_slip_that_turns_across_the_path_goes_on),
         TEST(a_body_of_small_I_X_keeps_the_tolerance),
         TEST(a_body_without_inertia_falls_freely),
+        TEST(a_light_body_on_ice_does_not_roll),
         TEST(a_body_of_small_I_X_passes_upright),
         TEST(a_slip_that_turns_round_raises_no_overflow),
         TEST(a_coin_on_ice_keeps_its_velocity),

@@ -3,10 +3,6 @@
 
 #include "cone.h"
 
-/* A force that leaves the cone by less than this part counts as inside.  Where
- * friction is 0, or exactly at its limit, the difference is rounding. */
-#define SLACK 1e-14
-
 /* At a shorter stride the error of the interpolation counts as 0: it is below
  * COIN_PRIV_MISS stride^6 = 6e-21.  Nor are the slopes of the clearance at the
  * ends looked at: they would be differences of its rounding. */
@@ -26,10 +22,8 @@ double coin_priv_clearance(const coin_priv_contact *contact,
     const double f = contact->psi_held ? 1 : y->cth;
     const double size = f * (contact->b.g_a + y->wX * y->wX) +
                         fabs(y->wY) * (fabs(y->wY) + fabs(y->wZ));
-    if (!slips) {
-        const coin_priv_push stick = coin_priv_static(contact, y);
-        return coin_priv_margin(contact, &stick) / size + SLACK;
-    }
+    if (!slips)
+        return coin_priv_margin(contact, y) / size;
     const coin_priv_direction none = {0, 0};
     return coin_priv_kinetic(contact, y, none).N / size;
 }

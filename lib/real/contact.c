@@ -6,6 +6,11 @@
 /* The most trials of coin_priv_slip_direction(). */
 #define TRIALS 60
 
+/* A force that leaves the cone by less than this part of its terms counts as
+ * inside.  Where friction is 0, or exactly at its limit, the difference is
+ * rounding. */
+#define SLACK 1e-14
+
 /* A coin at a contact: its slopes without friction, and what a force of the
  * contact adds to them. */
 struct loose {
@@ -185,12 +190,34 @@ int coin_priv_can_slip(const coin_priv_contact *contact,
            coin_priv_kinetic(contact, y, none).N > 0;
 }
 
-double coin_priv_margin(const coin_priv_contact *contact,
-                        const coin_priv_push *force)
+/* mu N + F, divided by mu if that is above 1, with the absolute values of all
+ * terms of the force. */
+static double terms_of(const coin_priv_contact *t, const struct loose *o,
+                       const coin_priv_slip *y)
 {
+    const double cth = y->cth, sth = fabs(y->sth), mu = t->mu_static;
+    const double turn = fabs(o->turn), wX2 = o->f * (y->wX * y->wX);
+    const double wY = fabs(y->wY), cwZ = cth * fabs(y->wZ);
+    const double gX =
+        t->psi_held ? fabs(o->gX) : wY * (t->b.k1 * cwZ + wY * sth);
+    const double weight = o->f * t->b.g_a + cth * wX2 + sth * gX;
+    const double uX = fabs(o->wZ) + turn * fabs(o->vh);
+    const double uh = turn * fabs(o->vX) + wX2 * sth + cth * gX;
+    const double part = o->lever * sth * cth;
+    const double h = (part * weight + o->D * uh) / (1 + o->lever);
+    const double N = (weight + part * h) / o->D, F = uX / (1 + o->zX) + h;
+    return mu > 1 ? N + F / mu : mu * N + F;
+}
+
+double coin_priv_margin(const coin_priv_contact *contact,
+                        const coin_priv_slip *y)
+{
+    const struct loose o = loose_of(contact, y);
+    const coin_priv_push force = stick(&o, y);
     const double mu = contact->mu_static;
-    const double F = coin_priv_hypot(force->X, force->h);
-    return mu > 1 ? force->N - F / mu : mu * force->N - F;
+    const double F = coin_priv_hypot(force.X, force.h);
+    return (mu > 1 ? force.N - F / mu : mu * force.N - F) +
+           SLACK * terms_of(contact, &o, y);
 }
 
 /* Two directions.  That of a slip that begins is looked for between them. */

@@ -74,10 +74,11 @@ void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_contact *contact,
                             const coin_priv_slip *y,
                             const coin_priv_push *force);
 
-/* mu_static N - F, divided by mu_static if that is above 1.  If N > 0, it is >=
- * 0 as long as the force keeps within the cone of friction. */
+/* mu_static N - F of the static force, divided by mu_static if that is above 1,
+ * and what rounding may change it by.  Below 0 the force leaves the cone of
+ * friction. */
 double coin_priv_margin(const coin_priv_contact *contact,
-                        const coin_priv_push *force);
+                        const coin_priv_slip *y);
 
 /* Whether a coin whose contact leaves the cone of friction slips.  Otherwise it
  * lifts off: if mu_static is infinite, or if the N of a slip, (80), is not
