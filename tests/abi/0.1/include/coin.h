@@ -44,7 +44,12 @@
  * FLOATING POINT. No function changes the rounding mode or the traps.  A call
  * raises neither division by zero nor invalid nor overflow, unless it returns
  * COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP or NaN.  So these exceptions
- * may be trapped (test_traps).  Inexact and underflow may be raised.  clang
+ * may be trapped (test_traps).  Three functions are known to break this promise
+ * on ordinary arguments: coin_model_needed() where wY = 0, coin_slide_advance()
+ * with losses within 1e-3 rad of flat, and coin_quasisteady_at().
+ * coin_advance_until(), coin_check(), coin_losses_fit(), coin_settle(),
+ * coin_steady_radii() and coin_time_to_rest() break it at some arguments near
+ * the ends of the range of doubles.  Inexact and underflow may be raised.  clang
  * keeps this promise only with -ffp-exception-behavior=maytrap, which the
  * Makefile passes: without it clang may evaluate an expression that a branch
  * then discards.
@@ -277,8 +282,8 @@ COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
  *         not positive, a reserved member is not 0, I_Z exceeds 2 I_X by more
  *         than a relative 1e-12 (no rigid body has I_Z > 2 I_X), or one of the
  *         following numbers, in the units of p, is below 1e-300, or their sum
- *         is above 1e300: M, a, g, I_X, I_Z, M a, M g, M a^2, M g a, g/a; with
- *         J = I_X + M a^2 and K = I_Z + M a^2 the ratios I_Z/I_X, M a^2/K,
+ *         is above 1e300: M, a, g, I_X, I_Z, M a, M g, M a^2, M g a, g/a;
+ *         J = I_X + M a^2 and K = I_Z + M a^2; the ratios I_Z/I_X, M a^2/K,
  *         I_X/J, K/J, M g a/J; the square of coin_critical_roll(). */
 COIN_API int32_t coin_params_check(const coin_params *p);
 
@@ -734,7 +739,8 @@ COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
  *         more than three times the reach (test_wobble_wells).  Let A be the
  *         largest of the reach and of the differences of start from steady and
  *         from the neighbour, in natural units, over cos(theta), and W that of
- *         Eq. (47).  The error is of order A^2 in all members, and grows as t.
+ *         Eq. (47).  The error is of order A^2 in all members.  It grows as t,
+ *         in x and z as t^2: they may exceed the next bound from |t| W = 80 on.
  *         For I_X <= M a^2 and lambda^2 < 0 it is below 30 A^2 (1 + |t| W)
  *         times the larger of 1 and W^2/|lambda^2| (make adversary).  Where the
  *         lean grows as exp(lambda t), A is the value that it has reached
