@@ -41,7 +41,7 @@
  * is reentrant and bounded in time and stack.  What moves a state gives the
  * same bits on every platform and compiler (see coin_selftest()).
  *
- * FLOATING POINT. No function changes the rounding mode or the traps.  A call
+ * FLOATING POINT.  No function changes the rounding mode or the traps.  A call
  * raises neither division by zero nor invalid nor overflow, unless it returns
  * COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP or NaN.  So these exceptions
  * may be trapped (test_traps).  Three functions are known to break this promise
@@ -49,8 +49,8 @@
  * with losses within 1e-3 rad of flat, and coin_quasisteady_at().
  * coin_advance_until(), coin_check(), coin_losses_fit(), coin_settle(),
  * coin_steady_radii() and coin_time_to_rest() break it at some arguments near
- * the ends of the range of doubles.  Inexact and underflow may be raised.  clang
- * keeps this promise only with -ffp-exception-behavior=maytrap, which the
+ * the ends of the range of doubles.  Inexact and underflow may be raised.
+ * clang keeps this promise only with -ffp-exception-behavior=maytrap, which the
  * Makefile passes: without it clang may evaluate an expression that a branch
  * then discards.
  *
