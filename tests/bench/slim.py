@@ -7,7 +7,8 @@ which packs better.
 
     slim.py DRAWING.svg...
 
-A second pass changes nothing.  Drawings of other programs stay as they are.
+Of matplotlib's drawings it takes those digits alone.  A second pass changes
+nothing.  Drawings of other programs stay as they are.
 """
 import pathlib
 import re
@@ -63,3 +64,5 @@ for drawing in map(pathlib.Path, sys.argv[1:]):
     drawn = drawing.read_text()
     if "Produced by GNUPLOT" in drawn:
         drawing.write_text(slim(drawn))
+    elif "Matplotlib" in drawn:
+        drawing.write_text(re.sub(r"(\d\.\d)\d+", r"\1", drawn))
