@@ -19,7 +19,7 @@
 #error "the Makefile says how to compile: -DTEST_CC"
 #endif
 
-enum { TEXT = 1 << 16 };
+enum { TEXT = 1 << 17 };
 
 static char folder[] = "/tmp/test_readme.XXXXXX";
 

@@ -21,21 +21,40 @@
  * ARGUMENTS come in one order: the object acted on, the parameters, scalars,
  * then outputs.  Every pointer must be valid and not null, except where a
  * line says "may be null".  An output may be the same object as an input of
- * the same type.
+ * the same type.  Unless a line says otherwise, p are parameters that
+ * coin_params_check() accepts, s is a state that coin_state_check() accepts,
+ * l are losses that coin_losses_check() accepts, and method is one of COIN_RK4,
+ * COIN_RK8, COIN_SYMPLECTIC2 and COIN_SYMPLECTIC4.
  *
- * STATUS. Functions return an int32_t: 0 is COIN_OK; a positive value means
- * done, with warning bits; a negative value is an error.  After an error every
- * output and the state are unchanged, unless the function says otherwise.  A
- * function that moves a state by many steps may stop before the end, and says
+ * STATUS. Most functions return an int32_t: 0 is COIN_OK; a positive value
+ * means done; a negative value is an error.  A positive value is a set of
+ * warning bits, or COIN_RESTS, COIN_SLIPS of coin_slide_advance(), a
+ * COIN_MODEL_ constant, or the order of coin_method_order().  After an error
+ * every output and the state are unchanged, unless the function says otherwise.
+ * A function that moves a state by many steps may stop before the end, and says
  * where it stopped.  Where several errors apply, the first of COIN_EARG,
  * COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned.  Functions
  * that return a double return NaN on bad input.
  * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
- * coin_params_check() and COIN_ESTATE as coin_state_check().
+ * coin_params_check() and COIN_ESTATE as coin_state_check().  A function
+ * without p does not return COIN_EPARAMS, and accepts any finite angular
+ * velocity.
  *
  * COST. A textbook step is a step of classical Runge-Kutta for the eight
  * variables that calls the sine of libm in every stage: 1,901 instructions,
- * some 0.12 us.
+ * some 0.12 us.  The next table has the instructions of a call, checks of the
+ * arguments included, by gcc -O2 on x86-64 for a US quarter (callgrind):
+ *   40-90     coin_params_ functions, coin_critical_roll(), _spin()
+ *   130-190   coin_state_check(), coin_losses_check()
+ *   220-300   coin_energy(), _center(), _axes(), _check(), coin_slide_energy()
+ *   330-420   coin_reaction(), _rates(), _velocity(), _contact(),
+ *             _angular_velocity(), _quaternion(), coin_steady_roll(),
+ *             _upright_spin(), _radii(), coin_stability(), coin_slide_of(),
+ *             coin_slide_velocity()
+ *   520-660   coin_matrix(), coin_steady_spin(), _circle(), _at()
+ *   690-1,250 coin_slide_reaction(), coin_losses_power(), _rates(), _reaction()
+ *   1,150     coin_state_from_motion(); 1,600 coin_state_from_landing()
+ *   830-6,800 coin_integrals(): 1,800 at a lean of 0.3, most from 0.8 on
  *
  * PROMISES. No allocation, no global state, no output, no errno: every function
  * is reentrant and bounded in time and stack.  What moves a state gives the
@@ -259,25 +278,35 @@ enum {
  * @param mass     M, > 0 [M]
  * @param radius   a, > 0 [L]
  * @param gravity  g, > 0 [L/T^2]
- * @return COIN_OK; COIN_EARG null p; COIN_EPARAMS as coin_params_check(). */
+ * @return COIN_OK; COIN_EARG null p; COIN_EPARAMS as coin_params_check().
+ * Accuracy: 4 u in I_X and I_Z (make adversary); the rest is as given. */
 COIN_API int32_t coin_params_disc(coin_params *p, double mass, double radius,
                                   double gravity);
 
 /** A thin ring: I_X = M (a^2 + b^2)/4, I_Z = 2 I_X.  Eq. (29).
+ * @param[out] p        the parameters, reserved members 0
+ * @param mass,radius   M and a, as coin_params_disc() [M] [L]
  * @param inner_radius  b, 0 (a disc) to radius (a hoop) inclusive [L]
- * @return as coin_params_disc(); COIN_EPARAMS also if b is out of range. */
+ * @param gravity       g, > 0 [L/T^2]
+ * @return as coin_params_disc(); COIN_EPARAMS also if b is out of range.
+ * Accuracy: 4 u in I_X and I_Z (make adversary); the rest is as given. */
 COIN_API int32_t coin_params_ring(coin_params *p, double mass, double radius,
                                   double inner_radius, double gravity);
 
 /** Any thin axisymmetric body.
+ * @param[out] p     the parameters, reserved members 0
+ * @param mass,radius,gravity  M, a and g, as coin_params_disc()
+ *                   [M] [L] [L/T^2]
  * @param inertia_X  I_X about a diameter, > 0 [M L^2]
  * @param inertia_Z  I_Z about the axis, > 0 and <= 2 I_X [M L^2]
- * @return as coin_params_disc(). */
+ * @return as coin_params_disc().
+ * Accuracy: the members are the arguments, unrounded. */
 COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
                                   double gravity, double inertia_X,
                                   double inertia_Z);
 
 /** Whether the parameters can be computed with.
+ * @param p  any parameters
  * @return COIN_OK; COIN_EARG null; COIN_EPARAMS if a member is not finite or
  *         not positive, a reserved member is not 0, I_Z exceeds 2 I_X by more
  *         than a relative 1e-12 (no rigid body has I_Z > 2 I_X), or one of the
@@ -290,6 +319,7 @@ COIN_API int32_t coin_params_check(const coin_params *p);
 /* ---------------------------------------------------------------- state -- */
 
 /** Whether a state can be computed with.
+ * @param s  any state
  * @return COIN_OK; COIN_EARG null; COIN_EPARAMS; COIN_ESTATE if a member is
  *         not finite, |theta| >= pi/2, |phi| or |psi| > 2^31 (the rounding of
  *         a larger angle is a visible turn), or the angular velocity is so
@@ -302,8 +332,9 @@ COIN_API int32_t coin_state_check(const coin_state *s, const coin_params *p);
  * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
  * @param omega   [3] angular velocity in the table frame [1/T]
  * @param x,z     the centre of mass [L]
- * @return COIN_OK; the usual errors: COIN_ESTATE if q or omega is not finite,
- *         q is 0, or the coin lies flat.
+ * @return COIN_OK; the usual errors: COIN_ESTATE if q, omega, x or z is not
+ *         finite, q is 0, the coin lies flat, or omega is so large that
+ *         energies or forces would overflow.
  * Accuracy: 8 u in each angle for a unit q; near flat each of phi and psi is
  *         uncertain by u/cos(theta), but their sum or difference is not
  *         (test_state). */
@@ -314,8 +345,8 @@ COIN_API int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
 
 /** The angular velocity in the table frame.  Eq. (7).
  * @param[out] omega  [3] along x, y, z [1/T]
- * @return COIN_OK; the usual errors, and COIN_ESTATE if a component would
- *         overflow.
+ * @return COIN_OK; COIN_EARG; COIN_ESTATE as the usual errors, and if a
+ *         component would overflow.
  * Accuracy: 8 u of the terms (test_pose). */
 COIN_API int32_t coin_angular_velocity(const coin_state *s, double omega[3]);
 
@@ -333,10 +364,16 @@ COIN_API int32_t coin_angular_velocity(const coin_state *s, double omega[3]);
  *     if (coin_step(&s, &p, 1e-3) < 0)
  *         return 1;
  * @endcode
- * Cost: 1,017 instructions on a desktop, where a textbook step takes 1,901
- *         (COST, above).  More than half of them check the arguments and
- *         compute sines and cosines, which coin_run() does once for all of its
- *         steps.  It needs 800 bytes of stack on a Cortex-M4F. */
+ * @param[in,out] s  the state
+ * @param dt         the step, any finite value; < 0 runs backward [T]
+ * @return as coin_run(): COIN_OK, COIN_COARSE, or an error, after which *s is
+ *         unchanged.
+ * Accuracy: that of a step of COIN_RK4 by coin_run().
+ * Cost: 1,017 instructions, where a further step of coin_run() takes 564 and a
+ *         textbook step 1,901 (COST, above).  Most of the 453 between check
+ *         the arguments and compute sines and cosines, which coin_run() does
+ *         once for many steps.  It needs at most 800 bytes of stack on a
+ *         Cortex-M4F (make firmware). */
 COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
 
 /** Moves a coin by a number of fixed steps.
@@ -384,12 +421,14 @@ COIN_API int32_t coin_run(coin_state *s, const coin_params *p, int32_t method,
  * steps, out[0] = *start.  The samples lie on one uninterrupted run: out[k]
  * has the bits of one coin_run() from *start, however often it is sampled.
  * @param start             where to begin; may be an element of out
+ * @param dt                the step, as coin_run() [T]
  * @param steps_per_sample  steps between two samples
  * @param count             how many samples out holds; 0 changes nothing
  * @param[out] out          [count] states
  * @param[out] done         how many samples were written; may be null
  * @return as coin_run(); after COIN_ESTEP on the way out[0 .. *done-1] hold
- *         the samples before the failing step, and the rest are untouched. */
+ *         the samples before the failing step, and the rest are untouched.
+ * Cost: that of coin_run(); 300 instructions more for each sample. */
 COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
                              int32_t method, double dt,
                              uint64_t steps_per_sample, size_t count,
@@ -400,6 +439,7 @@ COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
  * @param[in,out] s    [count] states
  * @param count        how many; 0 is OK
  * @param method       any; COIN_RK4 and COIN_RK8 use vectors
+ * @param dt,steps     the step [T] and how many, as coin_run()
  * @param[out] status  [count] what coin_run() returns for each; may be null
  * @return COIN_EARG, COIN_EPARAMS: nothing was touched.  Else the status of the
  *         first coin that failed, or all warnings together.  A coin that failed
@@ -423,12 +463,13 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  * @param[out] reached  the time moved: t, if no error is returned; may be null
  * @return COIN_OK; the usual errors; COIN_EARG also for tol out of range.
  *         COIN_ESTEP: t is not finite or is above 1e15 natural units, and s and
- *         *reached are untouched; or phi or psi leaves its range, or 2^20 steps
- *         were not enough, and s is the state at *reached.  After 2^20 steps
- *         another call goes on from there.  COIN_EFLAT: the coin falls flat,
- *         nearer than 1e-30 rad.  s is then the last state before the impact
- *         that a double can hold, and *reached the time of the impact.  A coin
- *         at rest, as coin_settle() leaves it, counts as fallen: for t >= 0
+ *         *reached are untouched; or x or z overflows, s is untouched and
+ *         *reached is 0; or phi or psi leaves its range, or 2^20 steps were not
+ *         enough, and s is the state at *reached.  After 2^20 steps another
+ *         call goes on from there.  COIN_EFLAT: the coin falls flat, nearer
+ *         than 1e-30 rad.  s is then the last state before the impact that a
+ *         double can hold, and *reached the time of the impact.  A coin at
+ *         rest, as coin_settle() leaves it, counts as fallen: for t >= 0
  *         *reached is 0.
  * Accuracy: below tol per unit for all of 1000 random coins over 4 units, at
  *         each of eleven tolerances (docs/accuracy.md).  Rounding adds about
@@ -530,13 +571,15 @@ COIN_API int32_t coin_contact(const coin_state *s, const coin_params *p,
 
 /** The coin's frame.  Eq. (7).
  * @param[out] R  [9] rows e_X, e_Y, e_Z, each along x, y, z [1]
- * @return COIN_OK; the usual errors.  Accuracy: 4 u (test_pose). */
+ * @return COIN_OK; COIN_EARG, COIN_ESTATE as the usual errors.
+ * Accuracy: 4 u (test_pose). */
 COIN_API int32_t coin_axes(const coin_state *s, double R[9]);
 
 /** The rotation of the body, the roll included.  Eq. (30).
  * @param[out] q  [4] w, x, y, z, unit norm, body to table; continuous in the
  *                angles, so q and -q both occur
- * @return COIN_OK; the usual errors.  Accuracy: 4 u (test_pose). */
+ * @return COIN_OK; COIN_EARG, COIN_ESTATE as the usual errors.
+ * Accuracy: 4 u (test_pose). */
 COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
 
 /* ------------------------------------------------------------- validity -- */
@@ -548,6 +591,8 @@ COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
  * @return COIN_OK, or the bits COIN_SLIPS, COIN_LIFTS, COIN_COARSE,
  *         COIN_NEARLY_FLAT; COIN_EARG also for an unknown method and mu < 0 or
  *         NaN; the usual errors; COIN_ESTEP dt not finite.
+ * Accuracy: a bit may be wrong where the state is nearer to its threshold than
+ *         8 u of the terms of that threshold (make adversary).
  * Cost: 0.8 of that of coin_reaction(). */
 COIN_API int32_t coin_check(const coin_state *s, const coin_params *p,
                             int32_t method, double dt, double mu);
@@ -624,20 +669,25 @@ COIN_API int32_t coin_state_from_landing(coin_state *s, const coin_params *p,
 /** Straight rolling, upright: theta = wX = wY = 0.
  * @param[out] s  all 8 members, the pose 0
  * @param wZ      the speed is radius |wZ|, along -x for wZ > 0 [1/T]
- * @return COIN_OK; COIN_EARG; COIN_EPARAMS; COIN_ESTATE wZ not finite. */
+ * @return COIN_OK; COIN_EARG; COIN_EPARAMS; COIN_ESTATE if wZ is not finite, or
+ *         so large that energies or forces would overflow.
+ * Accuracy: wZ is as given, and all else is 0. */
 COIN_API int32_t coin_steady_roll(coin_state *s, const coin_params *p,
                                   double wZ);
 
 /** Spinning with the centre at rest, leaning: wX = wZ = 0, wY > 0.  Needs no
  * friction.  Eq. (42).
  * @param theta  the lean, |theta| < pi/2 [rad]
- * @return as coin_steady_roll(), COIN_ESTATE if theta is out of range. */
+ * @return as coin_steady_roll(); COIN_ESTATE if theta is out of range, or wY
+ *         would be.
+ * Accuracy: 8 u in wY (make adversary). */
 COIN_API int32_t coin_steady_spin(coin_state *s, const coin_params *p,
                                   double theta);
 
 /** Spinning upright about a diameter: theta = wX = wZ = 0.
  * @param wY  any finite rate [1/T]
- * @return as coin_steady_roll(). */
+ * @return as coin_steady_roll(), with wY for wZ.
+ * Accuracy: wY is as given, and all else is 0. */
 COIN_API int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
                                           double wY);
 
@@ -667,8 +717,10 @@ COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
  *         effect of a change of both rates by 8 u/cos(theta) of the larger of
  *         |wY|, |wZ|.  Near flat a double cannot hold the lean more accurately
  *         (test_steady_near).
- * Cost: some 5 us, more near flat: it sums a chain of series, 40 terms per
- *         radian. */
+ * Cost: it sums a chain of series, one for each 0.04 cos(theta) of the lean,
+ *         first towards larger theta.  Half of random states of a disc have a
+ *         steady motion on that side: 1 to 15 us.  For the others the search
+ *         goes on to flat: 25 to 40 us. */
 COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
                                   coin_state *out);
 
@@ -679,7 +731,8 @@ COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if the state is not steady:
  *         |wX| above 1e-9 of the largest of |wY|, |wZ|, sqrt(g/a), or the two
  *         sides of Eq. (39) apart by more than 1e-9 of the largest of its
- *         terms and M g a. */
+ *         terms and M g a.
+ * Accuracy: 8 u of the terms (make adversary). */
 COIN_API int32_t coin_steady_radii(const coin_state *s, const coin_params *p,
                                    double *center, double *contact);
 
@@ -694,11 +747,13 @@ COIN_API int32_t coin_stability(const coin_state *s, const coin_params *p,
                                 double *lambda2);
 
 /** The rate |wZ| above which straight rolling is stable: sqrt(g/(3 a)) for a
- * disc.  Eq. (45).  @return the rate [1/T]; NaN on bad parameters. */
+ * disc.  Eq. (45).  @return the rate [1/T]; NaN on bad parameters.
+ * Accuracy: 8 u (make adversary). */
 COIN_API double coin_critical_roll(const coin_params *p);
 
 /** The rate |wY| above which upright spinning is stable: sqrt(4 g/(5 a)) for a
- * disc.  Eq. (46).  @return the rate [1/T]; NaN on bad parameters. */
+ * disc.  Eq. (46).  @return the rate [1/T]; NaN on bad parameters.
+ * Accuracy: 8 u (make adversary). */
 COIN_API double coin_critical_spin(const coin_params *p);
 
 /* ---------------------------------------------- motion without stepping -- */
@@ -792,16 +847,16 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         motion also leaves out what coin_steady_at() leaves out: here 16 u of
  *         the terms of (39) over |lambda^2| in the lean, with an effect on
  *         heading and roll that grows with time (make adversary).
- * Cost: less than a textbook Runge-Kutta step, whatever t is. */
+ * Cost: 0.45 to 0.65 textbook steps, whatever t is (docs/models.md). */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
 
 /* --------------------------------------------------------------- models -- */
 
 /** The cheapest model that a scene needs: of the models below, the first that
  * keeps the pose within tol of the full equations.  It is found by trial.
- * @param horizon  how long, of either sign [T]
- * @param tol      > 0: by how much theta, phi, psi may be off [rad], and x, z
- *                 [radii] [1]
+ * @param horizon  how long, of either sign, less than 2^31 periods of theta [T]
+ * @param tol      > 0 and finite: by how much theta, phi, psi may be off [rad],
+ *                 and x, z [radii] [1]
  * @return COIN_MODEL_STEADY: coin_steady_at() of coin_steady_near();
  *         COIN_MODEL_WOBBLE: coin_wobble_at() about the same;
  *         COIN_MODEL_ORBIT: coin_orbit_init(), coin_orbit_at();
@@ -810,7 +865,7 @@ COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
  *         rounding grows beyond tol in that time, as it does next to an
  *         unstable steady motion.
  *         Negative: the usual errors; COIN_EARG also for tol not in range;
- *         COIN_ESTEP horizon not finite, or phi, psi, x or z leaves its range
+ *         COIN_ESTEP horizon not in range, or phi, psi, x or z leaves its range
  *         within the horizon; COIN_EFLAT the coin falls flat within the horizon
  *         and within the steps that are taken.
  * Accuracy: of 10,000 scenes none got a model that misses tol; of 20,000
@@ -819,17 +874,19 @@ COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
  *         (test_model).
  * Cost: that of coin_orbit_init(), and of up to 128 states of the orbit for
  *         each model that is nearly good enough: 65 textbook steps for a small
- *         swing about a steady circle, 250 and more for a motion that comes
- *         near flat.  Where there is no orbit, up to 64 natural units are
- *         stepped: 1,400 textbook steps as a rule, 8,500 at most.  So call it
- *         once for a scene, not for each frame, and not at all for fewer than
- *         some 100 answers.  It needs some 77 KiB of stack. */
+ *         swing about a steady circle, of which coin_orbit_init() takes 52, and
+ *         250 and more for a motion that comes near flat.  Where there is no
+ *         orbit, up to 64 natural units are stepped: 1,400 textbook steps as a
+ *         rule, 8,500 at most.  So call it once for a scene, not for each
+ *         frame, and not at all for fewer than some 100 answers.  It needs some
+ *         77 KiB of stack. */
 COIN_API int32_t coin_model_needed(const coin_state *s, const coin_params *p,
                                    double horizon, double tol);
 
 /* ----------------------------------------------------------- real coins -- */
 
 /** Whether losses can be computed with.
+ * @param l  any losses
  * @return COIN_OK; COIN_EARG null; COIN_EPARAMS as coin_params_check(), or a
  *         member of *l is negative or not finite, or it or its quotient by
  *         inertia_X or by inertia_Z + mass radius^2 is above 1e60. */
@@ -1037,13 +1094,15 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  * and many short steps follow until it has grown.  A launch costs 14 times as
  * much as with mu_kinetic = 0.9 mu_static in the mean, and 70 times in the
  * worst case (make slide-study).  No launch of that study needed 2^20 steps.
- * A body with I_Z below 1e-6 M a^2 or I_X below 1e-4 M a^2 is stiff while it
- * slips: 2^20 trials may then last for less than a natural unit of time.
- * Accuracy: the times at which slips begin and end err by less than 1e-8 at
- *         tol = 1e-10 (test_slide).  The exception is a slip whose speed comes
- *         close to 0 and grows again: its direction reverses almost at once,
- *         and the time of that reversal is less accurate than the motion after
- *         it.
+ * A body with I_Z up to 1e-5 M a^2 or I_X up to 1e-6 M a^2 may be stiff while
+ * it slips: 2^20 trials may then last for less than a natural unit of time.
+ * That holds for 1 in 100 random throws at these limits, and for 1 in 3 at
+ * I_Z = 1e-7 M a^2.  At 10 times the limits it held for none of 7,000.
+ * Accuracy: the times at which a slip begins and ends err by less than 1e-8
+ *         natural units, 10 units after the start, at tol = 1e-11 (test_slide).
+ *         The exception is a slip whose speed comes close to 0 and grows again:
+ *         its direction reverses almost at once, and the time of that reversal
+ *         is less accurate than the motion after it.
  * Cost: while it rolls 1.25 times that of coin_advance() in long calls (make
  *         slide-study); docs/models.md has more. */
 COIN_API int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
