@@ -231,6 +231,23 @@ static void the_longest_and_the_shortest_steps_are_as_alone(void **unused)
     }
 }
 
+/* A step so short that its products are 0, of either sign. */
+static void a_zero_keeps_its_sign_as_alone(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 16; ++i) {
+        struct trial t = {.p = disc(), .count = MOST};
+        const double dt = i & 1 ? -0x1p-1074 : 0x1p-1074;
+        for (size_t k = 0; k < MOST; ++k)
+            t.s[k] = (coin_state){.theta = 1.3,
+                                  .wX = i & 2 ? -0.0 : 3,
+                                  .wY = i & 4 ? -0.0 : 4e-3,
+                                  .wZ = i & 8 ? -0.0 : 0.0};
+        check_trial(&t, COIN_RK4, dt, 1);
+        check_trial(&t, COIN_RK8, dt, 1);
+    }
+}
+
 static void a_path_that_overflows_is_not_taken_in_a_lane(void **unused)
 {
     (void)unused;
@@ -358,6 +375,7 @@ int main(void)
         TEST(the_status_is_that_of_the_first_coin_that_failed),
         TEST(a_coin_that_is_no_state_leaves_the_others_alone),
         TEST(the_longest_and_the_shortest_steps_are_as_alone),
+        TEST(a_zero_keeps_its_sign_as_alone),
         TEST(a_path_that_overflows_is_not_taken_in_a_lane),
         TEST(a_lean_that_turns_late_in_a_step_goes_as_alone),
         TEST(a_roll_that_leaves_its_range_for_a_while_ends_the_run),

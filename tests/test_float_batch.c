@@ -213,6 +213,23 @@ static void the_status_is_that_of_the_first_coin_that_failed(void **unused)
 }
 
 /* Coins that all fall: who has none left to move does not go on for ages. */
+/* A step so short that its products are 0, of either sign. */
+static void a_zero_keeps_its_sign_as_alone(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 16; ++i) {
+        struct trial t = {.p = {1, 1, 0.1f, 0.25f, 0.01f, {0, 0, 0}},
+                          .count = MOST};
+        const float dt = i & 1 ? -0x1p-149f : 0x1p-149f;
+        for (size_t k = 0; k < MOST; ++k)
+            t.s[k] = (coinf_state){.theta = i & 2 ? -1.3f : 1.3f,
+                                   .wX = i & 2 ? -0.0f : 3,
+                                   .wY = i & 4 ? -0.0f : 4e-3f,
+                                   .wZ = i & 8 ? -0.0f : 0.0f};
+        check_trial(&t, COIN_RK4, dt, 1);
+    }
+}
+
 static void a_batch_ends_when_all_coins_have_failed(void **unused)
 {
     (void)unused;
@@ -303,6 +320,7 @@ int main(void)
         TEST(whole_turns_are_subtracted_as_for_a_coin_alone),
         TEST(a_coin_without_whole_turns_keeps_its_bits),
         TEST(the_status_is_that_of_the_first_coin_that_failed),
+        TEST(a_zero_keeps_its_sign_as_alone),
         TEST(a_batch_ends_when_all_coins_have_failed),
         TEST(a_warning_is_given_only_to_the_coin_it_is_about),
         TEST(a_time_of_0_and_0_steps_change_nothing),

@@ -48,19 +48,25 @@ static void store(coinf_state *const *coin, int count,
                 ((const float *)from)[i * COINF_PRIV_LANES + k];
 }
 
-static coinf_lanes_plan plan_for_all(const coinf_priv_plan *p)
+/* A vector with x in every lane.  A difference: 0 + x would turn -0 into 0. */
+COIN_PRIV_INLINE coinf_lanes all(float x)
 {
     const coinf_lanes none = {0};
+    return x - none;
+}
+
+static coinf_lanes_plan plan_for_all(const coinf_priv_plan *p)
+{
     const coinf_lanes_plan of_all = {
-        {none + p->f.h, none + p->f.GJ, none + p->f.KJ, none + p->f.XJ,
-         none + p->f.k1, none + p->f.k2},
-        none + p->KJ_low,
-        none + p->a,
-        none + p->g_a,
-        none + p->k1,
-        none + p->k2,
-        none + p->coarse2,
-        none + p->most2,
+        {all(p->f.h), all(p->f.GJ), all(p->f.KJ), all(p->f.XJ), all(p->f.k1),
+         all(p->f.k2)},
+        all(p->KJ_low),
+        all(p->a),
+        all(p->g_a),
+        all(p->k1),
+        all(p->k2),
+        all(p->coarse2),
+        all(p->most2),
     };
     return of_all;
 }

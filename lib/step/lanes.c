@@ -27,11 +27,11 @@
 
 typedef coin_lanes_whole mask;
 
-/* A vector with x in every lane. */
+/* A vector with x in every lane.  A difference: 0 + x would turn -0 into 0. */
 COIN_PRIV_INLINE coin_lanes all(double x)
 {
     const coin_lanes none = {0};
-    return none + x;
+    return x - none;
 }
 
 COIN_PRIV_INLINE coin_lanes_field field_of(const coin_priv_body *b, double h)
