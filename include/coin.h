@@ -23,8 +23,9 @@
  * line says "may be null".  An output may be the same object as an input of
  * the same type.  Unless a line says otherwise, p are parameters that
  * coin_params_check() accepts, s is a state that coin_state_check() accepts,
- * l are losses that coin_losses_check() accepts, and method is one of COIN_RK4,
- * COIN_RK8, COIN_SYMPLECTIC2 and COIN_SYMPLECTIC4.
+ * l are losses that coin_losses_check() accepts, d and f are a slide and a
+ * friction that coin_slide_advance() accepts, out is the result, and method is
+ * one of COIN_RK4, COIN_RK8, COIN_SYMPLECTIC2 and COIN_SYMPLECTIC4.
  *
  * STATUS. Most functions return an int32_t: 0 is COIN_OK; a positive value
  * means done; a negative value is an error.  A positive value is a set of
@@ -44,17 +45,18 @@
  * variables that calls the sine of libm in every stage: 1,901 instructions,
  * some 0.12 us.  The next table has the instructions of a call, checks of the
  * arguments included, by gcc -O2 on x86-64 for a US quarter (callgrind):
- *   40-90     coin_params_ functions, coin_critical_roll(), _spin()
+ *   40-100    coin_params_ functions, coin_critical_roll(), _spin()
  *   130-190   coin_state_check(), coin_losses_check()
- *   220-300   coin_energy(), _center(), _axes(), _check(), coin_slide_energy()
- *   330-420   coin_reaction(), _rates(), _velocity(), _contact(),
+ *   220-310   coin_energy(), _center(), _axes(), _check(), coin_slide_energy()
+ *   330-440   coin_reaction(), _rates(), _velocity(), _contact(),
  *             _angular_velocity(), _quaternion(), coin_steady_roll(),
  *             _upright_spin(), _radii(), coin_stability(), coin_slide_of(),
  *             coin_slide_velocity()
- *   520-660   coin_matrix(), coin_steady_spin(), _circle(), _at()
- *   690-1,250 coin_slide_reaction(), coin_losses_power(), _rates(), _reaction()
- *   1,150     coin_state_from_motion(); 1,600 coin_state_from_landing()
- *   830-6,800 coin_integrals(): 1,800 at a lean of 0.3, most from 0.8 on
+ *   520-670   coin_matrix(), coin_steady_spin(), _circle(), _at()
+ *   780-1,300 coin_losses_power(), _rates(), _reaction()
+ *   690-2,200 coin_slide_reaction(): most where a slip begins
+ *   1,200     coin_state_from_motion(); 1,600 coin_state_from_landing()
+ *   380-6,800 coin_integrals(): 1,800 at a lean of 0.3, most from 0.8 on
  *
  * PROMISES. No allocation, no global state, no output, no errno: every function
  * is reentrant and bounded in time and stack.  What moves a state gives the
@@ -295,8 +297,7 @@ COIN_API int32_t coin_params_ring(coin_params *p, double mass, double radius,
 
 /** Any thin axisymmetric body.
  * @param[out] p     the parameters, reserved members 0
- * @param mass,radius,gravity  M, a and g, as coin_params_disc()
- *                   [M] [L] [L/T^2]
+ * @param mass,radius,gravity  as coin_params_disc() [M] [L] [L/T^2]
  * @param inertia_X  I_X about a diameter, > 0 [M L^2]
  * @param inertia_Z  I_Z about the axis, > 0 and <= 2 I_X [M L^2]
  * @return as coin_params_disc().
@@ -571,15 +572,13 @@ COIN_API int32_t coin_contact(const coin_state *s, const coin_params *p,
 
 /** The coin's frame.  Eq. (7).
  * @param[out] R  [9] rows e_X, e_Y, e_Z, each along x, y, z [1]
- * @return COIN_OK; COIN_EARG, COIN_ESTATE as the usual errors.
- * Accuracy: 4 u (test_pose). */
+ * @return COIN_OK; COIN_EARG; COIN_ESTATE.  Accuracy: 4 u (test_pose). */
 COIN_API int32_t coin_axes(const coin_state *s, double R[9]);
 
 /** The rotation of the body, the roll included.  Eq. (30).
  * @param[out] q  [4] w, x, y, z, unit norm, body to table; continuous in the
  *                angles, so q and -q both occur
- * @return COIN_OK; COIN_EARG, COIN_ESTATE as the usual errors.
- * Accuracy: 4 u (test_pose). */
+ * @return COIN_OK; COIN_EARG; COIN_ESTATE.  Accuracy: 4 u (test_pose). */
 COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
 
 /* ------------------------------------------------------------- validity -- */
@@ -1072,18 +1071,19 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  *         more friction than mu_static N, it is the N of the slip that begins.
  *         That N may be positive where the N of rolling is negative.
  *         The usual errors.  COIN_EARG: also for tol out of range.
- *         COIN_EPARAMS: also as coin_losses_check(), and for damping > 0, which
- *         is defined for coins that roll only.  Also if mu_kinetic is negative,
- *         not finite, above mu_static, or not below the bound of Painleve,
- *         2 sqrt(k (1 + k)) with k = I_X/(M a^2), Eq. (86): 1.118 for a disc,
- *         1.732 for a hoop.  Beyond that bound Coulomb's friction may allow no
- *         motion, or several.  COIN_ESTATE: also if vx or vz is not finite, or
- *         so large that energies would overflow.  COIN_ESTEP: t is negative,
- *         not finite, or beyond 1e15 natural units, and nothing was moved; or
- *         phi, psi, x or z would leave its range, or 2^20 trials of steps were
- *         not enough.  In these two cases the slide is that at *reached.  After
- *         2^20 trials another call goes on from there.  If a range is left,
- *         first subtract whole turns, or count x and z from another origin.
+ *         COIN_EPARAMS: also as coin_losses_check(), with inertia_Z in place of
+ *         inertia_Z + mass radius^2, and for damping > 0, which is defined for
+ *         coins that roll only.  Also if mu_kinetic is negative, not finite,
+ *         above mu_static, or not below the bound of Painleve, Eq. (86), which
+ *         is 2 sqrt(k (1 + k)) with k = I_X/(M a^2): 1.118 for a disc, 1.732
+ *         for a hoop.  Beyond it Coulomb's friction may allow no motion, or
+ *         several.  COIN_ESTATE: also if vx or vz is not finite, or so large
+ *         that energies would overflow.  COIN_ESTEP: t is negative, not finite,
+ *         or beyond 1e15 natural units, and nothing was moved; or phi, psi, x
+ *         or z would leave its range, or 2^20 trials of steps were not enough.
+ *         In these two cases the slide is that at *reached.  After 2^20 trials
+ *         another call goes on from there.  If a range is left, first subtract
+ *         whole turns, or count x and z from another origin.
  * t = 0 changes nothing: the status tells whether the coin rolls or slips.  A
  * slip speed below 1e-10 sqrt(g a) counts as 0.  While a slip begins, its speed
  * counts as 0 until it is 2e-10 sqrt(g a).  A coin also rolls if the friction
@@ -1096,8 +1096,9 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  * worst case (make slide-study).  No launch of that study needed 2^20 steps.
  * A body with I_Z up to 1e-5 M a^2 or I_X up to 1e-6 M a^2 may be stiff while
  * it slips: 2^20 trials may then last for less than a natural unit of time.
- * That holds for 1 in 100 random throws at these limits, and for 1 in 3 at
- * I_Z = 1e-7 M a^2.  At 10 times the limits it held for none of 7,000.
+ * Of random throws (leans of 0.1 to 1.3, rates of 0.1 to 3 sqrt(g/a), frictions
+ * up to 0.5) some 1 in 100 are stiff at these limits, and a third to a half at
+ * I_Z = 1e-7 M a^2.  At 10 times the limits none of 7,000 was.
  * Accuracy: the times at which a slip begins and ends err by less than 1e-8
  *         natural units, 10 units after the start, at tol = 1e-11 (test_slide).
  *         The exception is a slip whose speed comes close to 0 and grows again:

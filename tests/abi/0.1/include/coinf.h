@@ -137,6 +137,7 @@ COIN_API int32_t coinf_run(coinf_state *s, const coinf_params *p,
  * @param count        how many; 0 is OK
  * @param method       COIN_RK4, which uses vectors, or COIN_SYMPLECTIC2; any
  *                     other is COIN_EARG
+ * @param dt,steps     the step [T] and how many, as coinf_run()
  * @param[out] status  [count] what coinf_run() returns for each; may be null
  * @return COIN_EARG, COIN_EPARAMS: nothing was touched; else the status of the
  *         first coin that failed, else all warnings together.  A coin that
