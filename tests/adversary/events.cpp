@@ -26,8 +26,9 @@ constexpr double BLURRED = 1e-3;
 /* How far from a true time the status changes from one to another, in parts of
  * `bound`: halved from the first of `enough` parts, twice as many and so on
  * before and behind which it is known; REACH where that is beyond.  Half of
- * enough, where it is less than enough.  No claim if a call says COIN_ESTEP:
- * its trials were not enough, and it tells neither. */
+ * enough, where it is less than enough.  A coin that begins to slip may lift off
+ * at once.  No claim if a call says COIN_ESTEP: its trials were not enough, and
+ * it tells neither. */
 constexpr double REACH = 32;
 
 double distance(const asked &q, double tol, double when, double bound,
@@ -38,7 +39,7 @@ double distance(const asked &q, double tol, double when, double bound,
         coin_slide d = q.d;
         const int32_t is = q.advance(&d, larger(t, 0.0), tol);
         tells = tells && is != COIN_ESTEP;
-        return is;
+        return before == COIN_OK && is == COIN_ELIFT ? after : is;
     };
     double far = enough > 0 ? enough : 1 / REACH;
     while (status(when - far * bound) != before ||

@@ -159,6 +159,13 @@ template <class R> class slide
         ahead.ends = 0x1p-42;
     }
 
+    /* Errors grow in proportion only while they are small beside this: about
+     * upright the force changes within leans of root(IX). */
+    R linear() const
+    {
+        return R(0.1L) * lesser(R(1), root(IX));
+    }
+
     /* The slope of the slip speed. */
     R speed_slope() const
     {

@@ -9,7 +9,7 @@
 #include <vector>
 
 /* How much an error at *from has grown at the end, or so much of it that it is
- * enough. */
+ * enough.  An error that has grown too far tells nothing of smaller ones. */
 inline long double growth_of(const slide<long double> &from,
                              const slide<long double> &end, long double t,
                              long double enough)
@@ -22,7 +22,10 @@ inline long double growth_of(const slide<long double> &from,
             break;
         if (other.follow(t) != slide<long double>::SLIPS)
             return 1e30;
-        sum += end.apart(other) / 1e-7L;
+        const long double off = end.apart(other);
+        if (off > end.linear())
+            return 1e30;
+        sum += off / 1e-7L;
     }
     return sum;
 }
