@@ -219,15 +219,15 @@ enum {
     COIN_EPARAMS = -1, /**< parameters out of range: coin_params_check();
                             or losses or friction out of range */
     COIN_ESTATE = -2,  /**< state out of range: coin_state_check() */
-    COIN_ESTEP = -3,   /**< a step or a time that is not finite or too long.  A
+    COIN_ESTEP = -3,   /**< a step or a time that is not finite, negative
+                            where losses or slips forbid that, or too long.  A
                             step is too long if |dt| W is beyond the method's
                             limit, if the step would cross the table, or if it
                             turns lean or heading by more than 1.5 rad: shorten
                             dt, or call coin_advance().  A time is too long if
-                            phi, psi, x or z would leave its range: subtract
-                            whole turns, or count x and z from another origin.
-                            It is also too long if the steps of one call do
-                            not suffice: call again */
+                            the steps of one call do not suffice: call again,
+                            or ask for less.  A time of a closed form is too
+                            long if phi, psi, x or z would leave its range */
     COIN_EARG = -4,    /**< null pointer, unknown method, branch or bit, bad
                             tolerance, mu of a check < 0 */
     COIN_EDOMAIN = -5, /**< no such steady motion; or the state is not steady,
@@ -236,8 +236,11 @@ enum {
     COIN_EFLAT = -6,   /**< the coin falls flat within the time asked */
     COIN_EBUILD = -7,  /**< this build does not give the pinned bits:
                             coin_selftest() */
-    COIN_ELIFT = -8    /**< a coin that may slip lifts off the table within the
+    COIN_ELIFT = -8,   /**< a coin that may slip lifts off the table within the
                             time asked */
+    COIN_ERANGE = -9   /**< no step leads on from the state reached, and |phi|
+                            or |psi| is within 16 rad of 2^31, the end of its
+                            range: subtract whole turns */
 };
 
 /** Status: positive = done, with these warning bits. */
@@ -388,6 +391,7 @@ COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
  *         and COIN_EARG for an unknown method, with *done untouched;
  *         COIN_ESTEP if dt is not finite (*done untouched), or if a step is
  *         refused: s is then the state after the *done steps before it.
+ *         COIN_ERANGE: the same, where phi or psi is at the end of its range.
  * A step is refused if |dt| W is beyond 1.2 (COIN_SYMPLECTIC2: 1,
  * COIN_SYMPLECTIC4: 1.4) where it begins or ends; if it would lead through the
  * table or out of the range of coin_state_check(); or if it turns lean or
@@ -399,8 +403,9 @@ COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
  * A run of n steps equals n runs of one step but for rounding.  So a caller may
  * divide a long run into several calls, and stop between them.  Each further
  * call changes the result by at most 8 u/cos(theta) in radians, radii and
- * natural units of rate, before the motion's own amplification.  This holds for
- * steps that are not coarse, with COIN_RK4 for |dt| W up to 0.2 (test_cuts).
+ * natural units of rate, and by 8 u of phi, psi, x and z.  This is before the
+ * motion's own amplification.  It holds for steps that are not coarse, with
+ * COIN_RK4 for |dt| W up to 0.2 (test_cuts).
  * coin_sample() reports states on the way and keeps the bits of one
  * uninterrupted run.
  * Accuracy: a step adds at most 0.1 (|dt| W)^5 radians and radii by COIN_RK4,
@@ -427,8 +432,8 @@ COIN_API int32_t coin_run(coin_state *s, const coin_params *p, int32_t method,
  * @param count             how many samples out holds; 0 changes nothing
  * @param[out] out          [count] states
  * @param[out] done         how many samples were written; may be null
- * @return as coin_run(); after COIN_ESTEP on the way out[0 .. *done-1] hold
- *         the samples before the failing step, and the rest are untouched.
+ * @return as coin_run(); if a step is refused, out[0 .. *done-1] hold the
+ *         samples before it, and the rest are untouched.
  * Cost: that of coin_run(); 300 instructions more for each sample. */
 COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
                              int32_t method, double dt,
@@ -465,13 +470,13 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  * @return COIN_OK; the usual errors; COIN_EARG also for tol out of range.
  *         COIN_ESTEP: t is not finite or is above 1e15 natural units, and s and
  *         *reached are untouched; or x or z overflows, s is untouched and
- *         *reached is 0; or phi or psi leaves its range, or 2^20 steps were not
- *         enough, and s is the state at *reached.  After 2^20 steps another
- *         call goes on from there.  COIN_EFLAT: the coin falls flat, nearer
- *         than 1e-30 rad.  s is then the last state before the impact that a
- *         double can hold, and *reached the time of the impact.  A coin at
- *         rest, as coin_settle() leaves it, counts as fallen: for t >= 0
- *         *reached is 0.
+ *         *reached is 0; or 2^20 steps were not enough, s is the state at
+ *         *reached, and another call goes on from there.  COIN_ERANGE: phi or
+ *         psi would leave its range, and s is the state at *reached.
+ *         COIN_EFLAT: the coin falls flat, nearer than 1e-30 rad.  s is then
+ *         the last state before the impact that a double can hold, and *reached
+ *         the time of the impact.  A coin at rest, as coin_settle() leaves it,
+ *         counts as fallen: for t >= 0 *reached is 0.
  * Accuracy: below tol per unit for all of 1000 random coins over 4 units, at
  *         each of eleven tolerances (docs/accuracy.md).  Rounding adds about
  *         1e-15 per unit.  Near flat the double theta cannot hold cos(theta)
@@ -942,10 +947,11 @@ COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
  *         from that state returns COIN_RESTS and *reached = 0.  The usual
  *         errors; COIN_EARG also for tol out of range; COIN_EPARAMS also as
  *         coin_losses_check(); COIN_ESTEP: t is negative or not finite, or
- *         beyond 1e15 natural units, and nothing was moved; or phi, psi, x or z
- *         leaves its range, or 2^20 steps were not enough.  In these two cases
- *         the state is that at *reached.  After 2^20 steps another call goes
- *         on from there.
+ *         beyond 1e15 natural units, and nothing was moved; or x or z
+ *         overflows, s is untouched and *reached is 0; or 2^20 steps were not
+ *         enough, s is the state at *reached, and another call goes on from
+ *         there.  COIN_ERANGE: phi or psi would leave its range, and s is the
+ *         state at *reached.
  * Without any loss the state and *reached are those of coin_advance(), which
  * returns COIN_EFLAT for a fall.  Pivoting friction alone never brings a coin
  * to rest.  The coin is kept on the table, as by coin_advance(): coin_check()
@@ -1079,11 +1085,11 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  *         for a hoop.  Beyond it Coulomb's friction may allow no motion, or
  *         several.  COIN_ESTATE: also if vx or vz is not finite, or so large
  *         that energies would overflow.  COIN_ESTEP: t is negative, not finite,
- *         or beyond 1e15 natural units, and nothing was moved; or phi, psi, x
- *         or z would leave its range, or 2^20 trials of steps were not enough.
- *         In these two cases the slide is that at *reached.  After 2^20 trials
- *         another call goes on from there.  If a range is left, first subtract
- *         whole turns, or count x and z from another origin.
+ *         or beyond 1e15 natural units, and nothing was moved; or x or z would
+ *         overflow, the slide is untouched and *reached is 0; or 2^20 trials of
+ *         steps were not enough, the slide is that at *reached, and another
+ *         call goes on from there.  COIN_ERANGE: phi or psi would leave its
+ *         range, and the slide is that at *reached.
  * t = 0 changes nothing: the status tells whether the coin rolls or slips.  A
  * slip speed below 1e-10 sqrt(g a) counts as 0.  While a slip begins, its speed
  * counts as 0 until it is 2e-10 sqrt(g a).  A coin also rolls if the friction

@@ -277,7 +277,7 @@ static void a_heading_out_of_range_ends_the_call(void **unused)
         coin_state s = start;
         double reached = 7;
         check_note("tol = %g", tol);
-        check_status(coin_advance(&s, &p, 20, tol, &reached), COIN_ESTEP);
+        check_status(coin_advance(&s, &p, 20, tol, &reached), COIN_ERANGE);
         check_status(coin_state_check(&s, &p), COIN_OK);
         check_within(reached, 9.8, 10);
         check_near(s.phi, start.phi + 10 * reached, 1e-6 + 100 * tol);
@@ -286,7 +286,7 @@ static void a_heading_out_of_range_ends_the_call(void **unused)
         const coin_state edge = s;
         for (double t = 1; t > 1e-6; t /= 10) {
             reached = 7;
-            check_status(coin_advance(&s, &p, t, tol, &reached), COIN_ESTEP);
+            check_status(coin_advance(&s, &p, t, tol, &reached), COIN_ERANGE);
             check_same(&s, &edge, sizeof s);
             check(reached == 0);
         }

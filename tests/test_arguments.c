@@ -281,7 +281,7 @@ static void errno_is_unchanged_at_the_edge_of_the_range(void **unused)
     check_status(coin_state_from_motion(&s, &good_params, flat, omega, 0, 0),
                  COIN_ESTATE);
     s = edge;
-    check_status(coin_step(&s, &good_params, 1), COIN_ESTEP);
+    check_status(coin_step(&s, &good_params, 1), COIN_ERANGE);
     check(errno == 1234);
 }
 

@@ -298,7 +298,7 @@ static void a_roll_that_leaves_its_range_for_a_while_ends_the_run(void **unused)
                                   .wY = 3 + 0.01 * (double)k};
         check_note("%d steps", 5 * i);
         check_trial(&t, i / 2 % 2, 0.02, (uint64_t)(5 * i));
-        ended += t.want_all == COIN_ESTEP;
+        ended += t.want_all == COIN_ERANGE;
     }
     check(ended > 30 && ended < 50);
 }

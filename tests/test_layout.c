@@ -60,6 +60,7 @@ static const struct {
     {"COIN_EFLAT", COIN_EFLAT, -6},
     {"COIN_EBUILD", COIN_EBUILD, -7},
     {"COIN_ELIFT", COIN_ELIFT, -8},
+    {"COIN_ERANGE", COIN_ERANGE, -9},
     {"COIN_SLIPS", COIN_SLIPS, 1},
     {"COIN_LIFTS", COIN_LIFTS, 2},
     {"COIN_COARSE", COIN_COARSE, 4},

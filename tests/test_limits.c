@@ -366,13 +366,13 @@ static void a_run_counts_the_steps_that_stay_in_range(void **unused)
         *(i ? &start.psi : &start.phi) = 2147483648.0 - 1.25;
         coin_state s = start;
         uint64_t done = 99;
-        check_status(coin_run(&s, &p, COIN_RK4, 0.125, 40, &done), COIN_ESTEP);
+        check_status(coin_run(&s, &p, COIN_RK4, 0.125, 40, &done), COIN_ERANGE);
         check(done == 10);
         size_t samples = 99;
         out[11].theta = 7;
         check_status(
             coin_sample(&start, &p, COIN_RK4, 0.125, 1, 12, out, &samples),
-            COIN_ESTEP);
+            COIN_ERANGE);
         check(samples == 11 && out[11].theta == 7);
         check(memcmp(&out[10], &s, sizeof s) == 0);
     }

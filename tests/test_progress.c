@@ -255,7 +255,7 @@ static void angles_out_of_range_end_a_run(void **unused)
             uint64_t done = 7;
             check_note("method %d, edge %zu", (int)method, i);
             check_status(coin_run(&s, &p, method, 0.05, 100, &done),
-                         COIN_ESTEP);
+                         COIN_ERANGE);
             check(done == 0);
             check_same(&s, &edges[i], sizeof s);
             check_status(coin_run(&s, &p, method, -0.05, 100, &done), COIN_OK);
@@ -277,7 +277,7 @@ static void a_slow_turn_ends_at_the_edge_of_its_range(void **unused)
             uint64_t done;
             check_note("method %d, edge %d", (int)method, i);
             check_status(coin_run(&s, &p, method, 1e-9, 1000, &done),
-                         COIN_ESTEP);
+                         COIN_ERANGE);
             check_within((double)done, 0x1p-22 * 1e9 - 1, 0x1p-22 * 1e9 + 1);
             check(s.phi == edges[i].phi && s.psi == edges[i].psi);
         }

@@ -43,7 +43,7 @@ static void a_run_stops_where_an_angle_leaves_its_range(void **unused)
                 check_note("method %d, %d steps fit", (int)method, fit);
                 check_status(
                     coin_run(&s, &p, method, turn / 1000, STEPS, &done),
-                    COIN_ESTEP);
+                    COIN_ERANGE);
                 check(done == (uint64_t)fit);
                 check_status(coin_state_check(&s, &p), COIN_OK);
             }
@@ -63,7 +63,7 @@ static void a_batch_stops_each_coin_there(void **unused)
             }
             check_status(coin_batch_run(s, COINS, &p, methods[m], turn / 1000,
                                         STEPS, NULL),
-                         COIN_ESTEP);
+                         COIN_ERANGE);
             check_same(s, alone, sizeof s);
             for (int i = 0; i < COINS; ++i)
                 check_status(coin_state_check(&s[i], &p), COIN_OK);
@@ -82,10 +82,10 @@ static void a_batch_sees_a_roll_that_leaves_and_comes_back(void **unused)
         alone[i] = s[i] = from;
         alone[i].psi = s[i].psi = 0x1p31 - 1.11;
         check_status(coin_run(&alone[i], &p, COIN_RK4, 0.02, STEPS, NULL),
-                     COIN_ESTEP);
+                     COIN_ERANGE);
     }
     check_status(coin_batch_run(s, COINS, &p, COIN_RK4, 0.02, STEPS, NULL),
-                 COIN_ESTEP);
+                 COIN_ERANGE);
     check_same(s, alone, sizeof s);
 }
 
@@ -145,6 +145,24 @@ static void the_square_of_the_rates_has_a_limit(void **unused)
         }
 }
 
+/* A step that is too long by far: what is said of it depends on the place. */
+static void within_16_rad_of_the_end_turns_are_to_be_subtracted(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    for (int i = 0; i < 8; ++i) {
+        const int inside = i / 4;
+        const double end = 0x1p31 - (inside ? 15.9 : 16.1);
+        coin_state s = {.theta = 0.3, .wX = 1, .wY = 1, .wZ = 1}, out[2];
+        *(i & 1 ? &s.phi : &s.psi) = i & 2 ? end : -end;
+        const int32_t want = inside ? COIN_ERANGE : COIN_ESTEP;
+        check_note("case %d", i);
+        check_status(coin_step(&s, &p, 100), want);
+        check_status(coin_run(&s, &p, COIN_RK8, 100, 9, NULL), want);
+        check_status(coin_sample(&s, &p, COIN_RK4, 100, 1, 2, out, NULL), want);
+    }
+}
+
 /* Within the limits on W where it begins and ends, it would turn the heading by
  * 3.6 rad on its way past the table. */
 static void a_step_that_turns_too_far_is_refused(void **unused)
@@ -168,6 +186,7 @@ int main(void)
         TEST(what_is_made_of_parameters_is_at_least_1e_minus_300),
         TEST(what_is_made_of_floats_is_1e_minus_30_to_1e30),
         TEST(the_square_of_the_rates_has_a_limit),
+        TEST(within_16_rad_of_the_end_turns_are_to_be_subtracted),
         TEST(a_step_that_turns_too_far_is_refused),
     };
     return RUN_TESTS(tests);

@@ -176,7 +176,7 @@ static void a_step_out_of_range_is_not_done(void **unused)
     for (size_t i = 0; i < 4; ++i) {
         coin_state s = edges[i];
         check_note("edge %zu", i);
-        check_status(coin_step(&s, &scene.params, 0.1), COIN_ESTEP);
+        check_status(coin_step(&s, &scene.params, 0.1), COIN_ERANGE);
         check_same(&s, &edges[i], sizeof s);
         check_status(coin_step(&s, &scene.params, -0.1), COIN_OK);
     }

@@ -149,7 +149,7 @@ static void a_heading_out_of_range_ends_the_call(void **unused)
     const coin_losses l = {.spin = 1e-9};
     coin_state s = {.phi = 0x1p31 - 100, .wY = 10};
     double reached = 7;
-    check_status(coin_settle(&s, &p, &l, 20, 1e-6, &reached), COIN_ESTEP);
+    check_status(coin_settle(&s, &p, &l, 20, 1e-6, &reached), COIN_ERANGE);
     check_status(coin_state_check(&s, &p), COIN_OK);
     check_within(reached, 9.8, 10);
     check_near(s.phi, 0x1p31 - 100 + 10 * reached, 1e-3);

@@ -129,7 +129,7 @@ static void ends_on_the_way(const coin_slide *from, const coin_friction *f,
     coin_slide d = *from;
     double reached;
     check_status(coin_slide_advance(&d, &p, f, l, t, tol, &reached),
-                 COIN_ESTEP);
+                 COIN_ERANGE);
     check(reached >= 0 && reached < t);
     check_status(coin_state_check(&d.s, &p), COIN_OK);
 }
@@ -158,7 +158,7 @@ static void a_pose_that_leaves_its_range_ends_the_slide(void **unused)
     d.s.phi = 0x1p31 - 0.1;
     const coin_friction ice = {0, 0};
     check_status(coin_slide_advance(&d, &p, &ice, NULL, 5, 1e-9, &reached),
-                 COIN_ESTEP);
+                 COIN_ERANGE);
     check(reached > 0 && reached < 5);
     check_status(coin_state_check(&d.s, &p), COIN_OK);
 }

@@ -206,7 +206,7 @@ static void a_pose_that_leaves_its_range_ends_the_onset(void **unused)
     s.phi = s.wY > 0 ? 0x1p31 : -0x1p31;
     coin_slide_of(&d, &s, &p);
     check_status(coin_slide_advance(&d, &p, &f, NULL, 1, 1e-2, &reached),
-                 COIN_ESTEP);
+                 COIN_ERANGE);
     check(reached == 0);
     check_same(&d.s, &s, sizeof s);
 }

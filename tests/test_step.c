@@ -29,7 +29,7 @@ static void count(struct tally *of, int32_t said)
 {
     of->well += said == COIN_OK;
     of->warned += said > 0;
-    of->failed += said == COIN_ESTEP;
+    of->failed += said < 0;
 }
 
 /* |dt| W evenly over the limits and beyond: 0.35 and 1.2. */

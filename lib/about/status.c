@@ -5,16 +5,18 @@
 
 /* Rows of characters, not pointers: those would need relocation, and with it
  * writable data in the shared library. */
-static const char errors[][72] = {
+static const char errors[][96] = {
     "done",
     "parameters out of range",
     "state out of range",
-    "dt or t not finite, or too long: shorten it, or call coin_advance()",
+    "dt or t not finite, < 0 with losses, or too long: "
+    "shorten it, or call coin_advance()",
     "bad argument: null, unknown method or branch, tolerance",
-    "not a steady motion, not a small wobble, or not an orbit",
+    "no steady motion, no small wobble, or no orbit: unstable or nearly flat",
     "the coin falls flat",
     "this build does not give the pinned bits",
     "the coin lifts off the table",
+    "phi or psi is at the end of its range: subtract whole turns",
 };
 
 static const char warnings[][56] = {
@@ -38,7 +40,7 @@ static const char warnings[][56] = {
 
 const char *coin_status_string(int32_t status)
 {
-    if (status <= 0 && status >= COIN_ELIFT)
+    if (status <= 0 && status >= COIN_ERANGE)
         return errors[-status];
     if (status == COIN_RESTS)
         return "done: the coin lies flat, at rest";

@@ -19,6 +19,14 @@ COIN_PRIV_INLINE int PRIV(pose_holds)(const COIN(state) * s)
            COIN_PRIV_LOW_HOLDS(s);
 }
 
+/* The error for a step that cannot be made from *s.  No step turns phi or psi
+ * by 16 rad. */
+COIN_PRIV_INLINE int32_t PRIV(refusal)(const COIN(state) * s)
+{
+    const real end = COIN_PRIV_ANGLE_MAX - 16;
+    return FABS(s->phi) > end || FABS(s->psi) > end ? COIN_ERANGE : COIN_ESTEP;
+}
+
 /* The checks that need no parameters: COIN_OK or COIN_ESTATE.  s is not null.
  */
 COIN_PRIV_INLINE int32_t PRIV(check_members)(const COIN(state) * s)

@@ -235,5 +235,5 @@ int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
         coin_priv_copy_state(s, &end);
     if (reached)
         *reached = lost ? 0 : t - g.rem.sum;
-    return lost ? COIN_ESTEP : status;
+    return lost || status == COIN_ESTEP ? coin_priv_refusal(s) : status;
 }

@@ -174,14 +174,14 @@ int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
             status = go_on(&g);
             const coin_slide end = end_of(&g, status);
             const int lost = coin_priv_check_members(&end.s) != COIN_OK;
-            if (lost) {
-                status = COIN_ESTEP;
-            } else {
+            if (!lost) {
                 *d = end;
                 /* A moment is located to within COIN_PRIV_LOCATED tol, and may
                  * lie so far beyond t. */
                 moved = coin_priv_lesser(t - g.rem.sum, t);
             }
+            if (lost || status == COIN_ESTEP)
+                status = coin_priv_refusal(&d->s);
         }
     }
     if (reached)

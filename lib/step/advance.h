@@ -217,7 +217,7 @@ COIN_PRIV_INLINE int32_t coin_priv_end_call(coin_state *s,
         coin_priv_copy_state(s, &end);
     if (reached)
         *reached = lost ? 0 : t - rem;
-    return lost ? COIN_ESTEP : status;
+    return lost || status == COIN_ESTEP ? coin_priv_refusal(s) : status;
 }
 
 #endif

@@ -46,7 +46,7 @@ int32_t coin_priv_run_to_end(coin_priv_run *r, int32_t method, uint64_t steps,
         n = 0;
     if (done)
         *done = n;
-    return n < steps ? COIN_ESTEP : r->limits.warnings;
+    return n < steps ? coin_priv_refusal(s) : r->limits.warnings;
 }
 
 int32_t coin_run(coin_state *s, const coin_params *p, int32_t method, double dt,
@@ -80,5 +80,8 @@ int32_t coin_sample(const coin_state *start, const coin_params *p,
     }
     if (done)
         *done = k;
-    return k < count ? COIN_ESTEP : r.limits.warnings;
+    if (k == count)
+        return r.limits.warnings;
+    const coin_state last = coin_priv_run_state(&r);
+    return coin_priv_refusal(&last);
 }

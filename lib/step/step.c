@@ -25,7 +25,7 @@ int32_t coin_step(coin_state *s, const coin_params *p, double dt)
     const coin_priv_variables y = coin_priv_variables_inline(s);
     coin_priv_limits limits = coin_priv_limits_of(&b, COIN_RK4, dt);
     if (!coin_priv_admit_rate2(&limits, coin_priv_rate2(b.g_a, &y)))
-        return COIN_ESTEP;
+        return coin_priv_refusal(s);
     const coin_priv_rk4_fields k = coin_priv_rk4_fields_of(&b, dt);
     coin_priv_rk4_lean unused; /* it would serve a next step */
     const coin_priv_step_end end = coin_priv_rk4_end(&unused, &y, &k);
@@ -46,7 +46,7 @@ int32_t coin_step(coin_state *s, const coin_params *p, double dt)
     };
     if (!coin_priv_admit_step(&limits, b.g_a, &end, &next) ||
         !coin_priv_pose_holds(&to))
-        return COIN_ESTEP;
+        return coin_priv_refusal(s);
     *s = to;
     return limits.warnings;
 }

@@ -64,7 +64,7 @@ drift "an argument of another type" "$both$update" include/coin.h \
 drift "an argument gone" "$both$update" include/coin.h \
     's/const coin_params \*p, double dt);/const coin_params *p);/'
 drift "a constant with another value" "$both$update" include/coin.h \
-    's/COIN_ESTEP = -3/COIN_ESTEP = -9/'
+    's/COIN_ESTEP = -3/COIN_ESTEP = -99/'
 drift "a function added" "$both; C++'s calls; Rust's calls$update" include/coin.h \
     's/^COIN_API uint32_t coin_version(void);/&\nCOIN_API double coin_new(void);/'
 drift "a kind of type that no binding knows" "pycparser cannot read coin.h" \

@@ -249,7 +249,7 @@ static void status_is_documented(const struct function *f, double result)
         return;
     }
     const int32_t status = (int32_t)result;
-    demand(status == result && status >= COIN_ELIFT);
+    demand(status == result && status >= COIN_ERANGE);
     if (status < 0)
         demand(f->errors & BIT(status));
     else

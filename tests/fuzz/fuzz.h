@@ -92,6 +92,7 @@ struct function {
 
 /* Errors as bits. */
 #define BIT(status) (1u << -(status))
+#define STOPS (BIT(COIN_ESTEP) | BIT(COIN_ERANGE))
 #define USUAL (BIT(COIN_EARG) | BIT(COIN_EPARAMS) | BIT(COIN_ESTATE))
 /* The rest of a row: nothing special; a number. */
 #define PLAIN 0, NULL, 0

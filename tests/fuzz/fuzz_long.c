@@ -25,7 +25,8 @@ static void judge_advance(const struct outcome *o)
         demand(same(s, &o->world->s, sizeof *s));
     else if (o->result == COIN_OK)
         demand(reached == t);
-    else if (o->result == COIN_EFLAT || o->result == COIN_ESTEP)
+    else if (o->result == COIN_EFLAT || o->result == COIN_ESTEP ||
+             o->result == COIN_ERANGE)
         demand(fabs(reached) <= fabs(t) && reached * t >= 0 &&
                coin_state_check(s, &o->world->p) == COIN_OK);
 }
@@ -67,7 +68,7 @@ static void judge_max_dt(const struct outcome *o)
                COIN_OK);
 }
 
-#define LANDS (BIT(COIN_ESTEP) | BIT(COIN_EFLAT))
+#define LANDS (STOPS | BIT(COIN_EFLAT))
 
 const struct function fuzz_functions[] = {
     ROW(coin_advance, "SpTer", USUAL | LANDS, 0, LANDS, judge_advance, 0),

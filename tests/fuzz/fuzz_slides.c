@@ -47,11 +47,12 @@ static void judge_advance(const struct outcome *o)
                fabs(d->s.theta) > 1.57);
 }
 
+#define ENDS (STOPS | BIT(COIN_ELIFT))
+
 const struct function fuzz_functions[] = {
     ROW(coin_slide_of, ">sp", USUAL, 0, PLAIN),
-    ROW(coin_slide_advance, "=p%-Ter",
-        USUAL | BIT(COIN_ESTEP) | BIT(COIN_ELIFT), COIN_SLIPS | COIN_RESTS,
-        BIT(COIN_ESTEP) | BIT(COIN_ELIFT), judge_advance, 0),
+    ROW(coin_slide_advance, "=p%-Ter", USUAL | ENDS, COIN_SLIPS | COIN_RESTS,
+        ENDS, judge_advance, 0),
     ROW(coin_slide_energy, "<p", NUMBER),
     ROW(coin_slide_reaction, "<p%-F", USUAL, 0, PLAIN),
     ROW(coin_slide_velocity, "<p2", USUAL, 0, PLAIN),

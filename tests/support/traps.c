@@ -103,7 +103,8 @@ static size_t cases(struct trap_case *c)
 static int is_refusal(int32_t status)
 {
     return status == COIN_EARG || status == COIN_EPARAMS ||
-           status == COIN_ESTATE || status == COIN_ESTEP;
+           status == COIN_ESTATE || status == COIN_ESTEP ||
+           status == COIN_ERANGE;
 }
 
 /* 1 if the call was not refused. */

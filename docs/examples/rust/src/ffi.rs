@@ -99,6 +99,7 @@ pub const COIN_EDOMAIN: _bindgen_ty_1 = -5;
 pub const COIN_EFLAT: _bindgen_ty_1 = -6;
 pub const COIN_EBUILD: _bindgen_ty_1 = -7;
 pub const COIN_ELIFT: _bindgen_ty_1 = -8;
+pub const COIN_ERANGE: _bindgen_ty_1 = -9;
 pub type _bindgen_ty_1 = ::std::os::raw::c_int;
 pub const COIN_SLIPS: _bindgen_ty_2 = 1;
 pub const COIN_LIFTS: _bindgen_ty_2 = 2;

@@ -14,7 +14,8 @@ impl Error {
     pub const PARAMS: Error = Error(ffi::COIN_EPARAMS);
     /// State out of range.
     pub const STATE: Error = Error(ffi::COIN_ESTATE);
-    /// A step or a time that is not finite or too long.
+    /// A step or a time that is not finite, negative where losses or slips
+    /// forbid that, or too long.
     pub const STEP: Error = Error(ffi::COIN_ESTEP);
     /// Another argument out of range.
     pub const ARGUMENT: Error = Error(ffi::COIN_EARG);
@@ -24,6 +25,8 @@ impl Error {
     pub const FLAT: Error = Error(ffi::COIN_EFLAT);
     /// A coin that may slip lifts off the table.
     pub const LIFT: Error = Error(ffi::COIN_ELIFT);
+    /// phi or psi is at the end of its range: subtract whole turns.
+    pub const RANGE: Error = Error(ffi::COIN_ERANGE);
     /// This build does not give the pinned bits.
     pub const BUILD: Error = Error(ffi::COIN_EBUILD);
 

@@ -8,8 +8,8 @@ from ._types import INT32, SIZE, UINT32, UINT64, In, Out, Plain
 
 __all__ = ["Params", "State", "Force", "Losses", "Friction", "Slide", "Orbit",
            "Paramsf", "Statef", "Forcef", "Lossesf", "OK", "EPARAMS", "ESTATE",
-           "ESTEP", "EARG", "EDOMAIN", "EFLAT", "EBUILD", "ELIFT", "SLIPS",
-           "LIFTS", "COARSE", "NEARLY_FLAT", "RESTS", "RK4", "RK8",
+           "ESTEP", "EARG", "EDOMAIN", "EFLAT", "EBUILD", "ELIFT", "ERANGE",
+           "SLIPS", "LIFTS", "COARSE", "NEARLY_FLAT", "RESTS", "RK4", "RK8",
            "SYMPLECTIC2", "SYMPLECTIC4", "MODEL_STEADY", "MODEL_WOBBLE",
            "MODEL_ORBIT", "MODEL_STEPS"]
 
@@ -248,6 +248,7 @@ EDOMAIN = -5
 EFLAT = -6
 EBUILD = -7
 ELIFT = -8
+ERANGE = -9
 SLIPS = 1
 LIFTS = 2
 COARSE = 4
