@@ -1,36 +1,66 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Which bits a CSV of results was measured with: the hashes that the self-tests
-# of coin.h and coinf.h are pinned to.
+# of coin.h and coinf.h are pinned to, and a hash of the lines of each kind in
+# tests/repro/expected.txt.
 #     bits.sh SRC                  the line for the head of a CSV
 #     bits.sh SRC FOLDER [warn]    names the files of FOLDER that other bits
 #                                  made, and fails if there are any, but by warn
 set -eu
-hashes=$(grep -rhoE 'PINNED\w* UINT64_C\(0x[0-9a-f]{16}' "$1/lib" |
-    sed 's/.*0x//' | LC_ALL=C sort)
-test "$(echo "$hashes" | wc -w)" = 2 ||
-    { echo "bits.sh: not two pinned hashes in lib/: $hashes" >&2; exit 2; }
-line="# bits: $(echo $hashes)"
+expected=$1/tests/repro/expected.txt
+
+pinned()
+{
+    hash=$(grep -hoE "PINNED UINT64_C\(0x[0-9a-f]{16}" "$1" | sed 's/.*0x//')
+    test ${#hash} = 16 || { echo "bits.sh: no hash in $1" >&2; exit 2; }
+    echo "$hash"
+}
+
+kinds()
+{
+    awk '$2 != "all" { print $3 }' "$expected" | LC_ALL=C sort -u
+}
+
+line="# bits: coin=$(pinned "$1/lib/about/selftest.c")"
+line="$line coinf=$(pinned "$1/lib/float/coinf_selftest.c")"
+for kind in $(kinds); do
+    hash=$(awk -v k="$kind" '$3 == k' "$expected" | sha256sum | cut -c1-8)
+    line="$line $kind=$hash"
+done
 test $# -gt 1 || { echo "$line"; exit; }
 
-renewed_by()
+# The kinds that a CSV depends on, and what renews it.
+about()
 {
     case $1 in
-    longrun | damping) echo longrun ;;
-    models_*) echo models ;;
-    silent*) echo silent ;;
-    slides) echo slides ;;
-    adversary) echo adversary adversary-update ;;
-    *) echo charts ;;
+    adversary) echo "$(kinds) coinf: adversary adversary-update" ;;
+    abreast) echo "batch: charts" ;;
+    batch) echo "coinf batch batch_float: charts" ;;
+    costs | frames | natural | steps) echo "coinf advance: charts" ;;
+    longrun | damping) echo ": longrun" ;;
+    models_quasi) echo "settle: real-quasi" ;;
+    models_*) echo "advance max_dt orbit: models" ;;
+    orbit_*) echo "orbit: charts" ;;
+    accuracy | atlas | best) echo "advance orbit: charts" ;;
+    reliability) echo "advance max_dt: charts" ;;
+    silent*) echo ": silent" ;;
+    slides) echo "advance slide: slides" ;;
+    *) echo "bits.sh: what does $1.csv depend on?" >&2; exit 2 ;;
     esac
 }
 
 stale=0
 for file in "$2"/*.csv; do
-    grep -qxF "$line" "$file" && continue
     name=$(basename "$file" .csv)
-    echo "$name.csv: made by other bits than the code has:" \
-        "make $(renewed_by "$name")"
-    stale=$((stale + 1))
+    about=$(about "$name")
+    head=$(grep '^# bits: ' "$file") || head=
+    for kind in coin run ${about%%:*}; do
+        word=$(echo "$line" | tr ' ' '\n' | grep "^$kind=")
+        case "$head " in *" $word "*) continue ;; esac
+        echo "$name.csv: made by other bits of $kind than the code has:" \
+            "make${about#*:}"
+        stale=$((stale + 1))
+        break
+    done
 done
 test $stale = 0 || test "${3-}" = warn
