@@ -825,7 +825,12 @@ COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
  * orbit only if it is exactly upright: rounding would take any other away from
  * the steady motion.
  * Accuracy: period, heading and roll per period to 1e-15 times conditioning,
- *         relative to the larger of them and 1 (test_orbit).
+ *         relative to the larger of them and 1, for motions that are far from
+ *         steady ones (test_orbit).  Always: after a period the lean and the
+ *         rates are those of *s, and heading and roll have gained what is
+ *         stated, to the accuracy of coin_orbit_at() (make adversary).  The
+ *         less theta swings, the less does this tell of its period: next to a
+ *         steady motion 2 pi/sqrt(-lambda^2) is better, by coin_stability().
  * Cost: docs/models.md; some 46 KiB of stack. */
 COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
                                  const coin_params *p);

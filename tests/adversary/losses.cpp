@@ -94,37 +94,65 @@ void some_losses(scene *s, const double *g)
 
 /* -------------------------------------------------------------- the way to
  * rest */
+int32_t settled(coin_state *y, const coin_params *p, const coin_losses *l,
+                double t, double tol)
+{
+    return coin_settle(y, p, l, t, tol, nullptr);
+}
+
+int32_t settled(coinf_state *y, const coinf_params *p, const coinf_losses *l,
+                float t, float tol)
+{
+    return coinf_settle(y, p, l, t, tol, nullptr);
+}
+
+/* A scene's losses in a precision. */
+template <class T> typename T::losses losses_in(const scene &s)
+{
+    const coin_losses l = losses_of(s);
+    typename T::losses to = {};
+    for (int i = 0; i < 8; ++i)
+        (&to.damping)[i] = typename T::real((&l.damping)[i]);
+    return to;
+}
+
 /* Followed by the textbook's equations and torques for up to 80 rad, as far as
  * friction is smooth. */
-template <class R> double settle(const scene &s, double enough)
+template <class T, class R> double settle(const scene &s, double enough)
 {
-    const coin_params p = params_of<doubles>(s);
-    const coin_losses l = losses_of(s);
-    const coin_state start = state_of<doubles>(s);
-    coin_state end = start;
+    using real = typename T::real;
+    const typename T::params p = params_of<T>(s);
+    const typename T::losses l = losses_in<T>(s);
+    const typename T::state start = state_of<T>(s);
+    const real t = real(s.t), tol = real(s.tol);
+    typename T::state end = start;
     path<R> truth(p, start);
-    if (truth.is_long(R(s.t)) ||
-        coin_settle(&end, &p, &l, s.t, s.tol, nullptr) != COIN_OK)
+    if (truth.is_long(R(t)) || settled(&end, &p, &l, t, tol) != COIN_OK)
         return NO_CLAIM;
     const losses<R> slow(l, softening(l, p), p.mass, p.radius, 1 / truth.w);
-    const R t = R(s.t), natural = t * truth.w;
+    const R natural = R(t) * truth.w;
     const R turned = natural * root(2 * truth.energy());
     truth.slow = &slow;
-    if (!truth.follow(t))
+    if (!truth.follow(R(t)))
         return NO_CLAIM;
+    coin_state whole;
+    for (int i = 0; i < 8; ++i)
+        (&whole.theta)[i] = double((&end.theta)[i]) + T::low(end, i);
     R off[8], worst = 0;
-    truth.apart(end, truth.fastest(), off);
+    truth.apart(whole, truth.fastest(), off);
+    for (int i = 1; i < 3 && T::u > 1e-10; ++i)
+        off[i] = within_half_a_turn(off[i]);
     for (int i = 0; i < 5; ++i)
         worst = larger(worst, magnitude(off[i]));
-    const R bound = 10 * R(s.tol) * (1 + turned) + R(1e-14) * (1 + natural) +
-                    16 * R(doubles::u) * truth.largest_of_pose();
+    const R bound = 10 * R(tol) * (1 + turned) + 90 * R(T::u) * (1 + natural) +
+                    16 * R(T::u) * truth.largest_of_pose();
     if (bound >= 1)
         return NO_CLAIM;
     const double ratio = worst <= R(1e30) ? double(worst / bound) : BROKEN;
     const losses<long double> by(l, softening(l, p), p.mass, p.radius,
                                  1 / (long double)truth.w);
     return unamplified(ratio, enough, [&](double most) {
-        return growth(p, start, s.t / 16, 16, most, &by);
+        return growth(p, start, t / 16, 16, most, &by);
     });
 }
 
@@ -140,6 +168,12 @@ void launches(scene *s, const double *g)
     s->psi = 6 * g[19] - 3;
     s->x = s->a * (6 * g[20] - 3);
     s->z = s->a * (6 * g[21] - 3);
+}
+
+void float_launches(scene *s, const double *g)
+{
+    launches(s, g);
+    s->tol = std::pow(10, 4 * g[24] - 6);
 }
 
 /* ------------------------------------------------------- the quasi-steady
@@ -372,8 +406,10 @@ void add_losses(std::vector<row> *rows)
         LOSSES(rates, "coin_losses_rates", "16 u of the terms", 1, some_losses),
         LOSSES(reaction, "coin_losses_reaction", "16 u of the terms", 1,
                some_losses),
-        LOSSES(settle, "coin_settle", "10 tol a radius of speed + rounding", 25,
-               launches),
+        {"coin_settle", "10 tol a radius of speed + rounding", 25, false,
+         launches, settle<doubles, long double>, settle<doubles, quad>},
+        {"coinf_settle", "10 tol a radius of speed + rounding", 25, true,
+         float_launches, settle<floats, long double>, settle<floats, quad>},
         LOSSES(time_to_rest, "coin_time_to_rest", "1e-6 of the model's", 20,
                slow_motions),
         LOSSES(quasisteady_at, "coin_quasisteady_at",

@@ -32,7 +32,8 @@ template <class R> struct losses {
     R damping, dry, viscous, layer, gap, rolling, spin, soft;
 
     /* In units of mass M, length L, time T. */
-    losses(const coin_losses &l, double least_soft, R M, R L, R T)
+    template <class S>
+    losses(const S &l, double least_soft, R M, R L, R T)
         : damping(l.damping), dry(R(l.dry) / (M * L * L / T / T)),
           viscous(R(l.viscous) / (M * L * L / T)),
           layer(R(l.layer) / (M * L * L / root(T))),
@@ -91,6 +92,11 @@ inline double softening(const coin_losses &l, const coin_params &p)
 {
     const double w = std::sqrt(p.gravity / p.radius);
     return l.soft > 0 ? w * 0x1p-30 : w / 1024;
+}
+inline double softening(const coinf_losses &l, const coinf_params &p)
+{
+    const double w = std::sqrt(double(p.gravity) / p.radius);
+    return l.soft > 0 ? w * 0x1p-12 : w / 1024;
 }
 
 #endif

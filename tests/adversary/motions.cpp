@@ -105,15 +105,16 @@ template <class R> R fastest_ever(const path<R> &at, R period)
 }
 
 /* An error e in the angles is one of e (1 + radius_max/a) radii in the place
- * and of e W in the rates. */
+ * and of e W in the rates.  A far below 0 leaves out the place. */
 template <class R>
 double orbit_error(const path<R> &truth, const coin_state &out, R W, R far)
 {
     R off[8], worst = 0;
     truth.apart(out, W, off);
     for (int i = 0; i < 8; ++i)
-        worst = larger(worst,
-                       magnitude(off[i]) / (i == 3 || i == 4 ? 1 + far : R(1)));
+        if (i < 3 || i > 4 || far >= 0)
+            worst = larger(worst, magnitude(off[i]) /
+                                      (i == 3 || i == 4 ? 1 + far : R(1)));
     return double(worst);
 }
 
@@ -129,21 +130,18 @@ R residue_of(const coin_params &p, const coin_state &s, R W, R time)
     return lean * (1 + 4 * W * time / y.c);
 }
 
-template <class R> double orbit(const scene &s, double enough)
+/* A state that an orbit tells of a time t, over the law of coin_orbit_at(). */
+template <class R>
+double told(const coin_orbit &o, const scene &s, double t,
+            const coin_state &out, R far, double enough)
 {
     const coin_params p = params_of<doubles>(s);
     const coin_state start = state_of<doubles>(s);
-    static coin_orbit o;
-    coin_state out;
     path<R> truth(p, start);
-    if (truth.is_long(R(s.t)) || coin_orbit_init(&o, &start, &p) != COIN_OK ||
-        coin_orbit_at(&o, s.t, &out) != COIN_OK)
+    if (!truth.follow(R(t)))
         return NO_CLAIM;
-    if (!truth.follow(R(s.t)))
-        return NO_CLAIM;
-    const double periods = o.period > 0 ? std::fabs(s.t) / o.period : 0;
-    const double far = o.radius_max > 0 ? o.radius_max / s.a : 0;
-    const double time = (std::fabs(s.t) + o.period) * double(truth.w);
+    const double periods = o.period > 0 ? std::fabs(t) / o.period : 0;
+    const double time = (std::fabs(t) + o.period) * double(truth.w);
     R W = truth.most_W;
     const R residue = o.period > 0 ? R(0) : residue_of(p, start, W, R(time));
     double amplified = 0;
@@ -151,15 +149,50 @@ template <class R> double orbit(const scene &s, double enough)
         const double bound = 1e-14 + 1e-15 * o.conditioning * periods +
                              4 * doubles::u * double(W) * time +
                              double(residue) + amplified;
-        return bound < 1 ? ratio_of(orbit_error(truth, out, W, R(far)), bound)
+        return bound < 1 ? ratio_of(orbit_error(truth, out, W, far), bound)
                          : NO_CLAIM;
     };
     if (!(ratio() > UNAMPLIFIED))
         return ratio();
     W = fastest_ever(truth, R(o.period));
     if (ratio() > larger(enough, UNAMPLIFIED))
-        amplified = 4 * doubles::u * growth(p, start, s.t / 16, 16, 1e30);
+        amplified = 4 * doubles::u * growth(p, start, t / 16, 16, 1e30);
     return ratio();
+}
+
+/* The orbit of a scene; its period is 0 where there is none. */
+const coin_orbit &orbit_of(const scene &s)
+{
+    static coin_orbit o;
+    const coin_params p = params_of<doubles>(s);
+    const coin_state start = state_of<doubles>(s);
+    if (path<long double>(p, start).is_long(s.t) ||
+        coin_orbit_init(&o, &start, &p) != COIN_OK)
+        o = coin_orbit();
+    return o;
+}
+
+template <class R> double orbit(const scene &s, double enough)
+{
+    const coin_orbit &o = orbit_of(s);
+    coin_state out;
+    if (coin_orbit_at(&o, s.t, &out) != COIN_OK)
+        return NO_CLAIM;
+    const R far = o.radius_max > 0 ? R(o.radius_max) / s.a : R(0);
+    return told<R>(o, s, s.t, out, far, enough);
+}
+
+/* After a period lean and rates are those of the start, and heading and roll
+ * have gained what the orbit states. */
+template <class R> double orbit_init(const scene &s, double enough)
+{
+    const coin_orbit &o = orbit_of(s);
+    coin_state out = state_of<doubles>(s);
+    if (!(o.period > 0))
+        return NO_CLAIM;
+    out.phi += o.heading_per_period;
+    out.psi += o.roll_per_period;
+    return told<R>(o, s, o.period, out, R(-1), enough);
 }
 
 /* ------------------------------------------------------------------ models */
@@ -312,6 +345,9 @@ void add_motions(std::vector<row> *rows)
         MOTION(orbit, "coin_orbit_at",
                "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + period) "
                "+ 4 u amplified",
+               10, about_circles),
+        MOTION(orbit_init, "coin_orbit_init",
+               "after a period lean, rates, heading and roll as coin_orbit_at",
                10, about_circles),
         MOTION(model, "coin_model_needed", "tol", 5, about_circles),
         MOTION(max_dt, "coin_max_dt",

@@ -41,6 +41,22 @@ template <class R> double velocity(const scene &s, double)
     return v.worst;
 }
 
+template <class R> double slide_of(const scene &s, double)
+{
+    const coin_params p = params_of<doubles>(s);
+    const coin_state y = state_of<doubles>(s);
+    coin_slide d;
+    if (coin_slide_of(&d, &y, &p) != COIN_OK)
+        return NO_CLAIM;
+    terms<R> want[8];
+    rates_of(moment<R>(p, y), want);
+    verdict<R> v;
+    for (int i = 3; i < 5; ++i)
+        v.hold(R(i == 3 ? d.vx : d.vz), want[i].value,
+               8 * R(doubles::u) * want[i].size + 16 * R(doubles::normal));
+    return v.worst;
+}
+
 /* ------------------------------------------------------------ while it slips
  */
 template <class R>
@@ -114,6 +130,8 @@ void add_slides(std::vector<row> *rows)
                      nullptr, energy<long double>, energy<quad>});
     rows->push_back({"coin_slide_velocity", "8 u of the terms", 1, false,
                      nullptr, velocity<long double>, velocity<quad>});
+    rows->push_back({"coin_slide_of", "8 u of the terms", 1, false, nullptr,
+                     slide_of<long double>, slide_of<quad>});
     rows->push_back({"coin_slide_advance",
                      "tol (1 + natural time) before amplification; slipping",
                      25, false, thrown, advance<long double>, advance<quad>});
