@@ -250,6 +250,26 @@ static void spins_nearly_upright_err_by_at_most_twice_tol(void **unused)
     }
 }
 
+/* docs/accuracy.md, "Reliability of tolerances": the worst of its spins errs by
+ * 0.53 tol in a unit, over ten units.  A look ahead of two units would choose
+ * steps that err by 0.83 tol here. */
+static void a_look_ahead_of_four_units_sees_enough_of_a_spin(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    const coin_state start = {.theta = 0x1.35c111fcbcd26p-13,
+                              .wY = 0x1.2852cbf8p+4};
+    const double time = 10, tol = 5.67e-6;
+    check_status(coin_params_ring(&p, 1, 1, 1, 1), COIN_OK);
+    coin_state s = start, exact = start;
+    const double n = ceil(time / coin_max_dt(&s, &p, COIN_SYMPLECTIC2, tol));
+    check_status(
+        coin_run(&s, &p, COIN_SYMPLECTIC2, time / n, (uint64_t)n, NULL),
+        COIN_OK);
+    check_status(coin_advance(&exact, &p, time, 1e-13, NULL), COIN_OK);
+    check_within(path_apart(&s, &exact, &p), 0, 0.6 * tol * time);
+}
+
 /* The look ahead ends after 0.03 units, and the error goes on growing. */
 static void a_fast_spin_errs_by_at_most_twice_tol_in_a_unit(void **unused)
 {
@@ -355,6 +375,7 @@ int main(void)
         TEST(in_units_a_power_of_two_apart_it_is_the_same),
         TEST(the_error_stays_within_tol_and_would_not_for_four_times_the_step),
         TEST(spins_nearly_upright_err_by_at_most_twice_tol),
+        TEST(a_look_ahead_of_four_units_sees_enough_of_a_spin),
         TEST(a_fast_spin_errs_by_at_most_twice_tol_in_a_unit),
         TEST(a_hoop_near_resonance_errs_by_at_most_twice_tol),
         TEST(a_peak_of_W_within_20_units_is_seen),
