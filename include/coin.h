@@ -721,10 +721,10 @@ COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
  *         effect of a change of both rates by 8 u/cos(theta) of the larger of
  *         |wY|, |wZ|.  Near flat a double cannot hold the lean more accurately
  *         (test_steady_near).
- * Cost: it sums a chain of series, one for each 0.04 cos(theta) of the lean,
- *         first towards larger theta.  Half of random states of a disc have a
- *         steady motion on that side: 1 to 15 us.  For the others the search
- *         goes on to flat: 25 to 40 us. */
+ * Cost: it sums a chain of series, one for each 0.04 cos(theta) of the lean, to
+ *         both sides.  For random states of rings that is 30 textbook steps in
+ *         the median, 110 for 9 of 10, 500 at most: next to flat there may be
+ *         none on one side. */
 COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
                                   coin_state *out);
 

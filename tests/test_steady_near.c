@@ -84,7 +84,29 @@ static void slow_and_critical_coins_keep_their_integrals(void **unused)
 }
 
 /* No potential has an extremum nearer than the one that was found: the push
- * keeps its sign on the way there and for as far to the other side. */
+ * keeps its sign on the way there and for as far to the other side.  Returns at
+ * how many leans that was seen. */
+static int none_is_nearer(const coin_state *s, const coin_params *p)
+{
+    coin_state near;
+    double K[2];
+    int seen = 0;
+    check_status(coin_steady_near(s, p, &near), COIN_OK);
+    check_status(coin_integrals(s, p, K), COIN_OK);
+    const double way = fabs(near.theta - s->theta);
+    const double here = push(p, K, s->theta);
+    for (double at = s->theta - way; at < s->theta + way; at += 0.01)
+        if (fabs(at) < 0.75 && fabs(at - near.theta) > 1e-6) {
+            check(here * push(p, K, at) > 0);
+            ++seen;
+        }
+    if (fabs(near.theta) < 0.75) {
+        const double beyond = near.theta + (near.theta - s->theta) * 1e-3;
+        check(here * push(p, K, beyond) < 0);
+    }
+    return seen;
+}
+
 static void no_nearer_extremum_is_passed_over(void **unused)
 {
     (void)unused;
@@ -93,23 +115,23 @@ static void no_nearer_extremum_is_passed_over(void **unused)
     for (int i = 0; i < 300; ++i) {
         const coin_params p = random_coin(&r);
         const coin_state s = random_state(&r, &p, 0.7);
-        coin_state near;
-        double K[2];
-        check_status(coin_steady_near(&s, &p, &near), COIN_OK);
-        check_status(coin_integrals(&s, &p, K), COIN_OK);
-        const double way = fabs(near.theta - s.theta);
-        const double here = push(&p, K, s.theta);
-        for (double at = s.theta - way; at < s.theta + way; at += 0.01)
-            if (fabs(at) < 0.75 && fabs(at - near.theta) > 1e-6) {
-                check(here * push(&p, K, at) > 0);
-                ++seen;
-            }
-        if (fabs(near.theta) < 0.75) {
-            const double beyond = near.theta + (near.theta - s.theta) * 1e-3;
-            check(here * push(&p, K, beyond) < 0);
-        }
+        seen += none_is_nearer(&s, &p);
     }
     check(seen > 1000);
+}
+
+/* One extremum 0.22 rad behind, one 0.25 rad ahead, where Newton's method
+ * points to. */
+static void the_nearer_of_two_may_lie_behind(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    coin_params_disc(&p, 1, 1, 1);
+    for (int side = -1; side <= 1; side += 2) {
+        const coin_state s = {
+            .theta = -0.21 * side, .wY = -0.8 * side, .wZ = 0.1};
+        check(none_is_nearer(&s, &p) > 20);
+    }
 }
 
 /* A steady circle, wX and lean disturbed along its leaf, finds itself again to
@@ -313,6 +335,7 @@ int main(void)
         TEST(the_integrals_are_those_of_the_state),
         TEST(slow_and_critical_coins_keep_their_integrals),
         TEST(no_nearer_extremum_is_passed_over),
+        TEST(the_nearer_of_two_may_lie_behind),
         TEST(a_disturbed_circle_finds_its_circle),
         TEST(a_steady_state_is_returned_unchanged),
         TEST(a_maximum_of_the_potential_is_found_beside_its_minima),

@@ -114,18 +114,21 @@ static int find(struct place *o, const coin_priv_body *b, double side,
 /* Farther than from one side of the table to the other. */
 #define FARTHEST 4.0
 
-/* The nearest extremum to either side within `most`; 0 if there is none. */
+/* The nearest extremum to either side within `most`; 0 if there is none.  The
+ * side that Newton's method points to is searched first, as an extremum there
+ * limits the search on the other side. */
 static int nearest(struct place *o, const coin_priv_body *b, double most)
 {
-    struct place up = *o, down = *o;
+    struct place ahead = *o, behind = *o;
     if (o->fall == 0)
         return 1;
-    const int above = find(&up, b, 1, most);
-    const double to_up = above ? fabs(up.theta - o->theta) : most;
-    const int below = find(&down, b, -1, to_up);
-    const double to_down = fabs(down.theta - o->theta);
-    *o = below && !(above && to_up <= to_down) ? down : up;
-    return above || below;
+    const double side = sign_of(o->fall) * sign_of(o->fall_slope) < 0 ? 1 : -1;
+    const int first = find(&ahead, b, side, most);
+    const double way = first ? fabs(ahead.theta - o->theta) : most;
+    const int second = find(&behind, b, -side, way);
+    const double back = fabs(behind.theta - o->theta);
+    *o = second && !(first && way <= back) ? behind : ahead;
+    return first || second;
 }
 
 /* Changes the rates as little as possible so that (39) holds at this lean.  At
