@@ -31,6 +31,12 @@ def short(x, digits=3):
     return mantissa + (f"e{int(power)}" if e else "")
 
 
+def timed(x):
+    """The same of a time, which is known to some per cent: two digits, or three
+    if the first is 1."""
+    return short(x, 3 if f"{x:e}"[0] == "1" else 2)
+
+
 def above_floor(rows):
     """The rungs down to the least error, and what shows that it is that."""
     errors = [float(r["error"]) if r["status"] == "ok" else math.inf
@@ -58,7 +64,7 @@ def kept(lines):
                 ("error", [short(float(r["error"]), 2) if ok
                            else r["status"].replace(" ", "_")
                            for r, ok in zip(ran, good)]),
-                ("cost", [short(float(r["ns_per_unit"])
+                ("cost", [timed(float(r["ns_per_unit"])
                                 / float(r["textbook_ns"]))
                           for r, ok in zip(ran, good) if ok])):
             if key[0] == "portable" or quantity in ("error", "cost"):

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Takes out of gnuplot's drawings what a reader does not see: empty groups,
-attributes that are the default or the group's, and digits of a pixel after the
-first.  Points of lines and polygons are written relative to the point before,
-which packs better.
+groups that repeat the one before, attributes that are the default or the
+group's, and digits of a pixel after the first.  Points of lines and polygons
+are written relative to the point before, which packs better.
 
     slim.py DRAWING.svg...
 
@@ -56,8 +56,17 @@ def slim(text):
     text = re.sub(r"<polygon([^>]*)points = '(.*?)'", closed, text, flags=re.S)
     count = 1
     while count:
-        text, count = re.subn(r"<g [^>]*>\s*</g>\n?", "", text)
+        text, count = re.subn(r"<g [^>]*>\s*(<text></text>\s*)?</g>\n?", "", text)
+    while joined(text) != text:
+        text = joined(text)
     return re.sub(r" +'/>", "'/>", text)
+
+
+def joined(text):
+    """Two groups of areas with the same attributes, one after the other, as
+    one group."""
+    return re.sub(r"((<g [^>]*>\s*<g [^>]*crispEdges'>\n)(?:\t\t<path[^\n]*\n)+)"
+                  r"\t</g>\n</g>\n\2", r"\1", text)
 
 
 for drawing in map(pathlib.Path, sys.argv[1:]):
