@@ -170,22 +170,23 @@ static void whole_turns_are_subtracted_as_for_a_coin_alone(void **unused)
         check(fabsf(t.s[k].phi) <= PI_F && fabsf(t.s[k].psi) <= PI_F);
 }
 
-/* This step leaves a remainder of phi of just half a digit, which to add again
- * would round anew; found by search.  The second coin's roll has turns. */
+/* This step leaves a remainder as large as the last digit of phi.  To add it
+ * again would round phi anew; found by search.  The second coin's roll has
+ * turns. */
 static void a_coin_without_whole_turns_keeps_its_bits(void **unused)
 {
     (void)unused;
     static struct trial t = {
         .p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}},
-        .s = {{.theta = 0x1.819c7ep-3f,
-               .wX = 0x1.a53ecep-3f,
-               .wY = 0x1.91fa2p-11f,
-               .wZ = -0x1.5f7524p-2f},
+        .s = {{.theta = -0x1.79342ap-3f,
+               .wX = -0x1.13e1cp-5f,
+               .wY = -0x1.9317b4p-13f,
+               .wZ = -0x1.8e3e26p-1f},
               {.psi = 100, .wZ = 1}},
         .count = 2,
     };
-    check_trial(&t, COIN_RK4, -0x1.e3401ep-7f, 1);
-    check(t.s[0].phi == -0x1.c626b8p-16f && t.s[0].low[1] == 0x1p-39f);
+    check_trial(&t, COIN_RK4, -0x1.1fc628p-7f, 1);
+    check(t.s[0].phi == 0x1.f6bd04p-19f && t.s[0].low[1] == 0x1p-42f);
 }
 
 /* The first error is that of the lowest index, though a coin that is no state

@@ -4,7 +4,7 @@
 #include "floats.h"
 
 /* The hash that every build must give, as in lib/about/selftest.c. */
-#define PINNED UINT64_C(0xe5d8fbb689cdb5ed)
+#define PINNED UINT64_C(0x9851d02a30c256b8)
 
 /* FNV-1a over the bits of a number, low byte first whatever the machine. */
 static uint64_t hashed(uint64_t hash, float number)

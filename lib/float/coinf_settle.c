@@ -55,18 +55,17 @@ struct lossy_plan {
 };
 
 /* The slope at a stage: the ideal coin's, and the losses. */
-COIN_PRIV_NOINLINE coinf_priv_slope lossy_at(coinf_priv_variables *d,
-                                             const coinf_priv_plan *plan,
+COIN_PRIV_NOINLINE coinf_priv_slope lossy_at(const coinf_priv_plan *plan,
                                              const coinf_priv_variables *y)
 {
     const struct lossy_plan *with =
         (const struct lossy_plan *)(const void *)plan;
     const coinf_priv_slowing slow = coinf_priv_slowing_of(with->l, y);
     const float h = plan->f.h * y->q; /* dtau = dt/cos(theta) */
-    coinf_priv_slope of = coinf_priv_slope_at(d, plan, y);
-    of.wX = d->wX += h * slow.wX;
-    of.wY = d->wY += h * slow.wY;
-    of.wZ = d->wZ += h * slow.wZ;
+    coinf_priv_slope of = coinf_priv_slope_at(plan, y);
+    of.wX += h * slow.wX;
+    of.wY += h * slow.wY;
+    of.wZ += h * slow.wZ;
     return of;
 }
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "step.h"
 
-/* The cos theta of the last stage is not checked: if it is near the table, its
- * W is above the limit. */
+/* The cos theta of the stages is not checked: where that of one is near 0 or
+ * below it, the W of the last stage is above the limit. */
 int coinf_priv_step_rk4(coinf_state *s, int32_t *warnings,
                         const coinf_priv_plan *plan,
                         const coinf_priv_variables *y)

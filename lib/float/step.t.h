@@ -78,16 +78,23 @@ PART PRIV(sc) PRIV(sine_cosine_with_low)(real angle, real low)
     return pair;
 }
 
+/* The variables of an angular velocity and of the pairs of lean and heading. */
+COIN_PRIV_INLINE PRIV(variables)
+    PRIV(variables_from)(real wX, real wY, real wZ, PRIV(sc) th, PRIV(sc) ph)
+{
+    const real q = K(1) / th.c;
+    const PRIV(variables) y = {
+        wX, wY, wZ, th.s, th.c, q, th.s * q, ph.s, ph.c,
+    };
+    return y;
+}
+
 /* A state as the equations read it. */
 PART PRIV(variables) PRIV(variables_with_low)(const PRIV(state) * s)
 {
     const PRIV(sc) th = PRIV(sine_cosine_with_low)(s->theta, s->low[0]);
     const PRIV(sc) ph = PRIV(sine_cosine_with_low)(s->phi, s->low[1]);
-    const real q = K(1) / th.c;
-    const PRIV(variables) y = {
-        s->wX, s->wY, s->wZ, th.s, th.c, q, th.s * q, ph.s, ph.c,
-    };
-    return y;
+    return PRIV(variables_from)(s->wX, s->wY, s->wZ, th, ph);
 }
 
 /* Subtracts whole turns from an angle, by the parts of pi/2. */
@@ -116,28 +123,42 @@ COIN_PRIV_INLINE real PRIV(fall_low)(const PRIV(plan) * plan,
     return -(plan->KJ_low * y->wZ * y->wY);
 }
 
-/* The slope at a stage; *d is that of its variables.  psi' is computed as
- * wZ + phi' sin theta, so that the remainder of phi' gives that of psi'. */
+/* The slope at a stage.  psi' is computed as wZ + phi' sin theta, so that the
+ * remainder of phi' gives that of psi'. */
 COIN_PRIV_INLINE PRIV(slope)
-    PRIV(slope_at)(PRIV(variables) * d, const PRIV(plan) * plan,
-                   const PRIV(variables) * y)
+    PRIV(slope_at)(const PRIV(plan) * plan, const PRIV(variables) * y)
 {
     const PRIV(field) *f = &plan->f;
+    const PRIV(variables) d = PRIV(slopes_at)(f, y);
     const real phi = PRIV(pose_slopes)(f, y).phi;
     real v[3];
     PRIV(velocity_of)(v, f->h * plan->a, y);
-    *d = PRIV(slopes_at)(f, y);
     const PRIV(slope) of = {
         f->h * y->wX,                /* (17) */
         phi,                         /* (18) */
         f->h * y->wZ + phi * y->sth, /* (19) */
         v[0],
         v[2],
-        d->wX,
-        d->wY,
-        d->wZ,
+        d.wX,
+        d.wY,
+        d.wZ,
     };
     return of;
+}
+
+/* A stage: the start plus a part w of a slope.  It is the textbook's stage: the
+ * pairs are turned by what is added to the angles, and 1/cos theta is computed
+ * by a division.  As the start plus a part of a slope, pairs have errors of
+ * z^2/2 for a turn z, and 1/cos theta of tan^2 theta z^2. */
+COIN_PRIV_INLINE PRIV(variables)
+    PRIV(stage_along)(const PRIV(variables) * y1, scalar w,
+                      const PRIV(slope) * of)
+{
+    const PRIV(sc) lean = {y1->sth, y1->cth}, heading = {y1->sph, y1->cph};
+    const PRIV(sc) th = PRIV(turned_a_little)(lean, w * of->theta);
+    const PRIV(sc) ph = PRIV(turned_a_little)(heading, w * of->phi);
+    return PRIV(variables_from)(y1->wX + w * of->wX, y1->wY + w * of->wY,
+                                y1->wZ + w * of->wZ, th, ph);
 }
 
 /* rest + w (of - first). */
@@ -174,8 +195,7 @@ COIN_PRIV_INLINE PRIV(slope)
 
 /* A function for the slope at a stage. */
 typedef PRIV(slope)
-    PRIV(slope_function)(PRIV(variables) * d, const PRIV(plan) * plan,
-                         const PRIV(variables) * y);
+    PRIV(slope_function)(const PRIV(plan) * plan, const PRIV(variables) * y);
 
 /* The classical Runge-Kutta step, as the first slope f1 and the rest of the
  * change, ((f2 - f1) + (f3 - f1))/3 + (f4 - f1)/6.  The rounded weights then
@@ -190,12 +210,11 @@ COIN_PRIV_INLINE void PRIV(slopes)(PRIV(slope) * first, PRIV(slope) * rest,
 {
     static const scalar reach[] = {K(0.5), K(0.5), 1};
     static const scalar weight[] = {K(1.0 / 3), K(1.0 / 3), K(1.0 / 6)};
-    PRIV(variables) d;
-    *first = slope_at(&d, plan, y1);
+    PRIV(slope) of = *first = slope_at(plan, y1);
     *rest = PRIV(left_out)(first, plan, y1);
     for (int i = 0; i < 3; ++i) {
-        *last = PRIV(variables_plus)(y1, reach[i], &d);
-        const PRIV(slope) of = slope_at(&d, plan, last);
+        *last = PRIV(stage_along)(y1, reach[i], &of);
+        of = slope_at(plan, last);
         PRIV(gather)(rest, weight[i], &of, first);
     }
 }
