@@ -796,14 +796,19 @@ COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
  * t.
  * Accuracy: the lean stays in the well of the potential, and its error is never
  *         more than three times the reach (test_wobble_wells).  Let A be the
- *         largest of the reach and of the differences of start from steady and
- *         from the neighbour, in natural units, over cos(theta), and W that of
- *         Eq. (47).  The error is of order A^2 in all members.  It grows as t,
- *         in x and z as t^2: they may exceed the next bound from |t| W = 80 on.
- *         For I_X <= M a^2 and lambda^2 < 0 it is below 30 A^2 (1 + |t| W)
- *         times the larger of 1 and W^2/|lambda^2| (make adversary).  Where the
- *         lean grows as exp(lambda t), A is the value that it has reached
- *         (test_wobble).  docs/models.md has figures.
+ *         largest of the reach and of the differences of start from steady, in
+ *         natural units, over cos(theta), and W that of Eq. (47) at start.  Let
+ *         E be 4 (A^2 + 1e-14) (1 + |t| W) times the larger of 1 and
+ *         W^2/|lambda^2|.  If lambda^2 < 0 and E < 1, the error is below E at
+ *         any t in the angles, and below W E in the rates.  In x and z, in
+ *         radii, it is below E (1 + W d): d is the smaller of |t| and 1/n, and
+ *         n that of |phi'| and ||phi'| - sqrt(-lambda^2)|, with phi' of the
+ *         neighbour (make adversary, test_wobble_far).  So errors grow
+ *         as t, and those of x and z as t^2 until t is 1/n: on a straight roll
+ *         n is 0.  phi, psi, x and z are rounded to doubles besides.  Where the
+ *         lean grows as exp(lambda t), errors are of order A^2, and A is the
+ *         value that the lean has reached (test_wobble).  docs/models.md has
+ *         figures.
  * Cost: that of ten sines and cosines, whatever t is. */
 COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
                                 const coin_state *start, double t,

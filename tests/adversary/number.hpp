@@ -58,6 +58,14 @@ inline quad angle(quad y, quad x)
 {
     return atan2q(y, x);
 }
+inline long double whole_part(long double x)
+{
+    return std::trunc(x);
+}
+inline quad whole_part(quad x)
+{
+    return truncq(x);
+}
 
 template <class R> R magnitude(R x)
 {

@@ -69,6 +69,14 @@ template <class R> class path
         return cth(y[0]);
     }
 
+    /* The acceleration of the lean. */
+    R pull() const
+    {
+        const R T = sth(y[0]) / cth(y[0]);
+        return (sth(y[0]) - ((1 + IZ) * y[7] + IX * y[6] * T) * y[6]) /
+               (1 + IX);
+    }
+
     /* Energy over M a^2 g/a. */
     R energy() const
     {
@@ -96,6 +104,22 @@ template <class R> class path
         const R c = cth(y[0]);
         y[which == 0 ? 0 : 4 + which] +=
             size * c * (which == 0 ? 1 : fastest());
+        if constexpr (IS_QUICK)
+            ahead.known = false;
+    }
+
+    /* Puts so many periods before the way since the start.  Each turns the next
+     * by its heading. */
+    void repeat(const path &period, R times)
+    {
+        const R h = period.y[1] / 2, all = times * h, lag = all - h;
+        const R sum = sine(h) == 0 ? times : sine(all) / sine(h);
+        const R before[] = {turned_x(period, lag), turned_z(period, lag)};
+        const R after[] = {turned_x(*this, 2 * all), turned_z(*this, 2 * all)};
+        y[1] += times * period.y[1];
+        y[2] += times * period.y[2];
+        y[3] = sum * before[0] + after[0];
+        y[4] = sum * before[1] + after[1];
         if constexpr (IS_QUICK)
             ahead.known = false;
     }
@@ -151,6 +175,16 @@ template <class R> class path
     struct nothing {
     };
     std::conditional_t<IS_QUICK, stretch, nothing> ahead;
+
+    /* The place of o, had its heading begun larger by so much. */
+    static R turned_x(const path &o, R angle)
+    {
+        return o.y[3] * cosine(angle) + o.y[4] * sine(angle);
+    }
+    static R turned_z(const path &o, R angle)
+    {
+        return o.y[4] * cosine(angle) - o.y[3] * sine(angle);
+    }
 
     R from_flat(R theta) const
     {

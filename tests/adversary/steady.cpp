@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Steady motions and what is in closed form about them. */
 #include "growth.hpp"
-#include "path.hpp"
+#include "recurrence.hpp"
 #include "row.hpp"
 #include "truth.hpp"
 
@@ -186,65 +186,98 @@ template <class R> double steady_at(const scene &s, double)
 void wobble_edge(scene *s, const double *g)
 {
     steady_edge(s, g);
+    s->t *= std::pow(10, 4 * g[25]);
     const double w = std::sqrt(s->g / s->a);
     for (int i = 0; i < 4; ++i)
         s->q[i] = (s->q[i] < 0 ? -1 : 1) * std::pow(10, 5 * g[24] - 6) *
                   std::pow(10, -2 * g[26 + i]) * (i == 0 ? 1 : w);
 }
 
-/* How far the steady motion leans that a start wobbles about, (60). */
-template <class R> R to_neighbour(const moment<R> &y, R y1, R wY1, R wZ1)
-{
-    const R wY_y = y.wY * y.T + y.k1 * y.wZ, wZ_y = y.k2 * y.wY;
-    const R nY = wY1 - wY_y * y1, nZ = wZ1 - wZ_y * y1;
-    const R FY = -(y.K * y.wZ + 2 * y.IX * y.wY * y.T) / y.J;
-    const R FZ = -y.K * y.wY / y.J;
-    return -(FY * nY + FZ * nZ) / lambda2_of(y).value;
-}
+/* The answer, and what its laws read. */
+template <class R> struct swing {
+    coin_state start, out;
+    int32_t status;
+    R rate;        /* sqrt |lambda^2| */
+    R apart, turn; /* lean of the neighbour minus that of the steady motion;
+                      its phi': (60), (62) */
+    R reach;       /* how far the lean comes from the steady motion within t */
 
-/* How far the lean comes from the steady motion within t. */
-template <class R> R reach_of(const moment<R> &y, const scene &s, R apart)
-{
-    const R Y = R(s.q[0]) - apart, rate = root(-lambda2_of(y).value);
-    const R v = R(s.q[1]) / rate;
-    return magnitude(apart) + lesser(magnitude(Y) + magnitude(R(s.q[1]) * s.t),
-                                     root(Y * Y + v * v));
-}
+    swing(const scene &s, const coin_params &p)
+    {
+        const coin_state steady = state_of<doubles>(s);
+        const moment<R> y(p, steady);
+        const R lambda2 = lambda2_of(y).value;
+        start = steady;
+        start.theta += s.q[0];
+        start.wX += s.q[1];
+        start.wY += s.q[2];
+        start.wZ += s.q[3];
+        status = lambda2 < 0 ? coin_wobble_at(&steady, &p, &start, s.t, &out)
+                             : int32_t(COIN_EDOMAIN);
+        rate = root(magnitude(lambda2));
+        const R wY_y = y.wY * y.T + y.k1 * y.wZ, wZ_y = y.k2 * y.wY;
+        const R nY = R(s.q[2]) - wY_y * R(s.q[0]);
+        const R nZ = R(s.q[3]) - wZ_y * R(s.q[0]);
+        const R FY = -(y.K * y.wZ + 2 * y.IX * y.wY * y.T) / y.J;
+        const R FZ = -y.K * y.wY / y.J;
+        apart = -(FY * nY + FZ * nZ) / lambda2;
+        turn = (y.wY + nY + (y.wY * y.T + wY_y) * apart) / y.c;
+        const R Y = R(s.q[0]) - apart, v = R(s.q[1]) / rate;
+        reach =
+            magnitude(apart) + lesser(magnitude(Y) + magnitude(R(s.q[1]) * s.t),
+                                      root(Y * Y + v * v));
+    }
+    bool follow(path<R> *truth, R t) const
+    {
+        return follow_far(truth, t, 4 * half_pi<R>() / rate);
+    }
+    /* The time until the path drifts no farther. */
+    R drift(R t) const
+    {
+        const R slowest =
+            lesser(magnitude(turn), magnitude(magnitude(turn) - rate));
+        return magnitude(t) * slowest < 1 ? magnitude(t) : 1 / slowest;
+    }
+};
 
-/* 30 A^2 (1 + |t| W) W^2/|lambda^2| where the lean does not grow; A in parts of
- * cos theta.  And the lean stays within three times its reach. */
+/* 4 (A^2 + 1e-14) (1 + |t| W) W^2/|lambda^2| where the lean does not grow; A in
+ * parts of cos theta.  In x and z 1 + W times the time of drift as much. */
 template <class R> double wobble(const scene &s, double)
 {
     const coin_params p = params_of<doubles>(s);
-    const coin_state steady = state_of<doubles>(s);
-    coin_state start = steady, out;
-    start.theta += s.q[0];
-    start.wX += s.q[1];
-    start.wY += s.q[2];
-    start.wZ += s.q[3];
-    const moment<R> y(p, steady);
-    const double limit = p.mass * p.radius * p.radius;
-    if (coin_wobble_at(&steady, &p, &start, s.t, &out) != COIN_OK ||
-        !(p.inertia_X < limit) || !(lambda2_of(y).value < 0))
+    const swing<R> by(s, p);
+    if (by.status != COIN_OK)
         return NO_CLAIM;
-    path<R> truth(p, start);
-    const R W = truth.fastest(), w = truth.w;
-    R A = magnitude(R(s.q[0])), off[8], worst = 0;
+    path<R> truth(p, by.start);
+    const R W = truth.fastest() * truth.w, t = s.t, shallow = W / by.rate;
+    R A = larger(by.reach, magnitude(R(s.q[0])));
     for (int i = 1; i < 4; ++i)
-        A = larger(A, magnitude(R(s.q[i])) / w);
-    const R apart = to_neighbour(y, R(s.q[0]), R(s.q[2]), R(s.q[3]));
-    const R reach = reach_of(y, s, apart);
-    A = larger(A, reach) / y.c;
-    if (magnitude(R(s.t)) * w * W > 1000 || !truth.follow(R(s.t)))
+        A = larger(A, magnitude(R(s.q[i])) / truth.w);
+    A /= cosine(R(s.theta));
+    const R bound = 4 * (A * A + R(1e-14)) * (1 + magnitude(t) * W) *
+                    larger(R(1), shallow * shallow);
+    if (!(bound < 1) || !by.follow(&truth, t))
         return NO_CLAIM;
-    truth.apart(out, W, off);
-    for (int i = 0; i < 8; ++i)
-        worst = larger(worst, magnitude(off[i]));
-    const R shallow = larger(R(1), W * W * w * w / -lambda2_of(y).value);
-    const R bound =
-        30 * A * A * (1 + magnitude(R(s.t)) * w * W) * shallow + R(1e-11);
-    const R lean = magnitude(off[0]) / (3 * reach + R(1e-11));
-    return double(larger(lean, bound < 1 ? worst / bound : R(0)));
+    R off[8], worst = 0;
+    truth.apart(by.out, W / truth.w, off);
+    off[3] /= 1 + W * by.drift(t);
+    off[4] /= 1 + W * by.drift(t);
+    for (R o : off)
+        worst = larger(worst, magnitude(o));
+    return double(worst / bound);
+}
+
+/* The lean stays within three times its reach. */
+template <class R> double wobble_lean(const scene &s, double)
+{
+    const coin_params p = params_of<doubles>(s);
+    const swing<R> by(s, p);
+    path<R> truth(p, by.start);
+    if (by.status != COIN_OK || !by.follow(&truth, R(s.t)))
+        return NO_CLAIM;
+    R off[8];
+    truth.apart(by.out, R(1), off);
+    return double(magnitude(off[0]) / (3 * by.reach + R(1e-11)));
 }
 } // namespace
 
@@ -267,9 +300,12 @@ void add_steady(std::vector<row> *rows)
                nullptr),
         STEADY(steady_at, "coin_steady_at", "6 u of the angles and path", 1,
                steady_edge),
-        STEADY(wobble, "coin_wobble_at",
-               "30 A^2 (1 + abs(t) W) W^2/abs(lambda^2); lean 3 reach", 5,
-               wobble_edge),
+        STEADY(
+            wobble, "coin_wobble_at",
+            "4 (A^2 + 1e-14) (1 + abs(t) W) W^2/abs(lambda^2); 1 + W d times "
+            "that in x and z",
+            5, wobble_edge),
+        STEADY(wobble_lean, "coin_wobble_at_lean", "3 reach", 5, wobble_edge),
     };
     for (const row &r : made)
         rows->push_back(r);

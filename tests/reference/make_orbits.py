@@ -80,8 +80,9 @@ def out(v):
     return nstr(v, 17, min_fixed=1, max_fixed=0)
 
 
-def period_of(name, scene):
-    """Period, state after one, lowest and highest lean."""
+def period_of(name, scene, compare=True):
+    """Period, state after one, lowest and highest lean; compare with the
+    quadrature."""
     turns = []
     unit = mp.sqrt(mpf(scene[2]) / mpf(scene[4]))
     integrate(scene, [15 * unit], turns)
@@ -89,7 +90,7 @@ def period_of(name, scene):
     low, high = sorted(t[1] for t in turns[:2])
     end = integrate(scene, [T])[0]
     assert abs(end[0] - mpf(scene[5])) < mpf(10) ** -40, name
-    if name != "nearflat":  # the rule would need 1e4 points
+    if compare:
         mp.dps = 32
         want = quadrature(scene, low, high)
         mp.dps = DIGITS
@@ -109,7 +110,8 @@ def main():
                 "t,theta,phi,psi,x,z,wX,wY,wZ\n")
         for number, name in enumerate(SCENES):
             scene = scenes[name]
-            T, end, low, high = period_of(name, scene)
+            # In nearflat the rule would need 1e4 points.
+            T, end, low, high = period_of(name, scene, name != "nearflat")
             unit = mp.sqrt(mpf(scene[2]) / mpf(scene[4]))
             turn = mp.expjpi(end[4] / mp.pi)
             shift = mpc(end[7], end[6])  # z + i x after a period
