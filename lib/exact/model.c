@@ -98,6 +98,8 @@ static int keeps(const struct scene *scene, int32_t model, double t,
  * one of which is displaced by the rounding. */
 static int is_known(const struct scene *scene)
 {
+    if (!scene->swings)
+        return 0; /* no wobble is set */
     const coin_priv_body *b = &scene->b;
     const coin_state *steady = &scene->steady;
     const double sth = coin_priv_sincos(steady->theta).s;
@@ -110,8 +112,7 @@ static int is_known(const struct scene *scene)
     const int32_t failed =
         coin_priv_wobble_at(&scene->wobble, b, scene->horizon, &is) |
         coin_priv_wobble_at(&off, b, scene->horizon, &may);
-    return scene->swings & (failed == COIN_OK) &
-           (apart(&is, &may, b->a) <= OWN * scene->tol);
+    return (failed == COIN_OK) & (apart(&is, &may, b->a) <= OWN * scene->tol);
 }
 
 /* --------------------------------------------------------- with an orbit -- */
@@ -220,7 +221,7 @@ static int32_t follow(const struct scene *scene, int good[2])
 
 static int32_t judge_by_steps(struct scene *scene)
 {
-    if (!(fabs(scene->horizon) * sqrt(scene->b.g_a) <= TIME_MAX))
+    if (!(fabs(scene->horizon) <= TIME_MAX / sqrt(scene->b.g_a)))
         return COIN_MODEL_STEPS;
     find_steady(scene, NEAR);
     const int known = scene->near && is_known(scene);

@@ -124,7 +124,7 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
     const double pieces = f[COIN_PRIV_COUNT], before = f[COIN_PRIV_BACK];
     if (!(before >= 0 && before < pieces && pieces <= (int)COIN_PRIV_PIECES))
         return COIN_EARG;
-    if (!(fabs(t) < COIN_PRIV_ANGLE_MAX * o->period))
+    if (!(fabs(t) / COIN_PRIV_ANGLE_MAX < o->period))
         return COIN_ESTEP;
     const double now = t * f[COIN_PRIV_RATE];
     const double periods = (now + f[COIN_PRIV_SINCE]) * f[COIN_PRIV_OVER];

@@ -9,6 +9,10 @@
  * rounding of a long run, and far below a visible wobble. */
 #define STEADY 1e-9
 
+/* A radius that is longer than this, in its unit or in radii of the coin,
+ * counts as infinite. */
+#define FARTHEST 1e307
+
 static double larger(double a, double b)
 {
     return fabs(a) > fabs(b) ? fabs(a) : fabs(b);
@@ -112,7 +116,8 @@ int32_t coin_steady_radii(const coin_state *s, const coin_params *p,
     if (status != COIN_OK)
         return status;
     const double wY = s->wY, wZ = s->wZ;
-    const int straight = wY == 0;
+    const double size = b.a > 1 ? b.a : 1;
+    const int straight = fabs(wY) <= size * fabs(wZ * th.c) / FARTHEST;
     *center =
         straight ? (double)INFINITY : b.a * fabs(wZ * th.c / wY); /* (43) */
     *contact = straight ? (double)INFINITY

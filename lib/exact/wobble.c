@@ -30,6 +30,10 @@
 /* exp(700) is near to the largest double. */
 #define GROWTH_MAX 700.0
 
+/* Beyond these a lean or a heading is out of range wherever it began. */
+#define LEANT_MAX (2 * COIN_PRIV_HALF_PI)
+#define TURNED_MAX (4 * COIN_PRIV_ANGLE_MAX)
+
 enum { TERMS = COIN_PRIV_WOBBLE_TERMS };
 
 /* sin x and cos x - 1, or sinh x and cosh x - 1. */
@@ -242,17 +246,18 @@ static struct phasor rolled(const coin_priv_wobble *w, double t)
     return whole;
 }
 
-static coin_state wobble(const coin_priv_wobble *w, const struct swing *g,
-                         double leant, double t)
+/* COIN_OK and *out, or COIN_ESTEP if that leaves the range of a state.  The
+ * pose and the rates are checked before anything is computed of them, so that
+ * no unstable lean overflows. */
+static int32_t wobble(const coin_priv_wobble *w, const coin_priv_body *b,
+                      const struct swing *g, double leant, double t,
+                      coin_state *out)
 {
+    if (!(fabs(leant) <= LEANT_MAX && fabs(w->dphi * t) <= TURNED_MAX))
+        return COIN_ESTEP;
     const coin_state *const start = &w->start;
     const double a = w->a, Y = w->Y, v = w->v, sign = w->L < 0 ? -1 : 1;
     const double swung = (Y * g->s + sign * v * g->c1) / w->rate;
-    const struct phasor path = rolled(w, t);
-    const coin_priv_sc turn = coin_priv_sincos(start->phi);
-    const struct phasor heading = {turn.c, turn.s};
-    const struct phasor way = times(heading, path);
-    const double from = a * coin_priv_sincos(start->theta).s;
     coin_state s = *start;
     /* clang-format off */
     s.theta = start->theta + leant;                              /* (61) */
@@ -261,12 +266,20 @@ static coin_state wobble(const coin_priv_wobble *w, const struct swing *g,
     s.wZ = start->wZ + w->wZ * leant;                            /* (60) */
     s.phi = start->phi + (w->dphi * t + w->phi * swung);         /* (62) */
     s.psi = start->psi + (w->dpsi * t + w->psi * swung);         /* (62) */
+    /* clang-format on */
+    if (coin_priv_check_state(&s, b) != COIN_OK)
+        return COIN_ESTEP;
+    const struct phasor path = rolled(w, t);
+    const coin_priv_sc turn = coin_priv_sincos(start->phi);
+    const struct phasor heading = {turn.c, turn.s};
+    const struct phasor way = times(heading, path);
+    const double from = a * coin_priv_sincos(start->theta).s;
     const coin_priv_sc ph = coin_priv_sincos(s.phi);
     const double to = a * coin_priv_sincos(s.theta).s;
-    s.x = start->x - a * way.re + (to * ph.s - from * turn.s);   /* (63) */
-    s.z = start->z + a * way.im + (to * ph.c - from * turn.c);   /* (63) */
-    /* clang-format on */
-    return s;
+    s.x = start->x - a * way.re + (to * ph.s - from * turn.s); /* (63) */
+    s.z = start->z + a * way.im + (to * ph.c - from * turn.c); /* (63) */
+    *out = s;
+    return coin_priv_path_holds(&s) ? COIN_OK : COIN_ESTEP;
 }
 
 int32_t coin_priv_wobble_begin(coin_priv_wobble *w, const coin_state *steady,
@@ -297,8 +310,8 @@ int32_t coin_priv_wobble_at(const coin_priv_wobble *w, const coin_priv_body *b,
     const double x = w->rate * t;
     const struct swing g = swing_of(w->L, x);
     const double leant = w->Y * g.c1 + w->v * g.s;
-    const coin_state then = wobble(w, &g, leant, t);
-    if (coin_priv_check_state(&then, b) != COIN_OK)
+    coin_state then;
+    if (wobble(w, b, &g, leant, t, &then) != COIN_OK)
         return COIN_ESTEP;
     if (!is_small(w, x, reach_of(w, x, leant), g.c1))
         return COIN_EDOMAIN;

@@ -34,7 +34,8 @@ int32_t coinf_batch_run(coinf_state *s, size_t count, const coinf_params *p,
     /* r.plan does not depend on a state: any valid one will do here. */
     if (!s || !p || !coinf_priv_method_is_known(method))
         return COIN_EARG;
-    const int32_t shared = coinf_priv_plan_of(&r.plan, &rest, p, method, dt);
+    const float h = count == 0 ? 0 : steps == 0 ? 0 * dt : dt;
+    const int32_t shared = coinf_priv_plan_of(&r.plan, &rest, p, method, h);
     if (shared != COIN_OK && shared != COIN_ESTEP)
         return shared;
     coinf_priv_check_body(&b, p);

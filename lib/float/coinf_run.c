@@ -6,7 +6,9 @@ int32_t coinf_run(coinf_state *s, const coinf_params *p, int32_t method,
 {
     coinf_priv_plan plan;
     int32_t warnings = COIN_OK;
-    const int32_t status = coinf_priv_plan_of(&plan, s, p, method, dt);
+    /* Without a step dt may be so long that what steps share overflows. */
+    const int32_t status =
+        coinf_priv_plan_of(&plan, s, p, method, steps > 0 ? dt : 0 * dt);
     if (status != COIN_OK)
         return status;
     coinf_priv_step_function *const one =

@@ -21,9 +21,11 @@ int32_t COIN(check)(const COIN(state) * s, const COIN(params) * p,
     int32_t bits = 0;
     if (!(f.normal > 0))
         bits |= COIN_LIFTS;
-    else if (f.friction > mu * f.normal)
-        bits |= COIN_SLIPS;
-    if (FABS(dt) * W > PRIV(coarse_limit)(method))
+    else if (mu > 1 ? f.friction / mu > f.normal : f.friction > mu * f.normal)
+        bits |= COIN_SLIPS; /* no product of a large mu may overflow */
+    /* A dt above DT_MOST is coarse for every body. */
+    if (PRIV(lesser)(FABS(dt), COIN_PRIV_DT_MOST) * W >
+        PRIV(coarse_limit)(method))
         bits |= COIN_COARSE;
     if (y.cth < K(COIN_PRIV_NEARLY_FLAT))
         bits |= COIN_NEARLY_FLAT;

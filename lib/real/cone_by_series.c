@@ -143,7 +143,9 @@ static double error_of(double stride, int terms)
 int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *at,
                        double h, double stride)
 {
-    const double one = fabs(h) / stride, error = error_of(stride, at->terms);
+    /* Both underflow on a stretch of no length. */
+    const double one = stride > 0 ? fabs(h) / stride : 0;
+    const double error = error_of(stride, at->terms);
     const double change = change_at(at, 0, one) + change_at(at, 1, one);
     const double rise = error * (at->cth[0].at[0] + at->cth[0].at[1]);
     if ((f->bits & ON_FORCE) &&

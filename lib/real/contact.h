@@ -28,6 +28,7 @@ typedef struct coin_priv_contact {
     coin_priv_losses l;
     double mu_static, mu_kinetic;
     double w0;    /* 1 over the natural unit of time */
+    double most;  /* of coin_priv_slip_size(): beyond it a trial has failed */
     int psi_held; /* 1: near flat the losses keep d(psi)/dt = 0, and slopes
                      are by t */
 } coin_priv_contact;

@@ -98,11 +98,12 @@ static coin_priv_moment between(const coin_priv_search *f,
 }
 
 /* The part of a stretch that lasts no longer than tol: cos theta changes by a
- * factor below 3 in half a step. */
+ * factor below 3 in half a step.  4 counts as any number that is larger. */
 static double least_part(const coin_priv_search *f, const coin_priv_stretch *w)
 {
     const double a = w->from.g.y.cth, b = w->to.cth;
-    return f->tol / (3 * fabs(w->tau) * (a > b ? a : b));
+    const double longest = 3 * fabs(w->tau) * (a > b ? a : b);
+    return f->tol < 4 * longest ? f->tol / longest : 4;
 }
 
 /* Searches the motion itself, at and next to a place that the polynomials of a

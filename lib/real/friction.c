@@ -43,7 +43,7 @@ int32_t coin_priv_contact_of(coin_priv_contact *out, const coin_params *p,
         out->l.solid = out->l.fluid = out->l.spin = 0; /* nothing else is read
                                                         */
     const double k = out->b.IX / out->b.m;
-    const double bound = 2 * sqrt(k * (1 + k)); /* (86) */
+    const double bound = 2 * sqrt(k) * sqrt(1 + k); /* (86) */
     out->mu_static = f->mu_static;
     out->mu_kinetic = f->mu_kinetic;
     out->w0 = sqrt(out->b.g_a);

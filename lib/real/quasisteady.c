@@ -37,6 +37,11 @@
  * step. */
 #define NEVER 1e-30
 
+/* The longest time that is followed and the fastest rate, in natural units.  No
+ * product overflows with them. */
+#define LONGEST 1e150
+#define FASTEST 1e40
+
 /* If the heading changes by more than this from one point of the path to the
  * next, the path between them is computed from its curvature at both, else from
  * its length. */
@@ -59,8 +64,7 @@ struct quasisteady {
 
 /* d/dt in natural units. */
 struct rates {
-    double dtheta, dwY, dwZ;
-    double room; /* -J lambda^2: > 0 while the steady motion is stable */
+    double dtheta, dwY, dwZ; /* NaN where the steady motion is not stable */
 };
 
 static struct rates rates_of(const double *y, const struct quasisteady *q)
@@ -76,13 +80,14 @@ static struct rates rates_of(const double *y, const struct quasisteady *q)
     const double F_Y = 2 * b->IX * T * wY + b->K * wZ; /* (74) */
     const double F_Z = b->K * wY;
     const double F_th = b->IX * wY * wY / (c * c) - b->m * c;
+    /* -J lambda^2: > 0 while the steady motion is stable. */
     const double room = F_th + F_Y * (wY * T + b->k1 * wZ) + F_Z * b->k2 * wY;
-    const double dtheta = -(F_Y * torque_Y + F_Z * torque_Z) / room; /* (74) */
+    const double dtheta = isgreater(room, 0) /* (74) */
+                              ? -(F_Y * torque_Y + F_Z * torque_Z) / room
+                              : (double)NAN;
     const struct rates d = {
-        dtheta,
-        (wY * T + b->k1 * wZ) * dtheta + torque_Y, /* (74) */
-        b->k2 * wY * dtheta + torque_Z,            /* (74) */
-        room,
+        dtheta, (wY * T + b->k1 * wZ) * dtheta + torque_Y, /* (74) */
+        b->k2 * wY * dtheta + torque_Z,                    /* (74) */
     };
     return d;
 }
@@ -101,8 +106,7 @@ static void slopes(double *dy, const double *y, const void *problem)
     const double arc2 = droot * droot + d.dwY * d.dwY / (1 + y[WY] * y[WY]) +
                         d.dwZ * d.dwZ / (1 + y[WZ] * y[WZ]);
     const double least = ((const struct quasisteady *)problem)->least;
-    const double dt =
-        isgreater(d.room, 0) ? 1 / (least + sqrt(arc2)) : (double)NAN;
+    const double dt = 1 / (least + sqrt(arc2));
     dy[STH] = c * d.dtheta * dt;
     dy[ROOT] = droot * dt;
     dy[WY] = d.dwY * dt;
@@ -120,10 +124,15 @@ struct passing {
     double x, z; /* of the centre, in radii, from the start */
 };
 
-/* Adds the centre's path from the variables before to those now. */
+/* Adds the centre's path from the variables before to those now.  It is NaN
+ * once the heading has left its range. */
 static void draw(struct passing *g, const double *before)
 {
     const double *y = g->y;
+    if (!(fabs(y[PHI]) + fabs(before[PHI]) <= 2 * COIN_PRIV_ANGLE_MAX)) {
+        g->x = g->z = (double)NAN;
+        return;
+    }
     const double turn = y[PHI] - before[PHI];
     if (fabs(turn) < TURN) {
         const double half = turn / 2;
@@ -162,6 +171,8 @@ static int32_t begin(struct passing *g, const coin_state *s,
     if (!(lambda2 < 0 && swing2 <= most * most))
         return COIN_EDOMAIN;
     const double w0 = g->q.w0 = sqrt(g->q.b.g_a);
+    if (!(fabs(near.wY) + fabs(near.wZ) <= FASTEST * w0))
+        return COIN_EDOMAIN;
     const double y[VARIABLES] = {th.s, sqrt(th.c), near.wY / w0, near.wZ / w0,
                                  0,    s->phi,     s->psi,       0};
     for (int i = 0; i < VARIABLES; ++i)
@@ -188,13 +199,13 @@ static void shorten_to_time(double *y, const double *before,
     double least = 0, most = h;
     for (int i = 0; i < NEWTONS_MAX; ++i) {
         double d[VARIABLES];
-        const double off = y[TIME] - t;
-        if (fabs(off) <= 4 * DBL_EPSILON * t)
+        const double off = y[TIME] - t; /* may be NaN */
+        if (islessequal(fabs(off), 4 * DBL_EPSILON * t))
             break;
-        *(off > 0 ? &most : &least) = h;
+        *(islessequal(off, 0) ? &least : &most) = h;
         slopes(d, y, q);
         h -= off / d[TIME];
-        if (!(h > least && h < most))
+        if (!(isgreater(h, least) && isless(h, most)))
             h = (least + most) / 2;
         for (int k = 0; k < VARIABLES; ++k)
             y[k] = before[k];
@@ -203,8 +214,9 @@ static void shorten_to_time(double *y, const double *before,
     y[TIME] = t;
 }
 
-/* Goes on to the time t: COIN_OK, or COIN_RESTS and the time then, or
- * COIN_EDOMAIN where the motion becomes unstable, or after too many steps. */
+/* Goes on to the time t, at most LONGEST: COIN_OK, or COIN_RESTS and the time
+ * then, or COIN_EDOMAIN where the motion becomes unstable, or after too many
+ * steps. */
 static int32_t pass(struct passing *g, double t)
 {
     double h = FIRST;
@@ -303,9 +315,9 @@ static int32_t time_to_rest(double *time, const coin_state *s,
     *time = (double)INFINITY;
     if (!stops(&g.q, s, p, l))
         return COIN_RESTS;
-    status = pass(&g, (double)INFINITY);
+    status = pass(&g, LONGEST);
     *time = g.y[TIME] / g.q.w0;
-    return status;
+    return status == COIN_OK ? COIN_EDOMAIN : status;
 }
 
 double coin_time_to_rest(const coin_state *s, const coin_params *p,
@@ -361,7 +373,8 @@ int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
         (void)coin_steady_near(s, p, &at);
         return coin_steady_at(&at, p, t, out);
     }
-    status = pass(&g, t * g.q.w0);
+    /* By LONGEST a coin that does not rest has left the range of angles. */
+    status = pass(&g, t < LONGEST / g.q.w0 ? t * g.q.w0 : LONGEST);
     if (status < 0)
         return status;
     at = state_of(&g, s, status == COIN_RESTS);

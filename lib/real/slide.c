@@ -41,6 +41,46 @@ int32_t coin_priv_slip_take(coin_priv_sliding *g, const coin_priv_slip *y)
     return COIN_OK;
 }
 
+/* A slip frees the lean: the inertia against its changes is I_X + M a^2 sin^2
+ * theta instead of I_X + M a^2.  For a disc, whose I_X is M a^2/4, the rate of
+ * sundman.h is enough.  For a body of small I_X the normal force has a narrow
+ * peak about upright, where M a^2 sin^2 theta is less than I_X.  An eighth of
+ * sin theta counts, so that the longest step changes sin theta by 0.3 of itself
+ * and cannot pass over the peak. */
+double coin_priv_slip_rate(const coin_priv_sliding *g)
+{
+    const coin_priv_body *b = &g->contact.b;
+    const coin_priv_variables *y = &g->w.run.g.y;
+    const double sth = y->sth / 8;
+    const double freed = sqrt(b->m / (b->IX + b->m * (sth * sth))) / 2;
+    /* Slopes are by t if psi is held. */
+    const double tau = g->contact.psi_held
+                           ? 1 / sqrt(b->g_a + y->wX * y->wX + y->wZ * y->wZ)
+                           : coin_priv_sundman_tau(b, y, 1);
+    return (freed > 1 ? freed : 1) / tau;
+}
+
+double coin_priv_slip_size(const coin_priv_contact *contact,
+                           const coin_priv_slip *y)
+{
+    return (fabs(y->wX) + fabs(y->wY) + fabs(y->wZ) + fabs(y->uX) +
+            fabs(y->uh) + contact->w0) *
+           (fabs(y->sth) + fabs(y->cth));
+}
+
+void coin_priv_trial_slopes(double *dy, const double *y, const void *contact)
+{
+    const coin_priv_contact *t = (const coin_priv_contact *)contact;
+    const coin_priv_slip *at = (const coin_priv_slip *)(const void *)y;
+    if (isless(coin_priv_slip_size(t, at), t->most)) {
+        coin_priv_slip_slopes(dy, y, contact);
+        return;
+    }
+    const coin_priv_slip failed = {0, 0, 0, 0, 0, 0, 0,
+                                   0, 0, 0, 0, 0, 0, (double)NAN};
+    *(coin_priv_slip *)(void *)dy = failed;
+}
+
 double coin_priv_locate(coin_priv_sliding *g, coin_priv_event *event,
                         double at0, double h1, double at1)
 {

@@ -101,7 +101,18 @@ double coin_priv_roll_try(coin_priv_sliding *g, double tau);
 /* The rate in tau by which the steps of a rolling coin are measured. */
 double coin_priv_roll_rate(const coin_priv_sliding *g);
 
-/* slip.c: the rate in tau at which the coin's motion changes while it slips. */
+/* slide.c: the size of what the slopes of a slip are products of. */
+double coin_priv_slip_size(const coin_priv_contact *contact,
+                           const coin_priv_slip *y);
+
+/* slide.c: coin_priv_slip_slopes() for a step that is tried.  If the step is
+ * far too long, the size grows from stage to stage.  Where it exceeds
+ * contact->most, the slopes are 0 and that of t is NaN, so that nothing
+ * overflows. */
+void coin_priv_trial_slopes(double *dy, const double *y, const void *contact);
+
+/* slide.c: the rate at which the coin's motion changes while it slips, in tau
+ * or, if psi is held, in t. */
 double coin_priv_slip_rate(const coin_priv_sliding *g);
 
 /* A step as long as its error allows, at most `most`: its tau, or 0. */

@@ -33,6 +33,10 @@
 #define STRAIGHT 0.25
 #define MOST_STRAIGHT 0.003
 
+/* A step tried fails where rates and slip exceed those at its begin by this
+ * factor. */
+#define RUNAWAY 1e6
+
 /* The most trials of a step that is cut to the end of the time. */
 #define NEWTONS 4
 
@@ -52,20 +56,6 @@ static double growth(const coin_priv_slip *y, const coin_priv_slip *d)
 {
     const double u = speed(y);
     return y->uX / u * d->uX + y->uh / u * d->uh;
-}
-
-/* A slip frees the lean: the inertia against its changes is I_X + M a^2 sin^2
- * theta instead of I_X + M a^2.  For a disc, whose I_X is M a^2/4, the rate of
- * sundman.h is enough.  For a body of small I_X the normal force has a narrow
- * peak about upright, where M a^2 sin^2 theta is less than I_X.  An eighth of
- * sin theta counts, so that the longest step changes sin theta by 0.3 of itself
- * and cannot pass over the peak. */
-double coin_priv_slip_rate(const coin_priv_sliding *g)
-{
-    const coin_priv_body *b = &g->contact.b;
-    const double sth = g->w.run.g.y.sth / 8;
-    const double freed = sqrt(b->m / (b->IX + b->m * (sth * sth))) / 2;
-    return (freed > 1 ? freed : 1) / coin_priv_sundman_tau(b, &g->w.run.g.y, 1);
 }
 
 /* The rate in tau at which losses slow the coin; 0 if they hold psi. */
@@ -134,8 +124,14 @@ static struct tried attempt(coin_priv_sliding *g, double h)
     coin_priv_estimates e;
     const double rounding = 4 * DBL_EPSILON * (speed(&from) / w0);
     double by5 = 0, by3 = 0, slip5 = 0, slip3 = 0, moved = 1000 * rounding;
+    g->contact.most = RUNAWAY * coin_priv_slip_size(&g->contact, &from);
     coin_priv_dopri8((double *)&r.to, (const double *)&g->slope,
-                     coin_priv_slip_slopes, &g->contact, h, &e);
+                     coin_priv_trial_slopes, &g->contact, h, &e);
+    ++g->tries;
+    if (r.to.t != r.to.t) {
+        r.error = r.to.t = (double)INFINITY;
+        return r;
+    }
     for (int i = 0; i < COIN_PRIV_DOPRI8_READ; ++i) {
         const int slip = i == 5 || i == 6;
         const double per = i < 3 || slip ? 1 / w0 : 1;
@@ -147,7 +143,6 @@ static struct tried attempt(coin_priv_sliding *g, double h)
         slip5 += slip ? off5 * off5 : 0;
         slip3 += slip ? off3 * off3 : 0;
     }
-    ++g->tries;
     const double rates = fabs(from.wX) + fabs(from.wY) + fabs(from.wZ);
     const double size = 1 + (rates + speed(&from)) / w0;
     const double most = coin_priv_allowed(&g->w.run, g->tol, r.to.t) + rounding;

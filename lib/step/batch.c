@@ -49,7 +49,8 @@ int32_t coin_batch_run(coin_state *s, size_t count, const coin_params *p,
     if (coin_priv_check_body(&b, p) != COIN_OK)
         return COIN_EPARAMS;
     /* Coins that do not move stay as they are, each to the bit. */
-    const int move = coin_priv_is_finite(dt) && dt != 0 && steps > 0;
+    const int move =
+        count > 0 && steps > 0 && coin_priv_is_finite(dt) && dt != 0;
     coin_priv_lanes_run *const run =
         move ? coin_priv_lanes_run_of(method) : NULL;
     for (size_t i = 0; i < count; i += COIN_PRIV_LANES) {

@@ -66,12 +66,14 @@ COIN_PRIV_INLINE double coin_priv_safe_cosine(const coin_priv_body *b,
     const double wX = y->wX, wY = y->wY, wZ = y->wZ;
     const double T2 = b->J * wX * wX + b->IX * wY * wY + b->K * wZ * wZ;
     const double E2 = 1.25 * (T2 + 2 * b->Mga * y->cth); /* (23) */
-    const double spare = coarse2 - E2 / b->K;
-    /* A lane that is no longer used may hold a coin below the table, E < 0. */
-    if (!(spare > 0 && E2 > 0))
+    /* A lane that is no longer used may hold a coin below the table, E < 0.
+     * What is nearly too fast is looked at too, so that no quotient overflows.
+     */
+    if (!(E2 > 0 && E2 < 0.999999 * (b->K * coarse2)))
         return 2;
-    const double fall = b->g_a / (2 * spare); /* no product may overflow */
-    return fall + sqrt(fall * fall + E2 / b->IX / spare);
+    const double spare = coarse2 - E2 / b->K;
+    const double fall = b->g_a / (2 * spare);
+    return fall + sqrt(fall * fall + E2 / spare / b->IX);
 }
 
 /* The state that a run from *start has come to. */

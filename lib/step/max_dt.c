@@ -46,11 +46,22 @@ static int seen_enough(int turns, double units)
     return units >= LOOK_TIME_MAX || (turns >= 2 && units >= LOOK_TIME_MIN);
 }
 
+/* W^2.  It is infinite if the coin is flat, or so near to it that W^2 could
+ * overflow. */
+static double rate2_of(const coin_priv_run *r)
+{
+    const coin_priv_variables *y = &r->g.y;
+    const double w2 = y->wX * y->wX + y->wY * y->wY, cth = y->cth;
+    const int flat =
+        (cth < COIN_PRIV_FLAT) | (w2 > COIN_PRIV_MOST * (cth * cth));
+    return flat ? (double)INFINITY : coin_priv_rate2(r->b.g_a, y);
+}
+
 /* Looks ahead from r; the trial begins where W^2 first reaches enough. */
 static struct outlook look_ahead(coin_priv_run r, double enough)
 {
-    const double g_a = r.b.g_a;
-    struct outlook o = {r, 0, coin_priv_rate2(g_a, &r.g.y)};
+    const double w0 = sqrt(r.b.g_a);
+    struct outlook o = {r, 0, rate2_of(&r)};
     int turns = 0, found = o.worst2 >= enough;
     double begin = 0, units = 0;
     for (int i = 0; i < LOOK_STEPS && !seen_enough(turns, units); ++i) {
@@ -59,7 +70,7 @@ static struct outlook look_ahead(coin_priv_run r, double enough)
             break;
         const double tau = coin_priv_sundman_tau(&r.b, &r.g.y, 0.5);
         coin_priv_extrapolate(&r, tau); /* one that fails changes nothing */
-        const double W2 = coin_priv_rate2(g_a, &r.g.y);
+        const double W2 = rate2_of(&r);
         if (!found) {
             o.from = r;
             begin = r.g.added.t;
@@ -67,10 +78,8 @@ static struct outlook look_ahead(coin_priv_run r, double enough)
         }
         o.worst2 = W2 > o.worst2 ? W2 : o.worst2;
         turns += wX * r.g.y.wX < 0;
-        units = r.g.added.t * sqrt(g_a);
+        units = r.g.added.t * w0;
     }
-    if (r.g.y.cth < COIN_PRIV_FLAT)
-        o.worst2 = (double)INFINITY;
     coin_priv_read_lean(&o.from.g);
     o.span = r.g.added.t - begin;
     return o;

@@ -53,7 +53,8 @@ int32_t coin_run(coin_state *s, const coin_params *p, int32_t method, double dt,
                  uint64_t steps, uint64_t *done)
 {
     coin_priv_run r;
-    const int32_t status = coin_priv_run_begin(&r, s, p, method, dt);
+    const int32_t status =
+        coin_priv_run_begin(&r, s, p, method, coin_priv_dt_of(dt, steps));
     if (status != COIN_OK)
         return status;
     return coin_priv_run_to_end(&r, method, steps, s, done);
@@ -66,7 +67,8 @@ int32_t coin_sample(const coin_state *start, const coin_params *p,
     coin_priv_run r;
     const uint64_t n = steps_per_sample;
     const int32_t status =
-        out ? coin_priv_run_begin(&r, start, p, method, dt) : COIN_EARG;
+        out ? coin_priv_run_begin(&r, start, p, method, coin_priv_dt_of(dt, n))
+            : COIN_EARG;
     if (status != COIN_OK)
         return status;
     size_t k = 0;

@@ -11,6 +11,13 @@ COIN_PRIV_INLINE int coin_priv_tol_is_valid(double tol)
     return tol >= 1e-13 && tol <= 1e-2;
 }
 
+/* dt, or 0 if there is no step to make: what steps share could overflow.  NaN
+ * if dt is not finite. */
+COIN_PRIV_INLINE double coin_priv_dt_of(double dt, uint64_t steps)
+{
+    return steps > 0 ? dt : 0 * dt;
+}
+
 /* Checks everything, then computes what the steps share. */
 int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
                             const coin_params *p, int32_t method, double dt);

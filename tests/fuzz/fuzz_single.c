@@ -9,8 +9,9 @@
 /* A float of any double: what is too large is infinite. */
 static float f(union argument a)
 {
-    return fabs(a.d) > FLT_MAX ? (float)(a.d > 0 ? INFINITY : -INFINITY)
-                               : (float)a.d;
+    return isgreater(fabs(a.d), FLT_MAX)
+               ? (float)(a.d > 0 ? INFINITY : -INFINITY)
+               : (float)a.d;
 }
 
 /* clang-format off */
