@@ -73,7 +73,7 @@ void steady_edge(scene *s, const double *g)
     if (g[29] < 0.5)
         s->wY *= 1 + 1e-9 * s->q[0];
     s->t = std::sqrt(s->a / s->g) * (g[22] < 0.5 ? 1 : -1) *
-           std::pow(10, 4 * g[23] - 2);
+           std::pow(10, 8 * g[23] - 2);
 }
 
 template <class R> double radii(const scene &s, double)
@@ -169,7 +169,7 @@ template <class R> double steady_at(const scene &s, double)
     const R x = y.x + chord * cosine(y.phi + h),
             z = y.z - chord * sine(y.phi + h);
     const R rolled = (magnitude(y.wZ) + magnitude(y.wY * y.T)) * magnitude(t);
-    const R path = y.a * magnitude(y.wZ * t) * (1 + magnitude(turn));
+    const R path = y.a * magnitude(y.wZ * t);
     verdict<R> v;
     v.hold(R(out.phi), y.phi + turn,
            u6 * magnitude(turn) + half * magnitude(y.phi + turn));
@@ -186,7 +186,6 @@ template <class R> double steady_at(const scene &s, double)
 void wobble_edge(scene *s, const double *g)
 {
     steady_edge(s, g);
-    s->t *= std::pow(10, 4 * g[25]);
     const double w = std::sqrt(s->g / s->a);
     for (int i = 0; i < 4; ++i)
         s->q[i] = (s->q[i] < 0 ? -1 : 1) * std::pow(10, 5 * g[24] - 6) *
