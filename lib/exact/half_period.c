@@ -24,11 +24,6 @@
  * powers of its rates would overflow. */
 #define FASTEST 1e8
 
-static double larger(double a, double b)
-{
-    return a > fabs(b) ? a : fabs(b);
-}
-
 static double wX_of(const coin_priv_point *p)
 {
     return OF(p->row[1], 1);
@@ -62,8 +57,11 @@ static double reach_of(const coin_priv_half_period *h,
     const coin_priv_point *p = s->at;
     double last = 0;
     for (int k = COIN_PRIV_ORDER - 1; k <= COIN_PRIV_ORDER; ++k)
-        for (int i = 0; i < COIN_PRIV_PATH; ++i)
-            last = larger(larger(last, OF(p[k].row[i], 0)), OF(p[k].row[i], 1));
+        for (int i = 0; i < COIN_PRIV_PATH; ++i) {
+            const coin_priv_pair row = p[k].row[i];
+            last = coin_priv_larger(last, fabs(OF(row, 0)));
+            last = coin_priv_larger(last, fabs(OF(row, 1)));
+        }
     const double longest = LONGEST / sqrt(W2_of(h, p));
     /* A limit that keeps its power from overflowing. */
     const double most = longest < 1e10 ? longest : 1e10;
@@ -160,7 +158,7 @@ static void add_piece(coin_priv_half_period *h, double center, double joint,
     h->o->private_centers[n] = center;
     h->reach[n] = reach_of(h, &h->now);
     h->joint[n] = joint;
-    coin_priv_series_keep(&h->now, larger(h->reach[n], joint),
+    coin_priv_series_keep(&h->now, coin_priv_larger(h->reach[n], fabs(joint)),
                           h->o->private_terms + COIN_PRIV_PIECE * n);
 }
 

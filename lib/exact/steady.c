@@ -13,11 +13,6 @@
  * counts as infinite. */
 #define FARTHEST 1e307
 
-static double larger(double a, double b)
-{
-    return fabs(a) > fabs(b) ? fabs(a) : fabs(b);
-}
-
 int32_t coin_priv_check_balance(const coin_state *s, const coin_priv_body *b,
                                 coin_priv_sc *th)
 {
@@ -28,8 +23,10 @@ int32_t coin_priv_check_balance(const coin_state *s, const coin_priv_body *b,
     const double turn = b->IX * wY * wY * th->s / th->c; /* (39) */
     const double fall = b->Mga * th->s;                 /* (39) */
     /* clang-format on */
-    const double rate = larger(larger(wY, wZ), sqrt(b->g_a));
-    const double torque = larger(larger(roll, turn), b->Mga);
+    const double rate =
+        coin_priv_larger(coin_priv_larger(fabs(wY), fabs(wZ)), sqrt(b->g_a));
+    const double torque =
+        coin_priv_larger(coin_priv_larger(fabs(roll), fabs(turn)), b->Mga);
     const int balanced = (fabs(wX) <= STEADY * rate) &
                          (fabs(roll + turn - fall) <= STEADY * torque);
     return balanced ? COIN_OK : COIN_EDOMAIN;

@@ -12,4 +12,10 @@ COIN_PRIV_INLINE int PRIV(is_finite)(real x)
     return FABS(x) <= COIN_PRIV_LARGEST;
 }
 
+/* The larger of two, b where one is NaN. */
+COIN_PRIV_INLINE real PRIV(larger)(real a, real b)
+{
+    return a > b ? a : b;
+}
+
 #endif

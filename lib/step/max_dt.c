@@ -85,22 +85,17 @@ static struct outlook look_ahead(coin_priv_run r, double enough)
     return o;
 }
 
-static double larger(double a, double b)
-{
-    return fabs(a) > b ? fabs(a) : b;
-}
-
 /* The distance of the poses that two runs from one start report, in radians
  * and radii. */
 static double apart(const coin_priv_run *c, const coin_priv_run *d)
 {
     const coin_priv_pose s = coin_priv_pose_of(&c->g, 1);
     const coin_priv_pose r = coin_priv_pose_of(&d->g, 1);
-    double e = larger(s.theta - r.theta, 0);
-    e = larger(s.phi - r.phi, e);
-    e = larger(s.psi - r.psi, e);
-    e = larger(s.x - r.x, e);
-    return larger(s.z - r.z, e);
+    double e = coin_priv_larger(fabs(s.theta - r.theta), 0);
+    e = coin_priv_larger(fabs(s.phi - r.phi), e);
+    e = coin_priv_larger(fabs(s.psi - r.psi), e);
+    e = coin_priv_larger(fabs(s.x - r.x), e);
+    return coin_priv_larger(fabs(s.z - r.z), e);
 }
 
 /* The error of steps of dt per natural unit of time; at least 1 if a step
@@ -125,9 +120,10 @@ static double trial(const struct outlook *o, int32_t method, double dt)
         const uint64_t missing = 3 * block -
                                  coin_priv_run_by(&c, method, block) -
                                  coin_priv_run_by(&d, method, 2 * block);
-        error = larger((double)missing, error); /* a trial that fails */
+        error = coin_priv_larger((double)missing, error); /* a trial that fails */
         const double t = (double)i * dt * rate;
-        error = larger(apart(&c, &d) / (t > least ? t : least), error);
+        error =
+            coin_priv_larger(apart(&c, &d) / coin_priv_larger(t, least), error);
     }
     return error;
 }
@@ -164,10 +160,10 @@ double coin_max_dt(const coin_state *s, const coin_params *p, int32_t method,
      * dt wanted is the error a power of dt.  dt is not so short that a trial
      * ends before the span does, and an error below rounding counts as that. */
     for (int i = 0; i < 3; ++i) {
-        const double seen = larger(o.span / TRIAL_STEPS, dt);
-        const double tried = seen < most ? seen : most;
+        const double seen = coin_priv_larger(o.span / TRIAL_STEPS, dt);
+        const double tried = coin_priv_lesser(seen, most);
         const double error = trial(&o, method, tried);
-        const double wanted = tol * MARGIN / larger(error, ROUNDING);
+        const double wanted = tol * MARGIN / coin_priv_larger(error, ROUNDING);
         const double factor = root(wanted, order);
         dt = tried * (factor > 4 ? 4 : factor);
     }
