@@ -20,10 +20,10 @@
  * less than this, the difference is rounding, and the path drifts. */
 #define STRAIGHT 1e-15
 
-/* The number of parts of a piece in each of which an extreme of the distance is
- * looked for.  They are so short that none has two extremes.  Even with 2 parts
- * the radii of 6000 coins were those with 60, to rounding. */
-#define LOOKS 4
+/* The number of parts of a piece, in each of which an extreme of the distance
+ * is searched for.  They are so short that none has two extremes.  Even with 2
+ * parts the radii of 6000 coins were those with 60, to rounding. */
+#define PARTS 4
 
 /* ------------------------------------------------------------- the frame -- */
 /* Measures times, angles and path of all pieces from A, in A's frame. */
@@ -121,7 +121,7 @@ static void set_angles(const coin_priv_half_period *h, const coin_state *s,
  */
 /* A point of the path relative to the centre of the annulus, which lies on A's
  * axis, and half of the derivative of its squared distance by time. */
-struct sight {
+struct place {
     double z, x, rate;
 };
 
@@ -132,36 +132,36 @@ static coin_priv_pair row_at(const coin_orbit *o, int piece, int row, double t)
 }
 
 /* The point of a piece at a time after its centre. */
-static struct sight look(const coin_orbit *o, int piece, double t,
-                         double center)
+static struct place place_at(const coin_orbit *o, int piece, double t,
+                             double center)
 {
     const coin_priv_pair z = row_at(o, piece, COIN_PRIV_Z, t);
     const coin_priv_pair x = row_at(o, piece, COIN_PRIV_X, t);
-    struct sight sight = {OF(z, 0) - center, OF(x, 0), 0};
-    sight.rate = sight.z * OF(z, 1) + sight.x * OF(x, 1);
-    return sight;
+    struct place place = {OF(z, 0) - center, OF(x, 0), 0};
+    place.rate = place.z * OF(z, 1) + place.x * OF(x, 1);
+    return place;
 }
 
-static void widen(coin_orbit *o, struct sight seen)
+static void widen(coin_orbit *o, struct place at)
 {
-    const double distance = coin_priv_hypot(seen.z, seen.x);
+    const double distance = coin_priv_hypot(at.z, at.x);
     if (distance < o->radius_min)
         o->radius_min = distance;
     if (distance > o->radius_max)
         o->radius_max = distance;
 }
 
-/* Widens the annulus to the points of a piece from one time, where it is as
- * `seen`, to another.  An extreme is where the rate changes its sign; it is
+/* Widens the annulus to the points of a piece from one time, where it is
+ * at `begin`, to another.  An extreme is where the rate changes its sign; it is
  * found by the secant with halved weights (Illinois). */
-static struct sight look_along(coin_orbit *o, int piece, double from,
-                               struct sight seen, double to, double center)
+static struct place widen_along(coin_orbit *o, int piece, double from,
+                                struct place begin, double to, double center)
 {
-    const struct sight end = look(o, piece, to, center);
-    double low = from, high = to, at_low = seen.rate, at_high = end.rate;
+    const struct place end = place_at(o, piece, to, center);
+    double low = from, high = to, at_low = begin.rate, at_high = end.rate;
     for (int i = 0; i < 8 && at_low * at_high < 0; ++i) {
         const double mid = (low * at_high - high * at_low) / (at_high - at_low);
-        const struct sight middle = look(o, piece, mid, center);
+        const struct place middle = place_at(o, piece, mid, center);
         widen(o, middle);
         if (middle.rate * at_high > 0) {
             at_low /= 2;
@@ -189,16 +189,16 @@ static void set_annulus(const coin_priv_half_period *h, double center,
     const double begin = (end > 0 ? edge[1] : half) / 1024;
     const double stop = half - (half - edge[end]) / 1024;
     const int first = coin_priv_piece(0, h->back, h->count);
-    struct sight seen = look(o, first, begin - t[first], center);
+    struct place place = place_at(o, first, begin - t[first], center);
     o->radius_min = o->radius_max = fabs(center);
-    widen(o, look(o, last, half - t[last], center));
+    widen(o, place_at(o, last, half - t[last], center));
     for (int rank = 0; rank <= end; ++rank) {
         const int n = coin_priv_piece(rank, h->back, h->count);
         const double from = (rank > 0 ? edge[rank] : begin) - t[n];
         const double to = (rank < end ? edge[rank + 1] : stop) - t[n];
-        for (int k = 0; k < LOOKS; ++k)
-            seen = look_along(o, n, from + (to - from) * k / LOOKS, seen,
-                              from + (to - from) * (k + 1) / LOOKS, center);
+        for (int k = 0; k < PARTS; ++k)
+            place = widen_along(o, n, from + (to - from) * k / PARTS, place,
+                                from + (to - from) * (k + 1) / PARTS, center);
     }
 }
 
@@ -278,8 +278,7 @@ static double conditioning_of(const coin_priv_half_period *h, double half)
                       2 * law->GJ * OF(A.th, 0); /* (23) */
     const double at_A = fabs(coin_priv_point_fall(law, &A));
     const double at_B = fabs(coin_priv_point_fall(law, &B));
-    const double larger = at_A > at_B ? at_A : at_B;
-    const double s = larger < w2 ? larger : w2;
+    const double s = coin_priv_lesser(coin_priv_larger(at_A, at_B), w2);
     const double k = 2 * COIN_PRIV_HALF_PI / half;
     double sum = 0;
     for (int rank = 0; rank < h->count; ++rank) {

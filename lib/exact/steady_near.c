@@ -21,11 +21,11 @@ struct place {
 #define LONG_STEP 0.04
 #define SHORT_STEP 0.0005
 
-/* Nearer to flat than this no steady motion is looked for: there the
+/* Nearer to flat than this no steady motion is searched for: there the
  * rounding of theta changes the terms of (39) by nearly the 1e-9 of STEADY. */
 #define FLAT 1e-6
 
-static void look(struct place *o, const coin_priv_body *b)
+static void evaluate(struct place *o, const coin_priv_body *b)
 {
     const double wY = o->wY = o->p / o->at.c, wZ = o->wZ;
     const double tth = o->at.s / o->at.c;
@@ -59,7 +59,7 @@ static void move(struct place *o, const coin_priv_body *b, double theta)
                              o->at.c * o->at.c, e); /* (34) */
     o->theta = theta;
     o->at = coin_priv_sincos(theta);
-    look(o, b);
+    evaluate(o, b);
 }
 
 /* Moves *o to the extremum between it and end, where `fall` has the other sign:
@@ -147,7 +147,7 @@ static void balance(struct place *o, const coin_priv_body *b)
             return;
         o->p += o->fall / slope * (by_wY / slope) * o->at.c;
         o->wZ += o->fall / slope * (by_wZ / slope);
-        look(o, b);
+        evaluate(o, b);
     }
 }
 
@@ -156,7 +156,7 @@ int32_t coin_priv_steady_near(const coin_state *s, const coin_priv_body *b,
 {
     const coin_priv_sc at = coin_priv_sincos(s->theta);
     struct place o = {s->theta, at, s->wY * at.c, s->wY, s->wZ, 0, 0};
-    look(&o, b);
+    evaluate(&o, b);
     if (!nearest(&o, b, most))
         return COIN_EDOMAIN;
     balance(&o, b);

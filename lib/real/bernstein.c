@@ -187,17 +187,17 @@ static double zero(const double *b, int degree)
  * is cut unless it has at most one zero, which lies before its end. */
 double coin_priv_rise(const double *b, int degree, double from)
 {
-    double pile[HALVINGS + 1][MOST + 1], widths[HALVINGS + 1] = {1}, at = 0;
+    double stack[HALVINGS + 1][MOST + 1], widths[HALVINGS + 1] = {1}, at = 0;
     int before = -1;
     for (int k = 0; k <= degree; ++k)
-        pile[0][k] = b[k];
+        stack[0][k] = b[k];
     for (int top = 0; top >= 0;) {
-        double *const now = pile[top], width = widths[top];
+        double *const now = stack[top], width = widths[top];
         const struct signs of = signs_of(now, degree);
         const int is_open = of.changes > (now[degree] != 0);
         if (is_open && top < HALVINGS && at + width > from) {
             widths[top] = widths[top + 1] = width / 2;
-            coin_priv_cut(pile[++top], now, degree);
+            coin_priv_cut(stack[++top], now, degree);
             continue;
         }
         double place = -2;

@@ -5,7 +5,7 @@
 
 /* At a shorter stride the error of the interpolation counts as 0: it is below
  * COIN_PRIV_MISS stride^6 = 6e-21.  Nor are the slopes of the clearance at the
- * ends looked at: they would be differences of its rounding. */
+ * ends read: they would be differences of its rounding. */
 #define SHORT 1e-3
 
 /* A second derivative is the difference of the slopes at two points: this part
@@ -35,23 +35,23 @@ struct end {
         dd[COIN_PRIV_SLIP_SIZE];
 };
 
-static void end_of(struct end *e, const coin_priv_look *look,
+static void end_of(struct end *e, const coin_priv_tested_step *step,
                    const coin_priv_slip *at)
 {
     const double *y = (const double *)at;
     double to[COIN_PRIV_SLIP_SIZE], back[COIN_PRIV_SLIP_SIZE];
-    look->slopes(e->d, y, look->contact);
+    step->slopes(e->d, y, step->contact);
     for (int i = 0; i < COIN_PRIV_SLIP_SIZE; ++i) {
         e->y[i] = y[i];
-        e->d[i] *= look->h;
+        e->d[i] *= step->h;
         to[i] = y[i] + NEAR * e->d[i];
         back[i] = y[i] - NEAR * e->d[i];
     }
     double d1[COIN_PRIV_SLIP_SIZE], d0[COIN_PRIV_SLIP_SIZE];
-    look->slopes(d1, to, look->contact);
-    look->slopes(d0, back, look->contact);
+    step->slopes(d1, to, step->contact);
+    step->slopes(d0, back, step->contact);
     for (int i = 0; i < MOVED; ++i)
-        e->dd[i] = look->h * (d1[i] - d0[i]) / (2 * NEAR);
+        e->dd[i] = step->h * (d1[i] - d0[i]) / (2 * NEAR);
 }
 
 /* Hermite's polynomial of degree 5. */
@@ -108,28 +108,29 @@ static double least_beside(double m0, double m1, const double *m, int k)
 }
 
 /* The clearance a part x of the step on. */
-static double clearance_between(const coin_priv_look *look, const struct end *a,
-                                const struct end *b, double x)
+static double clearance_between(const coin_priv_tested_step *step,
+                                const struct end *a, const struct end *b,
+                                double x)
 {
     coin_priv_slip at;
     between(&at, a, b, x);
-    return coin_priv_clearance(look->contact, &at,
-                               look->slopes == coin_priv_slip_slopes);
+    return coin_priv_clearance(step->contact, &at,
+                               step->slopes == coin_priv_slip_slopes);
 }
 
-double coin_priv_cone_left_at(const coin_priv_look *look)
+double coin_priv_cone_left_at(const coin_priv_tested_step *step)
 {
     struct end a, b;
-    const double s2 = look->stride * look->stride;
-    const int closely = look->contact->mu_static > 0 && look->stride > SHORT;
+    const double s2 = step->stride * step->stride;
+    const int closely = step->contact->mu_static > 0 && step->stride > SHORT;
     const double miss = closely ? COIN_PRIV_MISS * s2 * s2 * s2 : 0;
     const double places = PLACES, edge = EDGE / places;
     double m[PLACES + 1];
-    end_of(&a, look, look->from);
-    end_of(&b, look, look->to);
+    end_of(&a, step, step->from);
+    end_of(&b, step, step->to);
     for (int k = 0; k <= PLACES; ++k)
-        m[k] = clearance_between(look, &a, &b, k / places);
-    if (closely && least_beside(m[0], clearance_between(look, &a, &b, edge), m,
+        m[k] = clearance_between(step, &a, &b, k / places);
+    if (closely && least_beside(m[0], clearance_between(step, &a, &b, edge), m,
                                 1) < (m[0] < miss ? 0 : miss))
         return 0.5;
     for (int k = 1; k < PLACES; ++k) {
@@ -138,7 +139,7 @@ double coin_priv_cone_left_at(const coin_priv_look *look)
         if (least(m, k) < miss)
             return 0.5;
     }
-    const double last = clearance_between(look, &a, &b, 1 - edge);
+    const double last = clearance_between(step, &a, &b, 1 - edge);
     if (closely && m[PLACES] >= 0 &&
         least_beside(m[PLACES], last, m, PLACES - 1) <
             (m[PLACES] < miss ? 0 : miss))

@@ -22,14 +22,14 @@
 #define COIN_PRIV_MISS3 0.08
 #define COIN_PRIV_MISS4 0.008
 
-/* A step to be looked at. */
-typedef struct coin_priv_look {
+/* A step to be tested. */
+typedef struct coin_priv_tested_step {
     const coin_priv_contact *contact;
     coin_priv_right_hand_side *slopes; /* of the step */
     const coin_priv_slip *from, *to;
     double h;      /* its length */
     double stride; /* h over the time in which the motion changes */
-} coin_priv_look;
+} coin_priv_tested_step;
 
 /* The clearance: how far the force is within the cone of friction.  Of a coin
  * that rolls it is the margin of the force that rolling needs, of one that
@@ -43,7 +43,7 @@ double coin_priv_clearance(const coin_priv_contact *contact,
  * positive before.  Returns 0.5 if neither is known: the caller then tries half
  * of the step.  Between the ends the motion is Hermite's polynomial of degree
  * 5. */
-double coin_priv_cone_left_at(const coin_priv_look *look);
+double coin_priv_cone_left_at(const coin_priv_tested_step *step);
 
 /* The force that a rolling coin needs, over M a and times cos theta: along e_y,
  * e_X and e_h.  size: the scale by which forces are compared. */

@@ -42,15 +42,15 @@ COIN_PRIV_INLINE int is_within(const coin_priv_curve *w, int degree)
 }
 
 /* Whether it is certain that the whole curve lies in the cone.  The parts still
- * to be looked at lie in a pile, the next one on top. */
-COIN_PRIV_INLINE int stays_within(coin_priv_curve pile[CUTS + 1], int terms)
+ * to be tested are in a stack, the next one on top. */
+COIN_PRIV_INLINE int stays_within(coin_priv_curve stack[CUTS + 1], int terms)
 {
     const int degree = COIN_PRIV_DEGREE(terms);
     int cuts[CUTS + 1] = {0};
     size_t parts = 1;
     while (parts > 0) {
         const size_t top = parts - 1;
-        coin_priv_curve *const now = &pile[top], *const half = &pile[parts];
+        coin_priv_curve *const now = &stack[top], *const half = &stack[parts];
         if (is_within(now, degree)) {
             parts = top;
             continue;
@@ -102,16 +102,16 @@ static int end_is_in_cone(const coin_priv_search *f, const coin_priv_force *at,
 static int force_stays(const coin_priv_search *f, const coin_priv_force *at,
                        double h, double off)
 {
-    coin_priv_curve pile[CUTS + 1], *const c = pile;
+    coin_priv_curve stack[CUTS + 1], *const c = stack;
     const int terms = at->terms;
     coin_priv_join(c->X, at->X, h, f->per_F, terms);
     coin_priv_join(c->h, at->h, h, f->per_F, terms);
     coin_priv_join(c->bound, at->normal, h, f->per_N, terms);
     for (int k = 0; k <= COIN_PRIV_DEGREE(terms); ++k)
         c->bound[k] -= off;
-    return terms == FEW    ? stays_within(pile, FEW)
-           : terms == SOME ? stays_within(pile, SOME)
-                           : stays_within(pile, ALL);
+    return terms == FEW    ? stays_within(stack, FEW)
+           : terms == SOME ? stays_within(stack, SOME)
+                           : stays_within(stack, ALL);
 }
 
 static int is_above(const double *b, double least, int degree)

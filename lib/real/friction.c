@@ -34,10 +34,10 @@ int32_t coin_priv_contact_of(coin_priv_contact *out, const coin_params *p,
 {
     if (coin_priv_check_body(&out->b, p) != COIN_OK)
         return COIN_EPARAMS;
-    coin_priv_body loose = out->b;
-    loose.K = loose.IZ;
-    if (l &&
-        (l->damping > 0 || coin_priv_losses_of(&out->l, l, &loose) != COIN_OK))
+    coin_priv_body slipping = out->b;
+    slipping.K = slipping.IZ;
+    if (l && (l->damping > 0 ||
+              coin_priv_losses_of(&out->l, l, &slipping) != COIN_OK))
         return COIN_EPARAMS;
     if (!l)
         out->l.solid = out->l.fluid = out->l.spin = 0; /* nothing else is read

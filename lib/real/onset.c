@@ -8,13 +8,14 @@
 /* A slip begins at once if its slope is at least QUICK times friction, and if
  * it gains COIN_PRIV_SLIP_SEED within the usual wait of coin_priv_begin_slip().
  * A slower slip would grow by many short steps.  It waits instead.  The error
- * of the wait is kept below tol and below LOOSEST.
+ * of the wait is kept below tol and below LARGEST_TOL.
  *
  * Measured on 3900 random slides.  Any QUICK from 0.25 to 2 gives the same
- * number of steps.  0, no wait for speed, gives 2 to 7 % more.  Without LOOSEST
- * the errors at tol = 1e-4 are a fifth larger, for 0.5 % fewer steps. */
+ * number of steps.  0, no wait for speed, gives 2 to 7 % more.  Without
+ * LARGEST_TOL the errors at tol = 1e-4 are a fifth larger, for 0.5 % fewer
+ * steps. */
 #define QUICK 0.5
-#define LOOSEST 5e-5
+#define LARGEST_TOL 5e-5
 
 /* How a slip would begin here: its direction, its slope, the friction, and the
  * slopes of the coin if it slips and if it rolls, in the units of contact.h. */
@@ -147,7 +148,7 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     const coin_priv_slip start = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
     const double seed = COIN_PRIV_SLIP_SEED * g->contact.w0;
     const double r4 = sqrt(sqrt(g->tol));
-    const double tol = coin_priv_lesser(g->tol, LOOSEST);
+    const double tol = coin_priv_lesser(g->tol, LARGEST_TOL);
     const double unit = coin_priv_lesser(1 / coin_priv_roll_rate(g),
                                          1 / coin_priv_slip_rate(g));
     /* The usual wait is 2 tol^(3/8) of the time in which the motion changes. */

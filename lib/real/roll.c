@@ -218,11 +218,11 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
     const double before = coin_priv_clearance(&g->contact, &from, 0);
     for (int whole = 1;; whole = 0) {
         const coin_priv_slip to = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
-        const coin_priv_look look = {
+        const coin_priv_tested_step tested = {
             &g->contact, coin_priv_roll_slopes, &from, &to,
             tau,         fabs(tau) * rate,
         };
-        const double part = coin_priv_cone_left_at(&look);
+        const double part = coin_priv_cone_left_at(&tested);
         if (part < 1) {
             tau *= fabs(part);
             coin_priv_again(g, tau);

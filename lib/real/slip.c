@@ -278,10 +278,10 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
                    *h))
         return status;
     for (;;) {
-        const coin_priv_look look = {
+        const coin_priv_tested_step tested = {
             &g->contact, coin_priv_slip_slopes, &from, &r->to, *h, *h * rate,
         };
-        const double part = coin_priv_cone_left_at(&look);
+        const double part = coin_priv_cone_left_at(&tested);
         if (part < 1) {
             *h *= fabs(part);
             *r = attempt(g, *h);

@@ -48,7 +48,7 @@ OTHER_FORMS = {
     "settle.c put": "test_rest",
     "stability.c coin_priv_stability": "test_stability",
     "steady_at.c coin_priv_steady_rates": "test_steady_at",
-    "steady_near.c look": "test_steady_near",
+    "steady_near.c evaluate": "test_steady_near",
     "step.t.h left_out": "test_float_run",
     "step.t.h slope_at": "test_float_run",
     "symplectic.c drift": "test_symplectic",
