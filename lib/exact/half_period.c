@@ -8,20 +8,23 @@
 
 #define OF COIN_PRIV_OF
 
-/* The largest value of a series' last terms within its reach. */
+/* The largest value of a series' last terms within its reach.  A tenth needs 8
+ * % more pieces for the same errors.  With 100 times as much the errors of 500
+ * random orbits double, for 13 % fewer pieces (make tuning). */
 #define LEFT_OUT 1e-17
 
 /* The longest reach of a series, times the rate W of W2_of().  A swing takes at
  * least pi/2 over W.  With little spin, a series of a longer reach would lead
- * past the table. */
+ * past the table.  Half of it adds 0.5 % to the pieces (make tuning). */
 #define LONGEST 1.2
 
 /* A series may be used up to this many times its reach: its error is then
- * 1.05^28 times as large. */
+ * 1.05^28 = 3.9 times as large.  With 1.01 or 1.2 the pieces and errors are the
+ * same within 1 % (make tuning). */
 #define BEYOND 1.05
 
 /* A motion whose W exceeds that of the start by this factor is not followed:
- * powers of its rates would overflow. */
+ * powers of its rates up to COIN_PRIV_ORDER would overflow. */
 #define FASTEST 1e8
 
 static double wX_of(const coin_priv_point *p)
@@ -63,7 +66,7 @@ static double reach_of(const coin_priv_half_period *h,
             last = coin_priv_larger(last, fabs(OF(row, 1)));
         }
     const double longest = LONGEST / sqrt(W2_of(h, p));
-    /* A limit that keeps its power from overflowing. */
+    /* A limit that keeps its power, 1e280 at most, from overflowing. */
     const double most = longest < 1e10 ? longest : 1e10;
     double power = 1;
     for (int k = 0; k < COIN_PRIV_ORDER; ++k)

@@ -11,7 +11,9 @@
 #define CLEAR 1e-12
 
 /* A step of more strides than this is cut in two halves if it cannot be judged
- * as a whole. */
+ * as a whole.  Only the cost depends on it: a half of a short step costs as
+ * much as cone.c, which decides then.  With half or twice of it random slides
+ * take the same number of steps (make tuning). */
 #define HALVED 0.5
 
 /* Calls coin_priv_surely_in_cone() for both halves of the step just made.

@@ -5,7 +5,10 @@
 
 #include "losses.h"
 
-/* The softening rate that 0 stands for, in natural units. */
+/* The softening rate that 0 stands for, in natural units, as coin.h says.  The
+ * softening shifts the motion by its square.  For a disc that rests after 400
+ * units of dry friction, this one shifts the time of rest by 8e-8 of it, half
+ * by 2e-8 for 3 % more steps, twice by 3e-7 for 2 % fewer. */
 #define SOFT K(1.0 / 1024)
 
 int PRIV(lossless)(const COIN(losses) * l)

@@ -56,16 +56,14 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
 #include "lossy.h"
 
 /* The part of the friction's rate that is added to the coin's own: a step of
- * the longest stride in control.h is then 4 of its relaxation times; the method
- * is stable up to 6. */
+ * the longest stride in control.h is then LONGEST_STRIDE/FRICTION = 4 of its
+ * relaxation times; the method is stable up to 6.  With half of it one call in
+ * 20 takes more steps than are allowed.  Twice takes 1.8 times as many steps
+ * for the same errors (make tuning). */
 #define FRICTION 0.3
 
-/* A step may cover this part of the way to the point where the contact turns
- * round. */
-#define TURN_ROUND 0.5
-
-/* If that point is 1/FAR natural units of tau away or more, it does not limit a
- * step. */
+/* If the point where the contact turns round is 1/FAR natural units of tau away
+ * or more, it does not limit a step. */
 #define FAR 1e-30
 
 /* The coin's own rate in tau, over which coin_advance() measures its steps. */
@@ -120,7 +118,7 @@ double coin_priv_lossy_bound(const coin_priv_lossy *w, double error)
     if (!(du > FAR * w0 * (w0 + fabs(u))))
         return (double)INFINITY;
     const double least = zone(w, du, error);
-    return TURN_ROUND * sqrt(u * u + least * least) / du;
+    return COIN_PRIV_TURN_ROUND * sqrt(u * u + least * least) / du;
 }
 
 void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,

@@ -9,27 +9,23 @@
 /* The rate that measures a step is that of the motion, plus RELAX times three
  * more: those at which the direction of the slip settles, at which losses slow
  * the coin, and at which the slip velocity changes, relative to it.  The
- * longest step is then 5 times what the direction needs to settle, and the
- * method is stable up to 6. */
+ * longest step is then LONGEST_STRIDE/RELAX = 5 times what the direction needs
+ * to settle; the method is stable up to 6.  At tol = 1e-4 half or twice RELAX
+ * takes 17 % more steps (make tuning). */
 #define RELAX 0.24
 
-/* A step goes at most this part of the way to where d(psi)/dt changes sign. */
-#define TURN_ROUND 0.5
-
-/* The largest relative error of the slip velocity.  It counts because friction
- * acts against the direction of that velocity.  It limits steps at tol = 1e-3
- * and above.  With 0.1 the worst hundredth of random slides err by 1.4 tol at
- * tol = 1e-2, with this value by 0.4 tol, with 0.001 by 0.2 tol for 9 % more
- * steps. */
+/* The largest relative error of the slip velocity, which friction follows.  It
+ * limits steps at tol = 1e-3 and above.  At tol = 1e-2 the worst hundredth of
+ * random slides err by 0.4 tol; with 0.1 by 1.4 tol, with 0.001 by 0.2 tol for
+ * 9 % more steps. */
 #define SLIP_ERROR 1e-2
 
 /* A slip is taken as a straight line for at most STRAIGHT sqrt(tol) of the time
- * in which the motion changes, and for at most the time in which the slip
- * velocity changes by as many parts of sqrt(g a).  The error of the line is
- * proportional to the square of that part: about tol/32.  For large tol the
- * part is MOST_STRAIGHT.  Measured at tol = 1e-2: without this limit the median
- * error is 20 times as large and 9 % of the steps are saved; a tenth of it
- * costs 8 % more steps. */
+ * in which the motion changes, or in which the slip velocity changes by
+ * sqrt(g a).  The error of the line is half the square of that part: tol/32.
+ * For large tol the part is MOST_STRAIGHT.  At tol = 1e-2 the median error
+ * without it is 20 times as large, for 9 % fewer steps; a tenth of it takes 8 %
+ * more. */
 #define STRAIGHT 0.25
 #define MOST_STRAIGHT 0.003
 
@@ -97,16 +93,16 @@ static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
     const double droll =
         fabs(y->cth * d->wZ + y->sth * d->wY + d->cth * y->wZ + d->sth * y->wY);
     const double soft = l->soft2 * y->cth * y->cth;
-    const double way = TURN_ROUND * sqrt(roll * roll + soft);
+    const double way = COIN_PRIV_TURN_ROUND * sqrt(roll * roll + soft);
     return way /
            (droll + 1e-30 * g->contact.w0 * way); /* nothing divides by 0 */
 }
 
-/* A guess of the error of a step h, which is proportional to h^9, as by3^(9/8)
- * is: by3 is the square of a difference that is proportional to h^4.  size is
- * that of the variables, or of their change in the step if that is less and
- * more than rounding.  The guess is needed because the estimate may pass
- * through 0 as h grows, where the error does not. */
+/* A guess of the error of a step h: the estimate may pass through 0 as h grows,
+ * where the error does not.  It is proportional to h^9, as by3^(9/8) is: by3 is
+ * the square of a difference proportional to h^4.  size is that of the
+ * variables, or of their change in the step plus 1000 times rounding if that is
+ * less: with 1 for 1000 fast slips take many steps (test_slide_calls). */
 static double usual_error(double by3, double size)
 {
     const double part = coin_priv_lesser(sqrt(by3) / size, 1);
@@ -148,13 +144,13 @@ static struct tried attempt(coin_priv_sliding *g, double h)
     const double most = coin_priv_allowed(&g->w.run, g->tol, r.to.t) + rounding;
     const double estimate = coin_priv_error_of(by5, by3);
     const double usual = usual_error(by3, coin_priv_lesser(moved, size));
-    const double of_all = (estimate > usual ? estimate : usual) / most;
+    const double of_all = coin_priv_larger(estimate, usual) / most;
     const double of_slip =
         coin_priv_error_of(slip5, slip3) * w0 / (SLIP_ERROR * speed(&from));
-    r.error = of_all > of_slip ? of_all : of_slip;
     const int above = g->contact.psi_held | (r.to.cth > 0);
     const int finite = by5 + by3 <= DBL_MAX;
-    r.error = (above & finite & (r.to.t >= 0)) ? r.error : (double)INFINITY;
+    const int good = above & finite & (r.to.t >= 0);
+    r.error = good ? coin_priv_larger(of_all, of_slip) : (double)INFINITY;
     return r;
 }
 
@@ -187,7 +183,8 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
         const struct tried r = attempt(g, *h);
         const double used = *h * rate;
         const int done = r.error <= 1;
-        g->slip_stride = coin_priv_next_stride(g->slip_stride, used, r.error);
+        g->slip_stride =
+            coin_priv_next_stride(g->slip_stride, used, r.error, 1);
         if (done)
             return r;
     }
@@ -196,7 +193,8 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
 /* Whether the normal force is surely positive all along a step h of a slip no
  * faster than u.  `from` and `to` are the clearances at its ends.  Between them
  * the clearance may dip by an eighth of its second derivative: 0.25 moved^2
- * allows for one of 2 moved^2. */
+ * allows for one of 2 moved^2.  A clearance that changes much is tested too: 2
+ * or 8 for 4 only changes how many steps are tested (make tuning). */
 static int is_pressed(const coin_priv_sliding *g, double from, double to,
                       double u, double h)
 {
@@ -272,8 +270,7 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
         status = COIN_OK;
     }
     const double before = coin_priv_clearance(&g->contact, &from, 1);
-    const double u =
-        speed(&from) > speed(&r->to) ? speed(&from) : speed(&r->to);
+    const double u = coin_priv_larger(speed(&from), speed(&r->to));
     if (is_pressed(g, before, coin_priv_clearance(&g->contact, &r->to, 1), u,
                    *h))
         return status;
@@ -310,14 +307,14 @@ static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
     return fits;
 }
 
-/* Ends a slip, or makes it ten times as fast, by one straight line, where that
- * is accurate enough.  This is where a slip ends: its velocity becomes 0, and
- * the next step finds out whether the coin rolls, or slips in another direction
- * because rolling would need too much friction.  A slip whose direction turns,
- * or whose contact is held, is ended only below COIN_PRIV_SLIP_LEAST, and only
- * if it turns by less than that until it ends; it is not made faster.  Returns
- * 0 if there is no such line, or if the coin may lift off on it: *to is then of
- * no use, and *g as it was. */
+/* Ends a slip, or makes it ten times as fast (9 u more), by one straight line,
+ * where that is accurate enough.  This is where a slip ends: its velocity
+ * becomes 0, and the next step finds out whether the coin rolls, or slips in
+ * another direction because rolling needs too much friction.  A slip whose
+ * direction turns, or whose contact is held, is ended only below
+ * COIN_PRIV_SLIP_LEAST, and only if it turns by less than that until it ends;
+ * it is not made faster.  Returns 0 if there is no such line, or if the coin
+ * may lift off on it: *to is then of no use, and *g as it was. */
 static int end_or_grow(coin_priv_sliding *g, coin_priv_slip *to,
                        const coin_priv_slip *d)
 {
@@ -328,7 +325,7 @@ static int end_or_grow(coin_priv_sliding *g, coin_priv_slip *to,
     const double scale = coin_priv_slip_scale(&g->contact, u);
     const double rate = scale * (coin_priv_slip_rate(g) + loss_rate(g, to));
     const double slows = fabs(grows) / w0;
-    const double h = part / (rate > slows ? rate : slows);
+    const double h = part / coin_priv_larger(rate, slows);
     const double sideways = to->uX / u * d->uh - to->uh / u * d->uX;
     const int turns = fabs(sideways) > part * fabs(grows);
     const double least = COIN_PRIV_SLIP_LEAST * w0;

@@ -39,6 +39,21 @@ $(REAL_OUT)/slides: $(SRC)/tests/real/slides.c $(TEST_EXTRA) $(LIB_A) | $(REAL_O
 	$(CC_TEST) $(CMOCKA) -D_POSIX_C_SOURCE=200809L -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) \
 	    $(TEST_EXTRA) $(LIB_A) $(CMOCKA_LIBS) -lm
 
+# The functions that tuning counts.
+TUNED = coin_priv_dopri8 coin_priv_lossy_try coin_priv_extrapolate \
+        coin_priv_cone_left_at coin_priv_stretch_know coin_check \
+        coinf_priv_finish_step
+
+.PHONY: tuning
+tuning: $(REAL_OUT)/tuning ## what the tuned numbers of lib/ trade: calls and errors (5 minutes)
+	$< 500
+
+$(REAL_OUT)/tuning: $(SRC)/tests/real/tuning.c $(SRC)/tests/real/tuning_float.c \
+                    $(SRC)/tests/real/tuning.h $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
+	$(CC_TEST) $(CMOCKA) -I$(SRC)/tests -I$(SRC)/lib $(LDFLAGS) \
+	    $(TUNED:%=-Wl,--wrap=%) -o $@ $(filter %.c,$^) $(TEST_EXTRA) $(LIB_A) \
+	    $(CMOCKA_LIBS) -lm
+
 $(REAL_OUT):
 	mkdir -p $@
 

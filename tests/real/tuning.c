@@ -1,0 +1,326 @@
+/* SPDX-License-Identifier: MIT */
+/* What the tuned numbers of lib/ trade: calls and errors over random motions.
+ *     tuning N [WHAT]      N motions of each kind, or of those in WHAT: slips,
+ *                          light, losses, settle, rest, floats, advance, thin,
+ *                          until, max_dt, orbit, falls
+ * Change a number, run it again and compare.  An error is the distance from the
+ * same call with a far smaller tol, over tol and over the time.  So it shows
+ * what a change does; the tests compare with independent references.
+ *
+ * The linker puts a counter before each function that is counted (--wrap). */
+#include "tuning.h"
+
+#include "support/coins.h"
+#include "support/floats.h"
+#include "support/losses.h"
+#include "support/methods.h"
+#include "support/slides.h"
+
+#include "cone.h"
+#include "dopri8.h"
+#include "extrapolation.h"
+#include "lossy.h"
+#include "orbit.h"
+#include "stretch.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+double counted[COUNTED];
+
+static const char *const names[COUNTED] = {
+    "dopri8", "lossy", "extrapolate", "cone", "series", "check", "rk4f",
+};
+
+/* ---------------------------------------------------------------- counters */
+#define COUNT(which, type, back, name, params, args)                           \
+    type __real_##name params;                                                 \
+    type __wrap_##name params;                                                 \
+    type __wrap_##name params                                                  \
+    {                                                                          \
+        ++counted[which];                                                      \
+        back __real_##name args;                                               \
+    }
+COUNT(DOPRI8, void, , coin_priv_dopri8,
+      (double *y, const double *d, coin_priv_right_hand_side *slopes,
+       const void *problem, double h, coin_priv_estimates *error),
+      (y, d, slopes, problem, h, error))
+COUNT(LOSSY, void, , coin_priv_lossy_try,
+      (coin_priv_trial * trial, const coin_priv_lossy *w, double tau),
+      (trial, w, tau))
+COUNT(EXTRAPOLATE, int, return, coin_priv_extrapolate,
+      (coin_priv_run * r, double tau), (r, tau))
+COUNT(CONE, double, return, coin_priv_cone_left_at,
+      (const coin_priv_tested_step *step), (step))
+COUNT(SERIES, void, , coin_priv_stretch_know,
+      (coin_priv_stretch * w, int terms), (w, terms))
+COUNT(CHECK, int32_t, return, coin_check,
+      (const coin_state *s, const coin_params *p, int32_t method, double dt,
+       double mu),
+      (s, p, method, dt, mu))
+
+/* ----------------------------------------------------------------- reports */
+/* The errors of one kind of motion, and how many calls ended otherwise than
+ * those of a small tol. */
+struct errors {
+    int n, other;
+    double *at;
+};
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double part(const struct errors *e, int percent)
+{
+    return e->n > 0 ? e->at[(e->n - 1) * percent / 100] : 0;
+}
+
+static void report(const char *what, double tol, struct errors *e)
+{
+    qsort(e->at, (size_t)e->n, sizeof *e->at, ascending);
+    printf("%-8s %-6g %5d", what, tol, e->n);
+    printf("  other %d  median %.2g, 90 %% %.2g, 99 %% %.2g, most %.2g ",
+           e->other, part(e, 50), part(e, 90), part(e, 99), part(e, 100));
+    for (int i = 0; i < COUNTED; ++i)
+        if (counted[i] > 0)
+            printf("  %s %.0f", names[i], counted[i]);
+    printf("\n");
+    memset(counted, 0, sizeof counted);
+    e->n = e->other = 0;
+}
+
+/* Adds an error if both calls ended alike, and forgets what was counted since
+ * `before`: the calls of a small tol. */
+static void note(struct errors *e, const double *before, int32_t status,
+                 int32_t wanted, double error)
+{
+    memcpy(counted, before, sizeof counted);
+    if (status == wanted && status >= 0)
+        e->at[e->n++] = error;
+    e->other += status != wanted;
+}
+
+/* A disc, or a ring, in natural units. */
+static coin_params body(struct random *r, int i)
+{
+    coin_params p;
+    coin_params_ring(&p, 1, 1, i % 2 ? 0 : random_between(r, 0, 1), 1);
+    return p;
+}
+
+/* ----------------------------------------------------------------- motions */
+enum { SLIPS, LIGHT, LOSSES };
+
+/* Coins that slip, for 3 units. */
+static void slips(struct errors *e, int n, int kind, double tol)
+{
+    static const char *const kinds[] = {"slips", "light", "losses"};
+    struct random r = random_begin(7);
+    for (int i = 0; i < n; ++i) {
+        coin_params p = body(&r, i);
+        double before[COUNTED], a = 0, b = 0;
+        if (kind == LIGHT) {
+            const double IX = 0.5 * pow(10, random_between(&r, -5, 0));
+            coin_params_body(&p, 1, 1, 1, IX,
+                             2 * IX * random_between(&r, 0.01, 1));
+        }
+        coin_losses l = random_losses(&r, &p, 0.3);
+        l.damping = 0;
+        const coin_losses *const of = kind == LOSSES ? &l : NULL;
+        const double mu = random_between(&r, 0.05, 0.6);
+        const coin_friction f = {mu, mu * random_between(&r, 0.5, 1)};
+        coin_slide d = random_launch(&r, &p), small = d;
+        const int32_t status = coin_slide_advance(&d, &p, &f, of, 3, tol, &a);
+        memcpy(before, counted, sizeof before);
+        const int32_t wanted =
+            coin_slide_advance(&small, &p, &f, of, 3, 1e-12, &b);
+        note(e, before, status, wanted,
+             (slides_apart(&d, &small, &p) + fabs(a - b)) / (3 * tol));
+    }
+    report(kinds[kind], tol, e);
+}
+
+/* Coins with losses, for 5 units or to rest. */
+static void settles(struct errors *e, int n, double t, double tol)
+{
+    struct random r = random_begin(8);
+    for (int i = 0; i < n; ++i) {
+        const coin_params p = body(&r, i);
+        const coin_losses l = random_losses(&r, &p, 0.3);
+        coin_state s = random_state(&r, &p, 1.4), small = s;
+        double before[COUNTED], a = 0, b = 0;
+        const int32_t status = coin_settle(&s, &p, &l, t, tol, &a);
+        memcpy(before, counted, sizeof before);
+        const int32_t wanted = coin_settle(&small, &p, &l, t, 1e-12, &b);
+        const double late = fabs(a - b) / fmax(b, 1);
+        note(e, before, status, wanted,
+             (wanted == COIN_OK ? states_apart(&s, &small, &p) / t : late) /
+                 tol);
+    }
+    report(t > 5 ? "rest" : "settle", tol, e);
+}
+
+static void floats(struct errors *e, int n, float tol)
+{
+    struct random r = random_begin(9);
+    for (int i = 0; i < n; ++i) {
+        const coin_params p = body(&r, i);
+        const coin_losses l = random_losses(&r, &p, 0.3);
+        coin_state s = random_state(&r, &p, 1.4);
+        const coinf_params pf = floats_params(&p);
+        const coinf_losses lf = floats_losses(&l);
+        coinf_state f = floats_state(&s);
+        double before[COUNTED], b = 0;
+        float a = 0;
+        const int32_t status = coinf_settle(&f, &pf, &lf, 1000, tol, &a);
+        memcpy(before, counted, sizeof before);
+        const int32_t wanted = coin_settle(&s, &p, &l, 1000, 1e-10, &b);
+        note(e, before, status, wanted,
+             fabs((double)a - b) / fmax(b, 1) / (double)tol);
+    }
+    report("floats", (double)tol, e);
+}
+
+static void advances(struct errors *e, int n, int thin, double tol)
+{
+    struct random r = random_begin(10);
+    for (int i = 0; i < n; ++i) {
+        coin_params p = body(&r, i);
+        double before[COUNTED];
+        if (thin)
+            coin_params_body(&p, 1, 1, 1, 0.25,
+                             0.5 * pow(10, random_between(&r, -6, 0)));
+        coin_state s = random_state(&r, &p, 1.4), small = s;
+        const int32_t status = coin_advance(&s, &p, 10, tol, NULL);
+        memcpy(before, counted, sizeof before);
+        const int32_t wanted = coin_advance(&small, &p, 10, 1e-13, NULL);
+        note(e, before, status, wanted,
+             states_apart(&s, &small, &p) / (10 * tol));
+    }
+    report(thin ? "thin" : "advance", tol, e);
+}
+
+static void untils(struct errors *e, int n, double tol)
+{
+    const int32_t bits = COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT;
+    struct random r = random_begin(12);
+    for (int i = 0; i < n; ++i) {
+        const coin_params p = body(&r, i);
+        coin_state s = random_state(&r, &p, 1), small = s;
+        const double mu = random_between(&r, 0.1, 1);
+        double before[COUNTED], a = 0, b = 0;
+        const int32_t status =
+            coin_advance_until(&s, &p, 10, tol, mu, bits, &a);
+        memcpy(before, counted, sizeof before);
+        const int32_t wanted =
+            coin_advance_until(&small, &p, 10, 1e-12, mu, bits, &b);
+        note(e, before, status, wanted, fabs(a - b) / tol);
+    }
+    report("until", tol, e);
+}
+
+/* Runs of 10 units by the dt that coin_max_dt() gives. */
+static void max_dts(struct errors *e, int n, int32_t method, double tol)
+{
+    struct random r = random_begin(11);
+    double steps = 0;
+    for (int i = 0; i < n; ++i) {
+        const coin_params p = body(&r, i);
+        coin_state s = random_state(&r, &p, 1.4), small = s;
+        const double dt = coin_max_dt(&s, &p, method, tol);
+        double before[COUNTED];
+        if (!(dt > 1e-5)) /* a fall */
+            continue;
+        const uint64_t k = (uint64_t)(10 / dt) + 1;
+        steps += (double)k;
+        const int32_t status =
+            coin_run(&s, &p, method, 10 / (double)k, k, NULL);
+        memcpy(before, counted, sizeof before);
+        const int32_t wanted = coin_advance(&small, &p, 10, 1e-13, NULL);
+        note(e, before, status, wanted,
+             states_apart(&s, &small, &p) / (10 * tol));
+    }
+    printf("steps %.0f: ", steps);
+    report(method == COIN_RK4 ? "rk4" : "rk8", tol, e);
+}
+
+/* Orbits; of coins that start next to flat without falling if `falls`.  The
+ * errors of the others are in units of 1e-13 per unit. */
+static void orbits(struct errors *e, int n, int falls)
+{
+    static coin_orbit o;
+    struct random r = random_begin(13);
+    double pieces = 0, most = 0;
+    int refused = 0;
+    for (int i = 0; i < n; ++i) {
+        const coin_params p = body(&r, i);
+        coin_state s = random_state(&r, &p, 1.4), at = s, small = s;
+        if (falls) {
+            s.theta = COIN_PRIV_HALF_PI - pow(10, random_between(&r, -7, -3));
+            s.wX = 0;
+            s.wY = 1e-7 * random_between(&r, -1, 1);
+        }
+        if (coin_orbit_init(&o, &s, &p) != COIN_OK) {
+            ++refused;
+            continue;
+        }
+        pieces += o.private_frame[COIN_PRIV_COUNT];
+        most = fmax(most, o.private_frame[COIN_PRIV_COUNT]);
+        if (falls)
+            continue;
+        coin_orbit_at(&o, 10, &at);
+        const int32_t wanted = coin_advance(&small, &p, 10, 1e-13, NULL);
+        note(e, counted, COIN_OK, wanted,
+             states_apart(&at, &small, &p) / 1e-12);
+    }
+    memset(counted, 0, sizeof counted);
+    printf("refused %d, pieces %.0f, at most %.0f: ", refused, pieces, most);
+    report(falls ? "falls" : "orbit", 1e-13, e);
+}
+
+int main(int argc, char **argv)
+{
+    const int n = argc > 1 ? atoi(argv[1]) : 500;
+    const char *const what = argc > 2 ? argv[2] : "all";
+    struct errors e = {0, 0, calloc((size_t)n + 1, sizeof(double))};
+    if (!e.at || n < 1)
+        return 1;
+#define IS(name) (strcmp(what, "all") == 0 || strcmp(what, name) == 0)
+    for (int k = 0; k < 3; ++k) {
+        static const double tols[] = {1e-2, 1e-4, 1e-9};
+        const double tol = tols[k];
+        if (IS("slips"))
+            slips(&e, n, SLIPS, tol);
+        if (IS("light"))
+            slips(&e, n, LIGHT, tol);
+        if (IS("losses"))
+            slips(&e, n, LOSSES, tol);
+        if (IS("settle"))
+            settles(&e, n, 5, tol);
+        if (IS("rest"))
+            settles(&e, n, 1000, tol);
+        if (IS("advance"))
+            advances(&e, n, 0, tol);
+        if (IS("thin"))
+            advances(&e, n, 1, tol);
+        if (IS("until"))
+            untils(&e, n, tol);
+        if (IS("floats") && k < 2)
+            floats(&e, n, (float)tol);
+        if (IS("max_dt") && k > 0) {
+            max_dts(&e, n, COIN_RK4, fmax(tol, 1e-8));
+            max_dts(&e, n, COIN_RK8, tol);
+        }
+    }
+    if (IS("orbit"))
+        orbits(&e, n, 0);
+    if (IS("falls"))
+        orbits(&e, n, 1);
+    free(e.at);
+    return 0;
+}
