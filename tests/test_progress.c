@@ -2,6 +2,7 @@
 /* What a run keeps from step to step: pairs, compensated sums, blocks. */
 #include "support/check.h"
 #include "support/coins.h"
+#include "support/fine.h"
 #include "support/methods.h"
 #include "support/random.h"
 
@@ -187,6 +188,37 @@ static void pairs_and_angles_are_one_after_every_step(void **unused)
     check(done > 50000);
 }
 
+/* A coin that spins near the table swings by the force there, which is
+ * proportional to cos theta.  The rounding of theta is a part 1e-16/cos theta
+ * of it: taken anew from theta in every block, cos theta would spoil the rates.
+ * As the sines and cosines are kept, a step rounds cos theta by a part u, which
+ * shifts the phase by half of that times the phase still to come.  Four
+ * standard deviations of the sum of these shifts are allowed. */
+static void near_the_table_the_rounding_of_theta_does_not_reach_the_rates(
+    void **unused)
+{
+    (void)unused;
+    check_long_double();
+    const coin_params p = disc();
+    const uint64_t steps = 100 * COIN_PRIV_BLOCK + 17;
+    struct random r = random_begin(305);
+    for (int i = 0; i < 30; ++i) {
+        const double angle = 4 * pow(10, random_between(&r, -6, -3));
+        const double size = sqrt(angle), W = 2 / size;
+        coin_state s = {.theta = HALF_PI - angle,
+                        .wX = 0.1 * size * random_between(&r, -1, 1),
+                        .wY = 2 * size * random_between(&r, 0.9, 1.1)};
+        const double dt = 0.03 / W, phase = (double)steps * 0.03;
+        struct fine f = fine_begin(&s, &p);
+        check_status(coin_run(&s, &p, COIN_RK8, dt, steps, NULL), COIN_OK);
+        const coin_state want = fine_at(&f, (double)steps * dt);
+        const double bound = 4 * sqrt((double)steps) * phase / 2 * U * size;
+        check_note("%g from flat", angle);
+        check_near(s.wX, want.wX, bound);
+        check_near(s.wY, want.wY, bound);
+    }
+}
+
 /* Next to a steady motion a step changes lean and rates by less than their
  * rounding.  A sum that kept what the others lose would drift: by 1e-11 in a
  * million steps.  What n roundings may come to is u sqrt(n), in a well as soft
@@ -343,6 +375,7 @@ int main(void)
         TEST(small_steps_of_a_large_roll_are_not_lost),
         TEST(a_fast_spin_counts_its_turns),
         TEST(pairs_and_angles_are_one_after_every_step),
+        TEST(near_the_table_the_rounding_of_theta_does_not_reach_the_rates),
         TEST(rounding_does_not_drift_on_a_circle),
         TEST(coarse_turns_are_counted_alike_in_one_run_and_in_many),
         TEST(angles_out_of_range_end_a_run),

@@ -19,7 +19,8 @@
 #define HIGHEST (COIN_PRIV_HALF_PI - 1e-9)
 
 /* If half of the heading gained in a period differs from a multiple of pi by
- * less than this, the difference is rounding, and the path drifts. */
+ * less than this, the difference is rounding, and the path drifts.  Half of it
+ * is as good; with twice it or a hundredth test_orbit fails. */
 #define STRAIGHT 1e-15
 
 /* The number of parts of a piece, in each of which an extreme of the distance
@@ -155,7 +156,8 @@ static void widen(coin_orbit *o, struct place at)
 
 /* Widens the annulus to the points of a piece from one time, where it is
  * at `begin`, to another.  An extreme is where the rate changes its sign; it is
- * found by the secant with halved weights (Illinois). */
+ * found by the secant with halved weights (Illinois).  Four trials give the
+ * radii of test_orbit too; there are 8 to have some to spare. */
 static struct place widen_along(coin_orbit *o, int piece, double from,
                                 struct place begin, double to, double center)
 {
