@@ -801,7 +801,7 @@ COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
  *         E be 4 (A^2 + 1e-14) (1 + |t| W) times the larger of 1 and
  *         W^2/|lambda^2|.  If lambda^2 < 0 and E < 1, the error is below E at
  *         any t in the angles, and below W E in the rates.  In x and z, in
- *         radii, it is below E (1 + W d).  Here d is the smaller of |t| and 1/n,
+ *         radii, it is below E (1 + W d).  d is the smaller of |t| and 1/n,
  *         n is the smaller of |phi'| and ||phi'| - sqrt(-lambda^2)|, and phi'
  *         is the neighbour's (make adversary, test_wobble_far).  So errors grow
  *         as t, and those of x and z as t^2 until t is 1/n: on a straight roll
