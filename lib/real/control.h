@@ -34,8 +34,7 @@
 /* The estimate of the error of a step of DOP853, which is proportional to h^8.
  * by5: the sum of the squares of its differences from a formula of order 5,
  * which are proportional to h^6.  by3: the same for order 3 and h^4.  The
- * factor 0.01 is that of DOP853 (Hairer, Norsett, Wanner): it keeps the
- * estimate finite where by5 is small by chance. */
+ * factor 0.01 is that of DOP853 (Hairer, Norsett, Wanner). */
 COIN_PRIV_INLINE double coin_priv_error_of(double by5, double by3)
 {
     const double sum = by5 + 0.01 * by3;

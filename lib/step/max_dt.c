@@ -140,8 +140,7 @@ static double trial(const struct outlook *o, int32_t method, double dt)
         const uint64_t missing = 3 * block -
                                  coin_priv_run_by(&c, method, block) -
                                  coin_priv_run_by(&d, method, 2 * block);
-        error =
-            coin_priv_larger((double)missing, error); /* a trial that fails */
+        error += (double)missing; /* if a step fails */
         const double t = (double)i * dt * rate;
         error =
             coin_priv_larger(apart(&c, &d) / coin_priv_larger(t, least), error);

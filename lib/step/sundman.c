@@ -6,7 +6,7 @@
 /* The terms are those of Eq. (44), the frequency of the lean.  That of wZ has
  * its weight, k1 K/J.  WEIGHT_Y is measured, so that the error of a step of a
  * given stride depends least on the motion.  Half of it saves 15 % of the steps
- * of coin_advance() for errors 2 to 7 times as large; twice takes 23 % more.
+ * of coin_advance() for errors 2 to 8 times as large; twice takes 23 % more.
  *
  * For bodies with I_Z far below I_X that frequency is low, and slope2, from the
  * slope of wX, Eq. (14), is larger: without it their errors reached 1e5 tol.
