@@ -65,12 +65,12 @@
  * FLOATING POINT.  No function changes the rounding mode or the traps.  A call
  * raises neither division by zero nor invalid nor overflow, unless it returns
  * COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP or NaN.  So these exceptions
- * may be trapped (test_traps).  Three functions are known to break this promise
- * on ordinary arguments: coin_model_needed() where wY = 0, coin_slide_advance()
- * with losses within 1e-3 rad of flat, and coin_quasisteady_at().
- * coin_advance_until(), coin_check(), coin_losses_fit(), coin_settle(),
- * coin_steady_radii() and coin_time_to_rest() break it at some arguments near
- * the ends of the range of doubles.  Inexact and underflow may be raised.
+ * may be trapped (test_traps, make fuzz).  coin_settle(), coin_time_to_rest(),
+ * coin_quasisteady_at(), coin_losses_fit() and coin_slide_advance() promise
+ * this in a range: mass, radius, gravity and moments of inertia from 1e-24 to
+ * 1e24, and rates and velocities up to 1e40 sqrt(g/a) and 1e40 sqrt(g a).
+ * coin_batch_run() does not promise it if a coin of the batch is refused.
+ * Inexact and underflow may be raised.
  * clang keeps this promise only with -ffp-exception-behavior=maytrap, which the
  * Makefile passes: without it clang may evaluate an expression that a branch
  * then discards.
@@ -730,7 +730,8 @@ COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
 
 /** The circles that the centre and the contact point of a steady motion
  * follow.  Eq. (43).
- * @param[out] center   R_G, of the centre of mass; +infinity if wY = 0 [L]
+ * @param[out] center   R_G, of the centre of mass; +infinity if wY = 0, or if
+ *                      R_G is above 1e307, as a length or in radii a [L]
  * @param[out] contact  R_C, of the contact point; likewise [L]
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if the state is not steady:
  *         |wX| above 1e-9 of the largest of |wY|, |wZ|, sqrt(g/a), or the two
@@ -993,7 +994,8 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
  *         errors and coin_losses_check(); if the state swings about the steady
  *         motion by more than a tenth of its angle from flat; if that motion is
  *         unstable, or becomes so before the coin lies flat; or if 2^15 steps
- *         are not enough, as for extremely fast coins.
+ *         or 1e150 natural units are not enough, or for rates above 1e40
+ *         sqrt(g/a).
  * Accuracy: the last fall is not quasi-steady.  With m the loss in natural
  *         units, the relative error is proportional to m^1.2 to m^1.5 for
  *         contour friction, to m^0.8 for rolling and to m^2 for damping.  It is
@@ -1014,7 +1016,8 @@ COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
  *         errors; COIN_EPARAMS also as coin_losses_check(); COIN_ESTEP t
  *         negative or not finite, or phi, psi, x or z leaves its range;
  *         COIN_EDOMAIN the state is not near a stable steady motion, or that
- *         becomes unstable before t, or 2^15 steps are not enough.
+ *         becomes unstable before t, or 2^15 steps are not enough, or a rate
+ *         is above 1e40 sqrt(g/a).
  * Accuracy: let m be the loss in natural units.  Until the angle from flat is
  *         10 m, the errors of theta, wY and wZ are proportional to m^2, and
  *         those of phi and psi to m: 70 m at half of the time to rest of a spin

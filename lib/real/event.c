@@ -46,12 +46,15 @@ int32_t coin_priv_bits_at(const coin_priv_search *f, const coin_state *s,
     return is_clear ? 0 : bits_of(f, s);
 }
 
-/* The run at x of a stretch, without theta.  No step is made for x = 0. */
+/* A step in tau that is shorter changes nothing, and 1 over it may overflow. */
+#define NO_STEP 1e-300
+
+/* The run at x of a stretch, without theta. */
 static coin_priv_run run_to(const coin_priv_stretch *w, double x)
 {
     coin_priv_run r = w->from;
     r.g.added.t = 0;
-    if (x > 0)
+    if (fabs(x * w->tau) > NO_STEP)
         (void)coin_priv_extrapolate(&r, x * w->tau);
     return r;
 }

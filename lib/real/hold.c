@@ -117,6 +117,8 @@ int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
     const PRIV(held_fall) f = PRIV(fall_of)(l, y);
     const real D = inertia(l, cth), turn = f.L / D;
     const real A = slope(&f, l, b).v;
+    if (!(A > 0)) /* it does not fall: I_Z < I_X, and it turns fast */
+        return 0;
     const real fastest = SQRT(wX * wX + 2 * A * f.x);
     const real lever = l->K / D * (2 * l->IX - b->IZ) +
                        cth * cth * (b->IZ / D) * (l->K - l->IX);

@@ -29,7 +29,7 @@ static int32_t slow(struct slowed *w, const coin_state *s, const coin_params *p,
     w->y = coin_priv_variables_of(s);
     w->d = coin_priv_slowing_of(&losses, &w->y);
     const double sum = w->d.wX + w->d.wY + w->d.wZ + w->d.power;
-    return (sum - sum) * w->y.q == 0 ? COIN_OK : COIN_ESTATE;
+    return fabs(sum * w->y.q) <= DBL_MAX ? COIN_OK : COIN_ESTATE;
 }
 
 double coin_losses_power(const coin_state *s, const coin_params *p,

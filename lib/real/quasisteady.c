@@ -42,6 +42,10 @@
 #define LONGEST 1e150
 #define FASTEST 1e40
 
+/* Sine and root are at most 1.  Where their sum exceeds this, a trial has
+ * failed. */
+#define RUNAWAY 4.0
+
 /* If the heading changes by more than this from one point of the path to the
  * next, the path between them is computed from its curvature at both, else from
  * its length. */
@@ -100,6 +104,12 @@ static struct rates rates_of(const double *y, const struct quasisteady *q)
  * never reach that time. */
 static void slopes(double *dy, const double *y, const void *problem)
 {
+    /* A trial of a step that is far too long must not overflow. */
+    if (!isless(fabs(y[STH]) + fabs(y[ROOT]), RUNAWAY)) {
+        for (int i = 0; i < VARIABLES; ++i)
+            dy[i] = (double)NAN;
+        return;
+    }
     const struct rates d = rates_of(y, (const struct quasisteady *)problem);
     const double s = y[STH], root = y[ROOT], c = root * root;
     const double droot = -s * d.dtheta / (2 * root);

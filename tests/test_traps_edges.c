@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: MIT */
+/* Arguments near the edges, where a product or a quotient on the way could
+ * overflow or be invalid: no call that is done raises an exception. */
+#include "support/check.h"
+
+#include <coinf.h>
+
+#include <fenv.h>
+#include <float.h>
+#include <math.h>
+
+#define TRAPPED (FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW)
+
+/* The call raises nothing and returns this status. */
+#define QUIET(call, status)                                                    \
+    do {                                                                       \
+        feclearexcept(FE_ALL_EXCEPT);                                          \
+        const int32_t is = (call);                                             \
+        const int raised = fetestexcept(TRAPPED);                              \
+        check_status(is, status);                                              \
+        check(!raised);                                                        \
+    } while (0)
+
+static coin_params disc(void)
+{
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    return p;
+}
+
+static coin_state turning(double theta, double wX, double wY, double wZ)
+{
+    const coin_state s = {theta, 0, 0, 0, 0, wX, wY, wZ};
+    return s;
+}
+
+static void an_unstable_wobble_may_grow_beyond_all_bounds(void **unused)
+{
+    const coin_params p = disc();
+    coin_state s = turning(0.3, 0, 0, 1e-4);
+    (void)unused;
+    QUIET(coin_model_needed(&s, &p, 100, 1e-6), COIN_MODEL_ORBIT);
+    QUIET(coin_model_needed(&s, &p, 190, 1e-6), COIN_MODEL_ORBIT);
+    s = turning(-0.38, 0.35, 0, 1e-4);
+    QUIET(coin_model_needed(&s, &p, 100, 1e-6), COIN_MODEL_ORBIT);
+    coin_params quarter;
+    check_status(coin_params_disc(&quarter, 0.00567, 0.01213, 9.80665),
+                 COIN_OK);
+    s = turning(-1.5707963267947935, 10.02, 29.12, -13.71);
+    QUIET(coin_model_needed(&s, &quarter, DBL_MAX, 1e-8), COIN_MODEL_STEPS);
+}
+
+static void a_check_takes_any_step_and_any_friction(void **unused)
+{
+    const coin_params p = disc();
+    coinf_params pf;
+    const coin_state s = turning(0.3, 1, 8, 8);
+    const coinf_state sf = {.theta = 0.3f, .wX = 1, .wY = 8, .wZ = 8};
+    coin_force f;
+    (void)unused;
+    check_status(coinf_params_disc(&pf, 1, 1, 1), COIN_OK);
+    check_status(coin_reaction(&s, &p, &f), COIN_OK);
+    check(f.normal > 1);
+    QUIET(coin_check(&s, &p, COIN_RK4, -1.7e308, INFINITY), COIN_COARSE);
+    QUIET(coin_check(&s, &p, COIN_RK4, 0, DBL_MAX), COIN_OK);
+    QUIET(coinf_check(&sf, &pf, COIN_RK4, -3e38f, INFINITY), COIN_COARSE);
+    QUIET(coinf_check(&sf, &pf, COIN_RK4, 0, FLT_MAX), COIN_OK);
+}
+
+static void without_a_step_its_length_does_not_count(void **unused)
+{
+    const coin_params p = disc();
+    coinf_params pf;
+    coin_state s = turning(0.3, 1, 8, 8), out;
+    coinf_state sf = {.theta = 0.3f, .wX = 1, .wY = 8, .wZ = 8};
+    (void)unused;
+    check_status(coinf_params_disc(&pf, 1, 1, 1), COIN_OK);
+    for (int32_t m = COIN_RK4; m <= COIN_SYMPLECTIC4; ++m) {
+        QUIET(coin_run(&s, &p, m, DBL_MAX, 0, NULL), COIN_OK);
+        QUIET(coin_batch_run(&s, 1, &p, m, DBL_MAX, 0, NULL), COIN_OK);
+        QUIET(coin_batch_run(&s, 0, &p, m, (double)NAN, 1, NULL), COIN_OK);
+        QUIET(coin_sample(&s, &p, m, DBL_MAX, 0, 1, &out, NULL), COIN_OK);
+        check_status(coin_run(&s, &p, m, INFINITY, 0, NULL), COIN_ESTEP);
+    }
+    QUIET(coinf_run(&sf, &pf, COIN_RK4, FLT_MAX, 0, NULL), COIN_OK);
+    QUIET(coinf_batch_run(&sf, 1, &pf, COIN_RK4, FLT_MAX, 0, NULL), COIN_OK);
+    QUIET(coinf_batch_run(&sf, 0, &pf, COIN_RK4, NAN, 1, NULL), COIN_OK);
+}
+
+/* Near flat with losses that hold the roll, a slip that takes long to end; and
+ * a slip as slow as rounding of a coin that rolls fast. */
+static void trials_of_slips_do_not_run_away(void **unused)
+{
+    const coin_params p = disc();
+    const coin_friction f = {0.3, 0.3}, none = {0, 0};
+    const coin_losses l = {0, 0, 0.01, 0, 0, 0, 0, 0};
+    const double flat = 1.5707963267948966;
+    coin_slide d = {turning(flat - 1e-4, 0, 0.004, -0.06), 0.08, -6.6};
+    (void)unused;
+    QUIET(coin_slide_advance(&d, &p, &f, &l, 1e-3, 1e-6, NULL), COIN_SLIPS);
+    d.s = turning(flat - 1e-3, 0, 0.004, -0.06);
+    QUIET(coin_slide_advance(&d, &p, &none, &l, 1e-3, 1e-6, NULL), COIN_SLIPS);
+    const coin_params coin = {0.00567,  0.01213,  9.80665,
+                              3.68e-07, 7.36e-07, {0, 0, 0}};
+    const coin_friction rough = {INFINITY, 0.2010498046875};
+    coin_slide fast;
+    const coin_state s =
+        turning(0.173858642578125, -6.9, 0, 7418841298202.4297);
+    check_status(coin_slide_of(&fast, &s, &coin), COIN_OK);
+    fast.vz += 1e-3;
+    feclearexcept(FE_ALL_EXCEPT);
+    const int32_t is =
+        coin_slide_advance(&fast, &coin, &rough, NULL, 2.7e-16, 6e-8, NULL);
+    check(is != COIN_ESTATE && !fetestexcept(TRAPPED));
+}
+
+/* The turn of a body with I_Z < I_X lifts it from the table. */
+static void a_contact_is_held_in_a_fall_only(void **unused)
+{
+    const coin_params p = {7.1358385866915336e-11, 2.2204460492503131e-16,
+                           2.1667119654011911e-09, 3.7786991042122578e-23,
+                           1.7402450006612298e-23, {0, 0, 0}};
+    coin_state s = turning(1.5707963267948939, 5e-7, 0, 388248402.69);
+    s.wY = -s.wZ * cos(s.theta); /* d(psi)/dt = 0 */
+    const coin_losses dry = {0, 1e-40, 0, 0, 0, 0, 0, 0};
+    (void)unused;
+    QUIET(coin_settle(&s, &p, &dry, 1e-17, 1e-12, NULL), COIN_OK);
+}
+
+static void a_slow_path_through_steady_motions_is_quiet(void **unused)
+{
+    const coin_params p = disc();
+    coin_losses spin = {0, 0, 0, 0, 0, 0, 0.03, 0};
+    coin_losses dry = {0, 1e-35, 0, 0, 0, 0, 0, 0};
+    coin_losses least = {0, 1e-170, 0, 0, 0, 0, 0, 0};
+    coin_state s, out;
+    (void)unused;
+    check_status(coin_steady_upright_spin(&s, &p, 0x1.ba08bd40fde08p+0),
+                 COIN_OK);
+    QUIET(coin_quasisteady_at(&s, &p, &spin, 5.01187, &out), COIN_OK);
+    check_status(coin_steady_spin(&s, &p, 0.4), COIN_OK);
+    feclearexcept(FE_ALL_EXCEPT);
+    check(coin_time_to_rest(&s, &p, &dry) > 1e30);
+    check(!fetestexcept(TRAPPED));
+    QUIET(coin_losses_fit(&least, &s, &p, 100), COIN_EDOMAIN);
+    check_status(coin_quasisteady_at(&s, &p, &dry, DBL_MAX, &out), COIN_ESTEP);
+    /* So nearly upright that the lean grows by 80 powers of ten. */
+    coin_params ring;
+    coin_losses rough = {0,
+                         0.3371429443359375,
+                         0,
+                         1.4808847481617704e-09,
+                         3.0820501706330106e-10,
+                         1.5103723853826523e-06,
+                         0,
+                         2.9013458302529216e-12};
+    check_status(coin_params_body(&ring, 1, 1, 1, 0.45693579392541328,
+                                  0.91387158785082656),
+                 COIN_OK);
+    s = turning(-1.1018990464954999e-84, 0, 1.4793550212337918, 0);
+    QUIET(coin_losses_fit(&rough, &s, &ring, 2.4), COIN_EDOMAIN);
+    /* Rates whose products overflow are not followed. */
+    s = turning(0.3, 0, -6e107, 0.8);
+    QUIET(coin_quasisteady_at(&s, &p, &dry, 1, &out), COIN_EDOMAIN);
+}
+
+static void a_time_of_no_length_is_looked_at(void **unused)
+{
+    coin_params p;
+    coin_state s = turning(0x1.595c5f495e3d7p+0, 0x1.e376acfd625ccp+0, 0, 0);
+    (void)unused;
+    check_status(coin_params_ring(&p, 1, 1, 1, 1), COIN_OK);
+    for (double t = 1e-300; t > 0; t /= 10) {
+        coin_state r = s;
+        feclearexcept(FE_ALL_EXCEPT);
+        check(coin_advance_until(&r, &p, t, 1e-6, 0, COIN_SLIPS, NULL) >= 0);
+        check(!fetestexcept(TRAPPED));
+        r = turning(-0.758, -3.06, 0.03, 8849243242496);
+        check(coin_advance_until(&r, &p, -t, 1e-6, 0, COIN_SLIPS, NULL) >= 0);
+        check(!fetestexcept(TRAPPED));
+    }
+}
+
+static void what_nearly_overflows_is_compared_without_overflow(void **unused)
+{
+    const coin_params p = disc(), thin = {7.3345773320200541e+254,
+                                          1.7319767619252889e-31,
+                                          188.9921875,
+                                          1.4395403604856554e-85,
+                                          1.7940219025009982e-85,
+                                          {0, 0, 0}};
+    coin_state s = turning(-1.0746, 5.65e13, 5.06e16, 1.42e16);
+    double center, contact;
+    coin_force force;
+    (void)unused;
+    QUIET(coin_run(&s, &thin, COIN_RK4, 2.97e-24, 3, NULL), COIN_OK);
+    s = turning(1e-300, 0, 5e-324, -5e11);
+    QUIET(coin_steady_radii(&s, &p, &center, &contact), COIN_OK);
+    check(isinf(center) && isinf(contact));
+    s = turning(-1.4, -2.467e129, 0, 4.4);
+    feclearexcept(FE_ALL_EXCEPT);
+    check(coin_max_dt(&s, &p, COIN_RK4, 1e-9) >= 0);
+    check(!fetestexcept(TRAPPED));
+    const coin_params wide = {1e-60, 1e-40, 1, 1e50, 1e50, {0, 0, 0}};
+    const coin_friction f = {0.9, 0.9};
+    const coin_slide d = {turning(1.17, 0, 0, 0), 0, 0};
+    QUIET(coin_slide_reaction(&d, &wide, &f, NULL, &force), COIN_OK);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(an_unstable_wobble_may_grow_beyond_all_bounds),
+        TEST(a_check_takes_any_step_and_any_friction),
+        TEST(without_a_step_its_length_does_not_count),
+        TEST(trials_of_slips_do_not_run_away),
+        TEST(a_contact_is_held_in_a_fall_only),
+        TEST(a_slow_path_through_steady_motions_is_quiet),
+        TEST(a_time_of_no_length_is_looked_at),
+        TEST(what_nearly_overflows_is_compared_without_overflow),
+    };
+    return RUN_TESTS(tests);
+}
