@@ -179,6 +179,14 @@ static void a_time_of_no_length_is_looked_at(void **unused)
         check(coin_advance_until(&r, &p, -t, 1e-6, 0, COIN_SLIPS, NULL) >= 0);
         check(!fetestexcept(TRAPPED));
     }
+    /* In so large a unit of time the part of a step underflows. */
+    const double a = 0x1.54d30dff96fap+39;
+    check_status(coin_params_ring(&p, 1, a, a, 1), COIN_OK);
+    s = turning(-0x1.76fac7dap+0, 0x1.6cecae32584b9p-33, 0,
+                0x1.6a33d9344d10cp-22);
+    QUIET(coin_advance_until(&s, &p, -0x1.5274p-1060, 3.3e-13, 0.4, COIN_LIFTS,
+                             NULL),
+          COIN_OK);
 }
 
 static void what_nearly_overflows_is_compared_without_overflow(void **unused)

@@ -69,7 +69,7 @@ COIN_PRIV_INLINE double coin_priv_safe_cosine(const coin_priv_body *b,
     /* A lane that is no longer used may hold a coin below the table, E < 0.
      * What is nearly too fast is looked at too, so that no quotient overflows.
      */
-    if (!(E2 > 0 && E2 < 0.999999 * (b->K * coarse2)))
+    if (!((E2 > 0) & (E2 < 0.999999 * (b->K * coarse2))))
         return 2;
     const double spare = coarse2 - E2 / b->K;
     const double fall = b->g_a / (2 * spare);
@@ -98,9 +98,9 @@ COIN_PRIV_INLINE coin_state coin_priv_state_of(const coin_priv_progress *g,
     return s;
 }
 
-/* Up to n steps of a run.  It ends early where a step would not be sound, and
- * is then as the last sound step left it.  The inner loop calls no function:
- * each step would have to spill its registers. */
+/* Up to n steps of a run, n > 0.  It ends early where a step would not be
+ * sound, and is then as the last sound step left it.  The inner loop calls no
+ * function: each step would have to spill its registers. */
 COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
                                       coin_priv_step *step,
                                       const void *coefficients)
@@ -110,8 +110,7 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
     coin_priv_pose added = g->added, sum;
     coin_priv_step_end end;
     const double g_a = r->b.g_a;
-    int sound =
-        n == 0 || coin_priv_admit_rate2(&r->limits, coin_priv_rate2(g_a, &y));
+    int sound = coin_priv_admit_rate2(&r->limits, coin_priv_rate2(g_a, &y));
     while (sound && n > 0) {
         const uint64_t left = COIN_PRIV_BLOCK - r->steps % COIN_PRIV_BLOCK;
         const uint64_t block = n < left ? n : left;

@@ -72,18 +72,16 @@ int32_t coin_sample(const coin_state *start, const coin_params *p,
     if (status != COIN_OK)
         return status;
     size_t k = 0;
-    for (; k < count; ++k) {
-        if (k > 0 && coin_priv_run_on(&r, method, n) < n)
-            break;
+    int32_t refused = COIN_OK;
+    while (k < count && refused == COIN_OK) {
+        const uint64_t made = k > 0 ? coin_priv_run_on(&r, method, n) : n;
         const coin_state sample = coin_priv_run_state(&r);
-        if (!coin_priv_path_holds(&sample))
-            break;
-        coin_priv_copy_state(&out[k], &sample);
+        if (made < n || !coin_priv_path_holds(&sample))
+            refused = coin_priv_refusal(&sample);
+        else
+            coin_priv_copy_state(&out[k++], &sample);
     }
     if (done)
         *done = k;
-    if (k == count)
-        return r.limits.warnings;
-    const coin_state last = coin_priv_run_state(&r);
-    return coin_priv_refusal(&last);
+    return refused != COIN_OK ? refused : r.limits.warnings;
 }
