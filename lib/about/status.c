@@ -5,12 +5,11 @@
 
 /* Rows of characters, not pointers: those would need relocation, and with it
  * writable data in the shared library. */
-static const char errors[][96] = {
+static const char errors[][80] = {
     "done",
     "parameters out of range",
     "state out of range",
-    "dt or t not finite, < 0 with losses, or too long: "
-    "shorten it, or call coin_advance()",
+    "dt or t not valid, or too long: shorten it, or call coin_advance()",
     "bad argument: null, unknown method or branch, tolerance",
     "no steady motion, no small wobble, or no orbit: unstable or nearly flat",
     "the coin falls flat",
