@@ -110,8 +110,10 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
     coin_priv_pose added = g->added, sum;
     coin_priv_step_end end;
     const double g_a = r->b.g_a;
-    int sound = coin_priv_admit_rate2(&r->limits, coin_priv_rate2(g_a, &y));
-    while (sound && n > 0) {
+    if (!coin_priv_admit_rate2(&r->limits, coin_priv_rate2(g_a, &y)))
+        return;
+    int sound;
+    do {
         const uint64_t left = COIN_PRIV_BLOCK - r->steps % COIN_PRIV_BLOCK;
         const uint64_t block = n < left ? n : left;
         /* For one step, W itself is cheaper. */
@@ -142,7 +144,7 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
             y = g->y;
             added = g->added;
         }
-    }
+    } while (sound && n > 0);
 }
 
 /* Up to n steps by each method. */
