@@ -138,7 +138,7 @@ static void measure(const char *build, size_t count)
     while (clock_ns() - begin < PATIENCE);
     for (int k = 0; k < WAYS; ++k)
         if (count <= ways[k].most)
-            printf("%s,%s,%zu,%.4g,%.4g\n", build, ways[k].name, count,
+            printf("%s,%s,%zu,%.3g,%.3g\n", build, ways[k].name, count,
                    least[k], 1e3 / least[k]);
     fflush(stdout);
 }
@@ -149,7 +149,7 @@ static void best_rate(const char *build)
     double least = INFINITY;
     for (int i = 0; i < 5000; ++i)
         least = fmin(least, rate_window(tare));
-    printf("%s,operation at best,%d,%.4g,%.4g\n", build, COIN_PRIV_LANES, least,
+    printf("%s,operation at best,%d,%.3g,%.3g\n", build, COIN_PRIV_LANES, least,
            1e3 / least);
 }
 

@@ -32,9 +32,9 @@ def short(x, digits=3):
     return mantissa + (f"e{int(power)}" if e else "")
 
 
-def timed(x):
-    """The same of a time, which is known to some per cent: two digits, or three
-    if the first is 1."""
+def rough(x):
+    """The same of a time, which is known to some per cent, or of a number that
+    is only drawn: two digits, or three if the first is 1."""
     return short(x, 3 if f"{x:e}"[0] == "1" else 2)
 
 
@@ -64,11 +64,11 @@ def kept(lines):
         ran = above_floor(all_of_it)
         good = [r["status"] == "ok" for r in ran]
         for quantity, values in (
-                ("slopes", [short(float(r["slopes_per_unit"])) for r in ran]),
+                ("slopes", [rough(float(r["slopes_per_unit"])) for r in ran]),
                 ("error", [short(float(r["error"]), 2) if ok
                            else r["status"].replace(" ", "_")
                            for r, ok in zip(ran, good)]),
-                ("cost", [timed(float(r["ns_per_unit"])
+                ("cost", [rough(float(r["ns_per_unit"])
                                 / float(r["textbook_ns"]))
                           for r, ok in zip(ran, good) if ok])):
             if key[0] == "portable" or quantity in ("error", "cost"):

@@ -183,7 +183,7 @@ static void costs(void)
                 setting = setting_for(&ways[k], T, fmin(setting, T / 8));
             for (int j = 0; j < DECADES && setting > 0; ++j) {
                 const double n = pow(10, j);
-                printf("%s,%g,%g,%.4g,%.4g\n", ways[k].name, T, n, setting,
+                printf("%s,%g,%g,%.4g,%.3g\n", ways[k].name, T, n, setting,
                        cost_of(&ways[k], T / n, setting, n) +
                            (k == 0 ? cost_of_init() : 0));
             }
