@@ -23,8 +23,9 @@ COIN_PRIV_INLINE int PRIV(pose_holds)(const COIN(state) * s)
  * by 16 rad. */
 COIN_PRIV_INLINE int32_t PRIV(refusal)(const COIN(state) * s)
 {
-    const real end = COIN_PRIV_ANGLE_MAX - 16;
-    return FABS(s->phi) > end || FABS(s->psi) > end ? COIN_ERANGE : COIN_ESTEP;
+    const real last = COIN_PRIV_ANGLE_MAX - 16;
+    return FABS(s->phi) > last || FABS(s->psi) > last ? COIN_ERANGE
+                                                      : COIN_ESTEP;
 }
 
 /* The checks that need no parameters: COIN_OK or COIN_ESTATE.  s is not null.

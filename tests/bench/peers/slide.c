@@ -246,7 +246,7 @@ static void print_best(const char *method, struct run *r, int n)
     for (int i = 0; i < n; ++i)
         if (r[i].error < LESS_ERROR * least) {
             least = r[i].error;
-            printf("%s,%s,%.3g,%.3g,%.3g,%.3g,%.0f\n", at.scene->name, method,
+            printf("%s,%s,%.3g,%.3g,%.3g,%.3g,%.3g\n", at.scene->name, method,
                    r[i].delta, r[i].step, least, r[i].seconds,
                    1e9 * r[i].seconds / at.step_ns);
         }
