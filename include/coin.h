@@ -64,11 +64,11 @@
  *
  * FLOATING POINT.  No function changes the rounding mode or the traps.  A call
  * raises neither division by zero nor invalid nor overflow, unless it returns
- * COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP or NaN.  So these exceptions
- * may be trapped (test_traps, make fuzz).  coin_settle(), coin_time_to_rest(),
- * coin_quasisteady_at(), coin_losses_fit() and coin_slide_advance() promise
- * this in a range: mass, radius, gravity and moments of inertia from 1e-24 to
- * 1e24, and rates and velocities up to 1e40 sqrt(g/a) and 1e40 sqrt(g a).
+ * COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_ERANGE or NaN.  So
+ * these exceptions may be trapped (test_traps, make fuzz).  This is promised
+ * for mass, radius, gravity and moments of inertia from 1e-24 to 1e24, and for
+ * rates and velocities that are 0 or from 1e-40 to 1e40 sqrt(g/a) and
+ * sqrt(g a); in floats for 1e-6 to 1e6 of both (test_float_traps).
  * coin_batch_run() does not promise it if a coin of the batch is refused.
  * Inexact and underflow may be raised.
  * clang keeps this promise only with -ffp-exception-behavior=maytrap, which the
