@@ -116,7 +116,7 @@ passes "each with the code inside, $CC -std=c99" "$@"
 # By a user's flags clang may compute what a branch then drops: it raises
 # exceptions that the source does not, unless -ffp-exception-behavior=maytrap
 # forbids (coin.h, FLOATING POINT).  So the tests of traps are left out there.
-traps="test_traps test_float_traps test_orbit_edges"
+traps="test_traps test_traps_edges test_float_traps test_orbit_edges"
 while read -r private compiler; do
     # shellcheck disable=SC2086
     echo '#include <coin.h>' | $compiler "-DCOIN_PRIV=$(echo $private |
