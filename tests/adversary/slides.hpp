@@ -209,7 +209,13 @@ template <class R> class slide
         return f.N > 0 ? f.friction() / f.N : R(-1);
     }
 
-    /* The largest difference from an output, in natural units. */
+    /* Changes one of y, by a size in its unit. */
+    void nudge(size_t i, R size)
+    {
+        y[i] += size * unit(i);
+    }
+
+    /* The largest difference from an output, each in its unit. */
     R apart(const coin_slide &d) const
     {
         const R sph = sine(y[1]), cph = cosine(y[1]), v = a * w;
@@ -223,17 +229,11 @@ template <class R> class slide
                         d.s.wZ / w,
                         R(d.vx) / v * cph - R(d.vz) / v * sph,
                         R(d.vx) / v * sph + R(d.vz) / v * cph};
-        R worst = 0;
-        for (int i = 0; i < 10; ++i)
-            worst = larger(worst, magnitude(at[i] - y[i]));
-        return worst;
+        return apart(at);
     }
     R apart(const slide &o) const
     {
-        R worst = 0;
-        for (int i = 0; i < 10; ++i)
-            worst = larger(worst, magnitude(o.y[i] - y[i]));
-        return worst;
+        return apart(o.y.data());
     }
 
     R speed(const vector &q) const
@@ -252,6 +252,20 @@ template <class R> class slide
     std::conditional_t<IS_QUICK, course<10>, nothing> ahead;
     losses<R> of;
     bool lossy;
+
+    R apart(const R *o) const
+    {
+        R worst = 0;
+        for (size_t i = 0; i < 10; ++i)
+            worst = larger(worst, magnitude(o[i] - y[i]) / unit(i));
+        return worst;
+    }
+
+    /* Of differences: radians, radii, and W of the rates, but at least 1. */
+    R unit(size_t i) const
+    {
+        return i < 5 ? R(1) : larger(R(1), turning(cosine(y[0])));
+    }
 
     /* W of (47). */
     R turning(R c) const

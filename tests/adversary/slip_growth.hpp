@@ -15,9 +15,9 @@ inline long double growth_of(const slide<long double> &from,
                              long double enough)
 {
     long double sum = 1;
-    for (int i : {0, 5, 6, 7, 8, 9}) {
+    for (size_t i : {0, 5, 6, 7, 8, 9}) {
         slide<long double> other = from;
-        other.y[size_t(i)] += 1e-7L;
+        other.nudge(i, 1e-7L);
         if (sum >= enough)
             break;
         if (other.follow(t) != slide<long double>::SLIPS)
