@@ -41,6 +41,7 @@ static void an_unstable_wobble_may_grow_beyond_all_bounds(void **unused)
     (void)unused;
     QUIET(coin_model_needed(&s, &p, 100, 1e-6), COIN_MODEL_ORBIT);
     QUIET(coin_model_needed(&s, &p, 190, 1e-6), COIN_MODEL_ORBIT);
+    QUIET(coin_model_needed(&s, &p, 500, 1e-6), COIN_MODEL_ORBIT);
     s = turning(-0.38, 0.35, 0, 1e-4);
     QUIET(coin_model_needed(&s, &p, 100, 1e-6), COIN_MODEL_ORBIT);
     coin_params quarter;
@@ -215,6 +216,39 @@ static void what_nearly_overflows_is_compared_without_overflow(void **unused)
     QUIET(coin_slide_reaction(&d, &wide, &f, NULL, &force), COIN_OK);
 }
 
+static void the_least_numbers_are_no_divisors(void **unused)
+{
+    const coin_params heavy = {0x1.7e82666666666p+37, 0x1.6064ccccccccdp+0,
+                               0x1.7fff333333333p-1,  0x1.6a667a4056abp+37,
+                               0x1.6a667a4056abp+38,  {0, 0, 0}};
+    const coin_params fine = {0x1.9c64p-5,           0x1.e4ea666666666p-40,
+                              0x1.7f33333333333p-1,  0x1.71ea1506cd3e1p-84,
+                              0x1.71ea1506cd3e1p-83, {0, 0, 0}};
+    const coin_params p = disc();
+    coin_state s =
+        turning(-0x1.56e1fc2f8f35ap-997, 0, 0, -0x1.79ec98c72fb24p-2);
+    coin_state out;
+    coin_orbit o;
+    (void)unused;
+    QUIET(coin_steady_near(&s, &heavy, &out), COIN_OK);
+    s = turning(-0x1p-1074, 0, 0, -0x1.41d60435cf24dp+18);
+    QUIET(coin_orbit_init(&o, &s, &fine), COIN_EDOMAIN);
+    s = turning(0, 0, 0, 0x1p-1074); /* rolls on in a straight line */
+    QUIET(coin_orbit_init(&o, &s, &p), COIN_OK);
+    check(isnan(o.center[0]) && isnan(o.radius_max));
+}
+
+static void no_fast_lean_is_a_small_wobble(void **unused)
+{
+    const coin_params p = disc();
+    const coin_state upright = turning(0, 0, 0x1.564p-2, 0);
+    const coin_state fast = turning(0.08, 0x1.d3ccp+299, 0x1.564p-2, 0.0846);
+    coin_state out;
+    (void)unused;
+    QUIET(coin_wobble_at(&upright, &p, &fast, 0, &out), COIN_EDOMAIN);
+    QUIET(coin_wobble_at(&upright, &p, &fast, 1e-95, &out), COIN_EDOMAIN);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -226,6 +260,8 @@ int main(void)
         TEST(a_slow_path_through_steady_motions_is_quiet),
         TEST(a_time_of_no_length_is_looked_at),
         TEST(what_nearly_overflows_is_compared_without_overflow),
+        TEST(the_least_numbers_are_no_divisors),
+        TEST(no_fast_lean_is_a_small_wobble),
     };
     return RUN_TESTS(tests);
 }

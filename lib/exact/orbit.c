@@ -23,6 +23,11 @@
  * is as good; with twice it or a hundredth test_orbit fails. */
 #define STRAIGHT 1e-15
 
+/* Least acceleration of the lean, in the orbit's unit of time, for which
+ * conditioning_of() does not underflow.  A stable swing as small as this is
+ * steady to rounding. */
+#define LEAST_SWING 1e-70
+
 /* The number of parts of a piece, in each of which an extreme of the distance
  * is searched for.  They are so short that none has two extremes.  Even with 2
  * parts the radii of 6000 coins were those with 60, to rounding. */
@@ -284,6 +289,8 @@ static double conditioning_of(const coin_priv_half_period *h, double half)
     const double at_B = fabs(coin_priv_point_fall(law, &B));
     const double s = coin_priv_lesser(coin_priv_larger(at_A, at_B), w2);
     const double k = 2 * COIN_PRIV_HALF_PI / half;
+    if (!(s > LEAST_SWING))
+        return (double)INFINITY;
     double sum = 0;
     for (int rank = 0; rank < h->count; ++rank) {
         const int n = coin_priv_piece(rank, h->back, h->count);
@@ -321,7 +328,7 @@ static void set_steady(const coin_priv_half_period *h, const coin_state *s,
     const coin_priv_point *p = h->now.at;
     const double heading = OF(p[1].row[0], 1) * h->rate;
     const double roll = OF(p[1].row[1], 0) * h->rate;
-    const int drifts = fabs(heading) < STRAIGHT * fabs(s->wZ);
+    const int drifts = s->wZ != 0 && fabs(heading) <= STRAIGHT * fabs(s->wZ);
     const double R = s->wZ == 0 || drifts ? 0 : a * s->wZ / heading; /* (43) */
     const coin_priv_sc ph = coin_priv_sincos(s->phi);
     coin_orbit *o = h->o;

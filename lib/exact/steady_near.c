@@ -62,6 +62,14 @@ static void move(struct place *o, const coin_priv_body *b, double theta)
     evaluate(o, b);
 }
 
+/* The step of Newton's method; 4 [rad], which is too far for every use, if it
+ * is longer than that. */
+static double newton(const struct place *o)
+{
+    return fabs(o->fall) < 4 * fabs(o->fall_slope) ? -o->fall / o->fall_slope
+                                                   : 4;
+}
+
 /* Moves *o to the extremum between it and end, where `fall` has the other sign:
  * by Newton's method, or by halving where a step would leave the bracket. */
 static void to_extremum(struct place *o, const coin_priv_body *b, double end)
@@ -69,7 +77,7 @@ static void to_extremum(struct place *o, const coin_priv_body *b, double end)
     double low = o->theta, high = end;
     const int sign = sign_of(o->fall);
     for (int i = 0; i < 60; ++i) {
-        const double step = -o->fall / o->fall_slope;
+        const double step = newton(o);
         double next = o->theta + step;
         if (fabs(step) <= DBL_EPSILON / 2 * fabs(o->theta))
             return;
@@ -87,9 +95,9 @@ static void to_extremum(struct place *o, const coin_priv_body *b, double end)
  * pass an extremum near by, and too short to pass a second one behind it. */
 static double step_of(const struct place *o)
 {
-    const double guess = 1.5 * fabs(o->fall / o->fall_slope);
+    const double guess = 1.5 * fabs(newton(o));
     const double most = LONG_STEP * o->at.c, least = SHORT_STEP * o->at.c;
-    return !(guess < most) ? most : guess < least ? least : guess;
+    return guess > most ? most : guess < least ? least : guess;
 }
 
 /* Goes to the first extremum on one side of *o, but no farther than most; 0 if

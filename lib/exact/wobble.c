@@ -34,6 +34,10 @@
 #define LEANT_MAX (2 * COIN_PRIV_HALF_PI)
 #define TURNED_MAX (4 * COIN_PRIV_ANGLE_MAX)
 
+/* What begins farther [rad] from an unstable steady motion than this is no
+ * small wobble.  The powers of this distance do not overflow. */
+#define FARTHEST 1e12
+
 enum { TERMS = COIN_PRIV_WOBBLE_TERMS };
 
 /* sin x and cos x - 1, or sinh x and cosh x - 1. */
@@ -216,6 +220,8 @@ static int is_small(const coin_priv_wobble *w, double x, double reach,
                     double grown)
 {
     const double first = fabs(w->apart) + fabs(w->Y) + fabs(w->v);
+    if (w->L > 0 && !(first < FARTHEST))
+        return 0;
     const double begun = w->L > 0 ? grown * left_out_at(w, first) : 0;
     const double time2 = x * x < 4 ? x * x / 2 : 2; /* in 1/|lambda^2| */
     return begun + time2 * left_out_at(w, reach) <=

@@ -100,8 +100,8 @@ real PRIV(fall_time)(const PRIV(held_fall) * f, const PRIV(losses) * l,
 real PRIV(rise_time)(const PRIV(held_fall) * f, const PRIV(losses) * l,
                      const PRIV(body) * b)
 {
-    const real twice = -f->x / f->v, back = -2 * f->v / slope(f, l, b).v;
-    return twice < back ? twice : back;
+    const real v = f->v, A = slope(f, l, b).v; /* A > 0: it is held */
+    return f->x * A < 2 * v * v ? -f->x / v : -2 * v / A;
 }
 
 int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,

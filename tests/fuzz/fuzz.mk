@@ -20,8 +20,9 @@ FUZZ_SECONDS ?= 60
 
 # Only the library tells the fuzzer where it has been; comparisons of doubles
 # tell it little for a third of the time.
-FUZZ_CC   = clang $(WARN) -Werror -std=c11 -O2 -g $(PINNED) $(MAPS) \
-            -I$(SRC)/include $(FUZZ_SANITIZE)
+FUZZ_CC   = clang $(WARN) -Werror -std=c11 -O2 -g $(PINNED) \
+            -ffp-exception-behavior=maytrap $(MAPS) -I$(SRC)/include \
+            $(FUZZ_SANITIZE)
 FUZZ_SANITIZE := -fsanitize=address,undefined,float-cast-overflow \
                  -fno-sanitize-recover=all
 FUZZ_TOLD := -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp
