@@ -9,20 +9,24 @@
 
 #define OF COIN_PRIV_OF
 
-static coin_priv_law law_of(const coin_params *p)
+static coin_priv_field field_of(const coin_params *p)
 {
     const double m = p->mass * p->radius * p->radius;
     const double J = p->inertia_X + m, K = p->inertia_Z + m;
-    const coin_priv_law law = {
-        p->mass * p->gravity * p->radius / J, K / J, p->inertia_X / J,
-        p->inertia_Z / p->inertia_X,          m / K,
+    const coin_priv_field f = {
+        1,
+        p->mass * p->gravity * p->radius / J,
+        K / J,
+        p->inertia_X / J,
+        p->inertia_Z / p->inertia_X,
+        m / K,
     };
-    return law;
+    return f;
 }
 
 static coin_priv_series series_of(const coin_state *s, const coin_params *p)
 {
-    const coin_priv_law law = law_of(p);
+    const coin_priv_field f = field_of(p);
     coin_priv_series y;
     coin_priv_point *at = y.at;
     at->row[0] = coin_priv_pair_of(s->theta, s->phi);
@@ -31,7 +35,7 @@ static coin_priv_series series_of(const coin_state *s, const coin_params *p)
     at->row[3] = coin_priv_pair_of(s->z, s->x);
     at->th = coin_priv_pair_of(cos(s->theta), sin(s->theta));
     at->ph = coin_priv_pair_of(cos(s->phi), sin(s->phi));
-    coin_priv_series_fill(&y, &law);
+    coin_priv_series_fill(&y, &f);
     coin_priv_series_follow(&y);
     return y;
 }
@@ -128,9 +132,9 @@ static void a_small_swing_has_the_powers_of_a_sine(void **unused)
     (void)unused;
     const coin_params p = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
     const coin_state s = {1e-30, 0, 0, 0, 0, 1e-30, 0, 1.7};
-    const coin_priv_law law = law_of(&p);
+    const coin_priv_field f = field_of(&p);
     const coin_priv_series y = series_of(&s, &p);
-    const double lambda2 = law.GJ - law.KJ * law.k1 * s.wZ * s.wZ;
+    const double lambda2 = f.GJ - f.KJ * f.k1 * s.wZ * s.wZ;
     for (int k = 0; k + 2 <= COIN_PRIV_ORDER; ++k) {
         const double want =
             lambda2 * OF(y.at[k].row[1], 1) / ((k + 1) * (k + 2));

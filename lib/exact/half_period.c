@@ -74,22 +74,24 @@ static double reach_of(const coin_priv_half_period *h,
     return last * power <= LEFT_OUT ? most : root_28(LEFT_OUT / last);
 }
 
-double coin_priv_point_fall(const coin_priv_law *law, const coin_priv_point *p)
+double coin_priv_point_fall(const coin_priv_field *field,
+                            const coin_priv_point *p)
 {
     const double s = OF(p->th, 1), tan = s / OF(p->th, 0);
     const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
-    return law->GJ * s - (law->KJ * wZ + law->XJ * wY * tan) * wY; /* (14) */
+    return field->GJ * s -
+           (field->KJ * wZ + field->XJ * wY * tan) * wY; /* (14) */
 }
 
-double coin_priv_point_fall_slope(const coin_priv_law *law,
+double coin_priv_point_fall_slope(const coin_priv_field *field,
                                   const coin_priv_point *p)
 {
     const double c = OF(p->th, 0), tan = OF(p->th, 1) / c;
     const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
-    const double dwY = wY * tan + law->k1 * wZ; /* (15) over wX */
-    const double dwZ = law->k2 * wY;            /* (16) over wX */
-    return law->GJ * c - law->KJ * (dwY * wZ + wY * dwZ) -
-           law->XJ * wY * (2 * dwY * tan + wY * (1 + tan * tan)); /* (44) */
+    const double dwY = wY * tan + field->k1 * wZ; /* (15) over wX */
+    const double dwZ = field->k2 * wY;            /* (16) over wX */
+    return field->GJ * c - field->KJ * (dwY * wZ + wY * dwZ) -
+           field->XJ * wY * (2 * dwY * tan + wY * (1 + tan * tan)); /* (44) */
 }
 
 /* The root of wX between 0 and end: by Newton's method, or by halving where a
@@ -142,7 +144,7 @@ static int begin_at(const coin_priv_half_period *h, coin_priv_series *to,
     normalize(p);
     if (!(W2_of(h, p) < most))
         return 0;
-    coin_priv_series_fill(to, &h->law);
+    coin_priv_series_fill(to, &h->field);
     return 1;
 }
 
@@ -266,12 +268,12 @@ void coin_priv_half_period_begin(coin_priv_half_period *h, coin_orbit *o,
     const double W2 =
         (wX * wX + wY * wY) / (th.c * th.c) + wZ * wZ + b->g_a; /* (47) */
     const double rate = rate_of(W2), unit = 1 / rate;
-    const coin_priv_law law = {
-        b->GJ * unit * unit, b->KJ, b->XJ, b->k1, b->k2,
+    const coin_priv_field field = {
+        1, b->GJ * unit * unit, b->KJ, b->XJ, b->k1, b->k2,
     };
     coin_priv_point p;
     h->o = o;
-    h->law = law;
+    h->field = field;
     h->g_a = b->g_a * unit * unit;
     h->rate = rate;
     h->count = h->back = 0;
@@ -282,7 +284,7 @@ void coin_priv_half_period_begin(coin_priv_half_period *h, coin_orbit *o,
     p.th = coin_priv_pair_of(th.c, th.s);
     p.ph = coin_priv_pair_of(1, 0);
     h->now.at[0] = p;
-    coin_priv_series_fill(&h->now, &h->law);
+    coin_priv_series_fill(&h->now, &h->field);
 }
 
 int coin_priv_half_period_solve(coin_priv_half_period *h)

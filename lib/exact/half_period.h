@@ -18,7 +18,7 @@ typedef struct coin_priv_turning_point {
  * start. */
 typedef struct coin_priv_half_period {
     coin_orbit *o;                  /* gets the pieces */
-    coin_priv_law law;              /* in the orbit's unit of time */
+    coin_priv_field field;          /* h = 1, in the orbit's unit of time */
     double g_a, rate;               /* g/a in that unit; 1 over the unit */
     coin_priv_series now;           /* about the latest centre */
     coin_priv_series between;       /* about the end of a piece */
@@ -31,8 +31,9 @@ typedef struct coin_priv_half_period {
 } coin_priv_half_period;
 
 /* d(wX)/dt at a point, and its derivative by theta along the leaf. */
-double coin_priv_point_fall(const coin_priv_law *law, const coin_priv_point *p);
-double coin_priv_point_fall_slope(const coin_priv_law *law,
+double coin_priv_point_fall(const coin_priv_field *field,
+                            const coin_priv_point *p);
+double coin_priv_point_fall_slope(const coin_priv_field *field,
                                   const coin_priv_point *p);
 
 /* Computes the series about the start, in *h. */

@@ -263,13 +263,13 @@ static coin_priv_point lean_at(const coin_orbit *o, int piece, double t)
  * part of the integral of 1/wX^2, which is infinite at A and B: the derivative
  * of a/(wX Q) by time has been added, and is infinite there too.  If k is the
  * frequency of a small swing, the sum is small all along the swing. */
-static double stretch(const coin_priv_law *law, const coin_priv_point *p,
+static double stretch(const coin_priv_field *field, const coin_priv_point *p,
                       double k)
 {
-    const double kv = k * OF(p->row[1], 1), a = coin_priv_point_fall(law, p);
+    const double kv = k * OF(p->row[1], 1), a = coin_priv_point_fall(field, p);
     const double Q = a * a + kv * kv;
-    return (k * k + coin_priv_point_fall_slope(law, p)) * (kv - a) * (kv + a) /
-           (Q * Q);
+    return (k * k + coin_priv_point_fall_slope(field, p)) * (kv - a) *
+           (kv + a) / (Q * Q);
 }
 
 /* 1 + J/2 |dT/dE| s^2/w with w^2 = 2E/J.  s is the larger of the accelerations
@@ -277,16 +277,16 @@ static double stretch(const coin_priv_law *law, const coin_priv_point *p,
 static double conditioning_of(const coin_priv_half_period *h, double half)
 {
     const coin_orbit *o = h->o;
-    const coin_priv_law *law = &h->law;
+    const coin_priv_field *field = &h->field;
     const int last = coin_priv_piece(h->count - 1, h->back, h->count);
     const int first = coin_priv_piece(0, h->back, h->count);
     const coin_priv_point A = lean_at(o, first, -o->private_centers[first]);
     const coin_priv_point B = lean_at(o, last, half - o->private_centers[last]);
     const double wY = OF(A.row[2], 0), wZ = OF(A.row[2], 1);
-    const double w2 = law->XJ * wY * wY + law->KJ * wZ * wZ +
-                      2 * law->GJ * OF(A.th, 0); /* (23) */
-    const double at_A = fabs(coin_priv_point_fall(law, &A));
-    const double at_B = fabs(coin_priv_point_fall(law, &B));
+    const double w2 = field->XJ * wY * wY + field->KJ * wZ * wZ +
+                      2 * field->GJ * OF(A.th, 0); /* (23) */
+    const double at_A = fabs(coin_priv_point_fall(field, &A));
+    const double at_B = fabs(coin_priv_point_fall(field, &B));
     const double s = coin_priv_lesser(coin_priv_larger(at_A, at_B), w2);
     const double k = 2 * COIN_PRIV_HALF_PI / half;
     if (!(s > LEAST_SWING))
@@ -302,7 +302,7 @@ static double conditioning_of(const coin_priv_half_period *h, double half)
             const double at = mid + i * (0.7745966692414834 / 2) * (to - from);
             const coin_priv_point p = lean_at(o, n, at);
             sum += (to - from) * (i == 0 ? 8.0 / 18 : 5.0 / 18) *
-                   stretch(law, &p, k);
+                   stretch(field, &p, k);
         }
     }
     return 1 + fabs(sum) * (s * s / sqrt(w2));
@@ -313,11 +313,12 @@ static double conditioning_of(const coin_priv_half_period *h, double half)
 static int is_steady(const coin_priv_half_period *h, double L)
 {
     const coin_priv_point *p = h->now.at;
-    const double wX = OF(p->row[1], 1), dwX = coin_priv_point_fall(&h->law, p);
+    const double dwX = coin_priv_point_fall(&h->field, p);
+    const double wX = OF(p->row[1], 1);
     const double c = OF(p->th, 0), s = OF(p->th, 1);
     const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
-    const double terms = h->law.GJ * fabs(s) + h->law.KJ * fabs(wY * wZ) +
-                         h->law.XJ * wY * wY * fabs(s) / c; /* (14) */
+    const double terms = h->field.GJ * fabs(s) + h->field.KJ * fabs(wY * wZ) +
+                         h->field.XJ * wY * wY * fabs(s) / c; /* (14) */
     const double least = L < 0 && -L > terms ? -L : terms;
     return fabs(wX) * sqrt(fabs(L)) + fabs(dwX) <= 4 * DBL_EPSILON * least;
 }
@@ -350,7 +351,7 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
     o->conditioning = 1;
     o->private_frame[0] = COIN_PRIV_FORMAT;
     coin_priv_half_period_begin(&h, o, s, b);
-    const double L = coin_priv_point_fall_slope(&h.law, h.now.at);
+    const double L = coin_priv_point_fall_slope(&h.field, h.now.at);
     if (is_steady(&h, L)) {
         /* Rounding makes an unstable motion look steady, unless it is upright:
          * the coin itself would leave it. */

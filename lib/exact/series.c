@@ -34,7 +34,7 @@ struct factors {
  * loop leaves out the terms that contain power k of a factor.  They are added
  * as soon as that power is known. */
 static void lean_power(coin_priv_series *s, struct factors *f,
-                       const coin_priv_law *law, int k)
+                       const coin_priv_field *field, int k)
 {
     const coin_priv_point *p = &s->at[k];
     const double wX = OF(p->row[1], 1);
@@ -55,8 +55,8 @@ static void lean_power(coin_priv_series *s, struct factors *f,
     const double r = (wY - OF(thr, 0)) * f->over;       /* (18) */
     const double rs = OF(thr, 1) + OF(f->th[0], 1) * r; /* wY tan theta */
     f->r[k] = BOTH(r);
-    f->u[k] = law->KJ * wZ + law->XJ * rs;
-    f->vY[k] = coin_priv_pair_of(rs + law->k1 * wZ, wY);
+    f->u[k] = field->KJ * wZ + field->XJ * rs;
+    f->vY[k] = coin_priv_pair_of(rs + field->k1 * wZ, wY);
     thX = ADD_PRODUCT(thX, f->th[0], f->wX[k]);
     vYX = ADD_PRODUCT(vYX, f->vY[0], f->wX[k]);
     uY += f->u[0] * wY;
@@ -67,23 +67,23 @@ static void lean_power(coin_priv_series *s, struct factors *f,
     }
     const double by = over_n[k + 1];
     coin_priv_point *next = &s->at[k + 1];
-    const double dwX = law->GJ * OF(p->th, 1) - uY; /* (14) */
-    const double dwY = OF(vYX, 0);                  /* (15) */
-    const double dwZ = law->k2 * OF(vYX, 1);        /* (16) */
-    const double dpsi = wZ + rs;                    /* (19) */
+    const double dwX = field->GJ * OF(p->th, 1) - uY; /* (14) */
+    const double dwY = OF(vYX, 0);                    /* (15) */
+    const double dwZ = field->k2 * OF(vYX, 1);        /* (16) */
+    const double dpsi = wZ + rs;                      /* (19) */
     next->row[0] = times(coin_priv_pair_of(wX, r), by);
     next->row[1] = times(coin_priv_pair_of(dpsi, dwX), by);
     next->row[2] = times(coin_priv_pair_of(dwY, dwZ), by);
     next->th = times(coin_priv_pair_of(-OF(thX, 1), OF(thX, 0)), by); /* (31) */
 }
 
-void coin_priv_series_fill(coin_priv_series *s, const coin_priv_law *law)
+void coin_priv_series_fill(coin_priv_series *s, const coin_priv_field *field)
 {
     struct factors f;
     memset(&f, 0, sizeof f); /* for gcc's analyzer alone */
     f.over = 1 / OF(s->at[0].th, 0);
     for (int k = 0; k < COIN_PRIV_ORDER; ++k)
-        lean_power(s, &f, law, k);
+        lean_power(s, &f, field, k);
 }
 
 /* The powers of phi' and of wX cos theta are those of the derivatives of phi

@@ -2,6 +2,7 @@
 #ifndef ROLLCOIN_SERIES_H
 #define ROLLCOIN_SERIES_H
 
+#include "../motion/equations.h"
 #include "orbit.h"
 #include "pair.h"
 
@@ -21,13 +22,9 @@ typedef struct coin_priv_series {
     coin_priv_point at[COIN_PRIV_ORDER + 1];
 } coin_priv_series;
 
-/* What the equations of motion read of a body, in some unit of time. */
-typedef struct coin_priv_law {
-    double GJ, KJ, XJ, k1, k2;
-} coin_priv_law;
-
-/* Computes all powers from at[0], which is given, but those of path and ph. */
-void coin_priv_series_fill(coin_priv_series *s, const coin_priv_law *law);
+/* Computes all powers from at[0], which is given, but those of path and ph.
+ * Time is in units in which the field's h is 1. */
+void coin_priv_series_fill(coin_priv_series *s, const coin_priv_field *f);
 
 /* Computes the powers of the path and of ph.  Both functions together cost as
  * much as 40 steps of COIN_RK4. */

@@ -120,7 +120,8 @@ static double clearance_between(const coin_priv_tested_step *step,
                                step->slopes == coin_priv_slip_slopes);
 }
 
-double coin_priv_cone_left_at(const coin_priv_tested_step *step)
+coin_priv_verdict coin_priv_test_cone(const coin_priv_tested_step *step,
+                                      double *part)
 {
     struct end a, b;
     const double s2 = step->stride * step->stride;
@@ -128,23 +129,27 @@ double coin_priv_cone_left_at(const coin_priv_tested_step *step)
     const double miss = closely ? COIN_PRIV_MISS * s2 * s2 * s2 : 0;
     const double places = PLACES, edge = EDGE / places;
     double m[PLACES + 1];
+    *part = 0.5;
     end_of(&a, step, step->from);
     end_of(&b, step, step->to);
     for (int k = 0; k <= PLACES; ++k)
         m[k] = clearance_between(step, &a, &b, k / places);
     if (closely && least_beside(m[0], clearance_between(step, &a, &b, edge), m,
                                 1) < (m[0] < miss ? 0 : miss))
-        return 0.5;
+        return COIN_PRIV_UNCLEAR;
     for (int k = 1; k < PLACES; ++k) {
-        if (m[k] < -miss)
-            return -k / places;
+        if (m[k] < -miss) {
+            *part = k / places;
+            return COIN_PRIV_LEAVES;
+        }
         if (least(m, k) < miss)
-            return 0.5;
+            return COIN_PRIV_UNCLEAR;
     }
     const double last = clearance_between(step, &a, &b, 1 - edge);
     if (closely && m[PLACES] >= 0 &&
         least_beside(m[PLACES], last, m, PLACES - 1) <
             (m[PLACES] < miss ? 0 : miss))
-        return 0.5;
-    return 1;
+        return COIN_PRIV_UNCLEAR;
+    *part = 1;
+    return COIN_PRIV_STAYS;
 }

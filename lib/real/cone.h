@@ -38,12 +38,20 @@ typedef struct coin_priv_tested_step {
 double coin_priv_clearance(const coin_priv_contact *contact,
                            const coin_priv_slip *y, int slips);
 
-/* Returns 1 if the clearance is positive all along a step; at its end it may be
- * negative.  Returns -x if it is negative at the part x of the step, and
- * positive before.  Returns 0.5 if neither is known: the caller then tries half
- * of the step.  Between the ends the motion is Hermite's polynomial of degree
- * 5. */
-double coin_priv_cone_left_at(const coin_priv_tested_step *step);
+/* Whether the clearance stays positive along a step; at its end it may be
+ * negative. */
+typedef enum coin_priv_verdict {
+    COIN_PRIV_STAYS,   /* it does */
+    COIN_PRIV_LEAVES,  /* it does not */
+    COIN_PRIV_UNCLEAR, /* it may not */
+} coin_priv_verdict;
+
+/* Tests a step whose motion between its ends is Hermite's polynomial of degree
+ * 5.  *part: the part of the step to go on with: 1 if the clearance stays
+ * positive, the first place at which it is seen to be negative if it leaves,
+ * and a half if that is unclear. */
+coin_priv_verdict coin_priv_test_cone(const coin_priv_tested_step *step,
+                                      double *part);
 
 /* The force that a rolling coin needs, over M a and times cos theta: along e_y,
  * e_X and e_h.  size: the scale by which forces are compared. */

@@ -11,9 +11,9 @@
  * rounding. */
 #define SLACK 1e-14
 
-/* A coin at a contact: its slopes without friction, and what a force of the
- * contact adds to them. */
-struct loose {
+/* How a coin responds to a force of the contact: its slopes without friction,
+ * and what a force adds to them. */
+struct response {
     double f;        /* the slope of the time: cos theta, or 1 */
     double turn;     /* the slope of phi */
     double roll;     /* the slope of psi */
@@ -28,7 +28,7 @@ struct loose {
 
 /* A slipping coin near flat whose contact is held turns about the vertical
  * through its centre. */
-static void hold(struct loose *o, const coin_priv_contact *t,
+static void hold(struct response *o, const coin_priv_contact *t,
                  const coin_priv_slip *y)
 {
     const coin_priv_body *b = &t->b;
@@ -48,7 +48,7 @@ static void hold(struct loose *o, const coin_priv_contact *t,
     o->zX = sth * sth * b->m / D;  /* (85) */
 }
 
-COIN_PRIV_INLINE void let_roll(struct loose *o, const coin_priv_contact *t,
+COIN_PRIV_INLINE void let_roll(struct response *o, const coin_priv_contact *t,
                                const coin_priv_slip *y)
 {
     const coin_priv_body *b = &t->b;
@@ -72,10 +72,10 @@ COIN_PRIV_INLINE void let_roll(struct loose *o, const coin_priv_contact *t,
     }
 }
 
-COIN_PRIV_INLINE struct loose loosen(const coin_priv_contact *t,
-                                     const coin_priv_slip *y)
+COIN_PRIV_INLINE struct response response_at(const coin_priv_contact *t,
+                                             const coin_priv_slip *y)
 {
-    struct loose o;
+    struct response o;
     const double wX = y->wX, sth = y->sth, cth = y->cth;
     if (t->psi_held)
         hold(&o, t, y);
@@ -92,13 +92,13 @@ COIN_PRIV_INLINE struct loose loosen(const coin_priv_contact *t,
 }
 
 /* The same as a function. */
-static struct loose loose_of(const coin_priv_contact *t,
-                             const coin_priv_slip *y)
+static struct response response_of(const coin_priv_contact *t,
+                                   const coin_priv_slip *y)
 {
-    return loosen(t, y);
+    return response_at(t, y);
 }
 
-static coin_priv_push stick(const struct loose *o, const coin_priv_slip *y)
+static coin_priv_push stick(const struct response *o, const coin_priv_slip *y)
 {
     const double part = o->lever * y->sth * y->cth;
     const double h =
@@ -114,11 +114,11 @@ static coin_priv_push stick(const struct loose *o, const coin_priv_slip *y)
 coin_priv_push coin_priv_static(const coin_priv_contact *contact,
                                 const coin_priv_slip *y)
 {
-    const struct loose o = loose_of(contact, y);
+    const struct response o = response_of(contact, y);
     return stick(&o, y);
 }
 
-COIN_PRIV_INLINE coin_priv_push slide(const struct loose *o,
+COIN_PRIV_INLINE coin_priv_push slide(const struct response *o,
                                       const coin_priv_slip *y, double mu,
                                       coin_priv_direction n)
 {
@@ -131,12 +131,12 @@ COIN_PRIV_INLINE coin_priv_push slide(const struct loose *o,
 coin_priv_push coin_priv_kinetic(const coin_priv_contact *contact,
                                  const coin_priv_slip *y, coin_priv_direction n)
 {
-    const struct loose o = loose_of(contact, y);
+    const struct response o = response_of(contact, y);
     return slide(&o, y, contact->mu_kinetic, n);
 }
 
 /* The slope of the slip. */
-COIN_PRIV_INLINE coin_priv_direction slip_slope(const struct loose *o,
+COIN_PRIV_INLINE coin_priv_direction slip_slope(const struct response *o,
                                                 const coin_priv_slip *y,
                                                 const coin_priv_push *p)
 {
@@ -150,7 +150,7 @@ COIN_PRIV_INLINE coin_priv_direction slip_slope(const struct loose *o,
 }
 
 /* The slopes under a force, times `by`. */
-COIN_PRIV_INLINE void slopes_under(coin_priv_slip *d, const struct loose *o,
+COIN_PRIV_INLINE void slopes_under(coin_priv_slip *d, const struct response *o,
                                    const coin_priv_slip *y,
                                    const coin_priv_push *force, double by)
 {
@@ -178,7 +178,7 @@ void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_contact *contact,
                             const coin_priv_slip *y,
                             const coin_priv_push *force)
 {
-    const struct loose o = loose_of(contact, y);
+    const struct response o = response_of(contact, y);
     slopes_under(d, &o, y, force, 1);
 }
 
@@ -192,7 +192,7 @@ int coin_priv_can_slip(const coin_priv_contact *contact,
 
 /* mu N + F, divided by mu if that is above 1, with the absolute values of all
  * terms of the force. */
-static double terms_of(const coin_priv_contact *t, const struct loose *o,
+static double terms_of(const coin_priv_contact *t, const struct response *o,
                        const coin_priv_slip *y)
 {
     const double cth = y->cth, sth = fabs(y->sth), mu = t->mu_static;
@@ -212,7 +212,7 @@ static double terms_of(const coin_priv_contact *t, const struct loose *o,
 double coin_priv_margin(const coin_priv_contact *contact,
                         const coin_priv_slip *y)
 {
-    const struct loose o = loose_of(contact, y);
+    const struct response o = response_of(contact, y);
     const coin_priv_push force = stick(&o, y);
     const double mu = contact->mu_static;
     const double F = coin_priv_hypot(force.X, force.h);
@@ -220,8 +220,9 @@ double coin_priv_margin(const coin_priv_contact *contact,
            SLACK * terms_of(contact, &o, y);
 }
 
-/* Two directions.  That of a slip that begins is looked for between them. */
-struct fan {
+/* The directions between two.  That of a slip that begins is looked for in such
+ * a sector. */
+struct sector {
     coin_priv_direction from, to;
 };
 
@@ -232,20 +233,20 @@ static coin_priv_direction unit(double X, double h)
     return n;
 }
 
-static coin_priv_direction within(const struct fan *f, double part)
+static coin_priv_direction direction_at(const struct sector *f, double part)
 {
     return unit((1 - part) * f->from.X + part * f->to.X,
                 (1 - part) * f->from.h + part * f->to.h);
 }
 
 /* The cross product of the slope of the slip and n, for a slip that begins in
- * the direction n, a part of the way through the fan.  It is 0 if the slip
+ * the direction n, a part of the way through the sector.  It is 0 if the slip
  * keeps that direction. */
-static double turn_away(const struct loose *o, const coin_priv_contact *t,
-                        const coin_priv_slip *y, const struct fan *f,
+static double turn_away(const struct response *o, const coin_priv_contact *t,
+                        const coin_priv_slip *y, const struct sector *f,
                         double part)
 {
-    const coin_priv_direction n = within(f, part);
+    const coin_priv_direction n = direction_at(f, part);
     const coin_priv_push force = slide(o, y, t->mu_kinetic, n);
     const coin_priv_direction d = slip_slope(o, y, &force);
     return d.X * n.h - d.h * n.X; /* (84) */
@@ -258,20 +259,20 @@ coin_priv_direction coin_priv_slip_direction(const coin_priv_contact *contact,
                                              const coin_priv_slip *y,
                                              const coin_priv_push *stick)
 {
-    const struct loose o = loose_of(contact, y);
+    const struct response o = response_of(contact, y);
     const double lever_h = (1 + o.lever) / o.D;
-    const struct fan fan = {
+    const struct sector sector = {
         unit(-stick->X, -stick->h),
         unit(-stick->X * (1 + o.zX), -stick->h * lever_h),
     };
-    double x0 = 0, off0 = turn_away(&o, contact, y, &fan, 0);
-    double x1 = 1, off1 = turn_away(&o, contact, y, &fan, 1);
+    double x0 = 0, off0 = turn_away(&o, contact, y, &sector, 0);
+    double x1 = 1, off1 = turn_away(&o, contact, y, &sector, 1);
     double x = fabs(off0) < fabs(off1) ? x0 : x1, step = 1;
     for (int i = 0;
          (i < TRIALS) & (step > DBL_EPSILON) & ((off0 < 0) != (off1 < 0));
          ++i) {
         x = x0 + (x1 - x0) * (off0 / (off0 - off1));
-        const double off = turn_away(&o, contact, y, &fan, x);
+        const double off = turn_away(&o, contact, y, &sector, x);
         step = fabs(x - x1);
         if ((off < 0) == (off1 < 0)) {
             off0 /= 2; /* Illinois */
@@ -282,14 +283,14 @@ coin_priv_direction coin_priv_slip_direction(const coin_priv_contact *contact,
         x1 = x;
         off1 = off;
     }
-    return within(&fan, x);
+    return direction_at(&sector, x);
 }
 
 void coin_priv_roll_slopes(double *dy, const double *y, const void *contact)
 {
     const coin_priv_contact *t = (const coin_priv_contact *)contact;
     const coin_priv_slip *at = (const coin_priv_slip *)(const void *)y;
-    const struct loose o = loose_of(t, at);
+    const struct response o = response_of(t, at);
     const coin_priv_push force = stick(&o, at);
     slopes_under((coin_priv_slip *)(void *)dy, &o, at, &force, 1);
 }
@@ -301,7 +302,7 @@ void coin_priv_slip_slopes(double *dy, const double *y, const void *contact)
     const double u = coin_priv_hypot(at->uX, at->uh);
     const double scale = coin_priv_slip_scale(t, u);
     const coin_priv_direction n = {at->uX / u, at->uh / u};
-    const struct loose o = loosen(t, at);
+    const struct response o = response_at(t, at);
     const coin_priv_push force = slide(&o, at, t->mu_kinetic, n);
     slopes_under((coin_priv_slip *)(void *)dy, &o, at, &force, scale);
 }

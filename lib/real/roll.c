@@ -225,18 +225,19 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
             &g->contact, coin_priv_roll_slopes, &from, &to,
             tau,         fabs(tau) * rate,
         };
-        const double part = coin_priv_cone_left_at(&tested);
-        if (part < 1) {
-            tau *= fabs(part);
+        double part;
+        const coin_priv_verdict is = coin_priv_test_cone(&tested, &part);
+        if (is != COIN_PRIV_STAYS) {
+            tau *= part;
             coin_priv_again(g, tau);
         }
         const double end = coin_priv_rolling_clearance(g);
-        if (end < 0 && (part < 0 || part == 1)) {
+        if (end < 0 && is != COIN_PRIV_UNCLEAR) {
             coin_priv_again(
                 g, coin_priv_locate(g, step_to_clearance, before, tau, end));
             return -1;
         }
-        if (part == 1)
+        if (is == COIN_PRIV_STAYS)
             return whole;
     }
 }

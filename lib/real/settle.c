@@ -30,7 +30,7 @@ struct settling {
 
 /* The tau that the time rem takes: rem = c tau - s c wX tau^2/2 + ..., solved;
  * infinite where that has no solution. */
-static double tau_of(const coin_priv_variables *y, double rem)
+static double quadratic_tau(const coin_priv_variables *y, double rem)
 {
     const double r = rem / y->cth;
     const double room = 1 - 2 * y->sth * y->wX * r;
@@ -48,7 +48,7 @@ static double next_tau(const struct settling *g, double rate)
     double full = g->stride / rate;
     if (bound < full)
         full = bound;
-    const double tau = tau_of(&g->w.run.g.y, rem);
+    const double tau = quadratic_tau(&g->w.run.g.y, rem);
     return fabs(tau) < full ? tau : side * full;
 }
 

@@ -278,19 +278,20 @@ static int32_t cut(coin_priv_sliding *g, struct tried *r, double *h,
         const coin_priv_tested_step tested = {
             &g->contact, coin_priv_slip_slopes, &from, &r->to, *h, *h * rate,
         };
-        const double part = coin_priv_cone_left_at(&tested);
-        if (part < 1) {
-            *h *= fabs(part);
+        double part;
+        const coin_priv_verdict is = coin_priv_test_cone(&tested, &part);
+        if (is != COIN_PRIV_STAYS) {
+            *h *= part;
             *r = attempt(g, *h);
             status = COIN_OK;
         }
         const double end = coin_priv_clearance(&g->contact, &r->to, 1);
-        if (!(end > 0) && (part < 0 || part == 1)) {
+        if (!(end > 0) && is != COIN_PRIV_UNCLEAR) {
             *h = coin_priv_locate(g, clearance_after, before, *h, end);
             *r = attempt(g, *h);
             return COIN_ELIFT;
         }
-        if (part == 1)
+        if (is == COIN_PRIV_STAYS)
             return status;
     }
 }

@@ -27,7 +27,7 @@ COIN_PRIV_INLINE double tau_between(const coin_priv_stretch *w,
     return h * w->unit;
 }
 
-static double tau_of(const coin_priv_stretch *w, int terms)
+static double tau_of_stretch(const coin_priv_stretch *w, int terms)
 {
     static const double all[] = {1.0 / 2,    3.0 / 26,   5.0 / 156,  5.0 / 572,
                                  3.0 / 1430, 1.0 / 2574, 1.0 / 24024};
@@ -46,5 +46,5 @@ void coin_priv_stretch_know(coin_priv_stretch *w, int terms)
     coin_priv_force_of(&w->force, &w->from.b, &w->from.g.y, &w->to, w->unit,
                        terms);
     if (w->t != 0)
-        w->tau = tau_of(w, terms);
+        w->tau = tau_of_stretch(w, terms);
 }

@@ -52,8 +52,8 @@ COUNT(LOSSY, void, , coin_priv_lossy_try,
       (trial, w, tau))
 COUNT(EXTRAPOLATE, int, return, coin_priv_extrapolate,
       (coin_priv_run * r, double tau), (r, tau))
-COUNT(CONE, double, return, coin_priv_cone_left_at,
-      (const coin_priv_tested_step *step), (step))
+COUNT(CONE, coin_priv_verdict, return, coin_priv_test_cone,
+      (const coin_priv_tested_step *step, double *part), (step, part))
 COUNT(SERIES, void, , coin_priv_stretch_know,
       (coin_priv_stretch * w, int terms), (w, terms))
 COUNT(CHECK, int32_t, return, coin_check,
