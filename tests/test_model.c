@@ -167,6 +167,23 @@ static const char *const far_scenes[] = {
 /* At 1e3 and +-1e6 natural units, against orbits.csv.  docs/models.md: ten
  * times the stated error is a quarter of the tolerance, so the error itself is
  * at most a fortieth; 310 to 4,100 were found. */
+/* However large tol is.  The first call leaves a good wobble where the second
+ * would read one that is not set. */
+static void too_far_from_an_unstable_circle_it_is_not_used(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    coin_state near;
+    const coin_state far = {.theta = 0x1.34fa85b269f6p-4,
+                            .wY = 0x1.d9c3ed07b388p-2,
+                            .wZ = -0x1.116e2d5a22dc8p-3};
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    check_status(coin_steady_upright_spin(&near, &p, 0.3), COIN_OK);
+    near.theta = 1e-5;
+    check_status(coin_model_needed(&near, &p, 1, 1e-3), COIN_MODEL_STEADY);
+    check_status(coin_model_needed(&far, &p, 3.6e-3, 16.4), COIN_MODEL_ORBIT);
+}
+
 static void an_orbit_is_named_as_far_as_it_is_exact(void **unused)
 {
     (void)unused;
@@ -242,6 +259,7 @@ int main(void)
         TEST(half_of_the_tolerance_is_kept_for_times_between),
         TEST(a_steady_motion_is_steady_for_long),
         TEST(an_unstable_circle_is_steady_for_a_while),
+        TEST(too_far_from_an_unstable_circle_it_is_not_used),
         TEST(an_orbit_is_named_as_far_as_it_is_exact),
         TEST(bad_horizons_and_tolerances_are_refused),
         TEST(a_fall_on_the_face_is_reported),

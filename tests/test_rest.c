@@ -272,16 +272,21 @@ static void a_stopped_contact_near_flat_is_held(void **unused)
                 const double A = 0.8;
                 const double fall = (sqrt(v[k] * v[k] + 2 * A * e) - v[k]) / A;
                 check_near(when, fall, 0.02 * fall);
-                check(s.psi == start.psi && s.wY == 0 && side * s.wX > 0);
+                check(s.wY == 0 && side * s.wX > 0);
+                /* Softened friction gives the torque of (73) at a slow roll. */
+                const double K = 1.5, IX = 0.25, soft = 1e-3;
+                const double top = e + fmin(v[k], 0) * v[k] / (2 * A);
+                const double torque = 0.2 * turn * top * top * (K - IX) / K;
+                const double creep = soft * torque / 0.1 * when;
+                check_near(s.psi, start.psi, creep);
                 /* Of the energy only the pivoting takes its part. */
-                const double K = 1.5;
                 check_near(E - coin_energy(&s, &p),
                            K / 2 * turn * turn * (1 - exp(-2 * 0.2 * when / K)),
                            1e-4 * turn + 1e-12);
                 check_near(s.phi - 1, turn * when, 0.1 * turn * when + 1e-15);
                 /* The point of contact stays. */
                 check_near(s.x, start.x + side * (sin(s.phi) - cos(e) * sin(1)),
-                           1e-7);
+                           1e-7 + creep);
                 coin_state by = start;
                 int32_t status;
                 do {

@@ -106,6 +106,26 @@ static void how_far_a_rise_is_held_does_not_depend_on_units(void **unused)
     }
 }
 
+/* Pivoting friction turns a contact that dry friction is too weak to hold, also
+ * one that stood still at first. */
+static void a_weakly_held_contact_is_turned_by_pivoting_friction(void **unused)
+{
+    (void)unused;
+    const double e = 1e-4, t = 7e-3;
+    const coin_losses l = {.dry = 1e-9, .spin = 0.1};
+    coin_params p;
+    coin_state still = {
+        .theta = 1.5707963267948966 - e, .wY = 3 * sin(e), .wZ = -3 * cos(e)};
+    coin_state rolls = still;
+    rolls.wZ += 1e-6;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    check_status(coin_settle(&still, &p, &l, t, 1e-10, NULL), COIN_OK);
+    check_status(coin_settle(&rolls, &p, &l, t, 1e-10, NULL), COIN_OK);
+    check_within(rolls.psi, -2.1e-5, -1.8e-5);
+    check_near(still.psi, rolls.psi, 1e-8);
+    check_near(still.phi, rolls.phi, 2e-8);
+}
+
 static void the_time_of_rest_is_right_to_12_digits(void **unused)
 {
     (void)unused;
@@ -269,6 +289,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(every_row_of_the_reference_is_met_in_any_units),
         TEST(how_far_a_rise_is_held_does_not_depend_on_units),
+        TEST(a_weakly_held_contact_is_turned_by_pivoting_friction),
         TEST(the_time_of_rest_is_right_to_12_digits),
         TEST(the_energy_lost_is_the_integral_of_the_power),
         TEST(of_random_launches_99_of_100_err_by_less_than_tol),

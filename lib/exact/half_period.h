@@ -23,7 +23,7 @@ typedef struct coin_priv_half_period {
     coin_priv_series now;           /* about the latest centre */
     coin_priv_series between;       /* about the end of a piece */
     int count, back;                /* all pieces; those before the start's */
-    double toward;                  /* the sign of wX between A and B */
+    double toward;                  /* has the sign of wX between A and B */
     double reach[COIN_PRIV_PIECES]; /* the reach of a piece to both sides */
     double joint[COIN_PRIV_PIECES]; /* the time from the centre of a piece to
                                        where the piece it continues ends */

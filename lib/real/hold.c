@@ -122,6 +122,8 @@ int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
     const real fastest = SQRT(wX * wX + 2 * A * f.x);
     const real lever = l->K / D * (2 * l->IX - b->IZ) +
                        cth * cth * (b->IZ / D) * (l->K - l->IX);
-    const real need = FABS(turn * lever) * cth * fastest; /* (73) */
+    const real pivot = l->spin / D * (l->K - l->IX) * (cth * cth);
+    const real need =
+        FABS(turn * lever) * cth * fastest + FABS(turn * pivot); /* (73) */
     return need <= PRIV(holding_torque)(l, small2, cth);
 }

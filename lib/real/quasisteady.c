@@ -301,12 +301,15 @@ static int32_t check(struct quasisteady *q, const coin_state *s,
     return status;
 }
 
-/* Whether a loss acts that stops the coin: any but pivoting friction. */
-static int stops(const struct quasisteady *q, const coin_state *s,
-                 const coin_params *p, const coin_losses *l)
+/* Whether the losses stop the coin: one acts that is no pivoting friction, and
+ * the contact moves, or pivoting friction will make it move. */
+static int stops(const struct quasisteady *q, const coin_state *s)
 {
+    const coin_priv_variables y = coin_priv_variables_of(s);
+    const double turn = y.wY * y.cth - y.wZ * y.sth; /* about the vertical */
+    const int moves = coin_priv_roll_speed(y.wY, y.wZ, y.sth, y.cth) != 0;
     return q->l.solid + q->l.fluid + q->l.damping > 0 &&
-           coin_losses_power(s, p, l) > 0;
+           (moves || (q->l.spin > 0 && turn != 0));
 }
 
 static int32_t time_to_rest(double *time, const coin_state *s,
@@ -323,7 +326,7 @@ static int32_t time_to_rest(double *time, const coin_state *s,
     if (status != COIN_OK)
         return status;
     *time = (double)INFINITY;
-    if (!stops(&g.q, s, p, l))
+    if (!stops(&g.q, s))
         return COIN_RESTS;
     status = pass(&g, LONGEST);
     *time = g.y[TIME] / g.q.w0;
