@@ -3,6 +3,7 @@
  * for it. */
 #include "hold.h"
 #include "run.h"
+#include "slide.h"
 
 #include "support/check.h"
 #include "support/random.h"
@@ -92,11 +93,31 @@ static void losses_hold_what_pivoting_friction_would_turn(void **unused)
     }
 }
 
+/* However near to flat: its steps are in t. */
+static void a_held_slip_is_stepped_by_its_rates_alone(void **unused)
+{
+    (void)unused;
+    static coin_priv_sliding g;
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    check_status(coin_priv_check_body(&g.contact.b, &p), COIN_OK);
+    g.contact.psi_held = 1;
+    for (double from_flat = 1e-2; from_flat > 1e-8; from_flat /= 10) {
+        const coin_state s = {
+            .theta = 1.5707963267948966 - from_flat, .wX = 0.3, .wZ = -2};
+        g.w.run.b = g.contact.b;
+        coin_priv_run_unlimited(&g.w.run, &s);
+        check_note("%g rad from flat", from_flat);
+        check_near(coin_priv_slip_rate(&g), sqrt(1 + 0.3 * 0.3 + 2 * 2), 1e-12);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(losses_hold_the_torque_that_they_have),
         TEST(losses_hold_what_pivoting_friction_would_turn),
+        TEST(a_held_slip_is_stepped_by_its_rates_alone),
     };
     return RUN_TESTS(tests);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Which motions have an orbit: near the table, near a separatrix, and with
- * traps on. */
+/* Which motions have an orbit: near the table, near a separatrix, nearly
+ * critical, and with traps on. */
 #if defined(__linux__)
 #define _GNU_SOURCE /* feenableexcept() */
 #endif
@@ -263,6 +263,32 @@ static void no_call_divides_by_zero_or_overflows(void **unused)
     check(orbits > 4000);
 }
 
+/* There the rounding of the terms of (14) is more than lambda^2 times the
+ * rounding of the lean. */
+static void a_nearly_critical_circle_has_no_period(void **unused)
+{
+    (void)unused;
+    const coin_state circles[] = {
+        {.theta = 0x1.12f1fa4752f24p-2,
+         .wY = 0x1.6f7f1715de113p-2,
+         .wZ = 0x1.e7c66527cf8c8p-2},
+        {.theta = 0x1.4d21c0fbc751dp-2,
+         .wY = 0x1.044ea862b99b1p-1,
+         .wZ = 0x1.8fe4bd0f1fc98p-2},
+        {.theta = 0x1.84581e2c7122fp-5,
+         .wY = 0x1.c00045a1733acp-5,
+         .wZ = 0x1.278c641c4f18cp-1},
+    };
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    for (int i = 0; i < 3; ++i) {
+        double lambda2;
+        check_status(coin_stability(&circles[i], &p, &lambda2), COIN_OK);
+        check_within(lambda2, -0.02, -1e-3);
+        check(orbit_of(&circles[i], &p).period == 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -272,6 +298,7 @@ int main(void)
         TEST(conditioning_is_refused_from_1e12_on),
         TEST(conditioning_is_what_the_period_owes_to_energy),
         TEST(no_call_divides_by_zero_or_overflows),
+        TEST(a_nearly_critical_circle_has_no_period),
     };
     return RUN_TESTS(tests);
 }

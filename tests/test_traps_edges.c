@@ -115,6 +115,24 @@ static void trials_of_slips_do_not_run_away(void **unused)
     check(is != COIN_ESTATE && !fetestexcept(TRAPPED));
 }
 
+/* Nearly upright a fall on ice begins so slowly that its first trials are far
+ * too long. */
+static void a_slow_fall_on_ice_is_quiet(void **unused)
+{
+    const coin_params p = disc();
+    const coin_friction ice = {0, 0};
+    (void)unused;
+    for (double lean = 1e-10; lean < 2e-6; lean *= 2)
+        for (double tol = 1e-9; tol < 1e-3; tol *= 10) {
+            const coin_state s = turning(lean, 0.5, 0, 0);
+            coin_slide d;
+            check_status(coin_slide_of(&d, &s, &p), COIN_OK);
+            check_note("lean %g, tol %g", lean, tol);
+            QUIET(coin_slide_advance(&d, &p, &ice, NULL, 0.5, tol, NULL),
+                  COIN_SLIPS);
+        }
+}
+
 /* The turn of a body with I_Z < I_X lifts it from the table. */
 static void a_contact_is_held_in_a_fall_only(void **unused)
 {
@@ -256,6 +274,7 @@ int main(void)
         TEST(a_check_takes_any_step_and_any_friction),
         TEST(without_a_step_its_length_does_not_count),
         TEST(trials_of_slips_do_not_run_away),
+        TEST(a_slow_fall_on_ice_is_quiet),
         TEST(a_contact_is_held_in_a_fall_only),
         TEST(a_slow_path_through_steady_motions_is_quiet),
         TEST(a_time_of_no_length_is_looked_at),
