@@ -65,7 +65,9 @@ turns = [(-s*wX*f + c*df) - (eq15 + (contour + pivoting)[1]/IX).subs(stopped),
 held = sp.solve(turns, [df, Q])
 holds(72, D*held[df] + diff(D, th)*wX*f + b*f)
 need = K*(2*IX - IZ) + c**2*IZ*(K - IX)
-holds(73, (held[Q].subs(b, 0)*D)**2 - (f*wX*c*need)**2)
+falls = held[Q].subs(b, 0)
+holds(73, (falls*D)**2 - (f*wX*c*need)**2,
+      ((held[Q] - falls)*D)**2 - (b*f*s*c**2*(K - IX))**2)
 
 # ---- quasi-steady motion, (74): F stays 0
 F = IX*T*wY**2 + K*wY*wZ - M*g*a*s              # (39)
