@@ -67,8 +67,9 @@
  * COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_ERANGE or NaN.  So
  * these exceptions may be trapped (test_traps, make fuzz).  This is promised
  * for mass, radius, gravity and moments of inertia from 1e-24 to 1e24, and for
- * rates and velocities that are 0 or from 1e-40 to 1e40 sqrt(g/a) and
- * sqrt(g a); in floats for 1e-6 to 1e6 of both (test_float_traps).
+ * rates, velocities and losses that are 0 or from 1e-40 to 1e40 of their
+ * natural units, in which M = a = g = 1; in floats for 1e-6 to 1e6 of these
+ * (test_float_traps).
  * coin_batch_run() does not promise it if a coin of the batch is refused.
  * Inexact and underflow may be raised.
  * clang keeps this promise only with -ffp-exception-behavior=maytrap, which the
