@@ -367,6 +367,14 @@ static void no_launch_sets_errno(void **unused)
     }
 }
 
+static void an_energy_that_overflows_is_no_number(void **unused)
+{
+    (void)unused;
+    const coin_params heavy = {1e200, 1e-50, 1, 1e99, 2e99, {0, 0, 0}};
+    const coin_slide d = {{.theta = 0.3}, 1e60, 0};
+    check(isnan(coin_slide_energy(&d, &heavy)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -384,6 +392,7 @@ int main(void)
         TEST(mirror_heading_and_units_change_nothing),
         TEST(a_slip_that_grows_fast_ends_at_the_time_asked),
         TEST(no_launch_sets_errno),
+        TEST(an_energy_that_overflows_is_no_number),
     };
     return RUN_TESTS(tests);
 }

@@ -99,7 +99,8 @@ double coin_slide_energy(const coin_slide *d, const coin_params *p)
     const double v2 = d->vx * d->vx + d->vz * d->vz + vy * vy;
     const double T =
         0.5 * (b.M * v2 + b.IX * (wX * wX + wY * wY) + b.IZ * wZ * wZ);
-    return T + b.Mga * th.c; /* (88) */
+    const double E = T + b.Mga * th.c; /* (88) */
+    return E <= DBL_MAX ? E : (double)NAN;
 }
 
 int32_t coin_slide_velocity(const coin_slide *d, const coin_params *p,
