@@ -1136,7 +1136,7 @@ COIN_API int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
 /** Kinetic plus potential energy; the velocity of the centre is that of the
  * slide.  Eq. (88).
  * @return the energy [M L^2/T^2]; NaN on the usual errors, COIN_ESTATE as
- *         coin_slide_advance(), and where it would overflow.
+ *         coin_slide_advance().
  * Accuracy: 12 u of the terms (make adversary). */
 COIN_API double coin_slide_energy(const coin_slide *d, const coin_params *p);
 

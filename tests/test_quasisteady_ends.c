@@ -28,6 +28,8 @@ static void without_a_loss_that_stops_it_the_time_is_infinite(void **unused)
     check(coin_time_to_rest(&s, &p, &turn) == (double)INFINITY);
     check_status(coin_steady_upright_spin(&up, &p, 3), COIN_OK);
     check(coin_time_to_rest(&up, &p, &dry) == (double)INFINITY);
+    const coin_losses both = {.dry = 1e-3, .spin = 0.01};
+    check(coin_time_to_rest(&up, &p, &both) != (double)INFINITY);
     /* And then the motion is a steady one for ever. */
     check_status(coin_quasisteady_at(&up, &p, &dry, 1e3, &out), COIN_OK);
     check_status(coin_steady_at(&up, &p, 1e3, &want), COIN_OK);

@@ -95,12 +95,11 @@ double coin_slide_energy(const coin_slide *d, const coin_params *p)
         return (double)NAN;
     const coin_priv_sc th = coin_priv_sincos(d->s.theta);
     const double wX = d->s.wX, wY = d->s.wY, wZ = d->s.wZ;
-    const double vy = b.a * wX * th.s;
-    const double v2 = d->vx * d->vx + d->vz * d->vz + vy * vy;
-    const double T =
-        0.5 * (b.M * v2 + b.IX * (wX * wX + wY * wY) + b.IZ * wZ * wZ);
-    const double E = T + b.Mga * th.c; /* (88) */
-    return E <= DBL_MAX ? E : (double)NAN;
+    const double vx = d->vx, vy = b.a * wX * th.s, vz = d->vz;
+    /* M v first: v^2 may overflow where M v^2 does not. */
+    const double Mv2 = b.M * vx * vx + b.M * vz * vz + b.M * vy * vy;
+    const double T = 0.5 * (Mv2 + b.IX * (wX * wX + wY * wY) + b.IZ * wZ * wZ);
+    return T + b.Mga * th.c; /* (88) */
 }
 
 int32_t coin_slide_velocity(const coin_slide *d, const coin_params *p,

@@ -306,10 +306,9 @@ static int32_t check(struct quasisteady *q, const coin_state *s,
 static int stops(const struct quasisteady *q, const coin_state *s)
 {
     const coin_priv_variables y = coin_priv_variables_of(s);
-    const double turn = y.wY * y.cth - y.wZ * y.sth; /* about the vertical */
-    const int moves = coin_priv_roll_speed(y.wY, y.wZ, y.sth, y.cth) != 0;
+    const double u = coin_priv_roll_speed(y.wY, y.wZ, y.sth, y.cth);
     return q->l.solid + q->l.fluid + q->l.damping > 0 &&
-           (moves || (q->l.spin > 0 && turn != 0));
+           (u != 0 || q->l.spin > 0);
 }
 
 static int32_t time_to_rest(double *time, const coin_state *s,
