@@ -36,9 +36,9 @@ set ytics ("-60°" -60, "-30°" -30, "0" 0, "30°" 30, "60°" 60)
 set label 1 "stable" at 0.33,52 left tc ls 2
 set label 2 "unstable" at 0.2,-5 center tc ls 3
 set label 3 "with wY = 0.05" at 0.52,-30 left tc rgb "#606060"
-plot file index 5 using 2:(deg($3)) with points pt 7 ps 0.12 lc rgb "#909090", \
-    file index 4 using 2:($4 < 0 ? deg($3) : NaN) with points pt 7 ps 0.22 \
+plot file index 5 using 2:(deg($3)) with points pt 7 ps 0.2 lc rgb "#909090", \
+    file index 4 using 2:($4 < 0 ? deg($3) : NaN) with points pt 7 ps 0.3 \
         lc rgb "#0072B2", \
-    file index 4 using 2:($4 >= 0 ? deg($3) : NaN) with points pt 7 ps 0.22 \
+    file index 4 using 2:($4 >= 0 ? deg($3) : NaN) with points pt 7 ps 0.3 \
         lc rgb "#D55E00"
 unset multiplot
