@@ -19,7 +19,7 @@ static void drop(double inner, double spin)
     coin_state lowest = s;
     to_turn(&lowest, &p, 1);
     one_period(&s, &p);
-    printf("%g,%.6e,%.9e,%.12f\n", inner, spin, acos(0) - lowest.theta, s.phi);
+    printf("%g,%.6e,%.7e,%.8f\n", inner, spin, acos(0) - lowest.theta, s.phi);
 }
 
 int main(void)
