@@ -3,6 +3,7 @@
  * that are chosen by trial. */
 #include "growth.hpp"
 #include "path.hpp"
+#include "recurrence.hpp"
 #include "row.hpp"
 #include "truth.hpp"
 
@@ -130,6 +131,17 @@ R residue_of(const coin_params &p, const coin_state &s, R W, R time)
     return lean * (1 + 4 * W * time / y.c);
 }
 
+/* What is added to the error of the place for each period that an orbit repeats
+ * with nearly the heading of the last, in radii: `sum` is the error of angles.
+ */
+inline double drift_of(const coin_orbit &o, double sum, double turn)
+{
+    const double b =
+        std::fabs(std::remainder(o.heading_per_period, 6.283185307179586));
+    const double swing = (o.theta_max - o.theta_min) * turn;
+    return o.period > 0 ? std::fmin(sum / b, swing) : 0;
+}
+
 /* A state that an orbit tells of a time t, over the law of coin_orbit_at(). */
 template <class R>
 double told(const coin_orbit &o, const scene &s, double t,
@@ -138,7 +150,8 @@ double told(const coin_orbit &o, const scene &s, double t,
     const coin_params p = params_of<doubles>(s);
     const coin_state start = state_of<doubles>(s);
     path<R> truth(p, start);
-    if (!truth.follow(R(t)))
+    const bool is_far = truth.is_long(R(t));
+    if (!follow_far(&truth, R(t), R(o.period)))
         return NO_CLAIM;
     const double periods = o.period > 0 ? std::fabs(t) / o.period : 0;
     const double time = (std::fabs(t) + o.period) * double(truth.w);
@@ -149,34 +162,41 @@ double told(const coin_orbit &o, const scene &s, double t,
         const double bound = 1e-14 + 1e-15 * o.conditioning * periods +
                              4 * doubles::u * double(W) * time +
                              double(residue) + amplified;
-        return bound < 1 ? ratio_of(orbit_error(truth, out, W, far), bound)
+        const double turn = double(W) * std::fabs(t) * double(truth.w);
+        const R wide =
+            far < 0 ? far : far + R(drift_of(o, bound, turn) / bound);
+        return bound < 1 ? ratio_of(orbit_error(truth, out, W, wide), bound)
                          : NO_CLAIM;
     };
     if (!(ratio() > UNAMPLIFIED))
         return ratio();
     W = fastest_ever(truth, R(o.period));
     if (ratio() > larger(enough, UNAMPLIFIED))
-        amplified = 4 * doubles::u * growth(p, start, t / 16, 16, 1e30);
+        amplified =
+            4 * doubles::u *
+            (is_far ? (1 + periods) * growth(p, start, o.period / 16, 16, 1e30)
+                    : growth(p, start, t / 16, 16, 1e30));
     return ratio();
 }
 
 /* The orbit of a scene; its period is 0 where there is none. */
-const coin_orbit &orbit_of(const scene &s)
+const coin_orbit &orbit_of(const scene &s, bool is_far = false)
 {
     static coin_orbit o;
     const coin_params p = params_of<doubles>(s);
     const coin_state start = state_of<doubles>(s);
-    if (path<long double>(p, start).is_long(s.t) ||
+    if (path<long double>(p, start).is_long(s.t) != is_far ||
         coin_orbit_init(&o, &start, &p) != COIN_OK)
         o = coin_orbit();
     return o;
 }
 
-template <class R> double orbit(const scene &s, double enough)
+/* At times that are followed, or farther. */
+template <class R, bool IS_FAR> double orbit(const scene &s, double enough)
 {
-    const coin_orbit &o = orbit_of(s);
+    const coin_orbit &o = orbit_of(s, IS_FAR);
     coin_state out;
-    if (coin_orbit_at(&o, s.t, &out) != COIN_OK)
+    if ((IS_FAR && !(o.period > 0)) || coin_orbit_at(&o, s.t, &out) != COIN_OK)
         return NO_CLAIM;
     const R far = o.radius_max > 0 ? R(o.radius_max) / s.a : R(0);
     return told<R>(o, s, s.t, out, far, enough);
@@ -316,6 +336,14 @@ void about_circles(scene *s, const double *g)
         s->wY *= 1 + std::pow(10, -17 * g[27]);
 }
 
+/* Times of up to 1e6 natural units. */
+void for_long(scene *s, const double *g)
+{
+    about_circles(s, g);
+    const double units = std::pow(10, 7 * g[23] - 1);
+    s->t = (g[22] < 0.5 ? units : -units) * std::sqrt(s->a / s->g);
+}
+
 /* Spins of discs and hoops, nearly upright. */
 void spins(scene *s, const double *g)
 {
@@ -335,6 +363,12 @@ void spins(scene *s, const double *g)
         name, law, divisor, false, edge, function<long double>, function<quad> \
     }
 
+#define ORBIT(is_far, name, law, divisor, edge)                                \
+    {                                                                          \
+        name, law, divisor, false, edge, orbit<long double, is_far>,           \
+            orbit<quad, is_far>                                                \
+    }
+
 void add_motions(std::vector<row> *rows)
 {
     const row made[] = {
@@ -342,10 +376,12 @@ void add_motions(std::vector<row> *rows)
                horizon),
         MOTION(until, "coin_advance_until", "F/N over mu by 1e-6 of mu", 2,
                until_it_slips),
-        MOTION(orbit, "coin_orbit_at",
-               "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + period) "
-               "+ 4 u amplified",
-               10, about_circles),
+        ORBIT(false, "coin_orbit_at",
+              "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + period) "
+              "+ 4 u amplified",
+              10, about_circles),
+        ORBIT(true, "coin_orbit_at_far", "the same, after up to 1e6 units", 10,
+              for_long),
         MOTION(orbit_init, "coin_orbit_init",
                "after a period lean, rates, heading and roll as coin_orbit_at",
                10, about_circles),
