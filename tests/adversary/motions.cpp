@@ -380,10 +380,10 @@ void add_motions(std::vector<row> *rows)
               "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + period) "
               "+ 4 u amplified",
               10, about_circles),
-        ORBIT(true, "coin_orbit_at_far", "the same, after up to 1e6 units", 10,
+        ORBIT(true, "coin_orbit_at_far", "the same; up to 1e6 units", 10,
               for_long),
         MOTION(orbit_init, "coin_orbit_init",
-               "after a period lean, rates, heading and roll as coin_orbit_at",
+               "lean; rates; heading and roll after a period as coin_orbit_at",
                10, about_circles),
         MOTION(model, "coin_model_needed", "tol", 5, about_circles),
         MOTION(max_dt, "coin_max_dt",
