@@ -202,7 +202,7 @@ static void near_the_table_the_rounding_of_theta_does_not_reach_the_rates(
     const coin_params p = disc();
     const uint64_t steps = 100 * COIN_PRIV_BLOCK + 17;
     struct random r = random_begin(305);
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 10; ++i) {
         const double angle = 4 * pow(10, random_between(&r, -6, -3));
         const double size = sqrt(angle), W = 2 / size;
         coin_state s = {.theta = HALF_PI - angle,
