@@ -62,8 +62,8 @@ static void move(struct place *o, const coin_priv_body *b, double theta)
     evaluate(o, b);
 }
 
-/* The step of Newton's method; 4 [rad], which is too far for every use, if it
- * is longer than that. */
+/* The step of Newton's method, or 4 rad if that is longer.  So long a step
+ * leaves every bracket, and is longer than LONG_STEP. */
 static double newton(const struct place *o)
 {
     return fabs(o->fall) < 4 * fabs(o->fall_slope) ? -o->fall / o->fall_slope

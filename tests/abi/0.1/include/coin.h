@@ -856,9 +856,9 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         4 u W (|t| + period), as from a rounding of t, where W is the fastest
  *         rate of the motion, Eq. (47), which is large in a pass close to flat.
  *         In x and z, in radii, 1 + radius_max/radius times that sum, with the
- *         distance from the start for radius_max if the path drifts; and the
- *         lesser of that sum over b and W |t| (theta_max - theta_min), where b
- *         is how far heading_per_period is from a multiple of 2 pi.  In the
+ *         distance from the start for radius_max if the path drifts.  If
+ *         heading_per_period is nearly a multiple of 2 pi, off by b, then the
+ *         lesser of sum/b and W |t| (theta_max - theta_min) is added.  In the
  *         rates W times that sum (test_orbit_edges).  In all members 4 u of the
  *         state, amplified as the motion amplifies an error in the lean or a
  *         rate: next to an unstable steady motion the error of heading and roll
