@@ -209,8 +209,10 @@ TEST_FILES := $(foreach t,$(TESTS),$(or $(wildcard $(SRC)/$t),$t))
 TEST_PROGS := $(TEST_FILES:$(SRC)/%.c=$(O)/%)
 TEST_EXTRA := $(patsubst $(SRC)/%.c,$(O)/%.o,\
                          $(wildcard $(SRC)/tests/support/*.c))
-CMOCKA      = $(shell $(PKG_CONFIG) --cflags cmocka)
-CMOCKA_LIBS = $(shell $(PKG_CONFIG) --libs cmocka)
+# Asked when the first test is compiled, and once.
+CMOCKA      = $(eval CMOCKA := $$(shell $(PKG_CONFIG) --cflags cmocka))$(CMOCKA)
+CMOCKA_LIBS = $(eval CMOCKA_LIBS := $$(shell \
+                $(PKG_CONFIG) --libs cmocka))$(CMOCKA_LIBS)
 
 # What runs a test: nothing, or valgrind.
 TEST_RUNNER ?=
@@ -219,13 +221,14 @@ TEST_RUNNER ?=
 # to .failed.
 TEST_LOGS = $(TEST_PROGS:%=%.log)
 $(TEST_LOGS): %.log: % force
-	$(TEST_RUNNER) $< >$@ 2>&1 && rm -f $<.failed || mv $@ $<.failed
+	if $(TEST_RUNNER) $< >$@ 2>&1; then test ! -e $<.failed || rm $<.failed; \
+	else mv $@ $<.failed; fi
 
 .PHONY: check build-tests need-cmocka
 check: $(TEST_LOGS) ## run the tests, or those that TESTS names
-	failed=; for t in $(TEST_PROGS); do if test -e $$t.failed; \
-	    then cat $$t.failed; failed="$$failed $${t##*/}"; \
-	    else cat $$t.log; fi; done; \
+	failed=; logs=; for t in $(TEST_PROGS); do if test -e $$t.failed; \
+	    then logs="$$logs $$t.failed"; failed="$$failed $${t##*/}"; \
+	    else logs="$$logs $$t.log"; fi; done; cat $$logs /dev/null; \
 	set -- $(TEST_PROGS); test $$# -gt 0 || failed=" no test program"; \
 	test -z "$$failed" || { echo "FAILED:$$failed"; exit 1; }; \
 	echo "all $$# test programs passed"

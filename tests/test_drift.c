@@ -176,9 +176,10 @@ static double series_error(struct random *r, double reach)
 static void the_drift_s_series_is_good_to_rounding(void **unused)
 {
     (void)unused;
+    const int count = tries_asked(120);
     struct random r = random_begin(73);
     double worst = 0, beyond = 0;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < count; ++i) {
         const double part = random_between(&r, 0, COIN_PRIV_SERIES_REACH);
         worst = fmax(worst, series_error(&r, part));
         worst = fmax(worst, series_error(&r, COIN_PRIV_SERIES_REACH));

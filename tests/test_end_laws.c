@@ -16,7 +16,7 @@ static double time_at(coin_state *s, const coin_params *p, const coin_losses *l,
     double t = 0, step = rest * 1e-3, reached;
     while (step > 1e-9 * rest) {
         coin_state next = *s;
-        coin_settle(&next, p, l, step, 1e-8, &reached);
+        coin_settle(&next, p, l, step, 1e-6, &reached);
         if (HALF_PI - next.theta < angle)
             step /= 2;
         else {
@@ -109,7 +109,7 @@ static double turns_back_at(const coin_losses *l, double e0)
     }
     /* And so by the full equations. */
     s = start;
-    check_status(coin_settle(&s, &p, l, early, 1e-11, NULL), COIN_OK);
+    check_status(coin_settle(&s, &p, l, early, 1e-8, NULL), COIN_OK);
     check_near(s.wY * cos(s.theta) - s.wZ * sin(s.theta), 0, 2e-4);
     return HALF_PI - s.theta;
 }

@@ -138,7 +138,7 @@ static void sines_and_cosines_have_the_same_bits(void **unused)
             memcpy(&t.s[k].phi, &bits, sizeof bits);
             t.s[k].phi = k % 2 ? t.s[k].phi : -t.s[k].phi;
             t.s[k].wZ = 1;
-            bits = bits + 4657 < last ? bits + 4657 : last;
+            bits = bits + 14657 < last ? bits + 14657 : last;
         }
         check_trial(&t, COIN_RK4, -0.5f, 1);
         for (size_t k = 0; k < t.count; ++k, ++all) {
@@ -147,7 +147,7 @@ static void sines_and_cosines_have_the_same_bits(void **unused)
             turned += x < 0 || z < 0;
         }
     }
-    check(all > 250000 && turned > all / 10);
+    check(all > 79000 && turned > all / 10);
 }
 
 /* Angles far from half a turn come back, some each step; half a turn itself

@@ -92,10 +92,11 @@ static void a_quarter_rests_after_the_time_of_coin_settle(void **unused)
 static void of_random_launches_98_of_100_err_by_less_than_tol(void **unused)
 {
     (void)unused;
+    const int count = tries_asked(100);
     struct random r = random_begin(181);
     const float tols[] = {1e-2f, 1e-3f, 1e-4f, 1e-5f};
     int within[4] = {0};
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < count; ++i) {
         const coin_params any = random_coin(&r);
         const coin_losses some = random_losses(&r, &any, 0.03);
         const coin_state from = random_state(&r, &any, 1.5);
@@ -124,7 +125,7 @@ static void of_random_launches_98_of_100_err_by_less_than_tol(void **unused)
     }
     for (int k = 0; k < 4; ++k) {
         check_note("tol %g", (double)tols[k]);
-        check_within(within[k], 392, 400);
+        check_within(within[k], 0.98 * count, count);
     }
 }
 
@@ -240,37 +241,34 @@ static void a_stopped_contact_near_flat_is_held(void **unused)
     const coinf_losses l = {.dry = 0.1f, .spin = 0.2f};
     const coin_losses L = doubles_losses(&l);
     const float speeds[] = {0, 0.1f, -0.05f};
-    for (int side = -1; side <= 1; side += 2)
-        for (int k = 0; k < 3; ++k) {
-            const float e = 0.03f, sign = (float)side;
-            coinf_state s = {.theta = sign * (1.57079637f - e),
-                             .phi = 3,
-                             .wX = sign * speeds[k],
-                             .wY = 0.6f * sinf(e),
-                             .wZ = -sign * 0.6f * cosf(e)};
-            coinf_state by = s;
-            coin_state want = doubles_state(&s);
-            float when, reached, sum = 0;
-            double right;
-            int32_t status;
-            check_note("side %d, v %g", side, (double)speeds[k]);
-            check_status(coinf_settle(&s, &p, &l, 9, 1e-4f, &when), COIN_RESTS);
-            check_status(coin_settle(&want, &P, &L, 9, 1e-8, &right),
-                         COIN_RESTS);
-            check_near((double)when, right, 1e-5);
-            check_near((double)s.wX, want.wX, 1e-5);
-            check_near((double)s.wZ, want.wZ, 1e-5);
-            check_near((double)s.psi, 0, 1e-6);
-            check_within(pose_apart(&s, &want, 1), 0, 2e-6);
-            do {
-                status =
-                    coinf_settle(&by, &p, &l, when / 7.5f, 1e-4f, &reached);
-                sum += reached;
-            } while (status == COIN_OK);
-            check_status(status, COIN_RESTS);
-            check_near((double)sum, (double)when, 2e-6);
-            check_within(pose_apart(&by, &want, 1), 0, 4e-6);
-        }
+    for (int k = 0; k < 3; ++k) {
+        const float e = 0.03f, sign = k % 2 ? 1 : -1;
+        coinf_state s = {.theta = sign * (1.57079637f - e),
+                         .phi = 3,
+                         .wX = sign * speeds[k],
+                         .wY = 0.6f * sinf(e),
+                         .wZ = -sign * 0.6f * cosf(e)};
+        coinf_state by = s;
+        coin_state want = doubles_state(&s);
+        float when, reached, sum = 0;
+        double right;
+        int32_t status;
+        check_note("side %g, v %g", (double)sign, (double)speeds[k]);
+        check_status(coinf_settle(&s, &p, &l, 9, 1e-4f, &when), COIN_RESTS);
+        check_status(coin_settle(&want, &P, &L, 9, 1e-8, &right), COIN_RESTS);
+        check_near((double)when, right, 1e-5);
+        check_near((double)s.wX, want.wX, 1e-5);
+        check_near((double)s.wZ, want.wZ, 1e-5);
+        check_near((double)s.psi, 0, 1e-6);
+        check_within(pose_apart(&s, &want, 1), 0, 2e-6);
+        do {
+            status = coinf_settle(&by, &p, &l, when / 7.5f, 1e-4f, &reached);
+            sum += reached;
+        } while (status == COIN_OK);
+        check_status(status, COIN_RESTS);
+        check_near((double)sum, (double)when, 2e-6);
+        check_within(pose_apart(&by, &want, 1), 0, 4e-6);
+    }
 }
 
 /* Held by too weak a friction a contact does not stay. */

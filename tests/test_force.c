@@ -166,8 +166,9 @@ static void joined_within(const struct stretch *w, double h, int terms,
 static void two_series_join_to_one_curve(void **unused)
 {
     (void)unused;
+    const int count = tries_asked(250);
     struct random r = random_begin(192);
-    for (int n = 0; n < 1000; ++n) {
+    for (int n = 0; n < count; ++n) {
         const struct stretch w = n % 2 ? random_stretch(&r) : wide_stretch(&r);
         for (double h = 0.2; h < 1.45; h += 0.2) {
             joined_within(&w, h, COIN_PRIV_FORCE_TERMS, COIN_PRIV_REACH);

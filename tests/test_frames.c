@@ -97,8 +97,9 @@ static void however_a_coin_turns_the_error_is_below_tol_per_unit(void **unused)
 {
     (void)unused;
     const double tols[] = {1e-3, 1e-5, 1e-6, 1e-7, 1e-9, 1e-11};
+    const int count = tries_asked(900);
     struct random r = random_begin(93);
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < count; ++i) {
         const coin_params p = ring(random_between(&r, 0, 1));
         const double theta = random_between(&r, -1.2, 1.2);
         const double slow = cos(theta) * exp(random_between(&r, -3, 0.7));
@@ -160,8 +161,9 @@ static void short_calls_err_by_less_than_tol_per_unit(void **unused)
 {
     (void)unused;
     const double tols[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10};
+    const int count = tries_asked(1000);
     struct random r = random_begin(95);
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < count; ++i) {
         const coin_params p = ring(random_between(&r, 0, 1));
         const double w = exp(random_between(&r, 0, 3));
         const double theta = random_between(&r, -1.4, 1.4);

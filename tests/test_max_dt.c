@@ -19,8 +19,9 @@ static const double tol_of[METHODS] = {1e-5, 1e-8, 1e-3, 1e-5};
 static void every_state_has_a_step_above_0(void **unused)
 {
     (void)unused;
+    const int count = tries_asked(15);
     struct random r = random_begin(100);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < count; ++i) {
         const coin_params p = random_coin(&r);
         coin_state s = random_state(&r, &p, 1.57);
         if (i % 4 == 0)
@@ -36,8 +37,9 @@ static void the_flattest_and_fastest_states_have_a_short_step(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
+    const int count = tries_asked(8);
     struct random r = random_begin(107);
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < count; ++i) {
         coin_state s = random_state(&r, &p, 1);
         const double fast = pow(10, random_between(&r, 0, 4));
         s.theta = 1.5707963267948966 - pow(10, random_between(&r, -15, -3));
@@ -54,8 +56,9 @@ static void the_flattest_and_fastest_states_have_a_short_step(void **unused)
 static void a_larger_tol_allows_no_smaller_step(void **unused)
 {
     (void)unused;
+    const int count = tries_asked(4);
     struct random r = random_begin(101);
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < count; ++i) {
         const coin_params p = random_coin(&r);
         const coin_state s = random_state(&r, &p, 1.2);
         double before = 0;
@@ -125,8 +128,9 @@ static void a_coin_at_rest_has_the_largest_step(void **unused)
 static void wherever_the_coin_is_it_is_the_same(void **unused)
 {
     (void)unused;
+    const int count = tries_asked(8);
     struct random r = random_begin(106);
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < count; ++i) {
         const coin_params p = random_coin(&r);
         const coin_state s = random_state(&r, &p, 1.5);
         const double side = i % 2 ? 0x1p31 : -0x1p31;
@@ -177,10 +181,11 @@ static void the_error_stays_within_tol_and_would_not_for_four_times_the_step(
 {
     (void)unused;
     for (int32_t method = 0; method < METHODS; ++method) {
+        const int count = tries_asked(20);
         struct random r = random_begin(102);
         const double tol = tol_of[method];
         int within = 0, needed = 0;
-        for (int i = 0; i < 40; ++i) {
+        for (int i = 0; i < count; ++i) {
             const coin_params p = random_coin(&r);
             const coin_state s = random_state(&r, &p, 1.2);
             const double dt = coin_max_dt(&s, &p, method, tol);
@@ -189,9 +194,9 @@ static void the_error_stays_within_tol_and_would_not_for_four_times_the_step(
             within += error <= tol;
             needed += error_of(&s, &p, method, 4 * dt) > tol;
         }
-        check_note("method %d: %d of 40 within, 4 dt too large for %d",
-                   (int)method, within, needed);
-        check(within >= 38 && needed >= 36);
+        check_note("method %d: %d of %d within, 4 dt too large for %d",
+                   (int)method, within, count, needed);
+        check(within >= 0.95 * count && needed >= 0.9 * count);
     }
 }
 
@@ -238,9 +243,8 @@ static void spins_nearly_upright_err_by_at_most_twice_tol(void **unused)
             .wY = table_at(&t, row, "wY0"),
             .wZ = table_at(&t, row, "wZ0"),
         };
-        for (int i = 0; i < 3 * METHODS; ++i) {
-            const int32_t m = i / 3;
-            const double tol = spin_tols[m][i % 3];
+        for (int32_t m = 0; m < METHODS; ++m) {
+            const double tol = spin_tols[m][((int)row / 2 + m) % 3];
             const double dt = coin_max_dt(&start, &p, m, tol);
             check_note("spins.csv, row %zu, method %d, tol %g", row, (int)m,
                        tol);
@@ -276,7 +280,7 @@ static void a_fast_spin_errs_by_at_most_twice_tol_in_a_unit(void **unused)
     (void)unused;
     const coin_params p = disc();
     const coin_state start = {.theta = 0.2, .wX = 100, .wY = 5000, .wZ = 200};
-    const double time = 0.1;
+    const double time = 0.05;
     struct fine f = fine_begin(&start, &p);
     const coin_state end = fine_at(&f, time);
     for (int32_t m = COIN_RK4; m <= COIN_RK8; ++m) {
@@ -327,8 +331,9 @@ static void a_peak_of_W_within_20_units_is_seen(void **unused)
 static void no_step_of_that_size_is_coarse(void **unused)
 {
     (void)unused;
+    const int count = tries_asked(16);
     struct random r = random_begin(103);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < count; ++i) {
         const coin_params p = random_coin(&r);
         const coin_state s = random_state(&r, &p, 1.2);
         const double dt = coin_max_dt(&s, &p, i % METHODS, 1e-2);

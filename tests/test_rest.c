@@ -238,7 +238,7 @@ static void a_fast_turn_is_held_too(void **unused)
         const double E = coin_energy(&s, &p);
         double when;
         check_note("turn %g", turn);
-        check_status(coin_settle(&s, &p, &l, 5, 1e-10, &when), COIN_RESTS);
+        check_status(coin_settle(&s, &p, &l, 5, 1e-8, &when), COIN_RESTS);
         check_within(when, 0.3 / turn, 3 / turn);
         check_near(s.psi, 0, 1e-6);
         check_near(coin_energy(&s, &p) / E, 1, 1e-9);
@@ -253,52 +253,51 @@ static void a_stopped_contact_near_flat_is_held(void **unused)
     (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.dry = 0.1, .spin = 0.2};
-    for (int side = -1; side <= 1; side += 2)
-        for (int k = 0; k < 3; ++k)
-            for (double turn = 0; turn < 1; turn += 0.3) {
-                const double e = 0.03, v[] = {0, 0.1, -0.05};
-                coin_state s = {.theta = side * (1.5707963267948966 - e),
-                                .phi = 1,
-                                .wX = side * v[k],
-                                .wY = turn * sin(e),
-                                .wZ = -side * turn * cos(e)};
-                const coin_state start = s;
-                const double E = coin_energy(&s, &p);
-                double when = 0, sum = 0, reached;
-                check_note("side %d, v %g, turn %g", side, v[k], turn);
-                check_status(coin_settle(&s, &p, &l, 9, 1e-8, &when),
-                             COIN_RESTS);
-                /* With the acceleration of the flat coin. */
-                const double A = 0.8;
-                const double fall = (sqrt(v[k] * v[k] + 2 * A * e) - v[k]) / A;
-                check_near(when, fall, 0.02 * fall);
-                check(s.wY == 0 && side * s.wX > 0);
-                /* Softened friction gives the torque of (73) at a slow roll. */
-                const double K = 1.5, IX = 0.25, soft = 1e-3;
-                const double top = e + fmin(v[k], 0) * v[k] / (2 * A);
-                const double torque = 0.2 * turn * top * top * (K - IX) / K;
-                const double creep = soft * torque / 0.1 * when;
-                check_near(s.psi, start.psi, creep);
-                /* Of the energy only the pivoting takes its part. */
-                check_near(E - coin_energy(&s, &p),
-                           K / 2 * turn * turn * (1 - exp(-2 * 0.2 * when / K)),
-                           1e-4 * turn + 1e-12);
-                check_near(s.phi - 1, turn * when, 0.1 * turn * when + 1e-15);
-                /* The point of contact stays. */
-                check_near(s.x, start.x + side * (sin(s.phi) - cos(e) * sin(1)),
-                           1e-7 + creep);
-                coin_state by = start;
-                int32_t status;
-                do {
-                    status =
-                        coin_settle(&by, &p, &l, when / 7.5, 1e-8, &reached);
-                    sum += reached;
-                    check(reached <= when / 7.5);
-                } while (status == COIN_OK);
-                check_status(status, COIN_RESTS);
-                check_near(sum, when, 1e-12);
-                check_near(by.wZ, s.wZ, 1e-12);
-            }
+    for (int turns = 0; turns < 2; ++turns)
+        for (int k = 0; k < 3; ++k) {
+            const int side = (turns + k) % 2 ? 1 : -1;
+            const double turn = 0.9 * turns;
+            const double e = 0.03, v[] = {0, 0.1, -0.05};
+            coin_state s = {.theta = side * (1.5707963267948966 - e),
+                            .phi = 1,
+                            .wX = side * v[k],
+                            .wY = turn * sin(e),
+                            .wZ = -side * turn * cos(e)};
+            const coin_state start = s;
+            const double E = coin_energy(&s, &p);
+            double when = 0, sum = 0, reached;
+            check_note("side %d, v %g, turn %g", side, v[k], turn);
+            check_status(coin_settle(&s, &p, &l, 9, 1e-8, &when), COIN_RESTS);
+            /* With the acceleration of the flat coin. */
+            const double A = 0.8;
+            const double fall = (sqrt(v[k] * v[k] + 2 * A * e) - v[k]) / A;
+            check_near(when, fall, 0.02 * fall);
+            check(s.wY == 0 && side * s.wX > 0);
+            /* Softened friction gives the torque of (73) at a slow roll. */
+            const double K = 1.5, IX = 0.25, soft = 1e-3;
+            const double top = e + fmin(v[k], 0) * v[k] / (2 * A);
+            const double torque = 0.2 * turn * top * top * (K - IX) / K;
+            const double creep = soft * torque / 0.1 * when;
+            check_near(s.psi, start.psi, creep);
+            /* Of the energy only the pivoting takes its part. */
+            check_near(E - coin_energy(&s, &p),
+                       K / 2 * turn * turn * (1 - exp(-2 * 0.2 * when / K)),
+                       1e-4 * turn + 1e-12);
+            check_near(s.phi - 1, turn * when, 0.1 * turn * when + 1e-15);
+            /* The point of contact stays. */
+            check_near(s.x, start.x + side * (sin(s.phi) - cos(e) * sin(1)),
+                       1e-7 + creep);
+            coin_state by = start;
+            int32_t status;
+            do {
+                status = coin_settle(&by, &p, &l, when / 7.5, 1e-8, &reached);
+                sum += reached;
+                check(reached <= when / 7.5);
+            } while (status == COIN_OK);
+            check_status(status, COIN_RESTS);
+            check_near(sum, when, 1e-12);
+            check_near(by.wZ, s.wZ, 1e-12);
+        }
 }
 
 /* A stopped contact that rises: in one call and in ten. */

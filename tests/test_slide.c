@@ -321,9 +321,10 @@ static void the_energy_lost_is_the_integral_of_friction_times_slip(
 static void of_random_launches_no_energy_rises_and_no_force_pulls(void **unused)
 {
     (void)unused;
+    const int count = tries_asked(80);
     struct random r = random_begin(172);
     int ended[3] = {0};
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < count; ++i) {
         const coin_params p = i % 2 ? disc() : ring(random_between(&r, 0, 1));
         const double mu = random_between(&r, 0.2, 0.6);
         const coin_friction f = {mu, 0.9 * mu};
@@ -346,11 +347,10 @@ static void of_random_launches_no_energy_rises_and_no_force_pulls(void **unused)
                 check_near(force.ratio, 0.9 * mu, 1e-12);
             E = now;
         }
-        check(status == COIN_OK || status == COIN_SLIPS ||
-              status == COIN_ELIFT);
+        check_within(status == COIN_ELIFT ? 2 : status, 0, 2);
         ++ended[status == COIN_ELIFT ? 2 : status];
     }
-    check(ended[0] > 50 && ended[1] > 50 && ended[2] > 50);
+    check(ended[0] > count / 6 && ended[1] > count / 6 && ended[2] > count / 6);
 }
 
 /* Friction all but at the bound of Painleve, so that N and the slip change ever

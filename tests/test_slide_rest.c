@@ -56,9 +56,10 @@ static void a_coin_that_cannot_slip_rests_when_coin_settle_says(void **unused)
 static void the_time_of_rest_is_that_of_any_tolerance_and_calls(void **unused)
 {
     (void)unused;
+    const int count = tries_asked(20);
     struct random r = random_begin(192);
     int rested = 0, slid = 0, parted = 0;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < count; ++i) {
         const coin_params p = i % 2 ? disc() : ring(0.7);
         const coin_losses l = some_losses(&r);
         const double mu = random_between(&r, 0.2, 0.6);
@@ -82,7 +83,7 @@ static void the_time_of_rest_is_that_of_any_tolerance_and_calls(void **unused)
         check_status(by_parts, COIN_RESTS);
         parted += !(fabs(t - when) <= 1e-4);
     }
-    check(rested > 15 && slid > 3);
+    check(rested > count / 4 && slid > 0);
     check(parted <= rested / 10); /* which nearly stood, or nearly rested */
 }
 

@@ -196,14 +196,14 @@ static struct trial next_to(struct random *r, const struct trial *best)
  * each drawn next to the worst so far. */
 static double most_used(int32_t method, int flat, uint64_t seed)
 {
-    enum { TRIED = 600 };
+    const int count = tries_asked(200);
     struct random r = random_begin(seed);
     struct trial best = {.part = 0};
     double most = 0;
     int done = 0;
-    for (int i = 0; i < TRIED; ++i) {
+    for (int i = 0; i < count; ++i) {
         const struct trial t =
-            i < TRIED / 2 ? draw(&r, flat) : next_to(&r, &best);
+            i < count / 2 ? draw(&r, flat) : next_to(&r, &best);
         const double dt =
             t.part * coin_priv_coarse_limit(method) / fastest_rate(&t.s, &t.p);
         check_note("method %d, case %d of seed %u", (int)method, i,
@@ -215,7 +215,7 @@ static double most_used(int32_t method, int flat, uint64_t seed)
             best = t;
         }
     }
-    check(done > TRIED / 2);
+    check(done > count / 2);
     return most;
 }
 

@@ -61,7 +61,14 @@ static void compare(struct ratios *r, double dtW, double ours, double textbook)
  */
 static struct scene scene;
 
-/* From row to row up to five natural units; the largest errors seen. */
+/* Five natural units; near the table fewer, so that a scene turns by no more
+ * than 5100 rad of W: that of flat3 is 2600 as the coin passes, at 1.97. */
+static double horizon(double W, const coin_params *p)
+{
+    return fmin(5.001 * natural_time(p), 5100 / W);
+}
+
+/* From row to row; the largest errors seen. */
 static void along_a_scene(double dtW, double W, double *ours, double *textbook)
 {
     const coin_params *p = &scene.params;
@@ -71,7 +78,7 @@ static void along_a_scene(double dtW, double W, double *ours, double *textbook)
         const double t = scene_at(&scene, row, "t");
         const double span = t - scene_at(&scene, row - 1, "t");
         const uint64_t n = (uint64_t)ceil(span * W / dtW);
-        if (t > 5.001 * natural_time(p))
+        if (t > horizon(W, p))
             break;
         check_status(coin_run(&a, p, COIN_RK4, span / (double)n, n, NULL),
                      COIN_OK);
@@ -218,8 +225,8 @@ static void it_errs_like_the_textbook_s_on_spins(void **unused)
 #define PART_OF_ERROR 0.01
 
 /* Steps below some 0.1 err by rounding alone. */
-static const double twin_sizes[] = {0.05, 0.1, 0.3};
-enum { TWIN_SIZES = 3 };
+static const double twin_sizes[] = {0.1, 0.3};
+enum { TWIN_SIZES = 2 };
 
 static int told; /* how often the textbook erred by ten times the rounding */
 
@@ -244,10 +251,10 @@ static void twin_beside_textbook(coinf_state s, const coinf_params *fp,
     }
 }
 
-/* In steps of each size, and at most as long. */
-static void twin_for(const coin_params *p, const coin_state *start, double time)
+/* In steps of each size over W, and at most as long. */
+static void twin_for(const coin_params *p, const coin_state *start, double W,
+                     double time)
 {
-    const double W = fastest_ahead(start, p, time);
     const coinf_params fp = floats_params(p);
     const coinf_state s = floats_state(start);
     for (int k = 0; k < TWIN_SIZES; ++k) {
@@ -265,7 +272,9 @@ static void the_twin_takes_the_textbook_s_steps_on_spins(void **unused)
     told = 0;
     for (int i = 0; i < SPINS; ++i) {
         const struct spin m = spin_of(i, &random);
-        twin_for(&m.p, &m.start, PARTS * PART);
+        const double time = PARTS * PART;
+        const double W = fastest_ahead(&m.start, &m.p, time);
+        twin_for(&m.p, &m.start, W, time);
     }
 
     check(told >= 30);
@@ -278,7 +287,9 @@ static void the_twin_takes_them_on_the_public_scenes(void **unused)
     for (int i = 0; i < SCENES; ++i) {
         scene_load(&scene, scene_names[i]);
         const coin_state start = scene_state(&scene, 0);
-        twin_for(&scene.params, &start, 5 * natural_time(&scene.params));
+        const double time = 5 * natural_time(&scene.params);
+        const double W = fastest_ahead(&start, &scene.params, time);
+        twin_for(&scene.params, &start, W, horizon(W, &scene.params));
     }
 
     check(told >= 12);
@@ -293,7 +304,8 @@ static void the_twin_takes_them_on_random_motions(void **unused)
     for (int i = 0; i < MOTIONS; ++i) {
         const coin_params p = random_coin(&random);
         const coin_state start = random_motion(&random, &p, 1.0 / 32, 64);
-        twin_for(&p, &start, 2 * natural_time(&p));
+        const double time = 2 * natural_time(&p);
+        twin_for(&p, &start, fastest_ahead(&start, &p, time), time);
     }
 
     check(told >= 60);

@@ -4,7 +4,6 @@
 #include "check.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 double excess_of(double tol)
 {
@@ -13,12 +12,6 @@ double excess_of(double tol)
 
 /* Samples in a natural unit of time. */
 enum { PER_UNIT = 40 };
-
-int tries_asked(int usual)
-{
-    const char *asked = getenv("ROLLCOIN_TRIES");
-    return asked ? atoi(asked) : usual;
-}
 
 struct motion motion_any(struct random *r)
 {

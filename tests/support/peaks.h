@@ -19,9 +19,6 @@ struct motion {
  */
 double excess_of(double tol);
 
-/* The usual number, or what ROLLCOIN_TRIES asks for. */
-int tries_asked(int usual);
-
 /* One that has an orbit and that is not so unstable that steps lose it, and
  * that begins with N > 0. */
 struct motion motion_any(struct random *r);

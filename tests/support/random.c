@@ -14,6 +14,12 @@ struct random random_begin(uint64_t seed)
     return r;
 }
 
+int tries_asked(int usual)
+{
+    const char *times = getenv("ROLLCOIN_TRIES");
+    return times ? usual * atoi(times) : usual;
+}
+
 /* splitmix64, by Sebastiano Vigna. */
 static uint64_t next(struct random *r)
 {

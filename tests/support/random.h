@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Random coins and states.  The seed is in the note of a failing check; set
- * ROLLCOIN_SEED to try another. */
+ * ROLLCOIN_SEED to try another.  ROLLCOIN_TRIES is how many times as many cases
+ * are tried as usual. */
 #ifndef ROLLCOIN_TESTS_RANDOM_H
 #define ROLLCOIN_TESTS_RANDOM_H
 
@@ -12,6 +13,8 @@ struct random {
 };
 
 struct random random_begin(uint64_t seed);
+
+int tries_asked(int usual);
 
 double random_between(struct random *r, double low, double high);
 
