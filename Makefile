@@ -340,8 +340,8 @@ list-gates: # their names, for .ci/run
 .PHONY: sanitize valgrind coverage lint lint-quick header-check repro repro-update
 SANITIZE := -O1 -g -fsanitize=address,undefined,float-cast-overflow \
             -fno-sanitize-recover=all
-sanitize: ## the tests under the address and undefined-behaviour sanitizers
-	+$(AGAIN) O=$(O)/sanitize check CFLAGS='$(SANITIZE)'
+sanitize: ## eight times the random cases, under the sanitizers
+	+ROLLCOIN_TRIES=8 $(AGAIN) O=$(O)/sanitize check CFLAGS='$(SANITIZE)'
 
 valgrind: ## the tests under valgrind
 	+$(AGAIN) check \

@@ -24,10 +24,10 @@ static double halved(const coin_priv_lossy *w, double tau, double *error)
 {
     coin_priv_lossy two = *w;
     coin_priv_trial one, half;
-    coin_priv_lossy_try(&one, w, tau);
+    coin_priv_lossy_try(&one, w, tau, 1e-9);
     *error = one.error;
     for (int i = 0; i < 2; ++i) {
-        coin_priv_lossy_try(&half, &two, tau / 2);
+        coin_priv_lossy_try(&half, &two, tau / 2, 1e-9);
         check(coin_priv_sundman_accept(&two.run, &half.next, &half.adds));
     }
     const coin_priv_variables *a = &one.next, *b = &two.run.g.y;
@@ -57,9 +57,9 @@ static void a_step_through_the_table_has_an_infinite_error(void **unused)
     const coin_state falls = {.theta = 1.4, .wX = 2};
     const coin_priv_lossy w = lossy(&falls, &all);
     coin_priv_trial t;
-    coin_priv_lossy_try(&t, &w, 0.1);
+    coin_priv_lossy_try(&t, &w, 0.1, 1e-9);
     check(t.error < 1e-6);
-    coin_priv_lossy_try(&t, &w, 1e3);
+    coin_priv_lossy_try(&t, &w, 1e3, 1e-9);
     check(isinf(t.error));
 }
 
@@ -82,7 +82,7 @@ static void the_error_of_a_step_that_overflows_is_infinite(void **unused)
     const coin_losses viscous = {.viscous = 1};
     const coin_priv_lossy w = lossy(&straight, &viscous);
     coin_priv_trial t;
-    coin_priv_lossy_try(&t, &w, 1e25);
+    coin_priv_lossy_try(&t, &w, 1e25, 1e-9);
     check(isfinite(t.next.wZ));
     check(isinf(t.error));
 }
@@ -97,7 +97,7 @@ static void the_bound_halves_the_way_to_where_the_contact_turns(void **unused)
     const double h = 1e-5, c = cos(0.7), s = sin(0.7);
     const double u = c * 1.2 + s * 0.8;
     coin_priv_trial t;
-    coin_priv_lossy_try(&t, &w, h);
+    coin_priv_lossy_try(&t, &w, h, 1e-9);
     const coin_priv_variables *y = &t.next;
     const double du = (y->cth * y->wZ + y->sth * y->wY - u) / h;
     check_near(coin_priv_lossy_bound(&w, 1e-9) * fabs(du) / u, 0.5, 1e-3);

@@ -105,15 +105,10 @@ static double zone(const coin_priv_lossy *w, double du, double error)
     return least;
 }
 
-double coin_priv_lossy_bound(const coin_priv_lossy *w, double error)
+double coin_priv_way_to_turn(const coin_priv_lossy *w, double du, double error)
 {
     const coin_priv_variables *y = &w->run.g.y;
-    const struct lossy_field f = {coin_priv_field_of(&w->run.b, 1), &w->l, 0, 0,
-                                  0};
-    const coin_priv_variables d = lossy(&f.ideal, y);
     const double u = coin_priv_roll_speed(y->wY, y->wZ, y->sth, y->cth);
-    const double du =
-        fabs(y->cth * d.wZ + y->sth * d.wY + d.cth * y->wZ + d.sth * y->wY);
     const double w0 = sqrt(w->run.b.g_a);
     if (!(du > FAR * w0 * (w0 + fabs(u))))
         return (double)INFINITY;
@@ -121,8 +116,31 @@ double coin_priv_lossy_bound(const coin_priv_lossy *w, double error)
     return COIN_PRIV_TURN_ROUND * sqrt(u * u + least * least) / du;
 }
 
+double coin_priv_lossy_bound(const coin_priv_lossy *w, double error)
+{
+    const coin_priv_variables *y = &w->run.g.y;
+    const struct lossy_field f = {coin_priv_field_of(&w->run.b, 1), &w->l, 0, 0,
+                                  0};
+    const coin_priv_variables d = lossy(&f.ideal, y);
+    const double du =
+        fabs(y->cth * d.wZ + y->sth * d.wY + d.cth * y->wZ + d.sth * y->wY);
+    return coin_priv_way_to_turn(w, du, error);
+}
+
+int coin_priv_passes_turn(const coin_priv_lossy *w, double then, double tau,
+                          double error)
+{
+    const coin_priv_variables *y = &w->run.g.y;
+    const double u = coin_priv_roll_speed(y->wY, y->wZ, y->sth, y->cth);
+    const double change = fabs(then - u);
+    if (!(change > COIN_PRIV_TURNED * fabs(u)))
+        return 0;
+    const double least = zone(w, change / fabs(tau), error);
+    return change > COIN_PRIV_TURNED * sqrt(u * u + least * least);
+}
+
 void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
-                         double tau)
+                         double tau, double least)
 {
     const double natural = sqrt(w->run.b.g_a);
     const double rate = ideal_rate(w);
@@ -142,6 +160,10 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
     const int above = coin_priv_lesser(lowest, trial->next.cth) > 0;
     const int finite = error <= DBL_MAX;
     trial->error = (above & finite) ? error : (double)INFINITY;
+    const coin_priv_variables *z = &trial->next;
+    const double then = coin_priv_roll_speed(z->wY, z->wZ, z->sth, z->cth);
+    if (trial->error < DBL_MAX && coin_priv_passes_turn(w, then, tau, least))
+        trial->error = DBL_MAX;
 }
 
 int32_t coin_priv_lay_flat(coin_priv_run *r)

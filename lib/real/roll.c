@@ -18,6 +18,11 @@
  * to exceed rounding. */
 #define TOP 0.505
 
+double coin_priv_least_effect(const coin_priv_sliding *g)
+{
+    return coin_priv_allowed_in(&g->w.run, g->tol, COIN_PRIV_BRIEF);
+}
+
 /* As coin_priv_roll_try(), but a step is accepted whose error is at most
  * `worst` times what is allowed. */
 static double roll_by(coin_priv_sliding *g, double tau, double worst)
@@ -28,7 +33,7 @@ static double roll_by(coin_priv_sliding *g, double tau, double worst)
     if (!g->lossy)
         return coin_priv_extrapolate(r, tau) ? 0 : -1;
     coin_priv_trial trial;
-    coin_priv_lossy_try(&trial, &g->w, tau);
+    coin_priv_lossy_try(&trial, &g->w, tau, coin_priv_least_effect(g));
     const double most = coin_priv_allowed(r, g->tol, trial.adds.t);
     const double error = trial.error / most;
     if (error <= worst &&
@@ -195,11 +200,9 @@ static int is_last(const coin_priv_sliding *g, double rem, double rate)
 double coin_priv_roll_step(coin_priv_sliding *g, double rate, double most)
 {
     double bound = most;
-    if (g->lossy) {
-        const double least =
-            coin_priv_allowed_in(&g->w.run, g->tol, COIN_PRIV_BRIEF);
-        bound = coin_priv_lesser(coin_priv_lossy_bound(&g->w, least), most);
-    }
+    if (g->lossy)
+        bound = coin_priv_lesser(
+            coin_priv_lossy_bound(&g->w, coin_priv_least_effect(g)), most);
     for (;;) {
         const double tau = next_tau(g, rate, bound), used = fabs(tau) * rate;
         const double error = coin_priv_roll_try(g, tau);

@@ -39,11 +39,9 @@ static double quadratic_tau(const coin_priv_variables *y, double rem)
 
 /* The tau of the next step.  It is limited by the stride, by the bound of (71),
  * and by the time left. */
-static double next_tau(const struct settling *g, double rate)
+static double next_tau(const struct settling *g, double rate, double bound)
 {
-    const double least =
-        coin_priv_allowed_in(&g->w.run, g->tol, COIN_PRIV_BRIEF);
-    const double bound = coin_priv_lossy_bound(&g->w, least), rem = g->rem.sum;
+    const double rem = g->rem.sum;
     const double side = rem < 0 ? -1 : 1;
     double full = g->stride / rate;
     if (bound < full)
@@ -56,11 +54,14 @@ static double next_tau(const struct settling *g, double rate)
 static int32_t step(struct settling *g, double rate)
 {
     coin_priv_trial trial;
+    const double least =
+        coin_priv_allowed_in(&g->w.run, g->tol, COIN_PRIV_BRIEF);
+    const double bound = coin_priv_lossy_bound(&g->w, least);
     for (int done = 0; !done;) {
-        const double tau = next_tau(g, rate), used = fabs(tau) * rate;
+        const double tau = next_tau(g, rate, bound), used = fabs(tau) * rate;
         if (++g->tries > TRIES_MAX)
             return COIN_ESTEP;
-        coin_priv_lossy_try(&trial, &g->w, tau);
+        coin_priv_lossy_try(&trial, &g->w, tau, least);
         const double most = coin_priv_allowed(&g->w.run, g->tol, trial.adds.t);
         g->stride = coin_priv_next_stride(g->stride, used, trial.error, most);
         done = trial.error <= most;

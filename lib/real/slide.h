@@ -107,6 +107,9 @@ double coin_priv_roll_try(coin_priv_sliding *g, double tau);
 /* The rate in tau by which the steps of a rolling coin are measured. */
 double coin_priv_roll_rate(const coin_priv_sliding *g);
 
+/* roll.c: the `error` of coin_priv_lossy_bound(). */
+double coin_priv_least_effect(const coin_priv_sliding *g);
+
 /* slide.c: the size of what the slopes of a slip are products of. */
 double coin_priv_slip_size(const coin_priv_contact *contact,
                            const coin_priv_slip *y);

@@ -86,16 +86,24 @@ static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
 static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
                        const coin_priv_slip *d)
 {
-    const coin_priv_losses *l = &g->contact.l;
-    if (!(l->solid > 0) || g->contact.psi_held)
+    if (!g->lossy || g->contact.psi_held)
         return (double)INFINITY;
-    const double roll = coin_priv_roll_speed(y->wY, y->wZ, y->sth, y->cth);
+    const double per_tau = y->cth / d->t; /* dtau = dt/cos(theta) */
     const double droll =
         fabs(y->cth * d->wZ + y->sth * d->wY + d->cth * y->wZ + d->sth * y->wY);
-    const double soft = l->soft2 * y->cth * y->cth;
-    const double way = COIN_PRIV_TURN_ROUND * sqrt(roll * roll + soft);
-    return way /
-           (droll + 1e-30 * g->contact.w0 * way); /* nothing divides by 0 */
+    return per_tau * coin_priv_way_to_turn(&g->w, droll * per_tau,
+                                           coin_priv_least_effect(g));
+}
+
+/* Whether a step passes it. */
+static int passes_turn(const coin_priv_sliding *g, const coin_priv_slip *end)
+{
+    if (!g->lossy || g->contact.psi_held)
+        return 0;
+    const double then =
+        coin_priv_roll_speed(end->wY, end->wZ, end->sth, end->cth);
+    return coin_priv_passes_turn(&g->w, then, end->t / g->w.run.g.y.cth,
+                                 coin_priv_least_effect(g));
 }
 
 /* A guess of the error of a step h: the estimate may pass through 0 as h grows,
@@ -149,7 +157,7 @@ static struct tried attempt(coin_priv_sliding *g, double h)
         coin_priv_error_of(slip5, slip3) * w0 / (SLIP_ERROR * speed(&from));
     const int above = g->contact.psi_held | (r.to.cth > 0);
     const int finite = by5 + by3 <= DBL_MAX;
-    const int good = above & finite & (r.to.t >= 0);
+    const int good = above & finite & (r.to.t >= 0) & !passes_turn(g, &r.to);
     r.error = good ? coin_priv_larger(of_all, of_slip) : (double)INFINITY;
     return r;
 }
