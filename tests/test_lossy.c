@@ -133,6 +133,34 @@ static void where_the_contact_turns_the_bound_is_the_width(void **unused)
     check_near(bound[0] / bound[1], 4, 1e-6);
 }
 
+/* Beyond 0.6 of u, or of the width where that is more. */
+static void a_step_too_near_to_the_turn_is_seen(void **unused)
+{
+    (void)unused;
+    const coin_state turn = {
+        .theta = 0.7, .wX = 0.3, .wY = 0.8, .wZ = -0.8 * 0.84228838046307941};
+    const coin_losses laws[] = {
+        {.dry = 1e-9}, {.layer = 0.01}, {.damping = 0.01}, {.viscous = 0.01}};
+    for (int i = 0; i < 4; ++i) {
+        coin_priv_lossy w = lossy(&start, &laws[i]);
+        const double u = cos(0.7) * 1.2 + sin(0.7) * 0.8;
+        check_note("law %d", i);
+        check(!coin_priv_passes_turn(&w, 0.41 * u, 0.1, 1e-9));
+        check(!coin_priv_passes_turn(&w, 1.59 * u, -0.1, 1e-9));
+        check(coin_priv_passes_turn(&w, 0.39 * u, 0.1, 1e-9) == (i < 3));
+        check(coin_priv_passes_turn(&w, 1.61 * u, -0.1, 1e-9) == (i < 3));
+        w = lossy(&turn, &laws[i]);
+        check(!coin_priv_passes_turn(&w, 0, 0.1, 1e-9));
+        if (i == 3)
+            continue;
+        /* From u = 0, by the step of the bound and by 1.3 times as much. */
+        const double h = coin_priv_way_to_turn(&w, 1, 1e-9);
+        check(!coin_priv_passes_turn(&w, h, h, 1e-9));
+        check(coin_priv_passes_turn(&w, 1.3 * h, 1.3 * h, 1e-9));
+        check(coin_priv_passes_turn(&w, -1.3 * h, 1.3 * h, 1e-9));
+    }
+}
+
 static void friction_shortens_the_step(void **unused)
 {
     (void)unused;
@@ -161,6 +189,7 @@ int main(void)
         TEST(the_error_of_a_step_that_overflows_is_infinite),
         TEST(the_bound_halves_the_way_to_where_the_contact_turns),
         TEST(where_the_contact_turns_the_bound_is_the_width),
+        TEST(a_step_too_near_to_the_turn_is_seen),
         TEST(friction_shortens_the_step),
     };
     return RUN_TESTS(tests);

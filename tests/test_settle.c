@@ -189,7 +189,32 @@ static void the_energy_lost_is_the_integral_of_the_power(void **unused)
     }
 }
 
-static void of_random_launches_99_of_100_err_by_less_than_tol(void **unused)
+/* The contact turns round twice, and rolls fastest in between.  A long step
+ * from there to beyond the second turn would err by 6 to 9 tol, at one tol in
+ * twenty. */
+static void a_step_does_not_pass_where_the_contact_turns_round(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state start = {
+        .theta = -0.36, .wX = 0.35, .wY = 1.16, .wZ = 0.33};
+    const coin_losses laws[] = {
+        {.dry = 3e-3}, {.rolling = 3e-3}, {.damping = 0.02}, {.layer = 0.02}};
+    for (int i = 0; i < 4; ++i) {
+        coin_state exact = start;
+        check_status(coin_settle(&exact, &p, &laws[i], 1.3, 1e-13, NULL),
+                     COIN_OK);
+        for (double tol = 1e-3; tol > 1e-11; tol *= 0.9) {
+            coin_state s = start;
+            check_note("law %d, tol %g", i, tol);
+            check_status(coin_settle(&s, &p, &laws[i], 1.3, tol, NULL),
+                         COIN_OK);
+            check_within(path_apart(&s, &exact, &p), 0, 2 * tol);
+        }
+    }
+}
+
+static void of_random_launches_995_of_1000_err_by_less_than_tol(void **unused)
 {
     (void)unused;
     const double tols[] = {1e-3, 1e-6, 1e-9, 1e-11};
@@ -213,7 +238,7 @@ static void of_random_launches_99_of_100_err_by_less_than_tol(void **unused)
             within += error <= 4 * tol;
             check_within(error, 0, 40 * tol);
         }
-        check_within(within, 0.99 * count, count);
+        check_within(within, 0.995 * count, count);
     }
 }
 
@@ -294,7 +319,8 @@ int main(void)
         TEST(a_weakly_held_contact_is_turned_by_pivoting_friction),
         TEST(the_time_of_rest_is_right_to_12_digits),
         TEST(the_energy_lost_is_the_integral_of_the_power),
-        TEST(of_random_launches_99_of_100_err_by_less_than_tol),
+        TEST(a_step_does_not_pass_where_the_contact_turns_round),
+        TEST(of_random_launches_995_of_1000_err_by_less_than_tol),
         TEST(how_often_it_is_called_does_not_matter),
         TEST(many_short_calls_add_up),
         TEST(violent_launches_come_to_rest_and_gain_no_energy),

@@ -204,6 +204,28 @@ static void a_slip_that_nearly_stops_goes_on(void **unused)
     }
 }
 
+/* With boundary-layer friction alone, which has no softening.  A step beyond
+ * the turn would err by up to 66 tol. */
+static void a_slip_does_not_pass_where_the_contact_turns_round(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction f = {0.7, 0.6};
+    const coin_losses l = {.layer = 0.02};
+    const coin_slide from = {
+        {.theta = -0.03, .wX = 0.83, .wY = -1.8, .wZ = 0.26}, 0.24, 0.75};
+    coin_slide fine = from;
+    check_status(coin_slide_advance(&fine, &p, &f, &l, 0.5, 1e-13, NULL),
+                 COIN_SLIPS);
+    for (double tol = 1e-3; tol > 1e-11; tol *= 0.9) {
+        coin_slide d = from;
+        check_note("tol %g", tol);
+        check_status(coin_slide_advance(&d, &p, &f, &l, 0.5, tol, NULL),
+                     COIN_SLIPS);
+        check_within(slides_apart(&d, &fine, &p), 0, tol);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -215,6 +237,7 @@ int main(void)
         TEST(a_slip_that_turns_round_raises_no_overflow),
         TEST(a_coin_on_ice_keeps_its_velocity),
         TEST(a_slip_that_nearly_stops_goes_on),
+        TEST(a_slip_does_not_pass_where_the_contact_turns_round),
     };
     return RUN_TESTS(tests);
 }
