@@ -41,10 +41,15 @@ template <class R> class path
     {
         if (is_long(t))
             return false;
-        if constexpr (IS_QUICK)
-            return by_series(t * w);
-        else
-            return by_midpoints(t * w);
+        if constexpr (IS_QUICK) {
+            const path before = *this;
+            const bool done = by_series(t * w);
+            if (done || !turned_round())
+                return done;
+            *this = before;
+            ahead.known = false;
+        }
+        return by_midpoints(t * w);
     }
 
     /* Whether a truth would cost too much. */
@@ -156,6 +161,9 @@ template <class R> class path
     static constexpr double REACH = 0.3;
     static constexpr int MOST_STEPS = int(2 * MOST_TURN / REACH);
 
+    /* A correction that is none in the shortest steps, which pass a kink. */
+    static constexpr double KINK = 1e-14;
+
     R IX, IZ;
     vector y;
     std::array<R, 4> pose0; /* phi, psi, x, z at the start; y has their changes
@@ -239,7 +247,7 @@ template <class R> class path
             most_W = larger(most_W, W);
             h = magnitude(left) < h ? left : left < 0 ? -h : h;
             int halvings = 0;
-            while (!step(h)) {
+            while (!step(h, halvings < 12 || !has_kinks() ? NONE<R> : KINK)) {
                 h /= 2;
                 if (++halvings > 12)
                     return false;
@@ -299,11 +307,16 @@ template <class R> class path
         return y[7] + y[6] * sth(y[0]) / cth(y[0]);
     }
 
-    /* Whether the contact has, where its friction is not smooth there. */
+    /* Whether friction is not smooth where the contact turns round. */
+    bool has_kinks() const
+    {
+        return slow && (slow->damping != 0 || slow->layer != 0);
+    }
+
+    /* Whether it has turned, since the series began, where that is so. */
     bool turned_round() const
     {
-        return slow && (slow->damping != 0 || slow->layer != 0) &&
-               !(rolls() * ahead.roll > 0);
+        return has_kinks() && !(rolls() * ahead.roll > 0);
     }
 
     /* To where `ahead` is at. */
@@ -326,7 +339,7 @@ template <class R> class path
         cph0 = cphi0 * ct - sphi0 * st;
     }
 
-    bool step(R H)
+    bool step(R H, double none)
     {
         vector change;
         const R W = fastest();
@@ -334,7 +347,7 @@ template <class R> class path
         const vector sizes = {1, 1, 1, 1, 1, W, W, W};
         if (!extrapolated<R, 8>(
                 [this](const vector &v, vector &d) { rates(v, d); }, sizes, H,
-                change))
+                change, none))
             return false;
         for (int i = 0; i < 8; ++i)
             y[i] += change[i];
