@@ -50,7 +50,7 @@ static void no_coin_lifts_off_after_the_end_of_a_call(void **unused)
     const coin_friction high = {1.1, 1.1};
     const coin_params p = disc();
     const double tol = 1e-2;
-    const int count = tries_asked(75);
+    const int count = tries_asked(225);
     struct random r = random_begin(191);
     int lifted = 0;
     for (int i = 0; i < count; ++i) {
