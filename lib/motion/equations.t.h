@@ -171,23 +171,17 @@ COIN_PRIV_INLINE void PRIV(normalize)(PRIV(variables) * y)
     y->cph += y->cph * gain;
 }
 
-/* a + w b, member by member. */
+/* a + w b: the rates and the pair of the lean.  The other members are a's. */
 COIN_PRIV_INLINE PRIV(variables)
     PRIV(variables_plus)(const PRIV(variables) * a, scalar w,
                          const PRIV(variables) * b)
 {
-    const real sth = a->sth + w * b->sth, q = a->q + w * b->q;
-    const PRIV(variables) r = {
-        a->wX + w * b->wX,
-        a->wY + w * b->wY,
-        a->wZ + w * b->wZ,
-        sth,
-        a->cth + w * b->cth,
-        q,
-        q * sth,
-        a->sph + w * b->sph,
-        a->cph + w * b->cph,
-    };
+    PRIV(variables) r = *a;
+    r.wX += w * b->wX;
+    r.wY += w * b->wY;
+    r.wZ += w * b->wZ;
+    r.sth += w * b->sth;
+    r.cth += w * b->cth;
     return r;
 }
 
