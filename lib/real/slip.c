@@ -98,11 +98,10 @@ static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
 /* Whether a step passes it. */
 static int passes_turn(const coin_priv_sliding *g, const coin_priv_slip *end)
 {
-    if (!g->lossy || g->contact.psi_held)
-        return 0;
     const double then =
         coin_priv_roll_speed(end->wY, end->wZ, end->sth, end->cth);
-    return coin_priv_passes_turn(&g->w, then, end->t / g->w.run.g.y.cth,
+    return g->lossy && !g->contact.psi_held &&
+           coin_priv_passes_turn(&g->w, then, end->t / g->w.run.g.y.cth,
                                  coin_priv_least_effect(g));
 }
 
