@@ -41,6 +41,19 @@ COIN_PRIV_INLINE double coin_priv_error_of(double by5, double by3)
     return sum > 0 ? by5 / sqrt(sum) : sum;
 }
 
+/* The same, but no less than the usual error of a step with by3: the estimate
+ * may pass through 0 as h grows, where the error does not.  The error is
+ * proportional to h^9, as by3^(9/8) is.  size is that of the variables, or of
+ * their change in the step plus 1000 times their rounding if that is less: with
+ * 1 for 1000 fast slips take many steps (test_slide_calls). */
+COIN_PRIV_INLINE double coin_priv_guarded_error(double by5, double by3,
+                                                double size)
+{
+    const double part = coin_priv_lesser(sqrt(by3) / size, 1);
+    return coin_priv_larger(coin_priv_error_of(by5, by3),
+                            size * (part * part * sqrt(sqrt(part))));
+}
+
 /* The largest estimate with which a step of so many natural units is accepted:
  * what tol allows, plus the estimate that rounding alone may cause.  That is 4
  * units of rounding of the rates and of an angle.  It matters only for tol near

@@ -9,7 +9,7 @@ struct lossy_field {
     coin_priv_field ideal; /* first: rk8.t.h passes a pointer to it */
     const coin_priv_losses *l;
     double perw, perwZ; /* weights of the errors of wX, wY and of wZ */
-    double *error;
+    double *by5, *by3;  /* see coin_priv_error_of() */
 };
 
 /* h d/dtau of the variables: the ideal coin's, and the losses. */
@@ -36,14 +36,15 @@ COIN_PRIV_INLINE double size2(const struct lossy_field *f,
            e->sph * e->sph + e->cph * e->cph;
 }
 
-/* The estimate of DOP853: of order 8, from those of order 5 and 3. */
+/* What the estimate of DOP853 needs. */
 COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
                                  const coin_priv_variables *e5,
                                  const coin_priv_variables *e3)
 {
     const struct lossy_field *with =
         (const struct lossy_field *)(const void *)f;
-    *with->error = coin_priv_error_of(size2(with, e5), size2(with, e3));
+    *with->by5 = size2(with, e5);
+    *with->by3 = size2(with, e3);
 }
 
 #define SLOPES lossy
@@ -119,8 +120,8 @@ double coin_priv_way_to_turn(const coin_priv_lossy *w, double du, double error)
 double coin_priv_lossy_bound(const coin_priv_lossy *w, double error)
 {
     const coin_priv_variables *y = &w->run.g.y;
-    const struct lossy_field f = {coin_priv_field_of(&w->run.b, 1), &w->l, 0, 0,
-                                  0};
+    const struct lossy_field f = {
+        coin_priv_field_of(&w->run.b, 1), &w->l, 0, 0, 0, 0};
     const coin_priv_variables d = lossy(&f.ideal, y);
     const double du =
         fabs(y->cth * d.wZ + y->sth * d.wY + d.cth * y->wZ + d.sth * y->wY);
@@ -139,31 +140,51 @@ int coin_priv_passes_turn(const coin_priv_lossy *w, double then, double tau,
     return change > COIN_PRIV_TURNED * sqrt(u * u + least * least);
 }
 
+/* The size of the variables, or of their change from y to z and 1000 times
+ * their rounding if that is less; rates in parts of w0. */
+static double size_of(const coin_priv_variables *y,
+                      const coin_priv_variables *z, double w0)
+{
+    const double rates = fabs(y->wX) + fabs(y->wY) + fabs(y->wZ);
+    const double turned =
+        fabs(z->wX - y->wX) + fabs(z->wY - y->wY) + fabs(z->wZ - y->wZ);
+    const double moved = fabs(z->sth - y->sth) + fabs(z->cth - y->cth) +
+                         fabs(z->sph - y->sph) + fabs(z->cph - y->cph);
+    const double size = 1 + rates / w0;
+    return coin_priv_lesser(turned / w0 + moved + 4000 * DBL_EPSILON * size,
+                            size);
+}
+
 void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
                          double tau, double least)
 {
     const double natural = sqrt(w->run.b.g_a);
     const double rate = ideal_rate(w);
     const double slow = rate < natural ? rate : natural;
-    double error;
+    double by5, by3;
     const struct lossy_field f = {
         coin_priv_field_of(&w->run.b, tau),
         &w->l,
         1 / slow,
         1 / natural,
-        &error,
+        &by5,
+        &by3,
     };
     trial->adds.theta = 0; /* the pair holds it */
     const double lowest =
         rk8_sums(&trial->next, &trial->adds, &w->run.g.y, &f.ideal);
     coin_priv_normalize(&trial->next);
     const int above = coin_priv_lesser(lowest, trial->next.cth) > 0;
-    const int finite = error <= DBL_MAX;
-    trial->error = (above & finite) ? error : (double)INFINITY;
+    const int finite = by5 + by3 <= DBL_MAX;
+    trial->error = (double)INFINITY;
+    if (!(above & finite))
+        return;
     const coin_priv_variables *z = &trial->next;
     const double then = coin_priv_roll_speed(z->wY, z->wZ, z->sth, z->cth);
-    if (trial->error < DBL_MAX && coin_priv_passes_turn(w, then, tau, least))
-        trial->error = DBL_MAX;
+    const double size = size_of(&w->run.g.y, z, natural);
+    trial->error = coin_priv_passes_turn(w, then, tau, least)
+                       ? DBL_MAX
+                       : coin_priv_guarded_error(by5, by3, size);
 }
 
 int32_t coin_priv_lay_flat(coin_priv_run *r)

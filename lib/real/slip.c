@@ -105,17 +105,6 @@ static int passes_turn(const coin_priv_sliding *g, const coin_priv_slip *end)
                                  coin_priv_least_effect(g));
 }
 
-/* A guess of the error of a step h: the estimate may pass through 0 as h grows,
- * where the error does not.  It is proportional to h^9, as by3^(9/8) is: by3 is
- * the square of a difference proportional to h^4.  size is that of the
- * variables, or of their change in the step plus 1000 times rounding if that is
- * less: with 1 for 1000 fast slips take many steps (test_slide_calls). */
-static double usual_error(double by3, double size)
-{
-    const double part = coin_priv_lesser(sqrt(by3) / size, 1);
-    return size * (part * part * sqrt(sqrt(part)));
-}
-
 /* The step h, and its error. */
 static struct tried attempt(coin_priv_sliding *g, double h)
 {
@@ -149,9 +138,8 @@ static struct tried attempt(coin_priv_sliding *g, double h)
     const double rates = fabs(from.wX) + fabs(from.wY) + fabs(from.wZ);
     const double size = 1 + (rates + speed(&from)) / w0;
     const double most = coin_priv_allowed(&g->w.run, g->tol, r.to.t) + rounding;
-    const double estimate = coin_priv_error_of(by5, by3);
-    const double usual = usual_error(by3, coin_priv_lesser(moved, size));
-    const double of_all = coin_priv_larger(estimate, usual) / most;
+    const double of_all =
+        coin_priv_guarded_error(by5, by3, coin_priv_lesser(moved, size)) / most;
     const double of_slip =
         coin_priv_error_of(slip5, slip3) * w0 / (SLIP_ERROR * speed(&from));
     const int above = g->contact.psi_held | (r.to.cth > 0);
