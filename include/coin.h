@@ -974,12 +974,12 @@ COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
  * tells whether a real one would slip or lift.  If the losses never stop the
  * contact, as with damping or rolling, the time from cos(theta) = 1e-10 to rest
  * is taken from the law by which such a motion ends.
- * Accuracy: in 99 of 100 random launches the error stays within tol per natural
- *         unit of time (test_settle).  Where the contact does not reverse, the
- *         error stays within 10 tol (1 + n) in all launches that were searched:
- *         n is the number of radii that the coin would cover at the speed
- *         sqrt(2 E/M), E its energy at the start (docs/limits.md).  The time of
- *         rest is the same to a relative 1e-9 for any number of calls.
+ * Accuracy: in 995 of 1000 random launches the error stays within tol per
+ *         natural unit of time (test_settle).  In all launches that were
+ *         searched it stays within 2 tol (1 + n): n is the number of radii that
+ *         the coin would cover at the speed sqrt(2 E/M), E its energy at the
+ *         start (docs/limits.md).  The time of rest is the same to a relative
+ *         1e-9 for any number of calls.
  * Cost: some 3 RK8 steps per radian that the contact rolls by, at 1e-9.  It is
  *         higher where dry friction holds the contact: the steps then have to
  *         follow the rate dry/(soft cos(theta)), divided by a moment of

@@ -93,7 +93,7 @@ static void the_bound_halves_the_way_to_where_the_contact_turns(void **unused)
 {
     (void)unused;
     const coin_losses dry = {.dry = 1e-9};
-    const coin_priv_lossy w = lossy(&start, &dry);
+    coin_priv_lossy w = lossy(&start, &dry);
     const double h = 1e-5, c = cos(0.7), s = sin(0.7);
     const double u = c * 1.2 + s * 0.8;
     coin_priv_trial t;
@@ -119,7 +119,7 @@ static void where_the_contact_turns_the_bound_is_the_width(void **unused)
                                 {.viscous = 0.01}};
     double bound[5];
     for (int i = 0; i < 5; ++i) {
-        const coin_priv_lossy w = lossy(&turn, &laws[i]);
+        coin_priv_lossy w = lossy(&turn, &laws[i]);
         bound[i] = coin_priv_lossy_bound(&w, 1e-9);
         const double less = coin_priv_lossy_bound(&w, 1e-12);
         check_note("law %d", i);
@@ -133,8 +133,9 @@ static void where_the_contact_turns_the_bound_is_the_width(void **unused)
     check_near(bound[0] / bound[1], 4, 1e-6);
 }
 
-/* Beyond 0.6 of u, or of the width where that is more. */
-static void a_step_too_near_to_the_turn_is_seen(void **unused)
+/* In parts of u, or of the width where that is more; as the root where u does
+ * not change at first. */
+static void the_part_of_the_way_to_the_turn_is_that_of_u(void **unused)
 {
     (void)unused;
     const coin_state turn = {
@@ -144,20 +145,27 @@ static void a_step_too_near_to_the_turn_is_seen(void **unused)
     for (int i = 0; i < 4; ++i) {
         coin_priv_lossy w = lossy(&start, &laws[i]);
         const double u = cos(0.7) * 1.2 + sin(0.7) * 0.8;
+        const double to[] = {0.41, 1.59, 0, -1};
         check_note("law %d", i);
-        check(!coin_priv_passes_turn(&w, 0.41 * u, 0.1, 1e-9));
-        check(!coin_priv_passes_turn(&w, 1.59 * u, -0.1, 1e-9));
-        check(coin_priv_passes_turn(&w, 0.39 * u, 0.1, 1e-9) == (i < 3));
-        check(coin_priv_passes_turn(&w, 1.61 * u, -0.1, 1e-9) == (i < 3));
+        for (int k = 0; k < 4; ++k) {
+            const double part = i == 3 ? 0 : fabs(1 - to[k]);
+            const double tau = k % 2 ? -0.1 : 0.1;
+            w.du = (to[k] - 1) * u / tau;
+            check_near(coin_priv_part_of_way(&w, to[k] * u, tau, 1e-9), part,
+                       1e-3);
+            w.du = 0;
+            check_near(coin_priv_part_of_way(&w, to[k] * u, tau, 1e-9),
+                       sqrt(part), 1e-3);
+        }
         w = lossy(&turn, &laws[i]);
-        check(!coin_priv_passes_turn(&w, 0, 0.1, 1e-9));
+        w.du = 0;
+        check(coin_priv_part_of_way(&w, 0, 0.1, 1e-9) == 0);
         if (i == 3)
             continue;
-        /* From u = 0, by the step of the bound and by 1.3 times as much. */
-        const double h = coin_priv_way_to_turn(&w, 1, 1e-9);
-        check(!coin_priv_passes_turn(&w, h, h, 1e-9));
-        check(coin_priv_passes_turn(&w, 1.3 * h, 1.3 * h, 1e-9));
-        check(coin_priv_passes_turn(&w, -1.3 * h, 1.3 * h, 1e-9));
+        /* From u = 0 the bound is half of the width. */
+        w.du = 1;
+        const double h = coin_priv_way_to_turn(&w, 1e-9);
+        check_near(coin_priv_part_of_way(&w, h, h, 1e-9), 0.5, 1e-9);
     }
 }
 
@@ -189,7 +197,7 @@ int main(void)
         TEST(the_error_of_a_step_that_overflows_is_infinite),
         TEST(the_bound_halves_the_way_to_where_the_contact_turns),
         TEST(where_the_contact_turns_the_bound_is_the_width),
-        TEST(a_step_too_near_to_the_turn_is_seen),
+        TEST(the_part_of_the_way_to_the_turn_is_that_of_u),
         TEST(friction_shortens_the_step),
     };
     return RUN_TESTS(tests);

@@ -13,16 +13,16 @@
  * hundredth of random calls then err by 36 tol (make tuning). */
 #define COIN_PRIV_TURN_ROUND 0.5
 
-/* A step that went further is refused: d(psi)/dt may change faster in a step
- * than where it begins.  This is a little more than TURN_ROUND, so that steps
- * are rarely refused.  With 0.8 four in 10,000 calls more err by 4 tol; with
- * 0.55 the steps are the same within 1 % (make tuning). */
+/* A step that covers more than this part of the way is refused.  It is a little
+ * more than TURN_ROUND, so that steps are rarely refused. */
 #define COIN_PRIV_TURNED 0.6
 
 /* A coin with losses under way. */
 typedef struct coin_priv_lossy {
     coin_priv_losses l;
     coin_priv_run run;
+    double du; /* d(u)/dtau where a step begins, u = cos(theta) d(psi)/dt: set
+                  by coin_priv_lossy_bound() */
 } coin_priv_lossy;
 
 /* A step tried: where it leads, and its error. */
@@ -30,9 +30,9 @@ typedef struct coin_priv_trial {
     coin_priv_variables next;
     coin_priv_pose adds; /* adds.t: the time that the step takes */
     double error;        /* estimated; natural units, radians and radii;
-                            DBL_MAX if the step passes where the contact turns
-                            round; infinite if a stage or the end would be
-                            below the table, or not finite */
+                            1e100 if the step goes too near to where the contact
+                            turns round; infinite if a stage or the end would
+                            be below the table, or not finite */
 } coin_priv_trial;
 
 /* Tries a step; `least` is the `error` of coin_priv_lossy_bound(). */
@@ -46,16 +46,16 @@ double coin_priv_lossy_rate(const coin_priv_lossy *w);
 /* The largest tau of a step that does not pass the place where the contact
  * turns round, d(psi)/dt = 0, and friction is not smooth; infinite if there is
  * none.  An effect on the rates below `error` natural units is not resolved. */
-double coin_priv_lossy_bound(const coin_priv_lossy *w, double error);
+double coin_priv_lossy_bound(coin_priv_lossy *w, double error);
 
-/* The same, if u = cos(theta) d(psi)/dt changes by du in tau. */
-double coin_priv_way_to_turn(const coin_priv_lossy *w, double du, double error);
+/* The same by w->du. */
+double coin_priv_way_to_turn(const coin_priv_lossy *w, double error);
 
-/* Whether a step of tau, after which u is `then`, went too near to where the
- * contact turns round, or beyond: the bound with the mean of du/dtau in the
- * step.  Where a step begins next to the largest u, du/dtau is almost 0. */
-int coin_priv_passes_turn(const coin_priv_lossy *w, double then, double tau,
-                          double error);
+/* Which part of the way to where the contact turns round a step of tau covers,
+ * after which u is `then`; 0 for a small part.  u is taken as a parabola: where
+ * a step begins next to the largest u, w->du is almost 0. */
+double coin_priv_part_of_way(const coin_priv_lossy *w, double then, double tau,
+                             double error);
 
 /* Sets the lean to flat, and keeps the rate of fall: COIN_RESTS. */
 int32_t coin_priv_lay_flat(coin_priv_run *r);

@@ -83,16 +83,15 @@ static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
 }
 
 /* The longest step that does not pass where the contact turns round. */
-static double bound_of(const coin_priv_sliding *g, const coin_priv_slip *y,
+static double bound_of(coin_priv_sliding *g, const coin_priv_slip *y,
                        const coin_priv_slip *d)
 {
     if (!g->lossy || g->contact.psi_held)
         return (double)INFINITY;
     const double per_tau = y->cth / d->t; /* dtau = dt/cos(theta) */
-    const double droll =
-        fabs(y->cth * d->wZ + y->sth * d->wY + d->cth * y->wZ + d->sth * y->wY);
-    return per_tau * coin_priv_way_to_turn(&g->w, droll * per_tau,
-                                           coin_priv_least_effect(g));
+    g->w.du = per_tau * (y->cth * d->wZ + y->sth * d->wY + d->cth * y->wZ +
+                         d->sth * y->wY);
+    return per_tau * coin_priv_way_to_turn(&g->w, coin_priv_least_effect(g));
 }
 
 /* Whether a step passes it. */
@@ -101,8 +100,8 @@ static int passes_turn(const coin_priv_sliding *g, const coin_priv_slip *end)
     const double then =
         coin_priv_roll_speed(end->wY, end->wZ, end->sth, end->cth);
     return g->lossy && !g->contact.psi_held &&
-           coin_priv_passes_turn(&g->w, then, end->t / g->w.run.g.y.cth,
-                                 coin_priv_least_effect(g));
+           coin_priv_part_of_way(&g->w, then, end->t / g->w.run.g.y.cth,
+                                 coin_priv_least_effect(g)) > COIN_PRIV_TURNED;
 }
 
 /* The step h, and its error. */
@@ -144,8 +143,9 @@ static struct tried attempt(coin_priv_sliding *g, double h)
         coin_priv_error_of(slip5, slip3) * w0 / (SLIP_ERROR * speed(&from));
     const int above = g->contact.psi_held | (r.to.cth > 0);
     const int finite = by5 + by3 <= DBL_MAX;
-    const int good = above & finite & (r.to.t >= 0) & !passes_turn(g, &r.to);
-    r.error = good ? coin_priv_larger(of_all, of_slip) : (double)INFINITY;
+    const int good = above & finite & (r.to.t >= 0);
+    r.error = good && !passes_turn(g, &r.to) ? coin_priv_larger(of_all, of_slip)
+                                             : (double)INFINITY;
     return r;
 }
 
