@@ -48,8 +48,9 @@ COUNT(DOPRI8, void, , coin_priv_dopri8,
        const void *problem, double h, coin_priv_estimates *error),
       (y, d, slopes, problem, h, error))
 COUNT(LOSSY, void, , coin_priv_lossy_try,
-      (coin_priv_trial * trial, const coin_priv_lossy *w, double tau),
-      (trial, w, tau))
+      (coin_priv_trial * trial, const coin_priv_lossy *w, double tau,
+       double least),
+      (trial, w, tau, least))
 COUNT(EXTRAPOLATE, int, return, coin_priv_extrapolate,
       (coin_priv_run * r, double tau), (r, tau))
 COUNT(CONE, coin_priv_verdict, return, coin_priv_test_cone,
