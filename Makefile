@@ -352,7 +352,7 @@ valgrind: ## the tests under valgrind
 COVERED = gcovr --root $(SRC) --filter '$(SRC)/lib/' $(O)/coverage/objects
 coverage: ## every line and branch of lib/ runs, or the missing are listed
 	rm -rf $(O)/coverage
-	+$(AGAIN) O=$(O)/coverage check MAPS= \
+	+ROLLCOIN_TRIES=8 $(AGAIN) O=$(O)/coverage check MAPS= \
 	    CFLAGS='-O0 -g --coverage -fprofile-abs-path'
 	$(COVERED) --fail-under-line 100; lines=$$?; \
 	$(COVERED) --fail-under-branch 100 --branches && test $$lines = 0
