@@ -21,8 +21,8 @@ typedef struct flower {
 } flower;
 
 static const flower FLOWERS[] = {
-    {"four sevenths", 0, 0.5, 0.8, -0.6, -0.3, 4, 7, 7, 140},
-    {"three eighths", 1, 0.2, 0.8, -1, -0.3, 3, 8, 8, 176},
+    {"four sevenths", 0, 0.5, 0.8, -0.6, -0.3, 4, 7, 7, 130},
+    {"three eighths", 1, 0.2, 0.8, -1, -0.3, 3, 8, 8, 164},
     {"nine eighths", 0, 0.9, 0.3, 1, 1.5, 9, 8, 8, 60},
     {"three fifths", 0, 0.9, 0.8, -0.3, 0.3, 3, 5, 5, 72},
     {"four thirds", 0, 0.2, 0.3, 1, 1.5, 4, 3, 3, 72},
