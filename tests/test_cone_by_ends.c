@@ -100,7 +100,7 @@ static struct path path_any(struct random *r, int wide, int lossy)
     w.stride = random_between(r, 0.1, lossy ? COIN_PRIV_LONGEST_STRIDE : 1.65);
     w.tau = w.stride * w.unit;
     if (lossy) { /* as roll.c chooses it */
-        const coin_priv_lossy slowed = {w.losses, run};
+        coin_priv_lossy slowed = {.l = w.losses, .run = run};
         const double bound = coin_priv_lossy_bound(&slowed, 1e-3);
         w.unit = 1 / coin_priv_lossy_rate(&slowed);
         w.tau = fmin(w.stride * w.unit, bound);
