@@ -164,7 +164,7 @@ static void the_part_of_the_way_to_the_turn_is_that_of_u(void **unused)
             continue;
         /* From u = 0 the bound is half of the width. */
         w.du = 1;
-        const double h = coin_priv_way_to_turn(&w, 1e-9);
+        const double h = coin_priv_turn_bound(&w, 1e-9);
         check_near(coin_priv_part_of_way(&w, h, h, 1e-9), 0.5, 1e-9);
     }
 }

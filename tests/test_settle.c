@@ -190,6 +190,8 @@ static void the_energy_lost_is_the_integral_of_the_power(void **unused)
 }
 
 /* The contact turns round, and next to where a step begins it rolls fastest.
+ * coin.h allows some 6 tol here; the errors are half of it, and 0.6 tol in the
+ * last case.
  * Without refusals the first four err by 6 to 9 tol, at one tol in twenty.  The
  * fifth would err by 32 tol if steps knew nothing of the turn before they are
  * tried, and the last by 2.4 tol if no estimate of an error were guarded. */

@@ -41,11 +41,12 @@ COIN_PRIV_INLINE double coin_priv_error_of(double by5, double by3)
     return sum > 0 ? by5 / sqrt(sum) : sum;
 }
 
-/* The same, but no less than the usual error of a step with by3: the estimate
- * may pass through 0 as h grows, where the error does not.  The error is
- * proportional to h^9, as by3^(9/8) is.  size is that of the variables, or of
- * their change in the step plus 1000 times their rounding if that is less: with
- * 1 for 1000 fast slips take many steps (test_slide_calls). */
+/* The same estimate, but no smaller than what a step with this by3 usually errs
+ * by.  As h grows the estimate may pass through 0, which the error does not.
+ * The error is proportional to h^9, and so is by3^(9/8).  size is the smaller
+ * of two sizes: that of the variables, and that of their change in the step
+ * plus 1000 times their rounding.  With their rounding alone in the place of
+ * the 1000 fast slips take many steps (test_slide_calls). */
 COIN_PRIV_INLINE double coin_priv_guarded_error(double by5, double by3,
                                                 double size)
 {

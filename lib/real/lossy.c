@@ -63,15 +63,15 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
  * for the same errors (make tuning). */
 #define FRICTION 0.3
 
-/* A step that covers more than this part of the way to where the contact turns
- * round has its error guarded: there the estimate may pass through 0.  0.2
- * saves 0.4 % of the steps, and the largest error is three times as large; 0.02
- * gives the same as this.  To guard all steps costs 44 % where a coin spins for
- * long (make tuning, real-cost). */
+/* The estimate of a step's error is guarded if the step covers more than this
+ * part of the way to where the contact turns round: it may pass through 0
+ * there. With 0.2 there are 0.4 % fewer steps, and the largest error is three
+ * times as large.  With 0.02 both are the same (make tuning).  If every
+ * estimate is guarded, a long spin costs 44 % more (make real-cost). */
 #define NEAR 0.05
 
-/* The error that a step is said to have that covers too much of it: above any
- * that is allowed, and finite over any. */
+/* The error of a step that is refused since it covers too much of that way.  It
+ * is larger than any error that is allowed; divided by one, it is finite. */
 #define REFUSED 1e100
 
 /* If the point where the contact turns round is 1/FAR natural units of tau away
@@ -117,7 +117,7 @@ static double zone(const coin_priv_lossy *w, double du, double error)
     return least;
 }
 
-double coin_priv_way_to_turn(const coin_priv_lossy *w, double error)
+double coin_priv_turn_bound(const coin_priv_lossy *w, double error)
 {
     const coin_priv_variables *y = &w->run.g.y;
     const double u = coin_priv_roll_speed(y->wY, y->wZ, y->sth, y->cth);
@@ -135,11 +135,12 @@ double coin_priv_lossy_bound(coin_priv_lossy *w, double error)
         coin_priv_field_of(&w->run.b, 1), &w->l, 0, 0, 0, 0};
     const coin_priv_variables d = lossy(&f.ideal, y);
     w->du = y->cth * d.wZ + y->sth * d.wY + d.cth * y->wZ + d.sth * y->wY;
-    return coin_priv_way_to_turn(w, error);
+    return coin_priv_turn_bound(w, error);
 }
 
-/* u changes by a x + b x^2 within a part x of the step.  That is all of the way
- * to the turn at x = 1 over what is returned. */
+/* After a part x of the step u has changed by a x + b x^2.  The turn is where
+ * that equals `way`, at x = 1/part.  If a and b have different signs, or lead
+ * away from the turn, `part` is larger than it is: on the safe side. */
 double coin_priv_part_of_way(const coin_priv_lossy *w, double then, double tau,
                              double error)
 {
@@ -156,8 +157,8 @@ double coin_priv_part_of_way(const coin_priv_lossy *w, double then, double tau,
     return (fabs(a) + sqrt(a * a + 4 * way * fabs(b))) / (2 * way);
 }
 
-/* The size of the variables, or of their change from y to z and 1000 times
- * their rounding if that is less; rates in parts of w0. */
+/* The `size` of coin_priv_guarded_error() for a step from y to z.  Rates count
+ * in parts of w0, and the rounding is that of coin_priv_allowed_in(). */
 static double size_of(const coin_priv_variables *y,
                       const coin_priv_variables *z, double w0)
 {

@@ -7,17 +7,18 @@
 
 #include "losses.h"
 
-/* A step is made so long that it covers this part of the way to where the
- * contact turns round, d(psi)/dt = 0: friction is not smooth there.  A half
- * takes 4 to 10 % more steps than this.  All of the way saves 3 to 10 %, but at
- * tol = 1e-9 one of 100 random calls then errs by 10 tol (make tuning). */
+/* Friction is not smooth where the contact turns round, d(psi)/dt = 0.  A step
+ * is made so long that it should cover this part of the way to there.  With
+ * half of it there are 4 to 10 % more steps.  With twice as much there are 3 to
+ * 10 % fewer, but at tol = 1e-9 one call in 100 errs by 10 tol (make tuning).
+ */
 #define COIN_PRIV_TURN_ROUND 0.5
 
-/* A step that has covered more than this part of it is refused.  With 0.6 there
- * are 2 to 7 % more steps, and the median error is 2/3.  0.8 saves 2 % at most,
- * for a largest error of 1.1 instead of 0.8 tol.  Without refusals, which save
- * 4
- * %, the largest error is 5 tol at tol = 1e-4 (make tuning). */
+/* A step that turns out to cover more than this part of the way is refused.
+ * With 0.6 there are 2 to 7 % more steps, and the median error falls by a
+ * third.  With 0.8 there are up to 2 % fewer, and the largest error grows from
+ * 0.8 to 1.1 tol.  If none is refused, the largest error is 5 tol at tol = 1e-4
+ * (make tuning). */
 #define COIN_PRIV_TURNED 0.7
 
 /* A coin with losses under way. */
@@ -51,12 +52,13 @@ double coin_priv_lossy_rate(const coin_priv_lossy *w);
  * none.  An effect on the rates below `error` natural units is not resolved. */
 double coin_priv_lossy_bound(coin_priv_lossy *w, double error);
 
-/* The same by w->du. */
-double coin_priv_way_to_turn(const coin_priv_lossy *w, double error);
+/* The same, where w->du is known. */
+double coin_priv_turn_bound(const coin_priv_lossy *w, double error);
 
-/* Which part of the way to where the contact turns round a step of tau covers,
- * after which u is `then`; 0 for a small part.  u is taken as a parabola: where
- * a step begins next to the largest u, w->du is almost 0. */
+/* The part of the way to where the contact turns round that a step of tau
+ * covers; 0 if it is small.  `then` is u after the step.  Within the step u is
+ * taken as a parabola: it begins with the slope w->du, which is almost 0 where
+ * the contact rolls fastest. */
 double coin_priv_part_of_way(const coin_priv_lossy *w, double then, double tau,
                              double error);
 

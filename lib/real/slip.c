@@ -91,11 +91,12 @@ static double bound_of(coin_priv_sliding *g, const coin_priv_slip *y,
     const double per_tau = y->cth / d->t; /* dtau = dt/cos(theta) */
     g->w.du = per_tau * (y->cth * d->wZ + y->sth * d->wY + d->cth * y->wZ +
                          d->sth * y->wY);
-    return per_tau * coin_priv_way_to_turn(&g->w, coin_priv_least_effect(g));
+    return per_tau * coin_priv_turn_bound(&g->w, coin_priv_least_effect(g));
 }
 
-/* Whether a step passes it. */
-static int passes_turn(const coin_priv_sliding *g, const coin_priv_slip *end)
+/* Whether a step to `end` is refused since it comes too near to where the
+ * contact turns round. */
+static int comes_too_near(const coin_priv_sliding *g, const coin_priv_slip *end)
 {
     const double then =
         coin_priv_roll_speed(end->wY, end->wZ, end->sth, end->cth);
@@ -144,8 +145,9 @@ static struct tried attempt(coin_priv_sliding *g, double h)
     const int above = g->contact.psi_held | (r.to.cth > 0);
     const int finite = by5 + by3 <= DBL_MAX;
     const int good = above & finite & (r.to.t >= 0);
-    r.error = good && !passes_turn(g, &r.to) ? coin_priv_larger(of_all, of_slip)
-                                             : (double)INFINITY;
+    r.error = good && !comes_too_near(g, &r.to)
+                  ? coin_priv_larger(of_all, of_slip)
+                  : (double)INFINITY;
     return r;
 }
 
