@@ -190,10 +190,10 @@ static void the_energy_lost_is_the_integral_of_the_power(void **unused)
 }
 
 /* The contact turns round, and next to where a step begins it rolls fastest.
- * coin.h allows some 6 tol here.  The errors are at most 3 tol, and 0.6 tol in
- * the last case.  If no step is refused, the first four err by 6 to 9 tol at one
- * tol in twenty.  If steps know nothing of the turn before they are tried, the
- * fifth errs by 32 tol.  If no estimate is guarded, the last errs by 2.4 tol. */
+ * coin.h allows some 6 tol; the errors are 3 tol, in the last case 0.6.  If no
+ * step is refused, the first four err by 6 to 9 tol at one tol in twenty.  If
+ * steps know nothing of the turn before they are tried, the fifth errs by 32
+ * tol.  If no estimate is guarded, the last errs by 2.4 tol. */
 static void a_step_does_not_pass_where_the_contact_turns_round(void **unused)
 {
     (void)unused;
