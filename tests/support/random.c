@@ -20,6 +20,11 @@ int tries_asked(int usual)
     return times ? usual * atoi(times) : usual;
 }
 
+int all_asked(void)
+{
+    return tries_asked(1) > 1;
+}
+
 /* splitmix64, by Sebastiano Vigna. */
 static uint64_t next(struct random *r)
 {

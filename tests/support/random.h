@@ -16,6 +16,9 @@ struct random random_begin(uint64_t seed);
 
 int tries_asked(int usual);
 
+/* Whether that is more than once: then no case of a list is left out. */
+int all_asked(void);
+
 double random_between(struct random *r, double low, double high);
 
 /* Mass, radius and gravity within six decades each; any inner radius. */
