@@ -16,6 +16,7 @@ static coin_priv_lossy lossy(const coin_state *s, const coin_losses *l)
     check_status(coin_priv_check_body(&w.run.b, &p), COIN_OK);
     check_status(coin_priv_losses_of(&w.l, l, &w.run.b), COIN_OK);
     coin_priv_run_unlimited(&w.run, s);
+    coin_priv_lossy_bound(&w, 1e-9); /* sets w.du, which a step needs */
     return w;
 }
 
@@ -29,6 +30,7 @@ static double halved(const coin_priv_lossy *w, double tau, double *error)
     for (int i = 0; i < 2; ++i) {
         coin_priv_lossy_try(&half, &two, tau / 2, 1e-9);
         check(coin_priv_sundman_accept(&two.run, &half.next, &half.adds));
+        coin_priv_lossy_bound(&two, 1e-9);
     }
     const coin_priv_variables *a = &one.next, *b = &two.run.g.y;
     return fmax(fmax(fabs(a->wX - b->wX), fabs(a->wY - b->wY)),
