@@ -102,6 +102,45 @@ static void just_where_angles_end_it_is_a_run_of_one(void **unused)
     check(of.warned > 500 && of.failed > 500);
 }
 
+/* The longest dt with which a run of one step has the same status as with
+ * `low`. */
+static double last_dt(const coin_state *s, const coin_params *p, double low,
+                      double high)
+{
+    coin_state end = *s;
+    const int32_t said = coin_run(&end, p, COIN_RK4, low, 1, NULL);
+    for (;;) {
+        const double dt = low + (high - low) / 2;
+        if (dt == low || dt == high)
+            return low;
+        end = *s;
+        if (coin_run(&end, p, COIN_RK4, dt, 1, NULL) == said)
+            low = dt;
+        else
+            high = dt;
+    }
+}
+
+/* When the last bit of W decides. */
+static void at_the_limits_of_W_it_is_a_run_of_one(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(55);
+    struct tally of = {0, 0, 0};
+    for (int i = 0; i < 200; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, 1.4);
+        const double T = 1 / fastest_rate(&s, &p);
+        const double coarse = last_dt(&s, &p, 0, 0.4 * T);
+        const double far = last_dt(&s, &p, nextafter(coarse, T), 1.3 * T);
+        for (int k = -10; k < 10; ++k) {
+            count(&of, check_step(&s, &p, coarse * (1 + k * 0x1p-52)));
+            count(&of, check_step(&s, &p, far * (1 + k * 0x1p-52)));
+        }
+    }
+    check(of.well > 1000 && of.warned > 2000 && of.failed > 1000);
+}
+
 static void where_the_path_overflows_it_is_a_run_of_one(void **unused)
 {
     (void)unused;
@@ -199,6 +238,7 @@ int main(void)
         TEST(next_to_the_table_it_is_a_run_of_one),
         TEST(where_angles_end_it_is_a_run_of_one),
         TEST(just_where_angles_end_it_is_a_run_of_one),
+        TEST(at_the_limits_of_W_it_is_a_run_of_one),
         TEST(where_the_path_overflows_it_is_a_run_of_one),
         TEST(from_zeros_of_either_sign_it_is_a_run_of_one),
         TEST(a_step_of_no_time_keeps_the_signs_of_zeros),

@@ -259,10 +259,11 @@ static coin_priv_point lean_at(const coin_orbit *o, int piece, double t)
     return p;
 }
 
-/* The integral of this from A to B is -J/2 dT/dE, for any k.  It is the finite
- * part of the integral of 1/wX^2, which is infinite at A and B: the derivative
- * of a/(wX Q) by time has been added, and is infinite there too.  If k is the
- * frequency of a small swing, the sum is small all along the swing. */
+/* The integral of this from A to B is -J/2 dT/dE, for any k.  dT/dE is an
+ * integral of 1/wX^2, which is infinite at A and B.  So the time derivative of
+ * a/(wX Q) has been added, whose infinities cancel these: a = d(wX)/dt, and
+ * Q = a^2 + (k wX)^2.  If k is the frequency of a small swing, the sum is small
+ * all along the swing. */
 static double stretch(const coin_priv_field *field, const coin_priv_point *p,
                       double k)
 {

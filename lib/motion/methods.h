@@ -52,9 +52,9 @@ COIN_PRIV_INLINE PRIV(limits)
     const real most = PRIV(refusal_limit)(method);
     const real coarse = PRIV(coarse_limit)(method);
     const real size = FABS(dt);
-    /* For a step shorter than the least, the limit of W could overflow: it is
-     * limited as if it were that long.  For a step longer than the most, the
-     * limit is below the W of any coin. */
+    /* |dt| is clipped, so that 1/dt^2 neither overflows nor underflows.  At
+     * DT_MOST the limit is below the W of any coin: a longer step is refused
+     * too. */
     const real kept = size < COIN_PRIV_DT_LEAST  ? COIN_PRIV_DT_LEAST
                       : size > COIN_PRIV_DT_MOST ? COIN_PRIV_DT_MOST
                                                  : size;

@@ -7,12 +7,12 @@
 #include "gbs.h"
 
 /* What is allowed for the error of the interpolated motion, over stride^6.  In
- * cone.c that is an error of the clearance.  In cone_by_ends.c it is half of
- * the error of the square margin, over `weight`.  On random motions of any
- * body, with strides up to 1.65, the error came to a tenth of this.  On fast
- * passes near flat it was larger, but there the differences that least() of
- * cone_by_ends.c subtracts are large enough.  coin_priv_surely_in_cone() passed
- * no step that leaves the cone (test_cone_by_ends). */
+ * cone.c that is an error of the clearance.  In cone_by_ends.c the square
+ * margin may err by 2 MISS stride^6 times `weight`.  On random motions of any
+ * body, with strides up to 1.65, the error came to a tenth of this.  Fast
+ * passes near flat err more.  There least() of cone_by_ends.c subtracts
+ * differences that are large enough to cover it.  coin_priv_surely_in_cone()
+ * passed no step that leaves the cone (test_cone_by_ends). */
 #define COIN_PRIV_MISS 0.006
 
 /* What cone_by_ends.c allows for the error of the force where it takes it as a

@@ -76,7 +76,7 @@ void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_contact *contact,
                             const coin_priv_push *force);
 
 /* mu_static N - F of the static force, divided by mu_static if that is above 1,
- * and what rounding may change it by.  Below 0 the force leaves the cone of
+ * plus an allowance for its rounding.  Below 0 the force leaves the cone of
  * friction. */
 double coin_priv_margin(const coin_priv_contact *contact,
                         const coin_priv_slip *y);

@@ -16,8 +16,8 @@
 #define COIN_PRIV_LONGEST_STRIDE 1.2
 
 /* The estimate of a step's error may be ESTIMATE times tol times its time,
- * since the estimate is of order 8 and the error of order 9.  Measured so that
- * the error stays below tol per natural unit of time (test_settle).  Half or
+ * since the estimate is of order 8 and the error of order 9.  By this 995 of
+ * 1000 launches err by less than tol per natural unit (test_settle).  Half or
  * twice halves or doubles the errors at small tol, for 3 % more or 2 % fewer
  * steps.  A step near flat takes hardly any time; the time of a step counts as
  * BRIEF natural units at least.  Half or twice that changes the steps by 2 %
@@ -45,8 +45,8 @@ COIN_PRIV_INLINE double coin_priv_error_of(double by5, double by3)
  * by.  As h grows the estimate may pass through 0, which the error does not.
  * The error is proportional to h^9, and so is by3^(9/8).  size is the smaller
  * of two sizes: that of the variables, and that of their change in the step
- * plus 1000 times their rounding.  With their rounding alone in the place of
- * the 1000 fast slips take many steps (test_slide_calls). */
+ * plus 1000 times their rounding.  With a factor of 1 instead of 1000, fast
+ * slips take many steps (test_slide_calls). */
 COIN_PRIV_INLINE double coin_priv_guarded_error(double by5, double by3,
                                                 double size)
 {

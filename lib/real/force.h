@@ -5,8 +5,8 @@
 
 #include "../motion/equations.h"
 
-/* The number of terms of the series: all.  Some or few of them do where the
- * force is far from the edge of the cone of friction. */
+/* The number of terms of the series: all, or some, or few.  The farther the
+ * force is from the edge of the cone of friction, the fewer suffice. */
 #define COIN_PRIV_FORCE_TERMS 7
 #define COIN_PRIV_FORCE_SOME 5
 #define COIN_PRIV_FORCE_FEW 3

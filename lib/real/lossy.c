@@ -71,7 +71,7 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
 #define NEAR 0.05
 
 /* The error of a step that is refused since it covers too much of that way.  It
- * is larger than any error that is allowed; divided by one, it is finite. */
+ * exceeds every allowed error, and its quotient by an allowed one is finite. */
 #define REFUSED 1e100
 
 /* If the point where the contact turns round is 1/FAR natural units of tau away
@@ -138,9 +138,10 @@ double coin_priv_lossy_bound(coin_priv_lossy *w, double error)
     return coin_priv_turn_bound(w, error);
 }
 
-/* After a part x of the step u has changed by a x + b x^2.  The turn is where
- * that equals `way`, at x = 1/part.  If a and b have different signs, or lead
- * away from the turn, `part` is larger than it is: on the safe side. */
+/* After a part x of the step u has changed by a x + b x^2.  The contact
+ * turns round where |a| x + |b| x^2 = way, at x = 1/part.  If a and b have
+ * different signs, or lead away from there, this part is too large, which is
+ * safe. */
 double coin_priv_part_of_way(const coin_priv_lossy *w, double then, double tau,
                              double error)
 {

@@ -8,7 +8,7 @@
 #include "losses.h"
 
 /* Friction is not smooth where the contact turns round, d(psi)/dt = 0.  A step
- * is made so long that it should cover this part of the way to there.  With
+ * is planned to cover at most this part of the way to there.  With
  * half of it there are 4 to 10 % more steps.  With twice as much there are 3 to
  * 10 % fewer, but at tol = 1e-9 one call in 100 errs by 10 tol (make tuning).
  */
@@ -33,7 +33,7 @@ typedef struct coin_priv_lossy {
 typedef struct coin_priv_trial {
     coin_priv_variables next;
     coin_priv_pose adds; /* adds.t: the time that the step takes */
-    double error;        /* estimated; natural units, radians and radii;
+    double error;        /* estimated, of rates, sines and cosines;
                             1e100 if the step goes too near to where the contact
                             turns round; infinite if a stage or the end would
                             be below the table, or not finite */
@@ -47,9 +47,10 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
  * tau, plus a part of that of the friction. */
 double coin_priv_lossy_rate(const coin_priv_lossy *w);
 
-/* The largest tau of a step that does not pass the place where the contact
- * turns round, d(psi)/dt = 0, and friction is not smooth; infinite if there is
- * none.  An effect on the rates below `error` natural units is not resolved. */
+/* The tau in which a step covers COIN_PRIV_TURN_ROUND of the way to where the
+ * contact turns round, d(psi)/dt = 0, and friction is not smooth; infinite if
+ * there is no such place.  An effect on the rates below `error` natural units
+ * is not resolved. */
 double coin_priv_lossy_bound(coin_priv_lossy *w, double error);
 
 /* The same, where w->du is known. */

@@ -167,8 +167,8 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     struct onset o = onset_of(g);
     const double tau = coin_priv_lesser(wait, g->rem.sum / start.cth);
     /* The error of a wait is proportional to slope/friction times the square of
-     * the wait.  of_error is the wait whose error is tol.  For slopes from this
-     * one on it is shorter than the usual wait. */
+     * the wait.  of_error is the wait whose error is tol.  It is shorter than
+     * the usual wait if slope/friction is at least r4/WAIT^2. */
     if (o.slope >= r4 / (WAIT * WAIT) * o.friction) {
         const double of_error = unit * sqrt(tol * (o.friction / o.slope));
         wait = o.slope * of_error >= seed ? of_error : wait;

@@ -13,9 +13,9 @@
  * longer step and the last one together may need more terms. */
 #define TOGETHER 0.9
 
-/* The part of coin_priv_rise_time() in which the rise ends: a half, and a
- * little more, so that the coin then falls.  How much more is free: it only has
- * to exceed rounding. */
+/* A coin that falls back within coin_priv_rise_time() is highest at half of it.
+ * This part is a little more, so that the coin then falls.  How much more is
+ * free: it only has to exceed rounding. */
 #define TOP 0.505
 
 double coin_priv_least_effect(const coin_priv_sliding *g)

@@ -12,11 +12,12 @@
 #define TRIES_MAX (UINT64_C(1) << 20)
 
 /* Where cos theta is less than END and the coin is too slow to rise, the law of
- * losses that never stop the contact gives the time left.  END is free from
- * 1e-12 to 1e-8: the time of rest stays the same, and the steps within 0.05 %
- * (make tuning).  The coin is too slow if E is less than 5 M g a cos theta, so
- * that it cannot rise beyond 5 times its angle from flat.  By (75) a coin that
- * spins there has 1.5 M g a cos theta.  2.5 or 10 for 5 gives the same. */
+ * losses that never stop the contact gives the time left.  With END
+ * from 1e-12 to 1e-8 the time of rest is the same, and the steps within 0.05 %
+ * (make tuning).  The coin is too slow if its energy is below TOO_SLOW
+ * M g a cos theta: it cannot rise beyond 5 times its angle from flat.  By (75)
+ * a coin that spins there has 1.5 M g a cos theta.  TOO_SLOW = 2.5 or 10 gives
+ * the same. */
 #define END 1e-10
 #define TOO_SLOW 5
 
@@ -28,8 +29,8 @@ struct settling {
     uint64_t tries;
 };
 
-/* The tau that the time rem takes: rem = c tau - s c wX tau^2/2 + ..., solved;
- * infinite where that has no solution. */
+/* The tau that the time rem takes, from rem = cth tau - sth cth wX tau^2/2 +
+ * ...; infinite where that has no solution. */
 static double quadratic_tau(const coin_priv_variables *y, double rem)
 {
     const double r = rem / y->cth;

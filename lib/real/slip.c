@@ -29,7 +29,7 @@
 #define STRAIGHT 0.25
 #define MOST_STRAIGHT 0.003
 
-/* A step tried fails where rates and slip exceed those at its begin by this
+/* A step tried fails where rates and slip exceed those at its start by this
  * factor. */
 #define RUNAWAY 1e6
 
@@ -66,7 +66,7 @@ static double loss_rate(const coin_priv_sliding *g, const coin_priv_slip *y)
     return coin_priv_grip(l, roll, cth) * arm + l->spin * cth / l->IX;
 }
 
-/* The rate in sigma of (87), but for the change of the slip velocity. */
+/* The rate in sigma of (87), without its last term. */
 static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
 {
     const coin_priv_contact *t = &g->contact;
@@ -82,7 +82,8 @@ static double rate_of(const coin_priv_sliding *g, const coin_priv_slip *y)
            RELAX * (settle + scale * loss_rate(g, y)); /* (87) */
 }
 
-/* The longest step that does not pass where the contact turns round. */
+/* The step that covers COIN_PRIV_TURN_ROUND of the way to where the contact
+ * turns round. */
 static double bound_of(coin_priv_sliding *g, const coin_priv_slip *y,
                        const coin_priv_slip *d)
 {
@@ -189,9 +190,10 @@ static struct tried step(coin_priv_sliding *g, double *h, double rate,
 
 /* Whether the normal force is surely positive all along a step h of a slip no
  * faster than u.  `from` and `to` are the clearances at its ends.  Between them
- * the clearance may dip by an eighth of its second derivative: 0.25 moved^2
- * allows for one of 2 moved^2.  A clearance that changes much is tested too: 2
- * or 8 for 4 only changes how many steps are tested (make tuning). */
+ * it may dip by an eighth of its second derivative, which is taken to be at
+ * most 2 moved^2.  Returns 0 also if the clearance changes much.  With 2 or 8
+ * in the place of 4 more or fewer steps are tested, to the same results (make
+ * tuning). */
 static int is_pressed(const coin_priv_sliding *g, double from, double to,
                       double u, double h)
 {
@@ -305,14 +307,14 @@ static int go_straight(coin_priv_slip *y, const coin_priv_slip *d, double h,
     return fits;
 }
 
-/* Ends a slip, or makes it ten times as fast (9 u more), by one straight line,
+/* Ends a slip, or makes it at least ten times as fast, by one straight line,
  * where that is accurate enough.  This is where a slip ends: its velocity
  * becomes 0, and the next step finds out whether the coin rolls, or slips in
  * another direction because rolling needs too much friction.  A slip whose
- * direction turns, or whose contact is held, is ended only below
- * COIN_PRIV_SLIP_LEAST, and only if it turns by less than that until it ends;
- * it is not made faster.  Returns 0 if there is no such line, or if the coin
- * may lift off on it: *to is then of no use, and *g as it was. */
+ * direction turns, or whose contact is held, is not made faster.  It is ended
+ * only if it is slower than COIN_PRIV_SLIP_LEAST, and if it gains less than
+ * that sideways until it ends.  Returns 0 if there is no such line, or if the
+ * coin may lift off on it: *to is then of no use, and *g as it was. */
 static int end_or_grow(coin_priv_sliding *g, coin_priv_slip *to,
                        const coin_priv_slip *d)
 {

@@ -67,8 +67,7 @@ COIN_PRIV_INLINE double coin_priv_safe_cosine(const coin_priv_body *b,
     const double T2 = b->J * wX * wX + b->IX * wY * wY + b->K * wZ * wZ;
     const double E2 = 1.25 * (T2 + 2 * b->Mga * y->cth); /* (23) */
     /* A lane that is no longer used may hold a coin below the table, E < 0.
-     * What is nearly too fast is looked at too, so that no quotient overflows.
-     */
+     * Within 1e-6 of the limit the quotients by `spare` might overflow. */
     if (!((E2 > 0) & (E2 < 0.999999 * (b->K * coarse2))))
         return 2;
     const double spare = coarse2 - E2 / b->K;

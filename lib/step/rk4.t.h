@@ -92,3 +92,20 @@ COIN_PRIV_INLINE PRIV(step_end)
     lean_after->th = PRIV(turned_a_little)(near, lean_after->late);
     return end;
 }
+
+#ifndef COIN_PRIV_ABREAST
+/* A step from *y, as coin_priv_step of loop.h. */
+COIN_PRIV_INLINE void PRIV(rk4_step)(PRIV(step_end) * end,
+                                     PRIV(variables) * next,
+                                     const PRIV(variables) * y,
+                                     const void *fields)
+{
+    const PRIV(sc) lean = {y->sth, y->cth}, heading = {y->sph, y->cph};
+    PRIV(rk4_lean) after;
+    *end = PRIV(rk4_end)(&after, y, (const PRIV(rk4_fields) *)fields);
+    if (COIN_PRIV_RARELY(!(FABS(after.late) <= COIN_PRIV_LITTLE_TURN)))
+        after.th = PRIV(turned)(lean, end->adds.theta);
+    *next =
+        PRIV(variables_at)(end, after.th, PRIV(turned)(heading, end->adds.phi));
+}
+#endif

@@ -27,13 +27,13 @@ int32_t coin_step(coin_state *s, const coin_params *p, double dt)
     if (!coin_priv_admit_rate2(&limits, coin_priv_rate2(b.g_a, &y)))
         return coin_priv_refusal(s);
     const coin_priv_rk4_fields k = coin_priv_rk4_fields_of(&b, dt);
-    coin_priv_rk4_lean unused; /* it would serve a next step */
-    const coin_priv_step_end end = coin_priv_rk4_end(&unused, &y, &k);
+    coin_priv_step_end end;
+    coin_priv_variables next;
+    coin_priv_rk4_step(&end, &next, &y, &k);
     /* coin_run() adds all but theta to sums that begin at 0, so that -0
      * becomes 0.  The same here gives the same bits. */
     const coin_priv_pose none = {0, 0, 0, 0, 0, 0};
     const coin_priv_pose adds = coin_priv_pose_plus(&none, 1, &end.adds);
-    const coin_priv_variables next = coin_priv_variables_after(&y, &end);
     const coin_state to = {
         s->theta + end.adds.theta,
         s->phi + adds.phi,

@@ -10,8 +10,8 @@
 #define COIN_PRIV_FLAT 1e-30
 
 /* The tau of a step of the given stride from here: the stride divided by the
- * coin's own rate.  A step of stride 1 takes the tau in which the motion
- * changes. */
+ * coin's own rate.  In a step of stride 1 the motion changes by about its own
+ * size. */
 double coin_priv_sundman_tau(const coin_priv_body *b,
                              const coin_priv_variables *y, double stride);
 

@@ -484,8 +484,8 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  *         exactly: a call that begins at a distance d from flat has a relative
  *         error of u/d in it.  Within a call no such error arises.
  * Cost: proportional to |t|, and to 1/tol^(1/14).  A step costs 1.3 times one
- *         of COIN_RK8.  A pass at a distance d from flat costs as much as
- *         ln(1/d) more natural units.  Low bounces near flat contain many such
+ *         of COIN_RK8.  A pass at a distance d from flat adds the cost of
+ *         ln(1/d) natural units.  Low bounces near flat contain many such
  *         passes.
  *         A coin that turns fast needs about one step per radian.  A call takes
  *         at most 2^20 steps, some 0.2 s: as a rule enough for 160,000 natural
@@ -855,8 +855,8 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         times conditioning for each period since the start; and
  *         4 u W (|t| + period), as from a rounding of t, where W is the fastest
  *         rate of the motion, Eq. (47), which is large in a pass close to flat.
- *         In x and z, in radii, 1 + radius_max/radius times that sum, with the
- *         distance from the start for radius_max if the path drifts.  If
+ *         In x and z, in radii, (1 + radius_max/radius) times that sum, with
+ *         the distance from the start for radius_max if the path drifts.  If
  *         heading_per_period is nearly a multiple of 2 pi, off by b, then the
  *         lesser of sum/b and W |t| (theta_max - theta_min) is added.  In the
  *         rates W times that sum (test_orbit_edges).  In all members 4 u of the
