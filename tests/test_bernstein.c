@@ -42,8 +42,8 @@ static void a_value_is_that_of_the_product(void **unused)
             zeros[i] = random_between(&r, -0.5, 1.5);
         with_zeros(b, zeros, 6, 1);
         for (double x = 0; x <= 1; x += 0.0625)
-            check_near(coin_priv_value(b, SQUARE, x), product(x, zeros, 6, 1),
-                       200 * U * pow(1.5, 6));
+            check_near(coin_priv_bernstein_value(b, SQUARE, x),
+                       product(x, zeros, 6, 1), 200 * U * pow(1.5, 6));
     }
 }
 
@@ -76,12 +76,12 @@ static void each_rise_is_found_in_order(void **unused)
         const int first = ++tried % 2;
         with_zeros(b, zeros, 5, first ? -1 : 1);
         if (first) /* positive at 0: that counts as a rise */
-            check((from = coin_priv_rise(b, SQUARE, from)) == 0);
+            check((from = coin_priv_first_positive(b, SQUARE, from)) == 0);
         for (int i = first; i < 5; i += 2) {
-            from = coin_priv_rise(b, SQUARE, from);
+            from = coin_priv_first_positive(b, SQUARE, from);
             check_near(from, zeros[i], 1e-6);
         }
-        check(coin_priv_rise(b, SQUARE, from) == 2);
+        check(coin_priv_first_positive(b, SQUARE, from) == 2);
     }
 }
 
@@ -96,7 +96,7 @@ static void brief_excursions_are_found(void **unused)
         const double zeros[] = {at, at + d};
         double b[SQUARE + 1];
         with_zeros(b, zeros, 2, -1);
-        check_near(coin_priv_rise(b, SQUARE, -1), at, 1e-9);
+        check_near(coin_priv_first_positive(b, SQUARE, -1), at, 1e-9);
     }
 }
 
@@ -105,14 +105,14 @@ static void what_only_touches_or_falls_is_no_rise(void **unused)
     (void)unused;
     const double twice[] = {0.3, 0.3}, falls[] = {0.3}, end[] = {1};
     const double none[SQUARE + 1] = {0};
-    check(coin_priv_rise(none, SQUARE, -1) == 2);
+    check(coin_priv_first_positive(none, SQUARE, -1) == 2);
     double b[SQUARE + 1];
     with_zeros(b, twice, 2, -1);
-    check(coin_priv_rise(b, SQUARE, -1) == 2);
+    check(coin_priv_first_positive(b, SQUARE, -1) == 2);
     with_zeros(b, falls, 1, -1);
-    check(coin_priv_rise(b, SQUARE, 0) == 2);
+    check(coin_priv_first_positive(b, SQUARE, 0) == 2);
     with_zeros(b, end, 1, -1);
-    check(coin_priv_rise(b, SQUARE, 0) == 2);
+    check(coin_priv_first_positive(b, SQUARE, 0) == 2);
 }
 
 /* A zero at a place where [0, 1] is cut. */
@@ -122,8 +122,8 @@ static void a_rise_at_a_cut_is_found(void **unused)
     const double zeros[] = {0.25, 0.5, 0.75};
     double b[SQUARE + 1];
     with_zeros(b, zeros, 3, 1);
-    check_near(coin_priv_rise(b, SQUARE, -1), 0.25, 1e-12);
-    check_near(coin_priv_rise(b, SQUARE, 0.5), 0.75, 1e-12);
+    check_near(coin_priv_first_positive(b, SQUARE, -1), 0.25, 1e-12);
+    check_near(coin_priv_first_positive(b, SQUARE, 0.5), 0.75, 1e-12);
 }
 
 static void the_cone_is_x_squared_plus_y_squared_less_z_squared(void **unused)
@@ -137,13 +137,13 @@ static void the_cone_is_x_squared_plus_y_squared_less_z_squared(void **unused)
             y[k] = random_between(&r, -1, 1);
             z[k] = random_between(&r, -1, 1);
         }
-        coin_priv_cone(cone, x, y, z);
+        coin_priv_cone_polynomial(cone, x, y, z);
         for (double t = 0; t <= 1; t += 0.0625) {
-            const double a = coin_priv_value(x, LAST, t);
-            const double b = coin_priv_value(y, LAST, t);
-            const double c = coin_priv_value(z, LAST, t);
-            check_near(coin_priv_value(cone, SQUARE, t), a * a + b * b - c * c,
-                       100 * U);
+            const double a = coin_priv_bernstein_value(x, LAST, t);
+            const double b = coin_priv_bernstein_value(y, LAST, t);
+            const double c = coin_priv_bernstein_value(z, LAST, t);
+            check_near(coin_priv_bernstein_value(cone, SQUARE, t),
+                       a * a + b * b - c * c, 100 * U);
         }
     }
 }
@@ -163,14 +163,16 @@ static void two_halves_are_the_whole(void **unused)
         for (int k = 0; k <= degree; ++k)
             second[k] = whole[k] = random_between(&r, -1, 1);
         if (n % 2)
-            coin_priv_cut(first, second, degree);
+            coin_priv_halve(first, second, degree);
         else
-            coin_priv_cut_joined(first, second, terms);
+            coin_priv_halve_joined(first, second, terms);
         for (double t = 0; t <= 1; t += 0.0625) {
-            check_near(coin_priv_value(first, degree, t),
-                       coin_priv_value(whole, degree, t / 2), 100 * U);
-            check_near(coin_priv_value(second, degree, t),
-                       coin_priv_value(whole, degree, (1 + t) / 2), 100 * U);
+            check_near(coin_priv_bernstein_value(first, degree, t),
+                       coin_priv_bernstein_value(whole, degree, t / 2),
+                       100 * U);
+            check_near(coin_priv_bernstein_value(second, degree, t),
+                       coin_priv_bernstein_value(whole, degree, (1 + t) / 2),
+                       100 * U);
         }
     }
 }
@@ -186,7 +188,7 @@ static void a_joined_polynomial_has_the_terms_of_both_ends(void **unused)
         double b[LAST + 1];
         coin_priv_join(b, ends, 2, 3, terms);
         for (double x = 0; x <= 1; x += 0.0625)
-            check_near(coin_priv_value(b, COIN_PRIV_DEGREE(terms), x),
+            check_near(coin_priv_bernstein_value(b, COIN_PRIV_DEGREE(terms), x),
                        3 * x * x, 40 * U);
     }
 }

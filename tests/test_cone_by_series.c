@@ -20,7 +20,7 @@ struct sample {
     double ratio, at; /* at: 0 to 1 */
 };
 
-static double ratio_of(const coin_priv_force *f)
+static double ratio_of(const coin_priv_force_series *f)
 {
     const double A = f->X[0].at[1], B = f->h[0].at[1], N = f->normal[0].at[1];
     return N > 0 ? sqrt(A * A + B * B) / N : (double)INFINITY;
@@ -97,7 +97,7 @@ static void each_change_at_each_end_counts(void **unused)
     const coin_priv_search f = search_of(1);
     const double stride = COIN_PRIV_FEW_REACH;
     for (int i = 0; i < 4; ++i) {
-        coin_priv_force at = {.terms = COIN_PRIV_FORCE_FEW};
+        coin_priv_force_series at = {.terms = COIN_PRIV_FORCE_FEW};
         double *const change = &at.X[1 + i / 2].at[i % 2];
         at.normal[0].at[0] = at.normal[0].at[1] = 1;
         *change = 0.3;

@@ -106,9 +106,9 @@ static void the_series_give_the_force_further_on(void **unused)
         const struct stretch other = random_stretch(&r);
         const int end = n % 2;
         const coin_priv_variables *y = &w.run.g.y, *y2 = &other.run.g.y;
-        coin_priv_force f;
-        coin_priv_force_of(&f, &w.run.b, end ? y2 : y, end ? y : y2, w.unit,
-                           COIN_PRIV_FORCE_TERMS);
+        coin_priv_force_series f;
+        coin_priv_force_series_of(&f, &w.run.b, end ? y2 : y, end ? y : y2,
+                                  w.unit, COIN_PRIV_FORCE_TERMS);
         for (int i = 0; i < 4; ++i) {
             coin_priv_run to = after(&w, x[i]);
             const struct four want = truth(&w, &to);
@@ -143,8 +143,9 @@ static void joined_within(const struct stretch *w, double h, int terms,
     coin_priv_run end = after(w, h);
     coin_priv_run begin = w->run;
     const struct four first = truth(w, &begin), last = truth(w, &end);
-    coin_priv_force f;
-    coin_priv_force_of(&f, &w->run.b, &w->run.g.y, &end.g.y, w->unit, terms);
+    coin_priv_force_series f;
+    coin_priv_force_series_of(&f, &w->run.b, &w->run.g.y, &end.g.y, w->unit,
+                              terms);
     double curve[4][LAST + 1];
     coin_priv_join(curve[0], f.X, h, 1, terms);
     coin_priv_join(curve[1], f.h, h, 1, terms);
@@ -157,9 +158,9 @@ static void joined_within(const struct stretch *w, double h, int terms,
         coin_priv_run to = after(w, h * x);
         const struct four want = truth(w, &to);
         for (int i = 0; i < 4; ++i)
-            check_near(coin_priv_value(curve[i], degree, x), want.of[i],
-                       i < 3 ? part * change + 1e-12 * size
-                             : (part + 1e-12) * cths);
+            check_near(
+                coin_priv_bernstein_value(curve[i], degree, x), want.of[i],
+                i < 3 ? part * change + 1e-12 * size : (part + 1e-12) * cths);
     }
 }
 

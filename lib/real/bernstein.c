@@ -72,8 +72,8 @@ void coin_priv_join(double *b, const coin_priv_ends *ends, double h,
         join_of(b, ends, h, scale, share, COIN_PRIV_FORCE_TERMS);
 }
 
-void coin_priv_cone(double *b, const double *x, const double *y,
-                    const double *z)
+void coin_priv_cone_polynomial(double *b, const double *x, const double *y,
+                               const double *z)
 {
     double wx[JOINED + 1], wy[JOINED + 1], wz[JOINED + 1];
     for (int i = 0; i <= JOINED; ++i) {
@@ -90,7 +90,7 @@ void coin_priv_cone(double *b, const double *x, const double *y,
 }
 
 /* Horner's rule in 1 - x.  `weight` is C(n, k) x^k. */
-double coin_priv_value(const double *b, int degree, double x)
+double coin_priv_bernstein_value(const double *b, int degree, double x)
 {
     const double y = 1 - x;
     double sum = b[0] * y, weight = 1;
@@ -119,7 +119,7 @@ static struct signs signs_of(const double *b, int degree)
     return r;
 }
 
-void coin_priv_cut(double *first, double *b, int degree)
+void coin_priv_halve(double *first, double *b, int degree)
 {
     for (int k = 0; k <= degree; ++k) {
         first[k] = b[0];
@@ -128,7 +128,7 @@ void coin_priv_cut(double *first, double *b, int degree)
     }
 }
 
-/* coin_priv_cut() for a constant degree, so that the sums stay in registers.
+/* coin_priv_halve() for a constant degree, so that the sums stay in registers.
  * It adds neighbours, and multiplies by the powers of 1/2 at the end. */
 COIN_PRIV_INLINE void cut_joined(double *first, double *b, int degree)
 {
@@ -147,7 +147,7 @@ COIN_PRIV_INLINE void cut_joined(double *first, double *b, int degree)
     }
 }
 
-void coin_priv_cut_joined(double *first, double *b, int terms)
+void coin_priv_halve_joined(double *first, double *b, int terms)
 {
     if (terms == COIN_PRIV_FORCE_FEW)
         cut_joined(first, b, COIN_PRIV_DEGREE(COIN_PRIV_FORCE_FEW));
@@ -168,7 +168,7 @@ static double zero(const double *b, int degree)
     for (int i = 1; i < 64 && high - low > 1e-14; ++i) {
         const double part = i % 4 ? at_low / (at_low - at_high) : 0.5;
         const double x = low + (high - low) * part;
-        const double at = coin_priv_value(b, degree, x);
+        const double at = coin_priv_bernstein_value(b, degree, x);
         if (at > 0) {
             at_low *= side > 0 ? 0.5 : 1;
             side = 1;
@@ -186,7 +186,7 @@ static double zero(const double *b, int degree)
 
 /* The parts still to be examined are in a stack, the next one on top.  A part
  * is cut unless it has at most one zero, which lies before its end. */
-double coin_priv_rise(const double *b, int degree, double from)
+double coin_priv_first_positive(const double *b, int degree, double from)
 {
     double stack[HALVINGS + 1][MOST + 1], widths[HALVINGS + 1] = {1}, at = 0;
     int before = -1;
@@ -198,7 +198,7 @@ double coin_priv_rise(const double *b, int degree, double from)
         const int is_open = of.changes > (now[degree] != 0);
         if (is_open && top < HALVINGS && at + width > from) {
             widths[top] = widths[top + 1] = width / 2;
-            coin_priv_cut(stack[++top], now, degree);
+            coin_priv_halve(stack[++top], now, degree);
             continue;
         }
         double place = -2;

@@ -21,20 +21,21 @@ void coin_priv_join(double *b, const coin_priv_ends *ends, double h,
                     double scale, int terms);
 
 /* Cuts at 1/2 (de Casteljau): `first` becomes the first half, and b the second.
- * coin_priv_cut_joined() is faster, for a polynomial that joins two series. */
-void coin_priv_cut(double *first, double *b, int degree);
-void coin_priv_cut_joined(double *first, double *b, int terms);
+ * coin_priv_halve_joined() is faster, for a polynomial that joins two series.
+ */
+void coin_priv_halve(double *first, double *b, int degree);
+void coin_priv_halve_joined(double *first, double *b, int terms);
 
 /* x^2 + y^2 - z^2, of degree COIN_PRIV_SQUARED, of three of degree
  * COIN_PRIV_JOINED. */
-void coin_priv_cone(double *b, const double *x, const double *y,
-                    const double *z);
+void coin_priv_cone_polynomial(double *b, const double *x, const double *y,
+                               const double *z);
 
-double coin_priv_value(const double *b, int degree, double x);
+double coin_priv_bernstein_value(const double *b, int degree, double x);
 
 /* The first place beyond `from` where the polynomial becomes positive; 2 if
  * there is none.  It may miss a place where the polynomial is positive between
  * two zeros that are nearer to each other than 2^-13. */
-double coin_priv_rise(const double *b, int degree, double from);
+double coin_priv_first_positive(const double *b, int degree, double from);
 
 #endif

@@ -59,9 +59,9 @@ COIN_PRIV_INLINE int stays_within(coin_priv_curve stack[CUTS + 1], int terms)
         }
         if (cuts[top] == CUTS || !is_in_cone(now, degree))
             return 0;
-        coin_priv_cut_joined(half->X, now->X, terms);
-        coin_priv_cut_joined(half->h, now->h, terms);
-        coin_priv_cut_joined(half->bound, now->bound, terms);
+        coin_priv_halve_joined(half->X, now->X, terms);
+        coin_priv_halve_joined(half->h, now->h, terms);
+        coin_priv_halve_joined(half->bound, now->bound, terms);
         cuts[parts] = ++cuts[top];
         ++parts;
     }
@@ -69,7 +69,7 @@ COIN_PRIV_INLINE int stays_within(coin_priv_curve stack[CUTS + 1], int terms)
 }
 
 /* The size of term k of the force at an end, 0 or 1. */
-static double size_of(const coin_priv_force *f, int k, int end)
+static double size_of(const coin_priv_force_series *f, int k, int end)
 {
     return fabs(f->X[k].at[end]) + fabs(f->h[k].at[end]) +
            fabs(f->normal[k].at[end]);
@@ -77,7 +77,7 @@ static double size_of(const coin_priv_force *f, int k, int end)
 
 /* How fast the force changes at an end: the sum of its first and second
  * derivatives by strides, of which one is `one` units of the series. */
-static double change_at(const coin_priv_force *f, int end, double one)
+static double change_at(const coin_priv_force_series *f, int end, double one)
 {
     return one * (size_of(f, 1, end) + one * size_of(f, 2, end));
 }
@@ -90,8 +90,8 @@ static double slack(const coin_priv_search *f)
 }
 
 /* Whether the force at the end is in the cone, at least `off` from its edge. */
-static int end_is_in_cone(const coin_priv_search *f, const coin_priv_force *at,
-                          double off)
+static int end_is_in_cone(const coin_priv_search *f,
+                          const coin_priv_force_series *at, double off)
 {
     const double A = f->per_F * at->X[0].at[1];
     const double B = f->per_F * at->h[0].at[1];
@@ -101,8 +101,8 @@ static int end_is_in_cone(const coin_priv_search *f, const coin_priv_force *at,
 
 /* Whether it is certain that the curve of the force stays in the cone all
  * along, at least `off` from its edge. */
-static int force_stays(const coin_priv_search *f, const coin_priv_force *at,
-                       double h, double off)
+static int force_stays(const coin_priv_search *f,
+                       const coin_priv_force_series *at, double h, double off)
 {
     coin_priv_curve stack[CUTS + 1], *const c = stack;
     const int terms = at->terms;
@@ -124,7 +124,8 @@ static int is_above(const double *b, double least, int degree)
     return above;
 }
 
-static int stays_off_flat(const coin_priv_force *at, double h, double off)
+static int stays_off_flat(const coin_priv_force_series *at, double h,
+                          double off)
 {
     double c[JOINED + 1];
     coin_priv_join(c, at->cth, h, 1, at->terms);
@@ -142,8 +143,9 @@ static double error_of(double stride, int terms)
     return x4 * x2 * (terms == FEW ? 1 : terms == SOME ? x4 : x4 * x4);
 }
 
-int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *at,
-                       double h, double stride)
+int coin_priv_is_clear(const coin_priv_search *f,
+                       const coin_priv_force_series *at, double h,
+                       double stride)
 {
     /* Both underflow on a stretch of no length. */
     const double one = stride > 0 ? fabs(h) / stride : 0;
@@ -160,8 +162,9 @@ int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *at,
  * is less than the distance of the force from the edge of the cone.  The
  * distance is that at the end of *at.  So are the changes of the force; if only
  * one term is set, they are taken to be as large as the force. */
-static int terms_for(const coin_priv_search *f, const coin_priv_force *at,
-                     double one, double stride)
+static int terms_for(const coin_priv_search *f,
+                     const coin_priv_force_series *at, double one,
+                     double stride)
 {
     if (!(f->bits & ON_FORCE) || at->terms == 0)
         return FEW;
@@ -191,7 +194,7 @@ int coin_priv_judge_stretch(const coin_priv_search *f, coin_priv_stretch *w,
 
 /* --------------------------------------------- where a bit holds in a part */
 void coin_priv_join_part(coin_priv_part *w, const coin_priv_search *f,
-                         const coin_priv_force *at)
+                         const coin_priv_force_series *at)
 {
     const double h = w->width * w->of->tau / w->of->unit;
     coin_priv_curve *const c = &w->force;
@@ -215,12 +218,12 @@ static coin_priv_place earlier(coin_priv_place a, coin_priv_place b)
 /* The next place where the polynomial b is positive, up to where it is not. */
 static coin_priv_place next_positive(const double *b, int degree, double from)
 {
-    coin_priv_place r = {coin_priv_rise(b, degree, from), 2};
+    coin_priv_place r = {coin_priv_first_positive(b, degree, from), 2};
     double minus[COIN_PRIV_SQUARED + 1];
     for (int k = 0; k <= degree; ++k)
         minus[k] = -b[k];
     if (r.from < 2)
-        r.to = coin_priv_rise(minus, degree, r.from);
+        r.to = coin_priv_first_positive(minus, degree, r.from);
     return r;
 }
 
@@ -239,14 +242,15 @@ static coin_priv_place slip(const coin_priv_part *w, double from)
 {
     double cone[COIN_PRIV_SQUARED + 1], pull[JOINED + 1];
     const double inside = from > 0 ? from : 0;
-    coin_priv_cone(cone, w->force.X, w->force.h, w->force.bound);
+    coin_priv_cone_polynomial(cone, w->force.X, w->force.h, w->force.bound);
     coin_priv_place r = next_positive(cone, COIN_PRIV_SQUARED, from);
     if (is_above(w->normal, 0, JOINED))
         return r;
     for (int k = 0; k <= JOINED; ++k)
         pull[k] = -w->normal[k];
-    const double down = coin_priv_rise(pull, JOINED, inside);
-    r.to = coin_priv_lesser(r.to, coin_priv_rise(pull, JOINED, r.from));
+    const double down = coin_priv_first_positive(pull, JOINED, inside);
+    r.to =
+        coin_priv_lesser(r.to, coin_priv_first_positive(pull, JOINED, r.from));
     const coin_priv_place up = next_positive(w->normal, JOINED, inside);
     const coin_priv_place falls = {down, down};
     return earlier(earlier(r, up), falls);

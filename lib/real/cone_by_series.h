@@ -32,8 +32,9 @@ typedef struct coin_priv_search {
 
 /* Whether it is certain that no bit holds on a stretch with this force at its
  * ends.  h is its length in the unit of the series.  0 if it is not certain. */
-int coin_priv_is_clear(const coin_priv_search *f, const coin_priv_force *at,
-                       double h, double stride);
+int coin_priv_is_clear(const coin_priv_search *f,
+                       const coin_priv_force_series *at, double h,
+                       double stride);
 
 /* coin_priv_is_clear() of a whole stretch.  Computes the force at its ends into
  * w->force, which on entry is the force on the stretch before.  By that it
@@ -61,7 +62,7 @@ typedef struct coin_priv_part {
 
 /* Sets the polynomials by the forces at the ends of the part, of all terms. */
 void coin_priv_join_part(coin_priv_part *w, const coin_priv_search *f,
-                         const coin_priv_force *at);
+                         const coin_priv_force_series *at);
 
 /* Where in a part, 0 to 1, a bit holds; from > 1 if nowhere. */
 typedef struct coin_priv_place {

@@ -37,7 +37,7 @@ static int32_t bits_of(const coin_priv_search *f, const coin_state *s)
 }
 
 int32_t coin_priv_bits_at(const coin_priv_search *f, const coin_state *s,
-                          const coin_priv_force *at)
+                          const coin_priv_force_series *at)
 {
     const double A = f->per_F * at->X[0].at[1], B = f->per_F * at->h[0].at[1];
     const double room = f->per_N * at->normal[0].at[1] - ROUNDED;
@@ -177,7 +177,7 @@ static int first_in_parts(coin_priv_moment *out, const coin_priv_search *f,
     const double length = fabs(w->tau);
     coin_priv_part part;
     coin_priv_variables begin = w->from.g.y;
-    coin_priv_force force;
+    coin_priv_force_series force;
     part.of = w;
     part.first = 0;
     for (int parts = 2; parts > 1; part.first += part.width) {
@@ -187,8 +187,8 @@ static int first_in_parts(coin_priv_moment *out, const coin_priv_search *f,
         part.width = left / parts;
         const coin_priv_variables end =
             parts > 1 ? run_to(w, part.first + part.width).g.y : w->to;
-        coin_priv_force_of(&force, &w->from.b, &begin, &end, w->unit,
-                           COIN_PRIV_FORCE_TERMS);
+        coin_priv_force_series_of(&force, &w->from.b, &begin, &end, w->unit,
+                                  COIN_PRIV_FORCE_TERMS);
         if (!coin_priv_is_clear(f, &force, part.width * w->tau / w->unit,
                                 part.width * length / one)) {
             coin_priv_join_part(&part, f, &force);

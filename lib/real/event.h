@@ -16,7 +16,7 @@ typedef struct coin_priv_moment {
 /* The bits looked for that hold in a state, where the force is *at.
  * coin_check() is called only if one of them may hold. */
 int32_t coin_priv_bits_at(const coin_priv_search *f, const coin_state *s,
-                          const coin_priv_force *at);
+                          const coin_priv_force_series *at);
 
 /* Sets *out to the first event of a stretch at whose begin no bit holds, within
  * tol of the time at which the event begins; returns 0 if there is none.  On

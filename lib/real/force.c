@@ -30,7 +30,7 @@ COIN_PRIV_INLINE lanes product(const lanes *a, const lanes *b, int k)
 
 /* Term k of the products, where those of c X and s X are already there, and
  * term k + 1 of the variables. */
-COIN_PRIV_INLINE void next_terms(struct series *w, coin_priv_force *out,
+COIN_PRIV_INLINE void next_terms(struct series *w, coin_priv_force_series *out,
                                  const coin_priv_field *f, int k, int which)
 {
     const double part = 1.0 / (k + 1);
@@ -52,9 +52,11 @@ COIN_PRIV_INLINE void next_terms(struct series *w, coin_priv_force *out,
     store(&out->cth[k].at[which], w->c[k]);
 }
 
-void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
-                        const coin_priv_variables *begin,
-                        const coin_priv_variables *end, double unit, int terms)
+void coin_priv_force_series_of(coin_priv_force_series *out,
+                               const coin_priv_body *b,
+                               const coin_priv_variables *begin,
+                               const coin_priv_variables *end, double unit,
+                               int terms)
 {
     const double g_a = unit * unit * b->g_a, share = b->IZ / b->K;
     const coin_priv_field f = {

@@ -20,18 +20,20 @@ typedef struct coin_priv_ends {
 /* The power series in tau about both ends of a stretch: of cos theta; and, by
  * (92), of cos theta times the force over M a, along e_X, along e_h and along
  * the vertical. */
-typedef struct coin_priv_force {
+typedef struct coin_priv_force_series {
     int terms; /* how many terms are set */
     coin_priv_ends X[COIN_PRIV_FORCE_TERMS];
     coin_priv_ends h[COIN_PRIV_FORCE_TERMS];
     coin_priv_ends normal[COIN_PRIV_FORCE_TERMS];
     coin_priv_ends cth[COIN_PRIV_FORCE_TERMS];
-} coin_priv_force;
+} coin_priv_force_series;
 
 /* The series are in powers of tau/unit, and `unit` is the unit of time of the
  * force too.  terms is one of the numbers above, or 1. */
-void coin_priv_force_of(coin_priv_force *out, const coin_priv_body *b,
-                        const coin_priv_variables *begin,
-                        const coin_priv_variables *end, double unit, int terms);
+void coin_priv_force_series_of(coin_priv_force_series *out,
+                               const coin_priv_body *b,
+                               const coin_priv_variables *begin,
+                               const coin_priv_variables *end, double unit,
+                               int terms);
 
 #endif

@@ -93,13 +93,13 @@ double coin_priv_lossy_rate(const coin_priv_lossy *w)
 /* The width z of (71) about u = cos(theta) d(psi)/dt = 0, which a step need not
  * resolve.  For dry and rolling friction it is the width of the softening.  For
  * layer and damping, which have none, it is so small that they change the rates
- * by no more than `error` within it.  If several of them act, the least width
+ * by no more than `effect` within it.  If several of them act, the least width
  * counts. */
-static double zone(const coin_priv_lossy *w, double du, double error)
+static double zone(const coin_priv_lossy *w, double du, double effect)
 {
     const coin_priv_variables *y = &w->run.g.y;
     const coin_priv_losses *l = &w->l;
-    const double w0 = sqrt(w->run.b.g_a), turn = error * w0 * du;
+    const double w0 = sqrt(w->run.b.g_a), turn = effect * w0 * du;
     double least = (double)INFINITY;
     if (l->solid > 0)
         least = sqrt(l->soft2) * y->cth;
@@ -117,25 +117,25 @@ static double zone(const coin_priv_lossy *w, double du, double error)
     return least;
 }
 
-double coin_priv_turn_bound(const coin_priv_lossy *w, double error)
+double coin_priv_turn_bound(const coin_priv_lossy *w, double effect)
 {
     const coin_priv_variables *y = &w->run.g.y;
     const double u = coin_priv_roll_speed(y->wY, y->wZ, y->sth, y->cth);
     const double w0 = sqrt(w->run.b.g_a), du = fabs(w->du);
     if (!(du > FAR * w0 * (w0 + fabs(u))))
         return (double)INFINITY;
-    const double least = zone(w, du, error);
+    const double least = zone(w, du, effect);
     return COIN_PRIV_TURN_ROUND * sqrt(u * u + least * least) / du;
 }
 
-double coin_priv_lossy_bound(coin_priv_lossy *w, double error)
+double coin_priv_lossy_bound(coin_priv_lossy *w, double effect)
 {
     const coin_priv_variables *y = &w->run.g.y;
     const struct lossy_field f = {
         coin_priv_field_of(&w->run.b, 1), &w->l, 0, 0, 0, 0};
     const coin_priv_variables d = lossy(&f.ideal, y);
     w->du = y->cth * d.wZ + y->sth * d.wY + d.cth * y->wZ + d.sth * y->wY;
-    return coin_priv_turn_bound(w, error);
+    return coin_priv_turn_bound(w, effect);
 }
 
 /* After a part x of the step u has changed by a x + b x^2.  The contact
@@ -143,7 +143,7 @@ double coin_priv_lossy_bound(coin_priv_lossy *w, double error)
  * different signs, or lead away from there, this part is too large, which is
  * safe. */
 double coin_priv_part_of_way(const coin_priv_lossy *w, double then, double tau,
-                             double error)
+                             double effect)
 {
     const coin_priv_variables *y = &w->run.g.y;
     const double u = coin_priv_roll_speed(y->wY, y->wZ, y->sth, y->cth);
@@ -151,7 +151,7 @@ double coin_priv_part_of_way(const coin_priv_lossy *w, double then, double tau,
     const double most = fabs(a) + fabs(b);
     if (!(most > NEAR * NEAR * fabs(u)))
         return 0;
-    const double least = zone(w, most / fabs(tau), error);
+    const double least = zone(w, most / fabs(tau), effect);
     if (!(least <= DBL_MAX)) /* friction is smooth */
         return 0;
     const double way = sqrt(u * u + least * least) + DBL_MIN;
@@ -174,7 +174,7 @@ static double size_of(const coin_priv_variables *y,
 }
 
 void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
-                         double tau, double least)
+                         double tau, double effect)
 {
     const double natural = sqrt(w->run.b.g_a);
     const double rate = ideal_rate(w);
@@ -199,7 +199,7 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
         return;
     const coin_priv_variables *z = &trial->next;
     const double then = coin_priv_roll_speed(z->wY, z->wZ, z->sth, z->cth);
-    const double part = coin_priv_part_of_way(w, then, tau, least);
+    const double part = coin_priv_part_of_way(w, then, tau, effect);
     if (part > COIN_PRIV_TURNED)
         trial->error = REFUSED;
     else if (part > NEAR)

@@ -39,9 +39,9 @@ typedef struct coin_priv_trial {
                             be below the table, or not finite */
 } coin_priv_trial;
 
-/* Tries a step; `least` is the `error` of coin_priv_lossy_bound(). */
+/* Tries a step; `effect` as in coin_priv_lossy_bound(). */
 void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
-                         double tau, double least);
+                         double tau, double effect);
 
 /* The rate over which a step's length is measured [1/T]: the coin's own rate in
  * tau, plus a part of that of the friction. */
@@ -49,19 +49,19 @@ double coin_priv_lossy_rate(const coin_priv_lossy *w);
 
 /* The tau in which a step covers COIN_PRIV_TURN_ROUND of the way to where the
  * contact turns round, d(psi)/dt = 0, and friction is not smooth; infinite if
- * there is no such place.  An effect on the rates below `error` natural units
+ * there is no such place.  An effect on the rates below `effect` natural units
  * is not resolved. */
-double coin_priv_lossy_bound(coin_priv_lossy *w, double error);
+double coin_priv_lossy_bound(coin_priv_lossy *w, double effect);
 
 /* The same, where w->du is known. */
-double coin_priv_turn_bound(const coin_priv_lossy *w, double error);
+double coin_priv_turn_bound(const coin_priv_lossy *w, double effect);
 
 /* The part of the way to where the contact turns round that a step of tau
  * covers; 0 if it is small.  `then` is u after the step.  Within the step u is
  * taken as a parabola: it begins with the slope w->du, which is almost 0 where
  * the contact rolls fastest. */
 double coin_priv_part_of_way(const coin_priv_lossy *w, double then, double tau,
-                             double error);
+                             double effect);
 
 /* Sets the lean to flat, and keeps the rate of fall: COIN_RESTS. */
 int32_t coin_priv_lay_flat(coin_priv_run *r);

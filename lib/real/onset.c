@@ -123,7 +123,7 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
         coin_priv_again(g, by);
     }
     if (coin_priv_rolling_clearance(g) >= 0) {
-        coin_priv_count(g);
+        coin_priv_spend_time(g);
         return COIN_OK;
     }
     coin_priv_slip y = after(g, from, by);
@@ -134,7 +134,7 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
         coin_priv_again(g, by);
         y = after(g, from, by);
     }
-    coin_priv_count(g);
+    coin_priv_spend_time(g);
     g->gained = coin_priv_hypot(y.uX, y.uh);
     if (end > 0 && g->gained < COIN_PRIV_SLIP_SEED * g->contact.w0)
         return COIN_OK;

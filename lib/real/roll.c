@@ -83,7 +83,7 @@ static double step_to_clearance(coin_priv_sliding *g, double tau)
     return coin_priv_rolling_clearance(g);
 }
 
-void coin_priv_count(coin_priv_sliding *g)
+void coin_priv_spend_time(coin_priv_sliding *g)
 {
     coin_priv_add(&g->rem, -g->w.run.g.added.t);
 }
@@ -286,7 +286,7 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
         return COIN_ESTEP;
     g->surely_rolls = !back && coin_priv_judge_step(g, tau, rate);
     const int rolls = g->surely_rolls || back ? 1 : shorten(g, tau, rate);
-    coin_priv_count(g);
+    coin_priv_spend_time(g);
     if (last && rolls > 0)
         g->rem.sum = 0;
     else if ((g->rem.sum < 0) != back)

@@ -55,14 +55,14 @@ static double next_tau(const struct settling *g, double rate, double bound)
 static int32_t step(struct settling *g, double rate)
 {
     coin_priv_trial trial;
-    const double least =
+    const double effect =
         coin_priv_allowed_in(&g->w.run, g->tol, COIN_PRIV_BRIEF);
-    const double bound = coin_priv_lossy_bound(&g->w, least);
+    const double bound = coin_priv_lossy_bound(&g->w, effect);
     for (int done = 0; !done;) {
         const double tau = next_tau(g, rate, bound), used = fabs(tau) * rate;
         if (++g->tries > TRIES_MAX)
             return COIN_ESTEP;
-        coin_priv_lossy_try(&trial, &g->w, tau, least);
+        coin_priv_lossy_try(&trial, &g->w, tau, effect);
         const double most = coin_priv_allowed(&g->w.run, g->tol, trial.adds.t);
         g->stride = coin_priv_next_stride(g->stride, used, trial.error, most);
         done = trial.error <= most;

@@ -134,7 +134,7 @@ void coin_priv_mark(coin_priv_sliding *g);
 void coin_priv_again(coin_priv_sliding *g, double tau);
 
 /* Subtracts the time of that step from the time left. */
-void coin_priv_count(coin_priv_sliding *g);
+void coin_priv_spend_time(coin_priv_sliding *g);
 
 /* cone_of_step.c: computes the force where the run is, and sets
  * g->surely_rolls.  It starts a new count of turning points and a new range of

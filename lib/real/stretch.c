@@ -43,8 +43,8 @@ static double tau_of_stretch(const coin_priv_stretch *w, int terms)
 
 void coin_priv_stretch_know(coin_priv_stretch *w, int terms)
 {
-    coin_priv_force_of(&w->force, &w->from.b, &w->from.g.y, &w->to, w->unit,
-                       terms);
+    coin_priv_force_series_of(&w->force, &w->from.b, &w->from.g.y, &w->to,
+                              w->unit, terms);
     if (w->t != 0)
         w->tau = tau_of_stretch(w, terms);
 }

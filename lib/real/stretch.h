@@ -16,7 +16,7 @@ typedef struct coin_priv_stretch {
                    coin_priv_stretch_know() has computed it */
     double t;   /* 0 if all its steps were in tau.  Else the last step was one
                    in t, and the stretch lasts t */
-    coin_priv_force force;
+    coin_priv_force_series force;
 } coin_priv_stretch;
 
 /* Computes so many terms of the force.  If t is not 0, it also computes tau
