@@ -36,6 +36,7 @@ BATCH = cells("accuracy.md", "batch")
 RUNS = cells("limits.md", "silent methods")
 COUNT = cells("embedding.md", "firmware", "instructions")
 STACK = cells("embedding.md", "firmware", "stack")
+ORBITS = cells("accuracy.md", "orbit ratios")
 STEPS = cells("accuracy.md", "steps")
 GROWTH = cells("accuracy.md", "growth")
 WALKS = [figure(GROWTH, row, integral) for row in GROWTH
@@ -92,6 +93,17 @@ def portable_step(method):
 def drift(h):
     """Of the energy of rk8 in a unit of time."""
     return longrun("rk8", h, "1e+07", "energy, rms") / 1e7 / float(h)
+
+
+def model(call, column=2):
+    """What an answer costs, in textbook steps; column 1: in ns."""
+    path = ROOT / "tests/bench/results/models_costs.csv"
+    return next(float(row.split(",")[column]) for row in
+                path.read_text().split("\n") if row.startswith(call + ","))
+
+
+def orbits(column):
+    return [figure(ORBITS, scene, column) for scene in ORBITS]
 
 
 def slide(scene, method, error=1e-3):
@@ -156,6 +168,25 @@ QUOTES = (
      figure(FRAMES, "one step of RK8", "error at 60/s") * 1e8),
     ("docs/models.md", r"errs by (\d)e-8 after a second at 1000",
      figure(FRAMES, "coin_step", "error at 1000/s") * 1e8),
+    ("docs/models.md", r"RK4 took (\d+) ns and an answer of the orbit (\d+)",
+     model("textbook step", 1), model("coin_orbit_at", 1)),
+    ("docs/models.md", r"\| 64 \| ([\d.]+) \| the swing", model("coin_steady_at")),
+    ("docs/models.md", r"\| 128 \| ([\d.]+), after (\d+) once",
+     model("coin_wobble_at"), model("coin_steady_near")),
+    ("docs/models.md", r"\| 32,768 \| ([\d.]+), after (\d+) once",
+     model("coin_orbit_at"), model("coin_orbit_init")),
+    ("docs/models.md", r"\| 64 \| ([\d.]+) per step of RK8",
+     model("RK8 step of coin_run")),
+    ("docs/models.md", r"it is ([\d.]+) to ([\d.]+) in \[ten",
+     min(orbits("query")), max(orbits("query"))),
+    ("docs/models.md", r"and ([\d.]+) for a quarter in \[a loop",
+     figure(FRAMES, "coin_orbit_at", "textbook steps")),
+    ("docs/models.md", r"`coin_orbit_init\(\)` takes (\d+)\. In other",
+     model("coin_orbit_init")),
+    ("docs/models.md", r"takes (\d+) to \d+ as a rule, and up to (\d+) for",
+     min(orbits("init")), max(orbits("init"))),
+    ("docs/models.md", r"second, for ([\d.]+) textbook steps; needs",
+     figure(FRAMES, "one step of RK8", "textbook steps")),
     ("docs/limits.md", r"Of ([\d,]+) random runs",
      figure(RUNS, "all", "runs")),
     ("docs/guide.md", r"`coinf_step` takes (\d+) instructions",
