@@ -5,7 +5,8 @@
  * it, which costs 10 % of a step; in vectors of four it saves 2 %. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__) &&         \
     defined(__x86_64__) && !defined(__AVX__)
-#pragma GCC optimize("no-tree-sink", "no-tree-pre", "rename-registers")
+#pragma GCC optimize("no-tree-sink", "no-tree-pre", "rename-registers",        \
+                     "schedule-insns", "sched-pressure")
 #endif
 
 #include "loop.h"
