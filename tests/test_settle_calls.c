@@ -13,7 +13,8 @@ static void without_losses_it_is_coin_advance(void **unused)
     (void)unused;
     const coin_losses none = {.soft = 0.5};
     struct random r = random_begin(153);
-    for (int i = 0; i < 100; ++i) {
+    const int count = tries_asked(20);
+    for (int i = 0; i < count; ++i) {
         const coin_params p = random_coin(&r);
         coin_state a = random_state(&r, &p, 1.57), b = a;
         double reached, right;

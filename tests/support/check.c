@@ -91,10 +91,10 @@ void check_same_at(const void *got, const void *want, size_t size,
 {
     const unsigned char *g = got, *w = want;
     size_t i = 0;
-    while (i < size && g[i] == w[i])
-        ++i;
-    if (i == size)
+    if (memcmp(got, want, size) == 0)
         return;
+    while (g[i] == w[i])
+        ++i;
     print_error("%s\n    byte %zu of %zu differs: %02x, not %02x\n", what, i,
                 size, g[i], w[i]);
     fail_at(file, line);
