@@ -13,7 +13,7 @@
 
 #include <math.h>
 
-enum { LOOKS = 32, STEPS = 150 };
+enum { LOOKS = 32, STEPS = 300 };
 
 /* A step of tau from a state, by many short steps. */
 struct path {

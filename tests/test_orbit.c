@@ -258,10 +258,19 @@ static void the_path_fills_its_annulus(void **unused)
     struct random r = random_begin(71);
     for (int i = 0; i < 40; ++i) {
         coin_params p = disc();
-        /* Comes nearest to the centre soon after a turning point. */
+        /* Comes nearest to the centre soon after a turning point; the other one
+         * between turning points that one piece holds. */
         coin_state s = {-0.3256, 0, 0, 0, 0, 0, 0.31, 0.0413};
-        const coin_orbit o =
-            i == 0 ? orbit_of(&s, &p) : random_orbit(&r, &p, &s);
+        const coin_params hoop = {1, 1, 1, 0.5, 1, {0, 0, 0}};
+        const coin_state small = {
+            .theta = -0x1.d694eef2f50ep-2,
+            .wX = 0x1.ad27044f18bf7p-8,
+            .wY = -0x1.fab115c738caap-4,
+            .wZ = 0x1.c70203c4ceabdp+0,
+        };
+        const coin_orbit o = i == 0   ? orbit_of(&s, &p)
+                             : i == 1 ? orbit_of(&small, &hoop)
+                                      : random_orbit(&r, &p, &s);
         double low = (double)INFINITY, high = 0;
         for (int k = 0; k < 2000; ++k) {
             coin_state at;

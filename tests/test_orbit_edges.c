@@ -94,6 +94,21 @@ static void passes_down_to_a_millionth_have_orbits(void **unused)
     check(refused <= 0.01 * count && drops >= 0.99 * count);
 }
 
+/* One piece more than an orbit has. */
+static void a_motion_of_43_pieces_is_refused(void **unused)
+{
+    (void)unused;
+    const coin_params p = {
+        1, 1, 1, 0x1.25bf21c3acc62p-12, 0x1.25bf21c3acc62p-11, {0, 0, 0}};
+    const coin_state s = {
+        .theta = -0x1.11634ada3ba5p+0,
+        .wY = 0x1.16e9c81de28d5p-6,
+        .wZ = 0x1.3b75f4746ddc9p-2,
+    };
+    coin_orbit o;
+    check_status(coin_orbit_init(&o, &s, &p), COIN_EDOMAIN);
+}
+
 /* ----------------------------------------------------- near separatrices -- */
 /* A steady motion that is unstable has none, however it is rounded. */
 static void no_unstable_circle_has_an_orbit(void **unused)
@@ -296,6 +311,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(passes_are_where_the_reference_is),
         TEST(passes_down_to_a_millionth_have_orbits),
+        TEST(a_motion_of_43_pieces_is_refused),
         TEST(no_unstable_circle_has_an_orbit),
         TEST(conditioning_is_refused_from_1e12_on),
         TEST(conditioning_is_what_the_period_owes_to_energy),

@@ -62,9 +62,7 @@ COIN_PRIV_INLINE PRIV(step_end)
     PRIV(variables) sum = PRIV(slopes_at)(&k->half, y1), d;
     PRIV(pose) path = PRIV(pose_slopes)(&k->half, y1), v;
     PRIV(variables) y = PRIV(stage)(y1, &sum, path.phi);
-    const PRIV(sc) lean = {y1->sth, y1->cth};
     const real early = k->full.h * y.wX;
-    const PRIV(sc) near = PRIV(turned)(lean, early);
     real least = y.cth;
 
     d = PRIV(slopes_at)(&k->half, &y);
@@ -88,24 +86,24 @@ COIN_PRIV_INLINE PRIV(step_end)
     const PRIV(step_end) end = {
         y.wX + d.wX, y.wY + d.wY, y.wZ + d.wZ, adds, least,
     };
+    const PRIV(sc) lean = {y1->sth, y1->cth};
+    const PRIV(sc) near = PRIV(turned)(lean, early);
     lean_after->late = adds.theta - early;
     lean_after->th = PRIV(turned_a_little)(near, lean_after->late);
     return end;
 }
 
 #ifndef COIN_PRIV_ABREAST
-/* A step from *y, as coin_priv_step of loop.h. */
-COIN_PRIV_INLINE void PRIV(rk4_step)(PRIV(step_end) * end,
-                                     PRIV(variables) * next,
-                                     const PRIV(variables) * y,
-                                     const void *fields)
+/* A step from *y: where it leads, and sine and cosine of the lean there. */
+COIN_PRIV_INLINE PRIV(sc)
+    PRIV(rk4_to)(PRIV(step_end) * end, const PRIV(variables) * y,
+                 const PRIV(rk4_fields) * k)
 {
-    const PRIV(sc) lean = {y->sth, y->cth}, heading = {y->sph, y->cph};
+    const PRIV(sc) lean = {y->sth, y->cth};
     PRIV(rk4_lean) after;
-    *end = PRIV(rk4_end)(&after, y, (const PRIV(rk4_fields) *)fields);
+    *end = PRIV(rk4_end)(&after, y, k);
     if (COIN_PRIV_RARELY(!(FABS(after.late) <= COIN_PRIV_LITTLE_TURN)))
-        after.th = PRIV(turned)(lean, end->adds.theta);
-    *next =
-        PRIV(variables_at)(end, after.th, PRIV(turned)(heading, end->adds.phi));
+        return PRIV(turned)(lean, end->adds.theta);
+    return after.th;
 }
 #endif

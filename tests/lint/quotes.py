@@ -132,10 +132,10 @@ QUOTES = (
     ("README.md", r"\| ([\d.]+) of the time, (\d+) instructions",
      figure(CALLS, "coin_step", "portable, textbook steps"),
      figure(CALLS, "coin_step", "instructions")),
-    ("docs/guide.md", r"`coin_step` takes (\d+) from C",
+    ("docs/guide.md", r"`coin_step` takes ([\d,]+) from C",
      figure(CALLS, "coin_step", "instructions")),
-    ("include/coin.h", r"Cost: (\d+) instructions, where a further step of "
-     r"coin_run\(\) takes (\d+) and a \* textbook step ([\d,]+)",
+    ("include/coin.h", r"Cost: ([\d,]+) instructions, where a further step of "
+     r"coin_run\(\) takes (\d+), a \* textbook step ([\d,]+)",
      figure(CALLS, "coin_step", "instructions"), further("rk4"),
      figure(CALLS, "textbook RK4 step", "instructions")),
     ("README.md", r"\| (\S+) after 1 s \| its scene",
