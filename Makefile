@@ -266,17 +266,17 @@ FILES    = cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
 EPOCH    = $(or $(SOURCE_DATE_EPOCH),$(shell cd $(SRC) && if test -e .git; \
            then git log -1 --format=%ct; else stat -c %Y Makefile; fi))
 
-# Files of a kind lie together, like kinds side by side, which saves 1 %.  The page, which is made and
-# does not pack, is a file of its own.
-KINDS  = md h c hpp cpp rs py txt
+# Files of a kind lie together, like kinds side by side, which saves 1 %.  The
+# page, which is made and does not pack, is a file of its own.
+KINDS  = md h c hpp cpp rs js mjs html py mk sh txt gp gpi
 PACKED = --no-recursion --format=ustar --mtime=@$(EPOCH) --owner=0 --group=0 \
          --numeric-owner --mode=u=rwX,go=rX
 
 .PHONY: dist distcheck installcheck consumers hwcaps debian-check windows
 dist: $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, the single header's, the page
 	($(FILES)) | awk -F. 'BEGIN { n = split("$(KINDS)", e, " "); \
-	    for (i = 1; i <= n; ++i) k[e[i]] = i } \
-	    { print ($$NF in k ? k[$$NF] : n + 1), $$NF, $$0 }' | \
+	    for (i = 1; i <= n; ++i) k[e[i]] = i + 10 } \
+	    { print ($$NF in k ? k[$$NF] : n + 11), $$NF, $$0 }' | \
 	    LC_ALL=C sort | sed 's/^[^ ]* [^ ]* //' >$(O)/files
 	tar -C $(SRC) -cf $(TARBALL:.xz=) $(PACKED) -T $(O)/files \
 	    --transform='flags=r;s,^,rollcoin-$(VERSION)/,'

@@ -40,7 +40,7 @@ do for [k=1:3] {
     if (k == 2) {
         set label 1 "time stepping" at 3e-4,1e5 right tc rgb colour[12]
     }
-    plot for [m=1:4] file using (is(k, m) ? $5 : NaN):7 with lines \
+    plot for [m=1:4] file using (is(k, m) ? $5 : NaN):6 with lines \
         ls style[m]
 }
 unset multiplot

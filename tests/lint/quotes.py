@@ -111,7 +111,7 @@ def slide(scene, method, error=1e-3):
     rows = [line.split(",") for line in
             (ROOT / "tests/bench/results/slides.csv").read_text().split("\n")
             if line.startswith(f"{scene},{method},")]
-    return min((float(r[6]) for r in rows if float(r[4]) <= error),
+    return min((float(r[5]) for r in rows if float(r[4]) <= error),
                default=float("inf"))
 
 

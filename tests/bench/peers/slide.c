@@ -9,8 +9,8 @@
  * regularised have the other.
  *
  * An error is the largest of theta, phi, psi, x and z at eight times.  Natural
- * units, but for seconds, the least of many runs, and textbook_steps, the same
- * over a step of textbook.h. */
+ * units; textbook_steps is the least time of many runs over that of a step of
+ * textbook.h. */
 #include "../clock.h"
 #include "../sliding.h"
 #include "../textbook.h"
@@ -246,8 +246,8 @@ static void print_best(const char *method, struct run *r, int n)
     for (int i = 0; i < n; ++i)
         if (r[i].error < LESS_ERROR * least) {
             least = r[i].error;
-            printf("%s,%s,%.3g,%.3g,%.3g,%.3g,%.3g\n", at.scene->name, method,
-                   r[i].delta, r[i].step, least, r[i].seconds,
+            printf("%s,%s,%.3g,%.3g,%.3g,%.3g\n", at.scene->name, method,
+                   r[i].delta, r[i].step, least,
                    1e9 * r[i].seconds / at.step_ns);
         }
     fflush(stdout);
@@ -341,7 +341,7 @@ static void time_textbook(void)
 int main(int argc, char **argv)
 {
     setvbuf(stdout, NULL, _IOLBF, 0);
-    puts("scene,method,delta,step,error,seconds,textbook_steps");
+    puts("scene,method,delta,step,error,textbook_steps");
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; ++i) {
         if (argc > 1 && strcmp(argv[1], scenes[i].name) != 0)
             continue;
