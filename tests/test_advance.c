@@ -99,8 +99,7 @@ static void only_rounding_is_left_in_100_random_motions_too(void **unused)
 }
 
 /* The header's claim, on other states than it was made from. */
-static void of_random_motions_hardly_one_errs_by_more_than_tol(
-    void **unused)
+static void of_random_motions_hardly_one_errs_by_more_than_tol(void **unused)
 {
     (void)unused;
     const double tols[] = {1e-2, 1e-4, 1e-7, 1e-10};
