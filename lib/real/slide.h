@@ -10,11 +10,11 @@
 #include "stretch.h"
 
 /* Slip speeds in natural units.  A slip that slows to SLIP_LEAST ends.  One
- * begins with SLIP_SEED, twice that, so that it does not end at once.  With
- * both a tenth or ten times as large, random slides have the same errors, and
- * numbers of steps within 0.1 % (make tuning).  Other tests are stricter.  With
- * both twice as large a slip is ended that would turn round and go on
- * (test_slide_stiff).  With a tenth the time of rest depends on the calls
+ * begins with SLIP_SEED, twice that, so that it does not end at once.  If
+ * both are multiplied by 0.1 or 10, random slides have the same errors, and
+ * numbers of steps within 0.1 % (make tuning).  Other tests are stricter.  If
+ * both are doubled, a slip is ended that would turn round and go on
+ * (test_slide_stiff).  With 0.1 the time of rest depends on the calls
  * (test_slide_rest).  Half passes. */
 #define COIN_PRIV_SLIP_LEAST 1e-10
 #define COIN_PRIV_SLIP_SEED 2e-10

@@ -45,8 +45,9 @@ COIN_PRIV_INLINE PRIV(variables)
  * COIN_PRIV_LITTLE_TURN; otherwise the caller computes them.
  *
  * The next step waits for this pair.  So it is turned in two parts.  The first
- * is h wX after the first stage, which is most of the turn, and is done during
- * the other stages.  `late` is the rest of the turn. */
+ * is h wX after the first stage, which is most of the turn.  It needs nothing
+ * of the other stages, and can be done during them.  `late` is the rest of the
+ * turn. */
 typedef struct PRIV(rk4_lean) {
     PRIV(sc) th;
     real late;

