@@ -41,15 +41,11 @@ template <class R> class path
     {
         if (is_long(t))
             return false;
-        if constexpr (IS_QUICK) {
-            const path before = *this;
-            const bool done = by_series(t * w);
-            if (done || !turned_round())
-                return done;
-            *this = before;
-            ahead.known = false;
-        }
-        return by_midpoints(t * w);
+        R left = t * w;
+        if constexpr (IS_QUICK)
+            return by_series(left);
+        else
+            return by_midpoints(&left, false);
     }
 
     /* Whether a truth would cost too much. */
@@ -239,29 +235,35 @@ template <class R> class path
             slow->add(IX, IZ, s, c, wX, wY, wZ, &d[5]);
     }
 
-    bool by_midpoints(R left)
+    /* Takes from *left what it follows: all, or until the contact has turned
+     * round. */
+    bool by_midpoints(R *left, bool until_turned)
     {
-        for (int steps = 0; left != 0; ++steps) {
+        const R roll = rolls();
+        for (int steps = 0; *left != 0; ++steps) {
             const R W = fastest();
             R h = R(REACH) / W;
             most_W = larger(most_W, W);
-            h = magnitude(left) < h ? left : left < 0 ? -h : h;
+            h = magnitude(*left) < h ? *left : *left < 0 ? -h : h;
             int halvings = 0;
             while (!step(h, halvings < 12 || !has_kinks() ? NONE<R> : KINK)) {
                 h /= 2;
                 if (++halvings > 12)
                     return false;
             }
-            left -= h;
+            *left -= h;
             if (steps > MOST_STEPS)
                 return false;
             if (magnitude(y[0]) > R(0.8))
                 rebase(base * half_pi<R>() + y[0]);
+            if (until_turned && !(rolls() * roll > 0))
+                return true;
         }
         return true;
     }
 
-    /* Follows series for a natural time, each as far as it reaches. */
+    /* Follows series for a natural time, each as far as it reaches; past a kink
+     * by midpoints. */
     bool by_series(R left)
     {
         R turned = 0;
@@ -271,11 +273,20 @@ template <class R> class path
             const R far = ahead.way.far, to = ahead.at + left;
             const bool within = magnitude(to) <= far;
             const R at = within ? to : left < 0 ? -far : far;
-            left -= within ? left : at - ahead.at;
+            const R way = within ? left : at - ahead.at;
+            const vector before = y;
             ahead.at = at;
             ahead.known = within;
             move();
-            if (!(cth(y[0]) > 0) || turned_round())
+            if (turned_round()) {
+                y = before;
+                ahead.known = false;
+                if (!by_midpoints(&left, true))
+                    return false;
+                continue;
+            }
+            left -= way;
+            if (!(cth(y[0]) > 0))
                 return false;
         }
         return true;
