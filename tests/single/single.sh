@@ -10,23 +10,39 @@ work=$OUT/single/check
 here=$(dirname "$SINGLE")
 rm -rf "$work"
 mkdir -p "$work"
-failed=
 
-fail() { echo "FAILED: $*"; failed="$failed; $*"; }
+fail() { echo "FAILED: $*" | tee -a "$work/failed"; }
 
-# passes NAME PROGRAM...: runs tests.
+# at_once COMMAND: runs COMMAND NUMBER LINE for each line of the input, as many
+# at once as there are processors.
+at_once()
+{
+    number=0
+    while read -r line; do
+        number=$((number + 1))
+        "$@" $number "$line" &
+        test $((number % $(nproc))) != 0 || wait
+    done
+    wait
+}
+
+# passes PROGRAM NAME: runs a test.
 passes()
 {
-    name=$1
-    count=0
-    shift
-    for program in "$@"; do
-        "$program" >"$work/log" 2>&1 ||
-            { tail -5 "$work/log"; fail "$name: $(basename "$program")"; }
-        count=$((count + 1))
+    "$1" >"$1.log" 2>&1 && return
+    tail -5 "$1.log"
+    fail "$2: $(basename "$1")"
+}
+
+# programs LEFT_OUT: the names of the tests but those left out.
+programs()
+{
+    for program in $PROGS; do
+        case " $1 " in
+        *" $(basename "$program") "*) ;;
+        *) basename "$program" ;;
+        esac
     done
-    test $count -gt 0 || fail "$name: no test"
-    echo "$count test programs run, $name"
 }
 
 # ------------------------------------------------------------------- dialects --
@@ -83,80 +99,84 @@ for file in "$SRC"/tests/support/*.c; do
     eval $CC -std=c11 -w -O1 -I"$here" "$rooms" "$SEES" $CMOCKA -c "$file" \
         -o "$work/inside/$(basename "$file" .c).o"
 done
-# inside PROGRAM: a test with the code in its own file, and after it the macros
-# of kind.h, which the code takes back and headers of lib/ that it holds use.
+# inside NUMBER TEST: a test with the code in its own file, and after it the
+# macros of kind.h, which the code takes back and headers of lib/ that it holds
+# use.
 inside()
 {
-    file=$SRC/tests/$(basename "$1").c
     # shellcheck disable=SC2086
     eval $CC -std=c99 -w -O0 -D_POSIX_C_SOURCE=200809L -DCOIN_IMPLEMENTATION \
         -DCOIN_PRIV=extern -include "$SINGLE" -include kind.h \
-        -I"$here" "$rooms" -I"$SRC/tests/support" "$SEES" $CMOCKA "$file" \
-        "$work/inside/*.o" -o "$work/inside/$(basename "$1")" $CMOCKA_LIBS -lm
+        -I"$here" "$rooms" -I"$SRC/tests/support" "$SEES" $CMOCKA \
+        "$SRC/tests/$2.c" "$work/inside/*.o" -o "$work/inside/$2" \
+        $CMOCKA_LIBS -lm && passes "$work/inside/$2" inside || fail "inside: $2"
 }
 # Three tests compile what the header has compiled already, and so would define
 # it twice, or not at all: lib/motion/angles.t.h for lanes, lib/step/lanes.c, and
 # lib/step/advance.h with its steps counted.
-twice="test_angles test_batch test_passes"
-# As many at once as there are processors; one that fails leaves no program to
-# run.
-set --
-for program in $PROGS; do
-    case " $twice " in
-    *" $(basename "$program") "*) continue ;;
-    esac
-    inside "$program" &
-    set -- "$@" "$work/inside/$(basename "$program")"
-    test $(($# % $(nproc))) != 0 || wait
-done
-wait
-passes "each with the code inside, $CC -std=c99" "$@"
+programs "test_angles test_batch test_passes" >"$work/names"
+test -s "$work/names" || fail "no test"
+at_once inside <"$work/names"
+echo "$(wc -l <"$work/names") tests run, each with the code inside"
 
 # -------------------------------------------------- tests, by a file of its own
 # By a user's flags clang may compute what a branch then drops: it raises
 # exceptions that the source does not, unless -ffp-exception-behavior=maytrap
 # forbids (coin.h, FLOATING POINT).  So the tests of traps are left out there.
 traps="test_traps test_traps_edges test_float_traps test_orbit_edges"
-while read -r private compiler; do
+
+# apart NUMBER COMPILER: the code by a compiler, in a folder of that number.
+apart()
+{
+    mkdir "$work/$1"
+    echo '#include <coin.h>' | eval "$2" -DCOIN_IMPLEMENTATION -I"$here" -c - \
+        -o "$work/$1/coin.o" || fail "$2"
+}
+# linked FOLDER COMPILER NUMBER TEST: a test with that code.
+linked()
+{
+    program=$work/$1/$4
     # shellcheck disable=SC2086
-    echo '#include <coin.h>' | $compiler "-DCOIN_PRIV=$(echo $private |
-        tr _ ' ')" -DCOIN_IMPLEMENTATION -I"$here" -c - -o "$work/coin.o"
+    $CC "$(dirname "${PROGS%% *}")/$4.o" $SUPPORT "$work/$1/coin.o" \
+        $CMOCKA_LIBS -lm -o "$program" && passes "$program" "$2" ||
+        fail "$4, $2"
+}
+cat >"$work/apart" <<'END'
+gcc -x c -std=c99 -O2 -DCOIN_PRIV=extern
+clang -x c -std=gnu17 -O3 -march=native -DCOIN_PRIV=extern
+clang -x c -std=c99 -O3 -march=native -ffp-exception-behavior=maytrap -DCOIN_PRIV=extern
+g++ -x c++ -std=c++11 -O2 '-DCOIN_PRIV=extern "C"'
+clang++ -x c++ -std=c++20 -O3 -march=native '-DCOIN_PRIV=extern "C"'
+END
+at_once apart <"$work/apart"
+folder=0
+while read -r compiler; do
+    folder=$((folder + 1))
     case $compiler in
-    *maytrap*) left_out= ;;
+    clang*maytrap*) left_out= ;;
     clang*) left_out=$traps ;;
     *) left_out= ;;
     esac
-    set --
-    for program in $PROGS; do
-        case " $left_out " in
-        *" $(basename "$program") "*) continue ;;
-        esac
-        # shellcheck disable=SC2086
-        $CC "$program.o" $SUPPORT "$work/coin.o" $CMOCKA_LIBS -lm \
-            -o "$work/$(basename "$program")" || fail "$program, $compiler"
-        set -- "$@" "$work/$(basename "$program")"
-    done
-    passes "$compiler" "$@"
-done <<END
-extern gcc -x c -std=c99 -O2
-extern clang -x c -std=gnu17 -O3 -march=native
-extern clang -x c -std=c99 -O3 -march=native -ffp-exception-behavior=maytrap
-extern_"C" g++ -x c++ -std=c++11 -O2
-extern_"C" clang++ -x c++ -std=c++20 -O3 -march=native
-END
+    programs "$left_out" >"$work/names"
+    at_once linked $folder "$compiler" <"$work/names"
+    echo "$(wc -l <"$work/names") tests run, $compiler"
+done <"$work/apart"
 
 # ----------------------------------------------------------------- pinned bits --
-# moves FLAGS: what the pinned motions hash to, in found.txt.
+# moves NAME FLAGS: what the pinned motions hash to, in NAME.txt.
 moves()
 {
     # shellcheck disable=SC2086
-    $1 -w -DCOIN_IMPLEMENTATION -I"$here" "$SRC/tests/repro/hash.c" \
-        -o "$work/hash" -lm && "$work/hash" >"$work/found.txt"
+    $2 -w -DCOIN_IMPLEMENTATION -I"$here" "$SRC/tests/repro/hash.c" \
+        -o "$work/$1.hash" -lm && "$work/$1.hash" >"$work/$1.txt"
 }
-while read -r compiler; do
-    moves "$compiler" && cmp "$SRC/tests/repro/expected.txt" "$work/found.txt" &&
-        echo "same bits  $compiler" || fail "other bits: $compiler"
-done <<END
+# same NUMBER FLAGS
+same()
+{
+    moves "$1" "$2" && cmp "$SRC/tests/repro/expected.txt" "$work/$1.txt" &&
+        echo "same bits  $2" || fail "other bits: $2"
+}
+at_once same <<END
 gcc -O0
 gcc -std=gnu11 -O3 -march=native
 gcc -std=gnu11 -O3 -march=native -ffp-contract=fast
@@ -171,7 +191,7 @@ END
 # ------------------------------------------------------- what must not pass --
 for compiler in "gcc -Ofast" "g++ -x c++ -ffast-math" "clang -ffast-math" \
     "gcc -fassociative-math -fno-signed-zeros -fno-trapping-math"; do
-    ! moves "$compiler" 2>/dev/null && echo "refused    $compiler" ||
+    ! moves refused "$compiler" 2>/dev/null && echo "refused    $compiler" ||
         fail "not refused: $compiler"
 done
 case $(uname -m) in
@@ -186,13 +206,18 @@ int main(void)
     return coin_selftest() != COIN_EBUILD || coinf_selftest() != COIN_EBUILD;
 }
 END
-for compiler in clang "clang++ -x c++"; do
-    compiler="$compiler -O2 $can_fuse -ffp-contract=fast"
+# reported NUMBER COMPILER: its fused code says that it has other bits.
+reported()
+{
     # shellcheck disable=SC2086
-    $compiler -w -I"$here" "$work/fused.c" -o "$work/fused" -lm &&
-        "$work/fused" && echo "reported   $compiler" ||
-        fail "not reported: $compiler"
-done
+    $2 -O2 $can_fuse -ffp-contract=fast -w -I"$here" "$work/fused.c" \
+        -o "$work/fused.$1" -lm && "$work/fused.$1" && echo "reported   $2" ||
+        fail "not reported: $2"
+}
+at_once reported <<END
+clang
+clang++ -x c++
+END
 
 # ------------------------------------------------------------ the user's own --
 fused()
@@ -200,25 +225,34 @@ fused()
     objdump -d --no-show-raw-insn "$@" |
         grep -cE '\<v?fn?m(add|sub|la|ls|acc|sac)' || :
 }
-for compiler in gcc clang "g++ -x c++" "clang++ -x c++"; do
+# whole NUMBER COMPILER: the user's own flags hold for the user's code alone.
+whole()
+{
+    object=$work/user.$1.o
     # shellcheck disable=SC2086
-    $compiler -Wall -Wextra -Wno-unused-function -Werror -O3 $can_fuse \
-        -I"$here" "$SRC/tests/single/user.c" -c -o "$work/user.o"
-    names=$(nm -g --defined-only "$work/user.o" | sed 's/.* //' | tr '\n' ' ')
-    all=$(fused "$work/user.o")
-    own=$(fused --disassemble=main "$work/user.o")
-    own=$((own + $(fused --disassemble="${names%% *}" "$work/user.o")))
-    echo "$compiler: exports $names, $own of $all fused are the user's"
-    test "$own" = "$all" || fail "$compiler fuses in the library"
+    $2 -Wall -Wextra -Wno-unused-function -Werror -O3 $can_fuse \
+        -I"$here" "$SRC/tests/single/user.c" -c -o "$object" ||
+        fail "$2: the user's file"
+    names=$(nm -g --defined-only "$object" | sed 's/.* //' | tr '\n' ' ')
+    all=$(fused "$object")
+    own=$(fused --disassemble=main "$object")
+    own=$((own + $(fused --disassemble="${names%% *}" "$object")))
+    echo "$2: exports $names, $own of $all fused are the user's"
+    test "$own" = "$all" || fail "$2 fuses in the library"
     test -z "$can_fuse" || test "$own" -gt 0 ||
-        fail "$compiler: the user's flags are lost"
+        fail "$2: the user's flags are lost"
     case $names in
-    *coin*) fail "$compiler: exports $names" ;;
+    *coin*) fail "$2: exports $names" ;;
     esac
-    # shellcheck disable=SC2086
-    ${compiler%% *} "$work/user.o" -o "$work/user" -lm && "$work/user" ||
-        fail "$compiler: the user's program rolls no coin"
-done
+    ${2%% *} "$object" -o "$work/user.$1" -lm && "$work/user.$1" ||
+        fail "$2: the user's program rolls no coin"
+}
+at_once whole <<END
+gcc
+g++ -x c++
+clang
+clang++ -x c++
+END
 
-test -z "$failed" || { echo "single-check: FAILED${failed#;}" >&2; exit 1; }
+test ! -e "$work/failed" || { echo "single-check: FAILED" >&2; exit 1; }
 echo "single-check: passed"
