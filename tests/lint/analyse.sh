@@ -6,13 +6,14 @@
 set -eu
 work=$OUT/lint
 mkdir -p "$work"
+. "$SRC/tests/at_once.sh"
 
 status=0
 
 try() { "$@" || status=1; }
 
 # badBitmaskCheck: COIN_VERSION_MAJOR << 16 may well be 0.
-try cppcheck --quiet --std=c99 --error-exitcode=1 --inline-suppr \
+try cppcheck -j "$(nproc)" --quiet --std=c99 --error-exitcode=1 --inline-suppr \
     --enable=warning,style,performance,portability \
     --suppress=missingIncludeSystem --suppress=badBitmaskCheck \
     -DCOIN_API= -I"$SRC/include" "$SRC"/lib/*/*.c
@@ -29,19 +30,29 @@ off="-Wno-float-equal -Wno-double-promotion -Wno-documentation
 # Off for gcc: what is used uninitialised, since its analyzer does not follow a
 # loop over a vector's members; make msan looks for that.
 own="-std=c99 -O2 -ffp-contract=off -Werror -I$SRC/include"
-for file in "$SRC"/lib/*/*.c; do
+# analysed NUMBER FILE
+analysed()
+{
+    object=$work/analysed$(($1 % $(nproc))).o
     # shellcheck disable=SC2086
-    try gcc $own -Wall -Wextra -Wdouble-promotion -fanalyzer \
-        -Wno-analyzer-use-of-uninitialized-value -c "$file" -o "$work/analysed.o"
-    # shellcheck disable=SC2086
-    try clang $own -Weverything $off -c "$file" -o "$work/analysed.o"
-done
+    gcc $own -Wall -Wextra -Wdouble-promotion -fanalyzer \
+        -Wno-analyzer-use-of-uninitialized-value -c "$2" -o "$object" &&
+        clang $own -Weverything $off -c "$2" -o "$object"
+}
+ls "$SRC"/lib/*/*.c >"$work/sources"
+try at_once analysed <"$work/sources"
+
 # The sources are C++ too, for those who drop the single header into it.
-for cc in g++ clang++; do
-    # shellcheck disable=SC2086
-    try $cc -x c++ -std=c++11 -Wall -Wextra -Wpedantic -Werror \
+as_cpp()
+{
+    $2 -x c++ -std=c++11 -Wall -Wextra -Wpedantic -Werror \
         -I"$SRC/include" -fsyntax-only "$SRC"/lib/*/*.c
-done
+}
+try at_once as_cpp <<END
+g++
+clang++
+END
+
 for cc in gcc clang; do
     try $MAKE --no-print-directory -f "$SRC/Makefile" "O=$work/$cc" "CC=$cc" \
         'CFLAGS=-O2 -Werror' all examples build-tests build-bench

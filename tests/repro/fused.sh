@@ -9,6 +9,7 @@ set -eu
 work=$OUT/fused
 rm -rf "$work"
 mkdir -p "$work"
+. "$SRC/tests/at_once.sh"
 failed=0
 
 case $(uname -m) in
@@ -34,6 +35,14 @@ report()
     test "$count" = 0 || failed=1
 }
 
+# as_a_user NUMBER FILE: what a user's flags make of a source.
+as_a_user()
+{
+    # shellcheck disable=SC2086
+    $cc -std=gnu11 -O3 $can_fuse -I"$SRC/include" -c "$2" \
+        -o "$work/objects/$(basename "$2" .c).o"
+}
+
 for cc in gcc clang; do
     $MAKE --no-print-directory -f "$SRC/Makefile" "O=$work/make-$cc" "CC=$cc" \
         "CFLAGS=-O3 $can_fuse -ffp-contract=fast" all >/dev/null
@@ -41,11 +50,8 @@ for cc in gcc clang; do
     report "make CC=$cc CFLAGS='-O3 $can_fuse -ffp-contract=fast'"
     rm "$work/objects"
     mkdir "$work/objects"
-    for file in "$SRC"/lib/*/*.c; do
-        # shellcheck disable=SC2086
-        $cc -std=gnu11 -O3 $can_fuse -I"$SRC/include" -c "$file" \
-            -o "$work/objects/$(basename "$file" .c).o"
-    done
+    ls "$SRC"/lib/*/*.c >"$work/sources"
+    at_once as_a_user <"$work/sources"
     report "$cc -std=gnu11 -O3 $can_fuse"
     rm -r "$work/objects"
 done

@@ -9,52 +9,53 @@ set -eu
 here=$SRC/tests/repro
 work=$OUT/repro
 mkdir -p "$work"
-failed=0
+. "$SRC/tests/at_once.sh"
 
-# prints_by COMPILER PROGRAM: what the program prints, in found.txt.
+# prints_by NAME COMPILER PROGRAM: what the program prints, in NAME.txt.
 prints_by()
 {
-    rm -f "$work/found.txt"
+    rm -f "$work/$1.txt"
     # shellcheck disable=SC2086
-    $1 -I"$SRC/include" "$here/$2" "$SRC"/lib/*/*.c -o "$work/program" -lm &&
-        "$work/program" >"$work/found.txt"
+    $2 -I"$SRC/include" "$here/$3" "$SRC"/lib/*/*.c -o "$work/$1" -lm &&
+        "$work/$1" >"$work/$1.txt"
 }
 
 if test "${1:-}" = update; then
     cc="cc -std=c99 -O2 -ffp-contract=off"
-    prints_by "$cc" pin.c
-    echo "lib/about/selftest.c has to pin $(cat "$work/found.txt")"
-    prints_by "$cc" pin_float.c
-    echo "lib/float/coinf_selftest.c has to pin $(cat "$work/found.txt")"
-    prints_by "$cc" hash.c
-    cp "$work/found.txt" "$here/expected.txt"
+    prints_by pin "$cc" pin.c
+    echo "lib/about/selftest.c has to pin $(cat "$work/pin.txt")"
+    prints_by pin "$cc" pin_float.c
+    echo "lib/float/coinf_selftest.c has to pin $(cat "$work/pin.txt")"
+    prints_by pin "$cc" hash.c
+    cp "$work/pin.txt" "$here/expected.txt"
     tail -1 "$here/expected.txt"
     exit
 fi
 
-while read -r compiler; do
-    if prints_by "$compiler" hash.c && cmp -s "$work/found.txt" "$here/expected.txt"
+# same NUMBER COMPILER
+same()
+{
+    if prints_by "$1" "$2" hash.c && cmp -s "$here/expected.txt" "$work/$1.txt"
     then
-        result=same
+        echo "same       $2"
     else
-        result=DIFFERENT
-        failed=1
+        echo "DIFFERENT  $2"
+        diff "$here/expected.txt" "$work/$1.txt"
+        return 1
     fi
-    printf '%-9s  %s\n' $result "$compiler"
-    test $result = same || diff "$here/expected.txt" "$work/found.txt" || :
-done <<END
+}
+
+at_once same <<END
 gcc -std=c99 -ffp-contract=off -O0
+tcc -std=c99
 gcc -std=c99 -ffp-contract=off -O2
 gcc -std=c99 -ffp-contract=off -O3
 gcc -std=c99 -ffp-contract=off -O3 -march=native
 gcc -std=c99 -ffp-contract=off -O2 -flto
 gcc -std=gnu11 -O3 -march=native
-clang -std=c99 -ffp-contract=off -O0
+musl-gcc -std=c99 -ffp-contract=off -O2 -static
 clang -std=c99 -ffp-contract=off -O3 -march=native
 clang -std=gnu11 -O3 -march=native
-tcc -std=c99
-musl-gcc -std=c99 -ffp-contract=off -O2 -static
+clang -std=c99 -ffp-contract=off -O0
 END
-
 tail -1 "$here/expected.txt"
-exit $failed

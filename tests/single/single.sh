@@ -10,21 +10,9 @@ work=$OUT/single/check
 here=$(dirname "$SINGLE")
 rm -rf "$work"
 mkdir -p "$work"
+. "$SRC/tests/at_once.sh"
 
 fail() { echo "FAILED: $*" | tee -a "$work/failed"; }
-
-# at_once COMMAND: runs COMMAND NUMBER LINE for each line of the input, as many
-# at once as there are processors.
-at_once()
-{
-    number=0
-    while read -r line; do
-        number=$((number + 1))
-        "$@" $number "$line" &
-        test $((number % $(nproc))) != 0 || wait
-    done
-    wait
-}
 
 # passes PROGRAM NAME: runs a test.
 passes()
