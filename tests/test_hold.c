@@ -6,6 +6,7 @@
 #include "slide.h"
 
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/random.h"
 
 #include <math.h>
@@ -31,7 +32,7 @@ static void check_held(const coin_state *s, const coin_params *p, double spin)
 {
     coin_priv_run run;
     coin_priv_losses l;
-    const double eps = 1e-8;
+    const double eps = 1e-12;
     check_status(coin_priv_check_body(&run.b, p), COIN_OK);
     coin_priv_run_unlimited(&run, s);
     const coin_priv_variables *y = &run.g.y;
@@ -93,6 +94,68 @@ static void losses_hold_what_pivoting_friction_would_turn(void **unused)
     }
 }
 
+/* Viscous friction stops a small roll, which a fall makes grow, if its torque
+ * is twice what would keep the roll as it is. */
+static void losses_stop_what_a_fall_makes_grow(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(190);
+    for (int i = 0; i < 200; ++i) {
+        coin_params p;
+        coin_priv_run run;
+        coin_priv_losses l;
+        const double IX = random_between(&r, 0.1, 0.5), eps = 1e-8;
+        const double from_flat = random_between(&r, 0.01, 0.04);
+        const double side = i % 2 ? 1 : -1;
+        check_status(coin_params_body(&p, 1, 1, 1, IX,
+                                      IX * random_between(&r, 0.5, 1.5)),
+                     COIN_OK);
+        coin_state s = {.theta = side * (1.5707963267948966 - from_flat),
+                        .wX = side * random_between(&r, 40, 60)};
+        const double c = sin(from_flat), u = eps * fabs(s.wX);
+        check_status(coin_priv_check_body(&run.b, &p), COIN_OK);
+        coin_priv_run_unlimited(&run, &s);
+        coin_state rolls = s;
+        rolls.wY = u * sin(s.theta);
+        rolls.wZ = u * c;
+        const double keeps = torque_needed(&rolls, &p, 0);
+        for (int more = 0; more < 2; ++more) {
+            const double torque = (more ? 1.01 : 0.99) * 2 * keeps;
+            const coin_losses viscous = {.viscous = torque * c / u};
+            check_status(coin_priv_losses_of(&l, &viscous, &run.b), COIN_OK);
+            check_note("case %d", i);
+            check(coin_priv_is_held(&l, &run.b, &run.g.y, eps) == more);
+        }
+    }
+}
+
+/* A coin that hardly spins passes near flat and rises, whatever tol is, unless
+ * its losses are strong enough to stop its contact in time. */
+static void weak_losses_let_a_falling_coin_pass(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state start = {.theta = 1.535, .wX = 1, .wY = 5e-8};
+    coin_state ideal = start;
+    check_status(coin_advance(&ideal, &p, 0.2, 1e-12, NULL), COIN_OK);
+    check_within(fabs(ideal.phi), 7, 7.1);
+    for (double tol = 1e-12; tol < 1e-3; tol *= 1e4)
+        for (int law = 0; law < 4; ++law) {
+            coin_losses weak = {0}, strong = {0};
+            (&weak.dry)[law] = 1e-40;
+            (&strong.dry)[law] = 1e-5;
+            coin_state s = start;
+            check_note("tol %g, law %d", tol, law);
+            check_status(coin_settle(&s, &p, &weak, 0.2, tol, NULL), COIN_OK);
+            check_near(s.phi, ideal.phi, 2 * tol + 1e-10);
+            check_near(s.theta, ideal.theta, 2 * tol + 1e-10);
+            s = start;
+            check_status(coin_settle(&s, &p, &strong, 0.2, tol, NULL),
+                         COIN_RESTS);
+            check_near(s.phi, 0, 1e-4);
+        }
+}
+
 /* However near to flat: its steps are in t. */
 static void a_held_slip_is_stepped_by_its_rates_alone(void **unused)
 {
@@ -117,6 +180,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(losses_hold_the_torque_that_they_have),
         TEST(losses_hold_what_pivoting_friction_would_turn),
+        TEST(losses_stop_what_a_fall_makes_grow),
+        TEST(weak_losses_let_a_falling_coin_pass),
         TEST(a_held_slip_is_stepped_by_its_rates_alone),
     };
     return RUN_TESTS(tests);

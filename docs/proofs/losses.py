@@ -68,6 +68,16 @@ need = K*(2*IX - IZ) + c**2*IZ*(K - IX)
 falls = held[Q].subs(b, 0)
 holds(73, (falls*D)**2 - (f*wX*c*need)**2,
       ((held[Q] - falls)*D)**2 - (b*f*s*c**2*(K - IX))**2)
+# the same where a little roll, u = c psi', is to stay as it is
+stays = sp.Symbol('u')
+moving = {wY: c*f + s*stays, wZ: -s*f + c*stays}
+turns = [(-s*wX*f + c*df + c*wX*stays
+          - (eq15 + (contour + pivoting)[1]/IX)).subs(moving),
+         (-c*wX*f - s*df - s*wX*stays
+          - (eq16 + (contour + pivoting)[2]/K)).subs(moving)]
+kept = sp.solve(turns, [df, Q])[Q]
+holds(73, ((kept - held[Q])*D)**2
+      - (wX*stays*s*(IX*K + c**2*IZ*(K - IX)))**2)
 
 # ---- quasi-steady motion, (74): F stays 0
 F = IX*T*wY**2 + K*wY*wZ - M*g*a*s              # (39)

@@ -10,6 +10,10 @@
  * can do the whole fall. */
 #define NEAR_FLAT K(0.05)
 
+/* A fall makes u grow as 1/cos theta.  Losses of DECAY times the torque against
+ * that make what is left of u decay as fast at least. */
+#define DECAY 2
+
 /* The inertia D of (72) about the vertical through the contact. */
 static real inertia(const PRIV(losses) * l, real cth)
 {
@@ -123,7 +127,9 @@ int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
     const real lever = l->K / D * (2 * l->IX - b->IZ) +
                        cth * cth * (b->IZ / D) * (l->K - l->IX);
     const real pivot = l->spin / D * (l->K - l->IX) * (cth * cth);
-    const real need =
-        FABS(turn * lever) * cth * fastest + FABS(turn * pivot); /* (73) */
+    const real growth =
+        (l->K * l->IX + cth * cth * b->IZ * (l->K - l->IX)) / D;
+    const real need = FABS(turn * lever) * cth * fastest + FABS(turn * pivot) +
+                      DECAY * growth * fastest * SQRT(small2); /* (73) */
     return need <= PRIV(holding_torque)(l, small2, cth);
 }

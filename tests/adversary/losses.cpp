@@ -156,11 +156,16 @@ template <class T, class R> double settle(const scene &s, double enough)
 }
 
 /* Forward, 0.01 to 30 natural units; losses up to 0.03.  Half roll slowly at
- * first, so that the contact soon turns round. */
+ * first, so that the contact soon turns round.  A fifth hardly spin. */
 void launches(scene *s, const double *g)
 {
     if (g[25] < 0.5)
         s->wZ = 0.2 * s->wZ - s->wY * std::tan(s->theta);
+    if (g[25] > 0.8) {
+        const double part = std::pow(10, -50 * (g[25] - 0.8));
+        s->wY *= part;
+        s->wZ *= part;
+    }
     s->steps = std::floor(128 * g[23]);
     for (int i = 0; i < 4; ++i)
         s->q[i] = std::pow(10, 5 * g[26 + i] - 6.5);
