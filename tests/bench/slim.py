@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Takes out of gnuplot's drawings what a reader does not see: empty groups,
 groups that repeat the one before, attributes that are the default or the
-group's, and digits of a pixel after the first.  Points of lines and polygons
+group's, symbols and filters that nothing shows, and digits of a pixel after the first.  Points of lines and polygons
 are written relative to the point before, which packs better.
 
     slim.py DRAWING.svg...
@@ -59,6 +59,8 @@ def slim(text):
         text, count = re.subn(r"<g [^>]*>\s*(<text></text>\s*)?</g>\n?", "", text)
     while joined(text) != text:
         text = joined(text)
+    while shown(text) != text:
+        text = shown(text)
     return re.sub(r" +'/>", "'/>", text)
 
 
@@ -67,6 +69,13 @@ def joined(text):
     one group."""
     return re.sub(r"((<g [^>]*>\s*<g [^>]*crispEdges'>\n)(?:\t\t<path[^\n]*\n)+)"
                   r"\t</g>\n</g>\n\2", r"\1", text)
+
+
+def shown(text):
+    """Without the definitions that nothing refers to."""
+    return re.sub(r"\t<(\w+)\b[^>]*\bid='(\w+)'[^>]*(?:/>|>.*?</\1>)\n",
+                  lambda m: m[0] if f"#{m[2]}'" in text or f"#{m[2]})" in text
+                  else "", text, flags=re.S)
 
 
 for drawing in map(pathlib.Path, sys.argv[1:]):
