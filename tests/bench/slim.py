@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Takes out of gnuplot's drawings what a reader does not see: empty groups,
 groups that repeat the one before, attributes that are the default or the
-group's, symbols and filters that nothing shows, and digits of a pixel after the first.  Points of lines and polygons
+group's, symbols and filters that nothing shows, digits of a pixel after the
+first, and points that lie on a line without them.  Points of lines and polygons
 are written relative to the point before, which packs better.
 
     slim.py DRAWING.svg...
@@ -10,6 +11,7 @@ are written relative to the point before, which packs better.
 Of matplotlib's drawings it takes those digits alone.  A second pass changes
 nothing.  Drawings of other programs stay as they are.
 """
+import math
 import pathlib
 import re
 import sys
@@ -21,27 +23,51 @@ def hexadecimal(colour):
     return "#" + "".join(f"{int(part):02X}" for part in colour.groups())
 
 
-def relative(pieces):
-    """Points "x,y x,y ..." of one piece after another as differences."""
-    at = [0, 0]
-    for piece in pieces:
-        steps = []
-        for point in piece.split():
-            tenths = [round(10 * float(v)) for v in point.split(",")]
-            steps.append(",".join(f"{(new - old) / 10:g}"
-                                  for new, old in zip(tenths, at)))
-            at = tenths
-        yield " ".join(steps)
+def tenths(point):
+    return tuple(round(10 * float(v)) for v in point.split(","))
+
+
+def relative(points, at):
+    return " ".join(f"{(x - at[0]) / 10:g},{(y - at[1]) / 10:g}" for at, (x, y)
+                    in zip([at] + points, points))
+
+
+def thinned(points):
+    """A line without the points that are within a tenth of a pixel of it
+    (Ramer, Douglas, Peucker)."""
+    (x0, y0), (x1, y1) = points[0], points[-1]
+    dx, dy = x1 - x0, y1 - y0
+    far, k = -1, 0
+    for i, (x, y) in enumerate(points[1:-1], 1):
+        along = (x - x0) * dx + (y - y0) * dy
+        part = min(max(along / ((dx * dx + dy * dy) or 1), 0), 1)
+        off = math.hypot(x - x0 - part * dx, y - y0 - part * dy)
+        far, k = max((far, k), (off, i))
+    if far <= 1:
+        return points[:1] + points[1:][-1:]
+    return thinned(points[:k + 1])[:-1] + thinned(points[k:])
 
 
 def lines(path):
-    parts = re.split(r"([ML])", path[2])
-    parts[2::2] = relative(parts[2::2])
-    return path[1] + "".join(parts).strip().lower() + path[3]
+    """Lines in capitals are in places, others in steps from the point before."""
+    each, x, y = [], 0, 0
+    for letter, points in re.findall(r"([ML])([^ML]*)", path[2], re.I):
+        for dx, dy in map(tenths, points.split()):
+            x, y = (dx, dy) if letter.isupper() else (x + dx, y + dy)
+            if letter in "mM":
+                each.append([])
+                letter = "l" if letter == "m" else "L"
+            each[-1].append((x, y))
+    at, text = (0, 0), ""
+    for line in map(thinned, each):
+        text += "m" + relative(line[:1], at)
+        text += "l" * (len(line) > 1) + relative(line[1:], line[0])
+        at = line[-1]
+    return path[1] + text + path[3]
 
 
 def closed(polygon):
-    points, = relative([polygon[2]])
+    points = relative(list(map(tenths, polygon[2].split())), (0, 0))
     return f"<path{polygon[1]}d = 'm{points}z'"
 
 
@@ -52,7 +78,8 @@ def slim(text):
     text = re.sub(r"""\b(?:d|points|transform) *= *(['"]).*?\1""",
                   lambda m: re.sub(r"(\d+\.\d)\d+(?=[\s,)'\"])", r"\1", m[0]),
                   text, flags=re.S)
-    text = re.sub(r"(\bd *= *')(M[ML\d.,\s-]*)(')", lines, text)
+    text = re.sub(r"(\bd *= *')(m[ml\d.,\s-]*)(')", lines, text,
+                  flags=re.I)
     text = re.sub(r"<polygon([^>]*)points = '(.*?)'", closed, text, flags=re.S)
     count = 1
     while count:
