@@ -15,8 +15,9 @@ import pathlib
 import sys
 
 from animation import animation
-from forms import (DISC, PI, Body, Leaf, Pairs, height_of, lambda2, lines, near,
-                   on_leaf, pair, potential, slope, slow_circle)
+from forms import (DISC, PI, Body, Leaf, Pairs, apart, height_of, lambda2,
+                   lines, near, on_leaf, pair, potential, slope, slow_circle,
+                   unlike)
 from rest import fixed, rest
 from slip import drawn_slides, slides, slip_map
 from sweep import sweep
@@ -70,14 +71,6 @@ def half_petal(inner, theta, wZ, low, high, turns, petals):
     return path
 
 
-def apart(point, path):
-    """How far a point is from a path of straight pieces."""
-    def from_piece(a, b):
-        along = ((point - a)/(b - a)).real if a != b else 0
-        return abs(point - a - min(max(along, 0), 1)*(b - a))
-    return min(map(from_piece, path, path[1:]))
-
-
 def rosettes(blocks):
     digit = 0.5e-4
     for block, (*start, turns, petals, drawn) in zip(blocks, FLOWERS,
@@ -102,16 +95,15 @@ def rosettes(blocks):
 
 def drawn(blocks, drawing):
     """The rosettes in the drawing are these, each moved and scaled, to its tenths
-    of a pixel."""
+    of a pixel and those of the points that slim.py leaves out."""
     paths = [line for line in lines(drawing) if len(line) > 100]
     for block, line in zip(blocks, paths, strict=True):
-        near("drawing, points", len(line), len(block), 0)
-        across, down = zip(*line)
+        across, down = zip(*[(point.real, point.imag) for point in line])
         x, z = [point[1] for point in block], [point[2] for point in block]
         scale = (max(across) - min(across))/(max(x) - min(x))
-        for (u, v), a, b in zip(line, x, z):
-            near("drawing", u - min(across), scale*(a - min(x)), 0.25)
-            near("drawing", max(down) - v, scale*(b - min(z)), 0.25)
+        shape = [complex(min(across) + scale*(a - min(x)),
+                         max(down) - scale*(b - min(z))) for a, b in zip(x, z)]
+        near("drawing", unlike(line, shape), 0, 0.4)
 
 
 def potentials(blocks):

@@ -80,7 +80,30 @@ def lines(drawing):
                              for step in re.findall(r"[-.\d]+,[-.\d]+", piece)]
             points = list(itertools.accumulate([end + first, *steps]))
             end = points[-1]
-            yield [(point.real, point.imag) for point in points]
+            yield points
+
+
+def apart(point, path):
+    """How far a point is from a path of straight pieces."""
+    def from_piece(a, b):
+        along = ((point - a)/(b - a)).real if a != b else 0
+        return abs(point - a - min(max(along, 0), 1)*(b - a))
+    return min(map(from_piece, path, path[1:]))
+
+
+def unlike(line, path, near_by=0.3):
+    """How far a path is from a line that is drawn of it without some of its
+    points."""
+    off, k = abs(line[0] - path[0]), 0
+    for piece in zip(line, line[1:]):
+        at = (j for j in range(k + 1, len(path))
+              if abs(path[j] - piece[1]) < near_by)
+        j = next(at, None)
+        if j is None:
+            return math.inf
+        off = max([off, *(apart(point, piece) for point in path[k:j + 1])])
+        k = j
+    return max(off, abs(path[-1] - path[k]))
 
 
 def height_of(theta):

@@ -5,7 +5,7 @@ import bisect
 import math
 import re
 
-from forms import DISC, height_of, integrals, lines, near, rates
+from forms import DISC, height_of, integrals, lines, near, rates, unlike
 from sweep import HERE, LEANS, PAIRS
 
 STATIC, KINETIC = 0.3, 0.27
@@ -104,16 +104,18 @@ def slides(blocks):
 def drawn_slides(blocks, drawing):
     """The paths in the drawing are these, moved and scaled alike, to its tenths
     of a pixel."""
-    paths = list(lines(drawing))
-    first = [(x, z) for _, _, x, z, _ in blocks[0]]
-    line = next(line for line in paths if len(line) == len(first))
-    scale = (line[-1][1] - line[0][1])/(first[-1][1] - first[0][1])
-    left, top = line[0][0] - scale*first[0][0], line[0][1] - scale*first[0][1]
+    paths = [line for line in lines(drawing) if len(line) > 2]
+    blocks = [[complex(x, z) for _, _, x, z, _ in block] for block in blocks]
+    first = blocks[0]
+
+    def placed(block, line):
+        """Where a block lies if the first one lies on a line."""
+        scale = (line[-1] - line[0]).imag/(first[-1] - first[0]).imag
+        return [line[0] + scale*(point - first[0]) for point in block]
+    line = min(paths, key=lambda line: unlike(line, placed(first, line)))
     for block in blocks:
-        want = [(left + scale*x, top + scale*z) for _, _, x, z, _ in block]
-        off = min(max(map(math.dist, line, want)) for line in paths
-                  if len(line) == len(want))
-        near("slides, drawn", off, 0, 0.25)
+        want = placed(block, line)
+        near("slides, drawn", min(unlike(line, want) for line in paths), 0, 0.4)
 
 
 # --------------------------------------------------------------------- the map
