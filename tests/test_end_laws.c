@@ -130,12 +130,43 @@ static void the_turn_changes_its_sign_at_one_angle_by_any_law(void **unused)
     }
 }
 
+/* ------------------------------------------------------------- the last law */
+/* From a hundred millionth rad from flat on: by the laws of (75), which are
+ * integrated, with the rates of the steady motion. */
+static void the_end_goes_by_the_law_of_the_loss_that_acts(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const struct {
+        coin_losses l;
+        double angle, T;
+    } cases[] = {
+        {{.dry = 1e-14}, 1e-9, 3.16227766e-14 / 2e-14},
+        {{.dry = 1e-12}, 1e-8, 0.5},
+        {{.damping = 1e-4, .spin = 1e-3}, 1e-9, 0.474342},
+        {{.rolling = 1e-4}, 1e-9, 0.474342},
+    };
+    for (int i = 0; i < 4; ++i) {
+        const double e = cases[i].angle;
+        coin_state s = {.theta = HALF_PI - e, .wY = sqrt(4 * e)};
+        double T;
+        check_note("case %d", i);
+        check_status(coin_settle(&s, &p, &cases[i].l, 9, 1e-9, &T), COIN_RESTS);
+        check_near(T, cases[i].T, 1e-3 * cases[i].T);
+    }
+    /* Pivoting alone lets it roll on. */
+    const coin_losses spin = {.spin = 1e-3};
+    coin_state s = {.theta = HALF_PI - 9e-11, .wY = 1.9e-5, .wZ = 0.3};
+    check_status(coin_settle(&s, &p, &spin, 1e-3, 1e-9, NULL), COIN_OK);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(the_angle_goes_by_the_exponents_of_the_laws),
         TEST(a_swing_grows_or_dies_out_by_the_law),
         TEST(the_turn_changes_its_sign_at_one_angle_by_any_law),
+        TEST(the_end_goes_by_the_law_of_the_loss_that_acts),
     };
     return RUN_TESTS(tests);
 }

@@ -116,6 +116,21 @@ static void the_usual_errors_touch_nothing(void **unused)
     }
 }
 
+/* Damping never stops the contact: the law of (75) gives the last of the time.
+ */
+static void the_end_goes_by_the_law_of_the_loss_that_acts(void **unused)
+{
+    (void)unused;
+    const coinf_params p = disc_f();
+    const coinf_losses l = {.damping = 1e-3f, .spin = 1e-3f};
+    const float e = 1e-4f;
+    coinf_state s = {.theta = 1.5706963f, .wY = 2 * sqrtf(e)};
+    s.low[0] = (float)(1.5707963267948966 - (double)e - (double)s.theta);
+    float T;
+    check_status(coinf_settle(&s, &p, &l, 99, 1e-4f, &T), COIN_RESTS);
+    check_near(T, 15, 0.02);
+}
+
 static void every_member_of_the_losses_is_checked(void **unused)
 {
     (void)unused;
@@ -145,6 +160,7 @@ int main(void)
         TEST(a_fall_too_fast_for_floats_is_refused),
         TEST(the_usual_errors_touch_nothing),
         TEST(every_member_of_the_losses_is_checked),
+        TEST(the_end_goes_by_the_law_of_the_loss_that_acts),
     };
     return RUN_TESTS(tests);
 }

@@ -249,6 +249,16 @@ static void next_to_the_table_nothing_steady_is_near(void **unused)
                  COIN_MODEL_STEPS);
 }
 
+/* In a close pass, where the rounding of the time turns the heading far. */
+static void an_orbit_is_not_named_where_a_pass_is_beyond_tol(void **unused)
+{
+    (void)unused;
+    const double w = 1.3011430229724384e-06, t = 95.85988175036313;
+    const coin_state s = {.theta = 0.41063907254051374, .wY = w, .wZ = w};
+    check_status(coin_model_needed(&s, &disc, t, 2.7e-11), COIN_MODEL_STEPS);
+    check_status(coin_model_needed(&s, &disc, t, 1e-4), COIN_MODEL_ORBIT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -265,6 +275,7 @@ int main(void)
         TEST(bad_horizons_and_tolerances_are_refused),
         TEST(a_fall_on_the_face_is_reported),
         TEST(next_to_the_table_nothing_steady_is_near),
+        TEST(an_orbit_is_not_named_where_a_pass_is_beyond_tol),
     };
     return RUN_TESTS(tests);
 }

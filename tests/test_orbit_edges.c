@@ -306,6 +306,46 @@ static void a_nearly_critical_circle_has_no_period(void **unused)
     }
 }
 
+/* However fast the lean of a critical roll or spin changes, the acceleration
+ * and its slope are 0: it is no steady motion. */
+static void a_critical_motion_with_a_swing_has_its_orbit(void **unused)
+{
+    (void)unused;
+    coin_params hoop;
+    check_status(coin_params_ring(&hoop, 1, 1, 1, 1), COIN_OK);
+    const coin_state starts[] = {{.wX = 0.5, .wZ = 0.5},
+                                 {.wX = 0.5, .wY = 0x1.a20bd700c2c3ep-1}};
+    for (int i = 0; i < 2; ++i) {
+        coin_orbit o;
+        coin_state at, want = starts[i];
+        check_status(coin_orbit_init(&o, &starts[i], &hoop), COIN_OK);
+        check_status(coin_orbit_at(&o, 20, &at), COIN_OK);
+        check_status(coin_advance(&want, &hoop, 20, 1e-13, NULL), COIN_OK);
+        check(o.period > 0);
+        check_near(at.theta, want.theta, 1e-10);
+        check_near(at.phi, want.phi, 1e-10);
+    }
+    const coin_state still = {.wZ = 0.5};
+    coin_orbit o;
+    check_status(coin_orbit_init(&o, &still, &hoop), COIN_OK);
+    check(o.period == 0);
+}
+
+/* Next to a critical circle the well is narrower than the swing. */
+static void a_motion_that_leaves_its_well_is_no_steady_one(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state s = {.theta = 0.2,
+                          .wX = -7.1538958204644815e-12,
+                          .wY = 0.24701661032105193,
+                          .wZ = 0.52783800126792757};
+    coin_orbit o;
+    const int32_t status = coin_orbit_init(&o, &s, &p);
+    check(status == COIN_EDOMAIN || o.period > 0);
+    check_status(coin_model_needed(&s, &p, 3e4, 1e-2), COIN_MODEL_STEPS);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -317,6 +357,8 @@ int main(void)
         TEST(conditioning_is_what_the_period_owes_to_energy),
         TEST(no_call_divides_by_zero_or_overflows),
         TEST(a_nearly_critical_circle_has_no_period),
+        TEST(a_critical_motion_with_a_swing_has_its_orbit),
+        TEST(a_motion_that_leaves_its_well_is_no_steady_one),
     };
     return RUN_TESTS(tests);
 }

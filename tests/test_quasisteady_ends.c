@@ -187,6 +187,49 @@ static void errors_come_in_their_order(void **unused)
     check_same(&l, &fine, sizeof l);
 }
 
+/* What counts is whether the steady motion rolls, not a state beside it. */
+static void a_roll_that_stands_for_an_instant_is_lost_all_the_same(
+    void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_state s = {.theta = 0.072332763817316278,
+                    .wY = 2.7330413371012741,
+                    .wZ = -0.19803392713121115};
+    coin_state moves = s, out, want;
+    moves.wZ *= 1 + 1e-12;
+    const double T = coin_time_to_rest(&s, &p, &dry);
+    check_within(T, 1000, 2000);
+    check_near(T, coin_time_to_rest(&moves, &p, &dry), 1e-6 * T);
+    check_status(coin_quasisteady_at(&s, &p, &dry, 0.9 * T, &out), COIN_OK);
+    check_status(coin_quasisteady_at(&moves, &p, &dry, 0.9 * T, &want),
+                 COIN_OK);
+    check_near(out.theta, want.theta, 1e-6);
+}
+
+static void near_to_flat_the_time_goes_by_the_law_too(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double angles[] = {1e-4, 1e-7, 1e-8};
+    for (int i = 0; i < 3; ++i) {
+        const double c = angles[i];
+        const coin_losses l = {.dry = c * sqrt(c) / 2};
+        const coin_state s = spin(&p, c);
+        check_near(coin_time_to_rest(&s, &p, &l), 1, 1e-6 + c);
+    }
+}
+
+static void a_loss_that_would_be_subnormal_is_refused(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state s = spin(&p, 0.2);
+    coin_losses l = {.dry = 1e-20};
+    check_status(coin_losses_fit(&l, &s, &p, 1e308), COIN_EDOMAIN);
+    check(l.dry == 1e-20);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -198,6 +241,9 @@ int main(void)
         TEST(a_heading_out_of_range_is_refused),
         TEST(a_fit_beyond_the_range_of_losses_is_refused),
         TEST(errors_come_in_their_order),
+        TEST(near_to_flat_the_time_goes_by_the_law_too),
+        TEST(a_roll_that_stands_for_an_instant_is_lost_all_the_same),
+        TEST(a_loss_that_would_be_subnormal_is_refused),
     };
     return RUN_TESTS(tests);
 }

@@ -326,6 +326,25 @@ static void violent_launches_come_to_rest_and_gain_no_energy(void **unused)
     }
 }
 
+/* Where the contact turns round, steps are short: one must not stand for the
+ * rest of the time. */
+static void a_short_call_takes_all_its_time(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses laws[] = {{.dry = 1e-6, .soft = 1e-9}, {.damping = 1e-2}};
+    for (int law = 0; law < 2; ++law)
+        for (double t = 1e-7; t < 1e-4; t *= 10) {
+            coin_state s = {.theta = 0.5, .wX = 1, .wY = 1, .wZ = -tan(0.5)};
+            coin_state ideal = s;
+            check_status(coin_settle(&s, &p, &laws[law], t, 1e-12, NULL),
+                         COIN_OK);
+            check_status(coin_advance(&ideal, &p, t, 1e-12, NULL), COIN_OK);
+            check_note("law %d, t %g", law, t);
+            check_near(s.theta, ideal.theta, 1e-14);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -339,6 +358,7 @@ int main(void)
         TEST(how_often_it_is_called_does_not_matter),
         TEST(many_short_calls_add_up),
         TEST(violent_launches_come_to_rest_and_gain_no_energy),
+        TEST(a_short_call_takes_all_its_time),
     };
     return RUN_TESTS(tests);
 }

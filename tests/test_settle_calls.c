@@ -131,7 +131,7 @@ static void a_coin_that_lies_at_once_lies_flat(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const coin_losses l = {.damping = 5e-6};
+    const coin_losses l = {.damping = 1};
     for (int side = -1; side <= 1; side += 2) {
         coin_state s = {
             .theta = side * 1.5707963267948819, .wX = -side * 2e-9, .wZ = 1.5};

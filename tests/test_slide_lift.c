@@ -149,6 +149,45 @@ static void a_force_that_pulls_straight_down_is_returned(void **unused)
     check(f.R[0] == 0 && f.R[1] == f.normal && f.R[2] == 0 && isinf(f.ratio));
 }
 
+/* With mu_static infinite no contact slips, one that the losses hold near flat
+ * neither: it lifts off, in one call and in many. */
+static void a_held_coin_that_cannot_slip_lifts_off(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction glued = {(double)INFINITY, 0.3};
+    const coin_losses l = {.dry = 1};
+    const coin_state s = {.theta = 1.5507949932215062,
+                          .wX = -0.2,
+                          .wY = 0.056,
+                          .wZ = -2.799439943988797};
+    const double calls[] = {5, 1e-3};
+    for (int k = 0; k < 2; ++k) {
+        double t = 0, reached;
+        int32_t status;
+        coin_slide d;
+        coin_force force;
+        coin_slide_of(&d, &s, &p);
+        do {
+            status = coin_slide_advance(&d, &p, &glued, &l, calls[k], 1e-9,
+                                        &reached);
+            t += reached;
+        } while (status == COIN_OK);
+        check_status(status, COIN_ELIFT);
+        check_near(t, 0.02956688, 1e-7);
+        check_status(coin_losses_reaction(&d.s, &p, &l, &force), COIN_OK);
+        check_near(force.normal, 0, 1e-9);
+        /* At once, if it turns faster. */
+        d.s = s;
+        d.s.wY *= 1.2;
+        d.s.wZ *= 1.2;
+        coin_slide_of(&d, &d.s, &p);
+        check_status(coin_slide_advance(&d, &p, &glued, &l, 1, 1e-9, &reached),
+                     COIN_ELIFT);
+        check(reached == 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -157,6 +196,7 @@ int main(void)
         TEST(a_coin_lifts_off_in_a_slip_that_has_just_begun),
         TEST(a_force_that_pulls_straight_down_is_returned),
         TEST(a_coin_slips_where_only_rolling_would_lift_it),
+        TEST(a_held_coin_that_cannot_slip_lifts_off),
     };
     return RUN_TESTS(tests);
 }

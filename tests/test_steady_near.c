@@ -329,6 +329,29 @@ static void two_extrema_close_to_each_other_are_seen(void **unused)
     }
 }
 
+/* A step from close to one extremum may pass two. */
+static void the_next_of_three_extrema_is_found(void **unused)
+{
+    (void)unused;
+    const struct {
+        double b, theta, wY, wZ;
+    } cases[] = {
+        {0, -0.012539460452361801, -0.014471299338812846, 0.57704046309157353},
+        {1, -0.012274415401913754, -0.012268024117461824, 0.499739649392346},
+    };
+    for (int i = 0; i < 2; ++i) {
+        coin_params p;
+        coin_state near;
+        const coin_state s = {
+            .theta = cases[i].theta, .wY = cases[i].wY, .wZ = cases[i].wZ};
+        check_status(cases[i].b > 0 ? coin_params_ring(&p, 1, 1, 1, 1)
+                                    : coin_params_disc(&p, 1, 1, 1),
+                     COIN_OK);
+        check_status(coin_steady_near(&s, &p, &near), COIN_OK);
+        check_near(near.theta, 0, 1e-12);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -345,6 +368,7 @@ int main(void)
         TEST(too_near_the_table_there_is_none),
         TEST(fast_coins_and_weak_gravity_are_answered_right),
         TEST(two_extrema_close_to_each_other_are_seen),
+        TEST(the_next_of_three_extrema_is_found),
     };
     return RUN_TESTS(tests);
 }

@@ -142,9 +142,25 @@ static int fits(const struct scene *scene, int32_t model, const coin_orbit *o)
     return 1;
 }
 
+/* At least the fastest rate W of an orbit: its energy bounds the rates, and its
+ * largest lean cos theta. */
+static double fastest_of(const struct scene *scene, const coin_orbit *o)
+{
+    const coin_priv_body *b = &scene->b;
+    const coin_priv_variables y = coin_priv_variables_of(scene->start);
+    const double lean =
+        coin_priv_larger(fabs(o->theta_min), fabs(o->theta_max));
+    const double q = 1 / coin_priv_sincos(lean).c;
+    const double T2 =
+        b->J * y.wX * y.wX + b->IX * y.wY * y.wY + b->K * y.wZ * y.wZ;
+    const double E2 = T2 + 2 * b->Mga * y.cth;              /* (23) */
+    return sqrt((E2 / b->IX * q + b->g_a) * q + E2 / b->K); /* (47) */
+}
+
 /* The error of the orbit over the horizon, in radians and radii: ten times what
  * coin_orbit_at() states, for the heading and what it leads round the path, and
- * the rounding of angles of many turns. */
+ * the rounding of angles of many turns; and what it states for the rounding of
+ * the time. */
 static double own_error(const struct scene *scene, const coin_orbit *o,
                         const coin_state *end)
 {
@@ -156,8 +172,11 @@ static double own_error(const struct scene *scene, const coin_orbit *o,
     const int circles = o->radius_max == o->radius_max;
     const double reach =
         circles && o->radius_max > 0 ? o->radius_max / scene->b.a : rolled;
-    const double heading =
-        1e-13 + 1e-15 * turned + 1e-14 * o->conditioning * periods;
+    const double late =
+        2 * DBL_EPSILON * (periods > 0 ? fabs(scene->horizon) + o->period : 0);
+    const double heading = 1e-13 + 1e-15 * turned +
+                           1e-14 * o->conditioning * periods +
+                           fastest_of(scene, o) * late;
     return heading * (1 + reach) + 1e-15 * rolled;
 }
 

@@ -309,9 +309,24 @@ static double conditioning_of(const coin_priv_half_period *h, double half)
     return 1 + fabs(sum) * (s * s / sqrt(w2));
 }
 
-/* Whether the lean is constant to rounding: its swing is below the rounding of
- * the lean, or its acceleration is below the rounding of the terms of (14). */
-static int is_steady(const coin_priv_half_period *h, double L)
+/* A wX is as small as rounding if it is below 4 u times the acceleration of the
+ * terms of (14), over this part of their rate at least.  BEND is 8 times a
+ * bound of the second derivative of (14) by the lean, in parts of its terms
+ * over cos theta. */
+#define LEAST_RATE 1e-5
+#define BEND 80
+
+/* How steady a motion is. */
+enum steadiness {
+    SWINGS,
+    STEADY,    /* its lean is constant, to rounding, and it is stable */
+    UNDECIDED, /* it is stable or not, or leaves its well or not, by rounding */
+};
+
+/* The lean counts as constant if its swing is below the rounding of the lean,
+ * or its acceleration below the rounding of the terms of (14), where the swing
+ * stays inside the well: an eighth of the distance to its barrier. */
+static enum steadiness steadiness_of(const coin_priv_half_period *h, double L)
 {
     const coin_priv_point *p = h->now.at;
     const double dwX = coin_priv_point_fall(&h->field, p);
@@ -321,7 +336,15 @@ static int is_steady(const coin_priv_half_period *h, double L)
     const double terms = h->field.GJ * fabs(s) + h->field.KJ * fabs(wY * wZ) +
                          h->field.XJ * wY * wY * fabs(s) / c; /* (14) */
     const double least = L < 0 && -L > terms ? -L : terms;
-    return fabs(wX) * sqrt(fabs(L)) + fabs(dwX) <= 4 * DBL_EPSILON * least;
+    const double rate =
+        coin_priv_larger(sqrt(fabs(L)), LEAST_RATE * sqrt(least));
+    const double swing = fabs(wX) * rate + fabs(dwX);
+    const int stays = L < 0 && swing * (BEND * terms) <= L * L * c;
+    if (!(swing <= 4 * DBL_EPSILON * least))
+        return SWINGS;
+    if (s == 0) /* exactly upright: it stays, stable or not, if wX is 0 */
+        return stays || wX == 0 ? STEADY : SWINGS;
+    return stays ? STEADY : UNDECIDED;
 }
 
 static void set_steady(const coin_priv_half_period *h, const coin_state *s,
@@ -353,11 +376,10 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
     o->private_frame[0] = COIN_PRIV_FORMAT;
     coin_priv_half_period_begin(&h, o, s, b);
     const double L = coin_priv_point_fall_slope(&h.field, h.now.at);
-    if (is_steady(&h, L)) {
-        /* Rounding makes an unstable motion look steady, unless it is upright:
-         * the coin itself would leave it. */
-        if (!(L < 0) && s->theta != 0)
-            return 0;
+    const enum steadiness is = steadiness_of(&h, L);
+    if (is == UNDECIDED)
+        return 0;
+    if (is == STEADY) {
         set_steady(&h, s, b->a);
         return 1;
     }

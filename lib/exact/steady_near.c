@@ -92,12 +92,23 @@ static void to_extremum(struct place *o, const coin_priv_body *b, double end)
 }
 
 /* A step of the search: 1.5 times that of Newton's method, which is enough to
- * pass an extremum near by, and too short to pass a second one behind it. */
+ * pass an extremum near by. */
 static double step_of(const struct place *o)
 {
     const double guess = 1.5 * fabs(newton(o));
     const double most = LONG_STEP * o->at.c, least = SHORT_STEP * o->at.c;
     return guess > most ? most : guess < least ? least : guess;
+}
+
+/* Whether two extrema may lie between two places: `fall` has the same sign at
+ * both, and grows smaller at the first, larger at the second. */
+static int may_pass_two(const struct place *from, const struct place *to,
+                        double side)
+{
+    const int before = sign_of(from->fall) * sign_of(from->fall_slope);
+    const int after = sign_of(to->fall) * sign_of(to->fall_slope);
+    return sign_of(from->fall) * sign_of(to->fall) > 0 && before * side < 0 &&
+           after * side > 0;
 }
 
 /* Goes to the first extremum on one side of *o, but no farther than most; 0 if
@@ -108,7 +119,14 @@ static int find(struct place *o, const coin_priv_body *b, double side,
     const double start = o->theta;
     while (o->at.c > FLAT && fabs(o->theta - start) <= most) {
         const struct place last = *o;
-        move(o, b, o->theta + side * step_of(o));
+        double step = side * step_of(o);
+        move(o, b, o->theta + step);
+        while (may_pass_two(&last, o, side) &&
+               fabs(step) > SHORT_STEP * o->at.c) {
+            step /= 2;
+            *o = last;
+            move(o, b, o->theta + step);
+        }
         if (sign_of(o->fall) * sign_of(last.fall) <= 0) {
             const double end = o->theta;
             *o = last;

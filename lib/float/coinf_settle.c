@@ -205,8 +205,8 @@ COIN_PRIV_NOINLINE int end(struct settling *g, const coinf_priv_variables *y)
         (g->l.J * y->wX * y->wX + g->l.IX * y->wY * y->wY) / 2 + Mgac;
     if (!(y->cth < END && E < TOO_SLOW * Mgac))
         return 0;
-    const float power = coinf_priv_slowing_of(&g->l, y).power;
-    if (!(2 * E * y->cth <= power * g->rem))
+    const float power = coinf_priv_endless_power(&g->l, y);
+    if (!(power > 0 && 2 * E * y->cth <= power * g->rem))
         return 0;
     pass(g, 2 * E * y->cth / power);
     return 1;

@@ -119,17 +119,18 @@ int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
     /* The torque along e_Z that it takes to hold the contact, at its largest,
      * must not exceed the torque that the losses give as long as u is small. */
     const PRIV(held_fall) f = PRIV(fall_of)(l, y);
-    const real D = inertia(l, cth), turn = f.L / D;
-    const real A = slope(&f, l, b).v;
-    if (!(A > 0)) /* it does not fall: I_Z < I_X, and it turns fast */
+    const real D = PRIV(lesser)(inertia(l, cth), l->K), turn = f.L / D;
+    const real lift = (l->K - l->IX) * cth * (turn * turn);
+    if (!(b->Mga + 2 * lift > 0)) /* it might not fall: K < I_X */
         return 0;
+    const real A = (b->Mga + PRIV(larger)(lift, 0)) / l->J;
     const real fastest = SQRT(wX * wX + 2 * A * f.x);
     const real lever = l->K / D * (2 * l->IX - b->IZ) +
                        cth * cth * (b->IZ / D) * (l->K - l->IX);
     const real pivot = l->spin / D * (l->K - l->IX) * (cth * cth);
-    const real growth =
-        (l->K * l->IX + cth * cth * b->IZ * (l->K - l->IX)) / D;
+    const real growth = (l->K * l->IX + cth * cth * b->IZ * (l->K - l->IX)) / D;
+    const real grows = u == 0 ? 0 : DECAY * growth * fastest * SQRT(small2);
     const real need = FABS(turn * lever) * cth * fastest + FABS(turn * pivot) +
-                      DECAY * growth * fastest * SQRT(small2); /* (73) */
+                      grows; /* (73) */
     return need <= PRIV(holding_torque)(l, small2, cth);
 }

@@ -14,6 +14,9 @@ typedef struct PRIV(held_fall) {
     real phi; /* the heading gained */
 } PRIV(held_fall);
 
+/* What other losses take counts as nothing below this part. */
+#define COIN_PRIV_NO_PART K(1e-6)
+
 /* A contact counts as stopped where u^2, with u = cos(theta) d(psi)/dt, is at
  * most this: the square of a part eps of the rates of a fall. */
 COIN_PRIV_INLINE real PRIV(stopped_speed2)(const PRIV(body) * b,
@@ -28,6 +31,22 @@ COIN_PRIV_INLINE real PRIV(holding_torque)(const PRIV(losses) * l, real u2,
 {
     const real u = SQRT(u2);
     return u * PRIV(grip)(l, u, cth);
+}
+
+/* The power, by tau, by which rolling and damping, which never stop a contact,
+ * take energy from the lean of a coin near flat; 0 where other losses take a
+ * part as well. */
+COIN_PRIV_INLINE real PRIV(endless_power)(const PRIV(losses) * l,
+                                          const PRIV(variables) * y)
+{
+    const real u = PRIV(roll_speed)(y->wY, y->wZ, y->sth, y->cth);
+    const real T2 = l->J * y->wX * y->wX + l->IX * y->wY * y->wY;
+    PRIV(losses) rolling = *l;
+    rolling.dry = rolling.fluid = 0;
+    const real faded = l->damping * FABS(u) * T2;
+    const real own = u * u * PRIV(grip)(&rolling, u, y->cth) + faded;
+    const real all = u * u * PRIV(grip)(l, u, y->cth) + faded;
+    return all - own <= COIN_PRIV_NO_PART * own ? own : 0;
 }
 
 /* Whether the contact of a coin near flat has stopped, to within a part eps of

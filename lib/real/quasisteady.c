@@ -28,10 +28,14 @@
 /* The most tries to shorten_to_time at a time. */
 #define NEWTONS_MAX 40
 
-/* A step may lessen ROOT, sqrt(cos theta), by this part of it.  Where ROOT is
- * less than END, the time left is taken as ROOT over its rate. */
+/* A step may lessen ROOT, sqrt(cos theta), by this part of it.  Where ROOT has
+ * become END times what it was, the time left is taken as ROOT over its rate.
+ */
 #define PART 0.7
 #define END 1e-5
+
+/* A roll counts as none below this part of its terms. */
+#define NO_ROLL 1e-14
 
 /* If ROOT falls more slowly than this, per length of arc, it does not limit a
  * step. */
@@ -230,8 +234,9 @@ static void shorten_to_time(double *y, const double *before,
 static int32_t pass(struct passing *g, double t)
 {
     double h = FIRST;
+    const double end = END * g->y[ROOT];
     g->q.least = 1 / (t + DBL_MIN); /* t may be 0 */
-    for (int tries = 0; g->y[ROOT] > END && g->y[TIME] < t; ++tries) {
+    for (int tries = 0; g->y[ROOT] > end && g->y[TIME] < t; ++tries) {
         double next[VARIABLES], before[VARIABLES];
         const double most = longest(g);
         if (tries == TRIES_MAX)
@@ -301,14 +306,21 @@ static int32_t check(struct quasisteady *q, const coin_state *s,
     return status;
 }
 
+/* Whether the contact of a steady motion moves along the rim. */
+static int rolls(const double *y)
+{
+    const double c = y[ROOT] * y[ROOT];
+    const double terms = fabs(c * y[WZ]) + fabs(y[STH] * y[WY]);
+    const double u = coin_priv_roll_speed(y[WY], y[WZ], y[STH], c);
+    return fabs(u) > NO_ROLL * terms;
+}
+
 /* Whether the losses stop the coin: one acts that is no pivoting friction, and
  * the contact moves, or pivoting friction will make it move. */
-static int stops(const struct quasisteady *q, const coin_state *s)
+static int stops(const struct passing *g)
 {
-    const coin_priv_variables y = coin_priv_variables_of(s);
-    const double u = coin_priv_roll_speed(y.wY, y.wZ, y.sth, y.cth);
-    return q->l.solid + q->l.fluid + q->l.damping > 0 &&
-           (u != 0 || q->l.spin > 0);
+    const coin_priv_losses *l = &g->q.l;
+    return l->solid + l->fluid + l->damping > 0 && (rolls(g->y) || l->spin > 0);
 }
 
 static int32_t time_to_rest(double *time, const coin_state *s,
@@ -325,7 +337,7 @@ static int32_t time_to_rest(double *time, const coin_state *s,
     if (status != COIN_OK)
         return status;
     *time = (double)INFINITY;
-    if (!stops(&g.q, s))
+    if (!stops(&g))
         return COIN_RESTS;
     status = pass(&g, LONGEST);
     *time = g.y[TIME] / g.q.w0;
@@ -337,6 +349,15 @@ double coin_time_to_rest(const coin_state *s, const coin_params *p,
 {
     double time;
     return time_to_rest(&time, s, p, l) == COIN_RESTS ? time : (double)NAN;
+}
+
+/* Whether one of the losses has become too small for a normal number. */
+static int is_lost(const coin_losses *scaled, const coin_losses *l)
+{
+    int lost = 0;
+    for (int i = 0; i < 7; ++i)
+        lost |= (&scaled->damping)[i] < DBL_MIN && (&l->damping)[i] > 0;
+    return lost;
 }
 
 int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
@@ -357,7 +378,7 @@ int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
         l->layer * factor,   l->gap * factor, l->rolling * factor,
         l->spin * factor,    l->soft,
     };
-    if (coin_losses_check(&scaled, p) != COIN_OK)
+    if (coin_losses_check(&scaled, p) != COIN_OK || is_lost(&scaled, l))
         return COIN_EDOMAIN;
     *l = scaled;
     return COIN_OK;
@@ -381,7 +402,7 @@ int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
     status = begin(&g, s, p);
     if (status != COIN_OK)
         return status;
-    if (!(coin_losses_power(s, p, l) > 0)) {
+    if (!(stops(&g) || g.q.l.spin > 0)) {
         (void)coin_steady_near(s, p, &at);
         return coin_steady_at(&at, p, t, out);
     }

@@ -136,6 +136,17 @@ static double settle_to_clearance(coin_priv_sliding *g, double time)
     return coin_priv_held_clearance(g);
 }
 
+/* No status: a held coin that begins no slip. */
+#define STAYS 1
+
+/* What a held coin does where its force leaves the cone. */
+static int32_t leave(coin_priv_sliding *g)
+{
+    if (g->contact.mu_static > DBL_MAX)
+        return COIN_ELIFT;
+    return coin_priv_begin_held_slip(g) ? COIN_OK : STAYS;
+}
+
 /* A coin near flat whose contact is held by the losses: coin_settle() takes it
  * to the table, or as far as it rises; or to where it slips. */
 static int32_t go_held(coin_priv_sliding *g)
@@ -144,8 +155,11 @@ static int32_t go_held(coin_priv_sliding *g)
     double moved = time_held(g);
     const int whole = moved == g->rem.sum;
     g->surely_rolls = 0;
-    if (before < 0 && coin_priv_begin_held_slip(g))
-        return COIN_OK;
+    if (before < 0) {
+        const int32_t leaves = leave(g);
+        if (leaves != STAYS)
+            return leaves;
+    }
     coin_priv_read_lean(&g->w.run.g);
     g->stopped = coin_priv_run_state(&g->w.run);
     int32_t status = settle(g, &moved);
@@ -156,8 +170,9 @@ static int32_t go_held(coin_priv_sliding *g)
             coin_priv_locate(g, settle_to_clearance, before, moved, end);
         (void)settle(g, &part);
         coin_priv_add(&g->rem, -part);
-        if (coin_priv_begin_held_slip(g))
-            return COIN_OK;
+        const int32_t leaves = leave(g);
+        if (leaves != STAYS)
+            return leaves;
         g->rem = rem;
         status = settle(g, &moved);
     }
@@ -251,9 +266,15 @@ static double next_step(coin_priv_sliding *g, double rate, int *last)
 {
     double left = g->rem.sum, tau = 0;
     *last = is_last(g, left, rate);
-    if (g->lossy || !*last) {
+    if (g->lossy) {
+        const double rest = coin_priv_tau_of(&g->w.run.b, &g->w.run.g.y, left);
         tau = coin_priv_roll_step(g, rate, (double)INFINITY);
-        if (g->lossy || tau == 0)
+        *last &= tau == rest;
+        return tau;
+    }
+    if (!*last) {
+        tau = coin_priv_roll_step(g, rate, (double)INFINITY);
+        if (tau == 0)
             return tau;
         left -= g->w.run.g.added.t;
         const int is_short = fabs(tau) * rate < TOGETHER * g->roll_stride;

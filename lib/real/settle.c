@@ -39,33 +39,36 @@ static double quadratic_tau(const coin_priv_variables *y, double rem)
 }
 
 /* The tau of the next step.  It is limited by the stride, by the bound of (71),
- * and by the time left. */
-static double next_tau(const struct settling *g, double rate, double bound)
+ * and by `rest`, the tau of the time left. */
+static double next_tau(const struct settling *g, double rest, double rate,
+                       double bound)
 {
-    const double rem = g->rem.sum;
-    const double side = rem < 0 ? -1 : 1;
+    const double side = g->rem.sum < 0 ? -1 : 1;
     double full = g->stride / rate;
     if (bound < full)
         full = bound;
-    const double tau = quadratic_tau(&g->w.run.g.y, rem);
-    return fabs(tau) < full ? tau : side * full;
+    return fabs(rest) < full ? rest : side * full;
 }
 
-/* One step, as long as its error allows. */
-static int32_t step(struct settling *g, double rate)
+/* One step, as long as its error allows.  *ends: whether it takes the rest of
+ * the time. */
+static int32_t step(struct settling *g, double rate, int *ends)
 {
     coin_priv_trial trial;
+    const double rest = quadratic_tau(&g->w.run.g.y, g->rem.sum);
     const double effect =
         coin_priv_allowed_in(&g->w.run, g->tol, COIN_PRIV_BRIEF);
     const double bound = coin_priv_lossy_bound(&g->w, effect);
     for (int done = 0; !done;) {
-        const double tau = next_tau(g, rate, bound), used = fabs(tau) * rate;
+        const double tau = next_tau(g, rest, rate, bound);
+        const double used = fabs(tau) * rate;
         if (++g->tries > TRIES_MAX)
             return COIN_ESTEP;
         coin_priv_lossy_try(&trial, &g->w, tau, effect);
         const double most = coin_priv_allowed(&g->w.run, g->tol, trial.adds.t);
         g->stride = coin_priv_next_stride(g->stride, used, trial.error, most);
         done = trial.error <= most;
+        *ends = tau == rest;
     }
     if (!coin_priv_sundman_accept(&g->w.run, &trial.next, &trial.adds))
         return COIN_ESTEP;
@@ -150,7 +153,7 @@ static double time_left(const coin_priv_lossy *w)
                      w->run.b.Mga * y->cth;
     if (!(y->cth < END && E < TOO_SLOW * w->run.b.Mga * y->cth))
         return (double)INFINITY;
-    return 2 * E * y->cth / coin_priv_slowing_of(&w->l, y).power;
+    return 2 * E * y->cth / coin_priv_endless_power(&w->l, y);
 }
 
 /* Lays the coin flat, a time later, with the wX that it has. */
@@ -182,11 +185,12 @@ static int32_t approach(struct settling *g)
         if (time_left(&g->w) <= rem)
             return lay_flat(g, time_left(&g->w));
         const double rate = coin_priv_lossy_rate(&g->w);
-        const int last = fabs(rem) * rate <= COIN_PRIV_LAST_LOSSY * y->cth;
-        const int32_t status = step(g, rate);
+        const int is_short = fabs(rem) * rate <= COIN_PRIV_LAST_LOSSY * y->cth;
+        int ends;
+        const int32_t status = step(g, rate, &ends);
         if (status != COIN_OK)
             return status;
-        if (last)
+        if (ends & is_short)
             g->rem.sum = 0;
         else if ((g->rem.sum < 0) != (rem < 0))
             g->stride /= 2;
