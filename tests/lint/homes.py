@@ -34,7 +34,7 @@ OTHER_FORMS = {
     "half_period.c coin_priv_half_period_begin": "test_orbit",
     "loop.h coin_priv_safe_cosine": "test_limits",
     "orbit.c conditioning_of": "test_orbit",
-    "orbit.c is_steady": "test_orbit",
+    "orbit.c steadiness_of": "test_orbit",
     "orbit.c lean_at": "test_orbit",
     "orbit.c set_steady": "test_orbit",
     "orbit_at.c set_place": "test_orbit_at",
