@@ -19,13 +19,11 @@
 #define HIGHEST (COIN_PRIV_HALF_PI - 1e-9)
 
 /* If half of the heading gained in a period differs from a multiple of pi by
- * less than this, the difference is rounding, and the path drifts.  Half of it
- * is as good; with twice it or a hundredth test_orbit fails. */
+ * less than this, it is rounding, and the path drifts (held by test_orbit). */
 #define STRAIGHT 1e-15
 
 /* Least acceleration of the lean, in the orbit's unit of time, for which
- * conditioning_of() does not underflow.  A stable swing as small as this is
- * steady to rounding. */
+ * conditioning_of() does not underflow: steady to rounding if it is stable. */
 #define LEAST_SWING 1e-70
 
 /* The number of parts of a piece, in each of which an extreme of the distance
@@ -309,24 +307,17 @@ static double conditioning_of(const coin_priv_half_period *h, double half)
     return 1 + fabs(sum) * (s * s / sqrt(w2));
 }
 
-/* A wX is as small as rounding if it is below 4 u times the acceleration of the
- * terms of (14), over this part of their rate at least.  BEND is 8 times a
- * bound of the second derivative of (14) by the lean, in parts of its terms
- * over cos theta. */
-#define LEAST_RATE 1e-5
+/* The least rate of a swing in parts of that of the terms of (14); 8 times
+ * their second derivative by the lean, at most, in parts of them over cos
+ * theta. */
+#define SLOW 1e-5
 #define BEND 80
 
-/* How steady a motion is. */
-enum steadiness {
-    SWINGS,
-    STEADY,    /* its lean is constant, to rounding, and it is stable */
-    UNDECIDED, /* it is stable or not, or leaves its well or not, by rounding */
-};
-
-/* The lean counts as constant if its swing is below the rounding of the lean,
- * or its acceleration below the rounding of the terms of (14), where the swing
- * stays inside the well: an eighth of the distance to its barrier. */
-static enum steadiness steadiness_of(const coin_priv_half_period *h, double L)
+/* Whether the lean is constant to rounding: its swing is below the rounding of
+ * the lean, or its acceleration below that of the terms of (14).  -1 if
+ * rounding decides whether it is stable and an eighth of its well holds the
+ * swing. */
+static int is_steady(const coin_priv_half_period *h, double L)
 {
     const coin_priv_point *p = h->now.at;
     const double dwX = coin_priv_point_fall(&h->field, p);
@@ -336,15 +327,14 @@ static enum steadiness steadiness_of(const coin_priv_half_period *h, double L)
     const double terms = h->field.GJ * fabs(s) + h->field.KJ * fabs(wY * wZ) +
                          h->field.XJ * wY * wY * fabs(s) / c; /* (14) */
     const double least = L < 0 && -L > terms ? -L : terms;
-    const double rate =
-        coin_priv_larger(sqrt(fabs(L)), LEAST_RATE * sqrt(least));
+    const double rate = coin_priv_larger(sqrt(fabs(L)), SLOW * sqrt(least));
     const double swing = fabs(wX) * rate + fabs(dwX);
     const int stays = L < 0 && swing * (BEND * terms) <= L * L * c;
     if (!(swing <= 4 * DBL_EPSILON * least))
-        return SWINGS;
-    if (s == 0) /* exactly upright: it stays, stable or not, if wX is 0 */
-        return stays || wX == 0 ? STEADY : SWINGS;
-    return stays ? STEADY : UNDECIDED;
+        return 0;
+    if (s == 0) /* it stays upright, stable or not, if wX is 0 */
+        return stays || wX == 0;
+    return stays ? 1 : -1;
 }
 
 static void set_steady(const coin_priv_half_period *h, const coin_state *s,
@@ -376,12 +366,10 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
     o->private_frame[0] = COIN_PRIV_FORMAT;
     coin_priv_half_period_begin(&h, o, s, b);
     const double L = coin_priv_point_fall_slope(&h.field, h.now.at);
-    const enum steadiness is = steadiness_of(&h, L);
-    if (is == UNDECIDED)
-        return 0;
-    if (is == STEADY) {
+    const int steady = is_steady(&h, L);
+    if (steady) {
         set_steady(&h, s, b->a);
-        return 1;
+        return steady > 0;
     }
     if (!coin_priv_half_period_solve(&h))
         return 0;

@@ -21,21 +21,17 @@
 #define FIRST 0.05
 #define SHORTEST 1e-6
 
-/* The most steps, those refused included: 0.2 s.  To come to rest takes some
- * 30. */
+/* The most steps, those refused included: 0.2 s.  Some 30 lead to rest. */
 #define TRIES_MAX 32768
 
-/* The most tries to shorten_to_time at a time. */
-#define NEWTONS_MAX 40
+#define NEWTONS_MAX 40 /* of shorten_to_time() */
 
-/* A step may lessen ROOT, sqrt(cos theta), by this part of it.  Where ROOT has
- * become END times what it was, the time left is taken as ROOT over its rate.
- */
+/* A step may lessen ROOT, sqrt(cos theta), by this part of it.  Where it is END
+ * times what it was, the time left is taken as ROOT over its rate. */
 #define PART 0.7
 #define END 1e-5
 
-/* A roll counts as none below this part of its terms. */
-#define NO_ROLL 1e-14
+#define NO_ROLL 1e-14 /* in parts of its terms */
 
 /* If ROOT falls more slowly than this, per length of arc, it does not limit a
  * step. */
@@ -46,8 +42,7 @@
 #define LONGEST 1e150
 #define FASTEST 1e40
 
-/* Sine and root are at most 1.  Where their sum exceeds this, a trial has
- * failed. */
+/* A trial has failed where sine and root, each at most 1, add to more. */
 #define RUNAWAY 4.0
 
 /* If the heading changes by more than this from one point of the path to the
@@ -306,21 +301,16 @@ static int32_t check(struct quasisteady *q, const coin_state *s,
     return status;
 }
 
-/* Whether the contact of a steady motion moves along the rim. */
-static int rolls(const double *y)
-{
-    const double c = y[ROOT] * y[ROOT];
-    const double terms = fabs(c * y[WZ]) + fabs(y[STH] * y[WY]);
-    const double u = coin_priv_roll_speed(y[WY], y[WZ], y[STH], c);
-    return fabs(u) > NO_ROLL * terms;
-}
-
-/* Whether the losses stop the coin: one acts that is no pivoting friction, and
- * the contact moves, or pivoting friction will make it move. */
+/* Whether the losses stop a coin in steady motion: one acts that is no pivoting
+ * friction, and the contact moves, or pivoting friction will make it move. */
 static int stops(const struct passing *g)
 {
     const coin_priv_losses *l = &g->q.l;
-    return l->solid + l->fluid + l->damping > 0 && (rolls(g->y) || l->spin > 0);
+    const double *y = g->y, c = y[ROOT] * y[ROOT];
+    const double terms = fabs(c * y[WZ]) + fabs(y[STH] * y[WY]);
+    const double u = coin_priv_roll_speed(y[WY], y[WZ], y[STH], c);
+    return l->solid + l->fluid + l->damping > 0 &&
+           (fabs(u) > NO_ROLL * terms || l->spin > 0);
 }
 
 static int32_t time_to_rest(double *time, const coin_state *s,
@@ -351,15 +341,6 @@ double coin_time_to_rest(const coin_state *s, const coin_params *p,
     return time_to_rest(&time, s, p, l) == COIN_RESTS ? time : (double)NAN;
 }
 
-/* Whether one of the losses has become too small for a normal number. */
-static int is_lost(const coin_losses *scaled, const coin_losses *l)
-{
-    int lost = 0;
-    for (int i = 0; i < 7; ++i)
-        lost |= (&scaled->damping)[i] < DBL_MIN && (&l->damping)[i] > 0;
-    return lost;
-}
-
 int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
                         const coin_params *p, double time)
 {
@@ -373,12 +354,13 @@ int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
         return COIN_EDOMAIN;
     /* All slopes of the slow motion are proportional to the losses. */
     const double factor = now / time;
-    const coin_losses scaled = {
-        l->damping * factor, l->dry * factor, l->viscous * factor,
-        l->layer * factor,   l->gap * factor, l->rolling * factor,
-        l->spin * factor,    l->soft,
-    };
-    if (coin_losses_check(&scaled, p) != COIN_OK || is_lost(&scaled, l))
+    coin_losses scaled = *l;
+    int lost = 0;                 /* whether one becomes subnormal */
+    for (int i = 0; i < 7; ++i) { /* all but soft */
+        (&scaled.damping)[i] *= factor;
+        lost |= (&scaled.damping)[i] < DBL_MIN && (&l->damping)[i] > 0;
+    }
+    if (lost || coin_losses_check(&scaled, p) != COIN_OK)
         return COIN_EDOMAIN;
     *l = scaled;
     return COIN_OK;

@@ -3,9 +3,9 @@
 
 /* gcc would move the arithmetic of the step's end behind the branches that use
  * it, which costs 10 % of a step; in vectors of four it saves 2 %.  Scheduling
- * before allocation saves 7 % of a step of a run (make bench).  A spill slot for
- * each value saves 7 % of a run of one step, in the mean over eleven addresses
- * of the code. */
+ * before allocation saves 7 % of a step of a run (make bench).  A spill slot
+ * for each value saves 7 % of a run of one step, in the mean over eleven
+ * addresses of the code. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__) &&         \
     defined(__x86_64__) && !defined(__AVX__)
 #pragma GCC optimize("no-tree-sink", "no-tree-pre", "rename-registers",        \

@@ -4,7 +4,7 @@
 #     gnuplot -e "from='...'" -e "to='...'" sweep.gp
 # The lower half of the directions; at the others, -wY and -wZ, the motion is
 # the same.
-set terminal png notruecolor nocrop size 760,560 font "DejaVuSans,10" \
+set terminal png notruecolor nocrop size 640,480 font "DejaVuSans,9" \
     background rgb "white"
 set output to."/sweep.png"
 
