@@ -10,8 +10,7 @@
 #include "gbs.h"
 #include "losses.h"
 
-/* A swing about the steady motion is small up to this part of the angle from
- * flat. */
+/* The part of the angle from flat up to which a swing is small. */
 #define SWING 0.1
 
 /* The error that a step may have, relative or absolute; and the lengths of the
@@ -20,7 +19,6 @@
 #define ERROR 1e-12
 #define FIRST 0.05
 #define SHORTEST 1e-6
-
 /* The most steps, those refused included: 0.2 s.  Some 30 lead to rest. */
 #define TRIES_MAX 32768
 
@@ -33,8 +31,7 @@
 
 #define NO_ROLL 1e-14 /* in parts of its terms */
 
-/* If ROOT falls more slowly than this, per length of arc, it does not limit a
- * step. */
+/* A fall of ROOT per length of arc that limits no step. */
 #define NEVER 1e-30
 
 /* The longest time that is followed and the fastest rate, in natural units.  No
@@ -354,12 +351,15 @@ int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
         return COIN_EDOMAIN;
     /* All slopes of the slow motion are proportional to the losses. */
     const double factor = now / time;
-    coin_losses scaled = *l;
-    int lost = 0;                 /* whether one becomes subnormal */
-    for (int i = 0; i < 7; ++i) { /* all but soft */
-        (&scaled.damping)[i] *= factor;
-        lost |= (&scaled.damping)[i] < DBL_MIN && (&l->damping)[i] > 0;
+    double all[] = {l->damping, l->dry,     l->viscous, l->layer,
+                    l->gap,     l->rolling, l->spin};
+    int lost = 0; /* whether one becomes subnormal */
+    for (int i = 0; i < 7; ++i) {
+        lost |= all[i] > 0 && all[i] * factor < DBL_MIN;
+        all[i] *= factor;
     }
+    const coin_losses scaled = {all[0], all[1], all[2], all[3],
+                                all[4], all[5], all[6], l->soft};
     if (lost || coin_losses_check(&scaled, p) != COIN_OK)
         return COIN_EDOMAIN;
     *l = scaled;
