@@ -146,6 +146,16 @@ static void a_contact_is_held_in_a_fall_only(void **unused)
     QUIET(coin_settle(&s, &p, &dry, 1e-17, 1e-12, NULL), COIN_OK);
 }
 
+/* No loss acts there that would end the fall. */
+static void next_to_flat_pivoting_alone_is_quiet(void **unused)
+{
+    const coin_params p = disc();
+    const coin_losses spin = {.spin = 1e-3};
+    coin_state s = turning(1.5707963267851195, 0, 1.34375, 2.3e-5);
+    (void)unused;
+    QUIET(coin_settle(&s, &p, &spin, 1.75e-11, 0.0078125, NULL), COIN_OK);
+}
+
 static void a_slow_path_through_steady_motions_is_quiet(void **unused)
 {
     const coin_params p = disc();
@@ -276,6 +286,7 @@ int main(void)
         TEST(trials_of_slips_do_not_run_away),
         TEST(a_slow_fall_on_ice_is_quiet),
         TEST(a_contact_is_held_in_a_fall_only),
+        TEST(next_to_flat_pivoting_alone_is_quiet),
         TEST(a_slow_path_through_steady_motions_is_quiet),
         TEST(a_time_of_no_length_is_looked_at),
         TEST(what_nearly_overflows_is_compared_without_overflow),

@@ -153,7 +153,9 @@ static double time_left(const coin_priv_lossy *w)
                      w->run.b.Mga * y->cth;
     if (!(y->cth < END && E < TOO_SLOW * w->run.b.Mga * y->cth))
         return (double)INFINITY;
-    return 2 * E * y->cth / coin_priv_endless_power(&w->l, y);
+    const double power = coin_priv_endless_power(&w->l, y);
+    const double twice = 2 * E * y->cth;
+    return twice / DBL_MAX < power ? twice / power : (double)INFINITY;
 }
 
 /* Lays the coin flat, a time later, with the wX that it has. */
