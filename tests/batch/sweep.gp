@@ -4,7 +4,7 @@
 #     gnuplot -e "from='...'" -e "to='...'" sweep.gp
 # The lower half of the directions; at the others, -wY and -wZ, the motion is
 # the same.
-set terminal png notruecolor nocrop size 640,480 font "DejaVuSans,9" \
+set terminal png notruecolor nocrop size 600,450 font "DejaVuSans,9" \
     background rgb "white"
 set output to."/sweep.png"
 
@@ -41,7 +41,7 @@ set yrange [-90:90]
 set xtics 30 out nomirror
 set ytics 30 out nomirror
 set xlabel "lean at the start [degrees]"
-set ylabel "direction of the spin, atan2(wY, wZ) [degrees]"
+set ylabel "spin, atan2(wY, wZ) [degrees]"
 unset key
 set label "falls" at 62,-42 center front tc rgb "white"
 set label "rolls on" at 0,0 center front tc rgb "white"
