@@ -41,7 +41,7 @@ set yrange [-90:90]
 set xtics 30 out nomirror
 set ytics 30 out nomirror
 set xlabel "lean at the start [degrees]"
-set ylabel "spin, atan2(wY, wZ) [degrees]"
+set ylabel "spin, atan2(wY, wZ) [degrees]" offset 1,0
 unset key
 set label "falls" at 62,-42 center front tc rgb "white"
 set label "rolls on" at 0,0 center front tc rgb "white"
