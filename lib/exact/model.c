@@ -142,8 +142,8 @@ static int fits(const struct scene *scene, int32_t model, const coin_orbit *o)
     return 1;
 }
 
-/* At least the fastest rate W of an orbit: its energy bounds the rates, and its
- * largest lean cos theta. */
+/* An upper bound of W, Eq. (47), over an orbit, from its energy and its largest
+ * lean. */
 static double fastest_of(const struct scene *scene, const coin_orbit *o)
 {
     const coin_priv_body *b = &scene->b;
@@ -159,8 +159,8 @@ static double fastest_of(const struct scene *scene, const coin_orbit *o)
 
 /* The error of the orbit over the horizon, in radians and radii: ten times what
  * coin_orbit_at() states, for the heading and what it leads round the path, and
- * the rounding of angles of many turns; and what it states for the rounding of
- * the time. */
+ * the rounding of angles of many turns.  The error by the rounding of the time
+ * is added as coin_orbit_at() states it. */
 static double own_error(const struct scene *scene, const coin_orbit *o,
                         const coin_state *end)
 {

@@ -307,9 +307,9 @@ static double conditioning_of(const coin_priv_half_period *h, double half)
     return 1 + fabs(sum) * (s * s / sqrt(w2));
 }
 
-/* The least rate of a swing in parts of that of the terms of (14); 8 times
- * their second derivative by the lean, at most, in parts of them over cos
- * theta. */
+/* SLOW: the least rate of a swing, in parts of the root of the terms of (14).
+ * BEND: 8 times a bound of the second derivative of these terms by the lean, in
+ * parts of their sum over cos theta. */
 #define SLOW 1e-5
 #define BEND 80
 

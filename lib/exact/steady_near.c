@@ -100,8 +100,9 @@ static double step_of(const struct place *o)
     return guess > most ? most : guess < least ? least : guess;
 }
 
-/* Whether two extrema may lie between two places: `fall` has the same sign at
- * both, and grows smaller at the first, larger at the second. */
+/* Whether two extrema may lie between two places.  `fall` then has the same
+ * sign at both.  On the way its size decreases at the first place and increases
+ * at the second. */
 static int may_pass_two(const struct place *from, const struct place *to,
                         double side)
 {

@@ -10,8 +10,8 @@
  * can do the whole fall. */
 #define NEAR_FLAT K(0.05)
 
-/* A fall makes u grow as 1/cos theta.  Losses of DECAY times the torque against
- * that make what is left of u decay as fast at least. */
+/* In a fall u would grow as 1/cos theta.  DECAY times the torque that keeps u
+ * constant makes it decay at least as fast. */
 #define DECAY 2
 
 /* The inertia D of (72) about the vertical through the contact. */

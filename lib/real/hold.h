@@ -14,7 +14,7 @@ typedef struct PRIV(held_fall) {
     real phi; /* the heading gained */
 } PRIV(held_fall);
 
-/* What other losses take counts as nothing below this part. */
+/* The power of other losses counts as 0 below this part of endless_power(). */
 #define COIN_PRIV_NO_PART K(1e-6)
 
 /* A contact counts as stopped where u^2, with u = cos(theta) d(psi)/dt, is at

@@ -22,16 +22,16 @@
 /* The most steps, those refused included: 0.2 s.  Some 30 lead to rest. */
 #define TRIES_MAX 32768
 
-#define NEWTONS_MAX 40 /* of shorten_to_time() */
+#define NEWTONS_MAX 40 /* the most iterations of shorten_to_time() */
 
-/* A step may lessen ROOT, sqrt(cos theta), by this part of it.  Where it is END
- * times what it was, the time left is taken as ROOT over its rate. */
+/* A step may lessen ROOT, sqrt(cos theta), by the part PART.  Below END times
+ * the ROOT of the start the time left is taken as ROOT over its rate. */
 #define PART 0.7
 #define END 1e-5
 
-#define NO_ROLL 1e-14 /* in parts of its terms */
+#define NO_ROLL 1e-14 /* a roll below this part of its terms is rounding */
 
-/* A fall of ROOT per length of arc that limits no step. */
+/* Where ROOT decreases by less than this per length of arc, PART is unused. */
 #define NEVER 1e-30
 
 /* The longest time that is followed and the fastest rate, in natural units.  No

@@ -136,10 +136,11 @@ static double settle_to_clearance(coin_priv_sliding *g, double time)
     return coin_priv_held_clearance(g);
 }
 
-/* No status: a held coin that begins no slip. */
+/* What leave() returns, beside a status, for a coin that begins no slip. */
 #define STAYS 1
 
-/* What a held coin does where its force leaves the cone. */
+/* Begins the slip of a coin whose contact was held, where the force leaves the
+ * cone of friction; COIN_ELIFT if no force makes it slip. */
 static int32_t leave(coin_priv_sliding *g)
 {
     if (g->contact.mu_static > DBL_MAX)

@@ -50,8 +50,8 @@ static double next_tau(const struct settling *g, double rest, double rate,
     return fabs(rest) < full ? rest : side * full;
 }
 
-/* One step, as long as its error allows.  *ends: whether it takes the rest of
- * the time. */
+/* One step, as long as its error allows.  *ends becomes 1 if the step was
+ * chosen to take all the time left, else 0. */
 static int32_t step(struct settling *g, double rate, int *ends)
 {
     coin_priv_trial trial;
