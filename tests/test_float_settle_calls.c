@@ -124,7 +124,7 @@ static void the_end_goes_by_the_law_of_the_loss_that_acts(void **unused)
     const coinf_params p = disc_f();
     const coinf_losses l = {.damping = 1e-3f, .spin = 1e-3f};
     const float e = 1e-4f;
-    coinf_state s = {.theta = 1.5706963f, .wY = 2 * sqrtf(e)};
+    coinf_state s = {.theta = 1.5706963f, .wY = 0.01991f, .wZ = 0.3f};
     s.low[0] = (float)(1.5707963267948966 - (double)e - (double)s.theta);
     float T;
     check_status(coinf_settle(&s, &p, &l, 99, 1e-4f, &T), COIN_RESTS);
