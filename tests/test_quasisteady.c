@@ -155,6 +155,24 @@ static void the_time_to_rest_errs_less_than_the_laws_of_the_header(
     }
 }
 
+/* By (76) rolling makes a swing of m of the angle grow to all of it where m^0.4
+ * of the time is left. */
+static void with_rolling_a_start_without_the_slow_wX_errs_as_m_to_0_4(
+    void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    for (double m = 1e-2; m > 1e-5; m /= 10) {
+        const coin_losses l = {.rolling = m};
+        const coin_state start = spin(&p, 0.1);
+        coin_state s = start;
+        double when;
+        check_status(coin_settle(&s, &p, &l, 1e6, 1e-7, &when), COIN_RESTS);
+        const double error = coin_time_to_rest(&start, &p, &l) / when - 1;
+        check_within(error / pow(m, 0.4), 0.8, 1.1);
+    }
+}
+
 /* From small angles it is Eq. (75). */
 static void near_flat_it_is_the_closed_law_of_the_end(void **unused)
 {
@@ -285,6 +303,7 @@ int main(void)
         TEST(a_straight_roll_slows_by_the_closed_laws),
         TEST(an_upright_spin_slows_by_the_closed_law),
         TEST(the_time_to_rest_errs_less_than_the_laws_of_the_header),
+        TEST(with_rolling_a_start_without_the_slow_wX_errs_as_m_to_0_4),
         TEST(near_flat_it_is_the_closed_law_of_the_end),
         TEST(past_the_end_the_coin_lies_flat),
         TEST(the_time_to_rest_falls_by_the_time_that_passes),

@@ -96,9 +96,36 @@ static void nearly_equal_coefficients_agree_with_newton_and_euler(void **unused)
     check(found == count);
 }
 
+/* A steady circle needs 1e-6 more friction than there is.  No call is long
+ * enough for the slip to gain the speed with which slips begin. */
+static void a_slow_slip_is_the_same_in_short_calls(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double t = 0.125, tol = 1e-9;
+    coin_state s;
+    coin_force needed;
+    coin_slide once, often;
+    check_status(coin_steady_circle(&s, &p, 0.3, 1, 1), COIN_OK);
+    check_status(coin_reaction(&s, &p, &needed), COIN_OK);
+    const double mu = needed.ratio / (1 + 1e-6);
+    const coin_friction f = {mu, mu};
+    check_status(coin_slide_of(&once, &s, &p), COIN_OK);
+    often = once;
+    check_status(coin_slide_advance(&once, &p, &f, NULL, t, tol, NULL),
+                 COIN_SLIPS);
+    check(slip_speed(&once, &p) > 1e-7);
+    for (int i = 0; i < 4096; ++i)
+        check_status(
+            coin_slide_advance(&often, &p, &f, NULL, t / 4096, tol, NULL),
+            COIN_SLIPS);
+    check_near(slip_speed(&often, &p), slip_speed(&once, &p), tol);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        TEST(a_slow_slip_is_the_same_in_short_calls),
         TEST(nearly_equal_coefficients_agree_with_newton_and_euler),
     };
     return RUN_TESTS(tests);

@@ -65,7 +65,8 @@ static coin_priv_slip after(const coin_priv_sliding *g,
 {
     const struct onset to = onset_of(g);
     const double half = tau / 2;
-    const double u = g->gained + half * (from->slope + to.slope);
+    const double u =
+        coin_priv_hypot(g->uX, g->uh) + half * (from->slope + to.slope);
     coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, u * to.n.X, u * to.n.h);
     y.wX += half * (from->slides.wX - from->rolls.wX);
     y.wY += half * (from->slides.wY - from->rolls.wY);
@@ -123,6 +124,7 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
         coin_priv_again(g, by);
     }
     if (coin_priv_rolling_clearance(g) >= 0) {
+        g->uX = g->uh = 0;
         coin_priv_spend_time(g);
         return COIN_OK;
     }
@@ -135,8 +137,10 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
         y = after(g, from, by);
     }
     coin_priv_spend_time(g);
-    g->gained = coin_priv_hypot(y.uX, y.uh);
-    if (end > 0 && g->gained < COIN_PRIV_SLIP_SEED * g->contact.w0)
+    g->uX = y.uX;
+    g->uh = y.uh;
+    if (end > 0 &&
+        coin_priv_hypot(y.uX, y.uh) < COIN_PRIV_SLIP_SEED * g->contact.w0)
         return COIN_OK;
     const int32_t begun = begin(g, &y);
     return end > 0 ? begun : COIN_ELIFT;

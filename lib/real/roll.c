@@ -300,7 +300,7 @@ int32_t coin_priv_roll_on(coin_priv_sliding *g)
         coin_priv_judge_here(g);
     if (!g->surely_rolls && coin_priv_rolling_clearance(g) < 0)
         return coin_priv_begin_slip(g);
-    g->gained = 0;
+    g->uX = g->uh = 0;
     int last;
     coin_priv_mark(g);
     const double tau = next_step(g, rate, &last);

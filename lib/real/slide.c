@@ -132,9 +132,8 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
         coin_priv_slip_start(d, &g->w.run.g.y, g->contact.b.a);
     g->slips =
         !(coin_priv_hypot(y.uX, y.uh) < COIN_PRIV_SLIP_LEAST * g->contact.w0);
-    g->uX = g->slips ? y.uX : 0;
-    g->uh = g->slips ? y.uh : 0;
-    g->gained = 0;
+    g->uX = y.uX;
+    g->uh = y.uh;
     g->surely_rolls = g->ended_in_t = 0;
     g->series.from.b = g->contact.b;
     g->series.force.terms = 0;
@@ -183,7 +182,9 @@ static coin_slide end_of(coin_priv_sliding *g, int32_t status)
 {
     coin_slide end;
     double v[2];
-    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
+    const int slips = g->slips | (status == COIN_SLIPS);
+    const double uX = slips ? g->uX : 0, uh = slips ? g->uh : 0;
+    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, uX, uh);
     coin_priv_centre_velocity(v, &y, g->contact.b.a);
     if (g->w.run.steps > 0 && !g->ended_in_t)
         coin_priv_read_lean(&g->w.run.g);

@@ -32,7 +32,8 @@ typedef struct coin_priv_sliding {
     /* Where the slide is.  roll.c, onset.c and slip.c move it. */
     coin_priv_lossy w; /* its run holds all but the slip; its losses are those
                           of a coin that rolls */
-    double uX, uh;     /* the slip velocity, 0 while the coin rolls */
+    double uX, uh;     /* the slip velocity; while the coin rolls 0, or, of one
+                          whose slip waits, what friction would have given it */
     int slips;         /* whether it slips now */
     coin_priv_sum rem; /* the time still to go */
     uint64_t tries;    /* of steps */
@@ -61,8 +62,6 @@ typedef struct coin_priv_sliding {
     /* The steps of a slip, of slip.c; onset.c sets the first stride. */
     double slip_stride;
     coin_priv_slip slope; /* by sigma, where the step began */
-    double gained; /* of onset.c: the slip speed that friction would have given
-                      a coin whose slip waits; 0 if none waits */
 } coin_priv_sliding;
 
 /* The most trials of a call.  A trial is a step, whether it is kept, refused or
@@ -155,8 +154,8 @@ int32_t coin_priv_slip_on(coin_priv_sliding *g);
 
 /* onset.c: goes on from where rolling needs too much friction.  The slip
  * begins, and g->slips becomes 1.  A slip that would grow too slowly waits: the
- * coin rolls on for one step, and g->gained keeps what friction would have
- * done. */
+ * coin rolls on for one step, and g->uX and g->uh keep what friction would
+ * have done. */
 int32_t coin_priv_begin_slip(coin_priv_sliding *g);
 
 /* onset.c, for a coin near flat whose contact is held by the losses: its

@@ -341,7 +341,7 @@ static int end_or_grow(coin_priv_sliding *g, coin_priv_slip *to,
     if (!(coin_priv_clearance(&g->contact, to, 1) > 0))
         return 0;
     if (fits && ends) {
-        to->uX = to->uh = g->gained = 0;
+        to->uX = to->uh = 0;
         g->slips = g->surely_rolls = g->contact.psi_held = 0;
     }
     return 1;

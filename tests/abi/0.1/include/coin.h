@@ -1003,7 +1003,11 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
  *         units, the relative error is proportional to m^1.2 to m^1.5 for
  *         contour friction, to m^0.8 for rolling and to m^2 for damping.  It is
  *         6e-5 for a quarter that dry friction stops after 8 s (docs/models.md,
- *         test_quasisteady).  The model itself is solved to 1e-6 of the time.
+ *         test_quasisteady).  That is for a coin without swing, whose wX is
+ *         that of coin_quasisteady_at() at t = 0.  A coin that starts with
+ *         wX = 0 swings a little.  Rolling makes the swing grow, and the error
+ *         is m^0.4 of the time.  The model itself is solved to 1e-6 of the
+ *         time.
  * Cost: up to 610 textbook steps. */
 COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
                                   const coin_losses *l);
