@@ -217,15 +217,19 @@ CMOCKA_LIBS = $(eval CMOCKA_LIBS := $$(shell \
 # What runs a test: nothing, or valgrind.
 TEST_RUNNER ?=
 
-# Each test writes to a file, so that make -j runs several at once: to .log, or
-# to .failed.
+# Each test writes to a file, .log or .failed, so that several run at once: as
+# many as make -j says, or as there are processors.
 TEST_LOGS = $(TEST_PROGS:%=%.log)
 $(TEST_LOGS): %.log: % force
 	if $(TEST_RUNNER) $< >$@ 2>&1; then test ! -e $<.failed || rm $<.failed; \
 	else mv $@ $<.failed; fi
 
-.PHONY: check build-tests need-cmocka
-check: $(TEST_LOGS) ## run the tests, or those that TESTS names
+.PHONY: check checked build-tests need-cmocka
+check: ## run the tests, or those that TESTS names
+	+$(AGAIN) checked $(if $(filter -j%,$(MAKEFLAGS)),, \
+	    -j$$(getconf _NPROCESSORS_ONLN))
+
+checked: $(TEST_LOGS)
 	failed=; logs=; for t in $(TEST_PROGS); do if test -e $$t.failed; \
 	    then logs="$$logs $$t.failed"; failed="$$failed $${t##*/}"; \
 	    else logs="$$logs $$t.log"; fi; done; cat $$logs /dev/null; \
