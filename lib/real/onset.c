@@ -124,7 +124,6 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
         coin_priv_again(g, by);
     }
     if (coin_priv_rolling_clearance(g) >= 0) {
-        g->uX = g->uh = 0;
         coin_priv_spend_time(g);
         return COIN_OK;
     }

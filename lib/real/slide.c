@@ -149,6 +149,13 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
         coin_priv_judge_here(g);
 }
 
+/* The variables where the slide has come to, with its slip velocity or 0. */
+static coin_priv_slip variables_of(const coin_priv_sliding *g, int slips)
+{
+    return coin_priv_slip_of(&g->w.run.g.y, slips ? g->uX : 0,
+                             slips ? g->uh : 0);
+}
+
 /* What the coin does where the slide has come to: COIN_OK if it rolls,
  * COIN_SLIPS if it slips or is about to, COIN_ELIFT if it lifts off. */
 static int32_t mode_of(const coin_priv_sliding *g)
@@ -157,7 +164,7 @@ static int32_t mode_of(const coin_priv_sliding *g)
     const coin_priv_contact *t = &g->contact;
     if (g->surely_rolls) /* then slips is 0 */
         return COIN_OK;
-    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, g->uX, g->uh);
+    const coin_priv_slip y = variables_of(g, g->slips);
     if (g->slips)
         return coin_priv_clearance(t, &y, 1) > 0 ? slips : lifts;
     if (coin_priv_clearance(t, &y, 0) < 0)
@@ -182,9 +189,7 @@ static coin_slide end_of(coin_priv_sliding *g, int32_t status)
 {
     coin_slide end;
     double v[2];
-    const int slips = g->slips | (status == COIN_SLIPS);
-    const double uX = slips ? g->uX : 0, uh = slips ? g->uh : 0;
-    const coin_priv_slip y = coin_priv_slip_of(&g->w.run.g.y, uX, uh);
+    const coin_priv_slip y = variables_of(g, g->slips | (status == COIN_SLIPS));
     coin_priv_centre_velocity(v, &y, g->contact.b.a);
     if (g->w.run.steps > 0 && !g->ended_in_t)
         coin_priv_read_lean(&g->w.run.g);
