@@ -169,11 +169,11 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  * stop the contact, the time from cos(theta) = 1e-5 to rest is taken from the
  * law by which such a motion ends.
  * Accuracy: in 98 of 100 random launches the error stays within tol per natural
- *         unit of time.  Where the contact does not reverse, it stays within
- *         that of coin_settle() and 90 u (1 + t sqrt(g/a)), u = 2^-24, in all
- *         launches that were searched (make adversary).  A quarter that turns
- *         for 8 s, in calls of 1 ms or of 1/60 s, rests within 1e-5 s of the
- *         time that coin_settle() gives (test_float_settle).
+ *         unit of time.  It stays within that of coin_settle() and
+ *         90 u (1 + t sqrt(g/a)), u = 2^-24, in all launches that were searched
+ *         (make adversary).  A quarter that turns for 8 s, in calls of 1 ms or
+ *         of 1/60 s, rests within 1e-5 s of the time that coin_settle() gives
+ *         (test_float_settle).
  * Cost: on a Cortex-M4F 2,193 instructions for a call of one step, by dry
  *         friction, and 1,088 bytes of stack.  A quarter's 8 s take 8,263 steps
  *         in 8,019 calls of 1 ms at 1e-3, at most 12 of them in one call

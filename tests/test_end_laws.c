@@ -154,6 +154,11 @@ static void the_end_goes_by_the_law_of_the_loss_that_acts(void **unused)
         check_status(coin_settle(&s, &p, &cases[i].l, 9, 1e-9, &T), COIN_RESTS);
         check_near(T, cases[i].T, 1e-3 * cases[i].T);
     }
+    /* So near that the law takes it to rest without a step. */
+    coin_state near = {.theta = HALF_PI - 9e-11, .wY = sqrt(3.6e-10)};
+    const coin_losses rolling = {.rolling = 1e-4};
+    check_status(coin_settle(&near, &p, &rolling, 9, 1e-9, NULL), COIN_RESTS);
+    check(near.theta == 1.5707963267948963);
     /* Pivoting alone lets it roll on. */
     const coin_losses spin = {.spin = 1e-3};
     coin_state s = {.theta = HALF_PI - 9e-11, .wY = 1.9e-5, .wZ = 0.3};

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
+#include "support/floats.h"
+#include "support/random.h"
 
 #include <coinf.h>
 
@@ -151,6 +153,54 @@ static void every_member_of_the_losses_is_checked(void **unused)
     check_status(coinf_losses_check(&none, NULL), COIN_EARG);
 }
 
+/* Pivoting friction, or a fall that begins, carries the roll of the contact
+ * through 0 where friction changes its sign. */
+static void where_the_contact_turns_round_the_error_is_below_tol(void **unused)
+{
+    (void)unused;
+    const float t = 0.25f, tols[] = {1e-2f, 1e-3f, 1e-4f, 1e-5f};
+    const int count = tries_asked(200);
+    struct random r = random_begin(213);
+    int turned = 0;
+    for (int i = 0; i < count; ++i) {
+        const double small = pow(10, random_between(&r, -2, -1));
+        const coin_params disc = {1,           1,        1, 0.25 * small,
+                                  0.5 * small, {0, 0, 0}};
+        const coinf_params p = floats_params(&disc);
+        const coin_losses some = {
+            .dry = pow(10, random_between(&r, -4, -1.5)),
+            .spin = i % 2 ? pow(10, random_between(&r, -2, -1)) : 0,
+        };
+        const coinf_losses l = floats_losses(&some);
+        const double theta = random_between(&r, -0.9, 0.9);
+        const double wY = random_between(&r, -0.5, 0.5);
+        const double roll =
+            (i & 2 ? 1 : -1) * pow(10, random_between(&r, -4, -1));
+        const coin_state from = {
+            .theta = theta,
+            .wX = pow(10, random_between(&r, -6, -1)),
+            .wY = wY,
+            .wZ = roll - wY * tan(theta),
+        };
+        const coinf_state start = floats_state(&from);
+        const coin_params P = doubles_params(&p);
+        const coin_losses L = doubles_losses(&l);
+        coin_state want = doubles_state(&start);
+        check_status(coin_settle(&want, &P, &L, (double)t, 1e-12, NULL),
+                     COIN_OK);
+        turned += (want.wZ + want.wY * tan(want.theta)) * roll < 0;
+        for (int k = 0; k < 4; ++k) {
+            coinf_state s = start;
+            check_note("launch %d, tol %g", i, (double)tols[k]);
+            check_status(coinf_settle(&s, &p, &l, t, tols[k], NULL), COIN_OK);
+            const coin_state is = doubles_state(&s);
+            check_near(is.phi, want.phi, (double)(t * tols[k]) + 90 * UF);
+            check_near(is.psi, want.psi, (double)(t * tols[k]) + 90 * UF);
+        }
+    }
+    check(turned > count / 4);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -161,6 +211,7 @@ int main(void)
         TEST(the_usual_errors_touch_nothing),
         TEST(every_member_of_the_losses_is_checked),
         TEST(the_end_goes_by_the_law_of_the_loss_that_acts),
+        TEST(where_the_contact_turns_round_the_error_is_below_tol),
     };
     return RUN_TESTS(tests);
 }

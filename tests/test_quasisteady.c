@@ -192,6 +192,10 @@ static void near_flat_it_is_the_closed_law_of_the_end(void **unused)
             check_near(coin_time_to_rest(&s, &p, &l) / laws[i], 1, 3 * e);
         }
     }
+    /* The time goes with the root of the angle, to the end. */
+    const coin_losses rolling = {.rolling = 1e-4};
+    const coin_state s = spin(&p, 1e-8);
+    check_near(coin_time_to_rest(&s, &p, &rolling), 1.5, 1e-6);
 }
 
 static void past_the_end_the_coin_lies_flat(void **unused)

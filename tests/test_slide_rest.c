@@ -113,6 +113,27 @@ static void a_held_coin_rises_as_coin_settle_says(void **unused)
     }
 }
 
+/* Where the contact turns round, steps are short: one must not stand for the
+ * rest of the time. */
+static void a_short_call_takes_all_its_time(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction endless = {INFINITY, 0.3};
+    const coin_losses l = {.dry = 1e-6, .soft = 1e-9};
+    for (double t = 1e-7; t < 1e-4; t *= 10) {
+        coin_state ideal = {
+            .theta = 0.5, .wX = 0.3, .wY = 0.3, .wZ = -0.3 * tan(0.5)};
+        coin_slide d;
+        check_status(coin_slide_of(&d, &ideal, &p), COIN_OK);
+        check_status(coin_slide_advance(&d, &p, &endless, &l, t, 1e-12, NULL),
+                     COIN_OK);
+        check_status(coin_advance(&ideal, &p, t, 1e-12, NULL), COIN_OK);
+        check_note("t %g", t);
+        check_near(d.s.theta, ideal.theta, 1e-14);
+    }
+}
+
 /* By losses in and by friction: the sum is what the energy falls by. */
 static void losses_and_friction_take_what_the_energy_falls_by(void **unused)
 {
@@ -236,6 +257,7 @@ int main(void)
         TEST(a_coin_that_cannot_slip_rests_when_coin_settle_says),
         TEST(the_time_of_rest_is_that_of_any_tolerance_and_calls),
         TEST(a_held_coin_rises_as_coin_settle_says),
+        TEST(a_short_call_takes_all_its_time),
         TEST(losses_and_friction_take_what_the_energy_falls_by),
         TEST(units_change_nothing_of_losses),
         TEST(equal_coefficients_give_the_limit_of_nearly_equal_ones),

@@ -93,10 +93,13 @@ COIN_PRIV_NOINLINE float longest(const struct settling *g,
     const float dt = g->stride / rate;
     if (!(l->solid + l->layer + l->damping > 0))
         return dt;
-    /* u = cos(theta) d(psi)/dt, and what the ideal coin makes of it. */
+    /* u = cos(theta) d(psi)/dt, and what carries it to 0: what the ideal coin
+     * makes of it, and pivoting friction. */
     const float u = coinf_priv_roll_speed(wY, wZ, sth, cth);
+    const float pivot = l->spin * (wY * cth - wZ * sth) * (sth * cth);
     const float du = fabsf(y->wX * (wY * ((b->k2 + 1) * cth + sth * y->tth) +
-                                    wZ * sth * (b->k1 - 1)));
+                                    wZ * sth * (b->k1 - 1))) +
+                     fabsf(pivot / l->IX - pivot / l->K);
     const float way = TURN_ROUND * sqrtf(u * u + l->soft2 * (cth * cth));
     return way < du * dt ? way / du : dt;
 }
