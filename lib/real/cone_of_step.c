@@ -16,6 +16,10 @@
  * take the same number of steps (make tuning). */
 #define HALVED 0.5
 
+/* Where sin theta exceeds the range of the swing by more than this, the swing
+ * was none: on an unstable steady motion rounding turns the lean round. */
+#define WIDER 1e-9
+
 /* Calls coin_priv_surely_in_cone() for both halves of the step just made.
  * Returns 0 for a short step, which is not cut. */
 static int judge_halves(coin_priv_sliding *g, const coin_priv_end *from,
@@ -87,6 +91,8 @@ int coin_priv_judge_step(coin_priv_sliding *g, double tau, double rate)
     const coin_priv_variables *y = &g->w.run.g.y;
     if (is_repeated(g))
         return 1;
+    if (coin_priv_larger(g->least_sth - y->sth, y->sth - g->most_sth) > WIDER)
+        g->turning_points = 0;
     g->turning_points += (g->from.y.wX < 0) != (y->wX < 0);
     g->least_sth = coin_priv_lesser(g->least_sth, y->sth);
     g->most_sth = y->sth > g->most_sth ? y->sth : g->most_sth;

@@ -226,10 +226,12 @@ struct sector {
     coin_priv_direction from, to;
 };
 
+/* The direction of a vector; along e_X if it is 0. */
 static coin_priv_direction unit(double X, double h)
 {
     const double size = coin_priv_hypot(X, h);
-    const coin_priv_direction n = {X / size, h / size};
+    const int none = size == 0;
+    const coin_priv_direction n = {none ? 1 : X / size, none ? 0 : h / size};
     return n;
 }
 

@@ -112,7 +112,7 @@ static coin_priv_slip at_seed(const coin_priv_contact *t,
 /* Rolls on for at most tau from an onset at *start, where friction changes the
  * slip too slowly to begin it at once. */
 static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
-                              const struct onset *from, double tau)
+                              struct onset *from, double tau)
 {
     coin_priv_mark(g);
     double by = coin_priv_roll_step(g, coin_priv_roll_rate(g), tau);
@@ -123,7 +123,14 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
         by *= 1 - 2 * over / g->w.run.g.added.t;
         coin_priv_again(g, by);
     }
+    const double seed = COIN_PRIV_SLIP_SEED * g->contact.w0;
     if (coin_priv_rolling_clearance(g) >= 0) {
+        if (from->slope * by >= seed) { /* it slips before: no wait */
+            g->w.run.g = g->from;
+            g->w.run.steps = g->steps;
+            const coin_priv_slip soon = at_seed(&g->contact, start, from);
+            return begin(g, &soon);
+        }
         coin_priv_spend_time(g);
         return COIN_OK;
     }
@@ -138,8 +145,7 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
     coin_priv_spend_time(g);
     g->uX = y.uX;
     g->uh = y.uh;
-    if (end > 0 &&
-        coin_priv_hypot(y.uX, y.uh) < COIN_PRIV_SLIP_SEED * g->contact.w0)
+    if (end > 0 && coin_priv_hypot(y.uX, y.uh) < seed)
         return COIN_OK;
     const int32_t begun = begin(g, &y);
     return end > 0 ? begun : COIN_ELIFT;
@@ -172,7 +178,7 @@ int32_t coin_priv_begin_slip(coin_priv_sliding *g)
     /* The error of a wait is proportional to slope/friction times the square of
      * the wait.  of_error is the wait whose error is tol.  It is shorter than
      * the usual wait if slope/friction is at least r4/WAIT^2. */
-    if (o.slope >= r4 / (WAIT * WAIT) * o.friction) {
+    if (o.slope > r4 / (WAIT * WAIT) * o.friction) {
         const double of_error = unit * sqrt(tol * (o.friction / o.slope));
         wait = o.slope * of_error >= seed ? of_error : wait;
     }
@@ -200,19 +206,25 @@ double coin_priv_held_clearance(const coin_priv_sliding *g)
 }
 
 /* The slip begins at once, with a speed of COIN_PRIV_SLIP_SEED.  There is no
- * slip if it would not gain that speed while the coin keeps its lean. */
+ * slip if it would not gain that speed while the coin keeps its lean.  If the
+ * call ends before it would, g->uX and g->uh keep what it gains. */
 int coin_priv_begin_held_slip(coin_priv_sliding *g)
 {
     coin_priv_contact *const t = &g->contact;
     const coin_priv_slip start = coin_priv_slip_of(&g->w.run.g.y, 0, 0);
     const double unit = coin_priv_sundman_tau(&t->b, &g->w.run.g.y, 1);
-    const double time = coin_priv_lesser(unit * start.cth, g->rem.sum);
+    const double seed = COIN_PRIV_SLIP_SEED * t->w0;
     t->psi_held = 1;
     struct onset o = onset_of(g);
-    const int slips = o.slope * time >= COIN_PRIV_SLIP_SEED * t->w0;
+    const double gains = o.slope * unit * start.cth;
+    const double gained = coin_priv_hypot(g->uX, g->uh) + o.slope * g->rem.sum;
+    const int slips = (gains >= seed) & (gained >= seed);
     const coin_priv_slip y = slips ? at_seed(t, &start, &o) : start;
     t->psi_held = 0;
-    if (!slips)
-        return 0;
-    return begin(g, &y) == COIN_OK;
+    if (slips)
+        return begin(g, &y) == COIN_OK;
+    const double kept = gains >= seed ? gained : 0;
+    g->uX = kept * o.n.X;
+    g->uh = kept * o.n.h;
+    return 0;
 }

@@ -13,6 +13,14 @@
  * longer step and the last one together may need more terms. */
 #define TOGETHER 0.9
 
+/* A step of coin_priv_again() no longer than this is none.  Its inverse is far
+ * from overflow. */
+#define NO_STEP 1e-250
+
+/* Whether a step shorter than this part of the time in which the motion changes
+ * leaves the cone is told by its ends. */
+#define SHORTEST 1e-8
+
 /* A coin that falls back within coin_priv_rise_time() is highest at half of it.
  * This part is a little more, so that the coin then falls.  How much more is
  * free: it only has to exceed rounding. */
@@ -68,7 +76,8 @@ void coin_priv_again(coin_priv_sliding *g, double tau)
     g->w.run.steps = g->steps;
     g->w.run.g.added.t = 0;
     g->ended_in_t = 0;
-    (void)roll_by(g, tau, DBL_MAX);
+    if (fabs(tau) > NO_STEP)
+        (void)roll_by(g, tau, DBL_MAX);
 }
 
 double coin_priv_rolling_clearance(const coin_priv_sliding *g)
@@ -154,6 +163,8 @@ static int32_t go_held(coin_priv_sliding *g)
 {
     const double before = coin_priv_held_clearance(g);
     double moved = time_held(g);
+    if (before >= 0)
+        g->uX = g->uh = 0;
     const int whole = moved == g->rem.sum;
     g->surely_rolls = 0;
     if (before < 0) {
@@ -245,7 +256,9 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
             tau,         fabs(tau) * rate,
         };
         double part;
-        const coin_priv_verdict is = coin_priv_test_cone(&tested, &part);
+        coin_priv_verdict is = coin_priv_test_cone(&tested, &part);
+        if (is == COIN_PRIV_UNCLEAR && tested.stride < SHORTEST)
+            is = COIN_PRIV_STAYS;
         if (is != COIN_PRIV_STAYS) {
             tau *= part;
             coin_priv_again(g, tau);
