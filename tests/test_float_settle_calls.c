@@ -201,6 +201,69 @@ static void where_the_contact_turns_round_the_error_is_below_tol(void **unused)
     check(turned > count / 4);
 }
 
+/* A call that ends where the coin is flat to a float's rounding lays it flat.
+ */
+static void a_call_that_ends_next_to_the_table_goes_on(void **unused)
+{
+    (void)unused;
+    const coinf_params p = disc_f();
+    const coinf_losses l = {.dry = 10};
+    const coinf_state start = {.theta = 1.5257963f};
+    coinf_state s = start;
+    float rests, reached;
+    check_status(coinf_settle(&s, &p, &l, 1, 1e-4f, &rests), COIN_RESTS);
+    float t = rests;
+    for (int i = 0; i < 40; ++i, t = nextafterf(t, 0)) {
+        s = start;
+        const int32_t status = coinf_settle(&s, &p, &l, t, 1e-4f, &reached);
+        check_note("%d steps of a float before", i);
+        check(status == COIN_OK || status == COIN_RESTS);
+        check(reached == t);
+        check_status(coinf_settle(&s, &p, &l, 1, 1e-4f, &reached), COIN_RESTS);
+        check_near((double)(t + reached), (double)rests, 2e-6);
+    }
+}
+
+/* The time left is held by two floats. */
+static void how_long_the_call_is_does_not_change_when_it_ends(void **unused)
+{
+    (void)unused;
+    const coinf_params p = disc_f();
+    const coinf_losses l = {.dry = 0.1f};
+    const coinf_state start = {.theta = 1.2f, .wY = 1.2f};
+    float first = 0;
+    for (float t = 3; t < 2e6f; t = t < 10 ? 1e4f : t * 10) {
+        coinf_state s = start;
+        float when;
+        check_status(coinf_settle(&s, &p, &l, t, 1e-4f, &when), COIN_RESTS);
+        first = t < 10 ? when : first;
+        check_note("t %g", (double)t);
+        check_near((double)when, (double)first, 2e-6);
+    }
+}
+
+static void strong_pivoting_friction_ends_the_turn_of_a_fall(void **unused)
+{
+    (void)unused;
+    const coinf_params p = disc_f();
+    const double c = 0.045, turn = 0.1;
+    for (double b = 30; b < 300; b *= 2) {
+        const coinf_losses l = {.dry = 10, .spin = (float)b};
+        coinf_state s = {
+            .theta = (float)acos(c),
+            .psi = 100,
+            .wY = (float)(c * turn),
+            .wZ = (float)(-sqrt(1 - c * c) * turn),
+        };
+        float when;
+        check_status(coinf_settle(&s, &p, &l, 10, 1e-4f, &when), COIN_RESTS);
+        check_note("b = %g", b);
+        check_near((double)s.phi, turn * 1.5 / b, 4e-3 * turn * 1.5 / b);
+        check_near((double)when, 0.3355, 1e-4);
+        check_near((double)s.psi, 100 - 32 * acos(-1), 1e-5);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -212,6 +275,9 @@ int main(void)
         TEST(every_member_of_the_losses_is_checked),
         TEST(the_end_goes_by_the_law_of_the_loss_that_acts),
         TEST(where_the_contact_turns_round_the_error_is_below_tol),
+        TEST(a_call_that_ends_next_to_the_table_goes_on),
+        TEST(how_long_the_call_is_does_not_change_when_it_ends),
+        TEST(strong_pivoting_friction_ends_the_turn_of_a_fall),
     };
     return RUN_TESTS(tests);
 }

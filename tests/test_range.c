@@ -49,6 +49,29 @@ static void a_run_stops_where_an_angle_leaves_its_range(void **unused)
             }
 }
 
+/* A body of small I_Z rolls far in a step. */
+static void a_body_of_any_I_Z_is_told_that_its_roll_ends(void **unused)
+{
+    (void)unused;
+    for (double I_Z = 1e-2; I_Z > 1e-9; I_Z /= 100) {
+        coin_params p;
+        check_status(coin_params_body(&p, 1, 1, 1, 1, I_Z), COIN_OK);
+        const coin_friction rough = {0.5, 0.5};
+        coin_state s = {.psi = 0x1p31 - 1000, .wZ = 100}, until = s;
+        coin_slide d;
+        double at;
+        check_note("I_Z = %g", I_Z);
+        check_status(coin_slide_of(&d, &s, &p), COIN_OK);
+        check_status(coin_advance(&s, &p, 20, 1e-9, &at), COIN_ERANGE);
+        check_within(at, 9.8, 10);
+        check_status(
+            coin_advance_until(&until, &p, 20, 1e-9, 1, COIN_SLIPS, &at),
+            COIN_ERANGE);
+        check_status(coin_slide_advance(&d, &p, &rough, NULL, 20, 1e-9, &at),
+                     COIN_ERANGE);
+    }
+}
+
 static void a_batch_stops_each_coin_there(void **unused)
 {
     (void)unused;
@@ -188,6 +211,7 @@ int main(void)
         TEST(the_square_of_the_rates_has_a_limit),
         TEST(within_16_rad_of_the_end_turns_are_to_be_subtracted),
         TEST(a_step_that_turns_too_far_is_refused),
+        TEST(a_body_of_any_I_Z_is_told_that_its_roll_ends),
     };
     return RUN_TESTS(tests);
 }

@@ -230,6 +230,76 @@ static void the_usual_errors_touch_nothing(void **unused)
     check_status(coin_settle(NULL, &good, &fine, 1, 1e-6, NULL), COIN_EARG);
 }
 
+/* The time left is held by two doubles, so that a call may be far too long. */
+static void how_long_the_call_is_does_not_change_when_it_ends(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses l = {.dry = 0.1};
+    const coin_friction f = {0.5, 0.45};
+    double first[4];
+    for (double t = 3; t < 2e15; t = t < 1e9 ? 1e9 : t * 1e6) {
+        coin_state falls = {.theta = 0.3}, passes = falls, rests;
+        coin_slide d;
+        double when[4];
+        check_status(coin_steady_spin(&rests, &p, 1.2), COIN_OK);
+        check_status(coin_slide_of(&d, &falls, &p), COIN_OK);
+        check_status(coin_advance_until(&passes, &p, t, 1e-10, 0.5, COIN_SLIPS,
+                                        &when[0]),
+                     COIN_SLIPS);
+        check_status(coin_advance(&falls, &p, t, 1e-10, &when[1]), COIN_EFLAT);
+        check_status(coin_settle(&rests, &p, &l, t, 1e-10, &when[2]),
+                     COIN_RESTS);
+        check_status(coin_slide_advance(&d, &p, &f, NULL, t, 1e-10, &when[3]),
+                     COIN_RESTS);
+        for (int i = 0; i < 4; ++i) {
+            first[i] = t == 3 ? when[i] : first[i];
+            check_note("t %g, call %d", t, i);
+            check_near(when[i], first[i], 1e-12);
+        }
+    }
+}
+
+/* However strong it is, pivoting friction only ends the turn of the fall. Where
+ * the contact is held, L = D d(phi)/dt decays at b/D, and D is K (1 - c^2 k).
+ */
+static void strong_pivoting_friction_ends_the_turn_of_a_fall(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double c = 0.045, turn = 0.1;
+    coin_state free = {.theta = acos(c)};
+    double falls;
+    const coin_losses dry = {.dry = 10, .soft = 1e-9};
+    check_status(coin_settle(&free, &p, &dry, 10, 1e-9, &falls), COIN_RESTS);
+    for (double b = 30; b < 300; b *= 2) {
+        const coin_losses l = {.dry = 10, .spin = b, .soft = 1e-9};
+        coin_state s = {
+            .theta = acos(c), .wY = c * turn, .wZ = -sqrt(1 - c * c) * turn};
+        double when;
+        check_status(coin_settle(&s, &p, &l, 10, 1e-9, &when), COIN_RESTS);
+        check_note("b = %g", b);
+        check_near(s.phi, turn * 1.5 / b, 2 * c * c * turn * 1.5 / b);
+        check_near(s.wX, free.wX, 1e-4);
+        check_near(when, falls, 1e-4);
+    }
+}
+
+/* A coin whose wZ is as good as 0 falls flat, and so comes to rest. */
+static void what_falls_flat_without_losses_stays_flat(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses none = {0};
+    coin_state s = {.theta = 0.3, .wZ = 1e-31};
+    double when;
+    check_status(coin_settle(&s, &p, &none, 20, 1e-9, &when), COIN_RESTS);
+    check_within(when, 2.6, 2.7);
+    check(s.wY == 0);
+    check_status(coin_settle(&s, &p, &none, 20, 1e-9, &when), COIN_RESTS);
+    check(when == 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -243,6 +313,9 @@ int main(void)
         TEST(a_call_takes_2_20_steps_and_the_next_goes_on),
         TEST(a_path_that_overflows_is_none),
         TEST(the_usual_errors_touch_nothing),
+        TEST(how_long_the_call_is_does_not_change_when_it_ends),
+        TEST(strong_pivoting_friction_ends_the_turn_of_a_fall),
+        TEST(what_falls_flat_without_losses_stays_flat),
     };
     return RUN_TESTS(tests);
 }

@@ -231,11 +231,24 @@ static void a_negative_zero_is_the_same_in_both(void **unused)
     check_status(check_step(&s, &p, 1e-3), COIN_OK);
 }
 
+/* The sum of the lean may round beyond it. */
+static void at_the_last_lean_it_is_a_run_of_one(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state s = {.theta = 1.5707963267948963, .wX = 1};
+    int32_t coarse = 0;
+    for (double dt = 0x1p-54; dt < 0x1p-52; dt *= 1.05)
+        coarse += check_step(&s, &p, dt) == COIN_COARSE;
+    check(coarse > 10);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(from_anywhere_it_is_a_run_of_one),
         TEST(next_to_the_table_it_is_a_run_of_one),
+        TEST(at_the_last_lean_it_is_a_run_of_one),
         TEST(where_angles_end_it_is_a_run_of_one),
         TEST(just_where_angles_end_it_is_a_run_of_one),
         TEST(at_the_limits_of_W_it_is_a_run_of_one),

@@ -8,10 +8,11 @@
 
 #include <math.h>
 
-/* If |lambda^2| is below this, in units of g/a, it is replaced by minus this: a
- * period of 6000 natural units.  In the time t, in these units, this changes
- * the lean by 1e-6 t^2/2 of itself.  Near criticality (60) leaves out more. */
-#define CRITICAL 1e-6
+/* If |lambda^2| is below this, in units of g/a, it is replaced by minus this.
+ * In the time t, in these units, that changes the lean by 1e-12 t^2/2 of
+ * itself.
+ */
+#define CRITICAL 1e-12
 
 /* If the leans of the neighbour and of the steady motion differ by more than
  * this [rad], the wobble does not count as small. */

@@ -142,6 +142,7 @@ static void put(struct settling *g, const coinf_priv_variables *from,
     coinf_priv_add_parts(&s->theta, &s->low[0], side * (f->x - to->x), 0);
     coinf_priv_add_parts(&s->phi, &s->low[1], to->phi, 0);
     coinf_priv_reduce(&s->phi, &s->low[1]);
+    coinf_priv_reduce(&s->psi, &s->low[2]);
     const coinf_priv_sc ph = coinf_priv_sine_cosine_with_low(s->phi, s->low[1]);
     const float sth = side * at.c, a = g->b.a;
     coinf_priv_add_parts(&s->x, &s->low[3],
@@ -179,11 +180,11 @@ COIN_PRIV_NOINLINE int32_t fall_or_rise(struct settling *g,
     const int rises = f.v < 0;
     const float whole = rises ? coinf_priv_rise_time(&f, &g->l, &g->b)
                               : coinf_priv_fall_time(&f, &g->l, &g->b);
-    const int flat = !rises && whole <= g->rem;
     const float time = whole < g->rem ? whole : g->rem;
     const struct settling before = *g;
     coinf_priv_held_fall to = f;
     coinf_priv_fall_by(&to, &g->l, &g->b, time);
+    const int flat = !rises && (whole <= g->rem || to.x < FLAT);
     if (flat)
         to.x = 0;
     put(g, y, &f, &to);
@@ -265,6 +266,6 @@ int32_t coinf_settle(coinf_state *s, const coinf_params *p,
     if (!lost)
         *s = g.s;
     if (reached)
-        *reached = lost ? 0 : t - g.rem;
+        *reached = lost ? 0 : g.rem > 0 ? (t - g.rem) - g.rem_low : t;
     return lost ? COIN_ESTEP : status;
 }

@@ -19,6 +19,13 @@ COIN_PRIV_INLINE int PRIV(pose_holds)(const COIN(state) * s)
            COIN_PRIV_LOW_HOLDS(s);
 }
 
+/* A lean that rounding took beyond the last one is the last one. */
+COIN_PRIV_INLINE real PRIV(lean_within)(real theta)
+{
+    const real most = COIN_PRIV_HALF_PI - COIN_PRIV_EPSILON;
+    return theta > most ? most : theta < -most ? -most : theta;
+}
+
 /* The error for a step that cannot be made from *s.  No step turns phi or psi
  * by 16 rad. */
 COIN_PRIV_INLINE int32_t PRIV(refusal)(const COIN(state) * s)

@@ -7,12 +7,18 @@
 /* Only at a smaller cos theta may the contact have stopped.  By (72) the angle
  * from flat is then proportional to the cosine of an angle that grows to a
  * right angle at most, however fast the coin turns.  So one extrapolated step
- * can do the whole fall. */
+ * can do the whole fall, unless pivoting friction is strong. */
 #define NEAR_FLAT K(0.05)
 
 /* In a fall u would grow as 1/cos theta.  DECAY times the torque that keeps u
  * constant makes it decay at least as fast. */
 #define DECAY 2
+
+/* Pivoting friction makes the turn decay at the rate b/K at most.  One step of
+ * a fall is at most DECAYED over that rate.  A fall that would take more than
+ * MOST_PARTS of them does not count as held. */
+#define DECAYED K(0.5)
+#define MOST_PARTS 1000
 
 /* The inertia D of (72) about the vertical through the contact. */
 static real inertia(const PRIV(losses) * l, real cth)
@@ -74,7 +80,9 @@ void PRIV(fall_by)(PRIV(held_fall) * f, const PRIV(losses) * l,
 {
     const struct problem of = {l, b};
     real y[] = {f->x, f->v, f->L, f->phi};
-    (void)PRIV(gbs)(y, 4, slopes, &of, t);
+    const int parts = 1 + (int)(t * l->spin / (DECAYED * l->K));
+    for (int i = 0; i < parts; ++i)
+        (void)PRIV(gbs)(y, 4, slopes, &of, t / (real)parts);
     f->x = y[0];
     f->v = y[1];
     f->L = y[2];
@@ -125,6 +133,9 @@ int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,
         return 0;
     const real A = (b->Mga + PRIV(larger)(lift, 0)) / l->J;
     const real fastest = SQRT(wX * wX + 2 * A * f.x);
+    const real time = 2 * f.x / (FABS(wX) + fastest);
+    if (!(l->spin * time <= MOST_PARTS * DECAYED * l->K))
+        return 0;
     const real lever = l->K / D * (2 * l->IX - b->IZ) +
                        cth * cth * (b->IZ / D) * (l->K - l->IX);
     const real pivot = l->spin / D * (l->K - l->IX) * (cth * cth);

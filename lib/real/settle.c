@@ -203,7 +203,10 @@ static int32_t ideal(coin_state *s, const coin_params *p, double t, double tol,
                      double *reached)
 {
     const int32_t status = coin_advance(s, p, t, tol, reached);
-    return status == COIN_EFLAT ? COIN_RESTS : status;
+    if (status != COIN_EFLAT)
+        return status;
+    s->wY = 0;
+    return COIN_RESTS;
 }
 
 int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
@@ -243,6 +246,6 @@ int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
     if (!lost)
         coin_priv_copy_state(s, &end);
     if (reached)
-        *reached = lost ? 0 : t - g.rem.sum;
+        *reached = lost ? 0 : coin_priv_passed(t, &g.rem);
     return lost || status == COIN_ESTEP ? coin_priv_refusal(s) : status;
 }

@@ -232,7 +232,7 @@ int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
                 *d = end;
                 /* A moment is located to within COIN_PRIV_LOCATED tol, and may
                  * lie so far beyond t. */
-                moved = coin_priv_lesser(t - g.rem.sum, t);
+                moved = coin_priv_lesser(coin_priv_passed(t, &g.rem), t);
             }
             if (lost || status == COIN_ESTEP)
                 status = coin_priv_refusal(&d->s);

@@ -71,9 +71,9 @@ static void stop_at(struct moving *g, const coin_priv_moment *event,
                     coin_priv_sum rem)
 {
     coin_priv_add(&rem, -event->run.g.added.t);
-    const double side = g->t < 0 ? -1 : 1, left = side * rem.sum;
+    const coin_priv_sum none = {0, 0};
     g->run = event->run;
-    g->rem.sum = side * (left + fabs(left)) / 2;
+    g->rem = rem.sum * g->t < 0 ? none : rem;
 }
 
 static int32_t follow(struct moving *g, coin_priv_stretch *w,
@@ -142,6 +142,6 @@ int32_t coin_advance_until(coin_state *s, const coin_params *p, double t,
     status = follow(&g, &w, &f);
     if (status < 0 && g.run.steps > 0)
         coin_priv_read_lean(&g.run.g);
-    status = coin_priv_end_call(s, &g.run, status, t, g.rem.sum, reached);
+    status = coin_priv_end_call(s, &g.run, status, t, &g.rem, reached);
     return status == COIN_OK ? coin_priv_bits_at(&f, s, &w.force) : status;
 }

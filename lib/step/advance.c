@@ -44,5 +44,5 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
         coin_priv_read_lean(&r.g);
     if (status == COIN_OK)
         status = coin_priv_step_to_end(&r, &lengths, &rem);
-    return coin_priv_end_call(s, &r, status, t, rem.sum, reached);
+    return coin_priv_end_call(s, &r, status, t, &rem, reached);
 }

@@ -209,19 +209,27 @@ COIN_PRIV_INLINE int32_t coin_priv_step_to_end(coin_priv_run *r,
     return rem->sum == 0 ? COIN_OK : coin_priv_last_step(r, lengths, rem);
 }
 
-/* Ends a call that was to move *s by t, of which rem is left.  If x or z has
+/* The part of t that has passed if *rem is left.  Its low part counts where t
+ * is far longer. */
+COIN_PRIV_INLINE double coin_priv_passed(double t, const coin_priv_sum *rem)
+{
+    return rem->sum == 0 ? t : (t - rem->sum) - rem->low;
+}
+
+/* Ends a call that was to move *s by t, of which *rem is left.  If x or z has
  * overflowed, *s stays as it was and *reached becomes 0, as in a run. */
 COIN_PRIV_INLINE int32_t coin_priv_end_call(coin_state *s,
                                             const coin_priv_run *r,
                                             int32_t status, double t,
-                                            double rem, double *reached)
+                                            const coin_priv_sum *rem,
+                                            double *reached)
 {
     const coin_state end = coin_priv_run_state(r);
     const int lost = !coin_priv_pose_holds(&end);
     if (!lost)
         coin_priv_copy_state(s, &end);
     if (reached)
-        *reached = lost ? 0 : t - rem;
+        *reached = lost ? 0 : coin_priv_passed(t, rem);
     return lost || status == COIN_ESTEP ? coin_priv_refusal(s) : status;
 }
 

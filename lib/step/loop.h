@@ -81,11 +81,8 @@ COIN_PRIV_INLINE coin_state coin_priv_state_of(const coin_priv_progress *g,
                                                double a)
 {
     const coin_priv_pose to = coin_priv_pose_of(g, a);
-    const double most = COIN_PRIV_HALF_PI - COIN_PRIV_EPSILON;
     const coin_state s = {
-        to.theta > most    ? most
-        : to.theta < -most ? -most
-                           : to.theta,
+        coin_priv_lean_within(to.theta),
         to.phi,
         to.psi,
         start->x + to.x,

@@ -36,7 +36,7 @@ int32_t coin_step(coin_state *s, const coin_params *p, double dt)
     const coin_priv_pose none = {0, 0, 0, 0, 0, 0};
     const coin_priv_pose adds = coin_priv_pose_plus(&none, 1, &end.adds);
     const coin_state to = {
-        s->theta + end.adds.theta,
+        coin_priv_lean_within(s->theta + end.adds.theta),
         s->phi + adds.phi,
         s->psi + adds.psi,
         s->x + b.a * adds.x,

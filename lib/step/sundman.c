@@ -12,9 +12,12 @@
  * slope of wX, Eq. (14), is larger: without it their errors reached 1e5 tol.
  * For rings it is never larger.  WEIGHT_SLOPE is measured too.  With half of it
  * thin bodies err up to 3 times as much; twice takes 4 % more steps (make
- * tuning). */
+ * tuning).
+ *
+ * roll2 keeps the contact of such a body from rolling by 16 rad in a step. */
 #define WEIGHT_Y 1.5
 #define WEIGHT_SLOPE 3
+#define WEIGHT_ROLL 0.04
 
 double coin_priv_sundman_tau(const coin_priv_body *b,
                              const coin_priv_variables *y, double stride)
@@ -23,7 +26,9 @@ double coin_priv_sundman_tau(const coin_priv_body *b,
     const double rate2 = wX * wX + WEIGHT_Y * (wY * wY) +
                          b->KJ * b->k1 * (cwZ * cwZ) + y->cth * b->g_a;
     const double slope2 = WEIGHT_SLOPE * b->KJ * fabs(wY * cwZ);
-    return stride / sqrt(slope2 > rate2 ? slope2 : rate2);
+    const double roll2 = WEIGHT_ROLL * (cwZ * cwZ);
+    const double least2 = slope2 > roll2 ? slope2 : roll2;
+    return stride / sqrt(least2 > rate2 ? least2 : rate2);
 }
 
 int coin_priv_sundman_accept(coin_priv_run *r, const coin_priv_variables *y,

@@ -500,10 +500,11 @@ COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
  * compared.
  * @param tol  1e-13 to 1e-2: error per natural unit of time, in radians and
  *             radii [1]
- * @return dt > 0, never so large that a step would be COIN_COARSE.  0 if the
- *         coin falls flat, or if W comes to exceed the largest angular velocity
- *         that coin_state_check() accepts, so that no step is short enough.
- *         NaN on the usual errors, an unknown method, or tol out of range.
+ * @return dt > 0; for bodies of I_X >= 1e-3 M a^2 never so large that a step
+ *         would be COIN_COARSE.  0 if the coin falls flat, or if W comes to
+ *         exceed the largest angular velocity that coin_state_check() accepts,
+ *         so that no step is short enough.  NaN on the usual errors, an unknown
+ *         method, or tol out of range.
  * Accuracy: the error stays within 2 tol for discs and hoops that spin nearly
  *         upright, at leans up to 0.2 and rates of 1.5 to 21 sqrt(g/a) (make
  *         adversary).  docs/accuracy.md says how often it stays within tol for
@@ -639,7 +640,7 @@ COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
  *         or if bits is 0 or has any other bit; other errors and COIN_EFLAT as
  *         coin_advance().
  * Accuracy: in the computed motion no excursion is missed in which F/N exceeds
- *         mu by 1e-6 of mu or more (test_until).
+ *         mu by 1e-6 of mu or more, for mu >= 1e-6 (test_until).
  * Cost: 1.5 to 2.2 times that of coin_advance(), up to 3.4 times where F/N
  *         comes within 1e-4 of mu; 0.2 us more in calls of a step or less.  A
  *         tol above 1e-6 costs as much as 1e-6.  An event costs as much as ten
