@@ -1114,8 +1114,9 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  *         call goes on from there.  COIN_ERANGE: phi or psi would leave its
  *         range, and the slide is that at *reached.
  * t = 0 changes nothing: the status tells whether the coin rolls or slips.  A
- * slip speed below 1e-10 sqrt(g a) counts as 0.  While a slip begins, its speed
- * counts as 0 until it is 2e-10 sqrt(g a).  A coin also rolls if the friction
+ * slip speed below 1e-10 sqrt(g a) + 16 u a (|wX| + |wZ|) counts as 0.  While a
+ * slip begins, its speed counts as 0 until it is 2e-10 sqrt(g a); the velocity
+ * keeps what it has gained.  A coin also rolls if the friction
  * that it needs exceeds mu_static N by less than 1e-14 of the terms of the
  * force, which is rounding.  Without a slip the motion is that of
  * coin_advance().

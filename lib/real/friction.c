@@ -116,11 +116,18 @@ int32_t coin_slide_velocity(const coin_slide *d, const coin_params *p,
     return COIN_OK;
 }
 
+int coin_priv_slips(const coin_priv_contact *t, const coin_priv_slip *y)
+{
+    const double rounding = 8 * DBL_EPSILON * (fabs(y->wX) + fabs(y->wZ));
+    return !(coin_priv_hypot(y->uX, y->uh) <
+             COIN_PRIV_SLIP_LEAST * t->w0 + rounding);
+}
+
 /* The force of the table, over M a and times cos theta. */
 static coin_priv_push push_of(const coin_priv_contact *t, coin_priv_slip *y)
 {
     const double u = coin_priv_hypot(y->uX, y->uh);
-    if (!(u < COIN_PRIV_SLIP_LEAST * t->w0)) {
+    if (coin_priv_slips(t, y)) {
         const coin_priv_direction n = {y->uX / u, y->uh / u};
         return coin_priv_kinetic(t, y, n);
     }

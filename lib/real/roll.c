@@ -78,6 +78,8 @@ void coin_priv_again(coin_priv_sliding *g, double tau)
     g->ended_in_t = 0;
     if (fabs(tau) > NO_STEP)
         (void)roll_by(g, tau, DBL_MAX);
+    else
+        ++g->tries;
 }
 
 double coin_priv_rolling_clearance(const coin_priv_sliding *g)

@@ -130,12 +130,7 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
     coin_priv_run_unlimited(&g->w.run, &d->s);
     const coin_priv_slip y =
         coin_priv_slip_start(d, &g->w.run.g.y, g->contact.b.a);
-    /* Of what it is the difference of. */
-    const double speed = coin_priv_hypot(d->vx, d->vz) / g->contact.b.a +
-                         fabs(y.wX) + fabs(y.wZ);
-    const double least =
-        COIN_PRIV_SLIP_LEAST * g->contact.w0 + 4 * DBL_EPSILON * speed;
-    g->slips = !(coin_priv_hypot(y.uX, y.uh) < least);
+    g->slips = coin_priv_slips(&g->contact, &y);
     g->uX = y.uX;
     g->uh = y.uh;
     g->surely_rolls = g->ended_in_t = 0;
