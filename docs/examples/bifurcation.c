@@ -8,7 +8,7 @@
  * leans that are steady at given integrals K_Y and K_Z. */
 #include "turning.h"
 
-enum { RATES = 78, THROWN = 100 };
+enum { RATES = 52, THROWN = 100 };
 
 static double lambda2(const coin_state *s, const coin_params *p)
 {
@@ -54,7 +54,7 @@ static void print_window(double inner)
     demand(coin_params_ring(&p, 1, 1, inner, 1));
     const double top = tip(&p), last = coin_critical_roll(&p);
     for (int k = 0; k <= RATES; ++k) {
-        const double wZ = last * (k + 0.001) / (RATES + 0.002);
+        const double wZ = last * (k + 0.0005) / (RATES + 0.001);
         printf("window %g,%.6f,%.6f\n", inner, wZ, edge(&p, wZ));
     }
     printf("\n\ntip %g,%.9f,%.9f\n\n\n", inner, top, edge(&p, top));

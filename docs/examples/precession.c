@@ -11,7 +11,7 @@
 
 #define PI 3.14159265358979323846
 
-enum { POINTS = 140 };
+enum { POINTS = 70 };
 
 static void print_curve(double K_Y, double K_Z)
 {
@@ -25,7 +25,7 @@ static void print_curve(double K_Y, double K_Z)
     const double rate = steady.wY / cos(steady.theta);
     printf("small nods,%g,%g,0,%.9f\n\n\n", K_Y, K_Z, rate * 2 * PI / sqrt(-L));
     for (int k = 0; k <= POINTS; ++k) {
-        const double E = pow(10, -4 + 0.05 * k); /* above the least */
+        const double E = pow(10, -4 + 0.1 * k); /* above the least */
         s = steady;
         s.wX = sqrt(2 * E / (p.inertia_X + 1));
         to_turn(&s, &p, 1);

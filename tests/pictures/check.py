@@ -208,7 +208,7 @@ def precession(blocks):
         limit = passes*PI*math.sqrt(5)
         # What is missing goes as d, and d as 1/sqrt(E); gravity, which adds
         # (1/E) d ln(1/d), is a tenth of it by now.
-        last, before = nods[-1], nods[-21]
+        last, before = nods[-1], nods[-11]
         near("energies", last[3]/before[3], 10, 1e-3)
         near("near flat", abs(last[4] - limit)/abs(before[4] - limit),
              1/math.sqrt(10), 0.04)
