@@ -245,10 +245,15 @@ template <class R> class path
             R h = R(REACH) / W;
             most_W = larger(most_W, W);
             h = magnitude(*left) < h ? *left : *left < 0 ? -h : h;
+            const vector before = y;
+            const R rolled = rolls();
+            const int most = has_kinks() ? 20 : 12;
             int halvings = 0;
-            while (!step(h, halvings < 12 || !has_kinks() ? NONE<R> : KINK)) {
+            while (!step(h, halvings < 12 || !has_kinks() ? NONE<R> : KINK) ||
+                   (halvings < most && passes_kink(rolled))) {
+                y = before;
                 h /= 2;
-                if (++halvings > 12)
+                if (++halvings > most)
                     return false;
             }
             *left -= h;
@@ -278,7 +283,7 @@ template <class R> class path
             ahead.at = at;
             ahead.known = within;
             move();
-            if (turned_round()) {
+            if (passes_kink(ahead.roll)) {
                 y = before;
                 ahead.known = false;
                 if (!by_midpoints(&left, true))
@@ -324,10 +329,12 @@ template <class R> class path
         return slow && (slow->damping != 0 || slow->layer != 0);
     }
 
-    /* Whether it has turned, since the series began, where that is so. */
-    bool turned_round() const
+    /* Whether the contact has turned round, where that is so, since it rolled
+     * at this rate.  A step sees no kink beyond its last substep, so that only
+     * the shortest may pass one. */
+    bool passes_kink(R rolled) const
     {
-        return has_kinks() && !(rolls() * ahead.roll > 0);
+        return has_kinks() && !(rolls() * rolled > 0);
     }
 
     /* To where `ahead` is at. */
