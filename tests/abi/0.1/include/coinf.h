@@ -180,8 +180,8 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  *         (make adversary).  A quarter that turns for 8 s, in calls of 1 ms or
  *         of 1/60 s, rests within 1e-5 s of the time that coin_settle() gives
  *         (test_float_settle).
- * Cost: on a Cortex-M4F 2,193 instructions for a call of one step, by dry
- *         friction, and 1,088 bytes of stack.  A quarter's 8 s take 8,263 steps
+ * Cost: on a Cortex-M4F 2,203 instructions for a call of one step, by dry
+ *         friction, and 1,112 bytes of stack.  A quarter's 8 s take 8,263 steps
  *         in 8,019 calls of 1 ms at 1e-3, at most 12 of them in one call
  *         (docs/embedding.md). */
 COIN_API int32_t coinf_settle(coinf_state *s, const coinf_params *p,
