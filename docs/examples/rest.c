@@ -44,7 +44,7 @@ static void print_row(const char *body, const char *law, double left,
 
     demand(coin_losses_rates(s, p, l, &rates));
     demand(coin_angular_velocity(s, w));
-    printf("%s %s,%.4e,%.4e,%.4e,%.4e\n", body, law, left, PI / 2 - s->theta,
+    printf("%s %s,%.3e,%.3e,%.3e,%.3e\n", body, law, left, PI / 2 - s->theta,
            w[1], rates.psi);
 }
 
