@@ -177,6 +177,24 @@ static void a_held_slip_is_stepped_by_its_rates_alone(void **unused)
     }
 }
 
+/* A turn that decays in a thousandth of the fall is left to the steps. */
+static void too_strong_pivoting_friction_holds_nothing(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_priv_run run;
+    coin_priv_losses l;
+    check_status(coin_priv_check_body(&run.b, &p), COIN_OK);
+    const coin_state s = {.theta = 1.5707963267948966 - 0.04};
+    coin_priv_run_unlimited(&run, &s);
+    for (double b = 1; b < 1e6; b *= 10) {
+        const coin_losses dry = {.dry = 10, .spin = b};
+        check_status(coin_priv_losses_of(&l, &dry, &run.b), COIN_OK);
+        check_note("b = %g", b);
+        check(coin_priv_is_held(&l, &run.b, &run.g.y, 1e-8) == (b < 5e3));
+    }
+}
+
 /* Rolling and damping alone never stop a contact; another loss beside them
  * takes a part of the energy. */
 static void no_law_of_the_end_holds_for_other_losses(void **unused)
@@ -226,6 +244,7 @@ int main(void)
         TEST(losses_stop_what_a_fall_makes_grow),
         TEST(weak_losses_let_a_falling_coin_pass),
         TEST(a_held_slip_is_stepped_by_its_rates_alone),
+        TEST(too_strong_pivoting_friction_holds_nothing),
         TEST(no_law_of_the_end_holds_for_other_losses),
         TEST(what_a_turn_lifts_does_not_fall),
     };

@@ -71,9 +71,10 @@ static void stop_at(struct moving *g, const coin_priv_moment *event,
                     coin_priv_sum rem)
 {
     coin_priv_add(&rem, -event->run.g.added.t);
-    const coin_priv_sum none = {0, 0};
+    const double side = g->t < 0 ? -1 : 1, left = side * rem.sum;
     g->run = event->run;
-    g->rem = rem.sum * g->t < 0 ? none : rem;
+    g->rem.sum = side * (left + fabs(left)) / 2;
+    g->rem.low = rem.low;
 }
 
 static int32_t follow(struct moving *g, coin_priv_stretch *w,

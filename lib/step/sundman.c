@@ -31,6 +31,24 @@ double coin_priv_sundman_tau(const coin_priv_body *b,
     return stride / sqrt(least2 > rate2 ? least2 : rate2);
 }
 
+/* Where the series of coin_priv_tau_of() is poor, its sum may have the wrong
+ * sign.  So tau is at least LEAST_PART of rem/c, and each step leads on. */
+#define LEAST_PART 0.125
+
+/* By the power series in rem to third order.  c, c1, c2: cos theta and its
+ * derivatives by t.  (54) */
+double coin_priv_tau_of(const coin_priv_body *b, const coin_priv_variables *y,
+                        double rem)
+{
+    const coin_priv_field f = coin_priv_field_of(b, 1);
+    const double c = y->cth, r = rem / c;
+    const double dwX = coin_priv_sundman_slopes(&f, y).wX / c;
+    const double c1 = -y->sth * y->wX * r; /* times r, r^2: without unit */
+    const double c2 = (-c * y->wX * y->wX - y->sth * dwX) * r * r;
+    const double part = 1 - c1 / 2 + (2 * c1 * c1 - c * c2) / 6;
+    return r * coin_priv_larger(part, LEAST_PART);
+}
+
 int coin_priv_sundman_accept(coin_priv_run *r, const coin_priv_variables *y,
                              const coin_priv_pose *adds)
 {

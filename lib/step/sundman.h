@@ -15,6 +15,10 @@
 double coin_priv_sundman_tau(const coin_priv_body *b,
                              const coin_priv_variables *y, double stride);
 
+/* The tau in which the time rem passes from here, to third order. */
+double coin_priv_tau_of(const coin_priv_body *b, const coin_priv_variables *y,
+                        double rem);
+
 /* Ends a step in tau that was accepted: y are the variables at its end, adds
  * what it adds to the pose.  0, and *r untouched, if phi or psi leave their
  * range. */
