@@ -8,7 +8,7 @@
  * leans that are steady at given integrals K_Y and K_Z. */
 #include "turning.h"
 
-enum { RATES = 52, THROWN = 100 };
+enum { RATES = 44, THROWN = 100 };
 
 static double lambda2(const coin_state *s, const coin_params *p)
 {
