@@ -257,10 +257,10 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
             &g->contact, coin_priv_roll_slopes, &from, &to,
             tau,         fabs(tau) * rate,
         };
-        double part;
-        coin_priv_verdict is = coin_priv_test_cone(&tested, &part);
-        if (is == COIN_PRIV_UNCLEAR && tested.stride < SHORTEST)
-            is = COIN_PRIV_STAYS;
+        double part = 1;
+        const coin_priv_verdict is = tested.stride < SHORTEST
+                                         ? COIN_PRIV_STAYS
+                                         : coin_priv_test_cone(&tested, &part);
         if (is != COIN_PRIV_STAYS) {
             tau *= part;
             coin_priv_again(g, tau);

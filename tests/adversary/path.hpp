@@ -247,13 +247,12 @@ template <class R> class path
             h = magnitude(*left) < h ? *left : *left < 0 ? -h : h;
             const vector before = y;
             const R rolled = rolls();
-            const int most = has_kinks() ? 20 : 12;
             int halvings = 0;
             while (!step(h, halvings < 12 || !has_kinks() ? NONE<R> : KINK) ||
-                   (halvings < most && passes_kink(rolled))) {
+                   (halvings < 12 && passes_kink(rolled))) {
                 y = before;
                 h /= 2;
-                if (++halvings > most)
+                if (++halvings > 12)
                     return false;
             }
             *left -= h;
