@@ -276,6 +276,34 @@ static void a_fast_straight_roll_does_not_slip(void **unused)
     }
 }
 
+/* Found by the search: the clearance at an end of the step is rounding.  The
+ * halving of the step did not end. */
+static void a_step_of_almost_no_length_ends(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_body(&p, 0x1.d1e0b919e5fccp-11,
+                                  0x1.30a43209cfa33p+16, 0x1.3b0dabb8cca7p+2,
+                                  0x1.19d1c8a27eaddp+22, 0x1.34eebe6d4d516p+21),
+                 COIN_OK);
+    const coin_friction f = {0x1.4d5518f2196c6p+0, 0x1.2f078b0aa2bf9p+0};
+    const coin_state s = {
+        .theta = -0x1.3652251208c16p-1,
+        .phi = -0x1.5909e1232a545p+1,
+        .psi = -0x1.b991a20b47e97p+0,
+        .wX = -0x1.d1e2434515222p-11,
+        .wY = 0x1.561f4b7a54455p-11,
+        .wZ = 0x1.fcc1b605c19dbp-7,
+    };
+    coin_slide d;
+    double reached;
+    check_status(coin_slide_of(&d, &s, &p), COIN_OK);
+    check_status(coin_slide_advance(&d, &p, &f, NULL, 202.65581375722547,
+                                    0x1.817f444125c59p-39, &reached),
+                 COIN_OK);
+    check(reached == 202.65581375722547);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -286,6 +314,7 @@ int main(void)
         TEST(a_held_coin_begins_to_slip_in_short_calls),
         TEST(a_held_coin_that_does_not_begin_to_slip_keeps_no_slip),
         TEST(a_fast_straight_roll_does_not_slip),
+        TEST(a_step_of_almost_no_length_ends),
     };
     return RUN_TESTS(tests);
 }
