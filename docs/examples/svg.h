@@ -19,8 +19,8 @@
 #define SVG_GREY "#D8D8D8"
 
 /* Points of a curve closer than this, in pixels, are left out: a chord that
- * short leaves an arc of 20 pixels' radius by 0.04, which no one sees. */
-#define SVG_CHORD 2.5
+ * short leaves an arc of 20 pixels' radius by 0.05, which no one sees. */
+#define SVG_CHORD 2.8
 
 /* ------------------------------------------------------------- document -- */
 
