@@ -224,6 +224,21 @@ static void a_call_that_ends_next_to_the_table_goes_on(void **unused)
     }
 }
 
+/* In 33,600 calls. */
+static void a_held_fall_errs_by_6e_4_in_calls_of_1e_5(void **unused)
+{
+    (void)unused;
+    const coinf_params p = disc_f();
+    const coinf_losses l = {.dry = 10};
+    coinf_state s = {.theta = 1.5257963f}, once = s;
+    float rests, reached;
+    double t = 0;
+    check_status(coinf_settle(&once, &p, &l, 1, 1e-4f, &rests), COIN_RESTS);
+    while (coinf_settle(&s, &p, &l, 1e-5f, 1e-4f, &reached) == COIN_OK)
+        t += (double)reached;
+    check_near(t + (double)reached, (double)rests, 6e-4);
+}
+
 /* The time left is held by two floats. */
 static void how_long_the_call_is_does_not_change_when_it_ends(void **unused)
 {
@@ -278,6 +293,7 @@ int main(void)
         TEST(a_call_that_ends_next_to_the_table_goes_on),
         TEST(how_long_the_call_is_does_not_change_when_it_ends),
         TEST(strong_pivoting_friction_ends_the_turn_of_a_fall),
+        TEST(a_held_fall_errs_by_6e_4_in_calls_of_1e_5),
     };
     return RUN_TESTS(tests);
 }

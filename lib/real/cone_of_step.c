@@ -16,8 +16,9 @@
  * take the same number of steps (make tuning). */
 #define HALVED 0.5
 
-/* Where sin theta exceeds the range of the swing by more than this, the swing
- * was none: on an unstable steady motion rounding turns the lean round. */
+/* If the lean leaves the range between the turning points by more than this, in
+ * sin theta, they were not those of a swing.  On an unstable steady motion
+ * rounding makes the lean turn round. */
 #define WIDER 1e-9
 
 /* Calls coin_priv_surely_in_cone() for both halves of the step just made.

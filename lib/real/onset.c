@@ -125,7 +125,7 @@ static int32_t wait_for_speed(coin_priv_sliding *g, const coin_priv_slip *start,
     }
     const double seed = COIN_PRIV_SLIP_SEED * g->contact.w0;
     if (coin_priv_rolling_clearance(g) >= 0) {
-        if (from->slope * by >= seed) { /* it slips before: no wait */
+        if (from->slope * by >= seed) { /* the slip begins before */
             g->w.run.g = g->from;
             g->w.run.steps = g->steps;
             const coin_priv_slip soon = at_seed(&g->contact, start, from);

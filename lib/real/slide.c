@@ -149,7 +149,7 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
 }
 
 /* The variables where the slide has come to, with its slip velocity or 0. */
-static coin_priv_slip variables_of(const coin_priv_sliding *g, int slips)
+static coin_priv_slip slip_here(const coin_priv_sliding *g, int slips)
 {
     return coin_priv_slip_of(&g->w.run.g.y, slips ? g->uX : 0,
                              slips ? g->uh : 0);
@@ -163,7 +163,7 @@ static int32_t mode_of(const coin_priv_sliding *g)
     const coin_priv_contact *t = &g->contact;
     if (g->surely_rolls) /* then slips is 0 */
         return COIN_OK;
-    const coin_priv_slip y = variables_of(g, g->slips);
+    const coin_priv_slip y = slip_here(g, g->slips);
     if (g->slips)
         return coin_priv_clearance(t, &y, 1) > 0 ? slips : lifts;
     if (coin_priv_clearance(t, &y, 0) < 0)
@@ -188,7 +188,7 @@ static coin_slide end_of(coin_priv_sliding *g, int32_t status)
 {
     coin_slide end;
     double v[2];
-    const coin_priv_slip y = variables_of(g, g->slips | (status == COIN_SLIPS));
+    const coin_priv_slip y = slip_here(g, g->slips | (status == COIN_SLIPS));
     coin_priv_centre_velocity(v, &y, g->contact.b.a);
     if (g->w.run.steps > 0 && !g->ended_in_t)
         coin_priv_read_lean(&g->w.run.g);

@@ -197,8 +197,9 @@ COIN_PRIV_INLINE double coin_priv_passed(double t, const coin_priv_sum *rem)
     return rem->sum == 0 ? t : (t - rem->sum) - rem->low;
 }
 
-/* Ends a call that was to move *s by t, of which *rem is left.  If x or z has
- * overflowed, *s stays as it was and *reached becomes 0, as in a run. */
+/* Ends a call that was to move *s by the time t, of which *rem is left.  If x
+ * or z has overflowed, *s stays as it was and *reached becomes 0, as in a run.
+ */
 COIN_PRIV_INLINE int32_t coin_priv_end_call(coin_state *s,
                                             const coin_priv_run *r,
                                             int32_t status, double t,

@@ -14,7 +14,8 @@
  * thin bodies err up to 3 times as much; twice takes 4 % more steps (make
  * tuning).
  *
- * roll2 keeps the contact of such a body from rolling by 16 rad in a step. */
+ * In a step of such a body the contact would roll by more than 16 rad if roll2
+ * did not bound the rate from below. */
 #define WEIGHT_Y 1.5
 #define WEIGHT_SLOPE 3
 #define WEIGHT_ROLL 0.04

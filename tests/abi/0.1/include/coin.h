@@ -1115,11 +1115,10 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  *         range, and the slide is that at *reached.
  * t = 0 changes nothing: the status tells whether the coin rolls or slips.  A
  * slip speed below 1e-10 sqrt(g a) + 16 u a (|wX| + |wZ|) counts as 0.  While a
- * slip begins, its speed counts as 0 until it is 2e-10 sqrt(g a); the velocity
- * keeps what it has gained.  A coin also rolls if the friction
- * that it needs exceeds mu_static N by less than 1e-14 of the terms of the
- * force, which is rounding.  Without a slip the motion is that of
- * coin_advance().
+ * slip begins, its speed counts as 0 until it is 2e-10 sqrt(g a), though vx and
+ * vz contain it.  A coin also rolls if the friction that it needs exceeds
+ * mu_static N by less than 1e-14 of the terms of the force, which is rounding.
+ * Without a slip the motion is that of coin_advance().
  * mu_static = mu_kinetic is accepted.  A slip then begins without acceleration,
  * and many short steps follow until it has grown.  A launch costs 14 times as
  * much as with mu_kinetic = 0.9 mu_static in the mean, and 70 times in the

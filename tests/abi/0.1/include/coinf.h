@@ -171,9 +171,9 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  *         state is then that at *reached, and another call goes on from there.
  * A coin nearer to flat than 3e-8 rad counts as flat.  If the losses never
  * stop the contact, the time from cos(theta) = 1e-5 to rest is taken from the
- * law by which such a motion ends.  In calls shorter than 1e-4 natural units a
- * fall whose contact has stopped loses what a float cannot add: it lasts 5e-4
- * too long in calls of 1e-5 units.
+ * law by which such a motion ends.  In calls of 1e-5 natural units a fall
+ * whose contact has stopped may err by 6e-4 units: a float cannot add what it
+ * moves in such a call (test_float_settle_calls).
  * Accuracy: in 98 of 100 random launches the error stays within tol per natural
  *         unit of time.  It stays within that of coin_settle() and
  *         90 u (1 + t sqrt(g/a)), u = 2^-24, in all launches that were searched
