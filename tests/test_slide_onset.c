@@ -4,7 +4,6 @@
 #include "support/coins.h"
 #include "support/slides.h"
 
-#include <fenv.h>
 #include <math.h>
 
 #define HALF_PI 1.5707963267948966
@@ -101,11 +100,8 @@ static void a_coin_on_a_frictionless_table_falls_and_glides(void **unused)
         check_note("mu %g, wZ %g", mu, wZ);
         check_status(coin_slide_of(&from, &s, &p), COIN_OK);
         d = from;
-        feclearexcept(FE_ALL_EXCEPT);
-        const int32_t status =
-            coin_slide_advance(&d, &p, &f, NULL, t, tol, &reached);
-        check(!fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW));
-        check_status(status, COIN_SLIPS);
+        check_status(coin_slide_advance(&d, &p, &f, NULL, t, tol, &reached),
+                     COIN_SLIPS);
         check(reached == t);
         check_near(d.vx, from.vx, tol);
         check_near(d.vz, from.vz, tol);
