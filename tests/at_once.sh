@@ -4,20 +4,26 @@
 # many at once as there are processors; fails if one did.
 at_once()
 {
-    number=0 running="" result=0
-    while read -r line; do
-        number=$((number + 1))
-        "$@" $number "$line" &
+    taken=$(mktemp -d) running="" result=0
+    cat >"$taken/lines"
+    while test "$(echo "$running" | wc -w)" -lt "$(nproc)"; do
+        each_not_taken "$@" &
         running="$running $!"
-        test $((number % $(nproc))) = 0 || continue
-        finish_running
     done
-    finish_running
+    for one in $running; do wait "$one" || result=1; done
+    rm -r "$taken"
     return $result
 }
 
-finish_running()
+# Who makes a line's folder takes the line.
+each_not_taken()
 {
-    for one in $running; do wait "$one" || result=1; done
-    running=""
+    number=0 result=0
+    while read -r line; do
+        number=$((number + 1))
+        mkdir "$taken/$number" 2>"$taken/errors" || continue
+        "$@" $number "$line" &
+        wait $! || result=1
+    done <"$taken/lines"
+    return $result
 }

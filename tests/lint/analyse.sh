@@ -33,7 +33,7 @@ own="-std=c99 -O2 -ffp-contract=off -Werror -I$SRC/include"
 # analysed NUMBER FILE
 analysed()
 {
-    object=$work/analysed$(($1 % $(nproc))).o
+    object=$work/analysed.$1.o
     # shellcheck disable=SC2086
     gcc $own -Wall -Wextra -Wdouble-promotion -fanalyzer \
         -Wno-analyzer-use-of-uninitialized-value -c "$2" -o "$object" &&

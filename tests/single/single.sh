@@ -165,15 +165,15 @@ same()
         echo "same bits  $2" || fail "other bits: $2"
 }
 at_once same <<END
-gcc -O0
 gcc -std=gnu11 -O3 -march=native
 gcc -std=gnu11 -O3 -march=native -ffp-contract=fast
-gcc -O2 -flto
 g++ -x c++ -O3 -march=native
 clang -std=gnu11 -O3 -march=native
 clang++ -x c++ -O3 -march=native
-tcc
+gcc -O2 -flto
 musl-gcc -O2 -static
+gcc -O0
+tcc
 END
 
 # ------------------------------------------------------- what must not pass --
