@@ -227,13 +227,13 @@ static void what_a_turn_lifts_does_not_fall(void **unused)
     coin_params p;
     const coin_losses l = {.dry = 10, .soft = 1e-9};
     check_status(coin_params_body(&p, 1, 1, 1, 1e4, 1), COIN_OK);
-    const double c = 0.0499, turn = 0.03;
+    const double c = 0.0499, turn = 0.03, t = 1e-5;
     coin_state s = {
         .theta = acos(c), .wY = c * turn, .wZ = -sqrt(1 - c * c) * turn};
     const double E = coin_energy(&s, &p);
     double reached;
-    (void)coin_settle(&s, &p, &l, 1, 1e-6, &reached);
-    check(reached >= 0 && coin_energy(&s, &p) <= E * (1 + 1e-5));
+    check_status(coin_settle(&s, &p, &l, t, 1e-6, &reached), COIN_OK);
+    check(reached == t && coin_energy(&s, &p) <= E * (1 + 1e-9));
 }
 
 int main(void)

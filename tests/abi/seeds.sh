@@ -5,17 +5,23 @@
 # From `make abi-seeds`: MAKE CC SRC OUT VERSION SOVERSION PYTHON.
 set -eu
 work=$OUT/abi-seeds
-copy=$work/source
-missed=0
+unbroken=$work/unbroken
+copy=$unbroken
 rm -rf "$work"
 mkdir -p "$work"
+. "$SRC/tests/at_once.sh"
 
-# A copy to break, built as it was unbroken: make then compiles what an edit
-# touches.
-fresh()
+# seed NUMBER NAME: a function below, with a copy to break.  It was built
+# unbroken: make then compiles what an edit touches.
+seed()
 {
-    rm -rf "$copy"
-    cp -a "$work/unbroken" "$copy"
+    work=$work/$2
+    copy=$work/source
+    mkdir "$work"
+    cp -a "$unbroken" "$copy"
+    missed=0
+    "$2"
+    test $missed = 0
 }
 
 build()
@@ -82,83 +88,69 @@ cp -r "$SRC/Makefile" "$SRC/include" "$SRC/lib" "$SRC/LICENSE" \
 cp -r "$SRC/tests/abi" "$SRC/tests/ffi" "$copy/tests"
 rm -rf "$copy/tests/abi/$SOVERSION/released"
 build
-cp -a "$copy" "$work/unbroken"
 gate || { cat "$work/log"; echo "the baseline is old: make abi-update"; exit 1; }
 echo "passes  unbroken"
 
-(PYTHON=/nowhere/python3; gives "a missing tool" "needs /nowhere/python3")
-mv "$copy/tests/abi/$SOVERSION/layout.txt" "$work"
-gives "a missing baseline" "there is no"
-mv "$work/layout.txt" "$copy/tests/abi/$SOVERSION"
-
-edit include/coin.h 's/COIN_ESTEP = -3/COIN_ESTEP = -99/'
-build
-gives "a constant with another value" "changed: constants;"
-
-fresh
-edit include/coin.h 's/visibility("default")))/visibility("default"), cold))/'
-build
-gives "a macro with another value" "changed: macros;"
-
-fresh
-edit include/coin.h 's/^    double normal; /    double extra; double normal; /'
-build
-gives "a member inserted" "changed: layout types client;"
-
-fresh
-edit include/coin.h '/^    double wY;/{h;d};/^    double wZ;/{G;}'
-build
-gives "two members in each other's place" "changed: layout types client;"
-
-fresh
-edit lib/about/rollcoin.map '/coin_critical_spin;/d'
-build
-gives "a symbol dropped" "changed: symbols types client;"
-
-fresh
-edit include/coin.h 's/size_t count/uint32_t count/'
-edit lib/step/run.c 's/size_t count/uint32_t count/'
-edit lib/step/batch.c 's/size_t count/uint32_t count/'
-build
-gives "an argument of another type" "changed: functions types;"
-
-fresh
-edit include/coin.h 's/^COIN_API uint32_t coin_version(void);/&\nCOIN_API int32_t coin_new(void);/'
-edit lib/about/version.c '$a int32_t coin_new(void) { return 0; }'
-edit lib/about/rollcoin.map 's/^    coin_version;/    coin_new;\n&/'
-build
-gives "a function added" "changed: symbols functions types;"
-
-fresh
-build -g0
-gives "no debug information" "has no debug information"
-
-# ---------------------------------------------------------------- what may grow
-fresh
-edit include/coin.h 's/double reserved\[3\];/double tilt; double reserved[2];/'
-edit include/coin.h 's/double reserved\[26\];/double spin; double reserved[25];/'
-edit include/coinf.h 's/float reserved\[3\];/float tilt; float reserved[2];/'
-for file in body.c body.h; do
-    edit lib/motion/$file 's/reserved\[0\]/tilt/; s/reserved\[1\]/reserved[0]/
-        s/reserved\[2\]/reserved[1]/'
-done
-edit include/coin.h 's/coin_energy(const coin_state \*s,/coin_energy(const coin_state *now,/'
-build
-passes "reserved members used, and an argument renamed"
-
-# ------------------------------------------------------ once a release has been
-major=${VERSION%%.*} patch=${VERSION##*.}
-minor=${VERSION#*.} minor=${minor%.*}
-newest=$(sed -n 's/^\(ROLLCOIN_[0-9.]*\) {.*/\1/p' "$SRC/lib/about/rollcoin.map" |
-    tail -1)
-next=$newest.next
-
-# A copy of the version after the release of this one.
-after_release()
+# ------------------------------------------------------------------- the breaks
+missing_tool()
 {
-    fresh
-    passes "a release" release
-    edit include/coin.h "s/\(COIN_VERSION_PATCH\) .*/\1 $((patch + 1))/"
+    PYTHON=/nowhere/python3
+    gives "a missing tool" "needs /nowhere/python3"
+}
+
+missing_baseline()
+{
+    rm "$copy/tests/abi/$SOVERSION/layout.txt"
+    gives "a missing baseline" "there is no"
+}
+
+constant()
+{
+    edit include/coin.h 's/COIN_ESTEP = -3/COIN_ESTEP = -99/'
+    build
+    gives "a constant with another value" "changed: constants;"
+}
+
+macro()
+{
+    edit include/coin.h 's/visibility("default")))/visibility("default"), cold))/'
+    build
+    gives "a macro with another value" "changed: macros;"
+}
+
+insert_member()
+{
+    edit include/coin.h 's/^    double normal; /    double extra; double normal; /'
+    build
+}
+
+member()
+{
+    insert_member
+    gives "a member inserted" "changed: layout types client;"
+}
+
+order()
+{
+    edit include/coin.h '/^    double wY;/{h;d};/^    double wZ;/{G;}'
+    build
+    gives "two members in each other's place" "changed: layout types client;"
+}
+
+symbol()
+{
+    edit lib/about/rollcoin.map '/coin_critical_spin;/d'
+    build
+    gives "a symbol dropped" "changed: symbols types client;"
+}
+
+argument()
+{
+    for file in include/coin.h lib/step/run.c lib/step/batch.c; do
+        edit $file 's/size_t count/uint32_t count/'
+    done
+    build
+    gives "an argument of another type" "changed: functions types;"
 }
 
 # add_function MAP: with an edit of the list of symbols.
@@ -168,49 +160,97 @@ add_function()
         's/^COIN_API uint32_t coin_version(void);/&\nCOIN_API int32_t coin_new(void);/'
     edit lib/about/version.c '$a int32_t coin_new(void) { return 0; }'
     edit lib/about/rollcoin.map "$1"
+    build
+}
+of_today='s/^    coin_version;/    coin_new;\n&/'
+
+function()
+{
+    add_function "$of_today"
+    gives "a function added" "changed: symbols functions types;"
 }
 
-after_release
-edit include/coin.h 's/^    double normal; /    double extra; double normal; /'
-build
-gives "a member inserted after a release" "a break of the ABI of a release" update
+no_debug()
+{
+    build -g0
+    gives "no debug information" "has no debug information"
+}
 
-after_release
-add_function 's/^    coin_version;/    coin_new;\n&/'
-build
-gives "a symbol in a node of a release" "a break of the ABI of a release" update
+# ---------------------------------------------------------------- what may grow
+reserved()
+{
+    edit include/coin.h 's/double reserved\[3\];/double tilt; double reserved[2];/'
+    edit include/coin.h 's/double reserved\[26\];/double spin; double reserved[25];/'
+    edit include/coinf.h 's/float reserved\[3\];/float tilt; float reserved[2];/'
+    for file in body.c body.h; do
+        edit lib/motion/$file 's/reserved\[0\]/tilt/; s/reserved\[1\]/reserved[0]/
+            s/reserved\[2\]/reserved[1]/'
+    done
+    edit include/coin.h 's/coin_energy(const coin_state \*s,/coin_energy(const coin_state *now,/'
+    build
+    passes "reserved members used, and an argument renamed"
+}
 
-after_release
-add_function "\$a $next { coin_new; } $newest;"
-build
-passes "a symbol in a node of its own" update
+# ------------------------------------------------------ once a release has been
+major=${VERSION%%.*} patch=${VERSION##*.}
+minor=${VERSION#*.} minor=${minor%.*}
+newest=$(sed -n 's/^\(ROLLCOIN_[0-9.]*\) {.*/\1/p' "$SRC/lib/about/rollcoin.map" |
+    tail -1)
+next=$newest.next
 
-# Both directions, with that function: programs of today run with the library of
-# tomorrow; those of tomorrow are refused by the library of today, at the start,
-# unless they need nothing new.
-for name in version new; do
-    echo "#include <coin.h>
-        int main(void) { return coin_$name() == 99; }" |
-        $CC -I"$copy/include" -x c - -x none \
-            "$copy/build/librollcoin.so" -o "$work/$name"
-done
+# The copy becomes that of the version after the release of this one.
+after_release()
+{
+    passes "a release" release
+    edit include/coin.h "s/\(COIN_VERSION_PATCH\) .*/\1 $((patch + 1))/"
+}
+
+member_after_release()
+{
+    after_release
+    insert_member
+    gives "a member inserted after a release" "a break of the ABI of a release" update
+}
+
+symbol_after_release()
+{
+    after_release
+    add_function "$of_today"
+    gives "a symbol in a node of a release" "a break of the ABI of a release" update
+}
+
+# Both directions, with a new function: programs of today run with the library
+# of tomorrow; those of tomorrow are refused by the library of today, at the
+# start, unless they need nothing new.
+node_after_release()
+{
+    after_release
+    add_function "\$a $next { coin_new; } $newest;"
+    passes "a symbol in a node of its own" update
+    for name in version new; do
+        echo "#include <coin.h>
+            int main(void) { return coin_$name() == 99; }" |
+            $CC -I"$copy/include" -x c - -x none \
+                "$copy/build/librollcoin.so" -o "$work/$name"
+    done
+    if runs "$OUT" "$work/version" && runs "$copy/build" "$work/new" &&
+        ! runs "$OUT" "$work/new" &&
+        grep -q "version .$next. not found" "$work/refusal"; then
+        echo "refused  a program of tomorrow: $(sed 's/.*: //' "$work/refusal")"
+    else
+        echo "MISSED  a program of tomorrow is not refused"
+        missed=1
+    fi
+}
 runs() { LD_LIBRARY_PATH=$1 "$2" 2>"$work/refusal"; }
-if runs "$OUT" "$work/version" && runs "$copy/build" "$work/new" &&
-    ! runs "$OUT" "$work/new" &&
-    grep -q "version .$next. not found" "$work/refusal"; then
-    echo "refused  a program of tomorrow: $(sed 's/.*: //' "$work/refusal")"
-else
-    echo "MISSED  a program of tomorrow is not refused"
-    missed=1
-fi
 
 # Before 1.0 a member that is inserted takes a version whose soname is another.
-if test "$major" = 0; then
-    fresh
+soname()
+{
+    test "$major" = 0 || return 0
     next_minor=$major.$((minor + 1))
     edit include/coin.h "s/\(COIN_VERSION_MINOR\) .*/\1 $((minor + 1))/"
-    edit include/coin.h 's/^    double normal; /    double extra; double normal; /'
-    build
+    insert_member
     soname=$(readelf -d "$copy/build/librollcoin.so" |
         sed -n 's/.*soname: \[\(.*\)\]/\1/p')
     if test "$soname" = "librollcoin.so.$next_minor"; then
@@ -219,12 +259,26 @@ if test "$major" = 0; then
         echo "MISSED  a member inserted at $next_minor: it is $soname"
         missed=1
     fi
-    now=$VERSION
     VERSION=$next_minor.0
     gives "a member inserted at $next_minor under the same soname" \
         "is not librollcoin.so.$SOVERSION" update
-    VERSION=$now
-fi
+}
 
-test $missed = 0 || { echo "abi-seeds: MISSED some" >&2; exit 1; }
+at_once seed <<END || { echo "abi-seeds: MISSED some" >&2; exit 1; }
+missing_tool
+missing_baseline
+constant
+macro
+member
+order
+symbol
+argument
+function
+no_debug
+reserved
+member_after_release
+symbol_after_release
+node_after_release
+soname
+END
 echo "abi-seeds: each break of the ABI is seen, and what is allowed passes"

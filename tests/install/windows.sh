@@ -12,6 +12,7 @@ work=$OUT/windows
 dll=librollcoin-$SOVERSION.dll
 mkdir -p "$work"
 
+. "$SRC/tests/at_once.sh"
 die() { echo "windows: $*" >&2; exit 1; }
 
 wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
@@ -64,15 +65,17 @@ run "$work/prefix/bin/hash.exe" | tr -d '\r' |
 run "$work/prefix/bin/client.exe" "$VERSION" || die "the client fails"
 echo "windows: $dll has the bits and the names of Linux's"
 
-count=0
-failed=
-for program in "$work"/tests/test_*.exe; do
-    run "$program" >"$work/log" 2>&1 ||
-        { tail -3 "$work/log"; failed="$failed $(basename "$program" .exe)"; }
-    count=$((count + 1))
-done
-test $count -gt 40 || die "$count test programs"
-test -z "$failed" || die "FAILED:$failed"
+# passes NUMBER PROGRAM
+passes()
+{
+    run "$2" >"$2.log" 2>&1 && return
+    tail -3 "$2.log"
+    die "FAILED: $(basename "$2" .exe)"
+}
+ls "$work"/tests/test_*.exe >"$work/programs"
+count=$(wc -l <"$work/programs")
+test "$count" -gt 40 || die "$count test programs"
+at_once passes <"$work/programs"
 echo "windows: $count test programs pass under wine; not run: $left_out"
 $make LDCONFIG=: PREFIX="$work/prefix" uninstall
 rm "$work/prefix/bin/hash.exe" "$work/prefix/bin/client.exe"

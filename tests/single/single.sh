@@ -110,7 +110,8 @@ echo "$(wc -l <"$work/names") tests run, each with the code inside"
 # -------------------------------------------------- tests, by a file of its own
 # By a user's flags clang may compute what a branch then drops: it raises
 # exceptions that the source does not, unless -ffp-exception-behavior=maytrap
-# forbids (coin.h, FLOATING POINT).  So the tests of traps are left out there.
+# forbids (coin.h, FLOATING POINT).  So the tests of traps are left out there,
+# and are those that run where it does.
 traps="test_traps test_traps_edges test_float_traps test_orbit_edges"
 
 # apart NUMBER COMPILER: the code by a compiler, in a folder of that number.
@@ -141,11 +142,10 @@ folder=0
 while read -r compiler; do
     folder=$((folder + 1))
     case $compiler in
-    clang*maytrap*) left_out= ;;
-    clang*) left_out=$traps ;;
-    *) left_out= ;;
-    esac
-    programs "$left_out" >"$work/names"
+    clang*maytrap*) printf '%s\n' $traps ;;
+    clang*) programs "$traps" ;;
+    *) programs "" ;;
+    esac >"$work/names"
     at_once linked $folder "$compiler" <"$work/names"
     echo "$(wc -l <"$work/names") tests run, $compiler"
 done <"$work/apart"
