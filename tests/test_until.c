@@ -98,6 +98,32 @@ static void an_excursion_at_either_end_is_found(void **unused)
     }
 }
 
+/* The search takes a long step in parts, here in three.  The excursion lies in
+ * the second. */
+static void an_excursion_in_the_middle_of_a_step_is_found(void **unused)
+{
+    (void)unused;
+    const coin_state start = {.theta = -1.239, .wX = -0.0166, .wZ = 13.33};
+    const double t = -0.1, mu = 0.691664;
+    double most = 0, reached;
+    coin_params p;
+    coin_force f;
+    check_status(coin_params_body(&p, 1, 1, 1, 30, 36), COIN_OK);
+    coin_state s = start;
+    for (int i = 0; i < 100; ++i) {
+        check_status(coin_advance(&s, &p, t / 100, 1e-10, NULL), COIN_OK);
+        check_status(coin_reaction(&s, &p, &f), COIN_OK);
+        most = fmax(most, f.ratio);
+    }
+    check(most > mu * (1 + 1e-6) && f.ratio < mu * (1 - 1e-3));
+    s = start;
+    check_status(coin_advance_until(&s, &p, t, 1e-6, mu, COIN_SLIPS, &reached),
+                 COIN_SLIPS);
+    check_status(coin_reaction(&s, &p, &f), COIN_OK);
+    check_near(f.ratio, mu, 1e-6 * mu);
+    check(reached > t);
+}
+
 static void without_an_event_it_is_coin_advance(void **unused)
 {
     (void)unused;
@@ -300,6 +326,7 @@ int main(void)
         TEST(the_first_event_is_that_of_a_fine_search),
         TEST(an_excursion_is_found_that_hardly_exceeds_mu),
         TEST(an_excursion_at_either_end_is_found),
+        TEST(an_excursion_in_the_middle_of_a_step_is_found),
         TEST(without_an_event_it_is_coin_advance),
         TEST(its_ends_are_those_of_coin_advance_too),
         TEST(a_brief_approach_to_the_table_is_found),
