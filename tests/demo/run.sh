@@ -89,7 +89,7 @@ agrees()
         FNR == NR && $1 + 0 == t && /^[0-9]/ {
             degrees = 45 / atan2(1, 1)
             n = split($2 * degrees " " $3 * degrees " " $5 * lengths " " \
-                      $6 * lengths " 0 " $16 / weight " " $17 / $16, want, " ")
+                      $6 * lengths " 0 " $14 / weight " " $16 / $14, want, " ")
         }
         FNR != NR {
             split($0, got, " ")

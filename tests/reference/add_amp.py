@@ -16,7 +16,7 @@ def one(fn):
                 except ValueError: pass
     L = [l for l in L if not l.startswith('# amp')]
     hd = [l for l in L if l[0] == '#']; rows = list(csv.reader(l for l in L if l[0] != '#'))
-    n = rows[0].index('delta') + 1; rows = [r[:n] for r in rows]
+    n = len(rows[0]) - (rows[0][-1] == 'amp'); rows = [r[:n] for r in rows]
     D = np.array([[float(v) for v in r[:9]] for r in rows[1:]]); M, a, b, g = [par[k] for k in 'Mabg']
     tn = (a/g)**.5; B = b/a; IX = (1+B*B)/4; IZ = 2*IX; J = IX+1
     def f(y):                                             # natural units

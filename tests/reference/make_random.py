@@ -46,8 +46,8 @@ def amp(b, theta, wX, wY, wZ, last):
         rows = [[0, theta, 0, 0, 0, 0, wX, wY, wZ],
                 [TIME] + [nstr(last[name], 18) for name in STATE]]
         lines = [f"# M=1 a=1 b={b!r} g=1", "#",
-                 ",".join(["t"] + STATE + ["delta"])]
-        lines += [",".join(map(str, row + [0])) for row in rows]
+                 ",".join(["t"] + STATE)]
+        lines += [",".join(map(str, row)) for row in rows]
         file.write_text("\n".join(lines) + "\n")
         subprocess.run([sys.executable, HERE / "add_amp.py", file],
                        check=True, stdout=subprocess.DEVNULL)

@@ -198,16 +198,16 @@ def derived(sc, y, dps):
     wY0 = We*p - k1*Po*wZ; wZ0 = Pe*wZ - k2*Wo*p
     C1, S1, C2, S2, C3, S3 = mp.cos(ph/2), mp.sin(ph/2), mp.cos(th/2), mp.sin(th/2), mp.cos(ps/2), mp.sin(ps/2)
     q = [C1*C2*C3+S1*S2*S3, C1*S2*C3+S1*C2*S3, S1*C2*C3-C1*S2*S3, C1*C2*S3-S1*S2*C3]
-    return [E, wY0, wZ0, Rx, Ry, Rz, Ry, F, x - a*s*sf, z - a*s*cf] + q + [mp.pi/2 - abs(th)]
+    return [E, wY0, wZ0, Rx, Ry, Rz, F, x - a*s*sf, z - a*s*cf] + q
 
-COLS = ('t theta phi psi x z wX wY wZ E KY KZ Rx Ry Rz N F xc zc q0 q1 q2 q3 delta').split()
+COLS = ('t theta phi psi x z wX wY wZ E KY KZ Rx Ry Rz F xc zc q0 q1 q2 q3').split()
 HEAD = """# rolling coin reference trajectory, scene %(name)s: %(note)s
 # params (binary64, exact): M=%(M)r (%(Mh)s) a=%(a)r (%(ah)s) b=%(b)r (%(bh)s) g=%(g)r (%(gh)s); I_X=M(a^2+b^2)/4, I_Z=2 I_X
 # state at t=0 (binary64, exact): theta=%(th)r (%(thh)s) wX=%(wX)r (%(wXh)s) wY=%(wY)r (%(wYh)s) wZ=%(wZ)r (%(wZh)s); phi=psi=x=z=0
 # every t is an exact binary64 number. 17 significant digits are printed (60-digit arithmetic).
-# Units: those of the parameters; angles in rad. R: force of the floor on the coin, N=Ry, F=hypot(Rx,Rz).
+# Units: those of the parameters; angles in rad. R: force of the floor on the coin, F=hypot(Rx,Rz).
 # KY,KZ: the two linear integrals = wY and wZ carried along the orbit to theta=0 (physics.md).
-# xc,zc: contact point. q0..q3: orientation quaternion (1,i,j,k), q=q_y(phi) q_x(theta) q_z(psi). delta=pi/2-|theta|.
+# xc,zc: contact point. q0..q3: orientation quaternion (1,i,j,k), q=q_y(phi) q_x(theta) q_z(psi).
 """
 def fmt(v):
     if v == 0: return '0'
@@ -237,9 +237,9 @@ def main():
                 f.write(','.join(fmt(v) for v in row) + '\n')
         with open(os.path.join(d, name + '.turns.csv'), 'w') as f:
             f.write('# scene %s: the turning points (wX=0, theta at an extreme) after t=0, first 40, to 30+ digits\n' % name)
-            f.write('t,theta,delta,phi,psi,x,z\n')
-            for tt, th, ph, ps, x, z in turns[:40]:
-                f.write(','.join(fmt(v) for v in (tt, th, mp.pi/2-abs(th), ph, ps, x, z)) + '\n')
+            f.write('t,theta,phi,psi,x,z\n')
+            for turn in turns[:40]:
+                f.write(','.join(map(fmt, turn)) + '\n')
         dm = min([mp.pi/2-abs(r[1]) for r in turns] or [mpf(9)])
         print('%-13s %6d steps %6.1fs  min delta %.3g' % (name, st, time.time()-t0, float(dm)), flush=True)
 
