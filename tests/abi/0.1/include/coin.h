@@ -60,7 +60,7 @@
  *
  * PROMISES. No allocation, no global state, no output, no errno: every function
  * is reentrant and bounded in time and stack.  What moves a state gives the
- * same bits on every platform and compiler (see coin_selftest()).
+ * same bits wherever doubles are those of IEEE 754 (see coin_selftest()).
  *
  * FLOATING POINT.  No function changes the rounding mode or the traps.  A call
  * raises neither division by zero nor invalid nor overflow, unless it returns
@@ -478,8 +478,9 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  *         the last state before the impact that a double can hold, and *reached
  *         the time of the impact.  A coin at rest, as coin_settle() leaves it,
  *         counts as fallen: for t >= 0 *reached is 0.
- * Accuracy: below tol per unit for all of 1000 random coins over 4 units, at
- *         each of eleven tolerances (docs/accuracy.md).  Rounding adds about
+ * Accuracy: within 2 tol (1 + n), with n as for coin_settle() (docs/limits.md);
+ *         below tol per unit for all of 1000 random coins over 4 units, at each
+ *         of eleven tolerances (docs/accuracy.md).  Rounding adds about
  *         1e-15 per unit.  Near flat the double theta cannot hold cos(theta)
  *         exactly: a call that begins at a distance d from flat has a relative
  *         error of u/d in it.  Within a call no such error arises.
@@ -867,7 +868,7 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         motion also leaves out what coin_steady_at() leaves out: here 16 u of
  *         the terms of (39) over |lambda^2| in the lean, with an effect on
  *         heading and roll that grows with time (make adversary).
- * Cost: 0.45 to 0.65 textbook steps, whatever t is (docs/models.md). */
+ * Cost: 0.5 to 0.7 textbook steps, whatever t is (docs/models.md). */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
 
 /* --------------------------------------------------------------- models -- */
@@ -894,7 +895,7 @@ COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
  *         (test_model).
  * Cost: that of coin_orbit_init(), and of up to 128 states of the orbit for
  *         each model that is nearly good enough: 65 textbook steps for a small
- *         swing about a steady circle, of which coin_orbit_init() takes 52; in
+ *         swing about a steady circle, of which coin_orbit_init() takes 51; in
  *         the mean 320 for motions that come to 0.1 to 0.01 rad from flat, 430
  *         to 1e-4 rad and 570 to 1e-6 rad (callgrind).  Where there is no
  *         orbit, up to 64 natural units are stepped: 1,400 textbook steps as a
@@ -969,12 +970,12 @@ COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
  *         enough, s is the state at *reached, and another call goes on from
  *         there.  COIN_ERANGE: phi or psi would leave its range, and s is the
  *         state at *reached.
- * Without any loss the state and *reached are those of coin_advance(), which
- * returns COIN_EFLAT for a fall.  Pivoting friction alone never brings a coin
- * to rest.  The coin is kept on the table, as by coin_advance(): coin_check()
- * tells whether a real one would slip or lift.  If the losses never stop the
- * contact, as with damping or rolling, the time from cos(theta) = 1e-10 to rest
- * is taken from the law by which such a motion ends.
+ * Without any loss it is coin_advance(), but for a fall, which gives COIN_RESTS
+ * and wY = 0.  Pivoting friction alone never brings a coin to rest.  The coin
+ * is kept on the table, as by coin_advance(): coin_check() tells whether a real
+ * one would slip or lift.  If the losses never stop the contact, as with
+ * damping or rolling, the time from cos(theta) = 1e-10 to rest is taken from
+ * the law by which such a motion ends.
  * Accuracy: in 995 of 1000 random launches the error stays within tol per
  *         natural unit of time (test_settle).  In all launches that were
  *         searched it stays within 2 tol (1 + n): n is the number of radii that
