@@ -298,6 +298,82 @@ static void what_falls_flat_without_losses_stays_flat(void **unused)
     check(s.wY == 0);
     check_status(coin_settle(&s, &p, &none, 20, 1e-9, &when), COIN_RESTS);
     check(when == 0);
+    /* The last step leads from just above flat to just below it, upward. */
+    const coin_state fast[] = {
+        {.theta = -0x1.1969e34ade0bap+0,
+         .wX = -0x1.4b7870972f4ccp-2,
+         .wY = 0x1.c52d5dd8ddfc8p-99,
+         .wZ = -0x1.168ef911354cbp-99},
+        {.theta = 0x1.fb4f73456b2cfp-2,
+         .wY = 0x1.2bd567f298d62p-98,
+         .wZ = -0x1.197fec202285ep-99},
+    };
+    for (int i = 0; i < 2; ++i) {
+        s = fast[i];
+        const double tol = i ? 2.80131e-3 : 3.28256e-4;
+        check_status(coin_settle(&s, &p, &none, 20, tol, NULL), COIN_RESTS);
+        check(s.wX * s.theta > 0);
+        check_status(coin_settle(&s, &p, &none, 20, tol, &when), COIN_RESTS);
+        check(when == 0);
+    }
+}
+
+/* Losses of a coin that turns about the vertical on a contact that stands: they
+ * do not act at the start, and are far too strong for the first step. */
+static void strong_losses_of_a_contact_that_stands(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction endless = {INFINITY, 0.5};
+    const coin_state start = {.theta = 0.3, .wY = cos(0.3), .wZ = -sin(0.3)};
+    for (double size = 1e2; size < 1e6; size *= 1.5) {
+        const coin_losses layer = {.layer = size};
+        coin_state s = start, sharp = start;
+        coin_slide d;
+        double reached;
+        check_note("%g", size);
+        check_status(coin_settle(&sharp, &p, &layer, 1, 1e-9, NULL), COIN_OK);
+        check_status(coin_settle(&s, &p, &layer, 1, 1e-3, &reached), COIN_OK);
+        check(reached == 1);
+        check_near(s.theta, sharp.theta, 1e-3);
+        check_near(s.phi, sharp.phi, 1e-3);
+        check_status(coin_slide_of(&d, &start, &p), COIN_OK);
+        check_status(
+            coin_slide_advance(&d, &p, &endless, &layer, 1, 1e-3, &reached),
+            COIN_OK);
+        check(reached == 1);
+        check_near(d.s.theta, sharp.theta, 1e-3);
+    }
+}
+
+/* The contact is held, and the fall or the rise turns it on. */
+static void a_heading_out_of_range_ends_a_held_fall(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses dry = {.dry = 2e-3}, strong = {.dry = 1};
+    coin_state s, start;
+    double reached, rest;
+    check_status(coin_steady_circle(&start, &p, 1.4, -0.3, 1), COIN_OK);
+    s = start;
+    check_status(coin_settle(&s, &p, &dry, 1000, 1e-9, &rest), COIN_RESTS);
+    start.phi = 0x1p31 - s.phi + 1e-3;
+    check(s.phi > 16); /* far from its range at the start */
+    s = start;
+    check_status(coin_settle(&s, &p, &dry, 1000, 1e-9, &reached), COIN_ERANGE);
+    check_within(reached, rest - 0.1, rest);
+    check_near(s.phi, 0x1p31, 0.1);
+    start = (coin_state){.theta = 1.5657963267948966, .wX = -0.01};
+    start.wY = cos(start.theta);
+    start.wZ = -sin(start.theta);
+    s = start;
+    check_status(coin_settle(&s, &p, &strong, 1e-3, 1e-9, NULL), COIN_OK);
+    check(s.phi > 9e-4 && s.psi == 0);
+    start.phi = 0x1p31;
+    s = start;
+    check_status(coin_settle(&s, &p, &strong, 1e-3, 1e-9, &reached),
+                 COIN_ERANGE);
+    check(reached < 1e-5);
 }
 
 int main(void)
@@ -316,6 +392,8 @@ int main(void)
         TEST(how_long_the_call_is_does_not_change_when_it_ends),
         TEST(strong_pivoting_friction_ends_the_turn_of_a_fall),
         TEST(what_falls_flat_without_losses_stays_flat),
+        TEST(strong_losses_of_a_contact_that_stands),
+        TEST(a_heading_out_of_range_ends_a_held_fall),
     };
     return RUN_TESTS(tests);
 }

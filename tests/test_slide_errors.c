@@ -149,6 +149,28 @@ static void a_pose_that_leaves_its_range_ends_a_roll(void **unused)
     ends_on_the_way(&d, &endless, &slow, 5, 1e-9);
 }
 
+/* The step in Sundman's time leads to just before the end, and psi leaves its
+ * range in the last step. */
+static void the_slide_is_that_of_the_time_that_was_reached(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_friction endless = {INFINITY, 0.3};
+    const coin_state start = {
+        .theta = 0.3, .psi = 2147483647.7356925, .wX = 0.5, .wZ = 1};
+    coin_state s = start;
+    coin_slide d;
+    double reached;
+    check_status(coin_slide_of(&d, &start, &p), COIN_OK);
+    check_status(
+        coin_slide_advance(&d, &p, &endless, NULL, 0.25, 1e-9, &reached),
+        COIN_ERANGE);
+    check_within(reached, 0.24, 0.25);
+    check_status(coin_advance(&s, &p, reached, 1e-12, NULL), COIN_OK);
+    check_near(d.s.theta, s.theta, 1e-9);
+    check_near(d.s.psi, s.psi, 1e-6);
+}
+
 static void a_pose_that_leaves_its_range_ends_the_slide(void **unused)
 {
     (void)unused;
@@ -171,6 +193,7 @@ int main(void)
         TEST(a_force_that_would_overflow_is_refused),
         TEST(a_path_that_overflows_is_not_taken),
         TEST(a_pose_that_leaves_its_range_ends_a_roll),
+        TEST(the_slide_is_that_of_the_time_that_was_reached),
         TEST(a_pose_that_leaves_its_range_ends_the_slide),
     };
     return RUN_TESTS(tests);

@@ -195,6 +195,36 @@ static void a_slow_path_through_steady_motions_is_quiet(void **unused)
     QUIET(coin_quasisteady_at(&s, &p, &dry, 1, &out), COIN_EDOMAIN);
 }
 
+/* A step that is far too long for the losses; a circle that is neither stable
+ * nor unstable. */
+static void a_loss_too_strong_for_a_step_is_quiet(void **unused)
+{
+    const coin_params p = disc();
+    const double sizes[] = {1e3, 3e3, 1e8};
+    coin_params hoop;
+    coin_state s, out;
+    (void)unused;
+    for (int i = 0; i < 3; ++i) {
+        const coin_losses layer = {.layer = sizes[i]};
+        const coin_losses damping = {.damping = sizes[i]};
+        for (double tol = 1e-9; tol < 1e-2; tol *= 1e6) {
+            check_note("%g, tol %g", sizes[i], tol);
+            s = turning(0.3, 0, cos(0.3), -sin(0.3));
+            QUIET(coin_settle(&s, &p, &layer, 0.1, tol, NULL), COIN_OK);
+            s = turning(0.3, 0, cos(0.3), -sin(0.3));
+            QUIET(coin_settle(&s, &p, &damping, 0.1, tol, NULL), COIN_OK);
+        }
+    }
+    check_status(coin_params_ring(&hoop, 1, 1, 1, 1), COIN_OK);
+    const coin_losses dry = {.dry = 1e-3};
+    for (double wX = 0; wX < 1; wX += 0.1) {
+        coin_losses fitted = dry;
+        s = turning(0, wX, 0, 0.5);
+        QUIET(coin_quasisteady_at(&s, &hoop, &dry, 1, &out), COIN_EDOMAIN);
+        QUIET(coin_losses_fit(&fitted, &s, &hoop, 10), COIN_EDOMAIN);
+    }
+}
+
 static void a_time_of_no_length_is_looked_at(void **unused)
 {
     coin_params p;
@@ -290,6 +320,7 @@ int main(void)
         TEST(a_contact_is_held_in_a_fall_only),
         TEST(next_to_flat_pivoting_alone_is_quiet),
         TEST(a_slow_path_through_steady_motions_is_quiet),
+        TEST(a_loss_too_strong_for_a_step_is_quiet),
         TEST(a_time_of_no_length_is_looked_at),
         TEST(what_nearly_overflows_is_compared_without_overflow),
         TEST(the_least_numbers_are_no_divisors),

@@ -14,7 +14,7 @@ enum { MOST = COIN_PRIV_SQUARED, JOINED = COIN_PRIV_JOINED };
  * second derivative. */
 enum { HALVINGS = 13 };
 
-/* Binomial coefficients of both degrees. */
+/* Binomial coefficients of degree 13, and below those of degree 26. */
 static const double binomial[] = {1,    13,   78,  286, 715, 1287, 1716,
                                   1716, 1287, 715, 286, 78,  13,   1};
 /* 1/C(n, k), k < terms, for the degrees n that all, some and few terms make. */

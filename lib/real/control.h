@@ -25,10 +25,10 @@
 #define COIN_PRIV_ESTIMATE 4.0
 #define COIN_PRIV_BRIEF 0.03
 
-/* Where |rem| times the fastest rate is at most this, one step with losses ends
- * the call.  Its tau is a series in rem: the first term left out is of third
- * order, 1e-15 over that rate.  Ten times as much or a tenth changes the number
- * of steps by 0.04 % and no error (make tuning). */
+/* Where |rem|/cos(theta) times the rate is at most this, one step with losses
+ * ends the call.  Its tau is a series in rem: the first term left out is of
+ * third order or higher, 1e-15 over that rate.  Ten times as much or a tenth
+ * changes the number of steps by 0.04 % and no error (make tuning). */
 #define COIN_PRIV_LAST_LOSSY 1e-5
 
 /* The estimate of the error of a step of DOP853, which is proportional to h^8.

@@ -4,8 +4,8 @@
 #include "friction.h"
 #include "slide.h"
 
-/* COIN_ESTATE if the centre moves too fast; else the status given, which is
- * that of the state. */
+/* The status given, which is that of the state; in place of COIN_OK it is
+ * COIN_ESTATE if the centre moves too fast. */
 static int32_t status_of(int32_t status, const coin_slide *d,
                          const coin_priv_body *b)
 {

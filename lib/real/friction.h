@@ -9,7 +9,7 @@
 /* Whether a slide of a body can be computed with: COIN_OK or COIN_ESTATE. */
 int32_t coin_priv_check_slide(const coin_slide *d, const coin_priv_body *b);
 
-/* The variables of a slide, whose state has those of *y. */
+/* The variables of a slide; *y are those of its state. */
 coin_priv_slip coin_priv_slip_start(const coin_slide *d,
                                     const coin_priv_variables *y, double a);
 

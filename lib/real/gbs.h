@@ -16,7 +16,7 @@ typedef void PRIV(right_hand_side)(real *dy, const real *y,
 /* One step h of the modified midpoint rule, extrapolated (Gragg, Bulirsch and
  * Stoer); n <= COIN_PRIV_GBS_MOST.  Returns an estimate of the error: the
  * largest difference from the result whose order is lower by 2, relative for
- * variables above 1, and NaN if a slope is NaN. */
+ * variables above 1; NaN if all slopes are NaN. */
 real PRIV(gbs)(real *y, size_t n, PRIV(right_hand_side) * slopes,
                const void *problem, real h);
 

@@ -80,7 +80,7 @@ void PRIV(fall_by)(PRIV(held_fall) * f, const PRIV(losses) * l,
 {
     const struct problem of = {l, b};
     real y[] = {f->x, f->v, f->L, f->phi};
-    const int parts = 1 + (int)(t * l->spin / (DECAYED * l->K));
+    const int parts = 1 + (int)(FABS(t) * l->spin / (DECAYED * l->K));
     for (int i = 0; i < parts; ++i)
         (void)PRIV(gbs)(y, 4, slopes, &of, t / (real)parts);
     f->x = y[0];

@@ -9,15 +9,33 @@ struct lossy_field {
     coin_priv_field ideal; /* first: rk8.t.h passes a pointer to it */
     const coin_priv_losses *l;
     double perw, perwZ; /* weights of the errors of wX, wY and of wZ */
+    double most;        /* the sum of the rates from which a trial runs away */
     double *by5, *by3;  /* see coin_priv_error_of() */
+    int *runs_away;
 };
 
-/* h d/dtau of the variables: the ideal coin's, and the losses. */
+/* A trial runs away if a stage has so many times the rates of the start, and
+ * sqrt(g/a): its step is far too long for the losses. */
+#define RUNAWAY 1e6
+
+/* The sum of the rates. */
+COIN_PRIV_INLINE double rates_of(const coin_priv_variables *y)
+{
+    return fabs(y->wX) + fabs(y->wY) + fabs(y->wZ);
+}
+
+/* h d/dtau of the variables: the ideal coin's, and the losses.  0 once the
+ * trial runs away, so that nothing overflows. */
 COIN_PRIV_INLINE coin_priv_variables lossy(const coin_priv_field *f,
                                            const coin_priv_variables *y)
 {
     const struct lossy_field *with =
         (const struct lossy_field *)(const void *)f;
+    if (!(rates_of(y) < with->most)) {
+        const coin_priv_variables none = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+        *with->runs_away = 1;
+        return none;
+    }
     const coin_priv_slowing slow = coin_priv_slowing_of(with->l, y);
     coin_priv_variables d = coin_priv_sundman_slopes(f, y);
     d.wX += f->h * slow.wX;
@@ -111,8 +129,8 @@ static double zone(const coin_priv_lossy *w, double du, double effect)
         least = coin_priv_lesser(w0 * cube * cube * root, least);
     }
     if (l->damping > 0) {
-        const double rate = fabs(y->wX) + fabs(y->wY) + fabs(y->wZ);
-        least = coin_priv_lesser(sqrt(turn / (l->damping * rate)), least);
+        least =
+            coin_priv_lesser(sqrt(turn / (l->damping * rates_of(y))), least);
     }
     return least;
 }
@@ -131,8 +149,14 @@ double coin_priv_turn_bound(const coin_priv_lossy *w, double effect)
 double coin_priv_lossy_bound(coin_priv_lossy *w, double effect)
 {
     const coin_priv_variables *y = &w->run.g.y;
-    const struct lossy_field f = {
-        coin_priv_field_of(&w->run.b, 1), &w->l, 0, 0, 0, 0};
+    const struct lossy_field f = {coin_priv_field_of(&w->run.b, 1),
+                                  &w->l,
+                                  0,
+                                  0,
+                                  (double)INFINITY,
+                                  0,
+                                  0,
+                                  0};
     const coin_priv_variables d = lossy(&f.ideal, y);
     w->du = y->cth * d.wZ + y->sth * d.wY + d.cth * y->wZ + d.sth * y->wY;
     return coin_priv_turn_bound(w, effect);
@@ -163,7 +187,7 @@ double coin_priv_part_of_way(const coin_priv_lossy *w, double then, double tau,
 static double size_of(const coin_priv_variables *y,
                       const coin_priv_variables *z, double w0)
 {
-    const double rates = fabs(y->wX) + fabs(y->wY) + fabs(y->wZ);
+    const double rates = rates_of(y);
     const double turned =
         fabs(z->wX - y->wX) + fabs(z->wY - y->wY) + fabs(z->wZ - y->wZ);
     const double moved = fabs(z->sth - y->sth) + fabs(z->cth - y->cth) +
@@ -180,22 +204,24 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
     const double rate = ideal_rate(w);
     const double slow = rate < natural ? rate : natural;
     double by5, by3;
+    int runs_away = 0;
     const struct lossy_field f = {
         coin_priv_field_of(&w->run.b, tau),
         &w->l,
         1 / slow,
         1 / natural,
+        RUNAWAY * (rates_of(&w->run.g.y) + natural),
         &by5,
         &by3,
+        &runs_away,
     };
     trial->adds.theta = 0; /* the pair holds it */
     const double lowest =
         rk8_sums(&trial->next, &trial->adds, &w->run.g.y, &f.ideal);
     coin_priv_normalize(&trial->next);
     const int above = coin_priv_lesser(lowest, trial->next.cth) > 0;
-    const int finite = by5 + by3 <= DBL_MAX;
     trial->error = (double)INFINITY;
-    if (!(above & finite))
+    if (runs_away | !above)
         return;
     const coin_priv_variables *z = &trial->next;
     const double then = coin_priv_roll_speed(z->wY, z->wZ, z->sth, z->cth);

@@ -14,8 +14,8 @@
 #define SWING 0.1
 
 /* The error that a step may have, relative or absolute; and the lengths of the
- * first and of the shortest step along the arc.  Where a shorter one would be
- * needed, the steady motion becomes unstable. */
+ * first step along the arc, and of the shortest one over ROOT.  Where a shorter
+ * one would be needed, the steady motion becomes unstable. */
 #define ERROR 1e-12
 #define FIRST 0.05
 #define SHORTEST 1e-6
@@ -170,11 +170,11 @@ static int32_t begin(struct passing *g, const coin_state *s,
         return status;
     (void)coin_stability(&near, p, &lambda2);
     const coin_priv_sc th = coin_priv_sincos(near.theta);
-    const double swing2 = (s->theta - near.theta) * (s->theta - near.theta) -
-                          s->wX * s->wX / lambda2;
     const coin_priv_sc from_flat = {th.c, fabs(th.s)};
     const double most = SWING * coin_priv_angle(from_flat);
-    if (!(lambda2 < 0 && swing2 <= most * most))
+    const double lean = fabs(s->theta - near.theta);
+    const double fastest2 = -lambda2 * (most + lean) * (most - lean);
+    if (!((lambda2 < 0) & (lean <= most)) || s->wX * s->wX > fastest2)
         return COIN_EDOMAIN;
     const double w0 = g->q.w0 = sqrt(g->q.b.g_a);
     if (!(fabs(near.wY) + fabs(near.wZ) <= FASTEST * w0))

@@ -110,7 +110,7 @@ static double step_to_end(coin_priv_sliding *g, double left)
         coin_priv_read_lean(&r->g);
     const int done = coin_priv_last_step(r, &g->lengths, &rem) == COIN_OK;
     r->g.added.t = g->rem.sum;
-    g->ended_in_t = 1;
+    g->ended_in_t = done;
     return done ? tau : 0;
 }
 
@@ -277,7 +277,7 @@ static int shorten(coin_priv_sliding *g, double tau, double rate)
 }
 
 /* Makes the next step, and with it the last one if that is near.  Returns the
- * tau of both, or 0 if one fails.  *last: whether no time is left. */
+ * tau of those made, or 0 if none could be.  *last: whether no time is left. */
 static double next_step(coin_priv_sliding *g, double rate, int *last)
 {
     double left = g->rem.sum, tau = 0;
@@ -298,8 +298,12 @@ static double next_step(coin_priv_sliding *g, double rate, int *last)
         if (!*last)
             return tau;
     }
-    const double more = step_to_end(g, left);
-    return more == 0 ? 0 : tau + more;
+    const double moved = g->w.run.g.added.t, more = step_to_end(g, left);
+    if (more != 0)
+        return tau + more;
+    *last = 0;
+    g->w.run.g.added.t = moved;
+    return tau;
 }
 
 int32_t coin_priv_roll_on(coin_priv_sliding *g)

@@ -77,16 +77,22 @@ static int32_t step(struct settling *g, double rate, int *ends)
 }
 
 /* Sets the coin to the end of a fall or of a part of it.  Its point of contact
- * stays where it is. */
-static void put(coin_priv_run *r, const coin_priv_held_fall *f,
-                const coin_priv_losses *l)
+ * stays where it is.  Returns 0, and does nothing, if phi would leave its
+ * range.
+ */
+static int put(coin_priv_run *r, const coin_priv_held_fall *f,
+               const coin_priv_losses *l)
 {
     coin_priv_progress *const g = &r->g;
+    coin_priv_pose added = g->added;
+    added.phi += f->phi;
+    if (!coin_priv_angles_hold(g, &added, 0))
+        return 0;
     coin_priv_variables *const y = &g->y, from = g->y;
     const coin_priv_sc at = coin_priv_sincos(f->x);
     const double side = y->sth < 0 ? -1 : 1;
     const double turn = coin_priv_fall_turn(f, l);
-    g->added.phi += f->phi;
+    g->added.phi = added.phi;
     const coin_priv_sum phi = {coin_priv_total(g->phi, g->added.phi), 0};
     const coin_priv_sc ph = coin_priv_angle_pair(phi);
     y->sth = side * at.c;
@@ -99,6 +105,7 @@ static void put(coin_priv_run *r, const coin_priv_held_fall *f,
     g->added.x += y->sth * y->sph - from.sth * from.sph; /* (21) */
     g->added.z += y->sth * y->cph - from.sth * from.cph; /* (21) */
     ++r->steps;
+    return 1;
 }
 
 /* Makes a part of the rise of a coin whose contact has stopped.  Returns 0, and
@@ -112,8 +119,8 @@ static int rise(struct settling *g, double eps)
     const double time = whole < g->rem.sum ? whole : g->rem.sum;
     coin_priv_held_fall end = f;
     coin_priv_fall_by(&end, l, &g->w.run.b, time);
-    put(&after, &end, l);
-    if (!coin_priv_is_held(l, &g->w.run.b, &after.g.y, eps))
+    if (!put(&after, &end, l) ||
+        !coin_priv_is_held(l, &g->w.run.b, &after.g.y, eps))
         return 0;
     g->w.run = after;
     coin_priv_add(&g->rem, -time);
@@ -134,7 +141,8 @@ static int32_t fall_flat(struct settling *g)
     coin_priv_fall_by(&end, l, b, flat ? time : g->rem.sum);
     if (flat)
         end.x = 0;
-    put(&g->w.run, &end, l);
+    if (!put(&g->w.run, &end, l))
+        return COIN_ESTEP;
     if (!flat) {
         g->rem.sum = 0;
         return COIN_OK;
@@ -205,6 +213,7 @@ static int32_t ideal(coin_state *s, const coin_params *p, double t, double tol,
     const int32_t status = coin_advance(s, p, t, tol, reached);
     if (status != COIN_EFLAT)
         return status;
+    s->wX = copysign(s->wX, s->theta);
     s->wY = 0;
     return COIN_RESTS;
 }

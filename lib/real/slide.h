@@ -107,7 +107,7 @@ double coin_priv_roll_try(coin_priv_sliding *g, double tau);
 /* The rate in tau by which the steps of a rolling coin are measured. */
 double coin_priv_roll_rate(const coin_priv_sliding *g);
 
-/* roll.c: the `error` of coin_priv_lossy_bound(). */
+/* roll.c: the `effect` of coin_priv_lossy_bound(). */
 double coin_priv_least_effect(const coin_priv_sliding *g);
 
 /* slide.c: the size of what the slopes of a slip are products of. */

@@ -80,8 +80,9 @@ COIN_PRIV_INLINE coin_priv_lengths coin_priv_lengths_of(double tol)
     return r;
 }
 
-/* Whether lean and heading turn by less than `angle` times cos theta in the
- * time rem.  Always 0 after the first step of a call. */
+/* Whether in the time rem the heading turns by less than `angle`, and the lean
+ * by less than that times cos theta.  Always 0 after the first step of a call.
+ */
 COIN_PRIV_INLINE int coin_priv_turns_little(const coin_priv_run *r, double rem,
                                             double angle)
 {
@@ -133,8 +134,8 @@ COIN_PRIV_INLINE int coin_priv_one_step_suffices(
 }
 
 /* A step of tau.  If it passes the end of the time, it halves *stride, so that
- * the steps come to an end even where coin_priv_tau_of() is poor.  *r is
- * untouched if the coin is flat, or the step fails or is one too many. */
+ * the steps come to an end even where coin_priv_tau_of() is poor.  *r stays
+ * where it is if the coin is flat, or the step fails or is one too many. */
 COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r, double tau,
                                               double *stride,
                                               coin_priv_sum *rem)

@@ -5,14 +5,14 @@
 
 #include "loop.h"
 
-/* Whether coin_advance() and others accept a tolerance; NaN is not. */
+/* Whether coin_advance() and others accept a tolerance; NaN they do not. */
 COIN_PRIV_INLINE int coin_priv_tol_is_valid(double tol)
 {
     return tol >= 1e-13 && tol <= 1e-2;
 }
 
-/* dt, or 0 if there is no step to make: what steps share could overflow.  NaN
- * if dt is not finite. */
+/* dt, or 0 if there is no step to make: constants made of a large dt could
+ * overflow.  NaN if dt is not finite. */
 COIN_PRIV_INLINE double coin_priv_dt_of(double dt, uint64_t steps)
 {
     return steps > 0 ? dt : 0 * dt;

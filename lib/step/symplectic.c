@@ -50,7 +50,7 @@ COIN_PRIV_INLINE double hermite(double h, double f0, double f1, double df0,
 }
 
 /* Computes wY and wZ at the lean of *y from those at that of *y0; the pair of
- * *y is larger by `by`.  0 if that is beyond the series' reach. */
+ * *y is that of *y0 plus `by`.  0 if that is beyond the series' reach. */
 COIN_PRIV_INLINE int shift(coin_priv_variables *y,
                            const coin_priv_variables *y0, coin_priv_sc by,
                            const coin_priv_body *b)
