@@ -11,7 +11,7 @@ struct lossy_field {
     double perw, perwZ; /* weights of the errors of wX, wY and of wZ */
     double most;        /* the sum of the rates from which a trial runs away */
     double *by5, *by3;  /* see coin_priv_error_of() */
-    int *runs_away;
+    int *holds;         /* 0 once it has run away */
 };
 
 /* A trial runs away if a stage has so many times the rates of the start, and
@@ -24,24 +24,33 @@ COIN_PRIV_INLINE double rates_of(const coin_priv_variables *y)
     return fabs(y->wX) + fabs(y->wY) + fabs(y->wZ);
 }
 
-/* h d/dtau of the variables: the ideal coin's, and the losses.  0 once the
- * trial runs away, so that nothing overflows. */
-COIN_PRIV_INLINE coin_priv_variables lossy(const coin_priv_field *f,
-                                           const coin_priv_variables *y)
+/* h d/dtau of the variables: the ideal coin's, and the losses. */
+COIN_PRIV_INLINE coin_priv_variables with_losses(const coin_priv_field *f,
+                                                 const coin_priv_losses *l,
+                                                 const coin_priv_variables *y)
 {
-    const struct lossy_field *with =
-        (const struct lossy_field *)(const void *)f;
-    if (!(rates_of(y) < with->most)) {
-        const coin_priv_variables none = {0, 0, 0, 0, 0, 0, 0, 0, 0};
-        *with->runs_away = 1;
-        return none;
-    }
-    const coin_priv_slowing slow = coin_priv_slowing_of(with->l, y);
+    const coin_priv_slowing slow = coin_priv_slowing_of(l, y);
     coin_priv_variables d = coin_priv_sundman_slopes(f, y);
     d.wX += f->h * slow.wX;
     d.wY += f->h * slow.wY;
     d.wZ += f->h * slow.wZ;
     return d;
+}
+
+/* The same at a stage; with rates of 0 once the trial runs away, so that
+ * nothing overflows. */
+COIN_PRIV_INLINE coin_priv_variables lossy(const coin_priv_field *f,
+                                           const coin_priv_variables *y)
+{
+    const struct lossy_field *with =
+        (const struct lossy_field *)(const void *)f;
+    const int holds = rates_of(y) < with->most;
+    coin_priv_variables at = *y;
+    at.wX *= holds;
+    at.wY *= holds;
+    at.wZ *= holds;
+    *with->holds &= holds;
+    return with_losses(f, with->l, &at);
 }
 
 /* The sum of squares of the errors. */
@@ -149,15 +158,8 @@ double coin_priv_turn_bound(const coin_priv_lossy *w, double effect)
 double coin_priv_lossy_bound(coin_priv_lossy *w, double effect)
 {
     const coin_priv_variables *y = &w->run.g.y;
-    const struct lossy_field f = {coin_priv_field_of(&w->run.b, 1),
-                                  &w->l,
-                                  0,
-                                  0,
-                                  (double)INFINITY,
-                                  0,
-                                  0,
-                                  0};
-    const coin_priv_variables d = lossy(&f.ideal, y);
+    const coin_priv_field f = coin_priv_field_of(&w->run.b, 1);
+    const coin_priv_variables d = with_losses(&f, &w->l, y);
     w->du = y->cth * d.wZ + y->sth * d.wY + d.cth * y->wZ + d.sth * y->wY;
     return coin_priv_turn_bound(w, effect);
 }
@@ -204,7 +206,7 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
     const double rate = ideal_rate(w);
     const double slow = rate < natural ? rate : natural;
     double by5, by3;
-    int runs_away = 0;
+    int holds = 1;
     const struct lossy_field f = {
         coin_priv_field_of(&w->run.b, tau),
         &w->l,
@@ -213,7 +215,7 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
         RUNAWAY * (rates_of(&w->run.g.y) + natural),
         &by5,
         &by3,
-        &runs_away,
+        &holds,
     };
     trial->adds.theta = 0; /* the pair holds it */
     const double lowest =
@@ -221,7 +223,7 @@ void coin_priv_lossy_try(coin_priv_trial *trial, const coin_priv_lossy *w,
     coin_priv_normalize(&trial->next);
     const int above = coin_priv_lesser(lowest, trial->next.cth) > 0;
     trial->error = (double)INFINITY;
-    if (runs_away | !above)
+    if (!(holds & above))
         return;
     const coin_priv_variables *z = &trial->next;
     const double then = coin_priv_roll_speed(z->wY, z->wZ, z->sth, z->cth);
