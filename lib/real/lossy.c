@@ -37,20 +37,27 @@ COIN_PRIV_INLINE coin_priv_variables with_losses(const coin_priv_field *f,
     return d;
 }
 
-/* The same at a stage; with rates of 0 once the trial runs away, so that
- * nothing overflows. */
+COIN_PRIV_INLINE coin_priv_variables lossy_first(const coin_priv_field *f,
+                                                 const coin_priv_variables *y)
+{
+    const struct lossy_field *with =
+        (const struct lossy_field *)(const void *)f;
+    return with_losses(f, with->l, y);
+}
+
+/* The same at a later stage; 0 once the trial runs away, so that nothing
+ * overflows. */
 COIN_PRIV_INLINE coin_priv_variables lossy(const coin_priv_field *f,
                                            const coin_priv_variables *y)
 {
     const struct lossy_field *with =
         (const struct lossy_field *)(const void *)f;
-    const int holds = rates_of(y) < with->most;
-    coin_priv_variables at = *y;
-    at.wX *= holds;
-    at.wY *= holds;
-    at.wZ *= holds;
-    *with->holds &= holds;
-    return with_losses(f, with->l, &at);
+    if (!(rates_of(y) < with->most)) {
+        const coin_priv_variables none = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+        *with->holds = 0;
+        return none;
+    }
+    return with_losses(f, with->l, y);
 }
 
 /* The sum of squares of the errors. */
@@ -75,6 +82,7 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
 }
 
 #define SLOPES lossy
+#define FIRST_SLOPES lossy_first
 #define POSE_SLOPES coin_priv_sundman_pose_slopes
 #define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
 #define ERROR_TO note_error

@@ -5,7 +5,8 @@
  *
  * A source defines SLOPES and POSE_SLOPES, which give the slopes times h of the
  * variables and of the pose, in t or in tau, and EACH_POSE(F), the members of
- * the pose that POSE_SLOPES sets.  This file then defines rk8_sums().  If the
+ * the pose that POSE_SLOPES sets; and FIRST_SLOPES, if the slopes at the start
+ * are those of another function.  This file then defines rk8_sums().  If the
  * source defines ERROR_TO(f, e5, e3) too, rk8_sums() calls it with the two sums
  * of slopes that estimate the error of a step, for each variable (ibid., II.5).
  */
@@ -17,6 +18,9 @@
 #define SLOPES PRIV(slopes_at)
 #define POSE_SLOPES PRIV(pose_slopes)
 #define EACH_POSE(F) F(theta) F(phi) F(psi) F(x) F(z)
+#endif
+#ifndef FIRST_SLOPES
+#define FIRST_SLOPES SLOPES
 #endif
 
 #include "tableau.t.h"
@@ -184,7 +188,7 @@ COIN_PRIV_INLINE real rk8_sums(PRIV(variables) * end, PRIV(pose) * adds,
                                const PRIV(variables) * y1,
                                const PRIV(field) * f)
 {
-    const PRIV(variables) s1 = *y1, k1 = SLOPES(f, &s1);
+    const PRIV(variables) s1 = *y1, k1 = FIRST_SLOPES(f, &s1);
     const struct row y0 = row_of(&s1), d1 = row_of(&k1);
     struct row y;
     real least_cth = s1.cth;
