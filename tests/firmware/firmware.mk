@@ -223,7 +223,7 @@ cross: $(CROSS:%=$(FW_OUT)/%/same) $(call fw_needs,$(CROSS)) cross-x87 ## equal 
 
 # The x87 keeps more digits than a double has: every source refuses it, and says
 # which flags help.
-cross-x87:
+cross-x87: | $(O)
 	for source in $(SOURCES); do \
 	    ! i686-linux-gnu-gcc -I$(SRC)/include -fsyntax-only $$source \
 	        2>$(O)/x87 && grep -q 'error.*i386 -msse2 -mfpmath=sse' $(O)/x87 || \
