@@ -80,6 +80,9 @@ static void a_state_that_swings_or_is_unstable_is_refused(void **unused)
     check_status(coin_quasisteady_at(&s, &p, &l, 1, &out), COIN_EDOMAIN);
     s = (coin_state){.theta = 1.570796, .wZ = 0.3}; /* falls, next to flat */
     check_status(coin_quasisteady_at(&s, &p, &l, 1, &out), COIN_EDOMAIN);
+    s = (coin_state){.theta = -0.289, .wX = -0.0025, .wZ = -0.0077};
+    s.wY = -0.0053; /* far from a roll that is unstable */
+    check_status(coin_quasisteady_at(&s, &p, &l, 1, &out), COIN_EDOMAIN);
     check(out.phi == 7);
     check_same(&l, &before, sizeof l);
 }
