@@ -326,7 +326,7 @@ static void strong_losses_of_a_contact_that_stands(void **unused)
     const coin_params p = disc();
     const coin_friction endless = {INFINITY, 0.5};
     const coin_state start = {.theta = 0.3, .wY = cos(0.3), .wZ = -sin(0.3)};
-    for (double size = 1e2; size < 1e6; size *= 1.5) {
+    for (double size = 1e2; size < 1e6; size *= 3) {
         const coin_losses layer = {.layer = size};
         coin_state s = start, sharp = start;
         coin_slide d;
