@@ -177,13 +177,15 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  * Accuracy: in 98 of 100 random launches the error stays within tol per natural
  *         unit of time.  It stays within that of coin_settle() and
  *         90 u (1 + t sqrt(g/a)), u = 2^-24, in all launches that were searched
- *         (make adversary), of losses up to 1 in natural units.  From 100 on,
- *         layer and damping need a tol of 1e-4.  A quarter that turns for 8 s,
- * in calls of 1 ms or of 1/60 s, rests within 1e-5 s of the time that
- * coin_settle() gives (test_float_settle). Cost: on a Cortex-M4F 2,203
- * instructions for a call of one step, by dry friction, and 1,112 bytes of
- * stack.  A quarter's 8 s take 8,263 steps in 8,019 calls of 1 ms at 1e-3, at
- * most 12 of them in one call (docs/embedding.md). */
+ *         (make adversary), of losses up to 1 in natural units.  With layer or
+ *         damping above 100 it may be larger for a tol above 1e-4, and above
+ *         1000 for any.  A quarter that turns for 8 s, in calls of 1 ms or of
+ *         1/60 s, rests within 1e-5 s of the time that coin_settle() gives
+ *         (test_float_settle).
+ * Cost: on a Cortex-M4F 2,203 instructions for a call of one step, by dry
+ *         friction, and 1,112 bytes of stack.  A quarter's 8 s take 8,263 steps
+ *         in 8,019 calls of 1 ms at 1e-3, at most 12 of them in one call
+ *         (docs/embedding.md). */
 COIN_API int32_t coinf_settle(coinf_state *s, const coinf_params *p,
                               const coinf_losses *l, float t, float tol,
                               float *reached);
