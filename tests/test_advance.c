@@ -295,7 +295,8 @@ static void a_heading_out_of_range_ends_the_call(void **unused)
 
 /* Spinning upright each step is as long as any: 1.65 over the rate of
  * coin_priv_sundman_tau(). */
-static void a_call_takes_2_20_steps_and_the_next_goes_on(void **unused)
+static void at_the_limit_of_steps_a_call_ends_and_the_next_goes_on(
+    void **unused)
 {
     (void)unused;
     const coin_params p = ring(0);
@@ -378,7 +379,7 @@ int main(void)
         TEST(in_units_a_power_of_two_apart_every_bit_is_the_same),
         TEST(mirrored_or_backward_every_bit_is_the_same),
         TEST(a_heading_out_of_range_ends_the_call),
-        TEST(a_call_takes_2_20_steps_and_the_next_goes_on),
+        TEST(at_the_limit_of_steps_a_call_ends_and_the_next_goes_on),
         TEST(the_usual_errors_touch_nothing),
         TEST(both_ends_of_tol_are_in),
     };

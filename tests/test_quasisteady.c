@@ -167,7 +167,7 @@ static void with_rolling_a_start_without_the_slow_wX_errs_as_m_to_0_4(
         const coin_state start = spin(&p, 0.1);
         coin_state s = start;
         double when;
-        check_status(coin_settle(&s, &p, &l, 1e6, 1e-7, &when), COIN_RESTS);
+        check_status(coin_settle(&s, &p, &l, 1e6, 1e-5, &when), COIN_RESTS);
         const double error = coin_time_to_rest(&start, &p, &l) / when - 1;
         check_within(error / pow(m, 0.4), 0.8, 1.1);
     }

@@ -235,7 +235,8 @@ static void a_pose_that_leaves_its_range_ends_the_onset(void **unused)
 }
 
 /* A coin next to its limit of friction for very long. */
-static void a_call_out_of_steps_goes_on_in_another(void **unused)
+static void at_the_limit_of_steps_a_call_ends_and_the_next_goes_on(
+    void **unused)
 {
     (void)unused;
     const coin_params p = disc();
@@ -262,7 +263,7 @@ int main(void)
         TEST(units_change_nothing_of_losses),
         TEST(equal_coefficients_give_the_limit_of_nearly_equal_ones),
         TEST(a_pose_that_leaves_its_range_ends_the_onset),
-        TEST(a_call_out_of_steps_goes_on_in_another),
+        TEST(at_the_limit_of_steps_a_call_ends_and_the_next_goes_on),
     };
     return RUN_TESTS(tests);
 }

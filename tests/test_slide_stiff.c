@@ -129,7 +129,7 @@ static void a_body_of_small_I_X_passes_upright(void **unused)
     coin_slide fine = from;
     coin_params p;
     coin_params_body(&p, 1, 1, 1, 2.09407e-7, 1.18408e-7);
-    check_status(coin_slide_advance(&fine, &p, &ice, NULL, t, 1e-9, NULL),
+    check_status(coin_slide_advance(&fine, &p, &ice, NULL, t, 1e-8, NULL),
                  COIN_SLIPS);
     for (double tol = 1e-4; tol > 1e-7; tol /= 100) {
         coin_slide d = from;

@@ -33,6 +33,12 @@ COIN_PRIV_INLINE coin_pair coin_pair_of(double a, double b)
     const coin_pair both = {a, b};
     return both;
 }
+/* (-s, c): the pair (c, s) after a right angle. */
+COIN_PRIV_INLINE coin_pair coin_pair_normal(double s, double c)
+{
+    const coin_pair_whole sign = {INT64_MIN, 0};
+    return (coin_pair)((coin_pair_whole)coin_pair_of(s, c) ^ sign);
+}
 typedef double coin_lanes COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
 typedef int64_t coin_lanes_whole COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
 typedef float coinf_lanes COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);

@@ -84,7 +84,7 @@ COIN_PRIV_INLINE void note_error(const coin_priv_field *f,
 #define SLOPES lossy
 #define FIRST_SLOPES lossy_first
 #define POSE_SLOPES coin_priv_sundman_pose_slopes
-#define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
+#define EACH_POSE(F) F(phi) F(psi) F(t)
 #define ERROR_TO note_error
 #include "../step/rk8.t.h"
 #include "../step/sundman.h"

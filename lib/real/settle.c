@@ -86,7 +86,7 @@ static int put(coin_priv_run *r, const coin_priv_held_fall *f,
     coin_priv_progress *const g = &r->g;
     coin_priv_pose added = g->added;
     added.phi += f->phi;
-    if (!coin_priv_angles_hold(g, &added, 0))
+    if (!coin_priv_angles_hold(g, &added))
         return 0;
     coin_priv_variables *const y = &g->y, from = g->y;
     const coin_priv_sc at = coin_priv_sincos(f->x);

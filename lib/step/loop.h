@@ -37,20 +37,26 @@ typedef void coin_priv_step(coin_priv_step_end *end, coin_priv_variables *next,
                             const void *coefficients);
 
 /* Whether phi and psi, as they will be reported, are in the range of
- * coin_state_check(), at least `margin` from its ends.  NaN is not. */
+ * coin_state_check().  NaN is not. */
 COIN_PRIV_INLINE int coin_priv_angles_hold(const coin_priv_progress *g,
-                                           const coin_priv_pose *added,
-                                           double margin)
+                                           const coin_priv_pose *added)
 {
-    const double most = COIN_PRIV_ANGLE_MAX - margin;
-    return fabs(coin_priv_total(g->phi, added->phi)) <= most &&
-           fabs(coin_priv_total(g->psi, added->psi)) <= most;
+    return fabs(coin_priv_total(g->phi, added->phi)) <= COIN_PRIV_ANGLE_MAX &&
+           fabs(coin_priv_total(g->psi, added->psi)) <= COIN_PRIV_ANGLE_MAX;
 }
 
 /* Twice what the 64 steps of a block can turn phi or psi by.  A step turns phi
  * by at most TURN_MAX, and psi by at most sqrt(2) |dt| W: both by less than 2
  * rad. */
 #define COIN_PRIV_BLOCK_TURN 256.0
+
+/* Whether phi and psi stay in that range until a block of steps is done, of
+ * which some may be done already. */
+COIN_PRIV_INLINE int coin_priv_block_holds(const coin_priv_progress *g)
+{
+    const double most = COIN_PRIV_ANGLE_MAX - COIN_PRIV_BLOCK_TURN;
+    return fabs(g->phi.sum) <= most && fabs(g->psi.sum) <= most;
+}
 
 /* The cos theta above which W^2, Eq. (47), is below coarse2 whatever the rates,
  * so that most steps need no closer look: the energy bounds wX^2 + wY^2 by
@@ -59,9 +65,9 @@ COIN_PRIV_INLINE int coin_priv_angles_hold(const coin_priv_progress *g,
  * A quarter is added to E for its error until the end of the block: even at the
  * limit the error of a step is below 1e-3 of E.  Returns 2 if there is no such
  * cos theta. */
-COIN_PRIV_INLINE double coin_priv_safe_cosine(const coin_priv_body *b,
-                                              double coarse2,
-                                              const coin_priv_variables *y)
+COIN_PRIV_PER_BLOCK double coin_priv_safe_cosine(const coin_priv_body *b,
+                                                 double coarse2,
+                                                 const coin_priv_variables *y)
 {
     const double wX = y->wX, wY = y->wY, wZ = y->wZ;
     const double T2 = b->J * wX * wX + b->IX * wY * wY + b->K * wZ * wZ;
@@ -115,8 +121,7 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
         /* For one step, W itself is cheaper. */
         const double safe =
             n > 1 ? coin_priv_safe_cosine(&r->b, r->limits.coarse2, &y) : 2;
-        const int at_edge =
-            !coin_priv_angles_hold(g, &added, COIN_PRIV_BLOCK_TURN);
+        const int at_edge = !coin_priv_block_holds(g);
         uint64_t done = 0;
         for (; done < block; ++done) {
             step(&end, &next, &y, coefficients);
@@ -125,7 +130,7 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
                 !coin_priv_admit_step(&r->limits, g_a, &end, &next))
                 break;
             sum = coin_priv_pose_plus(&added, 1, &end.adds);
-            if (at_edge && !coin_priv_angles_hold(g, &sum, 0))
+            if (at_edge && !coin_priv_angles_hold(g, &sum))
                 break;
             added = sum;
             y = next;

@@ -4,6 +4,13 @@
 
 #include "../motion/kind.h"
 
+/* A function that runs once per block of steps. */
+#ifdef COIN_PRIV_BLOCKS_APART
+#define COIN_PRIV_PER_BLOCK COIN_PRIV_NOINLINE
+#else
+#define COIN_PRIV_PER_BLOCK COIN_PRIV_INLINE
+#endif
+
 /* A sum and what its rounding left out. */
 typedef struct PRIV(sum) {
     real sum, low;
@@ -90,7 +97,7 @@ COIN_PRIV_INLINE void PRIV(add_block)(PRIV(progress) * g)
 }
 
 /* Ends a block, and takes the pairs anew from the angles. */
-COIN_PRIV_INLINE void PRIV(end_block)(PRIV(progress) * g)
+COIN_PRIV_PER_BLOCK void PRIV(end_block)(PRIV(progress) * g)
 {
     PRIV(add_block)(g);
     PRIV(variables) *const y = &g->y;

@@ -5,10 +5,11 @@
  *
  * A source defines SLOPES and POSE_SLOPES, which give the slopes times h of the
  * variables and of the pose, in t or in tau, and EACH_POSE(F), the members of
- * the pose that POSE_SLOPES sets; and FIRST_SLOPES, if the slopes at the start
- * are those of another function.  This file then defines rk8_sums().  If the
- * source defines ERROR_TO(f, e5, e3) too, rk8_sums() calls it with the two sums
- * of slopes that estimate the error of a step, for each variable (ibid., II.5).
+ * the pose that POSE_SLOPES sets besides x and z; and FIRST_SLOPES, if the
+ * slopes at the start are those of another function.  This file then defines
+ * rk8_sums().  If the source defines ERROR_TO(f, e5, e3) too, rk8_sums() calls
+ * it with the two sums of slopes that estimate the error of a step, for each
+ * variable (ibid., II.5).
  */
 #include "../motion/equations.h"
 
@@ -17,7 +18,7 @@
 #ifndef SLOPES
 #define SLOPES PRIV(slopes_at)
 #define POSE_SLOPES PRIV(pose_slopes)
-#define EACH_POSE(F) F(theta) F(phi) F(psi) F(x) F(z)
+#define EACH_POSE(F) F(theta) F(phi) F(psi)
 #endif
 #ifndef FIRST_SLOPES
 #define FIRST_SLOPES SLOPES
@@ -79,8 +80,8 @@ COIN_PRIV_INLINE struct row row_of(const PRIV(variables) * s)
     AT(r, 3) = s->sth;
     AT(r, 4) = s->q;
     AT(r, 5) = s->wY;
-    AT(r, 6) = s->sph;
-    AT(r, 7) = s->cph;
+    AT(r, 6) = s->cph;
+    AT(r, 7) = s->sph;
     WIDEN(r);
     return r;
 }
@@ -95,8 +96,8 @@ COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
         AT(*r, 2),
         AT(*r, 4),
         AT(*r, 4) * AT(*r, 3), /* q sin theta */
-        AT(*r, 6),
         AT(*r, 7),
+        AT(*r, 6),
     };
     return s;
 }
@@ -152,10 +153,21 @@ COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
 #define ROW12(m) y.v[m] = OLD(12, m) + A12[8] * d11.v[m];
 #define SUM(m) y.v[m] = OLD(13, m) + B[7] * d12.v[m];
 
-#define SUM_POSE(m)                                                            \
-    adds->m = (B[0] * v1.m + B[1] * v6.m + B[2] * v7.m + B[3] * v8.m +         \
-               B[4] * v9.m + B[5] * v10.m + B[6] * v11.m) +                    \
-              B[7] * v12.m;
+#define POSE_SUM(V, m)                                                         \
+    ((B[0] * V(1, m) + B[1] * V(6, m) + B[2] * V(7, m) + B[3] * V(8, m) +      \
+      B[4] * V(9, m) + B[5] * V(10, m) + B[6] * V(11, m)) +                    \
+     B[7] * V(12, m))
+#define NUMBER(i, m) v##i.m
+#define SUM_POSE(m) adds->m = POSE_SUM(NUMBER, m);
+#ifdef COIN_PRIV_TURN_BY_PAIRS
+#define POINT(i, m) coin_pair_of(v##i.z, v##i.x)
+#define SUM_PATH                                                               \
+    const coin_pair path = POSE_SUM(POINT, );                                  \
+    adds->z = path[0];                                                         \
+    adds->x = path[1]
+#else
+#define SUM_PATH SUM_POSE(x) SUM_POSE(z)
+#endif
 
 /* Stage i: s##i are its variables, by row i of the tableau, and k##i their
  * slopes.  Row 13 is the end of the step.  With AVX the stage also sums all
@@ -221,6 +233,7 @@ COIN_PRIV_INLINE real rk8_sums(PRIV(variables) * end, PRIV(pose) * adds,
     ERROR_TO(f, &by5, &by3);
 #endif
     EACH_POSE(SUM_POSE)
+    SUM_PATH;
     *end = variables_of_row(&y);
     return least_cth;
 }

@@ -3,6 +3,7 @@
 
 #include "run.h"
 
+COIN_PRIV_TOGETHER
 void coin_priv_run_from(coin_priv_run *r, const coin_state *s, int32_t method,
                         double dt)
 {
@@ -20,6 +21,7 @@ void coin_priv_run_unlimited(coin_priv_run *r, const coin_state *s)
     r->limits.coarse2 = r->limits.most2 = (double)INFINITY;
 }
 
+COIN_PRIV_TOGETHER
 int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
                             const coin_params *p, int32_t method, double dt)
 {
@@ -34,6 +36,7 @@ int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
     return COIN_OK;
 }
 
+COIN_PRIV_TOGETHER
 int32_t coin_priv_run_to_end(coin_priv_run *r, int32_t method, uint64_t steps,
                              coin_state *s, uint64_t *done)
 {
@@ -49,6 +52,7 @@ int32_t coin_priv_run_to_end(coin_priv_run *r, int32_t method, uint64_t steps,
     return n < steps ? coin_priv_refusal(s) : r->limits.warnings;
 }
 
+COIN_PRIV_TOGETHER
 int32_t coin_run(coin_state *s, const coin_params *p, int32_t method, double dt,
                  uint64_t steps, uint64_t *done)
 {

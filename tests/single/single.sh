@@ -93,7 +93,7 @@ done
 inside()
 {
     # shellcheck disable=SC2086
-    eval $CC -std=c99 -w -O0 -D_POSIX_C_SOURCE=200809L -DCOIN_IMPLEMENTATION \
+    eval clang -std=c99 -w -O0 -D_POSIX_C_SOURCE=200809L -DCOIN_IMPLEMENTATION \
         -DCOIN_PRIV=extern -include "$SINGLE" -include kind.h \
         -I"$here" "$rooms" -I"$SRC/tests/support" "$SEES" $CMOCKA \
         "$SRC/tests/$2.c" "$work/inside/*.o" -o "$work/inside/$2" \
