@@ -25,7 +25,7 @@
 #define SLOWER 6.0     /* than a real coin */
 
 enum { SWINGS = 7, TURNS = 3, ROLLS = 8 };
-enum { KEYS = 168, PIECES = 56, STILLS = 5 };
+enum { KEYS = 140, PIECES = 70, STILLS = 5 };
 enum { LEFT = 556, RIGHT = 776, TOP = 80, BOTTOM = 280 }; /* of the graph */
 enum { LEAN_AXIS = 40 };                                  /* its range [deg] */
 

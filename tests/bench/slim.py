@@ -23,18 +23,22 @@ def hexadecimal(colour):
     return "#" + "".join(f"{int(part):02X}" for part in colour.groups())
 
 
-def tenths(point):
-    return tuple(round(10 * float(v)) for v in point.split(","))
+def tenths(text):
+    """The points of a text of numbers, in tenths of a pixel."""
+    numbers = [round(10 * float(v)) for v in re.findall(r"-?[\d.]+", text)]
+    return list(zip(numbers[::2], numbers[1::2]))
 
 
 def relative(points, at):
-    return " ".join(f"{(x - at[0]) / 10:g},{(y - at[1]) / 10:g}" for at, (x, y)
-                    in zip([at] + points, points))
+    steps = [(here - before) / 10
+             for before, point in zip([at] + points, points)
+             for before, here in zip(before, point)]
+    return " ".join(f"{step:g}" for step in steps).replace(" -", "-")
 
 
 def thinned(points):
-    """A line without the points that are within a tenth of a pixel of it
-    (Ramer, Douglas, Peucker)."""
+    """A line without the points that are within 0.15 of a pixel of it (Ramer,
+    Douglas, Peucker)."""
     (x0, y0), (x1, y1) = points[0], points[-1]
     dx, dy = x1 - x0, y1 - y0
     far, k = -1, 0
@@ -43,7 +47,7 @@ def thinned(points):
         part = min(max(along / ((dx * dx + dy * dy) or 1), 0), 1)
         off = math.hypot(x - x0 - part * dx, y - y0 - part * dy)
         far, k = max((far, k), (off, i))
-    if far <= 1:
+    if far <= 1.5:
         return points[:1] + points[1:][-1:]
     return thinned(points[:k + 1])[:-1] + thinned(points[k:])
 
@@ -52,7 +56,7 @@ def lines(path):
     """Lines in capitals are in places, others in steps from the point before."""
     each, x, y = [], 0, 0
     for letter, points in re.findall(r"([ML])([^ML]*)", path[2], re.I):
-        for dx, dy in map(tenths, points.split()):
+        for dx, dy in tenths(points):
             x, y = (dx, dy) if letter.isupper() else (x + dx, y + dy)
             if letter in "mM":
                 each.append([])
@@ -67,7 +71,7 @@ def lines(path):
 
 
 def closed(polygon):
-    points = relative(list(map(tenths, polygon[2].split())), (0, 0))
+    points = relative(tenths(polygon[2]), (0, 0))
     return f"<path{polygon[1]}d = 'm{points}z'"
 
 

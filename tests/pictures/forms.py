@@ -76,8 +76,8 @@ def lines(drawing):
     for d in re.findall(r"<path [^>]*d='m([^']*l[^']*)'", drawing):
         end = 0
         for piece in d.split("m"):
-            first, *steps = [complex(*map(float, step.split(",")))
-                             for step in re.findall(r"[-.\d]+,[-.\d]+", piece)]
+            first, *steps = [complex(float(x), float(y)) for x, y in
+                             re.findall(r"(-?[.\d]+) ?(-?[.\d]+)", piece)]
             points = list(itertools.accumulate([end + first, *steps]))
             end = points[-1]
             yield points
