@@ -326,6 +326,9 @@ GATES_RELEASE := adversary bound debian-check tsan abi-seeds bindings-seeds \
                  single-check cross firmware
 GATES_HAND    := mutants results-check
 GATES = $(GATES_COMMIT) $(GATES_PUSH) $(GATES_RELEASE)
+# Gates that keep one processor busy, and do not touch what others make.
+GATES_BESIDE  := bindings bound consumers hwcaps pictures-check page-check \
+                 demo-check float-check installcheck bindings-seeds
 EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done
 
 .PHONY: before-commit before-push before-release list-gates
@@ -338,18 +341,21 @@ before-push: before-commit ## those and the gates of a push: some minutes
 before-release: before-push ## every gate of CI: half an hour
 	+$(call EACH,$(GATES_RELEASE))
 
-list-gates: # their names, for .ci/run
-	echo $(GATES)
+list-gates list-gates-beside: # their names, for .ci/run
+	echo $(if $(filter %-beside,$@),$(GATES_BESIDE),$(GATES))
 
 .PHONY: sanitize valgrind coverage lint lint-quick header-check repro repro-update
+# Without the tests of a million steps, where a step takes long: the steps are
+# those of shorter tests.
+SHORT    := ROLLCOIN_SKIP='at_the_limit_of_steps_*'
 SANITIZE := -O1 -g -fsanitize=address,undefined,float-cast-overflow \
             -fno-sanitize-recover=all
 sanitize: ## eight times the random cases, under the sanitizers
-	+ROLLCOIN_TRIES=8 $(AGAIN) O=$(O)/sanitize check CFLAGS='$(SANITIZE)'
+	+ROLLCOIN_TRIES=8 $(SHORT) $(AGAIN) O=$(O)/sanitize check \
+	    CFLAGS='$(SANITIZE)'
 
-# What is left out runs no code that shorter tests do not.
-valgrind: ## the tests under valgrind, but those of a million steps
-	+ROLLCOIN_SKIP='at_the_limit_of_steps_*' $(AGAIN) check \
+valgrind: ## the tests under valgrind
+	+$(SHORT) $(AGAIN) check \
 	    TEST_RUNNER='valgrind -q --error-exitcode=9 --leak-check=full'
 
 # Unoptimised and unmapped: gcov then sees each branch as it is written, and

@@ -164,7 +164,7 @@ COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
 #define SUM_PATH                                                               \
     const coin_pair path = POSE_SUM(POINT, );                                  \
     adds->z = path[0];                                                         \
-    adds->x = path[1]
+    adds->x = path[1];
 #else
 #define SUM_PATH SUM_POSE(x) SUM_POSE(z)
 #endif
@@ -233,7 +233,7 @@ COIN_PRIV_INLINE real rk8_sums(PRIV(variables) * end, PRIV(pose) * adds,
     ERROR_TO(f, &by5, &by3);
 #endif
     EACH_POSE(SUM_POSE)
-    SUM_PATH;
+    SUM_PATH
     *end = variables_of_row(&y);
     return least_cth;
 }

@@ -37,7 +37,7 @@ analysed()
     # shellcheck disable=SC2086
     gcc $own -Wall -Wextra -Wdouble-promotion -fanalyzer \
         -Wno-analyzer-use-of-uninitialized-value -c "$2" -o "$object" &&
-        clang $own -Weverything $off -c "$2" -o "$object"
+        clang $own -Weverything $off -fsyntax-only "$2"
 }
 ls "$SRC"/lib/*/*.c >"$work/sources"
 try at_once analysed <"$work/sources"
