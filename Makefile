@@ -164,11 +164,12 @@ $(SINGLE): $(SRC)/LICENSE $(wildcard $(SRC)/lib/about/single.*) \
 
 # Everything compiled depends on this file, which changes when the flags do.
 $(O)/flags: force | $(O)
-	echo '$(subst ','\'',$(CC_LIB) $(LDFLAGS))' >$@.new
+	echo '$(subst ','\'',$(CC_LIB) $(LDFLAGS))' >$@.$$PPID
 	$(if_new)
 
-# Keeps a file that is made anew in every run, if it has not changed.
-if_new = cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+# Keeps a file that is made anew in every run, if it has not changed.  Several makes
+# may run at once.
+if_new = cmp -s $@.$$PPID $@ && rm $@.$$PPID || mv $@.$$PPID $@
 
 $(O) $(O)/objects $(O)/single $(O)/tests/support:
 	mkdir -p $@

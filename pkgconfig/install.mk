@@ -36,11 +36,11 @@ GENERATED   := $(addprefix $(O)/,rollcoin.pc rollcoin.3 $(CMAKE_FILES))
 all: $(GENERATED)
 
 $(O)/rollcoin.pc: $(SRC)/pkgconfig/rollcoin.pc.in force | $(O)
-	$(FILL) $< >$@.new
+	$(FILL) $< >$@.$$PPID
 	$(if_new)
 
 $(CMAKE_FILES:%=$(O)/%): $(O)/%: $(SRC)/pkgconfig/cmake/%.in force | $(O)
-	$(FILL) $< >$@.new
+	$(FILL) $< >$@.$$PPID
 	$(if_new)
 
 # A manual page from the groups of coin.h; date is GNU's or BSD's.
@@ -48,7 +48,7 @@ $(O)/rollcoin.3: $(SRC)/lib/about/man.awk $(SRC)/include/coin.h force | $(O)
 	export LC_ALL=C && date=$$(date -u -d @$(EPOCH) +%F 2>/dev/null || \
 	    date -u -r $(EPOCH) +%F) && awk -v version=$(VERSION) \
 	    -v date=$$date -v docs=$(DOCDIR) \
-	    -f $(filter-out force,$^) >$@.new
+	    -f $(filter-out force,$^) >$@.$$PPID
 	$(if_new)
 
 # ------------------------------------------------------ newer x86-64 processors
