@@ -295,10 +295,10 @@ static void a_heading_out_of_range_ends_the_call(void **unused)
 
 /* Spinning upright each step is as long as any: 1.65 over the rate of
  * coin_priv_sundman_tau(). */
-static void at_the_limit_of_steps_a_call_ends_and_the_next_goes_on(
-    void **unused)
+static void a_call_takes_2_20_steps_and_the_next_goes_on(void **unused)
 {
     (void)unused;
+    check_million();
     const coin_params p = ring(0);
     const double tol = 1e-2, wY = 1e4,
                  way = 0x1p20 * 1.65 / sqrt(1.5 * wY * wY + 1);
@@ -379,7 +379,7 @@ int main(void)
         TEST(in_units_a_power_of_two_apart_every_bit_is_the_same),
         TEST(mirrored_or_backward_every_bit_is_the_same),
         TEST(a_heading_out_of_range_ends_the_call),
-        TEST(at_the_limit_of_steps_a_call_ends_and_the_next_goes_on),
+        TEST(a_call_takes_2_20_steps_and_the_next_goes_on),
         TEST(the_usual_errors_touch_nothing),
         TEST(both_ends_of_tol_are_in),
     };

@@ -156,10 +156,10 @@ static void a_heading_out_of_range_ends_the_call(void **unused)
     check_near(s.phi, 0x1p31 - 100 + 10 * reached, 1e-3);
 }
 
-static void at_the_limit_of_steps_a_call_ends_and_the_next_goes_on(
-    void **unused)
+static void a_call_takes_2_20_steps_and_the_next_goes_on(void **unused)
 {
     (void)unused;
+    check_million();
     const coin_params p = disc();
     const coin_losses l = {.spin = 1e-12};
     const double wY = 1e4, way = 1e3;
@@ -387,7 +387,7 @@ int main(void)
         TEST(mirrored_every_bit_is_the_same),
         TEST(a_coin_that_lies_at_once_lies_flat),
         TEST(a_heading_out_of_range_ends_the_call),
-        TEST(at_the_limit_of_steps_a_call_ends_and_the_next_goes_on),
+        TEST(a_call_takes_2_20_steps_and_the_next_goes_on),
         TEST(a_path_that_overflows_is_none),
         TEST(the_usual_errors_touch_nothing),
         TEST(how_long_the_call_is_does_not_change_when_it_ends),

@@ -13,7 +13,7 @@ MSAN := -O1 -g -fsanitize=memory -fsanitize-memory-track-origins \
 
 .PHONY: msan tsan
 msan: ## the tests under the memory sanitizer
-	+$(SHORT) $(AGAIN) O=$(O)/msan check CC=clang CFLAGS='$(MSAN)' PKG_CONFIG=true \
+	+$(AGAIN) O=$(O)/msan check CC=clang CFLAGS='$(MSAN)' PKG_CONFIG=true \
 	    CMOCKA=-I$(SRC)/tests/memory CMOCKA_LIBS=
 
 TSAN := -O1 -g -fsanitize=thread -fno-omit-frame-pointer
