@@ -10,10 +10,10 @@ corpus=$1 out=$2 seconds=$3
 shift 3
 part=$((seconds / $#))
 test "$part" -gt 0 || part=1
-total=0
 status=0
+. "$(dirname "$0")/../at_once.sh"
 
-runs()
+fuzzes()
 {
     # What frees memory late costs time here, and nothing frees.
     ASAN_OPTIONS=quarantine_size_mb=1 FUZZ_DEMANDS_ALL=1 \
@@ -24,24 +24,28 @@ runs()
 
 missed() { grep -q 'does not hold: .*every function was done' "$log"; }
 
-for target; do
-    found=$out/found/$target
-    log=$out/$target.log
-    mkdir -p "$found" "$corpus/$target"
-    if runs "$target" || { missed && runs "$target"; } ||
-        { missed && runs "$target"; }
+# target NUMBER NAME
+target()
+{
+    found=$out/found/$2
+    log=$out/$2.log
+    mkdir -p "$found" "$corpus/$2"
+    if fuzzes "$2" || { missed && fuzzes "$2"; } || { missed && fuzzes "$2"; }
     then
         runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
-        total=$((total + runs))
-        printf '%-14s %12d executions\n' "$target" "$runs"
-        sed -n 's/^count: /    /p' "$log"
-    else
-        status=1
-        echo "fuzz: $target FAILED"
-        grep -E 'Seed|does not hold|^[ps] = |^argument|runtime error|ERROR|SUMMARY|^ *#|Base64' \
-            "$log" | tail -30
-        tail -3 "$log"
+        counts=$(sed -n 's/^count: /    /p' "$log")
+        printf '%-14s %12d executions\n%s\n' "$2" "$runs" "$counts"
+        return
     fi
-done
-echo "fuzz: $total executions"
+    echo "fuzz: $2 FAILED"
+    grep -E 'Seed|does not hold|^[ps] = |^argument|runtime error|ERROR|SUMMARY|^ *#|Base64' \
+        "$log" | tail -30
+    tail -3 "$log"
+    return 1
+}
+
+printf '%s\n' "$@" | at_once target || status=1
+for name; do cat "$out/$name.log"; done |
+    awk '/^stat::number_of_executed_units/ { n += $2 }
+        END { printf "fuzz: %d executions\n", n }'
 exit $status
