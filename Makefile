@@ -167,8 +167,8 @@ $(O)/flags: force | $(O)
 	echo '$(subst ','\'',$(CC_LIB) $(LDFLAGS))' >$@.$$PPID
 	$(if_new)
 
-# Keeps a file that is made anew in every run, if it has not changed.  Several makes
-# may run at once.
+# Keeps a file that is made anew in every run, if it has not changed.  The name
+# of the new one has make's number: several makes may run at once.
 if_new = cmp -s $@.$$PPID $@ && rm $@.$$PPID || mv $@.$$PPID $@
 
 $(O) $(O)/objects $(O)/single $(O)/tests/support:
@@ -346,8 +346,8 @@ list-gates list-gates-beside: # their names, for .ci/run
 	echo $(if $(filter %-beside,$@),$(GATES_BESIDE),$(GATES))
 
 .PHONY: sanitize valgrind coverage lint lint-quick header-check repro repro-update
-# Without the tests of a million steps, where a step takes long: the steps are
-# those of shorter tests.
+# Where a step takes long, the tests of a million steps are skipped: they run no
+# code that shorter tests do not.
 SHORT    := ROLLCOIN_SHORT=1
 SANITIZE := -O1 -g -fsanitize=address,undefined,float-cast-overflow \
             -fno-sanitize-recover=all

@@ -7,8 +7,9 @@
  * velocity, so that no stage of a step takes a sine of an angle.  The pose is a
  * quadrature: no equation reads it.
  *
- * If COIN_PRIV_TURN_BY_PAIRS is defined, a vector of two turns sine and cosine
- * at once.  That is faster in step/rk8.c and slower elsewhere.
+ * If COIN_PRIV_TURN_BY_PAIRS is defined, the rates of a sine and a cosine are
+ * computed as one vector of two.  In step/rk8.c that is faster, in other
+ * sources slower.
  *
  * The order of operations is pinned: about/selftest.c has the hash of what they
  * give. */
@@ -61,7 +62,8 @@ COIN_PRIV_INLINE PRIV(field) PRIV(field_of)(const PRIV(body) * b, real h)
 }
 #endif
 
-/* The rates of the sine and cosine of an angle that turns at this rate. */
+/* Sets *ds and *dc to the derivatives of the sine s and the cosine c of an
+ * angle whose derivative is `rate`. */
 COIN_PRIV_INLINE void PRIV(turn_rates)(real *ds, real *dc, real rate, real s,
                                        real c)
 {

@@ -35,8 +35,8 @@
 
 /* COIN_PRIV_INLINE inlines a part of a step, whatever its size.
  * COIN_PRIV_RARELY moves code that rarely runs out of the way.
- * COIN_PRIV_TOGETHER marks functions that a call of one step runs: the linker
- * then places them next to each other.
+ * COIN_PRIV_TOGETHER marks the functions that coin_run() needs for one step of
+ * RK8.  The linker places them next to each other.
  *
  * COIN_PRIV_SMALL is defined for processors on which each operation of doubles
  * is a call, and may be defined by the user.  The parts of a step of doubles
