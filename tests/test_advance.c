@@ -364,6 +364,17 @@ static void both_ends_of_tol_are_in(void **unused)
     check_status(coin_advance(&s, &p, 1, 1e-2, NULL), COIN_OK);
 }
 
+static void no_time_moves_no_coin_however_fast_it_falls(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    const coin_state before = {.theta = 0x1.921fb54442d17p+0, .wY = 1};
+    coin_state s = before;
+    check_status(coin_params_disc(&p, 1, 1, 1e295), COIN_OK);
+    check_status(coin_advance(&s, &p, 0, 1e-9, NULL), COIN_OK);
+    check_same(&s, &before, sizeof s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -382,6 +393,7 @@ int main(void)
         TEST(a_call_takes_2_20_steps_and_the_next_goes_on),
         TEST(the_usual_errors_touch_nothing),
         TEST(both_ends_of_tol_are_in),
+        TEST(no_time_moves_no_coin_however_fast_it_falls),
     };
     return RUN_TESTS(tests);
 }

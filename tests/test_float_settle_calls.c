@@ -279,6 +279,63 @@ static void strong_pivoting_friction_ends_the_turn_of_a_fall(void **unused)
     }
 }
 
+/* The body turns about the vertical alone, so that neither its lean nor its
+ * contact moves at first: the rate of friction begins at 0.  The pose is
+ * compared with that of coin_settle(). */
+static void a_contact_that_begins_to_roll_is_slowed(void **unused)
+{
+    (void)unused;
+    coinf_params p;
+    const coinf_losses l = {.layer = 0.7f};
+    const coin_losses exact = {.layer = (double)l.layer};
+    check_status(coinf_params_body(&p, 1, 1, 1, 0.25f, 0.125f), COIN_OK);
+    const coin_params p_exact = doubles_params(&p);
+    for (float turn = 2; turn < 40; turn *= 2) {
+        const double c = 2e-4;
+        coinf_state s = {.theta = (float)acos(c),
+                         .wY = (float)(c * (double)turn),
+                         .wZ = -turn};
+        coin_state want = doubles_state(&s);
+        const double t = 0.015, tol = 1e-4;
+        check_status(coinf_settle(&s, &p, &l, (float)t, (float)tol, NULL),
+                     COIN_OK);
+        check_status(
+            coin_settle(&want, &p_exact, &exact, (double)(float)t, 1e-9, NULL),
+            COIN_OK);
+        const double most =
+            2 * tol * (1 + t * (1 + (double)turn)) + 90 * UF * (1 + t);
+        check_note("turn %g", (double)turn);
+        check_near((double)s.theta + (double)s.low[0], want.theta, most);
+        check_near((double)s.phi, want.phi, most);
+        check_near((double)s.psi, want.psi, most);
+    }
+}
+
+/* By the rolling moment alone the swing grows until the coin lies flat.  The
+ * lean at the start, off by 1e-7, changes the time of rest by 2 ms. */
+static void a_coin_that_swings_more_and_more_rests_in_time(void **unused)
+{
+    (void)unused;
+    coinf_params p;
+    const coinf_losses l = {.rolling = 0x1.9eba7ap-20f};
+    const coin_losses exact = doubles_losses(&l);
+    check_status(coinf_params_disc(&p, 0.00567f, 0.01213f, 9.80665f), COIN_OK);
+    const coin_params p_exact = doubles_params(&p);
+    const coinf_state start = {
+        .theta = 0x1.733334p+0f, .wX = 0x1.e7f5ecp-6f, .wY = 0x1.3bd924p+4f};
+    coin_state want = doubles_state(&start);
+    double after;
+    check_status(coin_settle(&want, &p_exact, &exact, 20, 1e-9, &after),
+                 COIN_RESTS);
+    for (float tol = 1e-4f; tol < 2e-2f; tol *= 10) {
+        coinf_state s = start;
+        float when;
+        check_status(coinf_settle(&s, &p, &l, 20, tol, &when), COIN_RESTS);
+        check_note("tol %g", (double)tol);
+        check_near((double)when, after, 8e-3);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -294,6 +351,8 @@ int main(void)
         TEST(how_long_the_call_is_does_not_change_when_it_ends),
         TEST(strong_pivoting_friction_ends_the_turn_of_a_fall),
         TEST(a_held_fall_errs_by_6e_4_in_calls_of_1e_5),
+        TEST(a_contact_that_begins_to_roll_is_slowed),
+        TEST(a_coin_that_swings_more_and_more_rests_in_time),
     };
     return RUN_TESTS(tests);
 }

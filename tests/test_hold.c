@@ -9,6 +9,8 @@
 #include "support/coins.h"
 #include "support/random.h"
 
+#include <coinf.h>
+
 #include <math.h>
 
 /* The torque on the roll that keeps d(psi)/dt at 0, by the rates of a coin with
@@ -236,6 +238,35 @@ static void what_a_turn_lifts_does_not_fall(void **unused)
     check(reached == t && coin_energy(&s, &p) <= E * (1 + 1e-9));
 }
 
+/* wX was multiplied by a factor below 1 in each frame until it was the smallest
+ * number: the rise would take less time than any number holds. */
+static void the_slowest_rise_has_an_end(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    coinf_params pf;
+    check_status(coin_params_disc(&p, 0.00567, 0.01213, 9.80665), COIN_OK);
+    check_status(coinf_params_disc(&pf, 0.00567f, 0.01213f, 9.80665f), COIN_OK);
+    const coin_losses l = {.dry = 1e-7};
+    const coinf_losses lf = {.dry = 1e-7f};
+    const coin_state start = {.theta = 1.55, .wX = -0x1p-1074};
+    coin_state s = start;
+    coin_slide d = {.s = start};
+    const coin_friction f = {0.5, 0.4};
+    coinf_state sf = {.theta = 1.55f, .wX = -0x1p-149f};
+    double reached;
+    float reached_f;
+    const double c = cos(start.theta); /* by (72) it gains about g/(1.25 a) */
+    const double when = sqrt(2 * c * 1.25 * p.radius / p.gravity);
+    check_status(coin_settle(&s, &p, &l, 1, 1e-6, &reached), COIN_RESTS);
+    check_near(reached, when, 0.01 * when);
+    check_status(coinf_settle(&sf, &pf, &lf, 1, 1e-4f, &reached_f), COIN_RESTS);
+    check_near((double)reached_f, when, 0.01 * when);
+    check_status(coin_slide_advance(&d, &p, &f, &l, 1, 1e-6, &reached),
+                 COIN_RESTS);
+    check_near(reached, when, 0.01 * when);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -247,6 +278,7 @@ int main(void)
         TEST(too_strong_pivoting_friction_holds_nothing),
         TEST(no_law_of_the_end_holds_for_other_losses),
         TEST(what_a_turn_lifts_does_not_fall),
+        TEST(the_slowest_rise_has_an_end),
     };
     return RUN_TESTS(tests);
 }

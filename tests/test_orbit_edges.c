@@ -346,6 +346,21 @@ static void a_motion_that_leaves_its_well_is_no_steady_one(void **unused)
     check_status(coin_model_needed(&s, &p, 3e4, 1e-2), COIN_MODEL_STEPS);
 }
 
+/* The sign of wX says towards which turning point the lean goes. */
+static void the_least_wX_has_the_period_of_0(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    coin_state s = {.theta = 0.5, .wY = 0.8, .wZ = 1.2};
+    coin_orbit still, slow;
+    check_status(coin_orbit_init(&still, &s, &p), COIN_OK);
+    for (s.wX = 1e-300; s.wX > 0; s.wX *= 1e-4) {
+        check_note("wX %g", s.wX);
+        check_status(coin_orbit_init(&slow, &s, &p), COIN_OK);
+        check_near(slow.period, still.period, 1e-13);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -359,6 +374,7 @@ int main(void)
         TEST(a_nearly_critical_circle_has_no_period),
         TEST(a_critical_motion_with_a_swing_has_its_orbit),
         TEST(a_motion_that_leaves_its_well_is_no_steady_one),
+        TEST(the_least_wX_has_the_period_of_0),
     };
     return RUN_TESTS(tests);
 }

@@ -209,6 +209,23 @@ static void every_sensible_scale_is_accepted(void **unused)
         }
 }
 
+/* a^2 is no normal number, but M a^2 is. */
+static void a_square_of_the_radius_may_leave_the_doubles(void **unused)
+{
+    (void)unused;
+    static const double sizes[][2] = {
+        {1e200, 1e-160}, {1e250, 1e-170}, {1e-100, 1e155}, {1e-300, 1e299}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        coin_params p;
+        const double M = sizes[i][0], a = sizes[i][1], m = M * a * a;
+        check_note("mass %g, radius %g", M, a);
+        check_status(coin_params_disc(&p, M, a, 1), COIN_OK);
+        check_terms(p.inertia_X, m / 4, 4, m / 4);
+        check_status(coin_params_ring(&p, M, a, a / 2, 1), COIN_OK);
+        check_terms(p.inertia_X, 1.25 * m / 4, 4, m / 4);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -223,6 +240,7 @@ int main(void)
         TEST(products_must_not_leave_the_range_of_doubles),
         TEST(ratios_of_inertias_must_not_leave_the_range_either),
         TEST(every_sensible_scale_is_accepted),
+        TEST(a_square_of_the_radius_may_leave_the_doubles),
     };
     return RUN_TESTS(tests);
 }

@@ -312,7 +312,8 @@ static void bad_arguments_are_refused_in_order(void **unused)
         {&good, -2, 1, -1, COIN_ESTATE},
         {&good, 0.3, INFINITY, 1, COIN_ESTATE},
         {&good, 0.3, 1e200, 1, COIN_ESTATE},
-        {&good, 1e-290, 1, -1, COIN_ESTATE}, /* wY = -6e290 */
+        {&good, 1e-290, 1, -1, COIN_ESTATE},    /* wY = -6e290 */
+        {&good, 1e-300, 1e30, 1, COIN_EDOMAIN}, /* wY = 7e-331 */
         {&good, 0, 1, 1, COIN_EDOMAIN},
         {&good, -0.0, 1, -1, COIN_EDOMAIN},
     };

@@ -352,6 +352,22 @@ static void the_next_of_three_extrema_is_found(void **unused)
     }
 }
 
+/* Products of such leans underflow. */
+static void a_lean_of_the_least_numbers_keeps_its_integrals(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    for (double theta = 1e-280; theta > 0; theta *= 1e-9) {
+        const coin_state s = {.theta = theta, .wZ = 1e-10};
+        coin_state near;
+        check_note("theta %g", theta);
+        check_status(coin_steady_near(&s, &p, &near), COIN_OK);
+        check(near.wZ == s.wZ && fabs(near.wY) <= theta);
+        check(fabs(near.theta) <= theta);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -369,6 +385,7 @@ int main(void)
         TEST(fast_coins_and_weak_gravity_are_answered_right),
         TEST(two_extrema_close_to_each_other_are_seen),
         TEST(the_next_of_three_extrema_is_found),
+        TEST(a_lean_of_the_least_numbers_keeps_its_integrals),
     };
     return RUN_TESTS(tests);
 }

@@ -309,6 +309,19 @@ static void no_fast_lean_is_a_small_wobble(void **unused)
     QUIET(coin_wobble_at(&upright, &p, &fast, 1e-95, &out), COIN_EDOMAIN);
 }
 
+static void no_start_next_to_flat_is_a_wobble_of_the_other_side(void **unused)
+{
+    const coin_params p = disc();
+    const coin_state steady =
+        turning(-0x1.921fb54442d13p+0, 0, -0x1.b0b0ffe8fae29p-101,
+                0x1.93e5939a08ceap+99);
+    const coin_state start =
+        turning(0x1.921fb54442d13p+0, 0, 0x1.3d384448e29efp+102, steady.wZ);
+    coin_state out;
+    (void)unused;
+    QUIET(coin_wobble_at(&steady, &p, &start, 0, &out), COIN_EDOMAIN);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -325,6 +338,7 @@ int main(void)
         TEST(what_nearly_overflows_is_compared_without_overflow),
         TEST(the_least_numbers_are_no_divisors),
         TEST(no_fast_lean_is_a_small_wobble),
+        TEST(no_start_next_to_flat_is_a_wobble_of_the_other_side),
     };
     return RUN_TESTS(tests);
 }

@@ -67,11 +67,28 @@ static void what_leaves_the_range_of_the_pose_is_refused(void **unused)
     }
 }
 
+/* phi is rounded, but not the direction of the path. */
+static void a_large_heading_does_not_displace_the_path(void **unused)
+{
+    (void)unused;
+    const coin_params p = ring(0);
+    coin_state s, is, want;
+    check_status(coin_steady_circle(&s, &p, 0.5, 1, 1), COIN_OK);
+    s.phi = 2e9;
+    for (double t = 0.1; t < 3; t += 0.4) {
+        check_status(coin_wobble_at(&s, &p, &s, t, &is), COIN_OK);
+        check_status(coin_steady_at(&s, &p, t, &want), COIN_OK);
+        check_near(is.x, want.x, 1e-13);
+        check_near(is.z, want.z, 1e-13);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(what_leaves_the_range_of_rates_is_refused),
         TEST(what_leaves_the_range_of_the_pose_is_refused),
+        TEST(a_large_heading_does_not_displace_the_path),
     };
     return RUN_TESTS(tests);
 }

@@ -292,7 +292,7 @@ int coin_priv_half_period_solve(coin_priv_half_period *h)
     add_piece(h, 0, 0, coin_priv_pair_of(0, 0));
     const coin_priv_series start = h->now;
     const double wX = wX_of(start.at);
-    h->toward = wX != 0 ? wX : wX_of(start.at + 1);
+    h->toward = (wX != 0 ? wX : wX_of(start.at + 1)) < 0 ? -1 : 1;
     if (wX == 0)
         h->A = turning_point_at(h, 0, 0);
     if (!walk(h, &h->B, 1))

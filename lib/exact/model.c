@@ -92,6 +92,14 @@ static int keeps(const struct scene *scene, int32_t model, double t,
     return (status == COIN_OK) & (apart(is, &said, b->a) <= KEPT * scene->tol);
 }
 
+/* The size of the terms of Eq. (14) that balance each other in a steady motion.
+ */
+static double terms_of(const coin_priv_body *b, const coin_state *s)
+{
+    return b->GJ * fabs(coin_priv_sincos(s->theta).s) +
+           b->KJ * fabs(s->wY * s->wZ);
+}
+
 /* Whether steps can be trusted next to the steady motion.  If that motion is
  * unstable, rounding may keep the steps on it although the coin leaves it.  The
  * effect of rounding at the end of the horizon is the distance of two wobbles,
@@ -102,13 +110,9 @@ static int is_known(const struct scene *scene)
         return 0; /* no wobble is set */
     const coin_priv_body *b = &scene->b;
     const coin_state *steady = &scene->steady;
-    const double sth = coin_priv_sincos(steady->theta).s;
-    /* The size of the terms of Eq. (14), which balance each other. */
-    const double terms =
-        b->GJ * fabs(sth) + b->KJ * fabs(steady->wY * steady->wZ);
     coin_priv_wobble off = scene->wobble;
     coin_state is = *steady, may = *steady;
-    off.Y += ROUNDED * terms / off.L;
+    off.Y += ROUNDED * terms_of(b, steady) / off.L;
     const int32_t failed =
         coin_priv_wobble_at(&scene->wobble, b, scene->horizon, &is) |
         coin_priv_wobble_at(&off, b, scene->horizon, &may);
@@ -157,10 +161,34 @@ static double fastest_of(const struct scene *scene, const coin_orbit *o)
     return sqrt((E2 / b->IX * q + b->g_a) * q + E2 / b->K); /* (47) */
 }
 
+/* How far the heading of an orbit may err since rounding moves the lean about
+ * which it swings, or at which it stays: by what rounding leaves of the
+ * acceleration, over the square of the rate of small swings. */
+static double heading_off(const struct scene *scene, const coin_orbit *o)
+{
+    const coin_priv_body *b = &scene->b;
+    const coin_priv_variables y = coin_priv_variables_of(scene->start);
+    const coin_priv_field f = coin_priv_field_of(b, 1);
+    const coin_priv_sc th = {y.sth, y.cth};
+    double off = 2 * DBL_EPSILON * terms_of(b, scene->start);
+    double rate = 4 * COIN_PRIV_HALF_PI;
+    if (o->period > 0)
+        rate /= o->period;
+    else {
+        rate = sqrt(fabs(coin_priv_stability(scene->start, b, &th)));
+        off += fabs(coin_priv_slopes_at(&f, &y).wX) + fabs(y.wX) * rate;
+    }
+    const double least2 = DBL_EPSILON * b->g_a;
+    const double lean = off / coin_priv_larger(rate * rate, least2);
+    const double W = sqrt(coin_priv_rate2(b->g_a, &y));
+    return lean * (1 + W * y.q * fabs(scene->horizon));
+}
+
 /* The error of the orbit over the horizon, in radians and radii: ten times what
  * coin_orbit_at() states, for the heading and what it leads round the path, and
- * the rounding of angles of many turns.  The error by the rounding of the time
- * is added as coin_orbit_at() states it. */
+ * the rounding of angles of many turns.  The errors by the rounding of the time
+ * and by that of the lean, which changes the rate of the heading, are added as
+ * coin_orbit_at() states them. */
 static double own_error(const struct scene *scene, const coin_orbit *o,
                         const coin_state *end)
 {
@@ -176,31 +204,8 @@ static double own_error(const struct scene *scene, const coin_orbit *o,
         2 * DBL_EPSILON * (periods > 0 ? fabs(scene->horizon) + o->period : 0);
     const double heading = 1e-13 + 1e-15 * turned +
                            1e-14 * o->conditioning * periods +
-                           fastest_of(scene, o) * late;
+                           fastest_of(scene, o) * late + heading_off(scene, o);
     return heading * (1 + reach) + 1e-15 * rolled;
-}
-
-static int32_t judge_by_orbit(struct scene *scene, const coin_orbit *o)
-{
-    coin_state end;
-    const double theta = scene->start->theta;
-    const double up = o->theta_max - theta, down = theta - o->theta_min;
-    const int32_t status = coin_orbit_at(o, scene->horizon, &end);
-    if (status != COIN_OK)
-        return status;
-    if (!(own_error(scene, o, &end) <= OWN * scene->tol))
-        return COIN_MODEL_STEPS;
-    /* The steady motion is looked for no farther away than the turning points:
-     * the potential has a minimum between them. */
-    const double most = up > down ? up : down;
-    find_steady(scene, most < NEAR ? most : NEAR);
-    if (scene->near && (scene->lambda2 < 0 || is_known(scene))) {
-        if (fits(scene, COIN_MODEL_STEADY, o))
-            return COIN_MODEL_STEADY;
-        if (scene->swings && fits(scene, COIN_MODEL_WOBBLE, o))
-            return COIN_MODEL_WOBBLE;
-    }
-    return COIN_MODEL_ORBIT;
 }
 
 /* -------------------------------------------------------------- by steps -- */
@@ -250,6 +255,29 @@ static int32_t judge_by_steps(struct scene *scene)
            : good[COIN_MODEL_STEADY] ? COIN_MODEL_STEADY
            : good[COIN_MODEL_WOBBLE] ? COIN_MODEL_WOBBLE
                                      : COIN_MODEL_STEPS;
+}
+
+static int32_t judge_by_orbit(struct scene *scene, const coin_orbit *o)
+{
+    coin_state end;
+    const double theta = scene->start->theta;
+    const double up = o->theta_max - theta, down = theta - o->theta_min;
+    const int32_t status = coin_orbit_at(o, scene->horizon, &end);
+    if (status != COIN_OK)
+        return status;
+    if (!(own_error(scene, o, &end) <= OWN * scene->tol))
+        return o->period > 0 ? COIN_MODEL_STEPS : judge_by_steps(scene);
+    /* The steady motion is looked for no farther away than the turning points:
+     * the potential has a minimum between them. */
+    const double most = up > down ? up : down;
+    find_steady(scene, most < NEAR ? most : NEAR);
+    if (scene->near && (scene->lambda2 < 0 || is_known(scene))) {
+        if (fits(scene, COIN_MODEL_STEADY, o))
+            return COIN_MODEL_STEADY;
+        if (scene->swings && fits(scene, COIN_MODEL_WOBBLE, o))
+            return COIN_MODEL_WOBBLE;
+    }
+    return COIN_MODEL_ORBIT;
 }
 
 int32_t coin_model_needed(const coin_state *s, const coin_params *p,

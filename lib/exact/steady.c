@@ -98,9 +98,9 @@ int32_t coin_steady_circle(coin_state *s, const coin_params *p, double theta,
     /* q/A, where nothing cancels, is the root f- of (40), or f+ if wZ < 0. */
     const double q = -(wZ + (wZ < 0 ? -root : root)) / 2; /* (40) */
     const int large = (branch < 0) == !(wZ < 0);
-    if (q == 0) /* wZ and theta are so small that q underflows */
-        return COIN_EDOMAIN;
-    return steady(s, p, theta, large ? q / A : -G / q, wZ); /* (41) */
+    /* If wZ and theta are so small that q underflows, wY is 0 too. */
+    const double wY = q == 0 ? 0 : large ? q / A : -G / q; /* (41) */
+    return wY == 0 ? COIN_EDOMAIN : steady(s, p, theta, wY, wZ);
 }
 
 int32_t coin_steady_radii(const coin_state *s, const coin_params *p,

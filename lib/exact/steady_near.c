@@ -81,7 +81,7 @@ static void to_extremum(struct place *o, const coin_priv_body *b, double end)
         double next = o->theta + step;
         if (fabs(step) <= DBL_EPSILON / 2 * fabs(o->theta))
             return;
-        if (!((next - low) * (next - high) < 0))
+        if (!((low < next && next < high) || (high < next && next < low)))
             next = low + (high - low) / 2;
         move(o, b, next);
         if (sign_of(o->fall) * sign > 0)

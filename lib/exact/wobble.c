@@ -35,6 +35,10 @@
 #define LEANT_MAX (2 * COIN_PRIV_HALF_PI)
 #define TURNED_MAX (4 * COIN_PRIV_ANGLE_MAX)
 
+/* A start whose neighbour is so many times as far as flat is no small wobble.
+ * The powers of this ratio do not overflow. */
+#define FAR 1e3
+
 /* What begins farther [rad] from an unstable steady motion than this is no
  * small wobble.  The powers of this distance do not overflow. */
 #define FARTHEST 1e12
@@ -179,10 +183,13 @@ static double sum_at(const double terms[TERMS], double x)
 }
 
 /* Sets w->left_out: what the linear law leaves out of the acceleration of the
- * lean, as powers about the neighbour. */
-static void leave_out(coin_priv_wobble *w, const coin_priv_body *b)
+ * lean, as powers about the neighbour.  Returns 0 if the powers about the start
+ * tell nothing of the neighbour. */
+static int leave_out(coin_priv_wobble *w, const coin_priv_body *b)
 {
     const double from = coin_priv_sincos(w->start.theta).c;
+    if (!(fabs(w->Y) < FAR * from))
+        return 0;
     const double neighbour = w->start.theta - w->Y;
     struct leaf f;
     expand(&f, b, w->start.theta, w->start.wY, w->start.wZ);
@@ -193,6 +200,7 @@ static void leave_out(coin_priv_wobble *w, const coin_priv_body *b)
     w->rounding = ROUNDING * f.size;
     for (int k = 0; k < TERMS; ++k)
         w->left_out[k] = fabs(k == 1 ? f.dwX[1] - w->L * w->cth : f.dwX[k]);
+    return 1;
 }
 
 /* The largest distance of the lean from the neighbour's within t, plus the
@@ -265,13 +273,14 @@ static int32_t wobble(const coin_priv_wobble *w, const coin_priv_body *b,
     const coin_state *const start = &w->start;
     const double a = w->a, Y = w->Y, v = w->v, sign = w->L < 0 ? -1 : 1;
     const double swung = (Y * g->s + sign * v * g->c1) / w->rate;
+    const double gained = w->dphi * t + w->phi * swung;
     coin_state s = *start;
     /* clang-format off */
     s.theta = start->theta + leant;                              /* (61) */
     s.wX = start->wX + w->rate * (sign * Y * g->s + v * g->c1);  /* (61) */
     s.wY = start->wY + w->wY * leant;                            /* (60) */
     s.wZ = start->wZ + w->wZ * leant;                            /* (60) */
-    s.phi = start->phi + (w->dphi * t + w->phi * swung);         /* (62) */
+    s.phi = start->phi + gained;                                 /* (62) */
     s.psi = start->psi + (w->dpsi * t + w->psi * swung);         /* (62) */
     /* clang-format on */
     if (coin_priv_check_state(&s, b) != COIN_OK)
@@ -281,10 +290,13 @@ static int32_t wobble(const coin_priv_wobble *w, const coin_priv_body *b,
     const struct phasor heading = {turn.c, turn.s};
     const struct phasor way = times(heading, path);
     const double from = a * coin_priv_sincos(start->theta).s;
-    const coin_priv_sc ph = coin_priv_sincos(s.phi);
+    /* The sum s.phi is rounded.  Its sine and cosine come from its terms. */
+    const coin_priv_sc half = coin_priv_sincos(gained / 2);
+    const struct phasor by = {half.c, half.s};
+    const struct phasor ph = times(heading, times(by, by));
     const double to = a * coin_priv_sincos(s.theta).s;
-    s.x = start->x - a * way.re + (to * ph.s - from * turn.s); /* (63) */
-    s.z = start->z + a * way.im + (to * ph.c - from * turn.c); /* (63) */
+    s.x = start->x - a * way.re + (to * ph.im - from * turn.s); /* (63) */
+    s.z = start->z + a * way.im + (to * ph.re - from * turn.c); /* (63) */
     *out = s;
     return coin_priv_path_holds(&s) ? COIN_OK : COIN_ESTEP;
 }
@@ -304,8 +316,7 @@ int32_t coin_priv_wobble_begin(coin_priv_wobble *w, const coin_state *steady,
     if (!(fabs(w->apart) <= NEIGHBOUR) ||
         !(fabs(start->theta - w->Y) < COIN_PRIV_HALF_PI))
         return COIN_EDOMAIN;
-    leave_out(w, b);
-    return COIN_OK;
+    return leave_out(w, b) ? COIN_OK : COIN_EDOMAIN;
 }
 
 int32_t coin_priv_wobble_at(const coin_priv_wobble *w, const coin_priv_body *b,

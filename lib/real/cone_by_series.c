@@ -210,9 +210,11 @@ void coin_priv_join_part(coin_priv_part *w, const coin_priv_search *f,
         c->bound[k] = f->per_N * w->normal[k];
 }
 
+/* Of two places that begin together it is the longer one. */
 static coin_priv_place earlier(coin_priv_place a, coin_priv_place b)
 {
-    return a.from <= b.from ? a : b;
+    const int first = a.from < b.from || (a.from == b.from && a.to >= b.to);
+    return first ? a : b;
 }
 
 /* The next place where the polynomial b is positive, up to where it is not. */

@@ -30,6 +30,10 @@
  * same within 0.3 % (make tuning). */
 #define WIDER 8
 
+/* A place where N changes its sign is off by less than this part of a stretch:
+ * by the error of the curve, or by its root where N only touches 0. */
+#define OFF 2e-4
+
 static int32_t bits_of(const coin_priv_search *f, const coin_state *s)
 {
     const int32_t bits = coin_check(s, f->p, COIN_RK4, 0, f->mu);
@@ -137,9 +141,11 @@ static coin_priv_moment locate(const coin_priv_search *f,
         moment_of(f, w->of, coin_priv_lesser(from + width, middle));
     if (high.bits == 0 && high.x < middle)
         high = moment_of(f, w->of, middle);
-    if (high.bits == 0)
-        high = between(f, w->of, moment_of(f, w->of, low > 0 ? low : 0),
-                       moment_of(f, w->of, coin_priv_lesser(to + width, 1)));
+    if (high.bits == 0) {
+        const double first = low - OFF, last = to + width + OFF;
+        high = between(f, w->of, moment_of(f, w->of, first > 0 ? first : 0),
+                       moment_of(f, w->of, coin_priv_lesser(last, 1)));
+    }
     if (high.bits == 0)
         return high;
     for (; low > 0; low = from - width) {

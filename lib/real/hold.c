@@ -113,7 +113,8 @@ real PRIV(rise_time)(const PRIV(held_fall) * f, const PRIV(losses) * l,
                      const PRIV(body) * b)
 {
     const real v = f->v, A = slope(f, l, b).v; /* A > 0: it is held */
-    return f->x * A < 2 * v * v ? -f->x / v : -2 * v / A;
+    const real least = COIN_PRIV_EPSILON * SQRT(f->x / A);
+    return f->x * A < 2 * v * v ? -f->x / v : PRIV(larger)(-2 * v / A, least);
 }
 
 int PRIV(is_held)(const PRIV(losses) * l, const PRIV(body) * b,

@@ -11,7 +11,7 @@ static int32_t approach(coin_priv_run *r, const coin_priv_lengths *lengths,
 {
     double stride = lengths->stride;
     int32_t status = COIN_OK;
-    while (status == COIN_OK &&
+    while (status == COIN_OK && rem->sum != 0 &&
            !coin_priv_one_step_suffices(r, lengths, rem->sum)) {
         const double tau = coin_priv_next_tau(r, stride, rem->sum);
         status = coin_priv_advance_by(r, tau, &stride, rem);

@@ -311,7 +311,7 @@ void horizon(scene *s, const double *g)
 void until_it_slips(scene *s, const double *g)
 {
     horizon(s, g);
-    s->tol = std::pow(10, 3 * g[24] - 2);
+    s->tol = std::pow(10, g[24] < 0.7 ? 4 * g[24] - 2 : 40 * g[24] - 28);
 }
 
 /* The same, and most beside a steady circle: the leans and rolls between which
