@@ -96,8 +96,8 @@ COIN_API int32_t coinf_params_body(coinf_params *p, float mass, float radius,
                                    float gravity, float inertia_X,
                                    float inertia_Z);
 
-/** As coin_params_check(), but I_Z may exceed 2 I_X by a relative 1e-6, and
- * M a^2, M g a, g/a and the ratios must lie between 1e-30 and 1e30. */
+/** As coin_params_check(), with 1e-30 and 1e30 for 1e-300 and 1e300; I_Z may
+ * exceed 2 I_X by a relative 1e-6. */
 COIN_API int32_t coinf_params_check(const coinf_params *p);
 
 /* ---------------------------------------------------------------- state -- */
@@ -107,8 +107,8 @@ COIN_API int32_t coinf_params_check(const coinf_params *p);
  *         |low[0]| + |low[1]| + |low[2]| > 2^-20.  Energies and forces are
  *         certain not to overflow while |omega|^2 is at most 1e14 over
  *         1 + a + M a + J + K, in the units of p, and no step begins or ends
- *         where W^2, Eq. (47), exceeds that.  In kg, m and s that is out of
- *         reach; in mg and um a coin may exceed it. */
+ *         where W^2, Eq. (47), exceeds that.  In kg, m and s only a coin that
+ *         is next to flat exceeds it; in mg and um others may. */
 COIN_API int32_t coinf_state_check(const coinf_state *s, const coinf_params *p);
 
 /** As coin_state_from_motion(); sets low to 0. */
@@ -124,7 +124,7 @@ COIN_API int32_t coinf_angular_velocity(const coinf_state *s, float omega[3]);
 /** One classical Runge-Kutta step of order 4: what a loop at a fixed rate
  * calls each time.
  * @return as coin_step(), but the limits are checked at the last stage instead
- *         of the end of the step.
+ *         of the end of the step, and no limit of the turn of lean and heading.
  * Cost: on a Cortex-M4F 1,280 instructions, a quarter of them for the checks;
  *         coinf_run() does those once (docs/guide.md). */
 COIN_API int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt);
@@ -170,7 +170,7 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  * @return as coin_settle(), but COIN_ESTEP after 2^16 steps in one call: the
  *         state is then that at *reached, and another call goes on from there.
  * A coin nearer to flat than 3e-8 rad counts as flat.  If the losses never
- * stop the contact, the time from cos(theta) = 1e-5 to rest is taken from the
+ * stop the contact, the time from cos(theta) = 1e-6 to rest is taken from the
  * law by which such a motion ends.  In calls of 1e-5 natural units a fall
  * whose contact has stopped may err by 6e-4 units: a float cannot add what it
  * moves in such a call (test_float_settle_calls).
@@ -179,9 +179,11 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  *         90 u (1 + t sqrt(g/a)), u = 2^-24, in all launches that were searched
  *         (make adversary), of losses up to 1 in natural units.  With layer or
  *         damping above 100 it may be larger for a tol above 1e-4, and above
- *         1000 for any.  A quarter that turns for 8 s, in calls of 1 ms or of
- *         1/60 s, rests within 1e-5 s of the time that coin_settle() gives
- *         (test_float_settle).
+ *         1000 for any.  A quarter that turns for 8 s by dry, viscous, layer or
+ *         gap, in calls of 1 ms or of 1/60 s, rests within 1e-5 s of the time
+ *         that coin_settle() gives (test_float_settle); by rolling or damping
+ *         alone within 2 ms, since in calls of that length it counts as flat
+ *         before it is.
  * Cost: on a Cortex-M4F 2,203 instructions for a call of one step, by dry
  *         friction, and 1,112 bytes of stack.  A quarter's 8 s take 8,263 steps
  *         in 8,019 calls of 1 ms at 1e-3, at most 12 of them in one call

@@ -358,8 +358,10 @@ static void a_lean_of_the_least_numbers_keeps_its_integrals(void **unused)
     (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    for (double theta = 1e-280; theta > 0; theta *= 1e-9) {
-        const coin_state s = {.theta = theta, .wZ = 1e-10};
+    const double leans[] = {1e-290, 1e-300, 0x1.630b5d69ff479p-1014, 0x1p-1074};
+    for (size_t i = 0; i < sizeof leans / sizeof *leans; ++i) {
+        const double theta = leans[i];
+        const coin_state s = {.theta = theta, .wZ = 0x1.b7cdfd9d7bdbbp-34};
         coin_state near;
         check_note("theta %g", theta);
         check_status(coin_steady_near(&s, &p, &near), COIN_OK);

@@ -148,7 +148,8 @@ static coin_priv_moment locate(const coin_priv_search *f,
     }
     if (high.bits == 0)
         return high;
-    for (; low > 0; low = from - width) {
+    const double found = coin_priv_lesser(from, high.x);
+    for (low = found - width; low > 0; low = found - width) {
         const coin_priv_moment m = moment_of(f, w->of, low);
         if (m.bits == 0)
             break;

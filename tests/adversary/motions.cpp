@@ -49,10 +49,10 @@ template <class R> double advance(const scene &s, double enough)
     });
 }
 
-/* By what part of mu F/N exceeds it on a path, 1 where N <= 0: in natural
- * units, M = a = g = 1. */
+/* By what part of mu F/N exceeds it on a path; where N <= 0 it is 1 if that is
+ * asked for, else -1.  In natural units, M = a = g = 1. */
 template <class R>
-R excess(const path<R> &at, const coin_params &p, const R &mu)
+R excess(const path<R> &at, const coin_params &p, const R &mu, bool lifts)
 {
     struct {
         R mass, radius, gravity, inertia_X, inertia_Z;
@@ -64,33 +64,40 @@ R excess(const path<R> &at, const coin_params &p, const R &mu)
     body.inertia_X = p.inertia_X / m;
     body.inertia_Z = p.inertia_Z / m;
     const table_force<R> f = force_of(moment<R>(body, y));
-    return f.normal.value > 0 ? f.friction / (mu * f.normal.value) - 1 : R(1);
+    return f.normal.value > 0 ? f.friction / (mu * f.normal.value) - 1
+                              : R(lifts ? 1 : -1);
 }
 
 /* No excursion that exceeds mu by 1e-6 of it lies before the moment reached;
- * looked for at 48 moments, of motions that amplify errors little. */
+ * looked for at 48 moments, of motions that amplify errors little.  A lift-off
+ * may be brief: where mu is large, there are 500. */
 template <class R> double until(const scene &s, double)
 {
     constexpr double TOL = 1e-12;
-    constexpr int LOOKS = 48;
     const coin_params p = params_of<doubles>(s);
     const coin_state start = state_of<doubles>(s);
     coin_state end = start;
     path<R> truth(p, start);
+    const int32_t bits = s.tol > 1e6 && int(s.steps) % 2 > 0
+                             ? COIN_SLIPS
+                             : COIN_SLIPS | COIN_LIFTS;
     double reached = 0;
     if (truth.is_long(R(s.t)) ||
-        coin_advance_until(&end, &p, s.t, TOL, s.tol, COIN_SLIPS | COIN_LIFTS,
-                           &reached) < 0)
+        coin_advance_until(&end, &p, s.t, TOL, s.tol, bits, &reached) < 0)
         return NO_CLAIM;
     const R side = reached < 0 ? -1 : 1;
-    const R clear = R(reached) - side * 2 * TOL / truth.w;
+    /* Next to N = 0 F/N changes fast. */
+    const bool is_large = s.tol > 100;
+    const int looks = is_large ? 500 : 48;
+    const double late = is_large ? 1e-6 : 2 * TOL, most = is_large ? 1e5 : 1000;
+    const R clear = R(reached) - side * late / truth.w;
     R worst = 0;
-    for (int k = 0; k < LOOKS && clear * side > 0; ++k) {
-        if (!truth.follow(clear / LOOKS) || truth.cos_theta() < R(1e-3))
+    for (int k = 0; k < looks && clear * side > 0; ++k) {
+        if (!truth.follow(clear / looks) || truth.cos_theta() < 1 / R(most))
             return NO_CLAIM;
-        worst = larger(worst, excess(truth, p, R(s.tol)));
+        worst = larger(worst, excess(truth, p, R(s.tol), bits & COIN_LIFTS));
     }
-    if (worst > 0 && growth(p, start, reached / 16, 16, 1001) > 1000)
+    if (worst > 0 && growth(p, start, reached / 16, 16, most + 1) > most)
         return NO_CLAIM;
     return double(worst / R(1e-6));
 }
@@ -307,11 +314,20 @@ void horizon(scene *s, const double *g)
     s->z = s->a * (6 * g[21] - 3);
 }
 
-/* The friction coefficient. */
+/* The friction coefficient; a large one also of coins so slow that they fall,
+ * bounce near flat and lift off. */
 void until_it_slips(scene *s, const double *g)
 {
     horizon(s, g);
-    s->tol = std::pow(10, g[24] < 0.7 ? 4 * g[24] - 2 : 40 * g[24] - 28);
+    s->tol = std::pow(10, 4 * g[24] - 2);
+    if (g[24] < 0.7)
+        return;
+    const double w = std::sqrt(s->g / s->a);
+    s->tol = std::pow(10, 40 * g[24] - 28);
+    s->theta = 2 * g[8] - 1;
+    s->wX = w * (2 * g[11] - 1);
+    s->wY = w * (g[12] - 0.5) * (g[15] < 0.5);
+    s->wZ = w * (g[13] - 0.5) * (g[16] < 0.5);
 }
 
 /* The same, and most beside a steady circle: the leans and rolls between which

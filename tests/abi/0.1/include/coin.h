@@ -4,7 +4,7 @@
  *
  * This header is the whole public API and its reference documentation.
  * Equation numbers, such as Eq. (14), are those of docs/physics.md; make
- * install puts docs/ into PREFIX/share/doc/rollcoin.
+ * install puts the pages of docs/ into PREFIX/share/doc/rollcoin.
  *
  * FRAMES. Small letters x y z are the table's frame, y up.  Capital letters
  * X Y Z are the coin's frame: origin at the centre, X horizontal in the coin's
@@ -496,15 +496,17 @@ COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
 
 /** The largest step of a method whose error stays below tol, from this state
  * on.  It is found by trial: the motion is followed through one period of
- * theta, for 4 to 20 natural units.  Where the motion is most demanding, the
+ * theta, for 4 to 20 natural units and at most 400 steps.  What comes later is
+ * not seen: a slow fall, for example.  Where the motion is most demanding, the
  * method takes steps of dt and of dt/2, and the states that they give are
  * compared.
  * @param tol  1e-13 to 1e-2: error per natural unit of time, in radians and
  *             radii [1]
  * @return dt > 0; for bodies of I_X >= 1e-3 M a^2 never so large that a step
- *         would be COIN_COARSE.  0 if the coin falls flat, or if W comes to
- *         exceed the largest angular velocity that coin_state_check() accepts,
- *         so that no step is short enough.  NaN on the usual errors, an unknown
+ *         in that time would be COIN_COARSE.  0 if the coin falls flat in that
+ *         time, or if W comes to exceed the largest angular velocity that
+ *         coin_state_check() accepts, or 1e95 if that is less, so that no step
+ *         is short enough.  NaN on the usual errors, an unknown
  *         method, or tol out of range.
  * Accuracy: the error stays within 2 tol for discs and hoops that spin nearly
  *         upright, at leans up to 0.2 and rates of 1.5 to 21 sqrt(g/a) (make
@@ -642,10 +644,10 @@ COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
  *         coin_advance().
  * Accuracy: in the computed motion no excursion is missed in which F/N exceeds
  *         mu by 1e-6 of mu or more, for mu >= 1e-6 (test_until).
- * Cost: 1.5 to 2.2 times that of coin_advance(), up to 3.4 times where F/N
- *         comes within 1e-4 of mu; 0.2 us more in calls of a step or less.  A
- *         tol above 1e-6 costs as much as 1e-6.  An event costs as much as ten
- *         to forty steps.  The call needs some 10 KiB of stack. */
+ * Cost: 1.5 to 2.2 times that of coin_advance(), up to 3.7 times where F/N
+ *         comes within 1e-4 of mu, or cos(theta) near its bound; 0.2 us more in
+ * calls of a step or less.  A tol above 1e-6 costs as much as 1e-6.  An event
+ * costs as much as ten to forty steps.  The call needs some 10 KiB of stack. */
 COIN_API int32_t coin_advance_until(coin_state *s, const coin_params *p,
                                     double t, double tol, double mu,
                                     int32_t bits, double *reached);
@@ -715,8 +717,8 @@ COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
  * at the extremum of the potential that is nearest in lean.  Eq. (39), (48).
  * @param[out] out  theta, wY, wZ; wX = 0; the pose is that of s
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if there is none: the coin
- *         would fall flat on both sides, or the extremum is nearer than 1e-6 to
- *         flat.
+ *         would fall flat on both sides, or the extremum or s itself is nearer
+ *         than 1e-6 to flat.
  * It may be unstable: coin_stability().  Of two extrema closer to each other
  * than 0.0005 cos(theta) both may be missed.
  * Accuracy: *out is steady by the test of coin_steady_radii().  Its integrals
@@ -789,18 +791,19 @@ COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
  * @param[out] out  the state after t
  * @return COIN_OK; the usual errors.  COIN_ESTEP: t is not finite, or the
  *         result is not a state: an unstable lean has grown to the table, or
- *         phi or psi leaves its range.  COIN_EDOMAIN: steady is not steady, as
- *         in coin_steady_radii(), or the wobble is not small.
+ *         phi or psi leaves its range; or |t| sqrt(|lambda^2|) is above 2^31,
+ *         or above 700 where lambda^2 > 0.  COIN_EDOMAIN: steady is not steady,
+ *         as in coin_steady_radii(), or the wobble is not small.
  *
  * The neighbour is the steady motion with the integrals of start.  The reach is
  * how far the lean goes from the neighbour, plus the difference in lean between
  * the neighbour and steady.  The wobble is not small if that difference is more
- * than 0.1 rad.  It is not small either if the terms of the acceleration that
- * the linear law leaves out could displace the lean by half of the reach within
- * t.
- * Accuracy: the lean stays in the well of the potential, and its error is never
- *         more than three times the reach (test_wobble_wells).  Let A be the
- *         largest of the reach and of the differences of start from steady, in
+ * than 0.1 rad, or if the neighbour leans by 1000 cos(theta) of start more or
+ * less than start.  It is not small either if the terms of the acceleration
+ * that the linear law leaves out could displace the lean by half of the reach
+ * within t. Accuracy: the lean stays in the well of the potential, and its
+ * error is never more than three times the reach (test_wobble_wells).  Let A be
+ * the largest of the reach and of the differences of start from steady, in
  *         natural units, over cos(theta), and W that of Eq. (47) at start.  Let
  *         E be 4 (A^2 + 1e-14) (1 + |t| W) times the larger of 1 and
  *         W^2/|lambda^2|.  If lambda^2 < 0 and E < 1, the error is below E at
@@ -825,11 +828,14 @@ COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if the motion has no
  *         well-defined period: it is an unstable steady motion that is not
  *         exactly upright; or it is so close to a separatrix that conditioning
- *         is 1e12 or more; or it comes so close to flat that the pieces of an
- *         orbit do not suffice.  Of the motions that stay at least 1e-6 rad
- *         from flat, fewer than 1 in 100 are refused; more are refused of those
- *         that start about 1e-6 rad from flat and come as close on the other
- *         side.  All motions that come closer than 1e-9 rad are refused.
+ *         is 1e12 or more; or it comes so close to flat, or takes so long from
+ *         one turning point to the next, that the pieces of an orbit do not
+ *         suffice: 50/W and more, as next to critical motions and for bodies
+ *         of I_Z below 0.002 I_X.  Of random motions of rings that stay at
+ *         least 1e-6 rad from flat, fewer than 1 in 100 are refused; more are
+ *         refused of those that start about 1e-6 rad from flat and come as
+ *         close on the other side.  All motions that come closer than 1e-9 rad
+ *         are refused.
  * A stable steady motion is an orbit too, of period 0.  An unstable one is an
  * orbit only if it is exactly upright: rounding would take any other away from
  * the steady motion.
@@ -865,9 +871,10 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         state, amplified as the motion amplifies an error in the lean or a
  *         rate: next to an unstable steady motion the error of heading and roll
  *         may be a thousand times 1e-15 conditioning.  The orbit of a steady
- *         motion also leaves out what coin_steady_at() leaves out: here 16 u of
- *         the terms of (39) over |lambda^2| in the lean, with an effect on
- *         heading and roll that grows with time (make adversary).
+ *         motion also leaves out what coin_steady_at() leaves out: in the lean
+ *         16 u of the larger of |lambda^2| and the terms of (39), over
+ *         |lambda^2|.  Its effect on heading and roll grows with time (make
+ *         adversary).
  * Cost: 0.5 to 0.7 textbook steps, whatever t is (docs/models.md). */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
 
@@ -887,8 +894,9 @@ COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
  *         unstable steady motion.
  *         Negative: the usual errors; COIN_EARG also for tol not in range;
  *         COIN_ESTEP horizon not in range, or phi, psi, x or z leaves its range
- *         within the horizon; COIN_EFLAT the coin falls flat within the horizon
- *         and within the steps that are taken.
+ *         within the horizon; COIN_EFLAT the coin falls flat within the
+ *         horizon.  Where there is no orbit, the last two are found only within
+ *         the steps that are taken, the last of which may pass the horizon.
  * Accuracy: of 10,000 scenes none got a model that misses tol; of 20,000
  *         scenes on unstable circles none got a steady motion or a wobble that
  *         does.  docs/models.md says how often a cheaper model would have done
