@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Events whose place is known in closed form. */
+/* Events whose place is known in closed form, or by the signs of N. */
 #include "support/check.h"
 #include "support/random.h"
 
@@ -127,6 +127,80 @@ static void a_coin_slips_before_it_lifts_whatever_mu(void **unused)
     }
 }
 
+/* The place where F/N exceeds a large mu is as narrow as 1/mu, and lies next to
+ * where N = 0.  The signs of N show the moment of lift-off. */
+static void lift_off_is_not_passed_over_whatever_mu_is(void **unused)
+{
+    (void)unused;
+    static const struct {
+        double theta, wX, wY, wZ, tol;
+    } scenes[] = {
+        {0x1.3b88ee61b28p-3, 0x1.5b534fe004cp-5, 0, 0, 1e-9},
+        {-0x1.66ecf87d291p-3, -0x1.491cfebbb6c8p-1, 0, 0x1.2c2565801318p-3,
+         1e-12},
+        {0x1.9893138b40e8p-2, 0x1.92afba3d899p-1, 0, 0x1.0dedcbade7c4p-2,
+         1e-10},
+        {0x1.ba464717217p-3, -0x1.532cbff708a8p-1, 0, 0, 1e-9},
+        {0x1.0caed430f5f8p-2, 0x1.2cae133ac578p-1, 0, 0, 1e-9},
+        {-0x1.62dc7ed28a2p-1, -0x1.62523d3d8f74p-1, 0x1.8c6f6f5d3c54p-2,
+         -0x1.a61b5c5ebd48p-3, 1e-10},
+    };
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; ++i) {
+        const coin_state start = {.theta = scenes[i].theta,
+                                  .wX = scenes[i].wX,
+                                  .wY = scenes[i].wY,
+                                  .wZ = scenes[i].wZ};
+        const double tol = scenes[i].tol;
+        double lifts;
+        coin_state s = start;
+        check_status(
+            coin_advance_until(&s, &p, 6, tol, INFINITY, COIN_LIFTS, &lifts),
+            COIN_LIFTS);
+        for (int side = -1; side <= 1; side += 2) {
+            coin_force force;
+            s = start;
+            check_status(coin_advance(&s, &p, lifts + side * 1e-6, 1e-12, NULL),
+                         COIN_OK);
+            check_status(coin_reaction(&s, &p, &force), COIN_OK);
+            check(side < 0 ? force.normal > 0 : force.normal < 0);
+        }
+        for (int k = 0; k < 8; ++k) {
+            const double mu = k < 7 ? pow(10, 4 + k) : INFINITY;
+            const int32_t first = k < 7 ? COIN_SLIPS : COIN_LIFTS;
+            for (int32_t bits = first; bits <= 3; ++bits) {
+                double reached;
+                s = start;
+                check_note("scene %d, mu %g, bits %d", (int)i, mu, bits);
+                const int32_t is =
+                    coin_advance_until(&s, &p, 6, tol, mu, bits, &reached);
+                check(is > 0);
+                check_within(reached, lifts - 30 / mu - 2 * tol,
+                             lifts + 2 * tol + 1e-12);
+            }
+        }
+    }
+}
+
+/* It begins in the air.  The slip begins where N comes from 0, and has ended
+ * 1.4e-11 units later. */
+static void the_first_moment_of_a_brief_slip_is_found(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    const coin_state start = {.theta = 0x1.9d76b52161f1ep-1,
+                              .wX = -0x1.fa644b7f604cep-1,
+                              .wY = 0x1.c8673ac70a3c6p-2};
+    coin_state s = start;
+    coin_force force;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    check_status(coin_advance_until(&s, &p, 1, 1e-13, 2.5e10, COIN_SLIPS, NULL),
+                 COIN_SLIPS);
+    check_status(coin_reaction(&s, &p, &force), COIN_OK);
+    check_within(force.normal, 0, 3e-13);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -136,6 +210,8 @@ int main(void)
         TEST(a_pass_within_a_step_is_found),
         TEST(the_briefest_slip_before_it_lifts_is_found),
         TEST(a_coin_slips_before_it_lifts_whatever_mu),
+        TEST(lift_off_is_not_passed_over_whatever_mu_is),
+        TEST(the_first_moment_of_a_brief_slip_is_found),
     };
     return RUN_TESTS(tests);
 }

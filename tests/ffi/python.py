@@ -148,17 +148,15 @@ def passed(name, kind, table):
     return f"{name} + {kind.length} * i" if kind.length else f"{name} + i"
 
 
-def row(name, function, arguments, tables, number=""):
+def row(prefix, function, arguments, tables, number=""):
     """EACH(name, (its arguments), the call), or EACH_NUMBER."""
     takes = ", ".join(declared(a, k, a in tables)
                       for a, k in arguments.items())
     gives = ", ".join(passed(a, k, a in tables) for a, k in arguments.items())
-    call = f"{function}({gives})"
     if number:
-        check = PREFIX.match(function).group() + "state_check(s + i, p)"
-        line = f"EACH_NUMBER({name}, {number}, ({takes}), {call}, {check})"
+        line = f"EACH_NUMBER({function}, {number}, ({takes}), ({gives}))"
     else:
-        line = f"EACH({name}, ({takes}), {call})"
+        line = f"EACH({prefix}{function}, ({takes}), {function}({gives}))"
     yield from wrapped(line, 5, 80)
 
 
@@ -177,11 +175,11 @@ def tables(include):
     for function, (kind, arguments) in header.read(include).functions.items():
         taken = outputs(arguments)
         if over_coins(arguments):
-            yield from row(f"each_{function}", function, arguments,
+            yield from row("each_", function, arguments,
                            taken | {first(arguments)[0]},
                            "" if kind.name == "int32_t" else kind.name)
         if over_times(arguments):
-            yield from row(f"times_{function}", function, arguments,
+            yield from row("times_", function, arguments,
                            taken | {"t"})
 
 

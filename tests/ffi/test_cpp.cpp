@@ -61,8 +61,18 @@ static void numbers()
           COIN_EARG);
     CHECK(thrown_by([&] { rollcoin::max_dt(bad, p, method::rk4, 1e-6); }) ==
           COIN_ESTATE);
-    CHECK(thrown_by([&] { rollcoin::losses_power(start, p, wrong); }) ==
+    CHECK(thrown_by([&] { rollcoin::max_dt(bad, p, method::rk4, 1); }) ==
+          COIN_EARG);
+    CHECK(thrown_by([&] { rollcoin::max_dt(bad, p, method{99}, 1e-6); }) ==
+          COIN_EARG);
+    CHECK(thrown_by([&] { rollcoin::losses_power(bad, p, wrong); }) ==
           COIN_EPARAMS);
+    CHECK(thrown_by([&] { rollcoin::time_to_rest(bad, p, wrong); }) ==
+          COIN_EPARAMS);
+    const rollcoin::state fast{1.5, 0, 0, 0, 0, 0, 1e110, 1e110};
+    const rollcoin::losses air{0, 0, 0, 1e50, 0, 0, 0, 0};
+    CHECK(thrown_by([&] { rollcoin::losses_power(fast, p, air); }) ==
+          COIN_ESTATE);
     CHECK(thrown_by([&] { rollcoin::time_to_rest(bad, p, dry); }) ==
           COIN_ESTATE);
     const rollcoin::state swings{0, 0, 0, 0, 0, 9, 0, 0};

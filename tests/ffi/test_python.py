@@ -200,13 +200,34 @@ class Errors(unittest.TestCase):
                                      quarterf()[0]), rc.ESTATE)
         self.assertEqual(self.status(rc.critical_roll, rc.Params()),
                          rc.EPARAMS)
-        self.assertEqual(self.status(rc.max_dt, s, p, rc.RK4, 1), rc.EARG)
-        self.assertEqual(self.status(rc.time_to_rest, rc.State(wX=9), p,
-                                     rc.Losses(dry=1e-7)), rc.EDOMAIN)
-        self.assertEqual(self.status(rc.losses_power, s, p,
-                                     rc.Losses(dry=-1)), rc.EPARAMS)
         self.assertEqual(rc.losses_power(s, p, none), 0)
         self.assertRaises(ValueError, rc.energy, bad, p)
+        for refer in (ctypes.byref, lambda thing: (type(thing) * 1)(thing)):
+            self.assertEqual(self.status(rc.lib.coin_energy, refer(bad),
+                                         refer(p)), rc.ESTATE)
+            self.assertEqual(self.status(rc.lib.coin_critical_roll,
+                                         refer(rc.Params())), rc.EPARAMS)
+
+    def test_of_several_errors_that_of_coin_h_is_raised(self):
+        """In its order, and the same of a coin, of a row and of a table."""
+        p, _ = quarter()
+        bad, wrong = rc.State(theta=2), rc.Losses(dry=-1)
+        dry = rc.Losses(dry=1e-7)
+        fast = rc.State(theta=1.5, wY=1e110, wZ=1e110)
+        for expected, function, *arguments in (
+                (rc.EPARAMS, rc.losses_power, bad, p, wrong),
+                (rc.ESTATE, rc.losses_power, bad, p, rc.Losses()),
+                (rc.ESTATE, rc.losses_power, fast, p, rc.Losses(layer=1e50)),
+                (rc.EPARAMS, rc.time_to_rest, bad, p, wrong),
+                (rc.ESTATE, rc.time_to_rest, bad, p, rc.Losses()),
+                (rc.EDOMAIN, rc.time_to_rest, rc.State(wX=9), p, dry),
+                (rc.EARG, rc.max_dt, bad, p, rc.RK4, 1),
+                (rc.EARG, rc.max_dt, bad, p, 99, 1e-6),
+                (rc.ESTATE, rc.max_dt, bad, p, rc.RK4, 1e-6)):
+            table = numpy.frombuffer(arguments[0], rc.State)
+            for coin in (arguments[0], table[0], table):
+                self.assertEqual(self.status(function, coin, *arguments[1:]),
+                                 expected)
 
     def test_arguments_out_of_range_or_of_another_type_are_refused(self):
         p, s = quarter()
@@ -396,6 +417,15 @@ class Results(unittest.TestCase):
         for k in range(20):
             rc.run(before[k], p, rc.RK4, 1e-3, 3)
         self.assertTrue(same(before, table))
+        losses = rc.Lossesf(viscous=1e-9)
+        rc.losses_check(losses, p)
+        alone = [rc.settle(row, p, losses, 0.5, 1e-3) for row in before]
+        said = rc.settle(table, p, losses, 0.5, 1e-3)
+        self.assertEqual(said.reached.dtype, numpy.float32)
+        self.assertEqual(alone, list(zip(*said)))
+        self.assertTrue(same(before, table))
+        self.assertEqual(rc.settle(s, p, losses, 0.5), (0, 0.5))
+        self.assertRaises(TypeError, rc.settle, s, pd, rc.Losses(), 0.5)
         self.assertRaises(TypeError, rc.advance, s, p, 1)
         self.assertRaises(TypeError, rc.max_dt, s, p, rc.RK4, 1e-6)
         self.assertRaises(TypeError, rc.losses_power, s, p, rc.Losses())

@@ -141,4 +141,14 @@ files_are "$root" "$lib"
 $run uninstall
 test -z "$(find "$root" ! -type d)" || die "uninstall leaves files"
 
+echo "installcheck: several places in one folder"
+run="$run LIBDIR=/one INCLUDEDIR=/one PKGCONFIGDIR=/one CMAKEDIR=/one"
+$run install
+for file in coin.h coinf.h librollcoin.a librollcoin.so rollcoin.pc \
+    rollcoin-config.cmake rollcoin-config-version.cmake; do
+    test -e "$root/one/$file" || die "$file is left out"
+done
+$run uninstall
+test -z "$(find "$root" ! -type d)" || die "uninstall leaves files"
+
 echo "installcheck: shared and static clients run, nothing is left behind"
