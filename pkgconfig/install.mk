@@ -63,21 +63,22 @@ $(LEVELS:%=$(O)/hwcaps/%/$(REAL_SO)): $(O)/hwcaps/%/$(REAL_SO): force
 	+$(AGAIN) O=$(O)/hwcaps/$* CFLAGS='$(CFLAGS) -march=$*' HWCAPS= $@
 
 # ------------------------------------------------------------ places, and files
-# install puts the files of a place there, uninstall removes just these.
+# install puts the files of a place there, uninstall removes just these.  One
+# folder may be several places.
 DOCS   := $(SRC)/docs
 PLACES := $(INCLUDEDIR) $(LIBDIR) $(RUNDIR) $(PKGCONFIGDIR) $(CMAKEDIR) \
           $(MANDIR)/man3 $(DOCDIR) $(DOCDIR)/docs $(DOCDIR)/docs/figures \
           $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%)
 
-in.$(INCLUDEDIR)   = $(SRC)/include/coin.h $(SRC)/include/coinf.h
-in.$(PKGCONFIGDIR) = $(O)/rollcoin.pc
-in.$(CMAKEDIR)     = $(addprefix $(O)/,$(CMAKE_FILES))
-in.$(MANDIR)/man3  = $(O)/rollcoin.3
-in.$(DOCDIR)       = $(addprefix $(SRC)/,README.md CHANGELOG.md LICENSE)
-in.$(DOCDIR)/docs  = $(wildcard $(DOCS)/*.md)
-in.$(DOCDIR)/docs/figures = $(wildcard $(DOCS)/figures/*.[sp][vn]g)
-in.$(LIBDIR)       = $(LIB_A) $(addprefix $(O)/,$(IMPORT))
-in.$(RUNDIR)      += $(O)/$(REAL_SO)
+in.$(INCLUDEDIR)   += $(SRC)/include/coin.h $(SRC)/include/coinf.h
+in.$(PKGCONFIGDIR) += $(O)/rollcoin.pc
+in.$(CMAKEDIR)     += $(addprefix $(O)/,$(CMAKE_FILES))
+in.$(MANDIR)/man3  += $(O)/rollcoin.3
+in.$(DOCDIR)       += $(addprefix $(SRC)/,README.md CHANGELOG.md LICENSE)
+in.$(DOCDIR)/docs  += $(wildcard $(DOCS)/*.md)
+in.$(DOCDIR)/docs/figures += $(wildcard $(DOCS)/figures/*.[sp][vn]g)
+in.$(LIBDIR)       += $(LIB_A) $(addprefix $(O)/,$(IMPORT))
+in.$(RUNDIR)       += $(O)/$(REAL_SO)
 $(foreach level,$(LEVELS),$(eval \
     in.$(LIBDIR)/glibc-hwcaps/$(level) = $(O)/hwcaps/$(level)/$(REAL_SO)))
 

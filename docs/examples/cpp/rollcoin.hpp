@@ -198,9 +198,13 @@ inline std::int32_t batch_run(std::vector<state> &s, const params &p, method m,
 
 inline double max_dt(const state &s, const params &p, method m, double tol)
 {
-    const std::int32_t why = coin_state_check(&s, &p);
-    return check(coin_max_dt(&s, &p, static_cast<std::int32_t>(m), tol),
-                 why < 0 ? why : COIN_EARG);
+    const double dt = coin_max_dt(&s, &p, static_cast<std::int32_t>(m), tol);
+    if (std::isnan(dt)) { // one of these throws
+        state copy = s;
+        order(m);
+        advance(copy, p, 0, tol);
+    }
+    return dt;
 }
 
 // ---------------------------------------------------------- states,
@@ -416,18 +420,19 @@ inline model model_needed(const state &s, const params &p, double horizon,
 
 // ------------------------------------------------------------------- real
 // coins
-inline double losses_power(const state &s, const params &p, const losses &l)
-{
-    const std::int32_t why = coin_state_check(&s, &p);
-    return check(coin_losses_power(&s, &p, &l),
-                 why < 0 ? why : coin_losses_check(&l, &p));
-}
-
 inline state losses_rates(const state &s, const params &p, const losses &l)
 {
     state d;
     check(coin_losses_rates(&s, &p, &l, &d));
     return d;
+}
+
+inline double losses_power(const state &s, const params &p, const losses &l)
+{
+    const double power = coin_losses_power(&s, &p, &l);
+    if (std::isnan(power))
+        losses_rates(s, p, l); // which throws
+    return power;
 }
 
 inline force losses_reaction(const state &s, const params &p, const losses &l)
@@ -446,9 +451,9 @@ inline std::int32_t settle(state &s, const params &p, const losses &l, double t,
 
 inline double time_to_rest(const state &s, const params &p, const losses &l)
 {
-    const std::int32_t why = coin_state_check(&s, &p);
+    const std::int32_t why = coin_losses_check(&l, &p);
     return check(coin_time_to_rest(&s, &p, &l),
-                 why < 0 ? why : coin_losses_check(&l, &p));
+                 why < 0 ? why : coin_state_check(&s, &p));
 }
 
 // Returns COIN_RESTS if the coin lies flat by then, else 0.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 //! Coins that slow down.
 use crate::status::{checked, checked_to, filled, number};
-use crate::{
-    ffi, Error, Force, Losses, Params, Result, State, Status, Stopped,
-};
+use crate::{ffi, Force, Losses, Params, Result, State, Status, Stopped};
 
 impl Losses {
     /// Whether they can be computed with.
@@ -25,7 +23,7 @@ impl State {
     /// The power that the losses take.
     pub fn losses_power(&self, p: &Params, l: &Losses) -> Result<f64> {
         let power = unsafe { ffi::coin_losses_power(self, p, l) };
-        number(power, Some(self), p, Some(l), Error::STATE)
+        number(power, || self.losses_rates(p, l))
     }
 
     /// [`State::rates`] with losses.
@@ -57,7 +55,7 @@ impl State {
     /// stops it.
     pub fn time_to_rest(&self, p: &Params, l: &Losses) -> Result<f64> {
         let time = unsafe { ffi::coin_time_to_rest(self, p, l) };
-        number(time, Some(self), p, Some(l), Error::DOMAIN)
+        number(time, || l.check(p).and_then(|()| self.state_check(p)))
     }
 
     /// The state at a time by the quasi-steady model, and whether it

@@ -113,7 +113,8 @@ impl State {
     /// no step would do.
     pub fn max_dt(&self, p: &Params, method: Method, tol: f64) -> Result<f64> {
         let dt = unsafe { ffi::coin_max_dt(self, p, method as i32, tol) };
-        number(dt, Some(self), p, None, Error::ARGUMENT)
+        let mut copy = *self;
+        number(dt, || Ok(copy.advance(p, 0.0, tol)?))
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //! Bodies.
 use crate::status::{checked, filled, number};
-use crate::{ffi, Error, Params, Result};
+use crate::{ffi, Params, Result};
 
 impl Params {
     /// A uniform thin disc.
@@ -51,12 +51,12 @@ impl Params {
     /// The rate |wZ| above which straight rolling is stable.
     pub fn critical_roll(&self) -> Result<f64> {
         let rate = unsafe { ffi::coin_critical_roll(self) };
-        number(rate, None, self, None, Error::PARAMS)
+        number(rate, || self.check())
     }
 
     /// The rate |wY| above which upright spinning is stable.
     pub fn critical_spin(&self) -> Result<f64> {
         let rate = unsafe { ffi::coin_critical_spin(self) };
-        number(rate, None, self, None, Error::PARAMS)
+        number(rate, || self.check())
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //! States, and what can be read off one.
 use crate::status::{checked, filled, number};
-use crate::{ffi, Error, Force, Method, Params, Result, State, Status};
+use crate::{ffi, Force, Method, Params, Result, State, Status};
 
 impl State {
     /// Whether it can be computed with.
@@ -50,7 +50,7 @@ impl State {
     /// The energy.
     pub fn energy(&self, p: &Params) -> Result<f64> {
         let energy = unsafe { ffi::coin_energy(self, p) };
-        number(energy, Some(self), p, None, Error::STATE)
+        number(energy, || self.state_check(p))
     }
 
     /// K_Y and K_Z.

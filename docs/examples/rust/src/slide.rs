@@ -2,8 +2,7 @@
 //! Coins that may slip.
 use crate::status::{checked_to, filled, number};
 use crate::{
-    ffi, Error, Force, Friction, Losses, Params, Result, Slide, State, Status,
-    Stopped,
+    ffi, Force, Friction, Losses, Params, Result, Slide, State, Status, Stopped,
 };
 
 /// Null where there are no losses.
@@ -45,7 +44,7 @@ impl Slide {
     /// Kinetic and potential energy.
     pub fn energy(&self, p: &Params) -> Result<f64> {
         let energy = unsafe { ffi::coin_slide_energy(self, p) };
-        number(energy, Some(&self.s), p, None, Error::STATE)
+        number(energy, || self.velocity(p))
     }
 
     /// The force of the table, of rolling or of the slip.

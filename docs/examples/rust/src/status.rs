@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //! What a call says: done, or why not and how far.
-use crate::{ffi, Losses, Params, State};
+use crate::ffi;
 use std::ffi::CStr;
 use std::fmt;
 
@@ -132,20 +132,15 @@ pub(crate) fn filled<T: Default>(call: impl Fn(&mut T) -> i32) -> Result<T> {
     Ok(out)
 }
 
-/// A number, which is NaN on bad input: of the checks, the first that fails
-/// says why, and else `otherwise`.
-pub(crate) fn number(
+/// A number, which is NaN on bad input: the error is that of `why`, or else
+/// there is no such motion.
+pub(crate) fn number<T>(
     value: f64,
-    s: Option<&State>,
-    p: &Params,
-    l: Option<&Losses>,
-    otherwise: Error,
+    why: impl FnOnce() -> Result<T>,
 ) -> Result<f64> {
-    if !value.is_nan() {
-        return Ok(value);
+    if value.is_nan() {
+        why()?;
+        return Err(Error::DOMAIN);
     }
-    p.check()?;
-    s.map_or(Ok(()), |s| s.state_check(p))?;
-    l.map_or(Ok(()), |l| l.check(p))?;
-    Err(otherwise)
+    Ok(value)
 }

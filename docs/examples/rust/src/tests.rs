@@ -210,8 +210,15 @@ fn losses_bring_a_coin_to_rest() {
         dry: -1.0,
         ..Losses::default()
     };
-    assert_eq!(s.time_to_rest(&p, &negative), Err(Error::PARAMS));
     assert_eq!(s.settle(&p, &l, -1.0, 1e-6).unwrap_err().error, Error::STEP);
+    s = State::default();
+    s.wX = 9.0;
+    assert_eq!(s.time_to_rest(&p, &l), Err(Error::DOMAIN));
+    s.theta = 2.0;
+    assert_eq!(s.time_to_rest(&p, &l), Err(Error::STATE));
+    assert_eq!(s.time_to_rest(&p, &negative), Err(Error::PARAMS));
+    assert_eq!(s.losses_power(&p, &negative), Err(Error::PARAMS));
+    assert_eq!(s.max_dt(&p, Method::Rk4, 1.0), Err(Error::ARGUMENT));
 }
 
 #[test]

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import ctypes
 import pathlib
-from ctypes import c_char_p, c_double, c_float, c_int32, c_size_t, c_void_p
+from ctypes import (byref, c_char_p, c_double, c_float, c_int32, c_size_t,
+                    c_void_p)
 from typing import Any, Optional, Sequence
 
 from . import _declarations as declared
@@ -51,24 +52,18 @@ def _no_nan(number: float, function: Any, arguments: Sequence[Any]) -> float:
 
 
 def _why_nan(name: str, arguments: Sequence[Any]) -> int:
-    """The status for a function that has none: of its checks the first."""
+    """The status for a function that has none: that of a table of one row, or
+    else of params_check()."""
     if any(argument is None for argument in arguments):
         return declared.EARG
-    prefix = name[:name.index("_") + 1]
-    p = next(a for a in arguments
-             if isinstance(a, (declared.Params, declared.Paramsf)))
-    try:
-        getattr(lib, prefix + "params_check")(p)
-        for argument in arguments:
-            if isinstance(argument, (declared.State, declared.Statef)):
-                getattr(lib, prefix + "state_check")(argument, p)
-            elif isinstance(argument, declared.Losses):
-                lib.coin_losses_check(argument, p)
-    except Error as error:
-        return error.status
-    others = {"coin_max_dt": declared.EARG, "coin_slide_energy":
-              declared.ESTATE}
-    return others.get(name, declared.EDOMAIN)
+    each = getattr(lib, "each_" + name, None)
+    if each is None:
+        lib.coin_params_check(arguments[-1])  # which raises
+        return declared.ESTATE  # of slide_energy()
+    result, kinds = declared.PROTOTYPES[name]
+    status: int = each(1, byref(c_int32()), byref(result()),
+                       kinds["s"].from_param(arguments[0]), *arguments[1:])
+    return status
 
 
 def _declare(library: ctypes.CDLL) -> None:

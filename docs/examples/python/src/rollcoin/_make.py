@@ -7,8 +7,8 @@ from typing import Any, Sequence, Type
 
 from ._declarations import Losses, Params, Paramsf, State, Statef
 from ._library import lib
-from ._tables import (AnyParams, Coin, Coins, Status, coin, function, kind_of,
-                     read)
+from ._tables import (AnyLosses, AnyParams, Coin, Coins, Status, coin, function,
+                     kind_of, read)
 
 __all__ = ["body", "bodyf", "disc", "discf", "losses_check", "losses_fit",
            "params_check", "ring", "ringf", "state_check",
@@ -71,9 +71,9 @@ def params_check(p: AnyParams) -> None:
     function("params_check", kind_of(p))(p)
 
 
-def losses_check(losses: Losses, p: Params) -> None:
+def losses_check(losses: AnyLosses, p: AnyParams) -> None:
     """Raises unless the losses can be computed with.  coin_losses_check()"""
-    lib.coin_losses_check(losses, p)
+    function("losses_check", kind_of(p))(losses, p)
 
 
 # ----------------------------------------------------------------------- states

@@ -7,14 +7,14 @@ has: it never depends on the speed of the machine, nor do the bits."""
 from __future__ import annotations
 
 import operator
-from ctypes import byref, c_double, c_int32, c_size_t, c_uint64
+from ctypes import byref, c_int32, c_size_t, c_uint64
 from numbers import Integral
-from typing import Any, NamedTuple, Tuple
+from typing import Any, NamedTuple, Optional, Tuple
 
-from ._declarations import EARG, EPARAMS, OK, Losses, Params, State
+from ._declarations import EARG, EPARAMS, OK, Params, State
 from ._library import Error, lib
-from ._tables import (AnyParams, Coin, Coins, Status, Table, coin, function,
-                     is_numpy, kind_of, one, read, table)
+from ._tables import (REAL, AnyLosses, AnyParams, Coin, Coins, Status, Table,
+                     coin, function, is_numpy, kind_of, one, read, table)
 
 __all__ = ["SLICE", "Settled", "Until", "advance", "advance_until", "run",
            "run_batch", "sample", "settle", "step"]
@@ -203,23 +203,27 @@ class Settled(NamedTuple):
     """The time moved by; of a table an array."""
 
 
-def settle(s: Coins, p: Params, losses: Losses, t: float, tol: float = 1e-9, *,
-           status: Status = None) -> Settled:
+def settle(s: Coins, p: AnyParams, losses: AnyLosses, t: float,
+           tol: Optional[float] = None, *, status: Status = None) -> Settled:
     """Moves s, a State, a row or a table, with losses, by any time t >= 0 or
-    until it lies flat.  coin_settle()"""
+    until it lies flat; tol is 1e-9 unless given, in floats 1e-4.
+    coin_settle()"""
+    if tol is None:
+        tol = 1e-9 if kind_of(p) is State else 1e-4
     return Settled(*_moved("settle", s, (p, losses, t, tol), status))
 
 
 def _moved(name: str, s: Coins, inputs: Tuple[Any, ...],
            status: Status) -> Tuple[Any, Any]:
-    target = one(s, State, write=True)
+    kind = kind_of(inputs[0])
+    target = one(s, kind, write=True)
     if target is None:
         return _moved_table(name, s, inputs, status)
     if status is not None:
         raise TypeError("status is for tables")
-    reached = c_double()
+    reached = REAL[kind]()
     try:
-        said = function(name, State)(target, *inputs, byref(reached))
+        said = function(name, kind)(target, *inputs, byref(reached))
     except Error as error:
         error.done = reached.value
         raise
@@ -229,7 +233,7 @@ def _moved(name: str, s: Coins, inputs: Tuple[Any, ...],
 def _moved_table(name: str, s: Coins, inputs: Tuple[Any, ...],
                  status: Status) -> Tuple[Any, Any]:
     import numpy
-    where = table(s, State, write=True)
+    where = table(s, kind_of(inputs[0]), write=True)
     said = (numpy.empty(where.shape, numpy.int32) if status is None
             else status)
     reached = read(name, s, *inputs, status=said, write=True)

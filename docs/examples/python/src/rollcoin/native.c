@@ -37,24 +37,51 @@ static int32_t joined(int32_t all, int32_t status)
         return all;                                                            \
     }
 
-/* The same of a call that gives a number, which is NaN on bad input. */
-#define EACH_NUMBER(name, real, arguments, call, check)                        \
-    PUBLIC int32_t name(size_t count, int32_t *status, real *number,           \
-                        LISTED arguments);                                     \
-    PUBLIC int32_t name(size_t count, int32_t *status, real *number,           \
-                        LISTED arguments)                                      \
+/* The same of a function that gives a number, which is NaN on bad input. */
+#define EACH_NUMBER(name, real, arguments, passed)                             \
+    PUBLIC int32_t each_##name(size_t count, int32_t *status, real *number,    \
+                               LISTED arguments);                              \
+    PUBLIC int32_t each_##name(size_t count, int32_t *status, real *number,    \
+                               LISTED arguments)                               \
     {                                                                          \
         int32_t all = COIN_OK;                                                 \
         for (size_t i = 0; i < count; ++i) {                                   \
-            number[i] = call;                                                  \
+            number[i] = name passed;                                           \
             status[i] = COIN_OK;                                               \
             if (number[i] != number[i]) {                                      \
-                const int32_t why = check;                                     \
+                const int32_t why = why_##name passed;                         \
                 status[i] = why < 0 ? why : COIN_EDOMAIN;                      \
             }                                                                  \
             all = joined(all, status[i]);                                      \
         }                                                                      \
         return all;                                                            \
     }
+
+/* Why a number is NaN: the first error in the order of coin.h; for any other
+ * reason it is COIN_EDOMAIN. */
+#define why_coin_energy  coin_state_check
+#define why_coinf_energy coinf_state_check
+
+static int32_t why_coin_max_dt(const coin_state *s, const coin_params *p,
+                               int32_t method, double tol)
+{
+    coin_state copy = *s;
+    const int32_t order = coin_method_order(method);
+    return order < 0 ? order : coin_advance(&copy, p, 0, tol, NULL);
+}
+
+static int32_t why_coin_losses_power(const coin_state *s, const coin_params *p,
+                                     const coin_losses *l)
+{
+    coin_state rates;
+    return coin_losses_rates(s, p, l, &rates);
+}
+
+static int32_t why_coin_time_to_rest(const coin_state *s, const coin_params *p,
+                                     const coin_losses *l)
+{
+    const int32_t why = coin_losses_check(l, p);
+    return why < 0 ? why : coin_state_check(s, p);
+}
 
 #include "tables.h"

@@ -8,11 +8,10 @@ EACH(each_coin_angular_velocity, (const coin_state *s, double *omega),
      coin_angular_velocity(s + i, omega + 3 * i))
 EACH(each_coin_advance, (coin_state *s, const coin_params *p, double t,
      double tol, double *reached), coin_advance(s + i, p, t, tol, reached + i))
-EACH_NUMBER(each_coin_max_dt, double, (const coin_state *s,
-     const coin_params *p, int32_t method, double tol), coin_max_dt(s + i, p,
-     method, tol), coin_state_check(s + i, p))
-EACH_NUMBER(each_coin_energy, double, (const coin_state *s,
-     const coin_params *p), coin_energy(s + i, p), coin_state_check(s + i, p))
+EACH_NUMBER(coin_max_dt, double, (const coin_state *s, const coin_params *p,
+     int32_t method, double tol), (s + i, p, method, tol))
+EACH_NUMBER(coin_energy, double, (const coin_state *s, const coin_params *p),
+     (s + i, p))
 EACH(each_coin_integrals, (const coin_state *s, const coin_params *p,
      double *K), coin_integrals(s + i, p, K + 2 * i))
 EACH(each_coin_reaction, (const coin_state *s, const coin_params *p,
@@ -55,9 +54,8 @@ EACH(times_coin_orbit_at, (const coin_orbit *o, const double *t,
      coin_state *out), coin_orbit_at(o, t[i], out + i))
 EACH(each_coin_model_needed, (const coin_state *s, const coin_params *p,
      double horizon, double tol), coin_model_needed(s + i, p, horizon, tol))
-EACH_NUMBER(each_coin_losses_power, double, (const coin_state *s,
-     const coin_params *p, const coin_losses *l), coin_losses_power(s + i, p,
-     l), coin_state_check(s + i, p))
+EACH_NUMBER(coin_losses_power, double, (const coin_state *s,
+     const coin_params *p, const coin_losses *l), (s + i, p, l))
 EACH(each_coin_losses_rates, (const coin_state *s, const coin_params *p,
      const coin_losses *l, coin_state *out), coin_losses_rates(s + i, p, l,
      out + i))
@@ -67,9 +65,8 @@ EACH(each_coin_losses_reaction, (const coin_state *s, const coin_params *p,
 EACH(each_coin_settle, (coin_state *s, const coin_params *p,
      const coin_losses *l, double t, double tol, double *reached),
      coin_settle(s + i, p, l, t, tol, reached + i))
-EACH_NUMBER(each_coin_time_to_rest, double, (const coin_state *s,
-     const coin_params *p, const coin_losses *l), coin_time_to_rest(s + i, p,
-     l), coin_state_check(s + i, p))
+EACH_NUMBER(coin_time_to_rest, double, (const coin_state *s,
+     const coin_params *p, const coin_losses *l), (s + i, p, l))
 EACH(each_coin_quasisteady_at, (const coin_state *s, const coin_params *p,
      const coin_losses *l, double t, coin_state *out),
      coin_quasisteady_at(s + i, p, l, t, out + i))
@@ -83,9 +80,8 @@ EACH(each_coinf_angular_velocity, (const coinf_state *s, float *omega),
 EACH(each_coinf_settle, (coinf_state *s, const coinf_params *p,
      const coinf_losses *l, float t, float tol, float *reached),
      coinf_settle(s + i, p, l, t, tol, reached + i))
-EACH_NUMBER(each_coinf_energy, float, (const coinf_state *s,
-     const coinf_params *p), coinf_energy(s + i, p), coinf_state_check(s + i,
-     p))
+EACH_NUMBER(coinf_energy, float, (const coinf_state *s, const coinf_params *p),
+     (s + i, p))
 EACH(each_coinf_integrals, (const coinf_state *s, const coinf_params *p,
      float *K), coinf_integrals(s + i, p, K + 2 * i))
 EACH(each_coinf_reaction, (const coinf_state *s, const coinf_params *p,
