@@ -184,7 +184,7 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  *         that coin_settle() gives (test_float_settle); by rolling or damping
  *         alone within 2 ms, since in calls of that length it counts as flat
  *         before it is.
- * Cost: on a Cortex-M4F 2,203 instructions for a call of one step, by dry
+ * Cost: on a Cortex-M4F 2,219 instructions for a call of one step, by dry
  *         friction, and 1,112 bytes of stack.  A quarter's 8 s take 8,263 steps
  *         in 8,019 calls of 1 ms at 1e-3, at most 12 of them in one call
  *         (docs/embedding.md). */
