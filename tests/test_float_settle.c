@@ -346,13 +346,16 @@ static void the_law_of_the_end_does_not_shorten_the_call(void **unused)
     const coin_params P = doubles_params(&p);
     const coinf_losses l = {.damping = 1e-3f};
     coin_state steady;
-    check_status(coin_steady_spin(&steady, &P, 1.5707963267948966 - 9e-6),
+    check_status(coin_steady_spin(&steady, &P, 1.5707963267948966 - 9e-7),
                  COIN_OK);
-    coinf_state s = floats_state(&steady);
+    coinf_state s = floats_state(&steady), other = s;
     float when;
     check_status(coinf_settle(&s, &p, &l, 1, 1e-2f, NULL), COIN_OK);
     check_status(coinf_settle(&s, &p, &l, 100, 1e-2f, &when), COIN_RESTS);
-    check_near((double)when, 1.5 * sqrt(9e-6) / 1e-3 - 1, 0.05);
+    check_near((double)when, 1.5 * sqrt(9e-7) / 1e-3 - 1, 0.05);
+    const coinf_losses with_another = {.damping = 1e-3f, .viscous = 1e-8f};
+    check_status(coinf_settle(&other, &p, &with_another, 1e-5f, 1e-2f, NULL),
+                 COIN_OK);
 }
 
 /* Without a stop, and too close for a pass to be told from a fall. */

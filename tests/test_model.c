@@ -259,6 +259,18 @@ static void an_orbit_is_not_named_where_a_pass_is_beyond_tol(void **unused)
     check_status(coin_model_needed(&s, &disc, t, 1e-4), COIN_MODEL_ORBIT);
 }
 
+/* lambda^2 is 0. */
+static void a_critical_roll_is_steady(void **unused)
+{
+    (void)unused;
+    const coin_params hoop = {1, 1, 1, 0.5, 1, {0, 0, 0}};
+    const coin_state s = {.wZ = 0.5};
+    double lambda2;
+    check_status(coin_stability(&s, &hoop, &lambda2), COIN_OK);
+    check(lambda2 == 0);
+    check_status(coin_model_needed(&s, &hoop, 1e3, 1e-9), COIN_MODEL_STEADY);
+}
+
 /* Rounding moves the lean at which the orbit of a nearly critical circle stays.
  * Its heading then errs by more than that of the steady motion next to it. */
 static void an_orbit_is_not_named_where_its_lean_is_off(void **unused)
@@ -299,6 +311,7 @@ int main(void)
         TEST(a_fall_on_the_face_is_reported),
         TEST(next_to_the_table_nothing_steady_is_near),
         TEST(an_orbit_is_not_named_where_a_pass_is_beyond_tol),
+        TEST(a_critical_roll_is_steady),
         TEST(an_orbit_is_not_named_where_its_lean_is_off),
     };
     return RUN_TESTS(tests);
