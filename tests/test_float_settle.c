@@ -333,7 +333,7 @@ static void a_contact_that_never_stops_ends_by_the_law_of_the_end(void **unused)
         double right;
         check_status(coinf_settle(&s, &p, &l, 1e3f, i ? 1e-5f : 1e-2f, &when),
                      COIN_RESTS);
-        check_status(coin_settle(&full, &P, &L, 1e3, 1e-9, &right), COIN_RESTS);
+        check_status(coin_settle(&full, &P, &L, 1e3, 1e-6, &right), COIN_RESTS);
         check_near((double)when / right, 1, 1e-3);
     }
 }
