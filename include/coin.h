@@ -644,10 +644,11 @@ COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
  *         coin_advance().
  * Accuracy: in the computed motion no excursion is missed in which F/N exceeds
  *         mu by 1e-6 of mu or more, for mu >= 1e-6 (test_until).
- * Cost: 1.5 to 2.2 times that of coin_advance(), up to 3.7 times where F/N
- *         comes within 1e-4 of mu, or cos(theta) near its bound; 0.2 us more in
- * calls of a step or less.  A tol above 1e-6 costs as much as 1e-6.  An event
- * costs as much as ten to forty steps.  The call needs some 10 KiB of stack. */
+ * Cost: 1.5 to 2.2 times that of coin_advance(), up to 3.4 times where F/N
+ *         comes within 1e-4 of mu, and more where cos(theta) stays near its
+ *         bound; 0.2 us more in calls of a step or less.  A tol above 1e-6
+ *         costs as much as 1e-6.  An event costs as much as ten to forty steps.
+ *         The call needs some 10 KiB of stack. */
 COIN_API int32_t coin_advance_until(coin_state *s, const coin_params *p,
                                     double t, double tol, double mu,
                                     int32_t bits, double *reached);
@@ -717,8 +718,8 @@ COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
  * at the extremum of the potential that is nearest in lean.  Eq. (39), (48).
  * @param[out] out  theta, wY, wZ; wX = 0; the pose is that of s
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if there is none: the coin
- *         would fall flat on both sides, or the extremum or s itself is nearer
- *         than 1e-6 to flat.
+ *         would fall flat on both sides, or the extremum is nearer than 1e-6
+ *         rad to flat, or s is.
  * It may be unstable: coin_stability().  Of two extrema closer to each other
  * than 0.0005 cos(theta) both may be missed.
  * Accuracy: *out is steady by the test of coin_steady_radii().  Its integrals
@@ -798,12 +799,13 @@ COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
  * The neighbour is the steady motion with the integrals of start.  The reach is
  * how far the lean goes from the neighbour, plus the difference in lean between
  * the neighbour and steady.  The wobble is not small if that difference is more
- * than 0.1 rad, or if the neighbour leans by 1000 cos(theta) of start more or
- * less than start.  It is not small either if the terms of the acceleration
- * that the linear law leaves out could displace the lean by half of the reach
- * within t. Accuracy: the lean stays in the well of the potential, and its
- * error is never more than three times the reach (test_wobble_wells).  Let A be
- * the largest of the reach and of the differences of start from steady, in
+ * than 0.1 rad.  It is not small if start and the neighbour differ in lean by
+ * more than 1000 times cos(theta) of start.  Nor is it small if the terms of
+ * the acceleration that the linear law leaves out could displace the lean by
+ * half of the reach within t.
+ * Accuracy: the lean stays in the well of the potential, and its error is never
+ *         more than three times the reach (test_wobble_wells).  Let A be the
+ *         largest of the reach and of the differences of start from steady, in
  *         natural units, over cos(theta), and W that of Eq. (47) at start.  Let
  *         E be 4 (A^2 + 1e-14) (1 + |t| W) times the larger of 1 and
  *         W^2/|lambda^2|.  If lambda^2 < 0 and E < 1, the error is below E at
@@ -828,10 +830,10 @@ COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if the motion has no
  *         well-defined period: it is an unstable steady motion that is not
  *         exactly upright; or it is so close to a separatrix that conditioning
- *         is 1e12 or more; or it comes so close to flat, or takes so long from
- *         one turning point to the next, that the pieces of an orbit do not
- *         suffice: 50/W and more, as next to critical motions and for bodies
- *         of I_Z below 0.002 I_X.  Of random motions of rings that stay at
+ *         is 1e12 or more; or the pieces of an orbit do not suffice, since it
+ *         comes too close to flat, or takes too long from one turning point to
+ *         the next.  The latter is so next to critical motions, and for bodies
+ *         whose I_Z is far below I_X.  Of random motions of rings that stay at
  *         least 1e-6 rad from flat, fewer than 1 in 100 are refused; more are
  *         refused of those that start about 1e-6 rad from flat and come as
  *         close on the other side.  All motions that come closer than 1e-9 rad

@@ -161,9 +161,9 @@ static double fastest_of(const struct scene *scene, const coin_orbit *o)
     return sqrt((E2 / b->IX * q + b->g_a) * q + E2 / b->K); /* (47) */
 }
 
-/* How far the heading of an orbit may err since rounding moves the lean about
- * which it swings, or at which it stays: by what rounding leaves of the
- * acceleration, over the square of the rate of small swings. */
+/* The error of the heading at the horizon that comes from the lean about which
+ * the orbit swings, or at which it stays.  Rounding moves that lean by what it
+ * leaves of the acceleration, over the square of the rate of small swings. */
 static double heading_off(const struct scene *scene, const coin_orbit *o)
 {
     const coin_priv_body *b = &scene->b;

@@ -35,8 +35,8 @@
 #define LEANT_MAX (2 * COIN_PRIV_HALF_PI)
 #define TURNED_MAX (4 * COIN_PRIV_ANGLE_MAX)
 
-/* A start whose neighbour is so many times as far as flat is no small wobble.
- * The powers of this ratio do not overflow. */
+/* If start and its neighbour differ in lean by more than FAR cos(theta) of
+ * start, the wobble does not count as small.  No power of FAR overflows. */
 #define FAR 1e3
 
 /* What begins farther [rad] from an unstable steady motion than this is no
@@ -183,8 +183,8 @@ static double sum_at(const double terms[TERMS], double x)
 }
 
 /* Sets w->left_out: what the linear law leaves out of the acceleration of the
- * lean, as powers about the neighbour.  Returns 0 if the powers about the start
- * tell nothing of the neighbour. */
+ * lean, as powers about the neighbour.  Returns 0 if the start is too
+ * far from the neighbour, beside its distance from flat. */
 static int leave_out(coin_priv_wobble *w, const coin_priv_body *b)
 {
     const double from = coin_priv_sincos(w->start.theta).c;

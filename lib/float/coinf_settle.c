@@ -41,12 +41,13 @@
 #define STOPPED 1e-5f
 
 /* Where cos theta is less than END and the coin hardly swings, the law of
- * losses that never stop the contact gives the time left.  By (75) a coin
- * without a swing has 1.5 M g a cos theta of energy there; one with more than
- * TOO_SLOW M g a cos theta swings.  By the rolling moment alone a swing grows.
- * With 1e-5 for END or 5 for TOO_SLOW a quarter that turns for 8 s rests up to
- * 26 ms late; with 1e-7 or 1.6 it rests at the same time.  Where cos theta is
- * less than FLAT the coin lies flat: no float below pi/2 is so near to it. */
+ * losses that never stop the contact gives the time left.  By (75) the
+ * energy of a coin without a swing is 1.5 M g a cos theta there.  It hardly
+ * swings if its energy is below TOO_SLOW M g a cos theta.  By the rolling
+ * moment alone a swing grows.  With 1e-5 for END or 5 for TOO_SLOW a quarter
+ * that turns for 8 s rests up to 26 ms late; with 1e-7 or 1.6 it rests at the
+ * same time.  Where cos theta is less than FLAT the coin lies flat: no float
+ * below pi/2 is so near to it. */
 #define END 1e-6f
 #define TOO_SLOW 2
 #define FLAT 3e-8f
@@ -97,7 +98,7 @@ COIN_PRIV_NOINLINE float longest(const struct settling *g,
         return dt;
     /* u = cos(theta) d(psi)/dt, and what carries it to 0: what the ideal coin
      * makes of it, and pivoting friction.  The ideal coin's part is
-     * proportional to wX, which may begin at 0: the one half way counts. */
+     * proportional to wX.  As wX may be 0 here, it is taken half a step on. */
     const float u = coinf_priv_roll_speed(wY, wZ, sth, cth);
     const float pivot = l->spin * (wY * cth - wZ * sth) * (sth * cth);
     const coinf_priv_field f = coinf_priv_field_of(b, 1);

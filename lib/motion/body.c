@@ -46,11 +46,11 @@ int32_t COIN(params_ring)(COIN(params) * p, real mass, real radius,
                           real inner_radius, real gravity)
 {
     const real M = mass, a = radius, b = inner_radius;
+    /* a^2 may underflow or overflow although M a^2 does not. */
     const int ordinary =
         a > COIN_PRIV_ORDINARY_LEAST && a < COIN_PRIV_ORDINARY_MOST;
-    const real IX = (ordinary ? M * (a * a + b * b) /* a^2 cannot underflow */
-                              : M * a * a + M * b * b) /
-                    4; /* (29) */
+    const real four = ordinary ? M * (a * a + b * b) : M * a * a + M * b * b;
+    const real IX = four / 4; /* (29) */
     if (p && !(b >= 0 && b <= a))
         return COIN_EPARAMS;
     return COIN(params_body)(p, M, a, gravity, IX, 2 * IX);

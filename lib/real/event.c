@@ -30,8 +30,9 @@
  * same within 0.3 % (make tuning). */
 #define WIDER 8
 
-/* A place where N changes its sign is off by less than this part of a stretch:
- * by the error of the curve, or by its root where N only touches 0. */
+/* Where the curve of N changes its sign, N itself does so within this part of a
+ * stretch.  The curve errs by 4e-8, see SHORT.  Where N only touches 0, the
+ * place errs by the square root of that. */
 #define OFF 2e-4
 
 static int32_t bits_of(const coin_priv_search *f, const coin_state *s)

@@ -68,7 +68,8 @@ real PRIV(fall_time)(const PRIV(held_fall) * f, const PRIV(losses) * l,
 
 /* A time in which a rising coin at most doubles its angle from flat.  If the
  * coin stops rising within that time, it is falling at the end of it.  The time
- * is not below rounding, so that the slowest rise has an end. */
+ * is at least the rounding of the time of a fall.  Otherwise it could be 0, and
+ * the rise would not end. */
 real PRIV(rise_time)(const PRIV(held_fall) * f, const PRIV(losses) * l,
                      const PRIV(body) * b);
 

@@ -124,7 +124,8 @@ COIN_API int32_t coinf_angular_velocity(const coinf_state *s, float omega[3]);
 /** One classical Runge-Kutta step of order 4: what a loop at a fixed rate
  * calls each time.
  * @return as coin_step(), but the limits are checked at the last stage instead
- *         of the end of the step, and no limit of the turn of lean and heading.
+ *         of the end of the step, and a step may turn lean and heading by more
+ *         than 1.5 rad.
  * Cost: on a Cortex-M4F 1,280 instructions, a quarter of them for the checks;
  *         coinf_run() does those once (docs/guide.md). */
 COIN_API int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt);
@@ -181,9 +182,9 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  *         damping above 100 it may be larger for a tol above 1e-4, and above
  *         1000 for any.  A quarter that turns for 8 s by dry, viscous, layer or
  *         gap, in calls of 1 ms or of 1/60 s, rests within 1e-5 s of the time
- *         that coin_settle() gives (test_float_settle); by rolling or damping
- *         alone within 2 ms, since in calls of that length it counts as flat
- *         before it is.
+ *         that coin_settle() gives (test_float_settle).  By rolling or damping
+ *         alone the difference is larger: in short calls such a coin counts as
+ *         flat before it rests.
  * Cost: on a Cortex-M4F 2,219 instructions for a call of one step, by dry
  *         friction, and 1,112 bytes of stack.  A quarter's 8 s take 8,263 steps
  *         in 8,019 calls of 1 ms at 1e-3, at most 12 of them in one call
