@@ -29,8 +29,8 @@
  *
  * STATUS. Most functions return an int32_t: 0 is COIN_OK; a positive value
  * means done; a negative value is an error.  A positive value is a set of
- * warning bits, or COIN_RESTS, COIN_SLIPS of coin_slide_advance(), a
- * COIN_MODEL_ constant, or the order of coin_method_order().  After an error
+ * warning bits, or COIN_RESTS, COIN_SLIPS of coin_slide_advance(), or a
+ * COIN_MODEL_ constant.  After an error
  * every output and the state are unchanged, unless the function says otherwise.
  * A function that moves a state by many steps may stop before the end, and says
  * where it stopped.  Where several errors apply, the first of COIN_EARG,
@@ -494,35 +494,8 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
 COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
                               double tol, double *reached);
 
-/** The largest step of a method whose error stays below tol, from this state
- * on.  It is found by trial: the motion is followed through one period of
- * theta, for 4 to 20 natural units and at most 400 steps.  What comes later is
- * not seen: a slow fall, for example.  Where the motion is most demanding, the
- * method takes steps of dt and of dt/2, and the states that they give are
- * compared.
- * @param tol  1e-13 to 1e-2: error per natural unit of time, in radians and
- *             radii [1]
- * @return dt > 0; for bodies of I_X >= 1e-3 M a^2 never so large that a step
- *         in that time would be COIN_COARSE.  0 if the coin falls flat in that
- *         time, or if W comes to exceed the largest angular velocity that
- *         coin_state_check() accepts, or 1e95 if that is less, so that no step
- *         is short enough.  NaN on the usual errors, an unknown
- *         method, or tol out of range.
- * Accuracy: the error stays within 2 tol for discs and hoops that spin nearly
- *         upright, at leans up to 0.2 and rates of 1.5 to 21 sqrt(g/a) (make
- *         adversary).  docs/accuracy.md says how often it stays within tol for
- *         random coins.
- * Cost: that of a run of some hundreds of steps as a rule, and of 40,000 at
- *         most. */
-COIN_API double coin_max_dt(const coin_state *s, const coin_params *p,
-                            int32_t method, double tol);
-
 /** A method's name, "rk4" for COIN_RK4; null if there is no such method. */
 COIN_API const char *coin_method_name(int32_t method);
-
-/** A method's order of convergence, 4 for COIN_RK4; COIN_EARG if there is no
- * such method. */
-COIN_API int32_t coin_method_order(int32_t method);
 
 /* ---------------------------------------------------------- observables -- */
 

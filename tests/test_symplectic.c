@@ -24,7 +24,7 @@ struct convergence {
 static void check_order(const struct convergence *c, size_t count,
                         int32_t method)
 {
-    const double order = coin_method_order(method);
+    const double order = method == COIN_SYMPLECTIC2 ? 2 : 4;
     for (size_t i = 0; i < count; ++i) {
         scene_load(&scene, c[i].name);
         const size_t row = scene_row(&scene, c[i].t);

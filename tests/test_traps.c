@@ -44,7 +44,6 @@ CALL(coin_params_body,
                       c->p.inertia_X, c->p.inertia_Z))
 CALL(coin_params_check, coin_params_check(&c->p))
 CALL(coin_method_name, done(coin_method_name(1)[0]))
-CALL(coin_method_order, done(coin_method_order(1)))
 CALL(coin_critical_roll, done(coin_critical_roll(&c->p)))
 CALL(coin_critical_spin, done(coin_critical_spin(&c->p)))
 
@@ -237,9 +236,6 @@ WITH_SLIDE(coin_slide_reaction,
 WITH_SLIDE(coin_slide_velocity, coin_slide_velocity(&d, &c->p, v))
 
 /* A third of the cases: a call may take a millisecond. */
-CALL(coin_max_dt, c->mu == 0.3 && coin_max_dt(&c->s, &c->p, COIN_RK4, 1e-6) >= 0
-                      ? COIN_OK
-                      : COIN_ESTATE)
 CALL(coin_model_needed,
      c->mu == 0.3 ? coin_model_needed(&c->s, &c->p, c->t, 1e-3) : COIN_ESTATE)
 
@@ -317,8 +313,6 @@ static const struct trap_function all[] = {
     ROW(coin_orbit_init),
     ROW(coin_orbit_at),
     ROW(coin_method_name),
-    ROW(coin_method_order),
-    ROW(coin_max_dt),
     ROW(coin_energy),
     ROW(coin_integrals),
     ROW(coin_reaction),

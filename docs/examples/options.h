@@ -172,7 +172,7 @@ static int print_list(void)
     printf("  %-10s %s\n", THROWN.scene.name, THROWN.scene.story);
     puts("methods:");
     for (int32_t m = 0; (name = coin_method_name(m)) != NULL; ++m)
-        printf("  %-10s order %d\n", name, (int)coin_method_order(m));
+        printf("  %s\n", name);
     return DONE;
 }
 

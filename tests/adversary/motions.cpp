@@ -279,27 +279,6 @@ template <class R> double model(const scene &s, double)
     return ratio_of(worst, s.tol);
 }
 
-/* ------------------------------------------------------------------ max_dt */
-
-/* Twice tol in a natural unit, over ten of them. */
-template <class R> double max_dt(const scene &s, double)
-{
-    const coin_params p = params_of<doubles>(s);
-    coin_state y = state_of<doubles>(s);
-    path<R> truth(p, y);
-    const int method = int(s.method);
-    const double dt = coin_max_dt(&y, &p, method, s.tol);
-    const double units = 10, steps = units / (dt * double(truth.w));
-    if (!(dt > 0) || !(steps < 50000) || truth.fastest() > R(300))
-        return NO_CLAIM;
-    const uint64_t n = uint64_t(steps) + 1;
-    if (coin_run(&y, &p, method, dt, n, nullptr) < 0 ||
-        !truth.follow(R(dt) * R(n)))
-        return NO_CLAIM;
-    const double bound = 2 * s.tol * units + 1e-15 * double(n) + 1e-12;
-    return ratio_of(double(pose_apart(truth, y)), bound);
-}
-
 /* ------------------------------------------------------------------- edges */
 
 /* The pose of order one, and a horizon of 0.01 to 60 natural units. */
@@ -402,8 +381,6 @@ void add_motions(std::vector<row> *rows)
                "lean; rates; heading and roll after a period as coin_orbit_at",
                10, about_circles),
         MOTION(model, "coin_model_needed", "tol", 5, about_circles),
-        MOTION(max_dt, "coin_max_dt",
-               "2 tol a natural unit: spins of discs and hoops", 50, spins),
     };
     for (const row &r : made)
         rows->push_back(r);

@@ -168,9 +168,8 @@ bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 	    } >$(BENCH_OUT)/abreast.csv
 	{ $(ABOUT); $(BENCH_OUT)/portable/bench_best; } >$(BENCH_OUT)/best.csv
 	$(BENCH_OUT)/truth >$(BENCH_OUT)/truth.csv
-	$(BENCH_OUT)/truth spins >$(BENCH_OUT)/spins.csv
 	{ $(ABOUT); $(BENCH_OUT)/portable/bench_reliability \
-	    $(BENCH_OUT)/truth.csv $(BENCH_OUT)/spins.csv; \
+	    $(BENCH_OUT)/truth.csv; \
 	    } >$(BENCH_OUT)/reliability.csv
 	$(COSTS)
 	$(BATCH)

@@ -39,10 +39,10 @@ about()
     costs | frames | natural | steps) echo "coinf advance: charts" ;;
     longrun | damping) echo ": longrun" ;;
     models_quasi) echo "settle: real-quasi" ;;
-    models_*) echo "advance max_dt orbit: models" ;;
+    models_*) echo "advance orbit: models" ;;
     orbit_*) echo "orbit: charts" ;;
     accuracy | atlas | best) echo "advance orbit: charts" ;;
-    reliability) echo "advance max_dt: charts" ;;
+    reliability) echo "advance: charts" ;;
     silent*) echo ": silent" ;;
     slides) echo "advance slide: slides" ;;
     *) echo "bits.sh: what does $1.csv depend on?" >&2; exit 2 ;;

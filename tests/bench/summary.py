@@ -183,8 +183,8 @@ def calls():
 
 
 def reliability():
-    head = ("scenes", "method", "tol", "units", "coins", "skipped", "within tol",
-            "within 3 tol", "within 10 tol", "median/tol", "worst/tol")
+    head = ("tol", "coins", "within tol", "within 3 tol", "within 10 tol",
+            "median/tol", "worst/tol")
     return table(head, [[v for k, v in r.items() if k != "refused"]
                         for r in read("reliability")])
 

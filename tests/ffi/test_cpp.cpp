@@ -57,14 +57,6 @@ static void numbers()
     CHECK(thrown_by([&] { rollcoin::energy(start, none); }) == COIN_EPARAMS);
     CHECK(thrown_by([&] { rollcoin::critical_roll(none); }) == COIN_EPARAMS);
     CHECK(thrown_by([&] { rollcoin::critical_spin(none); }) == COIN_EPARAMS);
-    CHECK(thrown_by([&] { rollcoin::max_dt(start, p, method::rk4, 1); }) ==
-          COIN_EARG);
-    CHECK(thrown_by([&] { rollcoin::max_dt(bad, p, method::rk4, 1e-6); }) ==
-          COIN_ESTATE);
-    CHECK(thrown_by([&] { rollcoin::max_dt(bad, p, method::rk4, 1); }) ==
-          COIN_EARG);
-    CHECK(thrown_by([&] { rollcoin::max_dt(bad, p, method{99}, 1e-6); }) ==
-          COIN_EARG);
     CHECK(thrown_by([&] { rollcoin::losses_power(bad, p, wrong); }) ==
           COIN_EPARAMS);
     CHECK(thrown_by([&] { rollcoin::time_to_rest(bad, p, wrong); }) ==
@@ -97,9 +89,7 @@ static void batches()
     rollcoin::run(alone, p, method::rk8, 1e-3, 9);
     CHECK(same(coins[4], alone));
     CHECK(rollcoin::step(alone, p, 1e-2) == COIN_COARSE);
-    CHECK(rollcoin::order(method::rk8) == 8);
     CHECK(std::strcmp(rollcoin::name(method::rk8), "rk8") == 0);
-    CHECK(rollcoin::max_dt(start, p, method::rk4, 1e-6) > 0);
 }
 
 static void observables()

@@ -67,9 +67,8 @@ MEMORY_rv64 = $(MEMORY_rv32)
 # Which part of hash.c: the boards without a unit for doubles take every fourth
 # scene, and the one with 16 KiB of memory no orbit.
 FW_PART = $(if $(filter $1,m0),least,$(if \
-            $(filter $1,m3 m4f m33 rv32),few,moves))
-HASH_moves := -DWITHOUT_MAX_DT
-HASH_few   := $(HASH_moves) -DSCENE_STRIDE=4
+            $(filter $1,m3 m4f m33 rv32),few,all))
+HASH_few   := -DSCENE_STRIDE=4
 HASH_least := $(HASH_few) -DWITHOUT_ORBIT
 
 # newlib's sqrt sets errno, which brings a kilobyte of data; the one below it

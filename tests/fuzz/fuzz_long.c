@@ -9,7 +9,6 @@ CALL(coin_selftest, ())
 CALL(coin_advance, (a[0].p, a[1].p, a[2].d, a[3].d, a[4].p))
 CALL(coin_advance_until,
      (a[0].p, a[1].p, a[2].d, a[3].d, a[4].d, a[5].i, a[6].p))
-CALL(coin_max_dt, (a[0].p, a[1].p, a[2].i, a[3].d))
 CALL(coin_model_needed, (a[0].p, a[1].p, a[2].d, a[3].d))
 
 /* After an error on the way: somewhere between here and t, and sound. */
@@ -55,26 +54,12 @@ static void judge_advance_until(const struct outcome *o)
         demand((coin_check(&o->world->s, p, COIN_RK4, 0, mu) & bits) == 0);
 }
 
-/* Not negative, and a few steps of it are not coarse, the pose far from the
- * end of its range. */
-static void judge_max_dt(const struct outcome *o)
-{
-    const coin_state *w = &o->world->s;
-    coin_state s = {w->theta, 0, 0, 0, 0, w->wX, w->wY, w->wZ};
-    const double dt = o->result;
-    demand(!(dt < 0));
-    if (dt > 0)
-        demand(coin_run(&s, &o->world->p, o->given[2].i, dt, 3, NULL) ==
-               COIN_OK);
-}
-
 #define LANDS (STOPS | BIT(COIN_EFLAT))
 
 const struct function fuzz_functions[] = {
     ROW(coin_advance, "SpTer", USUAL | LANDS, 0, LANDS, judge_advance, 0),
     ROW(coin_advance_until, "SpTedxr", USUAL | LANDS, 11, LANDS,
         judge_advance_until, 0),
-    ROW(coin_max_dt, "spie", 0, 0, 0, judge_max_dt, 1),
     ROW(coin_selftest, "", 0, 0, PLAIN),
     ROW(coin_model_needed, "spTe", USUAL | LANDS, COIN_MODEL_STEPS, PLAIN),
 };

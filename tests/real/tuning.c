@@ -2,7 +2,7 @@
 /* What the tuned numbers of lib/ trade: calls and errors over random motions.
  *     tuning N [WHAT]      N motions of each kind, or of those in WHAT: slips,
  *                          light, losses, settle, rest, floats, advance, thin,
- *                          until, max_dt, orbit, falls
+ *                          until, orbit, falls
  * Change a number, run it again and compare.  An error is the distance from the
  * same call with a far smaller tol, over tol and over the time.  So it shows
  * what a change does; the tests compare with independent references.
@@ -225,31 +225,6 @@ static void untils(struct errors *e, int n, double tol)
     report("until", tol, e);
 }
 
-/* Runs of 10 units by the dt that coin_max_dt() gives. */
-static void max_dts(struct errors *e, int n, int32_t method, double tol)
-{
-    struct random r = random_begin(11);
-    double steps = 0;
-    for (int i = 0; i < n; ++i) {
-        const coin_params p = body(&r, i);
-        coin_state s = random_state(&r, &p, 1.4), small = s;
-        const double dt = coin_max_dt(&s, &p, method, tol);
-        double before[COUNTED];
-        if (!(dt > 1e-5)) /* a fall */
-            continue;
-        const uint64_t k = (uint64_t)(10 / dt) + 1;
-        steps += (double)k;
-        const int32_t status =
-            coin_run(&s, &p, method, 10 / (double)k, k, NULL);
-        memcpy(before, counted, sizeof before);
-        const int32_t wanted = coin_advance(&small, &p, 10, 1e-13, NULL);
-        note(e, before, status, wanted,
-             states_apart(&s, &small, &p) / (10 * tol));
-    }
-    printf("steps %.0f: ", steps);
-    report(method == COIN_RK4 ? "rk4" : "rk8", tol, e);
-}
-
 /* Orbits; of coins that start next to flat without falling if `falls`.  The
  * errors of the others are in units of 1e-13 per unit. */
 static void orbits(struct errors *e, int n, int falls)
@@ -313,10 +288,6 @@ int main(int argc, char **argv)
             untils(&e, n, tol);
         if (IS("floats") && k < 2)
             floats(&e, n, (float)tol);
-        if (IS("max_dt") && k > 0) {
-            max_dts(&e, n, COIN_RK4, fmax(tol, 1e-8));
-            max_dts(&e, n, COIN_RK8, tol);
-        }
     }
     if (IS("orbit"))
         orbits(&e, n, 0);

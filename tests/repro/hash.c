@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* Prints a hash of every bit of many motions: the reference scenes, a coin that
  * nearly falls flat and one that does, by each method, 2000 steps of 0.02
- * natural units of time; some of them in batches, by coin_advance() forward and
- * back, and the steps that coin_max_dt() chooses; the orbit; coins with losses
- * to rest; and the runs in single precision.  The same on every platform and
- * compiler, whatever the size or order of bytes: it takes the bits of each
- * double from the lowest to the highest.
+ * natural units of time; some of them in batches, and by coin_advance() forward
+ * and back; the orbit; coins with losses to rest; and the runs in single
+ * precision.  The same on every platform and compiler, whatever the size or
+ * order of bytes: it takes the bits of each double from the lowest to the
+ * highest.
  *
  * A processor that is emulated, or has no unit for doubles, or little memory,
  * takes a part, line by line the same: every SCENE_STRIDE-th scene;
- * WITHOUT_MAX_DT, which is nine tenths of all steps; WITHOUT_ORBIT, which takes
- * 70 KiB, and without slides then.  Needs sqrt, memcpy and puts of the C
- * library. */
+ * WITHOUT_ORBIT, which takes 70 KiB, and without slides then.  Needs sqrt,
+ * memcpy and puts of the C library. */
 #include "fnv.h"
 #ifndef WITHOUT_ORBIT
 #include "hash_slide.h"
@@ -111,21 +110,6 @@ static uint64_t hash_batch(const scene *a, int32_t method)
     }
     return h;
 }
-
-#ifndef WITHOUT_MAX_DT
-/* The steps that a method should take. */
-static uint64_t hash_max_dt(const scene *a, int32_t method)
-{
-    const start b = start_of(a);
-    uint64_t h = FNV_OFFSET;
-    double tol, dt;
-    for (tol = 1e-2; tol > 1e-11; tol /= 1000) {
-        dt = coin_max_dt(&b.s, &b.p, method, tol);
-        h = hash_doubles(h, &dt, 1);
-    }
-    return h;
-}
-#endif
 
 /* By coin_advance() to ten times, of which every other is short, and back. */
 static uint64_t hash_advance(const scene *a)
@@ -340,10 +324,6 @@ static uint64_t print_scene(uint64_t all, const scene *a)
         all = print(all, hash_run(a, m), words);
         words[1] = "batch";
         all = print(all, hash_batch(a, m), words);
-#ifndef WITHOUT_MAX_DT
-        words[1] = "max_dt";
-        all = print(all, hash_max_dt(a, m), words);
-#endif
         words[1] = "float";
         all = print(all, hash_float(a, m), words);
         words[1] = "batch_float";

@@ -128,11 +128,6 @@ inline const char *name(method m)
     return coin_method_name(static_cast<std::int32_t>(m));
 }
 
-inline std::int32_t order(method m)
-{
-    return check(coin_method_order(static_cast<std::int32_t>(m)));
-}
-
 inline std::int32_t step(state &s, const params &p, double dt)
 {
     return check(coin_step(&s, &p, dt));
@@ -194,17 +189,6 @@ inline std::int32_t batch_run(std::vector<state> &s, const params &p, method m,
                               std::int32_t *status = nullptr)
 {
     return batch_run(s.data(), s.size(), p, m, dt, steps, status);
-}
-
-inline double max_dt(const state &s, const params &p, method m, double tol)
-{
-    const double dt = coin_max_dt(&s, &p, static_cast<std::int32_t>(m), tol);
-    if (std::isnan(dt)) { // one of these throws
-        state copy = s;
-        order(m);
-        advance(copy, p, 0, tol);
-    }
-    return dt;
 }
 
 // ---------------------------------------------------------- states,

@@ -205,13 +205,7 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
-    pub fn coin_max_dt(s: *const coin_state, p: *const coin_params, method: i32, tol: f64) -> f64;
-}
-extern "C" {
     pub fn coin_method_name(method: i32) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn coin_method_order(method: i32) -> i32;
 }
 extern "C" {
     pub fn coin_energy(s: *const coin_state, p: *const coin_params) -> f64;

@@ -24,11 +24,6 @@ impl Method {
             unsafe { CStr::from_ptr(ffi::coin_method_name(self as i32)) };
         name.to_str().unwrap_or_default()
     }
-
-    /// The order of convergence.
-    pub fn order(self) -> i32 {
-        unsafe { ffi::coin_method_order(self as i32) }
-    }
 }
 
 impl State {
@@ -107,14 +102,6 @@ impl State {
             )
         };
         Ok(checked_to(status, done)?.0)
-    }
-
-    /// The largest step whose error stays below `tol` from this state on; 0 if
-    /// no step would do.
-    pub fn max_dt(&self, p: &Params, method: Method, tol: f64) -> Result<f64> {
-        let dt = unsafe { ffi::coin_max_dt(self, p, method as i32, tol) };
-        let mut copy = *self;
-        number(dt, || Ok(copy.advance(p, 0.0, tol)?))
     }
 }
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ._library import lib
 
-__all__ = ["method_name", "method_order", "selftest", "selftestf",
+__all__ = ["method_name", "selftest", "selftestf",
            "status_string", "version"]
 
 
@@ -28,12 +28,6 @@ def method_name(method: int) -> str:
         raise ValueError(f"no method {method}")
     text: str = name.decode()
     return text
-
-
-def method_order(method: int) -> int:
-    """A method's order of convergence, 4 for RK4.  coin_method_order()"""
-    order: int = lib.coin_method_order(method)
-    return order
 
 
 def selftest() -> None:

@@ -17,7 +17,7 @@ from ._tables import AnyParams, Coins, Status, read
 __all__ = ["angular_velocity", "axes", "center", "check", "contact",
            "critical_roll", "critical_spin", "energy", "integrals",
            "losses_power", "losses_rates", "losses_reaction", "matrix",
-           "max_dt", "model_needed", "quaternion", "rates", "reaction",
+           "model_needed", "quaternion", "rates", "reaction",
            "stability", "steady_radii", "time_to_rest", "velocity"]
 
 
@@ -140,13 +140,6 @@ def time_to_rest(s: Coins, p: Params, losses: Losses, *,
 
 
 # -------------------------------------------------------------- steps and models
-def max_dt(s: Coins, p: Params, method: int, tol: float, *,
-           status: Status = None) -> Any:
-    """The largest step of a method whose error stays below tol per natural
-    unit of time, from this state on.  coin_max_dt()"""
-    return read("max_dt", s, p, method, tol, status=status)
-
-
 def model_needed(s: Coins, p: Params, horizon: float, tol: float, *,
                  status: Status = None) -> Any:
     """The cheapest model that keeps the pose within tol for so long:

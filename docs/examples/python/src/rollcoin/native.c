@@ -62,14 +62,6 @@ static int32_t joined(int32_t all, int32_t status)
 #define why_coin_energy  coin_state_check
 #define why_coinf_energy coinf_state_check
 
-static int32_t why_coin_max_dt(const coin_state *s, const coin_params *p,
-                               int32_t method, double tol)
-{
-    coin_state copy = *s;
-    const int32_t order = coin_method_order(method);
-    return order < 0 ? order : coin_advance(&copy, p, 0, tol, NULL);
-}
-
 static int32_t why_coin_losses_power(const coin_state *s, const coin_params *p,
                                      const coin_losses *l)
 {

@@ -8,8 +8,6 @@ EACH(each_coin_angular_velocity, (const coin_state *s, double *omega),
      coin_angular_velocity(s + i, omega + 3 * i))
 EACH(each_coin_advance, (coin_state *s, const coin_params *p, double t,
      double tol, double *reached), coin_advance(s + i, p, t, tol, reached + i))
-EACH_NUMBER(coin_max_dt, double, (const coin_state *s, const coin_params *p,
-     int32_t method, double tol), (s + i, p, method, tol))
 EACH_NUMBER(coin_energy, double, (const coin_state *s, const coin_params *p),
      (s + i, p))
 EACH(each_coin_integrals, (const coin_state *s, const coin_params *p,
