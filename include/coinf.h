@@ -241,12 +241,6 @@ COIN_API int32_t coinf_check(const coinf_state *s, const coinf_params *p,
 COIN_API int32_t coinf_matrix(const coinf_state *s, const coinf_params *p,
                               float m[16]);
 
-/** As coin_state_from_landing(); sets low to 0. */
-COIN_API int32_t coinf_state_from_landing(coinf_state *s, const coinf_params *p,
-                                          const float q[4],
-                                          const float omega[3],
-                                          const float v[3], float x, float z);
-
 /* -------------------------------------------------- sizes and self-test -- */
 
 /** sizeof(coinf_params) as the library was compiled: 32.  For bindings. */

@@ -68,18 +68,6 @@ static int32_t call_coinf_state_from_motion(const struct trap_case *c)
     return coinf_state_from_motion(&out, &c->fp, q, omega, c->fs.x, c->fs.z);
 }
 
-/* With a velocity that need not be that of rolling. */
-static int32_t call_coinf_state_from_landing(const struct trap_case *c)
-{
-    float q[4], omega[3], at[3];
-    if (coinf_quaternion(&c->fs, q) != COIN_OK ||
-        coinf_angular_velocity(&c->fs, omega) != COIN_OK ||
-        coinf_velocity(&c->fs, &c->fp, at) != COIN_OK)
-        return COIN_ESTATE;
-    return coinf_state_from_landing(&out, &c->fp, q, omega,
-                                    c->fmu > 0 ? at : omega, c->fs.x, c->fs.z);
-}
-
 /* --------------------------------------------------------------------- movers
  */
 static int32_t call_coinf_step(const struct trap_case *c)
@@ -146,7 +134,6 @@ static const struct trap_function all[] = {
     ROW(coinf_params_check),
     ROW(coinf_state_check),
     ROW(coinf_state_from_motion),
-    ROW(coinf_state_from_landing),
     ROW(coinf_angular_velocity),
     ROW(coinf_step),
     ROW(coinf_run_rk4),

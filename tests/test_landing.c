@@ -176,38 +176,6 @@ static void landings_that_can_be_told_by_eye(void **unused)
     }
 }
 
-static void floats_land_like_doubles(void **unused)
-{
-    (void)unused;
-    struct random r = random_begin(174);
-    for (int n = 0; n < TRIED; ++n) {
-        const coin_params p = random_coin(&r);
-        const coinf_params fp = floats_params(&p);
-        const coin_params exact = doubles_params(&fp);
-        coin_state pose, want;
-        struct body b = any_body(&r, &exact, &pose);
-        float q[4], omega[3], v[3];
-        coinf_state s = {0, 0, 0, 0, 0, 0, 0, 0, {1, 1, 1, 1, 1, 1, 1, 1}};
-        for (int i = 0; i < 4; ++i)
-            b.q[i] = q[i] = (float)b.q[i];
-        for (int i = 0; i < 3; ++i) {
-            b.omega[i] = omega[i] = (float)b.omega[i];
-            b.v[i] = v[i] = (float)b.v[i];
-        }
-        check_status(coinf_state_from_landing(&s, &fp, q, omega, v, 3, 4),
-                     COIN_OK);
-        check_status(
-            coin_state_from_landing(&want, &exact, b.q, b.omega, b.v, 3, 4),
-            COIN_OK);
-        const double w = 3 * 64 * UF / cos(want.theta) / natural_time(&exact);
-        check_near(s.wX, want.wX, w);
-        check_near(s.wY, want.wY, w);
-        check_near(s.wZ, want.wZ, w);
-        check_near(s.theta, want.theta, 8 * UF);
-        check(s.x == 3 && s.z == 4 && s.low[0] == 0 && s.low[7] == 0);
-    }
-}
-
 static void a_landing_without_a_state_is_refused(void **unused)
 {
     (void)unused;
@@ -259,7 +227,6 @@ int main(void)
         TEST(no_landing_gains_energy),
         TEST(a_coin_that_rolls_rolls_on),
         TEST(landings_that_can_be_told_by_eye),
-        TEST(floats_land_like_doubles),
         TEST(a_landing_without_a_state_is_refused),
     };
     return RUN_TESTS(tests);

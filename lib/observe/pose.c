@@ -171,27 +171,3 @@ int32_t COIN(state_from_motion)(COIN(state) * s, const COIN(params) * p,
         *s = made;
     return status;
 }
-
-int32_t COIN(state_from_landing)(COIN(state) * s, const COIN(params) * p,
-                                 const real q[4], const real omega[3],
-                                 const real v[3], real x, real z)
-{
-    PRIV(body) b;
-    COIN(state) made;
-    int32_t status =
-        s && v ? COIN(state_from_motion)(&made, p, q, omega, x, z) : COIN_EARG;
-    if (status != COIN_OK)
-        return status;
-    (void)PRIV(check_body)(&b, p);
-    real R[9];
-    const PRIV(variables) y = PRIV(variables_of)(&made);
-    PRIV(axes)(&y, R);
-    const real vX = v[0] * R[0] + v[1] * R[1] + v[2] * R[2];
-    const real vZ = v[0] * R[6] + v[1] * R[7] + v[2] * R[8];
-    made.wX += b.m / b.J * (vZ / b.a - made.wX); /* (91) */
-    made.wZ -= b.k2 * (vX / b.a + made.wZ);      /* (91) */
-    status = COIN(state_check)(&made, p);
-    if (status == COIN_OK)
-        *s = made;
-    return status;
-}

@@ -20,7 +20,6 @@
     static constexpr auto params_check = PREFIX##_params_check;                \
     static constexpr auto state_check = PREFIX##_state_check;                  \
     static constexpr auto from_motion = PREFIX##_state_from_motion;            \
-    static constexpr auto from_landing = PREFIX##_state_from_landing;          \
     static constexpr auto angular_velocity = PREFIX##_angular_velocity;        \
     static constexpr auto step = PREFIX##_step;                                \
     static constexpr auto run = PREFIX##_run;                                  \
@@ -41,6 +40,7 @@ struct doubles {
     using real = double;
     static constexpr double u = 0x1p-53, least = DBL_TRUE_MIN, normal = DBL_MIN;
     TWINS(coin);
+    static constexpr auto from_landing = coin_state_from_landing;
     static double low(const state &, int)
     {
         return 0;

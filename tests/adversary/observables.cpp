@@ -413,6 +413,8 @@ void add_observables(std::vector<row> *rows)
     ROW("angular_velocity", "8 u of the terms", angular_velocity, NO_EDGE);
     ROW("state_from_motion", "8 u; over cos theta in phi and psi", from_motion,
         ROTATION);
-    ROW("state_from_landing", "16 u of the terms", from_landing, ROTATION);
+    rows->push_back({"coin_state_from_landing", "16 u of the terms", 1, false,
+                     near_a_rotation, from_landing<doubles, long double>,
+                     from_landing<doubles, quad>});
     ROW("check", "8 u of the terms of each threshold", check, THRESHOLDS);
 }

@@ -289,12 +289,9 @@ class Results(unittest.TestCase):
         self.assertAlmostEqual(numpy.linalg.det(m), 1, 14)
         self.assertEqual(rc.matrix(random_table(5), p).shape, (5, 16))
         self.assertEqual(len(rc.matrix(*quarterf()[::-1])), 16)
-        for make, (p, s) in ((4, quarter()), (2, quarterf())):
-            landed = rc.state_from_landing(
-                p, rc.quaternion(s), rc.angular_velocity(s),
-                rc.velocity(s, p))
-            self.assertAlmostEqual(landed.wZ, s.wZ, make)
-        p, s = quarter()
+        landed = rc.state_from_landing(
+            p, rc.quaternion(s), rc.angular_velocity(s), rc.velocity(s, p))
+        self.assertAlmostEqual(landed.wZ, s.wZ, 4)
         most = rc.reaction(s, p).ratio
         rc.advance(s, p, 0.05)  # half a period of the lean
         mu = (most + rc.reaction(s, p).ratio) / 2

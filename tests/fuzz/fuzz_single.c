@@ -27,8 +27,6 @@ CALL(coinf_params_check, (a[0].p))
 CALL(coinf_state_check, (a[0].p, a[1].p))
 CALL(coinf_state_from_motion,
      (a[0].p, a[1].p, a[2].p, a[3].p, f(a[4]), f(a[5])))
-CALL(coinf_state_from_landing,
-     (a[0].p, a[1].p, a[2].p, a[3].p, a[4].p, f(a[5]), f(a[6])))
 CALL(coinf_angular_velocity, (a[0].p, a[1].p))
 CALL(coinf_step, (a[0].p, a[1].p, f(a[2])))
 CALL(coinf_run, (a[0].p, a[1].p, a[2].i, f(a[3]), a[4].u, a[5].p))
@@ -121,7 +119,6 @@ const struct function fuzz_functions[] = {
     ROW(coinf_params_check, "f", MAKES, 0, PLAIN),
     ROW(coinf_state_check, "gf", USUAL, 0, PLAIN),
     ROW(coinf_state_from_motion, "hfQWdd", USUAL, 0, PLAIN),
-    ROW(coinf_state_from_landing, "hfQWWdd", USUAL, 0, PLAIN),
     ROW(coinf_angular_velocity, "gC", NO_PARAMS, 0, PLAIN),
     ROW(coinf_step, "Hft", STEPS, COIN_COARSE, PLAIN),
     ROW(coinf_run, "Hfitun", STEPS, COIN_COARSE, BIT(COIN_ESTEP), judge_run, 0),

@@ -639,17 +639,6 @@ extern "C" {
     pub fn coinf_matrix(s: *const coinf_state, p: *const coinf_params, m: *mut f32) -> i32;
 }
 extern "C" {
-    pub fn coinf_state_from_landing(
-        s: *mut coinf_state,
-        p: *const coinf_params,
-        q: *const f32,
-        omega: *const f32,
-        v: *const f32,
-        x: f32,
-        z: f32,
-    ) -> i32;
-}
-extern "C" {
     pub fn coinf_sizeof_params() -> u32;
 }
 extern "C" {

@@ -107,18 +107,16 @@ def state_from_motion(p: AnyParams, q: Sequence[float],
     return s
 
 
-def state_from_landing(p: AnyParams, q: Sequence[float],
+def state_from_landing(p: Params, q: Sequence[float],
                        omega: Sequence[float], v: Sequence[float],
-                       x: float = 0, z: float = 0) -> Any:
+                       x: float = 0, z: float = 0) -> State:
     """The State in which a body of an engine rolls on once it touches the
     table, if the contact neither slips nor bounces: as state_from_motion(),
     and v is the velocity of its centre.  coin_state_from_landing()"""
-    kind = kind_of(p)
-    real = c_float if kind is Statef else c_double
-    s = kind()
-    function("state_from_landing", kind)(
-        s, p, vector(q, 4, real), vector(omega, 3, real), vector(v, 3, real),
-        x, z)
+    s = State()
+    lib.coin_state_from_landing(
+        s, p, vector(q, 4, c_double), vector(omega, 3, c_double),
+        vector(v, 3, c_double), x, z)
     return s
 
 
