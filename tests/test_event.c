@@ -68,20 +68,22 @@ static void a_pass_within_a_step_is_found(void **unused)
     }
 }
 
-/* tol is in natural units of time, which are a thousandth here. */
+/* tol is in natural units of time, which are a thousandth here.  Where the coin
+ * lifts off, N/Mg changes by 0.62 per natural unit. */
 static void the_place_is_as_accurate_for_a_fast_coin(void **unused)
 {
     (void)unused;
+    const double tol = 1e-11;
     coin_params p;
     for (double lean = 1e-6; lean < 1e-3; lean *= 1.5) {
         coin_state s = {lean, 0, 0, 0, 0, 0, 0, 0};
         check_status(coin_params_disc(&p, 1, 1e-3, 1e3), COIN_OK);
         check_status(
-            coin_advance_until(&s, &p, 1, 1e-11, INFINITY, COIN_LIFTS, NULL),
+            coin_advance_until(&s, &p, 1, tol, INFINITY, COIN_LIFTS, NULL),
             COIN_LIFTS);
         /* N/Mg as above, with the energy of the lean at the start. */
         const double c = cos(s.theta), top = cos(lean);
-        check_near(1 - 0.8 * (1 + 2 * top * c - 3 * c * c), 0, 3e-7);
+        check_near(1 - 0.8 * (1 + 2 * top * c - 3 * c * c), 0, tol);
     }
 }
 
