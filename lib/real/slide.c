@@ -148,11 +148,11 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
         coin_priv_judge_here(g);
 }
 
-/* The variables where the slide has come to, with its slip velocity or 0. */
-static coin_priv_slip slip_here(const coin_priv_sliding *g, int slips)
+/* The variables *at, with the slip velocity of the slide or 0. */
+static coin_priv_slip slip_at(const coin_priv_sliding *g,
+                              const coin_priv_variables *at, int slips)
 {
-    return coin_priv_slip_of(&g->w.run.g.y, slips ? g->uX : 0,
-                             slips ? g->uh : 0);
+    return coin_priv_slip_of(at, slips ? g->uX : 0, slips ? g->uh : 0);
 }
 
 /* What the coin does where the slide has come to: COIN_OK if it rolls,
@@ -163,7 +163,7 @@ static int32_t mode_of(const coin_priv_sliding *g)
     const coin_priv_contact *t = &g->contact;
     if (g->surely_rolls) /* then slips is 0 */
         return COIN_OK;
-    const coin_priv_slip y = slip_here(g, g->slips);
+    const coin_priv_slip y = slip_at(g, &g->w.run.g.y, g->slips);
     if (g->slips)
         return coin_priv_clearance(t, &y, 1) > 0 ? slips : lifts;
     if (coin_priv_clearance(t, &y, 0) < 0)
@@ -183,18 +183,21 @@ static int32_t go_on(coin_priv_sliding *g)
     return status == COIN_OK ? mode_of(g) : status;
 }
 
-/* Where the slide has come to. */
+/* Where the slide has come to.  vx and vz go with the phi that is returned.
+ * The run's variables have a phi that differs by the error of the steps, and
+ * the next call would take the difference for a slip. */
 static coin_slide end_of(coin_priv_sliding *g, int32_t status)
 {
     coin_slide end;
     double v[2];
-    const coin_priv_slip y = slip_here(g, g->slips | (status == COIN_SLIPS));
-    coin_priv_centre_velocity(v, &y, g->contact.b.a);
     if (g->w.run.steps > 0 && !g->ended_in_t)
         coin_priv_read_lean(&g->w.run.g);
     end.s = coin_priv_run_state(&g->w.run);
     if (status == COIN_RESTS)
         end.s.wY = 0;
+    const coin_priv_variables at = coin_priv_variables_of(&end.s);
+    const coin_priv_slip y = slip_at(g, &at, g->slips | (status == COIN_SLIPS));
+    coin_priv_centre_velocity(v, &y, g->contact.b.a);
     end.vx = v[0];
     end.vz = v[1];
     return end;

@@ -62,6 +62,12 @@
  * is reentrant and bounded in time and stack.  What moves a state gives the
  * same bits wherever doubles are those of IEEE 754 (see coin_selftest()).
  *
+ * A STATE THAT IS RETURNED means to the next call what the returned status
+ * says.  So many short calls move a coin as one long call does.  A call with
+ * t = 0 repeats COIN_OK, COIN_SLIPS, COIN_RESTS and COIN_EFLAT.  A call with
+ * t = tol natural units repeats COIN_ELIFT, whose moment is located to tol.  A
+ * slide that rolls has a slip speed of 0, but for rounding (test_state_out).
+ *
  * FLOATING POINT.  No function changes the rounding mode or the traps.  A call
  * raises neither division by zero nor invalid nor overflow, unless it returns
  * COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_ERANGE or NaN.  So
