@@ -29,13 +29,12 @@
  *
  * STATUS. Most functions return an int32_t: 0 is COIN_OK; a positive value
  * means done; a negative value is an error.  A positive value is a set of
- * warning bits, or COIN_RESTS, COIN_SLIPS of coin_slide_advance(), or a
- * COIN_MODEL_ constant.  After an error
- * every output and the state are unchanged, unless the function says otherwise.
- * A function that moves a state by many steps may stop before the end, and says
- * where it stopped.  Where several errors apply, the first of COIN_EARG,
- * COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned.  Functions
- * that return a double return NaN on bad input.
+ * warning bits, or COIN_RESTS, or COIN_SLIPS of coin_slide_advance().  After an
+ * error every output and the state are unchanged, unless the function says
+ * otherwise.  A function that moves a state by many steps may stop before the
+ * end, and says where it stopped.  Where several errors apply, the first of
+ * COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned.
+ * Functions that return a double return NaN on bad input.
  * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
  * coin_params_check() and COIN_ESTATE as coin_state_check().  A function
  * without p does not return COIN_EPARAMS, and accepts any finite angular
@@ -237,9 +236,8 @@ enum {
                             long if phi, psi, x or z would leave its range */
     COIN_EARG = -4,    /**< null pointer, unknown method, branch or bit, bad
                             tolerance, mu of a check < 0 */
-    COIN_EDOMAIN = -5, /**< no such steady motion; or the state is not steady,
-                            or too far from a steady motion for a small
-                            wobble; or its motion has no well-defined period */
+    COIN_EDOMAIN = -5, /**< no such steady motion; or the state is not steady;
+                            or its motion has no well-defined period */
     COIN_EFLAT = -6,   /**< the coin falls flat within the time asked */
     COIN_EBUILD = -7,  /**< this build does not give the pinned bits:
                             coin_selftest() */
@@ -273,14 +271,6 @@ enum {
     COIN_RK8 = 1,         /**< Dormand-Prince, 12 stages, order 8 */
     COIN_SYMPLECTIC2 = 2, /**< kick-drift-kick with the exact drift, order 2 */
     COIN_SYMPLECTIC4 = 3  /**< Chin 4A with the exact drift, order 4 */
-};
-
-/** Models of a motion, from the cheapest on: coin_model_needed(). */
-enum {
-    COIN_MODEL_STEADY = 0, /**< a steady motion: coin_steady_at() */
-    COIN_MODEL_WOBBLE = 1, /**< a small swing about one: coin_wobble_at() */
-    COIN_MODEL_ORBIT = 2,  /**< one period, solved: coin_orbit_at() */
-    COIN_MODEL_STEPS = 3   /**< steps */
 };
 
 /* ----------------------------------------------------------- parameters -- */
@@ -693,26 +683,6 @@ COIN_API int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
 COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
                                     double theta, double wZ, int32_t branch);
 
-/** The steady motion nearest to a state: the one with the same two integrals,
- * at the extremum of the potential that is nearest in lean.  Eq. (39), (48).
- * @param[out] out  theta, wY, wZ; wX = 0; the pose is that of s
- * @return COIN_OK; the usual errors; COIN_EDOMAIN if there is none: the coin
- *         would fall flat on both sides, or the extremum is nearer than 1e-6
- *         rad to flat, or s is.
- * It may be unstable: coin_stability().  Of two extrema closer to each other
- * than 0.0005 cos(theta) both may be missed.
- * Accuracy: *out is steady by the test of coin_steady_radii().  Its integrals
- *         differ from those of s by at most 96 u of their terms, plus the
- *         effect of a change of both rates by 8 u/cos(theta) of the larger of
- *         |wY|, |wZ|.  Near flat a double cannot hold the lean more accurately
- *         (test_steady_near).
- * Cost: it sums a chain of series, one for each 0.04 cos(theta) of the lean, to
- *         both sides.  For random states of rings that is 30 textbook steps in
- *         the median, 110 for 9 of 10, 500 at most: next to flat there may be
- *         none on one side. */
-COIN_API int32_t coin_steady_near(const coin_state *s, const coin_params *p,
-                                  coin_state *out);
-
 /** The circles that the centre and the contact point of a steady motion
  * follow.  Eq. (43).
  * @param[out] center   R_G, of the centre of mass; +infinity if wY = 0, or if
@@ -761,46 +731,6 @@ COIN_API double coin_critical_spin(const coin_params *p);
  * Cost: three sines and cosines. */
 COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
                                 double t, coin_state *out);
-
-/** A small wobble about a steady motion, in closed form.  It is linear in the
- * differences between start and the steady motion.  Eq. (60)-(63).
- * @param steady    the steady motion, of any pose
- * @param start     the state at t = 0, near to it in lean and rates; the pose
- *                  begins where start has it
- * @param t         the time, of either sign [T]
- * @param[out] out  the state after t
- * @return COIN_OK; the usual errors.  COIN_ESTEP: t is not finite, or the
- *         result is not a state: an unstable lean has grown to the table, or
- *         phi or psi leaves its range; or |t| sqrt(|lambda^2|) is above 2^31,
- *         or above 700 where lambda^2 > 0.  COIN_EDOMAIN: steady is not steady,
- *         as in coin_steady_radii(), or the wobble is not small.
- *
- * The neighbour is the steady motion with the integrals of start.  The reach is
- * how far the lean goes from the neighbour, plus the difference in lean between
- * the neighbour and steady.  The wobble is not small if that difference is more
- * than 0.1 rad.  It is not small if start and the neighbour differ in lean by
- * more than 1000 times cos(theta) of start.  Nor is it small if the terms of
- * the acceleration that the linear law leaves out could displace the lean by
- * half of the reach within t.
- * Accuracy: the lean stays in the well of the potential, and its error is never
- *         more than three times the reach (test_wobble_wells).  Let A be the
- *         largest of the reach and of the differences of start from steady, in
- *         natural units, over cos(theta), and W that of Eq. (47) at start.  Let
- *         E be 4 (A^2 + 1e-14) (1 + |t| W) times the larger of 1 and
- *         W^2/|lambda^2|.  If lambda^2 < 0 and E < 1, the error is below E at
- *         any t in the angles, and below W E in the rates.  In x and z, in
- *         radii, it is below E (1 + W d).  d is the smaller of |t| and 1/n,
- *         n is the smaller of |phi'| and ||phi'| - sqrt(-lambda^2)|, and phi'
- *         is the neighbour's (make adversary, test_wobble_far).  So errors grow
- *         as t, and those of x and z as t^2 until t is 1/n: on a straight roll
- *         n is 0.  phi, psi, x and z are rounded to doubles besides.  Where the
- *         lean grows as exp(lambda t), errors are of order A^2, and A is the
- *         value that the lean has reached (test_wobble).  docs/models.md has
- *         figures.
- * Cost: that of ten sines and cosines, whatever t is. */
-COIN_API int32_t coin_wobble_at(const coin_state *steady, const coin_params *p,
-                                const coin_state *start, double t,
-                                coin_state *out);
 
 /** Solves a motion for all times: half a period of theta, between its turning
  * points, by power series.  The rest follows by symmetry about the turning
@@ -858,41 +788,6 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         adversary).
  * Cost: 0.5 to 0.7 textbook steps, whatever t is (docs/models.md). */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
-
-/* --------------------------------------------------------------- models -- */
-
-/** The cheapest model that a scene needs: of the models below, the first that
- * keeps the pose within tol of the full equations.  It is found by trial.
- * @param horizon  how long, of either sign, less than 2^31 periods of theta [T]
- * @param tol      > 0 and finite: by how much theta, phi, psi may be off [rad],
- *                 and x, z [radii] [1]
- * @return COIN_MODEL_STEADY: coin_steady_at() of coin_steady_near();
- *         COIN_MODEL_WOBBLE: coin_wobble_at() about the same;
- *         COIN_MODEL_ORBIT: coin_orbit_init(), coin_orbit_at();
- *         COIN_MODEL_STEPS: coin_run() or coin_advance(), if there is no orbit,
- *         if the orbit is not known to keep tol for the whole horizon, or if
- *         rounding grows beyond tol in that time, as it does next to an
- *         unstable steady motion.
- *         Negative: the usual errors; COIN_EARG also for tol not in range;
- *         COIN_ESTEP horizon not in range, or phi, psi, x or z leaves its range
- *         within the horizon; COIN_EFLAT the coin falls flat within the
- *         horizon.  Where there is no orbit, the last two are found only within
- *         the steps that are taken, the last of which may pass the horizon.
- * Accuracy: of 10,000 scenes none got a model that misses tol; of 20,000
- *         scenes on unstable circles none got a steady motion or a wobble that
- *         does.  docs/models.md says how often a cheaper model would have done
- *         (test_model).
- * Cost: that of coin_orbit_init(), and of up to 128 states of the orbit for
- *         each model that is nearly good enough: 65 textbook steps for a small
- *         swing about a steady circle, of which coin_orbit_init() takes 51; in
- *         the mean 320 for motions that come to 0.1 to 0.01 rad from flat, 430
- *         to 1e-4 rad and 570 to 1e-6 rad (callgrind).  Where there is no
- *         orbit, up to 64 natural units are stepped: 1,400 textbook steps as a
- *         rule, 8,500 at most.  So call it once for a scene, not for each
- *         frame, and not at all for fewer than some 100 answers.  It needs some
- *         77 KiB of stack. */
-COIN_API int32_t coin_model_needed(const coin_state *s, const coin_params *p,
-                                   double horizon, double tol);
 
 /* ----------------------------------------------------------- real coins -- */
 

@@ -4,6 +4,8 @@
 #include "support/coins.h"
 #include "support/losses.h"
 
+#include "steady_near.h"
+
 #include <math.h>
 
 #define HALF_PI 1.5707963267948966
@@ -54,19 +56,26 @@ static void the_angle_goes_by_the_exponents_of_the_laws(void **unused)
 }
 
 /* ---------------------------------------------------------------- nutation */
+/* The lean about which it swings, as an angle from flat. */
+static double middle_of(coin_state s, const coin_params *p)
+{
+    coin_priv_body b;
+    check_status(coin_priv_check(&s, p, &b), COIN_OK);
+    check_status(coin_priv_steady_near(&s, &b), COIN_OK);
+    return HALF_PI - s.theta;
+}
+
 /* The amplitude of the lean about its course, relative to the angle from flat:
  * half of the spread of a window. */
 static double swing(const coin_state *start, const coin_params *p,
                     const coin_losses *l)
 {
-    coin_state s = *start, still;
+    coin_state s = *start;
     double most = 0;
-    coin_steady_near(start, p, &still);
-    const double e = HALF_PI - still.theta;
+    const double e = middle_of(s, p);
     for (int i = 0; i < 60; ++i) {
         coin_settle(&s, p, l, 0.1 * sqrt(e), 1e-9, NULL);
-        coin_steady_near(&s, p, &still);
-        most = fmax(most, fabs(s.theta - still.theta));
+        most = fmax(most, fabs(HALF_PI - s.theta - middle_of(s, p)));
     }
     return most / e;
 }
@@ -83,10 +92,8 @@ static void a_swing_grows_or_dies_out_by_the_law(void **unused)
         s.wX += 0.002 * sqrt(0.05);
         const double first = swing(&s, &p, &l);
         time_at(&s, &p, &l, 0.02, coin_time_to_rest(&s, &p, &l));
-        coin_state still;
-        coin_steady_near(&s, &p, &still);
-        const double n = log(swing(&s, &p, &l) / first) /
-                         log((HALF_PI - still.theta) / 0.05);
+        const double n =
+            log(swing(&s, &p, &l) / first) / log(middle_of(s, &p) / 0.05);
         check_note("%s", loss_names[i]);
         check_near(n, want[i], 0.02);
     }

@@ -90,7 +90,7 @@ static void errors_of_several_cases_name_each_of_them(void **unused)
         {COIN_ESTEP, "dt or t"},        {COIN_ESTEP, "not valid"},
         {COIN_ESTEP, "too long"},       {COIN_ESTEP, "shorten"},
         {COIN_ESTEP, "coin_advance()"}, {COIN_EDOMAIN, "steady motion"},
-        {COIN_EDOMAIN, "small wobble"}, {COIN_EDOMAIN, "orbit"},
+        {COIN_EDOMAIN, "not steady"},   {COIN_EDOMAIN, "orbit"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         const char *text = coin_status_string(cases[i].status);

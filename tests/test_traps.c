@@ -235,24 +235,18 @@ WITH_SLIDE(coin_slide_reaction,
            coin_slide_reaction(&d, &c->p, &f, c->t < 0 ? &l : NULL, &force))
 WITH_SLIDE(coin_slide_velocity, coin_slide_velocity(&d, &c->p, v))
 
-/* A third of the cases: a call may take a millisecond. */
-CALL(coin_model_needed,
-     c->mu == 0.3 ? coin_model_needed(&c->s, &c->p, c->t, 1e-3) : COIN_ESTATE)
-
 /* ----------------------------------------------------------- steady motions */
 CALL(coin_steady_roll, coin_steady_roll(&out, &c->p, c->s.wZ))
 CALL(coin_steady_spin, coin_steady_spin(&out, &c->p, c->s.theta))
 CALL(coin_steady_upright_spin, coin_steady_upright_spin(&out, &c->p, c->s.wY))
 CALL(coin_steady_circle,
      coin_steady_circle(&out, &c->p, c->s.theta, c->s.wZ, c->dt > 0 ? 1 : -1))
-CALL(coin_steady_near, coin_steady_near(&c->s, &c->p, &out))
 
-/* A steady motion next to the state, if there is one. */
+/* The circle of this lean and roll, if there is one. */
 static coin_state steady(const struct trap_case *c)
 {
     coin_state s = c->s;
-    if (coin_steady_circle(&s, &c->p, s.theta, s.wZ, 1) != COIN_OK)
-        coin_steady_near(&c->s, &c->p, &s);
+    (void)coin_steady_circle(&s, &c->p, s.theta, s.wZ, 1);
     return s;
 }
 
@@ -272,12 +266,6 @@ static int32_t call_coin_stability(const struct trap_case *c)
 {
     const coin_state s = steady(c);
     return coin_stability(&s, &c->p, v);
-}
-
-static int32_t call_coin_wobble_at(const struct trap_case *c)
-{
-    const coin_state s = steady(c);
-    return coin_wobble_at(&s, &c->p, &c->s, c->t, &out);
 }
 
 static const struct trap_function all[] = {
@@ -329,13 +317,10 @@ static const struct trap_function all[] = {
     ROW(coin_steady_upright_spin),
     ROW(coin_steady_circle),
     ROW(coin_steady_radii),
-    ROW(coin_steady_near),
     ROW(coin_steady_at),
     ROW(coin_stability),
-    ROW(coin_wobble_at),
     ROW(coin_critical_roll),
     ROW(coin_critical_spin),
-    ROW(coin_model_needed),
     ROW(coin_losses_check),
     ROW(coin_losses_power),
     ROW(coin_losses_rates),

@@ -34,23 +34,6 @@ static coin_state turning(double theta, double wX, double wY, double wZ)
     return s;
 }
 
-static void an_unstable_wobble_may_grow_beyond_all_bounds(void **unused)
-{
-    const coin_params p = disc();
-    coin_state s = turning(0.3, 0, 0, 1e-4);
-    (void)unused;
-    QUIET(coin_model_needed(&s, &p, 100, 1e-5), COIN_MODEL_ORBIT);
-    QUIET(coin_model_needed(&s, &p, 190, 1e-5), COIN_MODEL_ORBIT);
-    QUIET(coin_model_needed(&s, &p, 500, 1e-5), COIN_MODEL_ORBIT);
-    s = turning(-0.38, 0.35, 0, 1e-4);
-    QUIET(coin_model_needed(&s, &p, 100, 1e-5), COIN_MODEL_ORBIT);
-    coin_params quarter;
-    check_status(coin_params_disc(&quarter, 0.00567, 0.01213, 9.80665),
-                 COIN_OK);
-    s = turning(-1.5707963267947935, 10.02, 29.12, -13.71);
-    QUIET(coin_model_needed(&s, &quarter, DBL_MAX, 1e-8), COIN_MODEL_STEPS);
-}
-
 static void a_check_takes_any_step_and_any_friction(void **unused)
 {
     const coin_params p = disc();
@@ -274,54 +257,22 @@ static void what_nearly_overflows_is_compared_without_overflow(void **unused)
 
 static void the_least_numbers_are_no_divisors(void **unused)
 {
-    const coin_params heavy = {0x1.7e82666666666p+37, 0x1.6064ccccccccdp+0,
-                               0x1.7fff333333333p-1,  0x1.6a667a4056abp+37,
-                               0x1.6a667a4056abp+38,  {0, 0, 0}};
     const coin_params fine = {0x1.9c64p-5,           0x1.e4ea666666666p-40,
                               0x1.7f33333333333p-1,  0x1.71ea1506cd3e1p-84,
                               0x1.71ea1506cd3e1p-83, {0, 0, 0}};
     const coin_params p = disc();
-    coin_state s =
-        turning(-0x1.56e1fc2f8f35ap-997, 0, 0, -0x1.79ec98c72fb24p-2);
-    coin_state out;
+    coin_state s = turning(-0x1p-1074, 0, 0, -0x1.41d60435cf24dp+18);
     coin_orbit o;
     (void)unused;
-    QUIET(coin_steady_near(&s, &heavy, &out), COIN_OK);
-    s = turning(-0x1p-1074, 0, 0, -0x1.41d60435cf24dp+18);
     QUIET(coin_orbit_init(&o, &s, &fine), COIN_EDOMAIN);
     s = turning(0, 0, 0, 0x1p-1074); /* rolls on in a straight line */
     QUIET(coin_orbit_init(&o, &s, &p), COIN_OK);
     check(isnan(o.center[0]) && isnan(o.radius_max));
 }
 
-static void no_fast_lean_is_a_small_wobble(void **unused)
-{
-    const coin_params p = disc();
-    const coin_state upright = turning(0, 0, 0x1.564p-2, 0);
-    const coin_state fast = turning(0.08, 0x1.d3ccp+299, 0x1.564p-2, 0.0846);
-    coin_state out;
-    (void)unused;
-    QUIET(coin_wobble_at(&upright, &p, &fast, 0, &out), COIN_EDOMAIN);
-    QUIET(coin_wobble_at(&upright, &p, &fast, 1e-95, &out), COIN_EDOMAIN);
-}
-
-static void no_start_next_to_flat_is_a_wobble_of_the_other_side(void **unused)
-{
-    const coin_params p = disc();
-    const coin_state steady =
-        turning(-0x1.921fb54442d13p+0, 0, -0x1.b0b0ffe8fae29p-101,
-                0x1.93e5939a08ceap+99);
-    const coin_state start =
-        turning(0x1.921fb54442d13p+0, 0, 0x1.3d384448e29efp+102, steady.wZ);
-    coin_state out;
-    (void)unused;
-    QUIET(coin_wobble_at(&steady, &p, &start, 0, &out), COIN_EDOMAIN);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(an_unstable_wobble_may_grow_beyond_all_bounds),
         TEST(a_check_takes_any_step_and_any_friction),
         TEST(without_a_step_its_length_does_not_count),
         TEST(trials_of_slips_do_not_run_away),
@@ -333,8 +284,6 @@ int main(void)
         TEST(a_time_of_no_length_is_looked_at),
         TEST(what_nearly_overflows_is_compared_without_overflow),
         TEST(the_least_numbers_are_no_divisors),
-        TEST(no_fast_lean_is_a_small_wobble),
-        TEST(no_start_next_to_flat_is_a_wobble_of_the_other_side),
     };
     return RUN_TESTS(tests);
 }

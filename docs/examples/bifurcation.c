@@ -6,9 +6,9 @@
  * First the window of unstable circles: for each rate of roll the lean beyond
  * which slow circles are stable, Eq. (44).  Then the fork of the disc: the
  * leans that are steady at given integrals K_Y and K_Z. */
-#include "turning.h"
+#include "leaf.h"
 
-enum { RATES = 44, THROWN = 100 };
+enum { RATES = 44 };
 
 static double lambda2(const coin_state *s, const coin_params *p)
 {
@@ -62,21 +62,18 @@ static void print_window(double inner)
 
 /* ----------------------------------------------------------------- fork -- */
 
-/* The steady motions with these integrals, from the greatest lean down: a coin
- * thrown through all leans passes near each. */
+/* The steady motions with these integrals, from the greatest lean down. */
 static int steady_motions(coin_state found[3], const coin_params *p, double K_Y,
                           double K_Z)
 {
-    coin_state s = {0, 0, 0, 0, 0, 1.5, K_Y, K_Z};
+    coin_state s = {0, 0, 0, 0, 0, 0, K_Y, K_Z};
     int count = 0;
 
-    to_turn(&s, p, 1);
-    for (int k = 0; k < THROWN && s.wX <= 1e-9; ++k, roll_on(&s, p, 0.1)) {
-        coin_state steady;
-        demand(coin_steady_near(&s, p, &steady));
-        if (count == 0 || fabs(found[count - 1].theta - steady.theta) > 1e-4)
-            if (count < 3)
-                found[count++] = steady;
+    while (cos(s.theta) > 0.05)
+        lean_by(&s, p, 0.003 * cos(s.theta));
+    while (count < 3 && lean_to_steady(&s, p, -1)) {
+        found[count++] = s;
+        lean_by(&s, p, -1e-3);
     }
     return count;
 }

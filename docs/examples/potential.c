@@ -6,7 +6,7 @@
  * Coins with the same two linear integrals share one potential V(theta), and
  * differ in the energy with which they swing in it: Eq. (48).  A coin that
  * swings wildly shows it all: V = E - J wX^2/2. */
-#include "turning.h"
+#include "leaf.h"
 
 static coin_params disc(void)
 {
@@ -58,11 +58,10 @@ static void print_swing(double wX, double K_Y, double K_Z)
 static void print_steady(double K_Y, double K_Z)
 {
     const coin_params p = disc();
-    const coin_state s = upright(0, K_Y, K_Z);
-    coin_state steady;
+    coin_state s = upright(0, K_Y, K_Z);
 
-    demand(coin_steady_near(&s, &p, &steady));
-    printf("steady,%.12f,%.12f\n\n\n", steady.theta, coin_energy(&steady, &p));
+    lean_to_steady(&s, &p, push(&s, &p) > 0 ? 1 : -1);
+    printf("steady,%.12f,%.12f\n\n\n", s.theta, coin_energy(&s, &p));
 }
 
 int main(void)

@@ -7,7 +7,7 @@
  * a small nod takes 2 pi/sqrt(-lambda^2): Eq. (44).  With great energy the coin
  * passes near flat on both sides, and each pass turns it by the angle of (51),
  * one way or the other. */
-#include "turning.h"
+#include "leaf.h"
 
 #define PI 3.14159265358979323846
 
@@ -16,11 +16,11 @@ enum { POINTS = 70 };
 static void print_curve(double K_Y, double K_Z)
 {
     coin_params p;
-    coin_state s = {0, 0, 0, 0, 0, 0, K_Y, K_Z}, steady;
+    coin_state s, steady = {0, 0, 0, 0, 0, 0, K_Y, K_Z};
     double L;
 
     demand(coin_params_disc(&p, 1, 1, 1));
-    demand(coin_steady_near(&s, &p, &steady));
+    lean_to_steady(&steady, &p, push(&steady, &p) > 0 ? 1 : -1);
     demand(coin_stability(&steady, &p, &L));
     const double rate = steady.wY / cos(steady.theta);
     printf("small nods,%g,%g,0,%.9f\n\n\n", K_Y, K_Z, rate * 2 * PI / sqrt(-L));

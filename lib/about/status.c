@@ -11,7 +11,7 @@ static const char errors[][80] = {
     "state out of range",
     "dt or t not valid, or too long: shorten it, or call coin_advance()",
     "bad argument: null, unknown method or branch, tolerance",
-    "no steady motion, no small wobble, or no orbit: unstable or nearly flat",
+    "no such steady motion, not steady, or no orbit",
     "the coin falls flat",
     "this build does not give the pinned bits",
     "the coin lifts off the table",

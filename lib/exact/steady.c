@@ -6,16 +6,19 @@
 #include <math.h>
 
 /* A state is steady if (39) holds to this part of its terms: far above the
- * rounding of a long run, and far below a visible wobble. */
+ * rounding of a long run, and far below a visible swing. */
 #define STEADY 1e-9
 
 /* A radius that is longer than this, in its unit or in radii of the coin,
  * counts as infinite. */
 #define FARTHEST 1e307
 
-int32_t coin_priv_check_balance(const coin_state *s, const coin_priv_body *b,
-                                coin_priv_sc *th)
+int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
+                               coin_priv_body *b, coin_priv_sc *th)
 {
+    const int32_t status = coin_priv_check(s, p, b);
+    if (status != COIN_OK)
+        return status;
     *th = coin_priv_sincos(s->theta);
     const double wX = s->wX, wY = s->wY, wZ = s->wZ;
     /* clang-format off */
@@ -30,13 +33,6 @@ int32_t coin_priv_check_balance(const coin_state *s, const coin_priv_body *b,
     const int balanced = (fabs(wX) <= STEADY * rate) &
                          (fabs(roll + turn - fall) <= STEADY * torque);
     return balanced ? COIN_OK : COIN_EDOMAIN;
-}
-
-int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
-                               coin_priv_body *b, coin_priv_sc *th)
-{
-    const int32_t status = coin_priv_check(s, p, b);
-    return status == COIN_OK ? coin_priv_check_balance(s, b, th) : status;
 }
 
 /* Makes *s the state with this lean and these rates, if the checks find it to

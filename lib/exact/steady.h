@@ -5,11 +5,6 @@
 #include "../motion/equations.h"
 #include "../motion/state.h"
 
-/* COIN_OK if the motion is steady, else COIN_EDOMAIN.  Sets *th to sine and
- * cosine of its lean.  s has passed coin_priv_check_state(). */
-int32_t coin_priv_check_balance(const coin_state *s, const coin_priv_body *b,
-                                coin_priv_sc *th);
-
 /* The usual checks, then COIN_EDOMAIN unless the motion is steady.  After
  * COIN_OK *b and *th hold the body and sine and cosine of the lean. */
 int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
@@ -18,12 +13,6 @@ int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
 /* lambda^2 of a steady motion that coin_priv_check_steady() has passed. */
 double coin_priv_stability(const coin_state *s, const coin_priv_body *b,
                            const coin_priv_sc *th);
-
-/* coin_steady_near() of a state that has passed coin_priv_check_state(), no
- * farther than `most` from its lean: COIN_OK, or COIN_EDOMAIN and *out
- * untouched. */
-int32_t coin_priv_steady_near(const coin_state *s, const coin_priv_body *b,
-                              double most, coin_state *out);
 
 /* The constant rates of a steady motion: d(phi)/dt, d(psi)/dt, and the centre's
  * speed along its path. */

@@ -9,6 +9,7 @@
 
 #include "gbs.h"
 #include "losses.h"
+#include "steady_near.h"
 
 /* The part of the angle from flat up to which a swing is small. */
 #define SWING 0.1
@@ -158,14 +159,13 @@ static void draw(struct passing *g, const double *before)
     }
 }
 
-/* What coin_quasisteady_at() and coin_time_to_rest() begin with, after the
- * checks: the steady motion next to *s, or COIN_EDOMAIN. */
+/* Begins at the steady motion next to *s, or returns COIN_EDOMAIN. */
 static int32_t begin(struct passing *g, const coin_state *s,
                      const coin_params *p)
 {
-    coin_state near;
+    coin_state near = *s;
     double lambda2 = 0;
-    const int32_t status = coin_steady_near(s, p, &near);
+    const int32_t status = coin_priv_steady_near(&near, &g->q.b);
     if (status != COIN_OK)
         return status;
     (void)coin_stability(&near, p, &lambda2);
@@ -385,7 +385,7 @@ int32_t coin_quasisteady_at(const coin_state *s, const coin_params *p,
     if (status != COIN_OK)
         return status;
     if (!(stops(&g) || g.q.l.spin > 0)) {
-        (void)coin_steady_near(s, p, &at);
+        (void)coin_priv_steady_near(&at, &g.q.b);
         return coin_steady_at(&at, p, t, out);
     }
     /* By LONGEST a coin that does not rest has left the range of angles. */

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What follows a motion by itself: advance, orbits, and the models and steps
- * that are chosen by trial. */
+/* What follows a motion by itself: advance and orbits. */
 #include "growth.hpp"
 #include "path.hpp"
 #include "recurrence.hpp"
@@ -222,63 +221,6 @@ template <class R> double orbit_init(const scene &s, double enough)
     return told<R>(o, s, o.period, out, R(-1), enough);
 }
 
-/* ------------------------------------------------------------------ models */
-
-class named_model
-{
-  public:
-    int32_t status; /* of what the model is begun with */
-
-    named_model(int32_t name, const coin_params &body, const coin_state &from)
-        : status(COIN_OK), model(name), p(body), start(from)
-    {
-        status = model == COIN_MODEL_ORBIT
-                     ? coin_orbit_init(&o, &start, &p)
-                     : coin_steady_near(&start, &p, &steady);
-    }
-    int32_t at(double t, coin_state *out) const
-    {
-        return model == COIN_MODEL_ORBIT ? coin_orbit_at(&o, t, out)
-               : model == COIN_MODEL_STEADY
-                   ? coin_steady_at(&steady, &p, t, out)
-                   : coin_wobble_at(&steady, &p, &start, t, out);
-    }
-
-  private:
-    int32_t model;
-    const coin_params &p;
-    const coin_state &start;
-    coin_state steady;
-    coin_orbit o;
-};
-
-/* The pose at twelve times of the horizon. */
-template <class R> double model(const scene &s, double)
-{
-    const coin_params p = params_of<doubles>(s);
-    const coin_state start = state_of<doubles>(s);
-    path<R> truth(p, start);
-    if (truth.is_long(R(s.t)))
-        return NO_CLAIM;
-    const int32_t named = coin_model_needed(&start, &p, s.t, s.tol);
-    if (named < 0 || named == COIN_MODEL_STEPS)
-        return NO_CLAIM;
-    const named_model by(named, p, start);
-    if (by.status != COIN_OK)
-        return BROKEN;
-    double worst = 0;
-    for (int k = 1; k <= 12; ++k) {
-        coin_state out;
-        if (!truth.follow(R(s.t) / 12))
-            return NO_CLAIM;
-        if (by.at(s.t * k / 12, &out) != COIN_OK)
-            return BROKEN;
-        const double error = double(pose_apart(truth, out));
-        worst = error > worst || !(error >= 0) ? error : worst;
-    }
-    return ratio_of(worst, s.tol);
-}
-
 /* ------------------------------------------------------------------- edges */
 
 /* The pose of order one, and a horizon of 0.01 to 60 natural units. */
@@ -338,19 +280,6 @@ void for_long(scene *s, const double *g)
     const double units = std::pow(10, 7 * g[23] - 1);
     s->t = (g[22] < 0.5 ? units : -units) * std::sqrt(s->a / s->g);
 }
-
-/* Spins of discs and hoops, nearly upright. */
-void spins(scene *s, const double *g)
-{
-    horizon(s, g);
-    s->tol = std::pow(10, 7 * g[24] - 9);
-    s->IX = s->M * s->a * s->a / (g[28] > 0.5 ? 2 : 4);
-    s->IZ = 2 * s->IX;
-    s->theta = std::pow(10, 8.3 * g[8] - 9);
-    s->wX = 0;
-    s->wZ = 0;
-    s->wY = std::sqrt(s->g / s->a) * (1.5 + 20 * g[12]);
-}
 } // namespace
 
 #define MOTION(function, name, law, divisor, edge)                             \
@@ -380,7 +309,6 @@ void add_motions(std::vector<row> *rows)
         MOTION(orbit_init, "coin_orbit_init",
                "lean; rates; heading and roll after a period as coin_orbit_at",
                10, about_circles),
-        MOTION(model, "coin_model_needed", "tol", 5, about_circles),
     };
     for (const row &r : made)
         rows->push_back(r);

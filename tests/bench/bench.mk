@@ -246,7 +246,7 @@ slides: $(BENCH_OUT)/native/peer_slide need-charts need-bits ## coins that slip,
 	$(DRAW)
 
 results: ## measure anew all that results-check looks at (an hour)
-	+for what in charts slides models silent adversary adversary-update longrun \
+	+for what in charts slides silent adversary adversary-update longrun \
 	    figures; do \
 	    $(AGAIN) $$what || exit 1; done
 

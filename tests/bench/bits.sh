@@ -39,7 +39,6 @@ about()
     costs | frames | natural | steps) echo "coinf advance: charts" ;;
     longrun | damping) echo ": longrun" ;;
     models_quasi) echo "settle: real-quasi" ;;
-    models_*) echo "advance orbit: models" ;;
     orbit_*) echo "orbit: charts" ;;
     accuracy | atlas | best) echo "advance orbit: charts" ;;
     reliability) echo "advance: charts" ;;

@@ -311,7 +311,7 @@ class Results(unittest.TestCase):
                              (many.status[k], many.reached[k]))
         self.assertTrue(same(table, alone))
 
-    def test_steady_motions_and_what_swings_about_them(self):
+    def test_steady_motions_are_steady(self):
         p = quarter()[0]
         circle = rc.steady_circle(p, 0.4, 30)
         self.assertEqual(len(rc.steady_radii(circle, p)), 2)
@@ -323,13 +323,6 @@ class Results(unittest.TestCase):
                                p.gravity / (3 * p.radius), 9)
         self.assertAlmostEqual(rc.critical_spin(p) ** 2,
                                0.8 * p.gravity / p.radius, 9)
-        near = copy.copy(circle)
-        near.theta += 1e-5
-        found = rc.steady_near(near, p)
-        self.assertAlmostEqual(found.theta, circle.theta, 4)
-        run, wobble = copy.copy(near), rc.wobble_at(circle, p, near, 0.1)
-        rc.advance(run, p, 0.1)
-        self.assertAlmostEqual(wobble.theta, run.theta, 7)
         self.assertAlmostEqual(rc.steady_at(circle, p, 0.1).theta, 0.4, 12)
 
     def test_an_orbit_is_asked_for_one_time_or_many(self):
@@ -349,7 +342,6 @@ class Results(unittest.TestCase):
         self.assertEqual(list(status), [0, rc.ESTEP])
         self.assertTrue(math.isnan(some["theta"][1]))
         self.assertRaises(rc.Error, rc.orbit_at, o, [0, math.nan])
-        self.assertEqual(rc.model_needed(s, p, 10, 1e-6), rc.MODEL_ORBIT)
 
     def test_losses_bring_a_coin_to_rest(self):
         p = quarter()[0]

@@ -9,7 +9,6 @@ CALL(coin_selftest, ())
 CALL(coin_advance, (a[0].p, a[1].p, a[2].d, a[3].d, a[4].p))
 CALL(coin_advance_until,
      (a[0].p, a[1].p, a[2].d, a[3].d, a[4].d, a[5].i, a[6].p))
-CALL(coin_model_needed, (a[0].p, a[1].p, a[2].d, a[3].d))
 
 /* After an error on the way: somewhere between here and t, and sound. */
 static void judge_advance(const struct outcome *o)
@@ -61,7 +60,6 @@ const struct function fuzz_functions[] = {
     ROW(coin_advance_until, "SpTedxr", USUAL | LANDS, 11, LANDS,
         judge_advance_until, 0),
     ROW(coin_selftest, "", 0, 0, PLAIN),
-    ROW(coin_model_needed, "spTe", USUAL | LANDS, COIN_MODEL_STEPS, PLAIN),
 };
 
 END_OF_TABLE;

@@ -9,9 +9,7 @@ CALL(coin_steady_spin, (a[0].p, a[1].p, a[2].d))
 CALL(coin_steady_upright_spin, (a[0].p, a[1].p, a[2].d))
 CALL(coin_steady_circle, (a[0].p, a[1].p, a[2].d, a[3].d, a[4].i))
 CALL(coin_steady_radii, (a[0].p, a[1].p, a[2].p, a[3].p))
-CALL(coin_steady_near, (a[0].p, a[1].p, a[2].p))
 CALL(coin_steady_at, (a[0].p, a[1].p, a[2].d, a[3].p))
-CALL(coin_wobble_at, (a[0].p, a[1].p, a[2].p, a[3].d, a[4].p))
 CALL(coin_orbit_init, (a[0].p, a[1].p, a[2].p))
 CALL(coin_orbit_at, (a[0].p, a[1].d, a[2].p))
 CALL(coin_stability, (a[0].p, a[1].p, a[2].p))
@@ -41,17 +39,6 @@ static void judge_steady(const struct outcome *o)
     demand(is_steady(s, &o->world->p));
 }
 
-/* Where the coin is, and steady. */
-static void judge_near(const struct outcome *o)
-{
-    const coin_state *s = o->left[2].p, *w = &o->world->s;
-    if (o->result < 0)
-        return;
-    demand(s->phi == w->phi && s->psi == w->psi && s->x == w->x &&
-           s->z == w->z);
-    demand(is_steady(s, &o->world->p));
-}
-
 /* Only of a steady motion can these be told. */
 static void judge_is_steady(const struct outcome *o)
 {
@@ -78,9 +65,7 @@ const struct function fuzz_functions[] = {
     ROW(coin_steady_upright_spin, "Opv", USUAL, 0, 0, judge_steady, 0),
     ROW(coin_steady_circle, "Opavb", IS_STEADY, 0, 0, judge_steady, 0),
     ROW(coin_steady_radii, "spII", IS_STEADY, 0, 0, judge_is_steady, 0),
-    ROW(coin_steady_near, "spO", IS_STEADY, 0, 0, judge_near, 0),
     ROW(coin_steady_at, "spTO", IS_STEADY | BIT(COIN_ESTEP), 0, 0, judge_at, 0),
-    ROW(coin_wobble_at, "spkTO", IS_STEADY | BIT(COIN_ESTEP), 0, PLAIN),
     ROW(coin_orbit_init, "Ysp", IS_STEADY, 0, PLAIN),
     ROW(coin_orbit_at, "yTV", BIT(COIN_EARG) | BIT(COIN_ESTEP), 0, PLAIN),
     ROW(coin_stability, "sp1", IS_STEADY, 0, 0, judge_is_steady, 0),

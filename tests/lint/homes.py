@@ -34,7 +34,6 @@ OTHER_FORMS = {
     "half_period.c coin_priv_half_period_begin": "test_orbit",
     "loop.h coin_priv_safe_cosine": "test_limits",
     "orbit.c conditioning_of": "test_orbit",
-    "model.c fastest_of": "test_model",
     "orbit.c is_steady": "test_orbit",
     "orbit.c lean_at": "test_orbit",
     "orbit.c set_steady": "test_orbit",
@@ -54,8 +53,6 @@ OTHER_FORMS = {
     "step.t.h slope_at": "test_float_run",
     "symplectic.c drift": "test_symplectic",
     "symplectic.c modified_kick": "test_symplectic",
-    "wobble.c expand": "test_wobble_wells",
-    "wobble.c wobble": "test_wobble",
 }
 
 

@@ -5,7 +5,7 @@
 REAL_OUT = $(O)/real
 LAUNCHES ?= 10000
 
-.PHONY: real-study real-quasi real-cost
+.PHONY: real-study real-quasi quasi-figures real-cost
 real-study: $(REAL_OUT)/study ## coins to rest: launches, and the time by calls and tolerances
 	$< launches $(LAUNCHES)
 	$< calls
@@ -14,7 +14,15 @@ real-quasi: $(REAL_OUT)/quasi need-gnuplot need-bits ## errors of the quasi-stea
 	$< laws
 	{ $(BITS); $< csv; } >$(REAL_OUT)/quasi.csv
 	cp $(REAL_OUT)/quasi.csv $(SRC)/tests/bench/results/models_quasi.csv
-	+$(AGAIN) models-figures
+	+$(AGAIN) quasi-figures
+
+quasi-figures: need-gnuplot
+	gnuplot -e "style='$(SRC)/tests/bench/style.gpi'" \
+	    -e "from='$(SRC)/tests/bench/results'" \
+	    -e "to='$(SRC)/docs/figures'" $(SRC)/tests/real/quasi.gp
+	$(SLIM)
+
+figures: quasi-figures
 
 real-cost: $(REAL_OUT)/study $(REAL_OUT)/quasi ## instructions to rest, in textbook steps
 	STUDY=$(abspath $<) QUASI=$(abspath $(REAL_OUT)/quasi) OUT=$(abspath $(REAL_OUT)) \

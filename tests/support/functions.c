@@ -115,10 +115,6 @@ static int32_t steady_radii(void *const a[])
 {
     return coin_steady_radii(a[0], a[1], a[2], a[3]);
 }
-static int32_t steady_near(void *const a[])
-{
-    return coin_steady_near(a[0], a[1], a[2]);
-}
 static int32_t steady_at(void *const a[])
 {
     return coin_steady_at(a[0], a[1], 1, a[2]);
@@ -134,10 +130,6 @@ static int32_t orbit_at(void *const a[])
 static int32_t stability(void *const a[])
 {
     return coin_stability(a[0], a[1], a[2]);
-}
-static int32_t wobble_at(void *const a[])
-{
-    return coin_wobble_at(a[0], a[1], a[2], 1, a[3]);
 }
 
 static int32_t losses_check(void *const a[])
@@ -176,10 +168,6 @@ static int32_t slide_velocity(void *const a[])
 {
     return coin_slide_velocity(a[0], a[1], a[2]);
 }
-static int32_t model_needed(void *const a[])
-{
-    return coin_model_needed(a[0], a[1], 1, 1e-3);
-}
 
 const struct function functions[] = {
     {"coin_params_disc", "P", disc},
@@ -210,13 +198,10 @@ const struct function functions[] = {
     {"coin_steady_upright_spin", "op", upright_spin},
     {"coin_steady_circle", "op", steady_circle},
     {"coin_steady_radii", "spoo", steady_radii},
-    {"coin_steady_near", "spo", steady_near},
     {"coin_steady_at", "spo", steady_at},
     {"coin_orbit_init", "osp", orbit_init},
     {"coin_orbit_at", "bo", orbit_at},
     {"coin_stability", "spo", stability},
-    {"coin_wobble_at", "spso", wobble_at},
-    {"coin_model_needed", "sp", model_needed},
     {"coin_losses_check", "lp", losses_check},
     {"coin_losses_rates", "splo", losses_rates},
     {"coin_losses_reaction", "splo", losses_reaction},

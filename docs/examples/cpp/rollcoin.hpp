@@ -38,13 +38,6 @@ enum class method : std::int32_t {
     symplectic4 = COIN_SYMPLECTIC4
 };
 
-enum class model : std::int32_t {
-    steady = COIN_MODEL_STEADY,
-    wobble = COIN_MODEL_WOBBLE,
-    orbit = COIN_MODEL_ORBIT,
-    steps = COIN_MODEL_STEPS
-};
-
 // A negative status.  The state is then as before the call; after run(),
 // advance(), settle() and sample() it is the last good one, and what their last
 // argument points to says how far they came.
@@ -331,13 +324,6 @@ inline state steady_circle(const params &p, double theta, double wZ,
     return s;
 }
 
-inline state steady_near(const state &s, const params &p)
-{
-    state out;
-    check(coin_steady_near(&s, &p, &out));
-    return out;
-}
-
 struct radii {
     double center, contact;
 };
@@ -376,14 +362,6 @@ inline state steady_at(const state &s, const params &p, double t)
     return out;
 }
 
-inline state wobble_at(const state &steady, const params &p, const state &start,
-                       double t)
-{
-    state out;
-    check(coin_wobble_at(&steady, &p, &start, t, &out));
-    return out;
-}
-
 inline void init(orbit &o, const state &s, const params &p)
 {
     check(coin_orbit_init(&o, &s, &p));
@@ -394,12 +372,6 @@ inline state at(const orbit &o, double t)
     state out;
     check(coin_orbit_at(&o, t, &out));
     return out;
-}
-
-inline model model_needed(const state &s, const params &p, double horizon,
-                          double tol)
-{
-    return static_cast<model>(check(coin_model_needed(&s, &p, horizon, tol)));
 }
 
 // ------------------------------------------------------------------- real

@@ -113,11 +113,6 @@ pub const COIN_RK8: _bindgen_ty_4 = 1;
 pub const COIN_SYMPLECTIC2: _bindgen_ty_4 = 2;
 pub const COIN_SYMPLECTIC4: _bindgen_ty_4 = 3;
 pub type _bindgen_ty_4 = ::std::os::raw::c_uint;
-pub const COIN_MODEL_STEADY: _bindgen_ty_5 = 0;
-pub const COIN_MODEL_WOBBLE: _bindgen_ty_5 = 1;
-pub const COIN_MODEL_ORBIT: _bindgen_ty_5 = 2;
-pub const COIN_MODEL_STEPS: _bindgen_ty_5 = 3;
-pub type _bindgen_ty_5 = ::std::os::raw::c_uint;
 extern "C" {
     pub fn coin_params_disc(p: *mut coin_params, mass: f64, radius: f64, gravity: f64) -> i32;
 }
@@ -292,13 +287,6 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
-    pub fn coin_steady_near(
-        s: *const coin_state,
-        p: *const coin_params,
-        out: *mut coin_state,
-    ) -> i32;
-}
-extern "C" {
     pub fn coin_steady_radii(
         s: *const coin_state,
         p: *const coin_params,
@@ -324,27 +312,10 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
-    pub fn coin_wobble_at(
-        steady: *const coin_state,
-        p: *const coin_params,
-        start: *const coin_state,
-        t: f64,
-        out: *mut coin_state,
-    ) -> i32;
-}
-extern "C" {
     pub fn coin_orbit_init(o: *mut coin_orbit, s: *const coin_state, p: *const coin_params) -> i32;
 }
 extern "C" {
     pub fn coin_orbit_at(o: *const coin_orbit, t: f64, out: *mut coin_state) -> i32;
-}
-extern "C" {
-    pub fn coin_model_needed(
-        s: *const coin_state,
-        p: *const coin_params,
-        horizon: f64,
-        tol: f64,
-    ) -> i32;
 }
 extern "C" {
     pub fn coin_losses_check(l: *const coin_losses, p: *const coin_params) -> i32;

@@ -33,7 +33,6 @@ mod steady;
 #[cfg(test)]
 mod tests;
 
-pub use exact::Model;
 pub use ffi::{
     coin_force as Force, coin_friction as Friction, coin_losses as Losses,
     coin_orbit as Orbit, coin_params as Params, coin_slide as Slide,

@@ -32,11 +32,6 @@ impl State {
         filled(|s| unsafe { ffi::coin_steady_circle(s, p, theta, wZ, branch) })
     }
 
-    /// The steady motion nearest to this state, of the same integrals.
-    pub fn steady_near(&self, p: &Params) -> Result<State> {
-        filled(|out| unsafe { ffi::coin_steady_near(self, p, out) })
-    }
-
     /// The radii of the circles of the centre and of the contact.
     pub fn steady_radii(&self, p: &Params) -> Result<(f64, f64)> {
         filled(|out: &mut (f64, f64)| unsafe {

@@ -10,8 +10,7 @@ __all__ = ["Params", "State", "Force", "Losses", "Friction", "Slide", "Orbit",
            "Paramsf", "Statef", "Forcef", "Lossesf", "OK", "EPARAMS", "ESTATE",
            "ESTEP", "EARG", "EDOMAIN", "EFLAT", "EBUILD", "ELIFT", "ERANGE",
            "SLIPS", "LIFTS", "COARSE", "NEARLY_FLAT", "RESTS", "RK4", "RK8",
-           "SYMPLECTIC2", "SYMPLECTIC4", "MODEL_STEADY", "MODEL_WOBBLE",
-           "MODEL_ORBIT", "MODEL_STEPS"]
+           "SYMPLECTIC2", "SYMPLECTIC4"]
 
 
 class Params(Plain):
@@ -258,10 +257,6 @@ RK4 = 0
 RK8 = 1
 SYMPLECTIC2 = 2
 SYMPLECTIC4 = 3
-MODEL_STEADY = 0
-MODEL_WOBBLE = 1
-MODEL_ORBIT = 2
-MODEL_STEPS = 3
 
 # Name: (result, {argument: type})
 PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
@@ -325,8 +320,6 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
         "wY": c_double}),
     "coin_steady_circle": (c_int32, {"s": Out(State), "p": In(Params),
         "theta": c_double, "wZ": c_double, "branch": INT32}),
-    "coin_steady_near": (c_int32, {"s": In(State), "p": In(Params),
-        "out": Out(State)}),
     "coin_steady_radii": (c_int32, {"s": In(State), "p": In(Params),
         "center": Out(c_double), "contact": Out(c_double)}),
     "coin_stability": (c_int32, {"s": In(State), "p": In(Params),
@@ -335,14 +328,10 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "coin_critical_spin": (c_double, {"p": In(Params)}),
     "coin_steady_at": (c_int32, {"s": In(State), "p": In(Params),
         "t": c_double, "out": Out(State)}),
-    "coin_wobble_at": (c_int32, {"steady": In(State), "p": In(Params),
-        "start": In(State), "t": c_double, "out": Out(State)}),
     "coin_orbit_init": (c_int32, {"o": Out(Orbit), "s": In(State),
         "p": In(Params)}),
     "coin_orbit_at": (c_int32, {"o": In(Orbit), "t": c_double,
         "out": Out(State)}),
-    "coin_model_needed": (c_int32, {"s": In(State), "p": In(Params),
-        "horizon": c_double, "tol": c_double}),
     "coin_losses_check": (c_int32, {"l": In(Losses), "p": In(Params)}),
     "coin_losses_power": (c_double, {"s": In(State), "p": In(Params),
         "l": In(Losses)}),

@@ -11,7 +11,7 @@ from ._declarations import Losses, Orbit, Params, State
 from ._library import lib
 from ._tables import Coin, Status, coin, give, times
 
-__all__ = ["orbit", "orbit_at", "quasisteady_at", "steady_at", "wobble_at"]
+__all__ = ["orbit", "orbit_at", "quasisteady_at", "steady_at"]
 
 
 def _at(name: str, inputs: Any, t: Any, status: Status) -> Any:
@@ -25,14 +25,6 @@ def _at(name: str, inputs: Any, t: Any, status: Status) -> Any:
 def steady_at(s: Coin, p: Params, t: Any, *, status: Status = None) -> Any:
     """The state of a steady motion at any time.  coin_steady_at()"""
     return _at("steady_at", (coin(s, State), p), t, status)
-
-
-def wobble_at(steady: Coin, p: Params, start: Coin, t: Any, *,
-              status: Status = None) -> Any:
-    """The state of a small wobble about a steady motion, at any time.
-    coin_wobble_at()"""
-    return _at("wobble_at", (coin(steady, State), p, coin(start, State)), t,
-               status)
 
 
 def orbit(s: Coin, p: Params) -> Orbit:

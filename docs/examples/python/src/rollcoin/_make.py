@@ -13,7 +13,7 @@ from ._tables import (AnyLosses, AnyParams, Coin, Coins, Status, coin, function,
 __all__ = ["body", "bodyf", "disc", "discf", "losses_check", "losses_fit",
            "params_check", "ring", "ringf", "state_check",
            "state_from_landing", "state_from_motion", "steady_circle",
-           "steady_near", "steady_roll", "steady_spin", "steady_upright_spin"]
+           "steady_roll", "steady_spin", "steady_upright_spin"]
 
 
 # ------------------------------------------------------------------- parameters
@@ -149,12 +149,6 @@ def steady_circle(p: Params, theta: float, wZ: float,
     s = State()
     lib.coin_steady_circle(s, p, theta, wZ, branch)
     return s
-
-
-def steady_near(s: Coins, p: Params, *, status: Status = None) -> Any:
-    """The steady motion nearest to a state, of the same two integrals.
-    coin_steady_near()"""
-    return read("steady_near", s, p, status=status)
 
 
 # ----------------------------------------------------------------------- losses

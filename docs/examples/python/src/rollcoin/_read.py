@@ -17,7 +17,7 @@ from ._tables import AnyParams, Coins, Status, read
 __all__ = ["angular_velocity", "axes", "center", "check", "contact",
            "critical_roll", "critical_spin", "energy", "integrals",
            "losses_power", "losses_rates", "losses_reaction", "matrix",
-           "model_needed", "quaternion", "rates", "reaction",
+           "quaternion", "rates", "reaction",
            "stability", "steady_radii", "time_to_rest", "velocity"]
 
 
@@ -137,12 +137,3 @@ def time_to_rest(s: Coins, p: Params, losses: Losses, *,
     """The time until a coin near a steady motion lies flat; infinity if
     nothing stops it.  coin_time_to_rest()"""
     return read("time_to_rest", s, p, losses, status=status)
-
-
-# -------------------------------------------------------------- steps and models
-def model_needed(s: Coins, p: Params, horizon: float, tol: float, *,
-                 status: Status = None) -> Any:
-    """The cheapest model that keeps the pose within tol for so long:
-    MODEL_STEADY, MODEL_WOBBLE, MODEL_ORBIT or MODEL_STEPS.
-    coin_model_needed()"""
-    return read("model_needed", s, p, horizon, tol, status=status)

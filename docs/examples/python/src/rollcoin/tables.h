@@ -34,8 +34,6 @@ EACH(each_coin_matrix, (const coin_state *s, const coin_params *p, double *m),
 EACH(each_coin_advance_until, (coin_state *s, const coin_params *p, double t,
      double tol, double mu, int32_t bits, double *reached),
      coin_advance_until(s + i, p, t, tol, mu, bits, reached + i))
-EACH(each_coin_steady_near, (const coin_state *s, const coin_params *p,
-     coin_state *out), coin_steady_near(s + i, p, out + i))
 EACH(each_coin_steady_radii, (const coin_state *s, const coin_params *p,
      double *center, double *contact), coin_steady_radii(s + i, p, center + i,
      contact + i))
@@ -45,13 +43,8 @@ EACH(each_coin_steady_at, (const coin_state *s, const coin_params *p, double t,
      coin_state *out), coin_steady_at(s + i, p, t, out + i))
 EACH(times_coin_steady_at, (const coin_state *s, const coin_params *p,
      const double *t, coin_state *out), coin_steady_at(s, p, t[i], out + i))
-EACH(times_coin_wobble_at, (const coin_state *steady, const coin_params *p,
-     const coin_state *start, const double *t, coin_state *out),
-     coin_wobble_at(steady, p, start, t[i], out + i))
 EACH(times_coin_orbit_at, (const coin_orbit *o, const double *t,
      coin_state *out), coin_orbit_at(o, t[i], out + i))
-EACH(each_coin_model_needed, (const coin_state *s, const coin_params *p,
-     double horizon, double tol), coin_model_needed(s + i, p, horizon, tol))
 EACH_NUMBER(coin_losses_power, double, (const coin_state *s,
      const coin_params *p, const coin_losses *l), (s + i, p, l))
 EACH(each_coin_losses_rates, (const coin_state *s, const coin_params *p,
