@@ -34,6 +34,10 @@ $(foreach f,$(FOLDERS),$(if $(word 2,x$($f)x),\
 $(if $(wildcard $(SRC)/include/coin.h),,\
     $(error make cannot work with a blank in the name of the sources' folder))
 
+# What Python and Rust leave among the sources is packed and installed nowhere.
+SOURCES_ONLY := -type f ! -path '*/__pycache__/*' ! -path '*/rust/target/*' \
+                ! -name Cargo.lock ! -name _native.so
+
 INSTALL      ?= install
 LDCONFIG     ?= ldconfig
 PKG_CONFIG   ?= pkg-config
@@ -49,6 +53,10 @@ VERSION    := $(shell sed -n 's/^\#define COIN_VERSION_[MP][A-Z]* //p' \
                       $(SRC)/include/coin.h | paste -sd. -)
 SOVERSION  := $(if $(filter 0.%,$(VERSION)),$(basename $(VERSION)),\
                  $(ABI_NUMBER))
+# The date of the newest section of CHANGELOG.md: that of the manual page and of
+# the files in the tarball.
+DATE        = $(shell sed -n '/^\#\# /{s/.*\([0-9]\{4\}-..-..\).*/\1/p;q;}' \
+                $(SRC)/CHANGELOG.md)
 
 # ------------------------------------------------------------------------ flags
 # The user's flags come first and ours last, so that no -ffp-contract=fast or
@@ -258,38 +266,33 @@ need-cmocka:
 include $(wildcard $(SRC)/tests/*/*.mk)
 
 # ----------------------------------------------------------- tarball, packaging
-# In a git tree a release holds the tracked files and carries the date of the
-# last commit; in an unpacked release it holds the same folders, and its files
-# keep that date.  distcheck proves the two ways equal.
-TARBALL := $(O)/rollcoin-$(VERSION).tar.xz
-SINGLES := $(O)/rollcoin-single-$(VERSION).tar.xz
-BUILT   := docs/page/index.html
-FILES    = cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
-           .clang-format .gitignore CHANGELOG.md LICENSE Makefile README.md \
-           docs include lib pkgconfig tests -type f \
-           ! -path '*/__pycache__/*'; fi | grep -vx $(BUILT)
-EPOCH    = $(or $(SOURCE_DATE_EPOCH),$(shell cd $(SRC) && if test -e .git; \
-           then git log -1 --format=%ct; else stat -c %Y Makefile; fi))
+# In a git tree a release holds the tracked files, in an unpacked release those
+# of the same folders.  distcheck proves the two ways equal.
+NAME    := rollcoin-$(VERSION)
+SINGLES := rollcoin-single-$(VERSION)
+TARBALL := $(O)/$(NAME).tar.xz
+PACKED   = --no-recursion --format=ustar --mtime='$(DATE) 00:00Z' --owner=0 \
+           --group=0 --numeric-owner --mode=u=rwX,go=rX
 
-# Files of a kind lie together, like kinds side by side, which saves 1 %.  The
-# page, which is made and does not pack, is a file of its own.
-KINDS  = md h c hpp cpp rs js mjs html py mk sh txt gp gpi
-PACKED = --no-recursion --format=ustar --mtime=@$(EPOCH) --owner=0 --group=0 \
-         --numeric-owner --mode=u=rwX,go=rX
+.PHONY: dist need-dist distcheck installcheck consumers hwcaps debian-check \
+        windows
+dist: need-dist $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, and the single header's
+	cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
+	    .clang-format .gitignore CHANGELOG.md LICENSE Makefile README.md docs \
+	    include lib pkgconfig tests $(SOURCES_ONLY); fi >$(abspath $(O)/files)
+	LC_ALL=C sort -o $(O)/files $(O)/files
+	tar -C $(SRC) -cf $(O)/$(NAME).tar $(PACKED) -T $(O)/files \
+	    --transform='flags=r;s,^,$(NAME)/,'
+	tar -C $(O)/single -cf $(O)/$(SINGLES).tar $(PACKED) README.md coin.h \
+	    coinf.h --transform='flags=r;s,^,$(SINGLES)/,'
+	xz -fT1 $(O)/$(NAME).tar $(O)/$(SINGLES).tar
+	wc -c $(TARBALL) $(O)/$(SINGLES).tar.xz
+	test $$(wc -c <$(TARBALL)) -le 3000000 || echo 'warning: more than 3 MB'
 
-.PHONY: dist distcheck installcheck consumers hwcaps debian-check windows
-dist: $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, the single header's, the page
-	($(FILES)) | awk -F. 'BEGIN { n = split("$(KINDS)", e, " "); \
-	    for (i = 1; i <= n; ++i) k[e[i]] = i + 10 } \
-	    { print ($$NF in k ? k[$$NF] : n + 11), $$NF, $$0 }' | \
-	    LC_ALL=C sort | sed 's/^[^ ]* [^ ]* //' >$(O)/files
-	tar -C $(SRC) -cf $(TARBALL:.xz=) $(PACKED) -T $(O)/files \
-	    --transform='flags=r;s,^,rollcoin-$(VERSION)/,'
-	tar -C $(O)/single -cf $(SINGLES:.xz=) $(PACKED) README.md coin.h coinf.h \
-	    --transform='flags=r;s,^,rollcoin-single-$(VERSION)/,'
-	xz -fT1 --lzma2=preset=9e,pb=0,lc=4 $(TARBALL:.xz=) $(SINGLES:.xz=)
-	test ! -e $(SRC)/$(BUILT) || \
-	    cp $(SRC)/$(BUILT) $(O)/rollcoin-page-$(VERSION).html
+need-dist:
+	for tool in xz $(if $(wildcard $(SRC)/.git),git); do command -v $$tool \
+	    >/dev/null || { echo "make dist needs xz, and in a clone git: sudo" \
+	    "apt-get install xz-utils git" >&2; exit 1; }; done
 
 # What gates are told: this Makefile, and where to work.
 GATE  = MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' SRC='$(SRC)' \
@@ -297,7 +300,9 @@ GATE  = MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' SRC='$(SRC)' \
 AGAIN = $(MAKE) --no-print-directory -f $(SRC)/Makefile
 
 installcheck: all ## install, build a client by pkg-config, uninstall
-	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/install.sh
+	+$(GATE) SOVERSION=$(SOVERSION) CXX='$(CXX)' \
+	    sh $(SRC)/tests/install/install.sh
+	+$(GATE) sh $(SRC)/tests/install/plain.sh
 
 consumers: all ## CMake and Meson find it; CMake builds the same bits
 	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/consumers.sh

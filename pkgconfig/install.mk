@@ -43,11 +43,9 @@ $(CMAKE_FILES:%=$(O)/%): $(O)/%: $(SRC)/pkgconfig/cmake/%.in force | $(O)
 	$(FILL) $< >$@.$$PPID
 	$(if_new)
 
-# A manual page from the groups of coin.h; date is GNU's or BSD's.
+# A manual page from the groups of coin.h.
 $(O)/rollcoin.3: $(SRC)/lib/about/man.awk $(SRC)/include/coin.h force | $(O)
-	export LC_ALL=C && date=$$(date -u -d @$(EPOCH) +%F 2>/dev/null || \
-	    date -u -r $(EPOCH) +%F) && awk -v version=$(VERSION) \
-	    -v date=$$date -v docs=$(DOCDIR) \
+	LC_ALL=C awk -v version=$(VERSION) -v date=$(DATE) -v docs=$(DOCDIR) \
 	    -f $(filter-out force,$^) >$@.$$PPID
 	$(if_new)
 
@@ -65,22 +63,26 @@ $(LEVELS:%=$(O)/hwcaps/%/$(REAL_SO)): $(O)/hwcaps/%/$(REAL_SO): force
 # ------------------------------------------------------------ places, and files
 # install puts the files of a place there, uninstall removes just these.  One
 # folder may be several places.
-DOCS   := $(SRC)/docs
 PLACES := $(INCLUDEDIR) $(LIBDIR) $(RUNDIR) $(PKGCONFIGDIR) $(CMAKEDIR) \
-          $(MANDIR)/man3 $(DOCDIR) $(DOCDIR)/docs $(DOCDIR)/docs/figures \
-          $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%)
+          $(MANDIR)/man3 $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%)
 
-in.$(INCLUDEDIR)   += $(SRC)/include/coin.h $(SRC)/include/coinf.h
+in.$(INCLUDEDIR)   += $(addprefix $(SRC)/,include/coin.h include/coinf.h \
+                        docs/examples/cpp/rollcoin.hpp)
 in.$(PKGCONFIGDIR) += $(O)/rollcoin.pc
 in.$(CMAKEDIR)     += $(addprefix $(O)/,$(CMAKE_FILES))
 in.$(MANDIR)/man3  += $(O)/rollcoin.3
-in.$(DOCDIR)       += $(addprefix $(SRC)/,README.md CHANGELOG.md LICENSE)
-in.$(DOCDIR)/docs  += $(wildcard $(DOCS)/*.md)
-in.$(DOCDIR)/docs/figures += $(wildcard $(DOCS)/figures/*.[sp][vn]g)
 in.$(LIBDIR)       += $(LIB_A) $(addprefix $(O)/,$(IMPORT))
 in.$(RUNDIR)       += $(O)/$(REAL_SO)
 $(foreach level,$(LEVELS),$(eval \
     in.$(LIBDIR)/glibc-hwcaps/$(level) = $(O)/hwcaps/$(level)/$(REAL_SO)))
+
+# The pages, and what they link to, each in a folder of the name that it has here.
+DOCUMENTS := $(shell cd $(SRC) && find README.md CHANGELOG.md LICENSE docs/*.md \
+               docs/figures docs/examples docs/page/index.html include/coin.h \
+               $(SOURCES_ONLY))
+PLACES    += $(addprefix $(DOCDIR)/,$(dir $(DOCUMENTS)))
+$(foreach file,$(DOCUMENTS),$(eval \
+    in.$(DOCDIR)/$(dir $(file)) += $(SRC)/$(file)))
 
 # Folders, each with a shared library and its links.
 WITH_LINKS = $(addprefix $(DESTDIR),$(RUNDIR) \
@@ -114,7 +116,7 @@ uninstall: ## remove what install put there
 	$(foreach place,$(sort $(PLACES)),$(call take,$(place)))
 	for folder in $(WITH_LINKS); do for link in $(SO_LINKS); do \
 	    rm -f $$folder/$$link; done; done
-	-rmdir $(addprefix $(DESTDIR),$(CMAKEDIR) $(DOCDIR)/docs/figures \
-	    $(DOCDIR)/docs $(DOCDIR) $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%)) \
-	    2>/dev/null
+	-rmdir $(addprefix $(DESTDIR),$(CMAKEDIR) \
+	    $(LEVELS:%=$(LIBDIR)/glibc-hwcaps/%)) 2>/dev/null
+	-find $(DESTDIR)$(DOCDIR) -depth -type d -exec rmdir {} \; 2>/dev/null
 	$(TELL_LINKER)

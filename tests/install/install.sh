@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs as a user does and as a packager does; builds and runs a client
 # through pkg-config against the shared and the static library; uninstalls.
-# From `make installcheck`: MAKE CC PKG_CONFIG SRC OUT VERSION SOVERSION.
+# From `make installcheck`: MAKE CC CXX PKG_CONFIG SRC OUT VERSION SOVERSION.
 set -eu
 client=$SRC/tests/install/client.c
 work=$OUT/installcheck
@@ -12,7 +12,7 @@ mkdir -p "$work"
 die() { echo "installcheck: $*" >&2; exit 1; }
 
 # The files and links below a folder must be just those of the library, in
-# include/ and in $2, and of its documentation.
+# include/ and in $2, beside its documentation.
 files_are()
 {
     share=${2%%/lib*}/share
@@ -20,16 +20,15 @@ files_are()
         for file in "$2/librollcoin.a" "$2/librollcoin.so" \
             "$2/librollcoin.so.$SOVERSION" "$2/librollcoin.so.$VERSION" \
             "$2/pkgconfig/rollcoin.pc" "${2%%/lib*}/include/coin.h" \
-            "${2%%/lib*}/include/coinf.h" "$share/man/man3/rollcoin.3" \
+            "${2%%/lib*}/include/coinf.h" "${2%%/lib*}/include/rollcoin.hpp" \
+            "$share/man/man3/rollcoin.3" \
             "$2/cmake/rollcoin/rollcoin-config.cmake" \
             "$2/cmake/rollcoin/rollcoin-config-version.cmake"; do
             echo "$file"
         done
-        (cd "$SRC" && ls README.md CHANGELOG.md LICENSE docs/*.md \
-            docs/figures/*.svg docs/figures/*.png) |
-            sed "s,^,$share/doc/rollcoin/,"
     } | LC_ALL=C sort >"$work/expected"
-    (cd "$1" && find . ! -type d | sed 's/^.//' | LC_ALL=C sort) >"$work/found"
+    (cd "$1" && find . ! -type d ! -path "*/share/doc/*" | sed 's/^.//' |
+        LC_ALL=C sort) >"$work/found"
     diff "$work/expected" "$work/found" || die "wrong files below $1"
 }
 
@@ -53,14 +52,33 @@ clients_run()
     ! readelf -d "$work/client" | grep -q NEEDED || die "not static"
 }
 
-# Every page of docs/ that a header names is installed.
+# Every page of docs/ that a header names is installed, and all that the pages
+# link to.
 docs_are_there()
 {
+    (cd "$1" && find . -name '*.md' | while read -r page; do
+        grep -o '](\([^):#]*\)[#)]' "$page" | sed 's/^](//; s/.$//' |
+            while read -r link; do
+                test -e "${page%/*}/$link" || echo "$page: no $link"
+            done
+    done) >"$work/dead"
+    test ! -s "$work/dead" || { cat "$work/dead"; die "dead links"; }
     grep -oh 'docs/[a-z]*\.md' "$SRC"/include/*.h | sort -u >"$work/named"
     test -s "$work/named" || die "the headers name no page"
     while read -r page; do
         test -s "$1/$page" || die "$page is named by a header, and not there"
     done <"$work/named"
+}
+
+# A program in C++ includes rollcoin.hpp, with pkg-config set up by the caller.
+wrapper_is_found()
+{
+    echo '#include <rollcoin.hpp>
+        int main() { rollcoin::selftest(); }' |
+        # shellcheck disable=SC2046
+        $CXX -std=c++17 -x c++ - -o "$work/wrapped" \
+            $($PKG_CONFIG --cflags --libs rollcoin) &&
+        LD_LIBRARY_PATH=$1 "$work/wrapped" || die "no rollcoin.hpp"
 }
 
 # A plugin takes the static library in, which is position-independent, and
@@ -119,7 +137,11 @@ mandoc -T lint "$page" >"$work/log" && test ! -s "$work/log" ||
 test "$(grep -cE '^(u?int32_t|double|const char) \*?coin_' "$page")" = \
     "$(grep -c '^COIN_API' "$SRC/include/coin.h")" ||
     die "rollcoin(3) has not each function of coin.h"
-(export PKG_CONFIG_LIBDIR="$prefix/lib/pkgconfig"; clients_run "$prefix/lib")
+(
+    export PKG_CONFIG_LIBDIR="$prefix/lib/pkgconfig"
+    clients_run "$prefix/lib"
+    wrapper_is_found "$prefix/lib"
+)
 $run uninstall
 test -z "$(find "$prefix" ! -type d)" || die "uninstall leaves files"
 rm -f "$work/told"

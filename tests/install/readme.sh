@@ -5,14 +5,11 @@
 # machine of its own; the library is removed again.
 set -eu
 cd "$(dirname "$0")/../.."
+SRC=.
+. tests/install/fenced.sh
 root=
 test "$(id -u)" = 0 || root=sudo
 work=$(mktemp -d)
-fenced()
-{
-    sed -n '/^## Ten lines/,/^## Test it/p' README.md |
-        sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/{/^\`/d;p}"
-}
 fenced c >"$work/roll.c"
 fenced text >"$work/expected"
 test -s "$work/expected"
