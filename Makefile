@@ -141,16 +141,17 @@ all: $(LIB_A) $(LIB_SO) ## the static and the shared library
 
 # One set of objects for both, so that a plugin can take the static one in.
 $(O)/objects/%.o: %.c $(O)/flags | $(O)/objects
-	echo "CC  $(@F)"
 	cd $(SRC) && $(CC_LIB) -fPIC $(DEPENDS) -c -o $(abspath $@) $<
 
 # Removed first: ar would keep the object of a source that is gone.
 $(LIB_A): $(OBJECTS)
 	rm -f $@
 	$(AR) $(AR_AS) $@ $(OBJECTS)
+	echo $@
 
 $(O)/$(REAL_SO): $(OBJECTS) $(EXPORTS) $(SRC)/Makefile
 	$(CC_LIB) $(LDFLAGS) -o $@ $(OBJECTS) $(TO_SHARED) -lm
+	echo $@
 
 # The name to link to comes with the name to load.
 $(LIB_SO): $(addprefix $(O)/,$(firstword $(SO_LINKS)))
@@ -218,10 +219,8 @@ TEST_FILES := $(foreach t,$(TESTS),$(or $(wildcard $(SRC)/$t),$t))
 TEST_PROGS := $(TEST_FILES:$(SRC)/%.c=$(O)/%)
 TEST_EXTRA := $(patsubst $(SRC)/%.c,$(O)/%.o,\
                          $(wildcard $(SRC)/tests/support/*.c))
-# Asked when the first test is compiled, and once.
-CMOCKA      = $(eval CMOCKA := $$(shell $(PKG_CONFIG) --cflags cmocka))$(CMOCKA)
-CMOCKA_LIBS = $(eval CMOCKA_LIBS := $$(shell \
-                $(PKG_CONFIG) --libs cmocka))$(CMOCKA_LIBS)
+CMOCKA      = $$($(PKG_CONFIG) --cflags cmocka)
+CMOCKA_LIBS = $$($(PKG_CONFIG) --libs cmocka)
 
 # What runs a test: nothing, or valgrind.
 TEST_RUNNER ?=
@@ -235,21 +234,16 @@ $(TEST_LOGS): %.log: % force
 
 .PHONY: check checked build-tests need-cmocka
 check: ## run the tests, or those that TESTS names
+	echo "$(words $(TEST_PROGS)) test programs are built and run"
 	+$(AGAIN) checked $(if $(filter -j%,$(MAKEFLAGS)),, \
 	    -j$$(getconf _NPROCESSORS_ONLN))
 
 checked: $(TEST_LOGS)
-	failed=; logs=; for t in $(TEST_PROGS); do if test -e $$t.failed; \
-	    then logs="$$logs $$t.failed"; failed="$$failed $${t##*/}"; \
-	    else logs="$$logs $$t.log"; fi; done; cat $$logs /dev/null; \
-	set -- $(TEST_PROGS); test $$# -gt 0 || failed=" no test program"; \
-	test -z "$$failed" || { echo "FAILED:$$failed"; exit 1; }; \
-	echo "all $$# test programs passed"
+	sh $(SRC)/tests/report.sh $(TEST_PROGS)
 
 build-tests: $(TEST_PROGS)
 
 $(O)/tests/%.o: $(SRC)/tests/%.c $(O)/flags | $(O)/tests/support need-cmocka
-	echo "CC  $(@F)"
 	$(CC_TEST) $(CMOCKA) $(DEPENDS) -c -o $@ $<
 
 # The library that the tests are linked to: one file, or nothing here.

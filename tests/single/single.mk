@@ -6,5 +6,5 @@
 single-check: dist build-tests ## all tests on the single header, as C and C++
 	+$(GATE) SINGLE=$(abspath $(SINGLE)) RELEASE=$(abspath $(SINGLES)) PROGS='$(abspath $(TEST_PROGS))' \
 	    SUPPORT='$(abspath $(TEST_EXTRA))' SEES='$(subst ','\'',$(TEST_SEES))' \
-	    CMOCKA='$(CMOCKA)' CMOCKA_LIBS='$(CMOCKA_LIBS)' \
+	    CMOCKA="$(CMOCKA)" CMOCKA_LIBS="$(CMOCKA_LIBS)" \
 	    sh $(SRC)/tests/single/single.sh
