@@ -315,34 +315,37 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 	+$(GATE) TARBALL=$(abspath $(TARBALL)) sh $(SRC)/tests/install/dist.sh
 
 # ------------------------------------------------------------------------ gates
-# A gate whose tool is missing fails.  Three tiers, the quick gates first; each
-# tier begins with those before it.
-GATES_COMMIT  := check format-check lint-quick
-GATES_PUSH    := header-check examples demo-check float-check installcheck \
+# A gate whose tool is missing fails.  Four tiers, the quick gates first; each
+# tier begins with those before it.  .ci/run runs the first three.
+GATES_commit  := check format-check lint-quick
+GATES_push    := header-check examples demo-check float-check installcheck \
                  consumers hwcaps lanes abi pictures-check page-check \
                  bindings distcheck lint sanitize coverage
-GATES_RELEASE := adversary bound debian-check tsan abi-seeds bindings-seeds \
+GATES_merge   := adversary bound debian-check tsan abi-seeds bindings-seeds \
                  sweeps endurance fuzz windows msan repro valgrind \
                  single-check cross firmware
-GATES_HAND    := mutants results-check
-GATES = $(GATES_COMMIT) $(GATES_PUSH) $(GATES_RELEASE)
+GATES_release := results-check mutants
+GATES_CI       = $(GATES_commit) $(GATES_push) $(GATES_merge)
 # Gates that keep one processor busy, and do not touch what others make.
 GATES_BESIDE  := bindings bound consumers hwcaps pictures-check page-check \
                  demo-check float-check installcheck bindings-seeds
 EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done
 
-.PHONY: before-commit before-push before-release list-gates
+.PHONY: before-commit before-push before-merge before-release list-gates
 before-commit: ## the gates of a commit: under a minute
-	+$(call EACH,$(GATES_COMMIT))
+	+$(call EACH,$(GATES_commit))
 
 before-push: before-commit ## those and the gates of a push: some minutes
-	+$(call EACH,$(GATES_PUSH))
+	+$(call EACH,$(GATES_push))
 
-before-release: before-push ## every gate of CI: half an hour
-	+$(call EACH,$(GATES_RELEASE))
+before-merge: before-push ## every gate of CI: half an hour
+	+$(call EACH,$(GATES_merge))
+
+before-release: before-merge ## those, the results and all mutants: over an hour
+	+$(call EACH,$(GATES_release))
 
 list-gates list-gates-beside: # their names, for .ci/run
-	echo $(if $(filter %-beside,$@),$(GATES_BESIDE),$(GATES))
+	echo $(if $(filter %-beside,$@),$(GATES_BESIDE),$(GATES_CI))
 
 .PHONY: sanitize valgrind coverage lint lint-quick header-check repro repro-update
 # Where a step takes long, the tests of a million steps are skipped: they run no
@@ -405,15 +408,12 @@ clean: ## remove the products
 help: ## this list
 	list() { for target; do sed -n "s/^$$target:.*## \(.*\)/  $$target\t\1/p" \
 	    $(HELP_FROM); done | expand -t 18; }; \
-	echo 'Before a commit, under a minute: make before-commit'; \
-	list $(GATES_COMMIT); \
-	echo 'Before a push, some minutes: make before-push, which adds'; \
-	list $(GATES_PUSH); \
-	echo 'Before a release, half an hour: make before-release, which adds'; \
-	list $(GATES_RELEASE); \
-	echo 'By hand before a release: too long for CI, or for a quiet machine'; \
-	list $(GATES_HAND); \
-	echo 'Products, measurements and updates'; \
-	list $(filter-out $(GATES) $(GATES_HAND),$(HELP_TARGETS))
+	list $(FIRST); \
+	$(foreach tier,commit push merge release,echo; list before-$(tier) | \
+	    sed 's/^ /make/'; list $(GATES_$(tier));) \
+	echo; echo 'Products, measurements and updates'; \
+	list $(filter-out $(FIRST) before-% $(GATES_CI) $(GATES_release),\
+	    $(HELP_TARGETS))
+FIRST        = all demo check install
 HELP_FROM    = $(filter-out %.d,$(MAKEFILE_LIST))
 HELP_TARGETS = $(shell sed -n 's/^\([a-z-]*\):.*\#\# .*/\1/p' $(HELP_FROM))

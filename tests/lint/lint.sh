@@ -23,8 +23,6 @@ run "mutants' texts" python3 "$SRC/tests/mutants/mutants.py" "$SRC"
 run "citations" python3 "$here/citations.py" "$SRC"
 run "tables of measurements" python3 "$SRC/tests/bench/summary.py" \
     "$SRC/tests/bench/results" "$SRC/docs/accuracy.md" "$SRC/docs/limits.md" --check
-run "bits of the measurements" sh "$SRC/tests/bench/bits.sh" "$SRC" \
-    "$SRC/tests/bench/results" warn
 run "quotes of tables" python3 "$here/quotes.py" "$SRC"
 run "text" sh "$here/text.sh"
 run "public symbols" sh "$here/symbols.sh"

@@ -58,24 +58,11 @@ look()
         "and constants, $2 of writable data"
 }
 
-# README.md says how many kB of code and constants the library has at most: with
-# a tenth to spare it says nothing.
-quoted()
-{
-    most=$(sed -n 's/.*| less than \([0-9]*\) kB, in a program.*/\1/p' \
-        "$SRC/README.md")
-    set -- $(holds "$@")
-    test -n "$most" && test "$1" -lt $((most * 1000)) &&
-        test "$1" -gt $((most * 900)) ||
-        { echo "README.md: less than $most kB for $1 bytes"; status=1; }
-}
-
 if test $# -gt 0; then
     look "$@"
 else
     # Those of the library: the folder may hold one of a source that is gone.
     set -- $(ar t "$OUT/librollcoin.a" | sed "s,^,$OUT/objects/,")
     look the "$@"
-    quoted "$@"
 fi
 exit $status
