@@ -40,13 +40,13 @@ static int32_t move(int how, coinf_state *s, const coinf_params *p, float dt,
 {
     if (how == 0)
         return coinf_step(s, p, dt);
-    return coinf_run(s, p, how == 1 ? COIN_RK4 : COIN_SYMPLECTIC2, dt, 3, done);
+    return coinf_run(s, p, COIN_RK4, dt, 3, done);
 }
 
 static void refused(const coinf_state *s, const coinf_params *p, float dt,
                     int32_t want)
 {
-    for (int how = 0; how < 3; ++how) {
+    for (int how = 0; how < 2; ++how) {
         coinf_state moved = *s;
         uint64_t done = UNTOUCHED;
         check_status(move(how, &moved, p, dt, &done), want);
@@ -58,7 +58,8 @@ static void refused(const coinf_state *s, const coinf_params *p, float dt,
 static void null_pointers_and_unknown_methods_are_refused(void **unused)
 {
     (void)unused;
-    const int32_t unknown[] = {-1, COIN_RK8, COIN_SYMPLECTIC4, 4, 1000};
+    const int32_t unknown[] = {-1, COIN_RK8, COIN_SYMPLECTIC2, COIN_SYMPLECTIC4,
+                               4,  1000};
     coinf_state s = good;
     check_status(coinf_step(NULL, &body, 0.01f), COIN_EARG);
     check_status(coinf_step(&s, NULL, 0.01f), COIN_EARG);
@@ -168,25 +169,21 @@ static void a_time_of_0_and_0_steps_change_nothing(void **unused)
 }
 
 /* |dt| W at the start is units. */
-static int32_t step_of(float units, int32_t method)
+static int32_t step_of(float units)
 {
     const coinf_state upright = {0, 0, 0, 0, 0, 0, 0, sqrtf(3), {0}};
     coinf_state s = upright;
-    return coinf_run(&s, &body, method, units / 2, 1, NULL);
+    return coinf_step(&s, &body, units / 2);
 }
 
 static void coarse_steps_are_reported_and_coarser_ones_refused(void **unused)
 {
     (void)unused;
-    check_status(step_of(0.349f, COIN_RK4), COIN_OK);
-    check_status(step_of(0.351f, COIN_RK4), COIN_COARSE);
-    check_status(step_of(-1.19f, COIN_RK4), COIN_COARSE);
-    check_status(step_of(1.21f, COIN_RK4), COIN_ESTEP);
-    check_status(step_of(0.0799f, COIN_SYMPLECTIC2), COIN_OK);
-    check_status(step_of(0.0801f, COIN_SYMPLECTIC2), COIN_COARSE);
-    check_status(step_of(-0.99f, COIN_SYMPLECTIC2), COIN_COARSE);
-    check_status(step_of(1.01f, COIN_SYMPLECTIC2), COIN_ESTEP);
-    check_status(step_of(1e30f, COIN_RK4), COIN_ESTEP);
+    check_status(step_of(0.349f), COIN_OK);
+    check_status(step_of(0.351f), COIN_COARSE);
+    check_status(step_of(-1.19f), COIN_COARSE);
+    check_status(step_of(1.21f), COIN_ESTEP);
+    check_status(step_of(1e30f), COIN_ESTEP);
 }
 
 /* Steps near the limit: where one ends, W may not be beyond it either, but for
@@ -200,11 +197,10 @@ static void a_step_does_not_end_far_beyond_the_limit(void **unused)
         const coinf_params p = {1, 1, 0.01f, 0.25f, 0.5f, {0, 0, 0}};
         const coin_params d = doubles_params(&p);
         const coin_state from = random_state(&r, &d, 0.5);
-        const int32_t method = i % 2 ? COIN_RK4 : COIN_SYMPLECTIC2;
-        const double most = i % 2 ? 1.2 : 1.0;
+        const double most = 1.2;
         const float dt = (float)(0.99 * most / fastest_rate(&from, &d));
         coinf_state s = floats_state(&from);
-        if (coinf_run(&s, &p, method, dt, 1, NULL) < 0) {
+        if (coinf_step(&s, &p, dt) < 0) {
             ++refused;
             continue;
         }
@@ -244,53 +240,41 @@ static void a_step_is_coarse_if_it_begins_or_ends_above_the_limit(void **unused)
 {
     (void)unused;
     const coin_params d = doubles_params(&body);
-    for (int k = 0; k < 2; ++k) {
-        const int32_t method = k ? COIN_SYMPLECTIC2 : COIN_RK4;
-        const double limit = k ? 0.08 : 0.35;
-        int down = 0, up = 0, fine = 0;
-        for (float dt = 0.004f; dt < 0.1f; dt *= 1.07f) {
-            coinf_state s = {0.3f, 0, 0, 0, 0, 0, 0.1f, 0.1f, {0}};
-            for (float t = 0; t < 5; t += dt) {
-                const coin_state from = doubles_state(&s);
-                const int32_t status = coinf_run(&s, &body, method, dt, 1, 0);
-                const coin_state to = doubles_state(&s);
-                const double begin = dt * fastest_rate(&from, &d) / limit;
-                const double end = dt * fastest_rate(&to, &d) / limit;
-                check_note("method %d, dt = %g, %g to %g", k, dt, begin, end);
-                if (status < 0)
-                    break;
-                if (begin > 1.0001 || end > 1.05)
-                    check_status(status, COIN_COARSE);
-                if (begin < 0.9999 && end < 0.95)
-                    check_status(status, COIN_OK);
-                down += begin < 0.9999 && end > 1.05;
-                up += begin > 1.0001 && end < 0.95;
-                fine += begin < 0.9999 && end < 0.95;
-            }
+    const double limit = 0.35;
+    int down = 0, up = 0, fine = 0;
+    for (float dt = 0.004f; dt < 0.1f; dt *= 1.07f) {
+        coinf_state s = {0.3f, 0, 0, 0, 0, 0, 0.1f, 0.1f, {0}};
+        for (float t = 0; t < 5; t += dt) {
+            const coin_state from = doubles_state(&s);
+            const int32_t status = coinf_step(&s, &body, dt);
+            const coin_state to = doubles_state(&s);
+            const double begin = dt * fastest_rate(&from, &d) / limit;
+            const double end = dt * fastest_rate(&to, &d) / limit;
+            check_note("dt = %g, %g to %g", dt, begin, end);
+            if (status < 0)
+                break;
+            if (begin > 1.0001 || end > 1.05)
+                check_status(status, COIN_COARSE);
+            if (begin < 0.9999 && end < 0.95)
+                check_status(status, COIN_OK);
+            down += begin < 0.9999 && end > 1.05;
+            up += begin > 1.0001 && end < 0.95;
+            fine += begin < 0.9999 && end < 0.95;
         }
-        check(down > 0 && up > 0 && fine > 0);
     }
+    check(down > 0 && up > 0 && fine > 0);
 }
 
-/* From rest at 1.5 rad a step of 0.9 leads through the table; a drift may be
- * beyond its series; and a step that ends nearer to pi/2 than half the last
- * digit is refused by the digit. */
+/* From rest at 1.5 rad a step of 0.9 leads through the table; and a step that
+ * ends nearer to pi/2 than half the last digit is refused by the digit. */
 static void a_step_through_the_table_is_refused(void **unused)
 {
     (void)unused;
     const coinf_state low = {1.5f, 0, 0, 0, 0, 0, 0, 0, {0}};
-    const coinf_state far = {1.2f, 0, 0, 0, 0, 1, 0, 0, {0}};
     const coinf_state edge = {1.57079625f, 0, 0, 0, 0, 0.012f, 0, 0, {5e-8f}};
     coinf_state s = low;
     check_status(coinf_step(&s, &body, 0.9f), COIN_ESTEP);
-    check_status(coinf_run(&s, &body, COIN_SYMPLECTIC2, 0.9f, 1, NULL),
-                 COIN_ESTEP);
     check_same(&s, &low, sizeof s);
-    s = far;
-    check_status(coinf_run(&s, &body, COIN_SYMPLECTIC2, 0.05f, 1, NULL),
-                 COIN_ESTEP);
-    check_same(&s, &far, sizeof s);
-    check(coinf_run(&s, &body, COIN_SYMPLECTIC2, 0.02f, 1, NULL) >= 0);
     s = edge;
     check_status(coinf_step(&s, &body, 1e-6f), COIN_ESTEP);
     check_same(&s, &edge, sizeof s);
@@ -301,49 +285,41 @@ static void a_step_through_the_table_is_refused(void **unused)
 static void a_fall_ends_above_the_table_with_its_progress(void **unused)
 {
     (void)unused;
-    const int32_t methods[] = {COIN_RK4, COIN_SYMPLECTIC2};
-    for (int k = 0; k < 2; ++k)
-        for (int side = -1; side <= 1; side += 2)
-            for (float dt = 0.1f; dt > 1e-4f; dt /= 4) {
-                const coinf_state start = {
-                    (float)side * 0.3f, 0, 0, 0, 0, 0, 0, 0, {0}};
-                coinf_state s = start, again = start;
-                uint64_t done = UNTOUCHED;
-                check_note("method %d, dt = %g", (int)methods[k], dt);
-                check_status(
-                    coinf_run(&s, &body, methods[k], dt, 1000000, &done),
-                    COIN_ESTEP);
-                check_within((double)done * dt, 2.6895 - 40 * dt, 2.6895);
-                check_status(coinf_state_check(&s, &body), COIN_OK);
-                /* The state is that of so many good steps. */
-                check(coinf_run(&again, &body, methods[k], dt, done, NULL) >=
-                      0);
-                check_same(&again, &s, sizeof s);
-                check_status(coinf_run(&s, &body, methods[k], 1e3f, 2, &done),
-                             COIN_ESTEP);
-                check(done == 0);
-                check_same(&again, &s, sizeof s);
-            }
+    for (int side = -1; side <= 1; side += 2)
+        for (float dt = 0.1f; dt > 1e-4f; dt /= 4) {
+            const coinf_state start = {
+                (float)side * 0.3f, 0, 0, 0, 0, 0, 0, 0, {0}};
+            coinf_state s = start, again = start;
+            uint64_t done = UNTOUCHED;
+            check_note("dt = %g", dt);
+            check_status(coinf_run(&s, &body, COIN_RK4, dt, 1000000, &done),
+                         COIN_ESTEP);
+            check_within((double)done * dt, 2.6895 - 40 * dt, 2.6895);
+            check_status(coinf_state_check(&s, &body), COIN_OK);
+            /* The state is that of so many good steps. */
+            check(coinf_run(&again, &body, COIN_RK4, dt, done, NULL) >= 0);
+            check_same(&again, &s, sizeof s);
+            check_status(coinf_run(&s, &body, COIN_RK4, 1e3f, 2, &done),
+                         COIN_ESTEP);
+            check(done == 0);
+            check_same(&again, &s, sizeof s);
+        }
 }
 
 static void a_path_beyond_the_floats_is_refused(void **unused)
 {
     (void)unused;
     const coinf_params vast = {1e-20f, 1e10f, 1e10f, 0.25f, 0.5f, {0, 0, 0}};
-    const int32_t methods[] = {COIN_RK4, COIN_SYMPLECTIC2};
     check_status(coinf_params_check(&vast), COIN_OK);
-    for (int k = 0; k < 2; ++k) {
-        const coinf_state start = {0, 0, 0, -FLT_MAX, -FLT_MAX, 0, 0, 1, {0}};
-        coinf_state s = start;
-        s.low[3] = -FLT_MAX;
-        const coinf_state before = s;
-        uint64_t done = UNTOUCHED;
-        check_status(coinf_state_check(&s, &vast), COIN_OK);
-        check_status(coinf_run(&s, &vast, methods[k], 0.01f, 3, &done),
-                     COIN_ESTEP);
-        check(done == 0);
-        check_same(&s, &before, sizeof s);
-    }
+    const coinf_state start = {0, 0, 0, -FLT_MAX, -FLT_MAX, 0, 0, 1, {0}};
+    coinf_state s = start;
+    s.low[3] = -FLT_MAX;
+    const coinf_state before = s;
+    uint64_t done = UNTOUCHED;
+    check_status(coinf_state_check(&s, &vast), COIN_OK);
+    check_status(coinf_run(&s, &vast, COIN_RK4, 0.01f, 3, &done), COIN_ESTEP);
+    check(done == 0);
+    check_same(&s, &before, sizeof s);
 }
 
 int main(void)

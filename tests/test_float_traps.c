@@ -76,20 +76,10 @@ static int32_t call_coinf_step(const struct trap_case *c)
     return coinf_step(&out, &c->fp, c->fdt);
 }
 
-static int32_t run(const struct trap_case *c, int32_t method)
+static int32_t call_coinf_run(const struct trap_case *c)
 {
     out = c->fs;
-    return coinf_run(&out, &c->fp, method, c->fdt, 130, NULL);
-}
-CALL(coinf_run_rk4, run(c, COIN_RK4))
-CALL(coinf_run_symplectic2, run(c, COIN_SYMPLECTIC2))
-
-static int32_t call_coinf_batch_run(const struct trap_case *c)
-{
-    coinf_state s[40];
-    for (int i = 0; i < 40; ++i)
-        s[i] = c->fs;
-    return coinf_batch_run(s, 40, &c->fp, COIN_RK4, c->fdt, 70, NULL);
+    return coinf_run(&out, &c->fp, COIN_RK4, c->fdt, 130, NULL);
 }
 
 /* Some of each loss, of the size of the coin's own torques. */
@@ -136,9 +126,7 @@ static const struct trap_function all[] = {
     ROW(coinf_state_from_motion),
     ROW(coinf_angular_velocity),
     ROW(coinf_step),
-    ROW(coinf_run_rk4),
-    ROW(coinf_run_symplectic2),
-    ROW(coinf_batch_run),
+    ROW(coinf_run),
     ROW(coinf_energy),
     ROW(coinf_integrals),
     ROW(coinf_reaction),

@@ -67,8 +67,6 @@ static void without_a_step_its_length_does_not_count(void **unused)
         check_status(coin_run(&s, &p, m, INFINITY, 0, NULL), COIN_ESTEP);
     }
     QUIET(coinf_run(&sf, &pf, COIN_RK4, FLT_MAX, 0, NULL), COIN_OK);
-    QUIET(coinf_batch_run(&sf, 1, &pf, COIN_RK4, FLT_MAX, 0, NULL), COIN_OK);
-    QUIET(coinf_batch_run(&sf, 0, &pf, COIN_RK4, NAN, 1, NULL), COIN_OK);
 }
 
 /* Near flat with losses that hold the roll, a slip that takes long to end; and

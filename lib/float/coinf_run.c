@@ -11,10 +11,8 @@ int32_t coinf_run(coinf_state *s, const coinf_params *p, int32_t method,
         coinf_priv_plan_of(&plan, s, p, method, steps > 0 ? dt : 0 * dt);
     if (status != COIN_OK)
         return status;
-    coinf_priv_step_function *const one =
-        method == COIN_RK4 ? coinf_priv_step_rk4 : coinf_priv_step_symplectic2;
     uint64_t n = dt == 0 ? steps : 0;
-    while (n < steps && coinf_priv_step_by(s, &warnings, &plan, one))
+    while (n < steps && coinf_priv_step(s, &warnings, &plan))
         ++n;
     if (done)
         *done = n;

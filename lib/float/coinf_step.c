@@ -1,22 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "step.h"
 
-/* The cos theta of the stages is not checked: where that of one is near 0 or
- * below it, the W of the last stage is above the limit. */
-int coinf_priv_step_rk4(coinf_state *s, int32_t *warnings,
-                        const coinf_priv_plan *plan,
-                        const coinf_priv_variables *y)
-{
-    coinf_priv_slope first, rest;
-    coinf_priv_variables last;
-    coinf_priv_slopes(&first, &rest, &last, plan, y, coinf_priv_slope_at);
-    if (!coinf_priv_admit_rate(warnings, plan, &last))
-        return 0;
-    coinf_state next = *s;
-    coinf_priv_add_change(&next, &first, &rest);
-    return coinf_priv_finish_step(s, &next, plan);
-}
-
 int coinf_priv_finish_step(coinf_state *s, coinf_state *next,
                            const coinf_priv_plan *plan)
 {
@@ -66,13 +50,22 @@ int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
     return COIN_OK;
 }
 
-int coinf_priv_step_by(coinf_state *s, int32_t *warnings,
-                       const coinf_priv_plan *plan,
-                       coinf_priv_step_function *method)
+/* The cos theta of the stages is not checked: where that of one is near 0 or
+ * below it, the W of the last stage is above the limit. */
+int coinf_priv_step(coinf_state *s, int32_t *warnings,
+                    const coinf_priv_plan *plan)
 {
+    coinf_priv_slope first, rest;
+    coinf_priv_variables last;
     const coinf_priv_variables y = coinf_priv_variables_with_low(s);
-    return coinf_priv_admit_rate(warnings, plan, &y) &&
-           method(s, warnings, plan, &y);
+    if (!coinf_priv_admit_rate(warnings, plan, &y))
+        return 0;
+    coinf_priv_slopes(&first, &rest, &last, plan, &y, coinf_priv_slope_at);
+    if (!coinf_priv_admit_rate(warnings, plan, &last))
+        return 0;
+    coinf_state next = *s;
+    coinf_priv_add_change(&next, &first, &rest);
+    return coinf_priv_finish_step(s, &next, plan);
 }
 
 int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt)
@@ -82,7 +75,5 @@ int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt)
     const int32_t status = coinf_priv_plan_of(&plan, s, p, COIN_RK4, dt);
     if (status != COIN_OK || dt == 0)
         return status;
-    return coinf_priv_step_by(s, &warnings, &plan, coinf_priv_step_rk4)
-               ? warnings
-               : COIN_ESTEP;
+    return coinf_priv_step(s, &warnings, &plan) ? warnings : COIN_ESTEP;
 }

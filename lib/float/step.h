@@ -14,20 +14,237 @@
 #include "../motion/methods.h"
 #include "../motion/state.h"
 
-#include "step.t.h"
+/* In a state, low[0] to low[7] are the remainders of theta, phi, psi, x, z, wX,
+ * wY, wZ: what their rounding left out. */
+
+/* What the steps of a run share: the equations of motion times dt, and the
+ * limits on W^2, Eq. (47), where a step begins and ends. */
+typedef struct coinf_priv_plan {
+    coinf_priv_field f;
+    float KJ_low; /* (KJ + KJ_low)/GJ is K/(M g a), in twice a float's digits */
+    float a, g_a, k1, k2;
+    float coarse2, most2; /* coarse2 <= most2 */
+} coinf_priv_plan;
+
+/* ------------------------------------------------------ compensated sums -- */
+
+/* Adds a part and its own remainder, `small`, to a sum and its remainder. */
+COIN_PRIV_INLINE void coinf_priv_add_parts(float *sum, float *low, float part,
+                                           float small)
+{
+    const float large = *sum + part, of_part = large - *sum;
+    const float off = (*sum - (large - of_part)) + (part - of_part);
+    const float rest = (*low + small) + off;
+    *sum = large + rest;
+    *low = rest - (*sum - large);
+}
+
+/* A float as two of 12 bits. */
+typedef struct coinf_priv_halves {
+    float high, low;
+} coinf_priv_halves;
+
+COIN_PRIV_INLINE coinf_priv_halves coinf_priv_halves_of(float a)
+{
+    const float t = 4097 * a, high = t - (t - a); /* 4097 = 2^12 + 1 */
+    const coinf_priv_halves h = {high, a - high};
+    return h;
+}
+
+/* What the rounding of a b leaves out, to the bit: Dekker's product. */
+COIN_PRIV_NOINLINE float coinf_priv_residue(float a, float b)
+{
+    const coinf_priv_halves x = coinf_priv_halves_of(a),
+                            y = coinf_priv_halves_of(b);
+    const float off = x.high * y.high - a * b;
+    return ((off + x.high * y.low) + x.low * y.high) + x.low * y.low;
+}
+
+/* ---------------------------------------------------------------- angles -- */
+
+/* Sine and cosine of an angle and its remainder. */
+COIN_PRIV_NOINLINE coinf_priv_sc coinf_priv_sine_cosine_with_low(float angle,
+                                                                 float low)
+{
+    const coinf_priv_sc of = coinf_priv_sine_cosine(angle);
+    const coinf_priv_sc pair = {of.s + of.c * low, of.c - of.s * low};
+    return pair;
+}
+
+/* The variables of an angular velocity and of the pairs of lean and heading. */
+COIN_PRIV_INLINE coinf_priv_variables coinf_priv_variables_from(
+    float wX, float wY, float wZ, coinf_priv_sc th, coinf_priv_sc ph)
+{
+    const float q = 1 / th.c;
+    const coinf_priv_variables y = {
+        wX, wY, wZ, th.s, th.c, q, th.s * q, ph.s, ph.c,
+    };
+    return y;
+}
+
+/* A state as the equations read it. */
+COIN_PRIV_NOINLINE coinf_priv_variables
+coinf_priv_variables_with_low(const coinf_state *s)
+{
+    const coinf_priv_sc th =
+        coinf_priv_sine_cosine_with_low(s->theta, s->low[0]);
+    const coinf_priv_sc ph = coinf_priv_sine_cosine_with_low(s->phi, s->low[1]);
+    return coinf_priv_variables_from(s->wX, s->wY, s->wZ, th, ph);
+}
+
+/* Subtracts whole turns from an angle, by the parts of pi/2. */
+COIN_PRIV_NOINLINE void coinf_priv_reduce(float *angle, float *low)
+{
+    const float turns =
+        (*angle * (0.25f / COIN_PRIV_HALF_PI) + COIN_PRIV_ROUNDER) -
+        COIN_PRIV_ROUNDER;
+    coinf_priv_add_parts(angle, low, turns * (-4 * COIN_PRIV_P1), 0);
+    coinf_priv_add_parts(angle, low, turns * (-4 * COIN_PRIV_P2), 0);
+    coinf_priv_add_parts(angle, low, turns * (-4 * COIN_PRIV_P3), 0);
+}
+
+/* ---------------------------------------------------------------- slopes -- */
+
+/* h d/dt of a state's members, or a part of their change. */
+typedef struct coinf_priv_slope {
+    float theta, phi, psi, x, z, wX, wY, wZ;
+} coinf_priv_slope;
+
+/* What KJ_low adds to h d(wX)/dt of (14), in KJ wZ wY. */
+COIN_PRIV_INLINE float coinf_priv_fall_low(const coinf_priv_plan *plan,
+                                           const coinf_priv_variables *y)
+{
+    return -(plan->KJ_low * y->wZ * y->wY);
+}
+
+/* The slope at a stage.  psi' is computed as wZ + phi' sin theta, so that the
+ * remainder of phi' gives that of psi'. */
+COIN_PRIV_INLINE coinf_priv_slope
+coinf_priv_slope_at(const coinf_priv_plan *plan, const coinf_priv_variables *y)
+{
+    const coinf_priv_field *f = &plan->f;
+    const coinf_priv_variables d = coinf_priv_slopes_at(f, y);
+    const float phi = coinf_priv_pose_slopes(f, y).phi;
+    float v[3];
+    coinf_priv_velocity_of(v, f->h * plan->a, y);
+    const coinf_priv_slope of = {
+        f->h * y->wX,                /* (17) */
+        phi,                         /* (18) */
+        f->h * y->wZ + phi * y->sth, /* (19) */
+        v[0],
+        v[2],
+        d.wX,
+        d.wY,
+        d.wZ,
+    };
+    return of;
+}
+
+/* A stage: the start plus a part w of a slope.  It is the textbook's stage: the
+ * pairs are turned by what is added to the angles, and 1/cos theta is computed
+ * by a division.  As the start plus a part of a slope, pairs have errors of
+ * z^2/2 for a turn z, and 1/cos theta of tan^2 theta z^2. */
+COIN_PRIV_INLINE coinf_priv_variables coinf_priv_stage_along(
+    const coinf_priv_variables *y1, float w, const coinf_priv_slope *of)
+{
+    const coinf_priv_sc lean = {y1->sth, y1->cth}, heading = {y1->sph, y1->cph};
+    const coinf_priv_sc th = coinf_priv_turned_a_little(lean, w * of->theta);
+    const coinf_priv_sc ph = coinf_priv_turned_a_little(heading, w * of->phi);
+    return coinf_priv_variables_from(y1->wX + w * of->wX, y1->wY + w * of->wY,
+                                     y1->wZ + w * of->wZ, th, ph);
+}
+
+/* rest + w (of - first). */
+COIN_PRIV_INLINE void coinf_priv_gather(coinf_priv_slope *rest, float w,
+                                        const coinf_priv_slope *of,
+                                        const coinf_priv_slope *first)
+{
+    rest->theta += w * (of->theta - first->theta);
+    rest->phi += w * (of->phi - first->phi);
+    rest->psi += w * (of->psi - first->psi);
+    rest->x += w * (of->x - first->x);
+    rest->z += w * (of->z - first->z);
+    rest->wX += w * (of->wX - first->wX);
+    rest->wY += w * (of->wY - first->wY);
+    rest->wZ += w * (of->wZ - first->wZ);
+}
+
+/* What the rounding of the first slope left out.  It is computed only for those
+ * parts that are the same in each step of a steady motion: their errors would
+ * add up. */
+COIN_PRIV_INLINE coinf_priv_slope
+coinf_priv_left_out(const coinf_priv_slope *first, const coinf_priv_plan *plan,
+                    const coinf_priv_variables *y)
+{
+    const float h = plan->f.h, cth = y->cth;
+    const float off =
+        coinf_priv_residue(h, y->wY) - coinf_priv_residue(first->phi, cth);
+    const float phi = y->q * ((h * y->wY - first->phi * cth) + off); /* (18) */
+    const float fall = coinf_priv_fall_low(plan, y);
+    const coinf_priv_slope low = {
+        0, phi, phi * y->sth, 0, 0, fall, 0, 0,
+    };
+    return low;
+}
+
+/* A function for the slope at a stage. */
+typedef coinf_priv_slope coinf_priv_slope_function(
+    const coinf_priv_plan *plan, const coinf_priv_variables *y);
+
+/* The classical Runge-Kutta step, as the first slope f1 and the rest of the
+ * change, ((f2 - f1) + (f3 - f1))/3 + (f4 - f1)/6.  The rounded weights then
+ * multiply the rest only, which is small.  If they multiplied f1, their errors
+ * would add up in a steady motion.
+ * *last becomes the last stage, which stands for the end of the step. */
+COIN_PRIV_INLINE void coinf_priv_slopes(coinf_priv_slope *first,
+                                        coinf_priv_slope *rest,
+                                        coinf_priv_variables *last,
+                                        const coinf_priv_plan *plan,
+                                        const coinf_priv_variables *y1,
+                                        coinf_priv_slope_function *slope_at)
+{
+    static const float reach[] = {0.5f, 0.5f, 1};
+    static const float weight[] = {1.0f / 3, 1.0f / 3, 1.0f / 6};
+    coinf_priv_slope of = *first = slope_at(plan, y1);
+    *rest = coinf_priv_left_out(first, plan, y1);
+    for (int i = 0; i < 3; ++i) {
+        *last = coinf_priv_stage_along(y1, reach[i], &of);
+        of = slope_at(plan, last);
+        coinf_priv_gather(rest, weight[i], &of, first);
+    }
+}
+
+/* Adds the change of a step to a state. */
+COIN_PRIV_INLINE void coinf_priv_add_change(coinf_state *s,
+                                            const coinf_priv_slope *first,
+                                            const coinf_priv_slope *rest)
+{
+    coinf_priv_add_parts(&s->theta, &s->low[0], first->theta, rest->theta);
+    coinf_priv_add_parts(&s->phi, &s->low[1], first->phi, rest->phi);
+    coinf_priv_add_parts(&s->psi, &s->low[2], first->psi, rest->psi);
+    coinf_priv_add_parts(&s->x, &s->low[3], first->x, rest->x);
+    coinf_priv_add_parts(&s->z, &s->low[4], first->z, rest->z);
+    coinf_priv_add_parts(&s->wX, &s->low[5], first->wX, rest->wX);
+    coinf_priv_add_parts(&s->wY, &s->low[6], first->wY, rest->wY);
+    coinf_priv_add_parts(&s->wZ, &s->low[7], first->wZ, rest->wZ);
+}
+
+/* Whether a step may end here; not if a number is NaN. */
+COIN_PRIV_INLINE int coinf_priv_holds(const coinf_state *s,
+                                      const coinf_priv_plan *plan)
+{
+    const float wX = s->wX, wY = s->wY, wZ = s->wZ;
+    const float pose =
+        fabsf(s->phi) + fabsf(s->psi) + fabsf(s->x) + fabsf(s->z);
+    return fabsf(s->theta) < COIN_PRIV_HALF_PI && pose <= COIN_PRIV_LARGEST &&
+           wX * wX + wY * wY + wZ * wZ <= plan->most2;
+}
+
+/* ----------------------------------------------------------------- steps -- */
 
 /* Checks everything, then computes what the steps share. */
 int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
                            const coinf_params *p, int32_t method, float dt);
-
-/* One step of *s, whose variables are *y.  Returns 0 and leaves *s untouched if
- * the step is refused.  *warnings becomes COIN_COARSE if the step was coarse.
- */
-typedef int coinf_priv_step_function(coinf_state *s, int32_t *warnings,
-                                     const coinf_priv_plan *plan,
-                                     const coinf_priv_variables *y);
-
-coinf_priv_step_function coinf_priv_step_rk4, coinf_priv_step_symplectic2;
 
 /* Notes COIN_COARSE if W^2 is beyond coarse2.  Returns 0, a refusal, if it is
  * beyond most2 or NaN. */
@@ -41,10 +258,10 @@ COIN_PRIV_INLINE int coinf_priv_admit_rate(int32_t *warnings,
     return rate2 <= plan->most2;
 }
 
-/* One step of *s by a method; 0 if it is refused. */
-int coinf_priv_step_by(coinf_state *s, int32_t *warnings,
-                       const coinf_priv_plan *plan,
-                       coinf_priv_step_function *method);
+/* One step of *s.  *warnings becomes COIN_COARSE if the step was coarse.
+ * Returns 0 and leaves *s untouched if the step is refused. */
+int coinf_priv_step(coinf_state *s, int32_t *warnings,
+                    const coinf_priv_plan *plan);
 
 /* Ends a step.  If *next is a sound state, *s becomes *next, with heading and
  * roll brought within half a turn.  Else returns 0 and leaves *s untouched. */

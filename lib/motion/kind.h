@@ -47,16 +47,10 @@
 #define SQRT sqrtf
 #define FABS fabsf
 #define LOG logf
-#ifdef COIN_PRIV_ABREAST
-#define PRIV(name) coinf_lanes_##name
-#define real coinf_lanes
-#define whole coinf_lanes_whole
-#else
 #define PRIV(name) coinf_priv_##name
 #define real float
 #define whole int32_t
 #define unsigned_whole uint32_t
-#endif
 
 #else
 #define COIN(name) coin_##name

@@ -7,11 +7,11 @@
 #include "equations.h"
 
 /* Whether there is such a method; the functions below require it.  Floats have
- * RK4 and the symplectic method of order 2. */
+ * RK4 alone. */
 COIN_PRIV_INLINE int PRIV(method_is_known)(int32_t method)
 {
 #ifdef COIN_PRIV_FLOAT
-    return method == COIN_RK4 || method == COIN_SYMPLECTIC2;
+    return method == COIN_RK4;
 #else
     return method >= COIN_RK4 && method <= COIN_SYMPLECTIC4;
 #endif

@@ -59,8 +59,7 @@ COIN_PRIV_INLINE real PRIV(magnitude)(real x)
 }
 
 /* The lesser of two, b where one is NaN. */
-#if defined(COIN_PRIV_ABREAST) && defined(COIN_PRIV_LESSER) &&                 \
-    !defined(COIN_PRIV_FLOAT)
+#if defined(COIN_PRIV_ABREAST) && defined(COIN_PRIV_LESSER)
 COIN_PRIV_INLINE real PRIV(lesser)(real a, real b)
 {
     return COIN_PRIV_LESSER(a, b);

@@ -101,10 +101,6 @@ static inline int coinf_priv_low_holds(const float low[8])
 /* Terms below this part of their sum no longer change it. */
 #define COIN_PRIV_NEGLIGIBLE 1e-9f
 
-/* The number of terms of the drift's series.  Each is at most 0.18 of the one
- * before; 0.18^11 is 6e-9. */
-#define COIN_PRIV_SERIES_TERMS 11
-
 /* ---------------------------------------------------------------- losses -- */
 
 /* The largest member of coinf_losses, and the largest ratio of a member and a
@@ -213,10 +209,6 @@ static inline int coinf_priv_low_holds(const float low[8])
 
 /* Terms below this part of their sum no longer change it. */
 #define COIN_PRIV_NEGLIGIBLE 1e-17
-
-/* The number of terms of the drift's series.  Each is at most 0.18 of the one
- * before; 0.18^22 is 4e-17. */
-#define COIN_PRIV_SERIES_TERMS 22
 
 /* ---------------------------------------------------------------- losses -- */
 

@@ -20,9 +20,8 @@
 #define COIN_PRIV_WIDTH 0
 #endif
 
-/* Doubles and floats that a vector holds, 1 if there are none. */
+/* Doubles that a vector holds, 1 if there are none. */
 #define COIN_PRIV_LANES (COIN_PRIV_WIDTH ? COIN_PRIV_WIDTH / 8 : 1)
-#define COINF_PRIV_LANES (COIN_PRIV_WIDTH ? COIN_PRIV_WIDTH / 4 : 1)
 
 #if COIN_PRIV_WIDTH
 #define COIN_PRIV_VECTOR(bytes) __attribute__((vector_size(bytes)))
@@ -41,8 +40,6 @@ COIN_PRIV_INLINE coin_pair coin_pair_normal(double s, double c)
 }
 typedef double coin_lanes COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
 typedef int64_t coin_lanes_whole COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
-typedef float coinf_lanes COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
-typedef int32_t coinf_lanes_whole COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
 /* The lesser of two where the processor has an instruction for it. */
 #if defined(__SSE2__) && COIN_PRIV_WIDTH == 16
 #define COIN_PRIV_LESSER(a, b) __builtin_ia32_minpd(a, b)

@@ -23,7 +23,6 @@
     static constexpr auto angular_velocity = PREFIX##_angular_velocity;        \
     static constexpr auto step = PREFIX##_step;                                \
     static constexpr auto run = PREFIX##_run;                                  \
-    static constexpr auto batch_run = PREFIX##_batch_run;                      \
     static constexpr auto energy = PREFIX##_energy;                            \
     static constexpr auto integrals = PREFIX##_integrals;                      \
     static constexpr auto reaction = PREFIX##_reaction;                        \

@@ -27,8 +27,8 @@ array shown[2] = ["portable", "native"]
 do for [i = 1:2] {
     build = shown[i]
     unset label
-    set title sprintf("%s: %d doubles or %d floats abreast", build, \
-        lanes(build), 2 * lanes(build)) offset 0,-0.4
+    set title sprintf("%s: %d coins abreast", build, lanes(build)) \
+        offset 0,-0.4
     set lmargin at screen i == 1 ? 0.085 : 0.565
     set rmargin at screen (i == 1 ? 0.085 : 0.565) + 324.0 / 800
     set tmargin at screen 0.9
@@ -43,9 +43,6 @@ do for [i = 1:2] {
          rows(build, "rk4 abreast") using 1:3 with linespoints ls 2, \
          rows(build, "rk8 alone") using 1:3 with linespoints ls 3 lw 1.1, \
          rows(build, "rk8 abreast") using 1:3 with linespoints ls 3, \
-         rows(build, "rk4 of floats") using 1:3 with linespoints ls 15 lw 1.1, \
-         rows(build, "rk4 of floats abreast") using 1:3 \
-             with linespoints ls 15 lw ours, \
          from."/batch_".build.".leaders" using 1:2 with lines lw 0.5 \
              lc rgb "#808080", \
          from."/batch_".build.".labels" using 1:2:3:(colour[int($4)]) \

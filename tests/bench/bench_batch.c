@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What a step of a coin costs among many: coin_batch_run() against coin_run()
- * in a loop, and the same of floats, in the same windows, beside what its
- * operations must take.
+ * in a loop, in the same windows, beside what its operations must take.
  *     bench_batch BUILD          CSV
  *     bench_batch BUILD COINS    of that many coins alone */
 #include "clock.h"
@@ -10,7 +9,7 @@
 #include "rate.h"
 #include "textbook.h"
 
-#include <coinf.h>
+#include <coin.h>
 
 #include <math.h>
 #include <stdio.h>
@@ -23,9 +22,7 @@ enum { STEPS = 256, MOST = 1000000 };
 #define PATIENCE 4e8
 
 static coin_params p;
-static coinf_params pf;
 static coin_state *alike, *mixed, *now;
-static coinf_state *single;
 
 static double part(size_t i, size_t stride)
 {
@@ -39,10 +36,7 @@ static void make_coins(void)
     alike = calloc(MOST, sizeof *alike);
     mixed = calloc(MOST, sizeof *mixed);
     now = calloc(MOST, sizeof *now);
-    single = calloc(MOST, sizeof *single);
-    if (!alike || !mixed || !now || !single ||
-        coin_params_disc(&p, 1, 1, 1) != COIN_OK ||
-        coinf_params_disc(&pf, 1, 1, 1) != COIN_OK)
+    if (!alike || !mixed || !now || coin_params_disc(&p, 1, 1, 1) != COIN_OK)
         exit(1);
     for (size_t i = 0; i < MOST; ++i) {
         alike[i].theta = 0.1 + 0.4 * part(i, 7919);
@@ -73,17 +67,6 @@ static void go_abreast(int32_t method, size_t count)
     coin_batch_run(now, count, &p, method, 0.05, STEPS, NULL);
 }
 
-static void go_single(int32_t method, size_t count)
-{
-    for (size_t i = 0; i < count; ++i)
-        coinf_run(&single[i], &pf, method, 0.05f, STEPS, NULL);
-}
-
-static void go_single_abreast(int32_t method, size_t count)
-{
-    coinf_batch_run(single, count, &pf, method, 0.05f, STEPS, NULL);
-}
-
 /* Up to how many coins: beyond, what each does alone takes minutes. */
 static const struct way {
     const char *name;
@@ -97,13 +80,8 @@ static const struct way {
     {"rk4 abreast", COIN_RK4, go_abreast, &alike, MOST},
     {"rk8 alone", COIN_RK8, go_alone, &alike, MOST / 10},
     {"rk8 abreast", COIN_RK8, go_abreast, &alike, MOST},
-    {"rk4 of floats", COIN_RK4, go_single, &alike, MOST / 10},
-    {"rk4 of floats abreast", COIN_RK4, go_single_abreast, &alike, MOST},
     {"rk4 alone of any", COIN_RK4, go_alone, &mixed, MOST / 100},
     {"rk4 abreast of any", COIN_RK4, go_abreast, &mixed, MOST / 100},
-    {"rk4 of floats of any", COIN_RK4, go_single, &mixed, MOST / 100},
-    {"rk4 of floats abreast of any", COIN_RK4, go_single_abreast, &mixed,
-     MOST / 100},
 };
 
 enum { WAYS = sizeof ways / sizeof *ways };
@@ -112,14 +90,6 @@ enum { WAYS = sizeof ways / sizeof *ways };
 static double window(const struct way *way, size_t count, double tare)
 {
     memcpy(now, *way->coins, count * sizeof *now);
-    for (size_t i = 0; i < count; ++i) {
-        const coin_state *s = &now[i];
-        const coinf_state of = {
-            (float)s->theta, 0,   0, 0, 0, (float)s->wX, (float)s->wY,
-            (float)s->wZ,    {0},
-        };
-        single[i] = of;
-    }
     const double begin = clock_ns();
     way->go(way->method, count);
     return (clock_ns() - begin - tare) / (double)count / STEPS;

@@ -35,7 +35,7 @@ about()
     case $1 in
     adversary) echo "$(kinds) coinf: adversary adversary-update" ;;
     abreast) echo "batch: charts" ;;
-    batch) echo "coinf batch batch_float: charts" ;;
+    batch) echo "batch: charts" ;;
     costs | frames | natural | steps) echo "coinf advance: charts" ;;
     longrun | damping) echo ": longrun" ;;
     models_quasi) echo "settle: real-quasi" ;;

@@ -15,8 +15,7 @@ EDGE = re.compile(r'edge: { sourcename: "([^"]*)" targetname: "([^"]*)"')
 
 # Who calls through a pointer, and what that may point at: in floats, as no
 # entry of the tables in doubles does.
-INDIRECT = {r"^coinf_priv_step_by$": r"^coinf_priv_step_(rk4|symplectic2)$",
-            r"\bmidpoints$|^coinf_priv_gbs$": r"/coinf_hold\.c:slopes$"}
+INDIRECT = {r"\bmidpoints$|^coinf_priv_gbs$": r"/coinf_hold\.c:slopes$"}
 
 LABEL = re.compile(r"^([0-9a-f]+) <(.*)>:$")
 CODE = re.compile(r"^ *([0-9a-f]+):\t(\S+)(?:\t(.*?))?(?:\s[@;#]\s.*)?$")

@@ -30,8 +30,6 @@ CALL(coinf_state_from_motion,
 CALL(coinf_angular_velocity, (a[0].p, a[1].p))
 CALL(coinf_step, (a[0].p, a[1].p, f(a[2])))
 CALL(coinf_run, (a[0].p, a[1].p, a[2].i, f(a[3]), a[4].u, a[5].p))
-CALL(coinf_batch_run,
-     (a[0].p, a[1].u, a[2].p, a[3].i, f(a[4]), a[5].u, a[6].p))
 CALL(coinf_energy, (a[0].p, a[1].p))
 CALL(coinf_integrals, (a[0].p, a[1].p, a[2].p))
 CALL(coinf_reaction, (a[0].p, a[1].p, a[2].p))
@@ -62,29 +60,6 @@ static void judge_run(const struct outcome *o)
         demand(left == done && (o->result >= 0) == (done == a[4].u));
     else
         demand(o->result < 0);
-}
-
-/* Each coin as by a run of its own, those beyond untouched; the first error, or
- * all warnings. */
-static void judge_batch_run(const struct outcome *o)
-{
-    const union argument *a = o->given;
-    coinf_state s[SAMPLES];
-    int32_t status[SAMPLES], error = COIN_OK, warnings = COIN_OK;
-    if (o->result == COIN_EARG || o->result == COIN_EPARAMS)
-        return;
-    memcpy(s, a[0].p, sizeof s);
-    memcpy(status, a[6].p, sizeof status);
-    for (size_t k = 0; k < a[1].u; ++k) {
-        status[k] = coinf_run(&s[k], &o->world->pf, a[3].i, f(a[4]), a[5].u, 0);
-        if (status[k] > 0)
-            warnings |= status[k];
-        else if (error == COIN_OK)
-            error = status[k];
-    }
-    demand(o->result == (error != COIN_OK ? error : warnings));
-    demand(same(s, o->left[0].p, sizeof s));
-    demand(same(status, o->left[6].p, sizeof status));
 }
 
 /* As of coin_settle(). */
@@ -122,8 +97,6 @@ const struct function fuzz_functions[] = {
     ROW(coinf_angular_velocity, "gC", NO_PARAMS, 0, PLAIN),
     ROW(coinf_step, "Hft", STEPS, COIN_COARSE, PLAIN),
     ROW(coinf_run, "Hfitun", STEPS, COIN_COARSE, BIT(COIN_ESTEP), judge_run, 0),
-    ROW(coinf_batch_run, "JcfituZ", STEPS, COIN_COARSE,
-        BIT(COIN_ESTEP) | BIT(COIN_ESTATE), judge_batch_run, 0),
     ROW(coinf_energy, "gf", NUMBER),
     ROW(coinf_integrals, "gfB", USUAL, 0, PLAIN),
     ROW(coinf_reaction, "gfm", USUAL, 0, PLAIN),

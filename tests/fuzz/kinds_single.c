@@ -34,21 +34,6 @@ static void take_state(struct bytes *b, const struct world *w, void *to)
     memcpy(to, &w->sf, sizeof w->sf);
 }
 
-/* Several, of which the first is the world's own; the others like it, or a
- * little beside it. */
-static void take_coins_f(struct bytes *b, const struct world *w, void *to)
-{
-    coinf_state *const coins = to;
-    for (int k = 0; k < SAMPLES; ++k)
-        take_state(b, w, coins + k);
-    for (int k = 1; k < SAMPLES; ++k) {
-        const double part = take_part(b) * ldexp(1, -(take_byte(b) % 32));
-        coins[k].theta += single(part);
-        coins[k].wX += single(take_rate(b, w->W) * part);
-        coins[k].phi += single(perhaps(b, part));
-    }
-}
-
 static void take_q(struct bytes *b, const struct world *w, void *to)
 {
     float *const q = to;
@@ -153,7 +138,6 @@ const struct kind single_kinds[] = {
     {'G', WRITTEN, sizeof(coinf_params), NULL, sound_params},
     {'g', READ, sizeof(coinf_state), take_state, NULL},
     {'H', MOVED, sizeof(coinf_state), take_state, sound_state},
-    {'J', MOVED, SAMPLES * sizeof(coinf_state), take_coins_f, NULL},
     {'h', WRITTEN, sizeof(coinf_state), NULL, sound_state},
     {'j', WRITTEN, sizeof(coinf_state), NULL, sound_16}, /* rates */
     {'m', WRITTEN, sizeof(coinf_force), NULL, sound_force},

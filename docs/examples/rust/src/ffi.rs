@@ -537,17 +537,6 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
-    pub fn coinf_batch_run(
-        s: *mut coinf_state,
-        count: usize,
-        p: *const coinf_params,
-        method: i32,
-        dt: f32,
-        steps: u64,
-        status: *mut i32,
-    ) -> i32;
-}
-extern "C" {
     pub fn coinf_losses_check(l: *const coinf_losses, p: *const coinf_params) -> i32;
 }
 extern "C" {

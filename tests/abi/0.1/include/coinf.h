@@ -18,7 +18,8 @@
  * in each scene of tests/reference that amplifies errors less than 100 times
  * (test_float).  Plain floats err by 1e-4 to 1e-3 there.
  *
- * METHODS are COIN_RK4 and COIN_SYMPLECTIC2.
+ * METHOD is COIN_RK4, the only one here.  It is an argument so that a call
+ * reads as that of coin.h.
  */
 #ifndef ROLLCOIN_COINF_H
 #define ROLLCOIN_COINF_H
@@ -131,26 +132,10 @@ COIN_API int32_t coinf_angular_velocity(const coinf_state *s, float omega[3]);
 COIN_API int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt);
 
 /** As coin_run().  A run of n steps is n runs of one step, to the bit.
- * @param method  COIN_RK4 or COIN_SYMPLECTIC2; any other is COIN_EARG */
+ * @param method  COIN_RK4; any other is COIN_EARG */
 COIN_API int32_t coinf_run(coinf_state *s, const coinf_params *p,
                            int32_t method, float dt, uint64_t steps,
                            uint64_t *done);
-
-/** coinf_run() for many coins of one body, side by side in the processor's
- * vectors.  Each coin gets the bits that coinf_run() gives it.
- * @param[in,out] s    [count] states
- * @param count        how many; 0 is OK
- * @param method       COIN_RK4, which uses vectors, or COIN_SYMPLECTIC2; any
- *                     other is COIN_EARG
- * @param dt,steps     the step [T] and how many, as coinf_run()
- * @param[out] status  [count] what coinf_run() returns for each; may be null
- * @return COIN_EARG, COIN_EPARAMS: nothing was touched; else the status of the
- *         first coin that failed, else all warnings together.  A coin that
- *         failed is where its last good step left it, and the others go on.
- * Cost: docs/accuracy.md; the coins may be of all kinds. */
-COIN_API int32_t coinf_batch_run(coinf_state *s, size_t count,
-                                 const coinf_params *p, int32_t method,
-                                 float dt, uint64_t steps, int32_t *status);
 
 /* --------------------------------------------------------------- losses -- */
 
@@ -231,7 +216,7 @@ COIN_API int32_t coinf_quaternion(const coinf_state *s, float q[4]);
 /* ------------------------------------------------------------- validity -- */
 
 /** As coin_check().
- * @param method  COIN_RK4 or COIN_SYMPLECTIC2; any other is COIN_EARG */
+ * @param method  COIN_RK4; any other is COIN_EARG */
 COIN_API int32_t coinf_check(const coinf_state *s, const coinf_params *p,
                              int32_t method, float dt, float mu);
 
