@@ -1065,26 +1065,11 @@ COIN_API const char *coin_version_string(void);
  * several warning bits are set, the text names the set. */
 COIN_API const char *coin_status_string(int32_t status);
 
-/** sizeof(coin_params) as the library was compiled: 64.  For bindings. */
-COIN_API uint32_t coin_sizeof_params(void);
-
-/** sizeof(coin_state) as the library was compiled: 64. */
-COIN_API uint32_t coin_sizeof_state(void);
-
-/** sizeof(coin_force) as the library was compiled: 48. */
-COIN_API uint32_t coin_sizeof_force(void);
-
-/** sizeof(coin_losses) as the library was compiled: 64. */
-COIN_API uint32_t coin_sizeof_losses(void);
-
-/** sizeof(coin_friction) as the library was compiled: 16. */
-COIN_API uint32_t coin_sizeof_friction(void);
-
-/** sizeof(coin_slide) as the library was compiled: 80. */
-COIN_API uint32_t coin_sizeof_slide(void);
-
-/** sizeof(coin_orbit) as the library was compiled: 32,768. */
-COIN_API uint32_t coin_sizeof_orbit(void);
+/** The size of a public struct as the library was compiled: for bindings, which
+ * compare it with that of their own.
+ * @param type  its name, "coin_state" or "coinf_state"; may be null
+ * @return 64 for "coin_state"; 0 if no struct has that name. */
+COIN_API uint32_t coin_sizeof(const char *type);
 
 /** Whether this build computes the pinned bits: steps some coins and compares
  * a hash with the one built in.

@@ -226,19 +226,7 @@ COIN_API int32_t coinf_check(const coinf_state *s, const coinf_params *p,
 COIN_API int32_t coinf_matrix(const coinf_state *s, const coinf_params *p,
                               float m[16]);
 
-/* -------------------------------------------------- sizes and self-test -- */
-
-/** sizeof(coinf_params) as the library was compiled: 32.  For bindings. */
-COIN_API uint32_t coinf_sizeof_params(void);
-
-/** sizeof(coinf_state) as the library was compiled: 64. */
-COIN_API uint32_t coinf_sizeof_state(void);
-
-/** sizeof(coinf_force) as the library was compiled: 24. */
-COIN_API uint32_t coinf_sizeof_force(void);
-
-/** sizeof(coinf_losses) as the library was compiled: 32. */
-COIN_API uint32_t coinf_sizeof_losses(void);
+/* ------------------------------------------------------------ self-test -- */
 
 /** As coin_selftest(), of the functions of this header alone.
  * Cost: some 20 us on a desktop. */

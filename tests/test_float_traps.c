@@ -20,15 +20,6 @@ CALL(coinf_params_body,
                        c->fp.inertia_X, c->fp.inertia_Z))
 CALL(coinf_params_check, coinf_params_check(&c->fp))
 
-static int32_t sized(uint32_t size)
-{
-    return size > 0 ? COIN_OK : COIN_EARG;
-}
-CALL(coinf_sizeof_params, sized(coinf_sizeof_params()))
-CALL(coinf_sizeof_state, sized(coinf_sizeof_state()))
-CALL(coinf_sizeof_force, sized(coinf_sizeof_force()))
-CALL(coinf_sizeof_losses, sized(coinf_sizeof_losses()))
-
 /* Once is enough. */
 static int32_t call_coinf_selftest(const struct trap_case *c)
 {
@@ -113,10 +104,6 @@ static int32_t call_coinf_settle(const struct trap_case *c)
 }
 
 static const struct trap_function all[] = {
-    ROW(coinf_sizeof_params),
-    ROW(coinf_sizeof_state),
-    ROW(coinf_sizeof_force),
-    ROW(coinf_sizeof_losses),
     ROW(coinf_selftest),
     ROW(coinf_params_disc),
     ROW(coinf_params_ring),

@@ -357,7 +357,7 @@ static void a_resonant_motion_drifts(void **unused)
 static void its_size_is_as_promised(void **unused)
 {
     (void)unused;
-    check(coin_sizeof_orbit() == sizeof(coin_orbit));
+    check(coin_sizeof("coin_orbit") == sizeof(coin_orbit));
     check(sizeof(coin_orbit) == 32768);
 }
 

@@ -3,27 +3,47 @@
 
 #include <coinf.h>
 
-/* Each is stated in the header, and what the compiler makes of it. */
 static void the_sizes_are_those_of_the_headers(void **unused)
 {
     (void)unused;
-    check(coin_sizeof_params() == 64 && sizeof(coin_params) == 64);
-    check(coin_sizeof_state() == 64 && sizeof(coin_state) == 64);
-    check(coin_sizeof_force() == 48 && sizeof(coin_force) == 48);
-    check(coin_sizeof_losses() == 64 && sizeof(coin_losses) == 64);
-    check(coin_sizeof_friction() == 16 && sizeof(coin_friction) == 16);
-    check(coin_sizeof_slide() == 80 && sizeof(coin_slide) == 80);
-    check(coin_sizeof_orbit() == 32768 && sizeof(coin_orbit) == 32768);
-    check(coinf_sizeof_params() == 32 && sizeof(coinf_params) == 32);
-    check(coinf_sizeof_state() == 64 && sizeof(coinf_state) == 64);
-    check(coinf_sizeof_force() == 24 && sizeof(coinf_force) == 24);
-    check(coinf_sizeof_losses() == 32 && sizeof(coinf_losses) == 32);
+    const struct {
+        const char *type;
+        size_t stated, compiled;
+    } of[] = {
+        {"coin_params", 64, sizeof(coin_params)},
+        {"coin_state", 64, sizeof(coin_state)},
+        {"coin_force", 48, sizeof(coin_force)},
+        {"coin_losses", 64, sizeof(coin_losses)},
+        {"coin_friction", 16, sizeof(coin_friction)},
+        {"coin_slide", 80, sizeof(coin_slide)},
+        {"coin_orbit", 32768, sizeof(coin_orbit)},
+        {"coinf_params", 32, sizeof(coinf_params)},
+        {"coinf_state", 64, sizeof(coinf_state)},
+        {"coinf_force", 24, sizeof(coinf_force)},
+        {"coinf_losses", 32, sizeof(coinf_losses)},
+    };
+    for (size_t i = 0; i < sizeof of / sizeof *of; ++i) {
+        check_note("%s", of[i].type);
+        check(coin_sizeof(of[i].type) == of[i].stated);
+        check(of[i].compiled == of[i].stated);
+    }
+}
+
+static void what_is_no_type_has_no_size(void **unused)
+{
+    (void)unused;
+    check(coin_sizeof(NULL) == 0);
+    check(coin_sizeof("") == 0);
+    check(coin_sizeof("coin_stat") == 0);
+    check(coin_sizeof("coin_states") == 0);
+    check(coin_sizeof("COIN_STATE") == 0);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(the_sizes_are_those_of_the_headers),
+        TEST(what_is_no_type_has_no_size),
     };
     return RUN_TESTS(tests);
 }

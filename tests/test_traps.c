@@ -28,13 +28,7 @@ static coin_state *copy(const coin_state *s)
 CALL(coin_version, done(coin_version()))
 CALL(coin_version_string, done(coin_version_string()[0]))
 CALL(coin_status_string, done(coin_status_string(-3)[0]))
-CALL(coin_sizeof_state, done(coin_sizeof_state()))
-CALL(coin_sizeof_params, done(coin_sizeof_params()))
-CALL(coin_sizeof_force, done(coin_sizeof_force()))
-CALL(coin_sizeof_losses, done(coin_sizeof_losses()))
-CALL(coin_sizeof_friction, done(coin_sizeof_friction()))
-CALL(coin_sizeof_slide, done(coin_sizeof_slide()))
-CALL(coin_sizeof_orbit, done(coin_sizeof_orbit()))
+CALL(coin_sizeof, done(coin_sizeof("coin_state")))
 CALL(coin_params_disc,
      coin_params_disc(&made, c->p.mass, c->p.radius, c->p.gravity))
 CALL(coin_params_ring, coin_params_ring(&made, c->p.mass, c->p.radius,
@@ -272,13 +266,7 @@ static const struct trap_function all[] = {
     ROW(coin_version),
     ROW(coin_version_string),
     ROW(coin_status_string),
-    ROW(coin_sizeof_state),
-    ROW(coin_sizeof_params),
-    ROW(coin_sizeof_force),
-    ROW(coin_sizeof_losses),
-    ROW(coin_sizeof_friction),
-    ROW(coin_sizeof_slide),
-    ROW(coin_sizeof_orbit),
+    ROW(coin_sizeof),
     ROW(coin_selftest),
     ROW(coin_params_disc),
     ROW(coin_params_ring),

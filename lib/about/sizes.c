@@ -1,62 +1,37 @@
 /* SPDX-License-Identifier: MIT */
-/* The size of every public struct.  Bindings of other languages compare their
- * own structs with it. */
 #include "../motion/pinned.h"
 
 #include <coin.h>
 #include <coinf.h>
 
-uint32_t coin_sizeof_params(void)
+/* No pointers in the table, as in motion/methods.c. */
+#define SIZE(type)                                                             \
+    {                                                                          \
+#type, (uint32_t)sizeof(type)                                          \
+    }
+static const struct {
+    char type[16];
+    uint32_t size;
+} sizes[] = {
+    SIZE(coin_params), SIZE(coin_state),    SIZE(coin_force),
+    SIZE(coin_losses), SIZE(coin_friction), SIZE(coin_slide),
+    SIZE(coin_orbit),  SIZE(coinf_params),  SIZE(coinf_state),
+    SIZE(coinf_force), SIZE(coinf_losses),
+};
+
+static int is_equal(const char *a, const char *b)
 {
-    return (uint32_t)sizeof(coin_params);
+    while (*a && *a == *b) {
+        ++a;
+        ++b;
+    }
+    return *a == *b;
 }
 
-uint32_t coin_sizeof_state(void)
+uint32_t coin_sizeof(const char *type)
 {
-    return (uint32_t)sizeof(coin_state);
-}
-
-uint32_t coin_sizeof_force(void)
-{
-    return (uint32_t)sizeof(coin_force);
-}
-
-uint32_t coin_sizeof_losses(void)
-{
-    return (uint32_t)sizeof(coin_losses);
-}
-
-uint32_t coin_sizeof_friction(void)
-{
-    return (uint32_t)sizeof(coin_friction);
-}
-
-uint32_t coin_sizeof_slide(void)
-{
-    return (uint32_t)sizeof(coin_slide);
-}
-
-uint32_t coin_sizeof_orbit(void)
-{
-    return (uint32_t)sizeof(coin_orbit);
-}
-
-uint32_t coinf_sizeof_params(void)
-{
-    return (uint32_t)sizeof(coinf_params);
-}
-
-uint32_t coinf_sizeof_state(void)
-{
-    return (uint32_t)sizeof(coinf_state);
-}
-
-uint32_t coinf_sizeof_force(void)
-{
-    return (uint32_t)sizeof(coinf_force);
-}
-
-uint32_t coinf_sizeof_losses(void)
-{
-    return (uint32_t)sizeof(coinf_losses);
+    for (size_t i = 0; type && i < sizeof sizes / sizeof *sizes; ++i)
+        if (is_equal(type, sizes[i].type))
+            return sizes[i].size;
+    return 0;
 }

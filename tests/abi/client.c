@@ -65,8 +65,9 @@ int main(void)
     while (known < sizeof all / sizeof *all && all[known])
         ++known;
     print_params(&p);
-    printf("%u %u\n", (unsigned)(coin_sizeof_state() - sizeof(coin_state)),
-           (unsigned)(coin_sizeof_params() - sizeof(coin_params)));
+    printf("%u %u\n",
+           (unsigned)(coin_sizeof("coin_state") - sizeof(coin_state)),
+           (unsigned)(coin_sizeof("coin_params") - sizeof(coin_params)));
     return (status | roll(&p) | look(&p)) != COIN_OK ||
            known < sizeof all / sizeof *all;
 }

@@ -54,6 +54,8 @@ def annotation(kind):
 
 def argument(kind, counted):
     """`counted` if another argument says how many there are."""
+    if kind.name == "char":
+        return "c_char_p"
     if kind.pointers or kind.length:
         base = SIMPLE.get(kind.name) or python_name(kind.name)
         length = f", {kind.length}" if kind.length else (
@@ -98,6 +100,10 @@ def declarations(include):
     yield ""
     for name, value in constants.items():
         yield f"{name.removeprefix('COIN_')} = {value}"
+    yield "\nSTRUCTS = {"
+    yield from (f'    "{name}": {python_name(name)},'
+                for name in found.structs)
+    yield "}"
     yield "\n# Name: (result, {argument: type})"
     yield "PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {"
     for name, (kind, arguments) in found.functions.items():

@@ -15,10 +15,6 @@ static float f(union argument a)
 }
 
 /* clang-format off */
-CALL(coinf_sizeof_params, ())
-CALL(coinf_sizeof_state, ())
-CALL(coinf_sizeof_force, ())
-CALL(coinf_sizeof_losses, ())
 CALL(coinf_selftest, ())
 CALL(coinf_params_disc, (a[0].p, f(a[1]), f(a[2]), f(a[3])))
 CALL(coinf_params_ring, (a[0].p, f(a[1]), f(a[2]), f(a[3]), f(a[4])))
@@ -83,10 +79,6 @@ static void judge_settle(const struct outcome *o)
 #define STEPS (USUAL | BIT(COIN_ESTEP))
 
 const struct function fuzz_functions[] = {
-    ROW(coinf_sizeof_params, "", 0, 32, PLAIN),
-    ROW(coinf_sizeof_state, "", 0, 64, PLAIN),
-    ROW(coinf_sizeof_force, "", 0, 24, PLAIN),
-    ROW(coinf_sizeof_losses, "", 0, 32, PLAIN),
     ROW(coinf_selftest, "", 0, 0, PLAIN),
     ROW(coinf_params_disc, "Gddd", MAKES, 0, PLAIN),
     ROW(coinf_params_ring, "Gdddd", MAKES, 0, PLAIN),

@@ -233,6 +233,18 @@ static void take_count(struct bytes *b, const struct world *w, void *to)
     a->u = take_byte(b) % (SAMPLES + 1);
 }
 
+/* The name of a type, or nearly one. */
+static void take_text(struct bytes *b, const struct world *w, void *to)
+{
+    char *const text = to;
+    (void)w;
+    memcpy(text, "coinf_losses\0\0\0", 16);
+    if (take_byte(b) % 2)
+        memcpy(text, "coin_friction\0\0", 16);
+    if (take_byte(b) % 4 == 0)
+        text[take_byte(b) % 15] = (char)take_byte(b);
+}
+
 /* ------------------------------------------------------- what is an output */
 static int sound_params(const void *of, const struct world *w)
 {
@@ -343,6 +355,7 @@ static const struct kind kinds[] = {
     {'z', PROGRESS, sizeof(size_t), NULL, NULL},
     {'Z', PROGRESS, SAMPLES * sizeof(int32_t), NULL, NULL},
     {'r', PROGRESS, sizeof(double), NULL, sound_1},
+    {'$', READ, 16, take_text, NULL},
     {'d', SCALAR, 0, take_d, NULL},
     {'a', SCALAR, 0, take_angle, NULL},
     {'v', SCALAR, 0, take_omega_Z, NULL},

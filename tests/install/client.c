@@ -44,8 +44,8 @@ int main(int argc, char **argv)
         return fail("pkg-config and library differ in version");
     if (coin_version() != header)
         return fail("header and library differ in version");
-    if (coin_sizeof_state() != sizeof(coin_state) ||
-        coin_sizeof_params() != sizeof(coin_params))
+    if (coin_sizeof("coin_state") != sizeof(coin_state) ||
+        coin_sizeof("coin_params") != sizeof(coin_params))
         return fail("header and library differ in layout");
     if (coin_selftest() != COIN_OK || coinf_selftest() != COIN_OK)
         return fail("the library does not compute the pinned bits");

@@ -19,11 +19,12 @@ nm -g --defined-only "$OUT/librollcoin.a" |
     sed -n 's/.* [A-Z] \(.*\)/\1/p' | grep -v '^coinf*_priv_' |
     LC_ALL=C sort >"$work/global"
 
-# Every struct has a function that returns its size.
+# coin_sizeof() knows every struct.
 $CC -E -P -DCOIN_API= -I"$SRC/include" "$SRC/include/coinf.h" |
-    sed -n 's/^} \(coinf*\)_\([a-z_]*\);$/\1_sizeof_\2/p' |
+    sed -n 's/^} \(coinf*_[a-z_]*\);$/\1/p' |
     LC_ALL=C sort >"$work/sizes"
-grep 'sizeof' "$work/declared" | diff "$work/sizes" -
+grep -o 'SIZE(coin[a-z_]*)' "$SRC/lib/about/sizes.c" | sed 's/SIZE(//; s/)//' |
+    LC_ALL=C sort | diff "$work/sizes" -
 echo "$(wc -l <"$work/sizes") structs, each with a size"
 
 test -s "$work/declared"

@@ -416,25 +416,7 @@ extern "C" {
     pub fn coin_status_string(status: i32) -> *const ::std::os::raw::c_char;
 }
 extern "C" {
-    pub fn coin_sizeof_params() -> u32;
-}
-extern "C" {
-    pub fn coin_sizeof_state() -> u32;
-}
-extern "C" {
-    pub fn coin_sizeof_force() -> u32;
-}
-extern "C" {
-    pub fn coin_sizeof_losses() -> u32;
-}
-extern "C" {
-    pub fn coin_sizeof_friction() -> u32;
-}
-extern "C" {
-    pub fn coin_sizeof_slide() -> u32;
-}
-extern "C" {
-    pub fn coin_sizeof_orbit() -> u32;
+    pub fn coin_sizeof(type_: *const ::std::os::raw::c_char) -> u32;
 }
 extern "C" {
     pub fn coin_selftest() -> i32;
@@ -597,18 +579,6 @@ extern "C" {
 }
 extern "C" {
     pub fn coinf_matrix(s: *const coinf_state, p: *const coinf_params, m: *mut f32) -> i32;
-}
-extern "C" {
-    pub fn coinf_sizeof_params() -> u32;
-}
-extern "C" {
-    pub fn coinf_sizeof_state() -> u32;
-}
-extern "C" {
-    pub fn coinf_sizeof_force() -> u32;
-}
-extern "C" {
-    pub fn coinf_sizeof_losses() -> u32;
 }
 extern "C" {
     pub fn coinf_selftest() -> i32;

@@ -13,8 +13,7 @@
 //! coin.h is the reference.  Its structs are used as they are; a negative
 //! status is an [`Error`], with the progress made in [`Stopped`], any other a
 //! [`Status`].  `ffi` has the functions of coin.h and coinf.h as bindgen writes
-//! them; all those of coin.h have a safe form here, but coin_sizeof_params()
-//! and the like.
+//! them; all those of coin.h have a safe form here, but coin_sizeof().
 #![warn(missing_docs)]
 
 #[allow(non_camel_case_types, non_snake_case, non_upper_case_globals)]

@@ -258,6 +258,20 @@ RK8 = 1
 SYMPLECTIC2 = 2
 SYMPLECTIC4 = 3
 
+STRUCTS = {
+    "coin_params": Params,
+    "coin_state": State,
+    "coin_force": Force,
+    "coin_losses": Losses,
+    "coin_friction": Friction,
+    "coin_slide": Slide,
+    "coin_orbit": Orbit,
+    "coinf_params": Paramsf,
+    "coinf_state": Statef,
+    "coinf_force": Forcef,
+    "coinf_losses": Lossesf,
+}
+
 # Name: (result, {argument: type})
 PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "coin_params_disc": (c_int32, {"p": Out(Params), "mass": c_double,
@@ -361,13 +375,7 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "coin_version": (c_uint32, {}),
     "coin_version_string": (c_char_p, {}),
     "coin_status_string": (c_char_p, {"status": INT32}),
-    "coin_sizeof_params": (c_uint32, {}),
-    "coin_sizeof_state": (c_uint32, {}),
-    "coin_sizeof_force": (c_uint32, {}),
-    "coin_sizeof_losses": (c_uint32, {}),
-    "coin_sizeof_friction": (c_uint32, {}),
-    "coin_sizeof_slide": (c_uint32, {}),
-    "coin_sizeof_orbit": (c_uint32, {}),
+    "coin_sizeof": (c_uint32, {"type": c_char_p}),
     "coin_selftest": (c_int32, {}),
     "coinf_params_disc": (c_int32, {"p": Out(Paramsf), "mass": c_float,
         "radius": c_float, "gravity": c_float}),
@@ -411,9 +419,5 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
         "method": INT32, "dt": c_float, "mu": c_float}),
     "coinf_matrix": (c_int32, {"s": In(Statef), "p": In(Paramsf),
         "m": Out(c_float, 16)}),
-    "coinf_sizeof_params": (c_uint32, {}),
-    "coinf_sizeof_state": (c_uint32, {}),
-    "coinf_sizeof_force": (c_uint32, {}),
-    "coinf_sizeof_losses": (c_uint32, {}),
     "coinf_selftest": (c_int32, {}),
 }

@@ -102,11 +102,8 @@ def _load() -> ctypes.CDLL:
                           f"above {path.parent.parent}")
     library = ctypes.CDLL(str(path))
     _declare(library)
-    for name in declared.PROTOTYPES:
-        prefix, _, struct = name.partition("_sizeof_")
-        kind = struct.title().replace("_", "") + prefix.removeprefix("coin")
-        if struct and getattr(library, name)() != ctypes.sizeof(
-                getattr(declared, kind)):
+    for name, kind in declared.STRUCTS.items():
+        if library.coin_sizeof(name.encode()) != ctypes.sizeof(kind):
             raise ImportError("librollcoin is of another release than "
                               "rollcoin")
     return library
