@@ -683,6 +683,33 @@ COIN_API int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
 COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
                                     double theta, double wZ, int32_t branch);
 
+/** The circle of a given size at a given lean, as people state the problem: the
+ * one with wY > 0 and wY wZ theta >= 0, which exists for every lean but 0.
+ * Eq. (93).
+ * @param theta   the lean, 0 < |theta| < pi/2 [rad]
+ * @param radius  of the centre's circle, >= 0; 0 is coin_steady_spin() [L]
+ * @return as coin_steady_roll(); COIN_EARG also radius < 0 or NaN; COIN_ESTATE
+ *         theta out of range, or wY or wZ would be; COIN_EDOMAIN theta = 0,
+ *         radius above 1e300 as a length or in radii a, or wY too small for a
+ *         double.
+ * Accuracy: 8 u in wY and wZ (test_steady_turn).
+ * Cost: 480 instructions. */
+COIN_API int32_t coin_steady_turn(coin_state *s, const coin_params *p,
+                                  double theta, double radius);
+
+/** The lean that a coin needs to ride round a circle at a given speed: the same
+ * choice, with 0 < theta < pi/2, of which there is just one.  Eq. (93), (94).
+ * @param speed   of the centre, > 0 [L/T]
+ * @param radius  of the centre's circle, > 0 [L]
+ * @return as coin_steady_turn(); COIN_EARG also speed <= 0, radius = 0 or NaN;
+ *         COIN_ESTATE also if wZ = speed/a would be out of range; COIN_EDOMAIN
+ *         also if tan(theta) would be above 1e7.
+ * Accuracy: 16 u in the radius, 16 u + u/cos(theta) in the speed, and the lean
+ *         as these determine it (test_steady_turn).
+ * Cost: some 1,060 instructions. */
+COIN_API int32_t coin_steady_ride(coin_state *s, const coin_params *p,
+                                  double speed, double radius);
+
 /** The circles that the centre and the contact point of a steady motion
  * follow.  Eq. (43).
  * @param[out] center   R_G, of the centre of mass; +infinity if wY = 0, or if

@@ -78,7 +78,8 @@ static void a_valley_is_found_where_newton_leads_uphill(void **unused)
     for (int side = -1; side <= 1; side += 2) {
         coin_state s = {.wX = 0.1 * side, .wZ = 0.5};
         double lambda2;
-        check_status(coin_advance(&s, &p, 0.5, 1e-13, NULL), COIN_OK);
+        check_status(coin_advance(&s, &p, 0.2, 1e-13, NULL), COIN_OK);
+        check_within(s.theta * side, 0.01, 0.03);
         check_status(near_of(&s, &p), COIN_OK);
         check_status(coin_stability(&s, &p, &lambda2), COIN_OK);
         check(s.theta * side > 0.1 && lambda2 < 0);
@@ -98,6 +99,22 @@ static void a_fast_coin_is_balanced(void **unused)
         check_note("w %g", w);
         check_status(near_of(&s, &p), COIN_OK);
         check_status(coin_stability(&s, &p, &lambda2), COIN_OK);
+    }
+}
+
+/* As far as the rounding of theta tells: a part 2 u/e of the angle e. */
+static void a_disturbed_spin_next_to_flat_finds_a_spin(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    for (double e = 1e-2; e > 5e-10; e /= 3) {
+        coin_state s;
+        check_note("%g from flat", e);
+        check_status(coin_steady_spin(&s, &p, acos(0) - e), COIN_OK);
+        s.wY *= 1.02;
+        check_status(near_of(&s, &p), COIN_OK);
+        check_near(s.wY * s.wY, 4 * (acos(0) - s.theta), (1e-2 * e + 4e-16));
     }
 }
 
@@ -123,6 +140,7 @@ int main(void)
         TEST(the_integrals_are_those_of_the_state),
         TEST(a_valley_is_found_where_newton_leads_uphill),
         TEST(a_fast_coin_is_balanced),
+        TEST(a_disturbed_spin_next_to_flat_finds_a_spin),
         TEST(a_coin_that_falls_flat_has_none),
     };
     return RUN_TESTS(tests);

@@ -236,6 +236,10 @@ CALL(coin_steady_upright_spin, coin_steady_upright_spin(&out, &c->p, c->s.wY))
 CALL(coin_steady_circle,
      coin_steady_circle(&out, &c->p, c->s.theta, c->s.wZ, c->dt > 0 ? 1 : -1))
 
+CALL(coin_steady_turn, coin_steady_turn(&out, &c->p, c->s.theta, fabs(c->s.x)))
+CALL(coin_steady_ride,
+     coin_steady_ride(&out, &c->p, fabs(c->s.wZ) * c->p.radius, c->p.radius))
+
 /* The circle of this lean and roll, if there is one. */
 static coin_state steady(const struct trap_case *c)
 {
@@ -304,6 +308,8 @@ static const struct trap_function all[] = {
     ROW(coin_steady_spin),
     ROW(coin_steady_upright_spin),
     ROW(coin_steady_circle),
+    ROW(coin_steady_turn),
+    ROW(coin_steady_ride),
     ROW(coin_steady_radii),
     ROW(coin_steady_at),
     ROW(coin_stability),

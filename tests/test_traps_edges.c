@@ -268,6 +268,16 @@ static void the_least_numbers_are_no_divisors(void **unused)
     check(isnan(o.center[0]) && isnan(o.radius_max));
 }
 
+static void a_ride_round_no_circle_is_quiet(void **unused)
+{
+    const coin_params p = disc();
+    coin_state s;
+    (void)unused;
+    QUIET(coin_steady_ride(&s, &p, 1, 1e-200), COIN_EDOMAIN);
+    QUIET(coin_steady_ride(&s, &p, 1e-200, 1e-200), COIN_OK);
+    QUIET(coin_steady_turn(&s, &p, 0.3, DBL_MAX), COIN_EDOMAIN);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -282,6 +292,7 @@ int main(void)
         TEST(a_time_of_no_length_is_looked_at),
         TEST(what_nearly_overflows_is_compared_without_overflow),
         TEST(the_least_numbers_are_no_divisors),
+        TEST(a_ride_round_no_circle_is_quiet),
     };
     return RUN_TESTS(tests);
 }

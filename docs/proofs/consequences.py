@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Asserts what physics.md concludes from the equations of motion.
 
-usage:  python3 docs/proofs/consequences.py   Eq. (33)-(54), (56)-(58), (60)-(63)
+usage:  python3 docs/proofs/consequences.py   Eq. (33)-(54), (56)-(58), (60)-(63), (93), (94)
 runs derivation.py first
 """
 import sys
@@ -86,6 +86,16 @@ for f in ((-K*wZ + root)/(2*IX*T), (-K*wZ - root)/(2*IX*T)):
     holds(40, steady.subs({wY: f, **by_root}))
 holds(41, ((-K*wZ + root)/(2*IX*T) - 2*M*g*a*s/(K*wZ + root)).subs(by_root))
 holds(42, steady.subs(wZ, 0) - IX*T*(wY**2 - M*g*a*c/IX))
+radius = sp.Symbol('radius', positive=True)
+turned = wY*(K*radius/a + IX*s)/c - M*g*a*s/wY          # (93)
+holds(93, steady.subs(wZ, radius*wY/(a*c)) - wY*turned)
+speed = sp.Symbol('speed', positive=True)
+lean = T - IX*speed**2/(M*g*a*radius**2)*s - K*speed**2/(M*g*a*a*radius)
+holds(94, steady.subs({wY: c*speed/radius, wZ: speed/a}) + M*g*a*c*lean)
+t_ = sp.Symbol('t_', positive=True)
+by_tan = t_ - l*t_/sqrt(1 + t_**2)
+holds(94, diff(by_tan, t_) - (1 - l*(1/sqrt(1 + t_**2))**3),
+      diff(by_tan, t_, 2) - 3*l*t_/(1 + t_**2)**sp.Rational(5, 2))
 holds(53, (R[1] - M*g).subs(wX, 0).subs(at_rest),
       (Rh - M*a*wY*wZ/c).subs(wX, 0).subs(at_rest))
 ph0, time = sp.symbols('ph0 time')               # (56) moves as (20), wX = 0

@@ -13,6 +13,14 @@
  * counts as infinite. */
 #define FARTHEST 1e307
 
+/* The largest radius of coin_steady_turn(), in its unit or in radii of the
+ * coin: no product with it overflows. */
+#define LARGEST 1e300
+
+/* The largest tan theta of coin_steady_ride().  Nearer to flat the rounding of
+ * theta changes the speed by more than STEADY. */
+#define STEEPEST 1e7
+
 int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
                                coin_priv_body *b, coin_priv_sc *th)
 {
@@ -35,17 +43,13 @@ int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
     return balanced ? COIN_OK : COIN_EDOMAIN;
 }
 
-/* Makes *s the state with this lean and these rates, if the checks find it to
- * be a steady one.  For moments of inertia that differ by a factor of 1e200 a
- * rate may lie beyond all doubles (test_steady). */
+/* Makes *s the state with this lean and these rates, if they are in range. */
 static int32_t steady(coin_state *s, const coin_params *p, double theta,
                       double wY, double wZ)
 {
     const coin_state made = {theta, 0, 0, 0, 0, 0, wY, wZ};
     coin_priv_body b;
-    coin_priv_sc th;
-    const int32_t status =
-        s ? coin_priv_check_steady(&made, p, &b, &th) : COIN_EARG;
+    const int32_t status = s ? coin_priv_check(&made, p, &b) : COIN_EARG;
     if (status == COIN_OK)
         *s = made;
     return status;
@@ -97,6 +101,73 @@ int32_t coin_steady_circle(coin_state *s, const coin_params *p, double theta,
     /* If wZ and theta are so small that q underflows, wY is 0 too. */
     const double wY = q == 0 ? 0 : large ? q / A : -G / q; /* (41) */
     return wY == 0 ? COIN_EDOMAIN : steady(s, p, theta, wY, wZ);
+}
+
+int32_t coin_steady_turn(coin_state *s, const coin_params *p, double theta,
+                         double radius)
+{
+    coin_priv_body b;
+    const coin_state asked = {theta, 0, 0, 0, 0, 0, 0, 0};
+    const int32_t status =
+        s && radius >= 0 ? coin_priv_check(&asked, p, &b) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    if (theta == 0 || !(radius <= coin_priv_lesser(1, b.a) * LARGEST))
+        return COIN_EDOMAIN;
+    if (radius == 0)
+        return coin_steady_spin(s, p, theta);
+    const coin_priv_sc th = coin_priv_sincos(theta);
+    const double sth = fabs(th.s), r = radius / b.a;
+    const double part = sth / (r + b.IX / b.K * sth);
+    const double wY = sqrt(b.Mga / b.K) * sqrt(th.c * part); /* (93) */
+    const double wZ = wY / th.c * r;
+    return wY == 0 ? COIN_EDOMAIN
+                   : steady(s, p, theta, wY, theta < 0 ? -wZ : wZ);
+}
+
+/* tan theta of (94), at a given roll and rate of turning.  Newton's method from
+ * above: the left side minus the right one is convex, so that the tangents
+ * decrease until rounding ends that.  1 - B cos theta is computed as (1 - B +
+ * e) cos theta, e = 1/cos theta - 1, in which nothing cancels for small and for
+ * large leans. */
+static double tangent_of(const coin_priv_body *b, double wZ, double turn)
+{
+    const double A = b->K / b->Mga * wZ * turn;    /* (94) */
+    const double B = b->IX / b->Mga * turn * turn; /* (94) */
+    double T = A + B;
+    for (;;) {
+        const double q = sqrt(1 + T * T), e = T * T / (q + 1);
+        const double excess = T * (1 - B + e) / q - A; /* (94) */
+        const double slope = (1 - B + e * (q * q + q + 1)) / (q * q * q);
+        const double next = T - excess / slope;
+        if (!(next < T))
+            return next;
+        T = next;
+    }
+}
+
+int32_t coin_steady_ride(coin_state *s, const coin_params *p, double speed,
+                         double radius)
+{
+    coin_priv_body b;
+    int32_t status = s && speed > 0 && radius > 0 && p
+                         ? coin_priv_check_body(&b, p)
+                         : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    const coin_state asked = {0, 0, 0, 0, 0, 0, 0, speed / b.a};
+    status = coin_priv_check(&asked, p, &b);
+    if (status != COIN_OK)
+        return status;
+    /* 1/cos theta > B, so that T is above STEEPEST where B is. */
+    if (!(speed <= sqrt(STEEPEST * b.Mga / b.IX) * radius))
+        return COIN_EDOMAIN;
+    const double T = tangent_of(&b, asked.wZ, speed / radius);
+    if (!(T <= STEEPEST))
+        return COIN_EDOMAIN;
+    const double q = sqrt(1 + T * T);
+    const coin_priv_sc th = {T / q, 1 / q};
+    return coin_steady_turn(s, p, coin_priv_angle(th), radius);
 }
 
 int32_t coin_steady_radii(const coin_state *s, const coin_params *p,

@@ -174,7 +174,7 @@ static int32_t begin(struct passing *g, const coin_state *s,
     const double most = SWING * coin_priv_angle(from_flat);
     const double lean = fabs(s->theta - near.theta);
     const double fastest2 = -lambda2 * (most + lean) * (most - lean);
-    if (!((lambda2 < 0) & (s->wX * s->wX <= fastest2)))
+    if (!(s->wX * s->wX < fastest2)) /* > 0 only where lambda^2 < 0 */
         return COIN_EDOMAIN;
     const double w0 = g->q.w0 = sqrt(g->q.b.g_a);
     if (!(fabs(near.wY) + fabs(near.wZ) <= FASTEST * w0))

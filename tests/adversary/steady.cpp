@@ -51,6 +51,46 @@ template <class R> double circle(const scene &s, double)
     return v.worst;
 }
 
+/* (93), of a circle of any size. */
+template <class R> double turn(const scene &s, double)
+{
+    const coin_params p = params_of<doubles>(s);
+    const double radius = s.a * std::fabs(s.q[0] / s.q[1]);
+    coin_state made;
+    if (coin_steady_turn(&made, &p, s.theta, radius) != COIN_OK)
+        return NO_CLAIM;
+    const moment<R> y(p, made);
+    const R sth = magnitude(y.s), r = R(radius) / y.a;
+    const R wY = root(y.Mga * sth * y.c / (y.K * r + y.IX * sth));
+    const R wZ = wY / y.c * r, few = 8 * R(doubles::u);
+    verdict<R> v;
+    v.hold(R(made.wY), wY, few * wY);
+    v.hold(magnitude(R(made.wZ)), wZ, few * wZ);
+    v.equal(made.theta == s.theta && made.wX == 0 &&
+            made.wZ * made.theta >= 0);
+    return v.worst;
+}
+
+/* Speed, radius, and (39). */
+template <class R> double ride(const scene &s, double)
+{
+    const coin_params p = params_of<doubles>(s);
+    const double radius = s.a * std::fabs(s.q[0] / s.q[1]);
+    const double speed = std::sqrt(s.g * s.a) * std::fabs(s.q[2] / s.q[3]);
+    coin_state made;
+    if (coin_steady_ride(&made, &p, speed, radius) != COIN_OK)
+        return NO_CLAIM;
+    const moment<R> y(p, made);
+    const R u = R(doubles::u), G = y.a * y.wZ * y.c / y.wY;
+    const R roll = y.K * y.wZ * y.wY, tilt = y.IX * y.wY * y.wY * y.T;
+    verdict<R> v;
+    v.hold(y.a * y.wZ, R(speed), (16 * u + u / y.c) * R(speed));
+    v.hold(G, R(radius), 16 * u * R(radius));
+    v.hold(roll + tilt, y.Mga * y.s, 24 * u * y.Mga * y.s);
+    v.equal(made.wX == 0 && made.wY > 0 && made.theta > 0);
+    return v.worst;
+}
+
 /* A steady state to rounding, or off by up to 1e-9. */
 void steady_edge(scene *s, const double *g)
 {
@@ -163,6 +203,10 @@ void add_steady(std::vector<row> *rows)
     const row made[] = {
         STEADY(spin, "coin_steady_spin", "8 u", 1, nullptr),
         STEADY(circle, "coin_steady_circle", "8 u", 1, nullptr),
+        STEADY(turn, "coin_steady_turn", "8 u", 1, nullptr),
+        STEADY(ride, "coin_steady_ride",
+               "16 u + u/cos theta of the speed; 16 u of the radius", 1,
+               nullptr),
         STEADY(radii, "coin_steady_radii", "8 u of the terms", 1, steady_edge),
         STEADY(stability, "coin_stability", "16 u of the terms", 1,
                steady_edge),

@@ -133,6 +133,9 @@ static void steady()
     CHECK(rollcoin::steady_radii(circle, p).contact >
           rollcoin::steady_radii(circle, p).center);
     CHECK(std::fabs(rollcoin::steady_at(circle, p, 0.1).theta - 0.4) < 1e-12);
+    const auto turn = rollcoin::steady_turn(p, 0.4, 0.04);
+    const auto ride = rollcoin::steady_ride(p, turn.wZ * p.radius, 0.04);
+    CHECK(std::fabs(ride.theta - 0.4) < 1e-12);
     CHECK(rollcoin::steady_roll(p, 9).wZ == 9);
     CHECK(rollcoin::steady_upright_spin(p, 9).wY == 9);
     const double ratio =

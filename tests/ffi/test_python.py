@@ -319,6 +319,10 @@ class Results(unittest.TestCase):
         self.assertEqual(rc.steady_roll(p, 30).wZ, 30)
         self.assertEqual(rc.steady_upright_spin(p, 9).wY, 9)
         self.assertGreater(rc.steady_spin(p, 0.5).wY, 0)
+        turn = rc.steady_turn(p, 0.4, 0.04)
+        self.assertAlmostEqual(rc.steady_radii(turn, p)[0], 0.04, 15)
+        ride = rc.steady_ride(p, turn.wZ * p.radius, 0.04)
+        self.assertAlmostEqual(ride.theta, 0.4, 12)
         self.assertAlmostEqual(rc.critical_roll(p) ** 2,
                                p.gravity / (3 * p.radius), 9)
         self.assertAlmostEqual(rc.critical_spin(p) ** 2,

@@ -282,7 +282,7 @@ static void the_right_error_is_returned(const struct subject *s, double result,
         demand(result == COIN_EARG || result == COIN_EPARAMS);
     else if (bad_state)
         demand(result == COIN_EARG || result == COIN_ESTATE);
-    else if (knows && has_state && !strpbrk(f->signature, "kloxK"))
+    else if (knows && has_state && !strpbrk(f->signature, "loxK"))
         demand(result != COIN_EPARAMS && result != COIN_ESTATE);
 }
 

@@ -8,6 +8,8 @@ CALL(coin_steady_roll, (a[0].p, a[1].p, a[2].d))
 CALL(coin_steady_spin, (a[0].p, a[1].p, a[2].d))
 CALL(coin_steady_upright_spin, (a[0].p, a[1].p, a[2].d))
 CALL(coin_steady_circle, (a[0].p, a[1].p, a[2].d, a[3].d, a[4].i))
+CALL(coin_steady_turn, (a[0].p, a[1].p, a[2].d, a[3].d))
+CALL(coin_steady_ride, (a[0].p, a[1].p, a[2].d, a[3].d))
 CALL(coin_steady_radii, (a[0].p, a[1].p, a[2].p, a[3].p))
 CALL(coin_steady_at, (a[0].p, a[1].p, a[2].d, a[3].p))
 CALL(coin_orbit_init, (a[0].p, a[1].p, a[2].p))
@@ -39,6 +41,15 @@ static void judge_steady(const struct outcome *o)
     demand(is_steady(s, &o->world->p));
 }
 
+/* Besides, it turns to the left and rolls to the side that it leans to. */
+static void judge_turn(const struct outcome *o)
+{
+    const coin_state *s = o->left[0].p;
+    judge_steady(o);
+    if (o->result >= 0)
+        demand(s->wY > 0 && (s->theta < 0 ? s->wZ <= 0 : s->wZ >= 0));
+}
+
 /* Only of a steady motion can these be told. */
 static void judge_is_steady(const struct outcome *o)
 {
@@ -64,6 +75,8 @@ const struct function fuzz_functions[] = {
     ROW(coin_steady_spin, "Opa", USUAL, 0, 0, judge_steady, 0),
     ROW(coin_steady_upright_spin, "Opv", USUAL, 0, 0, judge_steady, 0),
     ROW(coin_steady_circle, "Opavb", IS_STEADY, 0, 0, judge_steady, 0),
+    ROW(coin_steady_turn, "Opa~", IS_STEADY, 0, 0, judge_turn, 0),
+    ROW(coin_steady_ride, "Op^~", IS_STEADY, 0, 0, judge_turn, 0),
     ROW(coin_steady_radii, "spII", IS_STEADY, 0, 0, judge_is_steady, 0),
     ROW(coin_steady_at, "spTO", IS_STEADY | BIT(COIN_ESTEP), 0, 0, judge_at, 0),
     ROW(coin_orbit_init, "Ysp", IS_STEADY, 0, PLAIN),

@@ -143,6 +143,21 @@ static void take_omega_Z(struct bytes *b, const struct world *w, void *to)
     a->d = take_rate(b, sqrt(w->p.gravity / w->p.radius));
 }
 
+/* From a thousandth of the coin's radius to a hundred radii. */
+static void take_length(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    const double part = ldexp(take_part(b), 7 - take_byte(b) % 18);
+    a->d = perhaps(b, w->p.radius * part);
+}
+
+static void take_speed(struct bytes *b, const struct world *w, void *to)
+{
+    union argument *const a = to;
+    take_omega_Z(b, w, to);
+    a->d *= w->p.radius;
+}
+
 /* A step, from far too short to far too long for this state. */
 static void take_dt(struct bytes *b, const struct world *w, void *to)
 {
@@ -324,7 +339,6 @@ static const struct kind kinds[] = {
     {'p', READ, sizeof(coin_params), take_p, NULL},
     {'P', WRITTEN, sizeof(coin_params), NULL, sound_params},
     {'s', READ, sizeof(coin_state), take_s, NULL},
-    {'k', READ, sizeof(coin_state), take_k, NULL},
     {'E', READ, sizeof(coin_state), take_spin, NULL},
     {'S', MOVED, sizeof(coin_state), take_s, sound_state},
     {'X', MOVED, SAMPLES * sizeof(coin_state), take_coins, NULL},
@@ -359,6 +373,8 @@ static const struct kind kinds[] = {
     {'d', SCALAR, 0, take_d, NULL},
     {'a', SCALAR, 0, take_angle, NULL},
     {'v', SCALAR, 0, take_omega_Z, NULL},
+    {'~', SCALAR, 0, take_length, NULL},
+    {'^', SCALAR, 0, take_speed, NULL},
     {'t', SCALAR, 0, take_dt, NULL},
     {'T', SCALAR, 0, take_time, NULL},
     {'e', SCALAR, 0, take_tol, NULL},

@@ -111,6 +111,14 @@ static int32_t steady_circle(void *const a[])
 {
     return coin_steady_circle(a[0], a[1], 0.5, 1, 1);
 }
+static int32_t steady_turn(void *const a[])
+{
+    return coin_steady_turn(a[0], a[1], 0.5, 1);
+}
+static int32_t steady_ride(void *const a[])
+{
+    return coin_steady_ride(a[0], a[1], 1, 1);
+}
 static int32_t steady_radii(void *const a[])
 {
     return coin_steady_radii(a[0], a[1], a[2], a[3]);
@@ -197,6 +205,8 @@ const struct function functions[] = {
     {"coin_steady_spin", "op", steady_spin},
     {"coin_steady_upright_spin", "op", upright_spin},
     {"coin_steady_circle", "op", steady_circle},
+    {"coin_steady_turn", "op", steady_turn},
+    {"coin_steady_ride", "op", steady_ride},
     {"coin_steady_radii", "spoo", steady_radii},
     {"coin_steady_at", "spo", steady_at},
     {"coin_orbit_init", "osp", orbit_init},

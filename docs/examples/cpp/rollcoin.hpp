@@ -324,6 +324,20 @@ inline state steady_circle(const params &p, double theta, double wZ,
     return s;
 }
 
+inline state steady_turn(const params &p, double theta, double radius)
+{
+    state s;
+    check(coin_steady_turn(&s, &p, theta, radius));
+    return s;
+}
+
+inline state steady_ride(const params &p, double speed, double radius)
+{
+    state s;
+    check(coin_steady_ride(&s, &p, speed, radius));
+    return s;
+}
+
 struct radii {
     double center, contact;
 };

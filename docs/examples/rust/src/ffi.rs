@@ -287,6 +287,22 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
+    pub fn coin_steady_turn(
+        s: *mut coin_state,
+        p: *const coin_params,
+        theta: f64,
+        radius: f64,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_steady_ride(
+        s: *mut coin_state,
+        p: *const coin_params,
+        speed: f64,
+        radius: f64,
+    ) -> i32;
+}
+extern "C" {
     pub fn coin_steady_radii(
         s: *const coin_state,
         p: *const coin_params,

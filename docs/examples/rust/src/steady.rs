@@ -32,6 +32,16 @@ impl State {
         filled(|s| unsafe { ffi::coin_steady_circle(s, p, theta, wZ, branch) })
     }
 
+    /// Rolling at this lean; the centre's circle has this radius.
+    pub fn steady_turn(p: &Params, theta: f64, radius: f64) -> Result<State> {
+        filled(|s| unsafe { ffi::coin_steady_turn(s, p, theta, radius) })
+    }
+
+    /// Rolling along a circle at a speed, at the lean that this needs.
+    pub fn steady_ride(p: &Params, speed: f64, radius: f64) -> Result<State> {
+        filled(|s| unsafe { ffi::coin_steady_ride(s, p, speed, radius) })
+    }
+
     /// The radii of the circles of the centre and of the contact.
     pub fn steady_radii(&self, p: &Params) -> Result<(f64, f64)> {
         filled(|out: &mut (f64, f64)| unsafe {

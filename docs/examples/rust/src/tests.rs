@@ -155,6 +155,9 @@ fn steady_motions_are_steady() {
     assert!(center > 0.0 && contact > center);
     let later = circle.steady_at(&p, 0.1).unwrap();
     assert!((later.theta - 0.4).abs() < 1e-12);
+    let turn = State::steady_turn(&p, 0.4, 0.04).unwrap();
+    let ride = State::steady_ride(&p, turn.wZ * p.radius, 0.04).unwrap();
+    assert!((ride.theta - 0.4).abs() < 1e-12);
     assert_eq!(State::steady_roll(&p, 9.0).unwrap().wZ, 9.0);
     assert_eq!(State::steady_upright_spin(&p, 9.0).unwrap().wY, 9.0);
     let none = State::steady_circle(&p, 0.0, 30.0, 1);

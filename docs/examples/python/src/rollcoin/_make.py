@@ -13,7 +13,8 @@ from ._tables import (AnyLosses, AnyParams, Coin, Coins, Status, coin, function,
 __all__ = ["body", "bodyf", "disc", "discf", "losses_check", "losses_fit",
            "params_check", "ring", "ringf", "state_check",
            "state_from_landing", "state_from_motion", "steady_circle",
-           "steady_roll", "steady_spin", "steady_upright_spin"]
+           "steady_ride", "steady_roll", "steady_spin", "steady_turn",
+           "steady_upright_spin"]
 
 
 # ------------------------------------------------------------------- parameters
@@ -148,6 +149,22 @@ def steady_circle(p: Params, theta: float, wZ: float,
     of Eq. (40).  coin_steady_circle()"""
     s = State()
     lib.coin_steady_circle(s, p, theta, wZ, branch)
+    return s
+
+
+def steady_turn(p: Params, theta: float, radius: float) -> State:
+    """Rolling at a lean along a circle; radius is that of the centre's circle,
+    0 for a spin.  coin_steady_turn()"""
+    s = State()
+    lib.coin_steady_turn(s, p, theta, radius)
+    return s
+
+
+def steady_ride(p: Params, speed: float, radius: float) -> State:
+    """Rolling along a circle at a speed, at the lean that this needs.
+    coin_steady_ride()"""
+    s = State()
+    lib.coin_steady_ride(s, p, speed, radius)
     return s
 
 
