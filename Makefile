@@ -262,9 +262,8 @@ include $(wildcard $(SRC)/tests/*/*.mk)
 # ----------------------------------------------------------- tarball, packaging
 # In a git tree a release holds the tracked files, in an unpacked release those
 # of the same folders.  distcheck proves the two ways equal.
-NAME    := rollcoin-$(VERSION)
-SINGLES := rollcoin-single-$(VERSION)
-TARBALL := $(O)/$(NAME).tar.xz
+TARBALL := $(O)/rollcoin-$(VERSION).tar.xz
+SINGLES := $(O)/rollcoin-single-$(VERSION).tar.xz
 PACKED   = --no-recursion --format=ustar --mtime='$(DATE) 00:00Z' --owner=0 \
            --group=0 --numeric-owner --mode=u=rwX,go=rX
 
@@ -275,12 +274,12 @@ dist: need-dist $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, and the single head
 	    .clang-format .gitignore CHANGELOG.md LICENSE Makefile README.md docs \
 	    include lib pkgconfig tests $(SOURCES_ONLY); fi >$(abspath $(O)/files)
 	LC_ALL=C sort -o $(O)/files $(O)/files
-	tar -C $(SRC) -cf $(O)/$(NAME).tar $(PACKED) -T $(O)/files \
-	    --transform='flags=r;s,^,$(NAME)/,'
-	tar -C $(O)/single -cf $(O)/$(SINGLES).tar $(PACKED) README.md coin.h \
-	    coinf.h --transform='flags=r;s,^,$(SINGLES)/,'
-	xz -fT1 $(O)/$(NAME).tar $(O)/$(SINGLES).tar
-	wc -c $(TARBALL) $(O)/$(SINGLES).tar.xz
+	tar -C $(SRC) -cf $(TARBALL:.xz=) $(PACKED) -T $(O)/files \
+	    --transform='flags=r;s,^,rollcoin-$(VERSION)/,'
+	tar -C $(O)/single -cf $(SINGLES:.xz=) $(PACKED) README.md coin.h coinf.h \
+	    --transform='flags=r;s,^,rollcoin-single-$(VERSION)/,'
+	xz -fT1 $(TARBALL:.xz=) $(SINGLES:.xz=)
+	wc -c $(TARBALL) $(SINGLES)
 	test $$(wc -c <$(TARBALL)) -le 3000000 || echo 'warning: more than 3 MB'
 
 need-dist:
