@@ -595,6 +595,44 @@ class Tables(unittest.TestCase):
         rc.advance(table, p, 0.1, status=status)
         self.assertEqual(list(numpy.nonzero(status)[0]), [3])
 
+    def test_a_row_that_fails_tells_how_far_it_came(self):
+        """One falls flat, one leaves the range of psi, one is no state, and
+        one rolls on."""
+        ends = [rc.EFLAT, rc.ERANGE, rc.ESTATE, rc.OK]
+        rests = [rc.RESTS, rc.ERANGE, rc.ESTATE, rc.OK]
+        for kind, p, call, rest, statuses in (
+                (rc.State, quarter()[0], rc.advance, (0.2,), ends),
+                (rc.State, quarter()[0], rc.advance_until,
+                 (0.2, INF, rc.SLIPS), ends),
+                (rc.State, quarter()[0], rc.settle,
+                 (rc.Losses(dry=1e-9), 0.2), rests),
+                (rc.Statef, quarterf()[0], rc.settle,
+                 (rc.Lossesf(dry=1e-9), 0.2),
+                 [rc.RESTS, rc.OK, rc.ESTATE, rc.OK])):  # psi turns round
+            table = numpy.zeros(4, kind)
+            table["theta"] = [0.3, 0.1, 2, 0.3]
+            table["wZ"] = [0, 40, 0, 40]
+            table["psi"][1] = 2.0**31 - 1 if kind is rc.State else 4095
+            alone, raising = table.copy(), table.copy()
+            status = numpy.zeros(4, numpy.int32)
+            said = call(table, p, *rest, status=status)
+            reached = said if call is rc.advance else said.reached
+            self.assertEqual(list(status), statuses)
+            whole = reached.dtype.type(0.2)
+            for time, end in zip(reached, statuses):
+                self.assertEqual(time == whole, end == rc.OK)
+                self.assertEqual(time == 0, end == rc.ESTATE)
+            for k in numpy.flatnonzero(status < 0):
+                with self.assertRaises(rc.Error) as caught:
+                    call(alone[k], p, *rest)
+                self.assertEqual(caught.exception.done, reached[k])
+            with self.assertRaises(rc.Error) as caught:
+                call(raising, p, *rest)
+            first = int(numpy.argmax(status < 0))
+            self.assertEqual((caught.exception.index, caught.exception.done),
+                             (first, reached[first]))
+            self.assertEqual(raising.tobytes(), table.tobytes())
+
 
 class Buffers(unittest.TestCase):
     def test_a_trajectory_is_written_in_place(self):

@@ -17,15 +17,19 @@ __all__ = ["Error", "lib"]
 class Error(ValueError):
     """A negative status of the library.
 
-    The state is then as before the call; after run() and the like it is the
-    last good one."""
+    status  the status: ESTATE, ESTEP, ...; str() says it in words
+    done    how far a call that moves a coin came: the steps of run(), the
+            states of sample(), the time of advance(), advance_until(),
+            settle() and slide_advance(); None of other calls
+    index   the first row of a table that failed, or None
+
+    The state is the last good one: that after `done`, or as it was before the
+    call.  The rows of a table that did not fail are moved all the same.
+    """
 
     status: int
-    """The status: ESTATE, ..."""
     done: Optional[float]
-    """How far run(), sample(), advance(), settle() came, or None."""
     index: Optional[int]
-    """The first row of a table that failed, or None."""
 
     def __init__(self, status: int, done: Optional[float] = None,
                  index: Optional[int] = None) -> None:

@@ -176,7 +176,8 @@ def _no_argument(call: Any, *arguments: Any) -> None:
 def advance(s: Coins, p: Params, t: float, tol: float = 1e-9, *,
             status: Status = None) -> Any:
     """Moves s, a State, a row or a table, by any time t to an accuracy;
-    returns the time moved, of a table an array.  coin_advance()"""
+    returns the time moved, of a table an array.  With status= that of a coin
+    that falls flat is the time of its fall.  coin_advance()"""
     return _moved("advance", s, (p, t, tol), status)[1]
 
 

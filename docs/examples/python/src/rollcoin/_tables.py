@@ -4,6 +4,7 @@ back."""
 from __future__ import annotations
 
 import ctypes
+import math
 import mmap
 import sys
 import time
@@ -255,15 +256,10 @@ def read(name: str, s: Any, *inputs: Any, status: Any = None,
         return give(name, type(coin), coin, *inputs)
     coins = table(s, kind, write)
     function(name, coins.kind)
-    return _each(name, coins, inputs, status)
-
-
-def _each(name: str, coins: Table, inputs: Tuple[Any, ...],
-          status: Any) -> Any:
     full = _prefix(coins.kind) + name
     size = sizeof(coins.kind)
     return _rows_of(full, "each_", coins.shape, status, lambda first: (
-        coins.address + first * size, *inputs))
+        coins.address + first * size, *inputs), 0 if write else math.nan)
 
 
 def times(name: str, t: Any, *inputs: Any, status: Any = None) -> Any:
@@ -277,16 +273,17 @@ def times(name: str, t: Any, *inputs: Any, status: Any = None) -> Any:
 
 
 def _rows_of(full: str, prefix: str, shape: Tuple[int, ...], status: Any,
-             arguments: Any) -> Any:
+             arguments: Any, unwritten: float = math.nan) -> Any:
     """Calls a function of tables.h, part by part, with the arguments from a
-    row on; returns what it wrote, or else the statuses."""
-    import numpy
+    row on; returns what it wrote, or else the statuses.  An error leaves what
+    it does not write: that is `unwritten`."""
     call = getattr(lib, prefix + full)
     result = PROTOTYPES[full][0]
     statuses = _statuses(status, shape)
-    outs = [_empty(shape, out.kind, out.length) for out in _outs(full)]
+    outs = [_filled(shape, out.kind, out.length, unwritten)
+            for out in _outs(full)]
     if result is not c_int32:
-        outs = [_empty(shape, result, 1)]
+        outs = [_filled(shape, result, 1, unwritten)]
     count = statuses.size
     worst = 0
     for first, length in slices(count):
@@ -296,22 +293,16 @@ def _rows_of(full: str, prefix: str, shape: Tuple[int, ...], status: Any,
         some = call(length, statuses.ctypes.data + 4 * first, *before,
                     *arguments(first), *places)
         worst = min(worst, some)
-    if worst < 0:
-        _failed(statuses.reshape(-1), outs, status is None)
+    if worst < 0 and status is None:
+        _raise_first(statuses.reshape(-1))
     return outs[0] if len(outs) == 1 else tuple(outs) or statuses
 
 
-def _failed(statuses: Any, outs: list[Any], raises: bool) -> None:
-    """Raises for the first row that failed, or makes NaN of all of them."""
-    import numpy
-    bad = statuses < 0
-    if raises:
-        index = int(numpy.argmax(bad))
-        whole = statuses[index] in (EARG, EPARAMS)  # of no row in particular
-        raise Error(int(statuses[index]), index=None if whole else index)
-    for out in outs:
-        real = numpy.float32 if _single(out.dtype) else numpy.float64
-        out.view(real).reshape(len(bad), -1)[bad] = numpy.nan
+def _raise_first(statuses: Any) -> None:
+    """Raises for the first row that failed."""
+    index = int((statuses < 0).argmax())
+    whole = statuses[index] in (EARG, EPARAMS)  # of no row in particular
+    raise Error(int(statuses[index]), index=None if whole else index)
 
 
 def _statuses(status: Any, shape: Tuple[int, ...]) -> Any:
@@ -325,10 +316,15 @@ def _statuses(status: Any, shape: Tuple[int, ...]) -> Any:
     return status
 
 
-def _empty(shape: Tuple[int, ...], kind: Any, length: int) -> Any:
+def _filled(shape: Tuple[int, ...], kind: Any, length: int,
+            value: float) -> Any:
+    """An array of numbers, or of structs of numbers, all of one value."""
     import numpy
-    return numpy.empty((*shape, length) if length > 1 else shape,
-                       numpy.dtype(kind))
+    array = numpy.empty((*shape, length) if length > 1 else shape,
+                        numpy.dtype(kind))
+    real = numpy.float32 if _single(array.dtype) else numpy.float64
+    array.reshape(-1).view(real)[:] = value
+    return array
 
 
 def _single(dtype: Any) -> bool:
