@@ -151,7 +151,8 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  *                   coinf_state_check() accepts
  * @param t          the time, 0 to 1e6 natural units [T]
  * @param tol        1e-6 to 1e-2: the error that the steps may add per natural
- *                   unit of time, in radians and radii [1]
+ *                   unit of time, in radians and radii, before the motion's
+ *                   own amplification [1]
  * @param[out] reached  the time moved; may be null [T]
  * @return as coin_settle(), but COIN_ESTEP after 2^16 steps in one call: the
  *         state is then that at *reached, and another call goes on from there.

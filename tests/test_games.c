@@ -86,11 +86,24 @@ static void it_prints_what_the_page_shows(void **unused)
     check(strcmp(output, shown) == 0);
 }
 
+static void the_check_of_a_coin_at_rest_says_more_than_that(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    coin_state s = {.theta = 0.3};
+    const coin_losses l = {.dry = 1e-6};
+    check_status(coin_params_disc(&p, 0.00567, 0.01213, 9.80665), COIN_OK);
+    check_status(coin_settle(&s, &p, &l, 1, 1e-6, NULL), COIN_RESTS);
+    check_status(coin_check(&s, &p, COIN_RK4, 0, 0.3),
+                 COIN_SLIPS | COIN_NEARLY_FLAT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(each_function_shown_is_the_program_s),
         TEST(it_prints_what_the_page_shows),
+        TEST(the_check_of_a_coin_at_rest_says_more_than_that),
     };
     return RUN_TESTS(tests);
 }

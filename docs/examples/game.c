@@ -55,6 +55,16 @@ static int32_t variable_frame(struct game_coin *c, double frame, double *used)
                               COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT, used);
 }
 
+/* With losses.  Rest comes first: of a coin at rest coin_check() may say that
+ * it slips or lifts. */
+static int32_t lossy_frame(struct game_coin *c, const coin_losses *l,
+                           double frame, double *used)
+{
+    const int32_t status = coin_settle(&c->s, &c->p, l, frame, TOL, used);
+    return status == COIN_OK ? coin_check(&c->s, &c->p, COIN_RK4, 0, MU)
+                             : status;
+}
+
 /* From here the engine's rigid body goes on. */
 static int32_t to_engine(struct body *b, const struct game_coin *c)
 {
@@ -135,8 +145,8 @@ static int32_t come_to_rest(struct game_coin *c, const coin_losses *l)
 {
     double t = 0, used = 0;
     int32_t status = COIN_OK;
-    for (int frame = 0; status == COIN_OK; ++frame) {
-        status = coin_settle(&c->s, &c->p, l, frame_time(frame), TOL, &used);
+    for (int frame = 0; status >= 0 && status != COIN_RESTS; ++frame) {
+        status = lossy_frame(c, l, frame_time(frame), &used);
         t += used;
     }
     printf("rests after %.3f s\n", t);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //! What moves a coin, or many.
-use crate::status::{checked, checked_to, number};
+use crate::status::{checked, checked_to};
 use crate::{ffi, Error, Params, Result, State, Status, Stopped};
 use std::ffi::CStr;
 
