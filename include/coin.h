@@ -47,10 +47,10 @@
  *   40-100    coin_params_ functions, coin_critical_roll(), _spin()
  *   130-190   coin_state_check(), coin_losses_check()
  *   220-310   coin_energy(), _center(), _axes(), _check(), coin_slide_energy()
- *   330-440   coin_reaction(), _rates(), _velocity(), _contact(),
- *             _angular_velocity(), _quaternion(), coin_steady_roll(),
- *             _upright_spin(), _radii(), coin_stability(), coin_slide_of(),
- *             coin_slide_velocity()
+ *   320-440   coin_reaction(), _rates(), _fastest_rate(), _velocity(),
+ *             _contact(), _angular_velocity(), _quaternion(),
+ *             coin_steady_roll(), _upright_spin(), _radii(), coin_stability(),
+ *             coin_slide_of(), coin_slide_velocity()
  *   520-670   coin_matrix(), coin_steady_spin(), _circle(), _at()
  *   780-1,300 coin_losses_power(), _rates(), _reaction()
  *   690-2,200 coin_slide_reaction(): most where a slip begins
@@ -559,6 +559,16 @@ COIN_API int32_t coin_axes(const coin_state *s, double R[9]);
  *                angles, so q and -q both occur
  * @return COIN_OK; COIN_EARG; COIN_ESTATE.  Accuracy: 4 u (test_pose). */
 COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
+
+/** How fast the coin turns and falls now: the W of Eq. (47),
+ * sqrt((wX^2 + wY^2)/cos^2 theta + wZ^2 + gravity/(radius cos theta)).  The
+ * error of a step of dt depends on |dt| W: COIN_COARSE, and the tables of
+ * docs/guide.md.  It is of this state only.  Near flat it grows within one
+ * swing, so take it each frame, or use coin_advance().
+ * @return W [1/T]; NaN on the usual errors.
+ * Accuracy: 4 u (test_fastest_rate).
+ * Cost: in the table above. */
+COIN_API double coin_fastest_rate(const coin_state *s, const coin_params *p);
 
 /* ------------------------------------------------------------- validity -- */
 

@@ -227,18 +227,22 @@ static void numbers_are_nan_where_a_status_would_be_an_error(void **unused)
     (void)unused;
     check(isnan(coin_energy(NULL, &good_params)));
     check(isnan(coin_energy(&good_state, NULL)));
+    check(isnan(coin_fastest_rate(NULL, &good_params)));
+    check(isnan(coin_fastest_rate(&good_state, NULL)));
     check(isnan(coin_critical_roll(NULL)));
     check(isnan(coin_critical_spin(NULL)));
     check(!isnan(coin_energy(&good_state, &good_params)));
     for (size_t i = 0; i < sizeof bad_params / sizeof *bad_params; ++i) {
         check_note("%s", bad_params[i].what);
         check(isnan(coin_energy(&good_state, &bad_params[i].p)));
+        check(isnan(coin_fastest_rate(&good_state, &bad_params[i].p)));
         check(isnan(coin_critical_roll(&bad_params[i].p)));
         check(isnan(coin_critical_spin(&bad_params[i].p)));
     }
     for (size_t i = 0; i < sizeof bad_states / sizeof *bad_states; ++i) {
         check_note("%s", bad_states[i].what);
         check(isnan(coin_energy(&bad_states[i].s, &good_params)));
+        check(isnan(coin_fastest_rate(&bad_states[i].s, &good_params)));
     }
 }
 

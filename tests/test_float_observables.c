@@ -60,6 +60,19 @@ static int tried_energy(float out[], const coinf_state *s,
     return 1;
 }
 
+static int exact_fastest_rate(double out[], const coin_state *s,
+                              const coin_params *p)
+{
+    out[0] = coin_fastest_rate(s, p);
+    return 1;
+}
+static int tried_fastest_rate(float out[], const coinf_state *s,
+                              const coinf_params *p)
+{
+    out[0] = coinf_fastest_rate(s, p);
+    return 1;
+}
+
 static int exact_reaction(double out[], const coin_state *s,
                           const coin_params *p)
 {
@@ -126,6 +139,7 @@ static int tried_turning(float out[], const coinf_state *s,
 
 static const struct pair pairs[] = {
     {"energy", exact_energy, tried_energy},
+    {"fastest rate", exact_fastest_rate, tried_fastest_rate},
     {"integrals", exact_integrals, tried_integrals},
     {"reaction", exact_reaction, tried_reaction},
     {"rates", exact_rates, tried_rates},

@@ -31,6 +31,8 @@ static int32_t call_coinf_selftest(const struct trap_case *c)
 CALL(coinf_state_check, coinf_state_check(&c->fs, &c->fp))
 CALL(coinf_angular_velocity, coinf_angular_velocity(&c->fs, v))
 CALL(coinf_energy, isnan(coinf_energy(&c->fs, &c->fp)) ? COIN_ESTATE : COIN_OK)
+CALL(coinf_fastest_rate,
+     isnan(coinf_fastest_rate(&c->fs, &c->fp)) ? COIN_ESTATE : COIN_OK)
 CALL(coinf_integrals, coinf_integrals(&c->fs, &c->fp, v))
 CALL(coinf_rates, coinf_rates(&c->fs, &c->fp, &out))
 CALL(coinf_center, coinf_center(&c->fs, &c->fp, v))
@@ -115,6 +117,7 @@ static const struct trap_function all[] = {
     ROW(coinf_step),
     ROW(coinf_run),
     ROW(coinf_energy),
+    ROW(coinf_fastest_rate),
     ROW(coinf_integrals),
     ROW(coinf_reaction),
     ROW(coinf_rates),

@@ -52,6 +52,8 @@ static int32_t call_coin_selftest(const struct trap_case *c)
 CALL(coin_state_check, coin_state_check(&c->s, &c->p))
 CALL(coin_angular_velocity, coin_angular_velocity(&c->s, v))
 CALL(coin_energy, isnan(coin_energy(&c->s, &c->p)) ? COIN_ESTATE : COIN_OK)
+CALL(coin_fastest_rate,
+     isnan(coin_fastest_rate(&c->s, &c->p)) ? COIN_ESTATE : COIN_OK)
 CALL(coin_integrals, coin_integrals(&c->s, &c->p, v))
 CALL(coin_rates, coin_rates(&c->s, &c->p, &out))
 CALL(coin_center, coin_center(&c->s, &c->p, v))
@@ -294,6 +296,7 @@ static const struct trap_function all[] = {
     ROW(coin_orbit_at),
     ROW(coin_method_name),
     ROW(coin_energy),
+    ROW(coin_fastest_rate),
     ROW(coin_integrals),
     ROW(coin_reaction),
     ROW(coin_rates),

@@ -24,6 +24,7 @@
     static constexpr auto step = PREFIX##_step;                                \
     static constexpr auto run = PREFIX##_run;                                  \
     static constexpr auto energy = PREFIX##_energy;                            \
+    static constexpr auto fastest_rate = PREFIX##_fastest_rate;                \
     static constexpr auto integrals = PREFIX##_integrals;                      \
     static constexpr auto reaction = PREFIX##_reaction;                        \
     static constexpr auto rates = PREFIX##_rates;                              \

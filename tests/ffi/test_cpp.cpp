@@ -219,6 +219,7 @@ int main()
     CHECK(rollcoin::center(start, p)[0] == start.x);
     CHECK(rollcoin::rotation(start)[0] > 0.9);
     CHECK(rollcoin::energy(start, p) == coin_energy(&start, &p));
+    CHECK(rollcoin::fastest_rate(start, p) == coin_fastest_rate(&start, &p));
     numbers();
     batches();
     observables();

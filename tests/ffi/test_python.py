@@ -420,14 +420,15 @@ class Results(unittest.TestCase):
 
 
 class Tables(unittest.TestCase):
-    READS = {"energy": (), "integrals": 2, "reaction": (), "rates": (),
-             "center": 3, "velocity": 3, "losses_power": ()}
+    READS = {"energy": (), "fastest_rate": (), "integrals": 2,
+             "reaction": (), "rates": (), "center": 3, "velocity": 3,
+             "losses_power": ()}
 
     def test_a_row_is_what_the_coin_itself_gives(self):
         p, _ = quarter()
         table = random_table(200)
-        for name in ("energy", "integrals", "reaction", "rates", "center",
-                     "velocity"):
+        for name in ("energy", "fastest_rate", "integrals", "reaction",
+                     "rates", "center", "velocity"):
             many = getattr(rc, name)(table, p)
             for k in (0, 63, 64, 199):
                 one = getattr(rc, name)(table[k], p)

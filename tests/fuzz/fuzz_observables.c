@@ -6,6 +6,7 @@
 
 CALL(coin_angular_velocity, (a[0].p, a[1].p))
 CALL(coin_energy, (a[0].p, a[1].p))
+CALL(coin_fastest_rate, (a[0].p, a[1].p))
 CALL(coin_integrals, (a[0].p, a[1].p, a[2].p))
 CALL(coin_reaction, (a[0].p, a[1].p, a[2].p))
 CALL(coin_rates, (a[0].p, a[1].p, a[2].p))
@@ -83,6 +84,7 @@ static void judge_check(const struct outcome *o)
 const struct function fuzz_functions[] = {
     ROW(coin_angular_velocity, "s3", NO_PARAMS, 0, PLAIN),
     ROW(coin_energy, "sp", NUMBER),
+    ROW(coin_fastest_rate, "sp", NUMBER),
     ROW(coin_integrals, "sp2", USUAL, 0, PLAIN),
     ROW(coin_reaction, "spF", USUAL, 0, PLAIN),
     ROW(coin_rates, "spR", USUAL, 0, PLAIN),

@@ -27,6 +27,7 @@ CALL(coinf_angular_velocity, (a[0].p, a[1].p))
 CALL(coinf_step, (a[0].p, a[1].p, f(a[2])))
 CALL(coinf_run, (a[0].p, a[1].p, a[2].i, f(a[3]), a[4].u, a[5].p))
 CALL(coinf_energy, (a[0].p, a[1].p))
+CALL(coinf_fastest_rate, (a[0].p, a[1].p))
 CALL(coinf_integrals, (a[0].p, a[1].p, a[2].p))
 CALL(coinf_reaction, (a[0].p, a[1].p, a[2].p))
 CALL(coinf_rates, (a[0].p, a[1].p, a[2].p))
@@ -90,6 +91,7 @@ const struct function fuzz_functions[] = {
     ROW(coinf_step, "Hft", STEPS, COIN_COARSE, PLAIN),
     ROW(coinf_run, "Hfitun", STEPS, COIN_COARSE, BIT(COIN_ESTEP), judge_run, 0),
     ROW(coinf_energy, "gf", NUMBER),
+    ROW(coinf_fastest_rate, "gf", NUMBER),
     ROW(coinf_integrals, "gfB", USUAL, 0, PLAIN),
     ROW(coinf_reaction, "gfm", USUAL, 0, PLAIN),
     ROW(coinf_rates, "gfj", USUAL, 0, PLAIN),

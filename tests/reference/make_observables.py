@@ -139,6 +139,15 @@ class Coin:
             q = [q[0] * h[0] - dot(q[1:], h[1:])] + v
         return q
 
+    def fastest_rate(self):
+        """From the height of the centre, and the turn along and across the
+        axis of the coin."""
+        height = -self.arm[1]
+        along = dot(self.omega, self.e[2])
+        across = cross(self.omega, self.e[2])
+        return mp.sqrt(dot(across, across) * (self.a / height) ** 2 +
+                       along ** 2 + self.g / height)
+
     def contact(self):
         r = comb((1, [self.x, mpf(0), self.z]), (1, self.arm))
         v = comb((1, self.v), (1, cross(self.turn, self.arm)))
@@ -191,7 +200,7 @@ def states(rng, natural_time):
     for digits in (2, 5, 10):
         gap = 10 ** -(digits + rng.random())
         th = rng.choice((-1, 1)) * (HALF_PI - gap)
-        faster = rng.choice((gap, 1 / gap))
+        faster = rng.choice((gap, min(1 / gap, 3e5)))
         yield [th] + pose() + [rate(), rate() * faster, rate()]
 
 
@@ -200,7 +209,7 @@ STATE = 'theta phi psi x z wX wY wZ'.split()
 RESULT = (['d' + s for s in STATE] + 'E KY KZ Rx Ry Rz F y vx vy vz'.split() +
           'xc zc vxc vzc'.split() + ['e%s%s' % (u, v) for u in 'XYZ'
                                      for v in 'xyz'] +
-          'q0 q1 q2 q3 ox oy oz'.split())
+          'q0 q1 q2 q3 ox oy oz W'.split())
 
 
 def observables(params, state):
@@ -212,7 +221,8 @@ def observables(params, state):
             [dth, dph, dps, c.v[0], c.v[2]] + c.spin_rates() +
             [c.energy()] + list(c.integrals()) + c.R +
             [mp.hypot(c.R[0], c.R[2]), c.a * mp.cos(c.angles[0])] + c.v +
-            [r[0], r[2], v[0], v[2]] + sum(c.e, []) + c.quaternion() + c.omega)
+            [r[0], r[2], v[0], v[2]] + sum(c.e, []) + c.quaternion() + c.omega +
+            [c.fastest_rate()])
 
 
 # ------------------------------------------------------------ steady circles

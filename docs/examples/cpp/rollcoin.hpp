@@ -217,6 +217,11 @@ inline double energy(const state &s, const params &p)
     return check(coin_energy(&s, &p), coin_state_check(&s, &p));
 }
 
+inline double fastest_rate(const state &s, const params &p)
+{
+    return check(coin_fastest_rate(&s, &p), coin_state_check(&s, &p));
+}
+
 inline vec2 integrals(const state &s, const params &p)
 {
     vec2 K;

@@ -235,6 +235,9 @@ extern "C" {
     pub fn coin_quaternion(s: *const coin_state, q: *mut f64) -> i32;
 }
 extern "C" {
+    pub fn coin_fastest_rate(s: *const coin_state, p: *const coin_params) -> f64;
+}
+extern "C" {
     pub fn coin_check(
         s: *const coin_state,
         p: *const coin_params,
@@ -583,6 +586,9 @@ extern "C" {
 }
 extern "C" {
     pub fn coinf_quaternion(s: *const coinf_state, q: *mut f32) -> i32;
+}
+extern "C" {
+    pub fn coinf_fastest_rate(s: *const coinf_state, p: *const coinf_params) -> f32;
 }
 extern "C" {
     pub fn coinf_check(

@@ -53,6 +53,12 @@ impl State {
         number(energy, || self.state_check(p))
     }
 
+    /// How fast the coin turns and falls now, W.
+    pub fn fastest_rate(&self, p: &Params) -> Result<f64> {
+        let rate = unsafe { ffi::coin_fastest_rate(self, p) };
+        number(rate, || self.state_check(p))
+    }
+
     /// K_Y and K_Z.
     pub fn integrals(&self, p: &Params) -> Result<[f64; 2]> {
         filled(|k: &mut [f64; 2]| unsafe {

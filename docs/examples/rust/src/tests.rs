@@ -23,6 +23,7 @@ fn a_negative_status_is_an_error_and_touches_nothing() {
     assert_eq!(s.step(&p, f64::NAN), Err(Error::STEP));
     s.theta = 2.0;
     assert_eq!(s.energy(&p), Err(Error::STATE));
+    assert_eq!(s.fastest_rate(&p), Err(Error::STATE));
     assert_eq!(s.energy(&Params::default()), Err(Error::PARAMS));
     assert_eq!(s.center(&p), Err(Error::STATE));
     assert_eq!(s.state_check(&p), Err(Error::STATE));

@@ -214,6 +214,9 @@ COIN_API int32_t coinf_axes(const coinf_state *s, float R[9]);
 /** As coin_quaternion(). */
 COIN_API int32_t coinf_quaternion(const coinf_state *s, float q[4]);
 
+/** As coin_fastest_rate(). */
+COIN_API float coinf_fastest_rate(const coinf_state *s, const coinf_params *p);
+
 /* ------------------------------------------------------------- validity -- */
 
 /** As coin_check().

@@ -15,8 +15,8 @@ from ._library import lib
 from ._tables import AnyParams, Coins, Status, read
 
 __all__ = ["angular_velocity", "axes", "center", "check", "contact",
-           "critical_roll", "critical_spin", "energy", "integrals",
-           "losses_power", "losses_rates", "losses_reaction", "matrix",
+           "critical_roll", "critical_spin", "energy", "fastest_rate",
+           "integrals", "losses_power", "losses_rates", "losses_reaction", "matrix",
            "quaternion", "rates", "reaction",
            "stability", "steady_radii", "time_to_rest", "velocity"]
 
@@ -24,6 +24,11 @@ __all__ = ["angular_velocity", "axes", "center", "check", "contact",
 def energy(s: Coins, p: AnyParams, *, status: Status = None) -> Any:
     """The energy, constant along every motion.  coin_energy()"""
     return read("energy", s, p, status=status)
+
+
+def fastest_rate(s: Coins, p: AnyParams, *, status: Status = None) -> Any:
+    """How fast the coin turns and falls now, W.  coin_fastest_rate()"""
+    return read("fastest_rate", s, p, status=status)
 
 
 def integrals(s: Coins, p: AnyParams, *, status: Status = None) -> Any:

@@ -61,6 +61,8 @@ static int32_t joined(int32_t all, int32_t status)
  * reason it is COIN_EDOMAIN. */
 #define why_coin_energy  coin_state_check
 #define why_coinf_energy coinf_state_check
+#define why_coin_fastest_rate  coin_state_check
+#define why_coinf_fastest_rate coinf_state_check
 
 static int32_t why_coin_losses_power(const coin_state *s, const coin_params *p,
                                      const coin_losses *l)

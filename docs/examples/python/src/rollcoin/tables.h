@@ -26,6 +26,8 @@ EACH(each_coin_axes, (const coin_state *s, double *R), coin_axes(s + i,
      R + 9 * i))
 EACH(each_coin_quaternion, (const coin_state *s, double *q),
      coin_quaternion(s + i, q + 4 * i))
+EACH_NUMBER(coin_fastest_rate, double, (const coin_state *s,
+     const coin_params *p), (s + i, p))
 EACH(each_coin_check, (const coin_state *s, const coin_params *p,
      int32_t method, double dt, double mu), coin_check(s + i, p, method, dt,
      mu))
@@ -89,6 +91,8 @@ EACH(each_coinf_axes, (const coinf_state *s, float *R), coinf_axes(s + i,
      R + 9 * i))
 EACH(each_coinf_quaternion, (const coinf_state *s, float *q),
      coinf_quaternion(s + i, q + 4 * i))
+EACH_NUMBER(coinf_fastest_rate, float, (const coinf_state *s,
+     const coinf_params *p), (s + i, p))
 EACH(each_coinf_check, (const coinf_state *s, const coinf_params *p,
      int32_t method, float dt, float mu), coinf_check(s + i, p, method, dt, mu))
 EACH(each_coinf_matrix, (const coinf_state *s, const coinf_params *p, float *m),

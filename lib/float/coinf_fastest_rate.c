@@ -1,0 +1,4 @@
+/* SPDX-License-Identifier: MIT */
+#include "floats.h"
+
+#include "../observe/fastest_rate.c"
