@@ -33,7 +33,7 @@ static void bytes_that_are_no_orbit_do_no_harm(void **unused)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         coin_orbit other = o;
         other.private_frame[COIN_PRIV_COUNT] = bad[i][0];
-        other.private_frame[COIN_PRIV_BACK] = bad[i][1];
+        other.private_frame[COIN_PRIV_BEFORE] = bad[i][1];
         check_note("%g pieces, %g of them back", bad[i][0], bad[i][1]);
         check_status(coin_orbit_at(&other, 1, &out), COIN_EARG);
         check_same(&out, &before, sizeof out);
@@ -48,7 +48,7 @@ static void bytes_that_are_no_orbit_do_no_harm(void **unused)
     noise = o; /* edges that no count goes with */
     memset(noise.private_edges, 0, sizeof noise.private_edges);
     noise.private_frame[COIN_PRIV_COUNT] = 20;
-    noise.private_frame[COIN_PRIV_BACK] = 0;
+    noise.private_frame[COIN_PRIV_BEFORE] = 0;
     noise.private_terms[19 * COIN_PRIV_PIECE] = 0.25; /* of the last one */
     check_status(coin_orbit_at(&noise, 1, &out), COIN_OK);
     check(out.theta == 0.25);

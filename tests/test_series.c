@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-#define OF COIN_PRIV_OF
+#define ELEMENT COIN_PRIV_ELEMENT
 
 static coin_priv_field field_of(const coin_params *p)
 {
@@ -29,14 +29,14 @@ static coin_priv_series series_of(const coin_state *s, const coin_params *p)
     const coin_priv_field f = field_of(p);
     coin_priv_series y;
     coin_priv_point *at = y.at;
-    at->row[0] = coin_priv_pair_of(s->theta, s->phi);
-    at->row[1] = coin_priv_pair_of(s->psi, s->wX);
-    at->row[2] = coin_priv_pair_of(s->wY, s->wZ);
-    at->row[3] = coin_priv_pair_of(s->z, s->x);
-    at->th = coin_priv_pair_of(cos(s->theta), sin(s->theta));
-    at->ph = coin_priv_pair_of(cos(s->phi), sin(s->phi));
-    coin_priv_series_fill(&y, &f);
-    coin_priv_series_follow(&y);
+    at->row[0] = coin_priv_pair_make(s->theta, s->phi);
+    at->row[1] = coin_priv_pair_make(s->psi, s->wX);
+    at->row[2] = coin_priv_pair_make(s->wY, s->wZ);
+    at->row[3] = coin_priv_pair_make(s->z, s->x);
+    at->th = coin_priv_pair_make(cos(s->theta), sin(s->theta));
+    at->ph = coin_priv_pair_make(cos(s->phi), sin(s->phi));
+    coin_priv_series_expand(&y, &f);
+    coin_priv_series_expand_path(&y);
     return y;
 }
 
@@ -60,14 +60,14 @@ static void the_first_power_is_the_rate(void **unused)
         const coin_priv_point *d = y.at + 1;
         coin_state rates;
         check_status(coin_rates(&s, &p, &rates), COIN_OK);
-        check_near(OF(d->row[0], 0), rates.theta, 0);
-        check_near(OF(d->row[0], 1), rates.phi, 64 * U);
-        check_near(OF(d->row[1], 0), rates.psi, 64 * U);
-        check_near(OF(d->row[1], 1), rates.wX, 128 * U);
-        check_near(OF(d->row[2], 0), rates.wY, 128 * U);
-        check_near(OF(d->row[2], 1), rates.wZ, 64 * U);
-        check_near(OF(d->row[3], 0), rates.z, 64 * U);
-        check_near(OF(d->row[3], 1), rates.x, 64 * U);
+        check_near(ELEMENT(d->row[0], 0), rates.theta, 0);
+        check_near(ELEMENT(d->row[0], 1), rates.phi, 64 * U);
+        check_near(ELEMENT(d->row[1], 0), rates.psi, 64 * U);
+        check_near(ELEMENT(d->row[1], 1), rates.wX, 128 * U);
+        check_near(ELEMENT(d->row[2], 0), rates.wY, 128 * U);
+        check_near(ELEMENT(d->row[2], 1), rates.wZ, 64 * U);
+        check_near(ELEMENT(d->row[3], 0), rates.z, 64 * U);
+        check_near(ELEMENT(d->row[3], 1), rates.x, 64 * U);
     }
 }
 
@@ -85,15 +85,15 @@ static void the_series_follows_the_motion(void **unused)
         const coin_priv_point at = coin_priv_series_at(&y, t);
         const coin_priv_pair path = coin_priv_series_path(&y, t);
         const coin_state got = {
-            OF(at.row[0], 0), OF(at.row[0], 1), OF(at.row[1], 0),
-            OF(path, 1),      OF(path, 0),      OF(at.row[1], 1),
-            OF(at.row[2], 0), OF(at.row[2], 1),
+            ELEMENT(at.row[0], 0), ELEMENT(at.row[0], 1), ELEMENT(at.row[1], 0),
+            ELEMENT(path, 1),      ELEMENT(path, 0),      ELEMENT(at.row[1], 1),
+            ELEMENT(at.row[2], 0), ELEMENT(at.row[2], 1),
         };
         coin_state want = s;
         check_status(coin_advance(&want, &p, t, 1e-13, NULL), COIN_OK);
         check_near(states_apart(&got, &want, &p), 0, 1e-13);
-        check_near(OF(at.th, 0), cos(got.theta), 8 * U);
-        check_near(OF(at.th, 1), sin(got.theta), 8 * U);
+        check_near(ELEMENT(at.th, 0), cos(got.theta), 8 * U);
+        check_near(ELEMENT(at.th, 1), sin(got.theta), 8 * U);
         check_same(&at.ph, &y.at[0].ph, sizeof at.ph);
         check_same(&at.row[3], &y.at[0].row[3], sizeof at.ph);
     }
@@ -111,9 +111,11 @@ static void the_order_is_that_of_its_highest_power(void **unused)
         /* Powers fall off as those of one number, the circle's radius. */
         double last = 0, middle = 0;
         for (int k = 0; k < 8; ++k) {
-            last = fmax(last, fabs(OF(y.at[COIN_PRIV_ORDER - k].row[2], 0)));
-            middle = fmax(middle,
-                          fabs(OF(y.at[COIN_PRIV_ORDER - 16 - k].row[2], 0)));
+            last =
+                fmax(last, fabs(ELEMENT(y.at[COIN_PRIV_ORDER - k].row[2], 0)));
+            middle =
+                fmax(middle,
+                     fabs(ELEMENT(y.at[COIN_PRIV_ORDER - 16 - k].row[2], 0)));
         }
         const double radius = pow(middle / last, 1.0 / 16);
         coin_state want = s;
@@ -121,7 +123,7 @@ static void the_order_is_that_of_its_highest_power(void **unused)
                      COIN_OK);
         const coin_priv_point at = coin_priv_series_at(&y, 0.25 * radius);
         check_within(radius, 0.1, 10);
-        check_near(OF(at.row[2], 0), want.wY, 1e-12);
+        check_near(ELEMENT(at.row[2], 0), want.wY, 1e-12);
     }
 }
 
@@ -137,9 +139,9 @@ static void a_small_swing_has_the_powers_of_a_sine(void **unused)
     const double lambda2 = f.GJ - f.KJ * f.k1 * s.wZ * s.wZ;
     for (int k = 0; k + 2 <= COIN_PRIV_ORDER; ++k) {
         const double want =
-            lambda2 * OF(y.at[k].row[1], 1) / ((k + 1) * (k + 2));
+            lambda2 * ELEMENT(y.at[k].row[1], 1) / ((k + 1) * (k + 2));
         check_note("power %d", k + 2);
-        check_near(OF(y.at[k + 2].row[1], 1), want, 64 * U * fabs(want));
+        check_near(ELEMENT(y.at[k + 2].row[1], 1), want, 64 * U * fabs(want));
     }
 }
 

@@ -9,7 +9,7 @@
 /* A turning point: the time from the start to it, in two parts, its lean, and
  * what the motion from the start to it adds to the rest of the pose. */
 typedef struct coin_priv_turning_point {
-    double time, low;
+    double time, remainder;
     double theta, phi, psi, z, x;
 } coin_priv_turning_point;
 
@@ -18,23 +18,21 @@ typedef struct coin_priv_turning_point {
  * start. */
 typedef struct coin_priv_half_period {
     coin_orbit *o;                  /* gets the pieces */
-    coin_priv_field field;          /* h = 1, in the orbit's unit of time */
-    double g_a, rate;               /* g/a in that unit; 1 over the unit */
+    coin_priv_body b;               /* GJ and g_a in the orbit's unit of time */
+    coin_priv_field field;          /* of b; h is 1 */
+    double rate;                    /* 1 over the unit of time */
     coin_priv_series now;           /* about the latest centre */
     coin_priv_series between;       /* about the end of a piece */
     int count, back;                /* all pieces; those before the start's */
-    double toward;                  /* has the sign of wX between A and B */
+    double direction;               /* has the sign of wX between A and B */
     double reach[COIN_PRIV_PIECES]; /* the reach of a piece to both sides */
     double joint[COIN_PRIV_PIECES]; /* the time from the centre of a piece to
                                        where the piece it continues ends */
     coin_priv_turning_point A, B;
 } coin_priv_half_period;
 
-/* d(wX)/dt at a point, and its derivative by theta along the leaf. */
-double coin_priv_point_fall(const coin_priv_field *field,
-                            const coin_priv_point *p);
-double coin_priv_point_fall_slope(const coin_priv_field *field,
-                                  const coin_priv_point *p);
+/* What the equations read of a point.  The pair of its heading is left out. */
+coin_priv_variables coin_priv_point_variables(const coin_priv_point *p);
 
 /* Computes the series about the start, in *h. */
 void coin_priv_half_period_begin(coin_priv_half_period *h, coin_orbit *o,

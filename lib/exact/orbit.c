@@ -7,16 +7,16 @@
 #include <math.h>
 #include <string.h>
 
-#define OF COIN_PRIV_OF
+#define ELEMENT COIN_PRIV_ELEMENT
 
 /* An orbit whose conditioning is above this is refused. */
-#define WORST 1e12
+#define CONDITIONING_MAX 1e12
 
 /* An orbit whose lean comes nearer to flat than this is refused.  There the
  * rounding of theta, 1e-16, is 1e-7 of the angle from flat.  The pieces would
  * suffice nearer too: of 500 random falls from within 1e-3 rad of flat this
  * limit refuses 136 (make tuning). */
-#define HIGHEST (COIN_PRIV_HALF_PI - 1e-9)
+#define LEAN_MAX (COIN_PRIV_HALF_PI - 1e-9)
 
 /* If half of the heading gained in a period differs from a multiple of pi by
  * less than this, it is rounding, and the path drifts (held by test_orbit). */
@@ -24,7 +24,7 @@
 
 /* Least acceleration of the lean, in the orbit's unit of time, for which
  * conditioning_of() does not underflow: steady to rounding if it is stable. */
-#define LEAST_SWING 1e-70
+#define ACCELERATION_MIN 1e-70
 
 /* The number of parts of a piece, in each of which an extreme of the distance
  * is searched for.  They are so short that none has two extremes.  Even with 2
@@ -40,7 +40,8 @@ static void measure_from_A(const coin_priv_half_period *h)
     const coin_priv_sc ph = coin_priv_sincos(A->phi);
     double *term = o->private_terms;
     for (int n = 0; n < h->count; ++n) {
-        o->private_centers[n] = (o->private_centers[n] - A->time) - A->low;
+        o->private_centers[n] =
+            (o->private_centers[n] - A->time) - A->remainder;
         double *z = term + COIN_PRIV_Z * COIN_PRIV_TERMS;
         double *x = term + COIN_PRIV_X * COIN_PRIV_TERMS;
         term[COIN_PRIV_PHI * COIN_PRIV_TERMS] -= A->phi;
@@ -59,7 +60,7 @@ static void measure_from_A(const coin_priv_half_period *h)
 /* An angle in turns, less the nearest whole number of them, in three parts: the
  * products of its parts and those of 1/(2 pi).  All but the last products are
  * exact. */
-static void turns_of(double part[3], double angle)
+static void split_turns(double part[3], double angle)
 {
     double a[3], b[3];
     coin_priv_split(a, angle, 0);
@@ -75,16 +76,17 @@ static void set_times(const coin_priv_half_period *h)
     coin_orbit *o = h->o;
     double *f = o->private_frame;
     const coin_priv_turning_point *A = &h->A, *B = &h->B;
-    const double sum = B->time - A->time, of_B = sum + A->time;
-    const double low =
-        ((B->time - of_B) - (A->time - (of_B - sum))) + (B->low - A->low);
+    const double sum = B->time - A->time, B_in_sum = sum + A->time;
+    const double remainder =
+        ((B->time - B_in_sum) - (A->time - (B_in_sum - sum))) +
+        (B->remainder - A->remainder);
     f[COIN_PRIV_RATE] = h->rate;
     f[COIN_PRIV_COUNT] = h->count;
-    f[COIN_PRIV_BACK] = h->back;
+    f[COIN_PRIV_BEFORE] = h->back;
     f[COIN_PRIV_SINCE] = -A->time;
-    f[COIN_PRIV_SINCE + 1] = -A->low;
+    f[COIN_PRIV_SINCE + 1] = -A->remainder;
     f[COIN_PRIV_OVER] = 0.5 / sum;
-    coin_priv_split(f + COIN_PRIV_PERIOD, 2 * sum, 2 * low);
+    coin_priv_split(f + COIN_PRIV_PERIOD, 2 * sum, 2 * remainder);
     o->period = 2 * sum / h->rate; /* (55) */
     for (int rank = h->count; rank < COIN_PRIV_EDGES; ++rank)
         o->private_edges[rank] = DBL_MAX;
@@ -112,7 +114,7 @@ static void set_angles(const coin_priv_half_period *h, const coin_state *s,
     o->theta_max = A->theta < B->theta ? B->theta : A->theta;
     coin_priv_split(f + COIN_PRIV_HEADING, o->heading_per_period, 0);
     coin_priv_split(f + COIN_PRIV_ROLL, o->roll_per_period, 0);
-    turns_of(f + COIN_PRIV_TURN, o->heading_per_period);
+    split_turns(f + COIN_PRIV_TURN, o->heading_per_period);
     f[COIN_PRIV_PHI0] = s->phi;
     f[COIN_PRIV_PHI0 + 1] = A->phi;
     f[COIN_PRIV_PSI0] = s->psi;
@@ -143,8 +145,8 @@ static struct place place_at(const coin_orbit *o, int piece, double t,
 {
     const coin_priv_pair z = row_at(o, piece, COIN_PRIV_Z, t);
     const coin_priv_pair x = row_at(o, piece, COIN_PRIV_X, t);
-    struct place place = {OF(z, 0) - center, OF(x, 0), 0};
-    place.rate = place.z * OF(z, 1) + place.x * OF(x, 1);
+    struct place place = {ELEMENT(z, 0) - center, ELEMENT(x, 0), 0};
+    place.rate = place.z * ELEMENT(z, 1) + place.x * ELEMENT(x, 1);
     return place;
 }
 
@@ -161,23 +163,25 @@ static void widen(coin_orbit *o, struct place at)
  * at `begin`, to another.  An extreme is where the rate changes its sign; it is
  * found by the secant with halved weights (Illinois).  Four trials give the
  * radii of test_orbit too; there are 8 to have some to spare. */
-static struct place widen_along(coin_orbit *o, int piece, double from,
-                                struct place begin, double to, double center)
+static struct place widen_to_extremes(coin_orbit *o, int piece, double from,
+                                      struct place begin, double to,
+                                      double center)
 {
     const struct place end = place_at(o, piece, to, center);
-    double low = from, high = to, at_low = begin.rate, at_high = end.rate;
-    for (int i = 0; i < 8 && at_low * at_high < 0; ++i) {
-        const double mid = (low * at_high - high * at_low) / (at_high - at_low);
+    double left = from, right = to, at_left = begin.rate, at_right = end.rate;
+    for (int i = 0; i < 8 && at_left * at_right < 0; ++i) {
+        const double mid =
+            (left * at_right - right * at_left) / (at_right - at_left);
         const struct place middle = place_at(o, piece, mid, center);
         widen(o, middle);
-        if (middle.rate * at_high > 0) {
-            at_low /= 2;
+        if (middle.rate * at_right > 0) {
+            at_left /= 2;
         } else {
-            low = high;
-            at_low = at_high;
+            left = right;
+            at_left = at_right;
         }
-        high = mid;
-        at_high = middle.rate;
+        right = mid;
+        at_right = middle.rate;
     }
     return end;
 }
@@ -204,8 +208,9 @@ static void set_annulus(const coin_priv_half_period *h, double center,
         const double from = (rank > 0 ? edge[rank] : begin) - t[n];
         const double to = (rank < end ? edge[rank + 1] : stop) - t[n];
         for (int k = 0; k < PARTS; ++k)
-            place = widen_along(o, n, from + (to - from) * k / PARTS, place,
-                                from + (to - from) * (k + 1) / PARTS, center);
+            place =
+                widen_to_extremes(o, n, from + (to - from) * k / PARTS, place,
+                                  from + (to - from) * (k + 1) / PARTS, center);
     }
 }
 
@@ -241,20 +246,28 @@ static void set_path(const coin_priv_half_period *h, double a, double half)
 
 /* ------------------------------------------------------------- the motion --
  */
-/* A piece's lean and rates a time after its centre. */
-static coin_priv_point lean_at(const coin_orbit *o, int piece, double t)
+/* The variables a time after a piece's centre.  The pair of the heading is left
+ * out. */
+static coin_priv_variables variables_at(const coin_orbit *o, int piece,
+                                        double t)
 {
     const coin_priv_pair th = row_at(o, piece, COIN_PRIV_THETA, t);
     const coin_priv_pair phi = row_at(o, piece, COIN_PRIV_PHI, t);
     const coin_priv_pair psi = row_at(o, piece, COIN_PRIV_PSI, t);
-    const coin_priv_sc sc = coin_priv_sincos(OF(th, 0));
-    const double dphi = OF(phi, 1), dpsi = OF(psi, 1);
-    coin_priv_point p;
-    memset(&p, 0, sizeof p);
-    p.th = coin_priv_pair_of(sc.c, sc.s);
-    p.row[1] = coin_priv_pair_of(0, OF(th, 1));
-    p.row[2] = coin_priv_pair_of(dphi * sc.c, dpsi - dphi * sc.s); /* (18) */
-    return p;
+    const coin_priv_sc sc = coin_priv_sincos(ELEMENT(th, 0));
+    const double q = 1 / sc.c;
+    coin_priv_variables y = {
+        ELEMENT(th, 1), 0, 0, sc.s, sc.c, q, q * sc.s, 0, 1,
+    };
+    coin_priv_spin_rates(&y.wY, &y.wZ, ELEMENT(phi, 1), ELEMENT(psi, 1), sc);
+    return y;
+}
+
+/* d(wX)/dt. */
+static double acceleration(const coin_priv_half_period *h,
+                           const coin_priv_variables *y)
+{
+    return coin_priv_slopes_at(&h->field, y).wX;
 }
 
 /* The integral of this from A to B is -J/2 dT/dE, for any k.  dT/dE is an
@@ -262,13 +275,12 @@ static coin_priv_point lean_at(const coin_orbit *o, int piece, double t)
  * a/(wX Q) has been added, whose infinities cancel these: a = d(wX)/dt, and
  * Q = a^2 + (k wX)^2.  If k is the frequency of a small swing, the sum is small
  * all along the swing. */
-static double stretch(const coin_priv_field *field, const coin_priv_point *p,
-                      double k)
+static double period_slope(const coin_priv_half_period *h,
+                           const coin_priv_variables *y, double k)
 {
-    const double kv = k * OF(p->row[1], 1), a = coin_priv_point_fall(field, p);
-    const double Q = a * a + kv * kv;
-    return (k * k + coin_priv_point_fall_slope(field, p)) * (kv - a) *
-           (kv + a) / (Q * Q);
+    const double kv = k * y->wX, a = acceleration(h, y), Q = a * a + kv * kv;
+    return (k * k + coin_priv_fall_slope(&h->b, y)) * (kv - a) * (kv + a) /
+           (Q * Q);
 }
 
 /* 1 + J/2 |dT/dE| s^2/w with w^2 = 2E/J.  s is the larger of the accelerations
@@ -276,19 +288,20 @@ static double stretch(const coin_priv_field *field, const coin_priv_point *p,
 static double conditioning_of(const coin_priv_half_period *h, double half)
 {
     const coin_orbit *o = h->o;
-    const coin_priv_field *field = &h->field;
+    const coin_priv_body *b = &h->b;
     const int last = coin_priv_piece(h->count - 1, h->back, h->count);
     const int first = coin_priv_piece(0, h->back, h->count);
-    const coin_priv_point A = lean_at(o, first, -o->private_centers[first]);
-    const coin_priv_point B = lean_at(o, last, half - o->private_centers[last]);
-    const double wY = OF(A.row[2], 0), wZ = OF(A.row[2], 1);
-    const double w2 = field->XJ * wY * wY + field->KJ * wZ * wZ +
-                      2 * field->GJ * OF(A.th, 0); /* (23) */
-    const double at_A = fabs(coin_priv_point_fall(field, &A));
-    const double at_B = fabs(coin_priv_point_fall(field, &B));
+    const coin_priv_variables A =
+        variables_at(o, first, -o->private_centers[first]);
+    const coin_priv_variables B =
+        variables_at(o, last, half - o->private_centers[last]);
+    const double w2 = b->XJ * A.wY * A.wY + b->KJ * A.wZ * A.wZ +
+                      2 * b->GJ * A.cth; /* (23) */
+    const double at_A = fabs(acceleration(h, &A));
+    const double at_B = fabs(acceleration(h, &B));
     const double s = coin_priv_lesser(coin_priv_larger(at_A, at_B), w2);
     const double k = 2 * COIN_PRIV_HALF_PI / half;
-    if (!(s > LEAST_SWING))
+    if (!(s > ACCELERATION_MIN))
         return (double)INFINITY;
     double sum = 0;
     for (int rank = 0; rank < h->count; ++rank) {
@@ -299,40 +312,38 @@ static double conditioning_of(const coin_priv_half_period *h, double half)
         const double mid = (from + to) / 2 - o->private_centers[n];
         for (int i = -1; i < 2; ++i) { /* Gauss' three points */
             const double at = mid + i * (0.7745966692414834 / 2) * (to - from);
-            const coin_priv_point p = lean_at(o, n, at);
+            const coin_priv_variables y = variables_at(o, n, at);
             sum += (to - from) * (i == 0 ? 8.0 / 18 : 5.0 / 18) *
-                   stretch(field, &p, k);
+                   period_slope(h, &y, k);
         }
     }
     return 1 + fabs(sum) * (s * s / sqrt(w2));
 }
 
-/* SLOW: the least rate of a swing, in parts of the root of the terms of (14).
- * BEND: 8 times a bound of the second derivative of these terms by the lean, in
- * parts of their sum over cos theta. */
-#define SLOW 1e-5
-#define BEND 80
+/* RATE_MIN: the least rate of a swing, in parts of the root of the terms of
+ * (14). CURVATURE: 8 times a bound of the second derivative of these terms by
+ * the lean, in parts of their sum over cos theta. */
+#define RATE_MIN 1e-5
+#define CURVATURE 80
 
 /* Whether the lean is constant to rounding: its swing is below the rounding of
  * the lean, or its acceleration below that of the terms of (14).  -1 if
  * rounding decides whether it is stable and an eighth of its well holds the
  * swing. */
-static int is_steady(const coin_priv_half_period *h, double L)
+static int is_steady(const coin_priv_half_period *h)
 {
-    const coin_priv_point *p = h->now.at;
-    const double dwX = coin_priv_point_fall(&h->field, p);
-    const double wX = OF(p->row[1], 1);
-    const double c = OF(p->th, 0), s = OF(p->th, 1);
-    const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
-    const double terms = h->field.GJ * fabs(s) + h->field.KJ * fabs(wY * wZ) +
-                         h->field.XJ * wY * wY * fabs(s) / c; /* (14) */
+    const coin_priv_variables y = coin_priv_point_variables(h->now.at);
+    const double L = coin_priv_fall_slope(&h->b, &y);
+    const double dwX = acceleration(h, &y), wX = y.wX;
+    const double terms = h->b.GJ * fabs(y.sth) + h->b.KJ * fabs(y.wY * y.wZ) +
+                         h->b.XJ * y.wY * y.wY * fabs(y.tth); /* (14) */
     const double least = L < 0 && -L > terms ? -L : terms;
-    const double rate = coin_priv_larger(sqrt(fabs(L)), SLOW * sqrt(least));
+    const double rate = coin_priv_larger(sqrt(fabs(L)), RATE_MIN * sqrt(least));
     const double swing = fabs(wX) * rate + fabs(dwX);
-    const int stays = L < 0 && swing * (BEND * terms) <= L * L * c;
+    const int stays = L < 0 && swing * (CURVATURE * terms) <= L * L * y.cth;
     if (!(swing <= 4 * DBL_EPSILON * least))
         return 0;
-    if (s == 0) /* it stays upright, stable or not, if wX is 0 */
+    if (y.sth == 0) /* it stays upright, stable or not, if wX is 0 */
         return stays || wX == 0;
     return stays ? 1 : -1;
 }
@@ -341,8 +352,8 @@ static void set_steady(const coin_priv_half_period *h, const coin_state *s,
                        double a)
 {
     const coin_priv_point *p = h->now.at;
-    const double heading = OF(p[1].row[0], 1) * h->rate;
-    const double roll = OF(p[1].row[1], 0) * h->rate;
+    const double heading = ELEMENT(p[1].row[0], 1) * h->rate;
+    const double roll = ELEMENT(p[1].row[1], 0) * h->rate;
     const int drifts = s->wZ != 0 && fabs(heading) <= STRAIGHT * fabs(s->wZ);
     const double R = s->wZ == 0 || drifts ? 0 : a * s->wZ / heading; /* (43) */
     const coin_priv_sc ph = coin_priv_sincos(s->phi);
@@ -365,23 +376,22 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
     o->conditioning = 1;
     o->private_frame[0] = COIN_PRIV_FORMAT;
     coin_priv_half_period_begin(&h, o, s, b);
-    const double L = coin_priv_point_fall_slope(&h.field, h.now.at);
-    const int steady = is_steady(&h, L);
+    const int steady = is_steady(&h);
     if (steady) {
         set_steady(&h, s, b->a);
         return steady > 0;
     }
     if (!coin_priv_half_period_solve(&h))
         return 0;
-    if (!(fabs(h.A.theta) < HIGHEST && fabs(h.B.theta) < HIGHEST))
+    if (!(fabs(h.A.theta) < LEAN_MAX && fabs(h.B.theta) < LEAN_MAX))
         return 0;
-    const double half = (h.B.time - h.A.time) + (h.B.low - h.A.low);
+    const double half = (h.B.time - h.A.time) + (h.B.remainder - h.A.remainder);
     measure_from_A(&h);
     set_times(&h);
     set_angles(&h, s, b->a);
     set_path(&h, b->a, half);
     o->conditioning = conditioning_of(&h, half);
-    return o->conditioning < WORST ? h.count : 0;
+    return o->conditioning < CONDITIONING_MAX ? h.count : 0;
 }
 
 int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,

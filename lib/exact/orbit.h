@@ -10,7 +10,7 @@
 #ifndef ROLLCOIN_ORBIT_H
 #define ROLLCOIN_ORBIT_H
 
-#include "../motion/precision.h"
+#include "../motion/angles.h"
 #include "pair.h"
 
 #include <coin.h>
@@ -46,7 +46,7 @@ enum {
 enum {
     COIN_PRIV_RATE = 1,     /* 1 over the unit of time */
     COIN_PRIV_COUNT,        /* how many pieces there are */
-    COIN_PRIV_BACK,         /* how many of them lie before the start's */
+    COIN_PRIV_BEFORE,       /* how many of them lie before the start's */
     COIN_PRIV_SINCE,        /* the time from A to the start, in two parts */
     COIN_PRIV_OVER = 6,     /* 1 over the period */
     COIN_PRIV_PERIOD,       /* in three */
@@ -95,9 +95,18 @@ COIN_PRIV_INLINE coin_priv_pair coin_priv_row_at(const double *row, double t)
     COIN_PRIV_POWER(4);
     COIN_PRIV_POWER(2);
     COIN_PRIV_POWER(0);
-    const double E = COIN_PRIV_OF(sum, 0), O = COIN_PRIV_OF(sum, 1);
-    const double dE = COIN_PRIV_OF(slope, 0), dO = COIN_PRIV_OF(slope, 1);
-    return coin_priv_pair_of(E + t * O, O + 2 * (t * (dE + t * dO)));
+    const double E = COIN_PRIV_ELEMENT(sum, 0), O = COIN_PRIV_ELEMENT(sum, 1);
+    const double dE = COIN_PRIV_ELEMENT(slope, 0),
+                 dO = COIN_PRIV_ELEMENT(slope, 1);
+    return coin_priv_pair_make(E + t * O, O + 2 * (t * (dE + t * dO)));
+}
+
+/* Sets wY and wZ from the rates of heading and roll; (18) and (19). */
+COIN_PRIV_INLINE void coin_priv_spin_rates(double *wY, double *wZ, double dphi,
+                                           double dpsi, coin_priv_sc th)
+{
+    *wY = dphi * th.c;        /* (18) */
+    *wZ = dpsi - dphi * th.s; /* (19) */
 }
 
 /* The index of the piece that is the rank-th in time.  Pieces are stored in
@@ -114,15 +123,16 @@ static inline double coin_priv_round(double x)
     return (x + COIN_PRIV_ROUNDER) - COIN_PRIV_ROUNDER;
 }
 
-/* high + low as two parts of 22 bits and the rest.  The product of an integer
- * of up to 31 bits and one of the first two parts is exact. */
-static inline void coin_priv_split(double part[3], double high, double low)
+/* value + remainder as two parts of 22 bits and the rest.  The product of an
+ * integer of up to 31 bits and one of the first two parts is exact. */
+static inline void coin_priv_split(double part[3], double value,
+                                   double remainder)
 {
     const double shift = 2147483649.0; /* 2^31 + 1 */
-    part[0] = high * shift - (high * shift - high);
-    const double rest = high - part[0];
+    part[0] = value * shift - (value * shift - value);
+    const double rest = value - part[0];
     part[1] = rest * shift - (rest * shift - rest);
-    part[2] = (rest - part[1]) + low;
+    part[2] = (rest - part[1]) + remainder;
 }
 
 #endif

@@ -15,14 +15,14 @@
 
 #include <math.h>
 
-#define OF COIN_PRIV_OF
+#define ELEMENT COIN_PRIV_ELEMENT
 #define ROW_AT(rows, row, t)                                                   \
     coin_priv_row_at((rows) + COIN_PRIV_TERMS * (row), t)
 
 /* The rank of the piece that contains the time t: the number of edges, without
  * the first, that are not beyond t.  They are counted by steps of 16, then of
  * 1.  Unlike in a binary search, no comparison waits for another. */
-static inline int rank_of(const double *edge, int count, double t)
+static inline int rank_at(const double *edge, int count, double t)
 {
     int rank = 0;
     for (int i = 16; i < count; i += 16)
@@ -37,8 +37,8 @@ static inline int rank_of(const double *edge, int count, double t)
 /* An angle: that at A, start[0] + start[1], plus what k periods add, plus
  * since_A.  The products with part[0] and part[1] are exact.  That with part[0]
  * is the largest and is added first. */
-static inline double angle_of(const double start[2], const double part[3],
-                              double k, double since_A)
+static inline double angle_after(const double start[2], const double part[3],
+                                 double k, double since_A)
 {
     return (start[0] + k * part[0]) +
            ((k * part[1] + (since_A + start[1])) + k * part[2]);
@@ -52,8 +52,8 @@ static inline void set_place(coin_state *at, const double *f, double k,
     const double *b = f + COIN_PRIV_TURN;
     /* Leaves out whole half turns.  An odd number of them would change the
      * signs of kb.s and kb.c, and so none of their products. */
-    const double whole = coin_priv_round(k * b[0]);
-    const double half_turns = ((k * b[0] - whole) + k * b[1]) + k * b[2];
+    const double nearest = coin_priv_round(k * b[0]);
+    const double half_turns = ((k * b[0] - nearest) + k * b[1]) + k * b[2];
     const coin_priv_sc kb =
         coin_priv_sincos(2 * COIN_PRIV_HALF_PI * half_turns);
     const double c = kb.c * kb.c - kb.s * kb.s, s = 2 * kb.c * kb.s;
@@ -97,20 +97,23 @@ COIN_PRIV_INLINE coin_state state_at(const coin_orbit *o, int piece, double tau,
     const coin_priv_pair psi = ROW_AT(rows, COIN_PRIV_PSI, tau);
     const coin_priv_pair z = ROW_AT(rows, COIN_PRIV_Z, tau);
     const coin_priv_pair x = ROW_AT(rows, COIN_PRIV_X, tau);
-    const coin_priv_sc lean = coin_priv_sine_cosine(OF(th, 0));
+    const coin_priv_sc lean = coin_priv_sine_cosine(ELEMENT(th, 0));
     const double rate = f[COIN_PRIV_RATE];
     coin_state at = {
-        OF(th, 0),
-        angle_of(f + COIN_PRIV_PHI0, f + COIN_PRIV_HEADING, k,
-                 side * OF(phi, 0)),
-        angle_of(f + COIN_PRIV_PSI0, f + COIN_PRIV_ROLL, k, side * OF(psi, 0)),
+        ELEMENT(th, 0),
+        angle_after(f + COIN_PRIV_PHI0, f + COIN_PRIV_HEADING, k,
+                    side * ELEMENT(phi, 0)),
+        angle_after(f + COIN_PRIV_PSI0, f + COIN_PRIV_ROLL, k,
+                    side * ELEMENT(psi, 0)),
         0,
         0,
-        side * OF(th, 1) * rate,
-        OF(phi, 1) * lean.c * rate,                /* (18) */
-        (OF(psi, 1) - OF(phi, 1) * lean.s) * rate, /* (19) */
+        side * ELEMENT(th, 1) * rate,
+        0,
+        0,
     };
-    set_place(&at, f, k, OF(z, 0), side * OF(x, 0));
+    coin_priv_spin_rates(&at.wY, &at.wZ, ELEMENT(phi, 1) * rate,
+                         ELEMENT(psi, 1) * rate, lean);
+    set_place(&at, f, k, ELEMENT(z, 0), side * ELEMENT(x, 0));
     return at;
 }
 
@@ -121,7 +124,7 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
     if (o->period == 0)
         return steady_at(o, t, out);
     const double *f = o->private_frame, *T = f + COIN_PRIV_PERIOD;
-    const double pieces = f[COIN_PRIV_COUNT], before = f[COIN_PRIV_BACK];
+    const double pieces = f[COIN_PRIV_COUNT], before = f[COIN_PRIV_BEFORE];
     if (!(before >= 0 && before < pieces && pieces <= (int)COIN_PRIV_PIECES))
         return COIN_EARG;
     if (!(fabs(t) / COIN_PRIV_ANGLE_MAX < o->period))
@@ -136,7 +139,7 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
     const double side = copysign(1, r), since = fabs(r);
     const int count = (int)pieces, back = (int)before;
     const int piece =
-        coin_priv_piece(rank_of(o->private_edges, count, since), back, count);
+        coin_priv_piece(rank_at(o->private_edges, count, since), back, count);
     const double tau = since - o->private_centers[piece];
     const coin_state at = state_at(o, piece, tau, side, k);
     if (coin_priv_check_members(&at) != COIN_OK)

@@ -8,7 +8,7 @@
  * instruction, to the same bits. */
 #if defined(__GNUC__) && !defined(__TINYC__)
 typedef double coin_priv_pair __attribute__((vector_size(16)));
-#define COIN_PRIV_OF(pair, i) (pair)[i]
+#define COIN_PRIV_ELEMENT(pair, i) (pair)[i]
 /* sum + a b. */
 COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_add_product(coin_priv_pair sum,
                                                            coin_priv_pair a,
@@ -26,7 +26,7 @@ COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_load(const double *from)
 typedef struct coin_priv_pair {
     double v[2];
 } coin_priv_pair;
-#define COIN_PRIV_OF(pair, i) (pair).v[i]
+#define COIN_PRIV_ELEMENT(pair, i) (pair).v[i]
 COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_add_product(coin_priv_pair sum,
                                                            coin_priv_pair a,
                                                            coin_priv_pair b)
@@ -42,17 +42,17 @@ static inline coin_priv_pair coin_priv_pair_load(const double *from)
 }
 #endif
 
-COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_of(double a, double b)
+COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_make(double a, double b)
 {
     coin_priv_pair p;
-    COIN_PRIV_OF(p, 0) = a;
-    COIN_PRIV_OF(p, 1) = b;
+    COIN_PRIV_ELEMENT(p, 0) = a;
+    COIN_PRIV_ELEMENT(p, 1) = b;
     return p;
 }
 
 COIN_PRIV_INLINE coin_priv_pair coin_priv_pair_both(double a)
 {
-    return coin_priv_pair_of(a, a);
+    return coin_priv_pair_make(a, a);
 }
 
 #endif

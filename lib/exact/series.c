@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#define OF COIN_PRIV_OF
+#define ELEMENT COIN_PRIV_ELEMENT
 #define ADD_PRODUCT coin_priv_pair_add_product
 #define BOTH coin_priv_pair_both
 
@@ -37,8 +37,8 @@ static void lean_power(coin_priv_series *s, struct factors *f,
                        const coin_priv_field *field, int k)
 {
     const coin_priv_point *p = &s->at[k];
-    const double wX = OF(p->row[1], 1);
-    const double wY = OF(p->row[2], 0), wZ = OF(p->row[2], 1);
+    const double wX = ELEMENT(p->row[1], 1);
+    const double wY = ELEMENT(p->row[2], 0), wZ = ELEMENT(p->row[2], 1);
     const int is_first = k == 0;
     coin_priv_pair thr = BOTH(0), thX = BOTH(0), vYX = BOTH(0);
     double uY = 0;
@@ -46,57 +46,59 @@ static void lean_power(coin_priv_series *s, struct factors *f,
         thr = ADD_PRODUCT(thr, f->th[j], f->r[k - j]);
         thX = ADD_PRODUCT(thX, f->th[j], f->wX[k - j]);
         vYX = ADD_PRODUCT(vYX, f->vY[j], f->wX[k - j]);
-        uY += f->u[j] * OF(f->vY[k - j], 1);
+        uY += f->u[j] * ELEMENT(f->vY[k - j], 1);
     }
     f->th[k] = p->th;
     f->wX[k] = BOTH(wX);
     if (!is_first)
         thr = ADD_PRODUCT(thr, f->th[k], f->r[0]);
-    const double r = (wY - OF(thr, 0)) * f->over;       /* (18) */
-    const double rs = OF(thr, 1) + OF(f->th[0], 1) * r; /* wY tan theta */
+    const double r = (wY - ELEMENT(thr, 0)) * f->over; /* (18) */
+    const double rs =
+        ELEMENT(thr, 1) + ELEMENT(f->th[0], 1) * r; /* wY tan theta */
     f->r[k] = BOTH(r);
     f->u[k] = field->KJ * wZ + field->XJ * rs;
-    f->vY[k] = coin_priv_pair_of(rs + field->k1 * wZ, wY);
+    f->vY[k] = coin_priv_pair_make(rs + field->k1 * wZ, wY);
     thX = ADD_PRODUCT(thX, f->th[0], f->wX[k]);
     vYX = ADD_PRODUCT(vYX, f->vY[0], f->wX[k]);
     uY += f->u[0] * wY;
     if (!is_first) {
         thX = ADD_PRODUCT(thX, f->th[k], f->wX[0]);
         vYX = ADD_PRODUCT(vYX, f->vY[k], f->wX[0]);
-        uY += f->u[k] * OF(f->vY[0], 1);
+        uY += f->u[k] * ELEMENT(f->vY[0], 1);
     }
     const double by = over_n[k + 1];
     coin_priv_point *next = &s->at[k + 1];
-    const double dwX = field->GJ * OF(p->th, 1) - uY; /* (14) */
-    const double dwY = OF(vYX, 0);                    /* (15) */
-    const double dwZ = field->k2 * OF(vYX, 1);        /* (16) */
-    const double dpsi = wZ + rs;                      /* (19) */
-    next->row[0] = times(coin_priv_pair_of(wX, r), by);
-    next->row[1] = times(coin_priv_pair_of(dpsi, dwX), by);
-    next->row[2] = times(coin_priv_pair_of(dwY, dwZ), by);
-    next->th = times(coin_priv_pair_of(-OF(thX, 1), OF(thX, 0)), by); /* (31) */
+    const double dwX = field->GJ * ELEMENT(p->th, 1) - uY; /* (14) */
+    const double dwY = ELEMENT(vYX, 0);                    /* (15) */
+    const double dwZ = field->k2 * ELEMENT(vYX, 1);        /* (16) */
+    const double dpsi = wZ + rs;                           /* (19) */
+    next->row[0] = times(coin_priv_pair_make(wX, r), by);
+    next->row[1] = times(coin_priv_pair_make(dpsi, dwX), by);
+    next->row[2] = times(coin_priv_pair_make(dwY, dwZ), by);
+    next->th = times(coin_priv_pair_make(-ELEMENT(thX, 1), ELEMENT(thX, 0)),
+                     by); /* (31) */
 }
 
-void coin_priv_series_fill(coin_priv_series *s, const coin_priv_field *field)
+void coin_priv_series_expand(coin_priv_series *s, const coin_priv_field *field)
 {
     struct factors f;
     memset(&f, 0, sizeof f); /* for gcc's analyzer alone */
-    f.over = 1 / OF(s->at[0].th, 0);
+    f.over = 1 / ELEMENT(s->at[0].th, 0);
     for (int k = 0; k < COIN_PRIV_ORDER; ++k)
         lean_power(s, &f, field, k);
 }
 
 /* The powers of phi' and of wX cos theta are those of the derivatives of phi
  * and sin theta. */
-void coin_priv_series_follow(coin_priv_series *s)
+void coin_priv_series_expand_path(coin_priv_series *s)
 {
     coin_priv_pair r[COIN_PRIV_ORDER], g[COIN_PRIV_ORDER], wZ[COIN_PRIV_ORDER];
     for (int k = 0; k < COIN_PRIV_ORDER; ++k) {
         const coin_priv_point *next = &s->at[k + 1];
         coin_priv_pair phr = BOTH(0), phg = phr, phZ = phr;
-        r[k] = BOTH((k + 1) * OF(next->row[0], 1));
-        g[k] = BOTH((k + 1) * OF(next->th, 1));
-        wZ[k] = BOTH(OF(s->at[k].row[2], 1));
+        r[k] = BOTH((k + 1) * ELEMENT(next->row[0], 1));
+        g[k] = BOTH((k + 1) * ELEMENT(next->th, 1));
+        wZ[k] = BOTH(ELEMENT(s->at[k].row[2], 1));
         for (int j = 0; j <= k; ++j) {
             const coin_priv_pair ph = s->at[j].ph;
             phr = ADD_PRODUCT(phr, ph, r[k - j]);
@@ -104,11 +106,13 @@ void coin_priv_series_follow(coin_priv_series *s)
             phZ = ADD_PRODUCT(phZ, ph, wZ[k - j]);
         }
         const double by = over_n[k + 1];
-        const double dx = OF(phg, 1) - OF(phZ, 0); /* (20) */
-        const double dz = OF(phg, 0) + OF(phZ, 1); /* (20) */
-        s->at[k + 1].row[COIN_PRIV_PATH] = times(coin_priv_pair_of(dz, dx), by);
+        const double dx = ELEMENT(phg, 1) - ELEMENT(phZ, 0); /* (20) */
+        const double dz = ELEMENT(phg, 0) + ELEMENT(phZ, 1); /* (20) */
+        s->at[k + 1].row[COIN_PRIV_PATH] =
+            times(coin_priv_pair_make(dz, dx), by);
         s->at[k + 1].ph =
-            times(coin_priv_pair_of(-OF(phr, 1), OF(phr, 0)), by); /* (31) */
+            times(coin_priv_pair_make(-ELEMENT(phr, 1), ELEMENT(phr, 0)),
+                  by); /* (31) */
     }
 }
 
@@ -150,19 +154,19 @@ static void economize(coin_priv_pair (*b)[3], int degree)
     for (int n = COIN_PRIV_ORDER - 1; n > degree; --n) {
         double m = 1; /* T_n/2^(n-1) = x^n + m x^(n-2) + ... */
         for (int j = 1; 2 * j <= n; ++j) {
-            coin_priv_pair *low = b[n - 2 * j];
+            coin_priv_pair *lower = b[n - 2 * j];
             m *= -0.25 * ((n - 2 * j + 2) * (n - 2 * j + 1)) *
                  (over_n[j] * over_n[n - j]);
             for (int i = 0; i < 3; ++i)
-                low[i] = ADD_PRODUCT(low[i], b[n][i], BOTH(-m));
+                lower[i] = ADD_PRODUCT(lower[i], b[n][i], BOTH(-m));
         }
     }
 }
 
 /* The rates are economized, and then integrated, because queries also compute
  * derivatives. */
-void coin_priv_series_keep(const coin_priv_series *s, double reach,
-                           double *rows)
+void coin_priv_series_economized(const coin_priv_series *s, double reach,
+                                 double *rows)
 {
     static const int from[3] = {0, 1, COIN_PRIV_PATH};
     static const int to[3][2] = {
@@ -182,8 +186,8 @@ void coin_priv_series_keep(const coin_priv_series *s, double reach,
     for (int i = 0; i < 3; ++i)
         for (int half = 0; half < 2 && to[i][half] >= 0; ++half) {
             double *row = rows + COIN_PRIV_TERMS * to[i][half];
-            row[0] = OF(s->at[0].row[from[i]], half);
+            row[0] = ELEMENT(s->at[0].row[from[i]], half);
             for (int k = 1; k < COIN_PRIV_TERMS; ++k)
-                row[k] = OF(b[k - 1][i], half) * over[k];
+                row[k] = ELEMENT(b[k - 1][i], half) * over[k];
         }
 }

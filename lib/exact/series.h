@@ -24,11 +24,11 @@ typedef struct coin_priv_series {
 
 /* Computes all powers from at[0], which is given, but those of path and ph.
  * Time is in units in which the field's h is 1. */
-void coin_priv_series_fill(coin_priv_series *s, const coin_priv_field *f);
+void coin_priv_series_expand(coin_priv_series *s, const coin_priv_field *f);
 
 /* Computes the powers of the path and of ph.  Both functions together cost as
  * much as 40 steps of COIN_RK4. */
-void coin_priv_series_follow(coin_priv_series *s);
+void coin_priv_series_expand_path(coin_priv_series *s);
 
 /* The point a time t later.  Its path and ph are not computed: they are those
  * of at[0]. */
@@ -38,7 +38,7 @@ coin_priv_point coin_priv_series_at(const coin_priv_series *s, double t);
 coin_priv_pair coin_priv_series_path(const coin_priv_series *s, double t);
 
 /* Writes the rows of a piece that holds for times from -reach to reach. */
-void coin_priv_series_keep(const coin_priv_series *s, double reach,
-                           double *rows);
+void coin_priv_series_economized(const coin_priv_series *s, double reach,
+                                 double *rows);
 
 #endif
