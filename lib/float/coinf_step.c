@@ -52,15 +52,13 @@ int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
 
 /* The cos theta of the stages is not checked: where that of one is near 0 or
  * below it, the W of the last stage is above the limit. */
-int coinf_priv_step(coinf_state *s, int32_t *warnings,
-                    const coinf_priv_plan *plan)
+int coinf_priv_step_from(coinf_state *s, int32_t *warnings,
+                         const coinf_priv_plan *plan,
+                         const coinf_priv_variables *y)
 {
     coinf_priv_slope first, rest;
     coinf_priv_variables last;
-    const coinf_priv_variables y = coinf_priv_variables_with_low(s);
-    if (!coinf_priv_admit_rate(warnings, plan, &y))
-        return 0;
-    coinf_priv_slopes(&first, &rest, &last, plan, &y, coinf_priv_slope_at);
+    coinf_priv_slopes(&first, &rest, &last, plan, y, coinf_priv_slope_at);
     if (!coinf_priv_admit_rate(warnings, plan, &last))
         return 0;
     coinf_state next = *s;

@@ -258,10 +258,22 @@ COIN_PRIV_INLINE int coinf_priv_admit_rate(int32_t *warnings,
     return rate2 <= plan->most2;
 }
 
-/* One step of *s.  *warnings becomes COIN_COARSE if the step was coarse.
- * Returns 0 and leaves *s untouched if the step is refused. */
-int coinf_priv_step(coinf_state *s, int32_t *warnings,
-                    const coinf_priv_plan *plan);
+/* One step of *s from its variables *y, the W of which is admitted.  *warnings
+ * becomes COIN_COARSE if the step was coarse.  Returns 0 and leaves *s
+ * untouched if the step is refused. */
+int coinf_priv_step_from(coinf_state *s, int32_t *warnings,
+                         const coinf_priv_plan *plan,
+                         const coinf_priv_variables *y);
+
+/* One step of *s, as coinf_priv_step_from().  Inline, since it would take 24
+ * bytes of stack more as a function. */
+COIN_PRIV_INLINE int coinf_priv_step(coinf_state *s, int32_t *warnings,
+                                     const coinf_priv_plan *plan)
+{
+    const coinf_priv_variables y = coinf_priv_variables_with_low(s);
+    return coinf_priv_admit_rate(warnings, plan, &y) &&
+           coinf_priv_step_from(s, warnings, plan, &y);
+}
 
 /* Ends a step.  If *next is a sound state, *s becomes *next, with heading and
  * roll brought within half a turn.  Else returns 0 and leaves *s untouched. */
