@@ -198,6 +198,23 @@ static void a_ride_leans_by_its_speed(void **unused)
         last = s.theta;
     }
     check_within(last, 1.56, HALF_PI);
+    coin_state flattest; /* tan theta = A + B to 1e-14 there */
+    check_status(coin_steady_ride(&flattest, &p, 2390.4, 1), COIN_OK);
+    check_near(HALF_PI - flattest.theta, 1e-7, 1e-11);
+}
+
+/* Where B is 1, T - s = A: T^3/2 for a small circle, to T^2. */
+static void a_ride_at_the_rate_of_a_spin_has_its_lean(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    for (double R = 1e-9; R > 1e-90; R /= 1024) {
+        const double T = cbrt(12 * R);
+        coin_state s;
+        check_note("radius %g", R);
+        check_status(coin_steady_ride(&s, &p, 2 * R, R), COIN_OK);
+        check_near(s.theta, T, (T * T + 16 * U) * T);
+    }
 }
 
 /* ------------------------------------------------------------- round trips */
@@ -362,7 +379,7 @@ static void a_bad_ride_is_refused_in_order(void **unused)
         {&good, 1e200, 1, COIN_ESTATE},
         {&good, INFINITY, 1, COIN_ESTATE},
         {&good, 1, INFINITY, COIN_EDOMAIN},
-        {&good, 2600, 1, COIN_EDOMAIN},   /* tan theta = 1.0e7 + .17e7 */
+        {&good, 2390.5, 1, COIN_EDOMAIN}, /* tan theta = 1.00004e7 */
         {&good, 1, 1e-4, COIN_EDOMAIN},   /* 2.5e7 */
         {&good, 1e-200, 1, COIN_EDOMAIN}, /* 0 */
     };
@@ -388,6 +405,7 @@ int main(void)
         TEST(the_other_lean_is_the_mirror_image),
         TEST(no_lean_is_too_small_or_too_flat),
         TEST(a_ride_leans_by_its_speed),
+        TEST(a_ride_at_the_rate_of_a_spin_has_its_lean),
         TEST(speeds_and_leans_ask_for_the_same_circles),
         TEST(the_circle_is_that_of_the_slow_branch),
         TEST(a_stable_circle_stays_as_it_is),
