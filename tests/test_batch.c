@@ -1,11 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A batch against coin_run() for each of its coins, to the bit. */
-/* lib/step/lanes.c once more, for its parts; it has a check() of its own. */
 #include "lanes.h"
-coin_priv_lanes_run *lanes_run_of(int32_t method);
-#define coin_priv_lanes_run_of lanes_run_of
-#include "lanes.c"
-#undef coin_priv_lanes_run_of
 
 #include "support/check.h"
 #include "support/coins.h"
@@ -99,75 +94,17 @@ static void each_coin_goes_as_it_would_alone(void **unused)
     check(failed > 50 && warned > 50 && well > 50);
 }
 
-/* --------------------------------------------------- what keeps a lane going
- */
-#if COIN_PRIV_WIDTH
-/* A block of one step of dt = 0.1 of a coin in all lanes, with the limit on W^2
- * for which no W is too large above the cosine `safe`; whether it was sound,
- * and cos theta at its end. */
-static int block_is_sound(double safe, int32_t method, double wX, double w,
-                          double *cth)
-{
-    const coin_params p = disc();
-    coin_state s = {.theta = 0.5, .wX = wX, .wY = w, .wZ = w},
-               *where[COIN_PRIV_LANES];
-    coin_priv_body b;
-    struct coins c;
-    check_status(coin_priv_check_body(&b, &p), COIN_OK);
-    const double E2 = 1.25 * 2 * coin_energy(&s, &p), q = 1 / safe;
-    const struct shared of = {
-        &p, &b, 0.1, E2 / b.IX * q * q + b.g_a * q + E2 / b.K, 2, method,
-    };
-    for (int k = 0; k < COIN_PRIV_LANES; ++k)
-        where[k] = &s;
-    load(&c, where);
-    begin(&c);
-    const coin_lanes_rk4_fields k = {
-        field_of(&b, 0.05),
-        field_of(&b, 0.1),
-        field_of(&b, 0.1 / 6),
-    };
-    const coin_lanes_field f = field_of(&b, 0.1);
-    const mask sound = method == COIN_RK4
-                           ? block_of_steps(&c, &of, 1, rk4_step, &k)
-                           : block_of_steps(&c, &of, 1, rk8_step, &f);
-    *cth = c.g.y.cth[0];
-    for (int n = 1; n < COIN_PRIV_LANES; ++n)
-        check(sound[n] == sound[0]);
-    return sound[0] != 0;
-}
-
-/* The safe cosine of the lanes is known to 8 u: from just above the lowest
- * cosine of a step on, it is not sound.  A coin that falls is lowest where its
- * step ends; one that rises, where it begins; one that
- * nods, at a stage within. */
-static void a_block_is_sound_above_the_safe_cosine_at_every_stage(void **unused)
-{
-    (void)unused;
-    double end;
-    for (int32_t method = COIN_RK4; method <= COIN_RK8; ++method) {
-        check_note("method %d", (int)method);
-        check(block_is_sound(0.5, method, 1, 0, &end));
-        check(block_is_sound(end * (1 - 16 * U), method, 1, 0, &end));
-        check(!block_is_sound(end * (1 + 16 * U), method, 1, 0, &end));
-        check_near(end, cos(0.6), 0.01);
-        const double begin = cos(0.5);
-        check(block_is_sound(begin * (1 - 16 * U), method, -1, 0, &end));
-        check(!block_is_sound(begin * (1 + 16 * U), method, -1, 0, &end));
-        check(end > begin + 0.03);
-        check(block_is_sound(begin - 0.01, method, 0.128, 1.5, &end));
-        check(end > begin - 0.0005);
-        check(!block_is_sound(begin - 0.0005, method, 0.128, 1.5, &end));
-    }
-}
-#endif
-
 static void the_runge_kutta_methods_have_lanes_where_vectors_are(void **unused)
 {
     (void)unused;
-    for (int32_t method = 0; method < METHODS; ++method)
-        check((coin_priv_lanes_run_of(method) != NULL) ==
+    const coin_params p = disc();
+    coin_priv_body b;
+    check_status(coin_priv_check_body(&b, &p), COIN_OK);
+    for (int32_t method = 0; method < METHODS; ++method) {
+        coin_priv_batch none = {NULL, 0, NULL, COIN_OK, COIN_OK};
+        check(coin_priv_run_abreast(&none, &b, method, 0.1, 1) ==
               (COIN_PRIV_LANES > 1 && method <= COIN_RK8));
+    }
 }
 
 /* The first error is that of the lowest index, though a coin that is no state
@@ -368,9 +305,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(each_coin_goes_as_it_would_alone),
-#if COIN_PRIV_WIDTH
-        TEST(a_block_is_sound_above_the_safe_cosine_at_every_stage),
-#endif
         TEST(the_runge_kutta_methods_have_lanes_where_vectors_are),
         TEST(the_status_is_that_of_the_first_coin_that_failed),
         TEST(a_coin_that_is_no_state_leaves_the_others_alone),

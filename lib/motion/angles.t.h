@@ -52,9 +52,8 @@ COIN_PRIV_INLINE PRIV(sc) PRIV(sine_cosine)(real x)
         ((r3 - hi) - n * COIN_PRIV_P4) + ((t - r3) - n * COIN_PRIV_P3);
     const PRIV(sc) rest = PRIV(sine_cosine_reduced)(hi, lo);
     const whole quarter = PRIV(bits)(sum);
-    const whole odd = PRIV(truth)((quarter & 1) == 1);
-    const whole below = PRIV(truth)((quarter & 2) == 2);
-    const whole left = PRIV(truth)(((quarter + 1) & 2) == 2);
+    const whole odd = -(quarter & 1); /* all ones or 0 */
+    const whole below = -(quarter & 2), left = -((quarter + 1) & 2);
     const real s = PRIV(choose)(odd, rest.c, rest.s);
     const real c = PRIV(choose)(odd, rest.s, rest.c);
     const PRIV(sc) r = {

@@ -238,12 +238,10 @@ COIN_PRIV_INLINE real PRIV(rate2)(real g_a, const PRIV(variables) * y)
     return (wX * wX + wY * wY) * (q * q) + (wZ * wZ + g_a * q); /* (47) */
 }
 
-/* Where a step leads: the rates, what it adds to the pose, and the least cos
- * theta of its stages. */
+/* Where a step leads: the rates, and what it adds to the pose. */
 typedef struct PRIV(step_end) {
     real wX, wY, wZ;
     PRIV(pose) adds;
-    real least_cth;
 } PRIV(step_end);
 
 /* The variables at the end of a step, where the pairs are known. */

@@ -20,6 +20,20 @@ COIN_PRIV_INLINE real PRIV(of_bits)(whole bits)
     return (real)bits;
 }
 
+COIN_PRIV_INLINE real PRIV(magnitude)(real x)
+{
+    return PRIV(of_bits)(PRIV(bits)(x) & COIN_PRIV_ALL_BUT_SIGN);
+}
+
+/* Whether a comparison holds for each number. */
+COIN_PRIV_INLINE int PRIV(every)(whole comparison)
+{
+    int64_t of_all = -1;
+    for (size_t i = 0; i < sizeof comparison / sizeof of_all; ++i)
+        of_all &= comparison[i];
+    return of_all == -1;
+}
+
 #else
 COIN_PRIV_INLINE whole PRIV(truth)(int comparison)
 {
@@ -45,17 +59,22 @@ COIN_PRIV_INLINE real PRIV(of_bits)(whole bits)
     word.bits = bits;
     return word.number;
 }
+
+COIN_PRIV_INLINE real PRIV(magnitude)(real x)
+{
+    return FABS(x);
+}
+
+COIN_PRIV_INLINE int PRIV(every)(int comparison)
+{
+    return comparison;
+}
 #endif
 
 /* a where mask is all ones, b where it is 0. */
 COIN_PRIV_INLINE real PRIV(choose)(whole mask, real a, real b)
 {
     return PRIV(of_bits)((mask & PRIV(bits)(a)) | (~mask & PRIV(bits)(b)));
-}
-
-COIN_PRIV_INLINE real PRIV(magnitude)(real x)
-{
-    return PRIV(of_bits)(PRIV(bits)(x) & COIN_PRIV_ALL_BUT_SIGN);
 }
 
 /* The lesser of two, b where one is NaN. */

@@ -35,8 +35,6 @@
 
 /* COIN_PRIV_INLINE inlines a part of a step, whatever its size.
  * COIN_PRIV_RARELY moves code that rarely runs out of the way.
- * COIN_PRIV_TOGETHER marks the functions that coin_run() needs for one step of
- * RK8.  The linker places them next to each other.
  *
  * COIN_PRIV_SMALL is defined for processors on which each operation of doubles
  * is a call, and may be defined by the user.  The parts of a step of doubles
@@ -45,12 +43,10 @@
 #if defined(__GNUC__)
 #define COIN_PRIV_INLINE static inline __attribute__((always_inline))
 #define COIN_PRIV_NOINLINE static __attribute__((noinline, unused))
-#define COIN_PRIV_TOGETHER __attribute__((hot))
 #define COIN_PRIV_RARELY(condition) __builtin_expect(!!(condition), 0)
 #else
 #define COIN_PRIV_INLINE static inline
 #define COIN_PRIV_NOINLINE static
-#define COIN_PRIV_TOGETHER
 #define COIN_PRIV_RARELY(condition) (condition)
 #endif
 

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-/* With this pragma gcc schedules instructions before it allocates registers.
- * RK4 is 4 to 6 % faster by that, with the same bits. */
+/* With this pragma gcc schedules instructions before it allocates registers,
+ * and renames them after.  RK4 is 4 to 6 % faster by the one, RK8 7 % by the
+ * other, with the same bits. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__)
-#pragma GCC optimize("schedule-insns", "sched-pressure")
+#pragma GCC optimize("schedule-insns", "sched-pressure", "rename-registers")
 #endif
 
 #include "lanes.h"
@@ -17,6 +18,8 @@
 #include "../motion/angles.t.h"
 
 #include "../motion/equations.t.h"
+
+#include "../motion/methods.t.h"
 
 #include "progress.t.h"
 
@@ -43,272 +46,214 @@ COIN_PRIV_INLINE coin_lanes_field field_of(const coin_priv_body *b, double h)
     return of_all;
 }
 
-/* Coins side by side: where they started, and how far they are. */
-struct coins {
-    coin_lanes start[8]; /* in the order of coin_state */
-    coin_lanes_progress g;
-};
-
-enum { THETA, PHI, PSI, X, Z, WX, WY, WZ };
-
-/* Each vector is complete before it is stored: a wide load would wait for
- * narrow stores to the same place. */
-COIN_PRIV_INLINE void load(struct coins *c, coin_state *const *where)
-{
-    for (int i = 0; i < 8; ++i) {
-        coin_lanes of_all = {0};
-        for (int k = 0; k < COIN_PRIV_LANES; ++k)
-            of_all[k] = ((const double *)where[k])[i];
-        c->start[i] = of_all;
-    }
-}
-
-/* coin_priv_pose_holds() for each lane; 0 for NaN.  The rates are not tested:
- * those too large for a state are beyond every limit of a step. */
-static mask pose_holds(const coin_lanes *s)
-{
-    return (coin_lanes_magnitude(s[THETA]) < COIN_PRIV_HALF_PI) &
-           (coin_lanes_magnitude(s[PHI]) <= COIN_PRIV_ANGLE_MAX) &
-           (coin_lanes_magnitude(s[PSI]) <= COIN_PRIV_ANGLE_MAX) &
-           (coin_lanes_magnitude(s[X]) <= COIN_PRIV_LARGEST) &
-           (coin_lanes_magnitude(s[Z]) <= COIN_PRIV_LARGEST);
-}
-
-static void begin(struct coins *c)
-{
-    const coin_lanes *s = c->start;
-    const coin_lanes_sc th = coin_lanes_sine_cosine(s[THETA]);
-    const coin_lanes_sc ph = coin_lanes_sine_cosine(s[PHI]);
-    const coin_lanes q = 1 / th.c;
-    const coin_lanes_variables y = {
-        s[WX], s[WY], s[WZ], th.s, th.c, q, q * th.s, ph.s, ph.c,
-    };
-    coin_lanes_progress_begin(&c->g, &y, s[THETA], s[PHI], s[PSI]);
-}
-
-/* One step; a lane of *sound becomes 0 if coin_run() would take that step in
- * another way. */
-typedef void lanes_step(coin_lanes_step_end *end, coin_lanes_variables *next,
-                        mask *sound, const coin_lanes_variables *y,
-                        const void *coefficients);
-
-COIN_PRIV_INLINE void rk4_step(coin_lanes_step_end *end,
-                               coin_lanes_variables *next, mask *sound,
-                               const coin_lanes_variables *y,
-                               const void *fields)
-{
-    coin_lanes_rk4_lean lean;
-    const coin_lanes_sc heading = {y->sph, y->cph};
-    *end = coin_lanes_rk4_end(&lean, y, (const coin_lanes_rk4_fields *)fields);
-    *sound &= coin_lanes_magnitude(lean.late) <= COIN_PRIV_LITTLE_TURN;
-    *next = coin_lanes_variables_at(end, lean.th,
-                                    coin_lanes_turned(heading, end->adds.phi));
-}
-
-COIN_PRIV_INLINE void rk8_step(coin_lanes_step_end *end,
-                               coin_lanes_variables *next, mask *sound,
-                               const coin_lanes_variables *y, const void *field)
-{
-    coin_lanes_variables sums;
-    (void)sound;
-    end->least_cth =
-        rk8_sums(&sums, &end->adds, y, (const coin_lanes_field *)field);
-    end->wX = sums.wX;
-    end->wY = sums.wY;
-    end->wZ = sums.wZ;
-    *next = coin_lanes_variables_after(y, end);
-}
-
-/* What all coins share. */
+/* What the coins of a batch share. */
 struct shared {
-    const coin_params *p;
     const coin_priv_body *b;
-    double dt, coarse2;
+    coin_priv_limits limits;
+    double dt;
     uint64_t steps;
     int32_t method;
 };
 
-/* What coin_priv_steps() computes before a block of steps, lane by lane: the
- * cos theta that every stage has to stay above, or 2, and whether phi and psi
- * cannot leave their range. */
-static coin_lanes safe_cosine(mask *sound, const struct coins *c,
-                              const coin_priv_body *b, double coarse2)
+/* A group of coins side by side. */
+struct group {
+    coin_state *coin[COIN_PRIV_LANES]; /* null where the lane is empty */
+    int32_t status[COIN_PRIV_LANES];   /* where the coin has left its lane */
+    int size;                          /* coins in lanes */
+    coin_lanes_progress g;
+    coin_lanes_limits limits;
+    coin_lanes x, z; /* where the paths start */
+    uint64_t steps;  /* done so far */
+};
+
+/* Fewer coins than this go one by one, which takes less time. */
+enum { ENOUGH = (COIN_PRIV_LANES + 2) / 4 + 1 };
+
+enum { THETA, PHI, PSI, X, Z, WX, WY, WZ };
+
+/* A member of all states.  Not an array of vectors: a wide load would wait for
+ * narrow stores to the same place. */
+COIN_PRIV_INLINE coin_lanes member(const coin_state *const *from, int i)
 {
-    coin_lanes safe = {0};
-    for (int k = 0; k < COIN_PRIV_LANES; ++k) {
-        const coin_lanes_variables *y = &c->g.y;
-        const coin_priv_variables of = {
-            y->wX[k], y->wY[k], y->wZ[k], 0, y->cth[k], 0, 0, 0, 0,
-        };
-        safe[k] = coin_priv_safe_cosine(b, coarse2, &of);
-    }
-    const double most = COIN_PRIV_ANGLE_MAX - COIN_PRIV_BLOCK_TURN;
-    *sound &= (coin_lanes_magnitude(c->g.phi.sum + c->g.added.phi) <= most) &
-              (coin_lanes_magnitude(c->g.psi.sum + c->g.added.psi) <= most);
-    return safe;
+    coin_lanes of_all = {0};
+    for (int k = 0; k < COIN_PRIV_LANES; ++k)
+        of_all[k] = ((const double *)from[k])[i];
+    return of_all;
 }
 
-/* Whether a single step from *y was safe.  For one step, W^2 is cheaper than
- * the bound for a block. */
-COIN_PRIV_INLINE mask one_step_holds(const struct shared *of,
-                                     const coin_lanes_variables *y,
-                                     const coin_lanes_variables *next,
-                                     const coin_lanes_pose *adds)
+/* Puts the next coins into lanes, but for those that are no state.  In an empty
+ * lane a coin stands upright at rest: a step that is too long for it is too
+ * long for every coin. */
+COIN_PRIV_INLINE void gather(struct group *c, coin_state *s, size_t left,
+                             const struct shared *of)
 {
-    const coin_lanes g_a = all(of->b->g_a);
-    return (coin_lanes_rate2(g_a, y) <= of->coarse2) &
-           (coin_lanes_rate2(g_a, next) <= of->coarse2) &
-           (coin_lanes_magnitude(adds->theta) <= COIN_PRIV_TURN_MAX) &
-           (coin_lanes_magnitude(adds->phi) <= COIN_PRIV_TURN_MAX);
+    static const coin_state standing = {0, 0, 0, 0, 0, 0, 0, 0};
+    const coin_lanes_limits limits = {
+        all(of->limits.g_a),
+        all(of->limits.coarse2),
+        all(of->limits.most2),
+        {0},
+    };
+    const coin_state *from[COIN_PRIV_LANES];
+    c->size = 0;
+    for (size_t k = 0; k < COIN_PRIV_LANES; ++k) {
+        const int runs =
+            k < left && coin_priv_check_state(&s[k], of->b) == COIN_OK;
+        c->coin[k] = runs ? &s[k] : NULL;
+        from[k] = runs ? &s[k] : &standing;
+        c->status[k] = COIN_ESTATE;
+        c->size += runs;
+    }
+    const coin_lanes theta = member(from, THETA), phi = member(from, PHI);
+    const coin_lanes_sc th = coin_lanes_sine_cosine(theta);
+    const coin_lanes_sc ph = coin_lanes_sine_cosine(phi);
+    const coin_lanes q = 1 / th.c;
+    const coin_lanes_variables y = {
+        member(from, WX),
+        member(from, WY),
+        member(from, WZ),
+        th.s,
+        th.c,
+        q,
+        q * th.s,
+        ph.s,
+        ph.c,
+    };
+    coin_lanes_progress_begin(&c->g, &y, theta, phi, member(from, PSI));
+    c->limits = limits;
+    c->x = member(from, X);
+    c->z = member(from, Z);
+    c->steps = 0;
 }
 
-/* Does a block of n steps; returns for which coins all of them were safe. */
-COIN_PRIV_INLINE mask block_of_steps(struct coins *c, const struct shared *of,
-                                     uint64_t n, lanes_step *step,
-                                     const void *coefficients)
+/* The coin of lane k completes its run by itself, from where it is, and leaves
+ * its lane empty. */
+static void leave(struct group *c, int k, const struct shared *of)
 {
-    const int single = of->steps == 1;
-    coin_lanes_variables y = c->g.y, next = y;
-    coin_lanes_pose added = c->g.added;
-    coin_lanes_step_end end;
-    coin_lanes safe = all(0);
-    mask sound = y.cth > safe;
-    if (!single) {
-        safe = safe_cosine(&sound, c, of->b, of->coarse2);
-        sound &= y.cth > safe;
-    }
-    for (; n > 0; --n) {
-        y = next;
-        step(&end, &next, &sound, &y, coefficients);
-        sound &= coin_lanes_lesser(end.least_cth, next.cth) > safe;
-        added = coin_lanes_pose_plus(&added, 1, &end.adds);
-    }
-    if (single)
-        sound &= one_step_holds(of, &y, &next, &added);
-    c->g.y = next;
-    c->g.added = added;
-    return sound;
-}
-
-/* Runs coin k by itself, from where it is in *from, after `done` steps. */
-static int32_t go_on(coin_state *s, const struct coins *from, int k,
-                     const struct shared *of, uint64_t done)
-{
+    enum { NUMBERS = sizeof(coin_priv_progress) / sizeof(double) };
+    const coin_priv_variables upright = {0, 0, 0, 0, 1, 1, 0, 0, 1};
+    coin_lanes *const lanes = (coin_lanes *)&c->g;
+    coin_state *const s = c->coin[k];
     coin_priv_run r;
+    coin_priv_copy_state(&r.start, s);
     r.b = *of->b;
-    coin_priv_run_from(&r, s, of->method, of->dt);
-    for (size_t i = 0; i < sizeof r.g / sizeof(double); ++i)
-        ((double *)&r.g)[i] = ((const coin_lanes *)&from->g)[i][k];
-    r.steps = done;
-    return coin_priv_run_to_end(&r, of->method, of->steps, s, NULL);
+    r.limits = of->limits;
+    r.limits.coarse = c->limits.coarse[k];
+    r.dt = of->dt;
+    r.steps = c->steps;
+    for (int i = 0; i < NUMBERS; ++i)
+        ((double *)&r.g)[i] = lanes[i][k];
+    c->status[k] = coin_priv_run_to_end(&r, of->method, of->steps, s, NULL);
+    coin_priv_progress_begin(&r.g, &upright, 0, 0, 0);
+    for (int i = 0; i < NUMBERS; ++i)
+        lanes[i][k] = ((const double *)&r.g)[i];
+    c->limits.coarse[k] = 0;
+    c->coin[k] = NULL;
+    --c->size;
 }
 
-static int32_t alone(coin_state *s, const struct shared *of)
+/* The coins leave whose lanes are 0 in `stay`. */
+static void keep(struct group *c, mask stay, const struct shared *of)
 {
-    return coin_run(s, of->p, of->method, of->dt, of->steps, NULL);
+    for (int k = 0; k < COIN_PRIV_LANES; ++k)
+        if (c->coin[k] && !stay[k])
+            leave(c, k, of);
 }
 
-/* Writes the states of the coins that are still in their lanes.  A coin whose
- * path overflowed repeats its run by itself. */
-static void store(coin_state *const *where, int32_t *status,
-                  const struct coins *c, mask in, const struct shared *of)
+/* Writes the states at the end.  A coin whose path overflowed, or whose lean is
+ * rounded to flat, leaves instead. */
+static void store(struct group *c, const struct shared *of)
 {
     const coin_lanes_pose to = coin_lanes_pose_of(&c->g, all(of->b->a));
     const coin_lanes s[8] = {
-        to.theta,           to.phi,    to.psi,    c->start[X] + to.x,
-        c->start[Z] + to.z, c->g.y.wX, c->g.y.wY, c->g.y.wZ,
+        to.theta,    to.phi,    to.psi,    c->x + to.x,
+        c->z + to.z, c->g.y.wX, c->g.y.wY, c->g.y.wZ,
     };
-    const mask holds = pose_holds(s);
-    for (int k = 0; k < COIN_PRIV_LANES; ++k) {
-        for (int i = 0; in[k] && holds[k] && i < 8; ++i)
-            ((double *)where[k])[i] = s[i][k];
-        if (in[k])
-            status[k] = holds[k] ? COIN_OK : alone(where[k], of);
-    }
-}
-
-/* Blocks of steps, each from where the last one ended; *in becomes 0 for a coin
- * that left its lane, and status[k] what coin_run() returns for it. */
-COIN_PRIV_INLINE void blocks(coin_state *const *where, int32_t *status,
-                             struct coins *c, mask *in, const struct shared *of,
-                             lanes_step *step, const void *coefficients)
-{
-    struct coins from;
-    int some = 1;
-    for (uint64_t done = 0; some && done < of->steps;) {
-        if (done > 0)
-            from = *c;
-        const uint64_t rest = of->steps - done;
-        const uint64_t n = rest < COIN_PRIV_BLOCK ? rest : COIN_PRIV_BLOCK;
-        const mask sound = block_of_steps(c, of, n, step, coefficients);
-        some = 0;
-        for (int k = 0; k < COIN_PRIV_LANES; ++k) {
-            if ((*in)[k] && !sound[k])
-                status[k] = done > 0 ? go_on(where[k], &from, k, of, done)
-                                     : alone(where[k], of);
-            some |= (*in)[k] && sound[k];
-        }
-        *in &= sound;
-        done += n;
-        if (n == COIN_PRIV_BLOCK)
-            coin_lanes_end_block(&c->g);
-    }
-}
-
-COIN_PRIV_INLINE void run(coin_state *const *where, int32_t *status,
-                          const struct shared *of, lanes_step *step,
-                          const void *coefficients)
-{
-    struct coins c;
-    load(&c, where);
-    mask in = pose_holds(c.start);
+    keep(c,
+         (coin_lanes_magnitude(s[THETA]) < COIN_PRIV_HALF_PI) &
+             (coin_lanes_magnitude(s[X]) <= COIN_PRIV_LARGEST) &
+             (coin_lanes_magnitude(s[Z]) <= COIN_PRIV_LARGEST),
+         of);
     for (int k = 0; k < COIN_PRIV_LANES; ++k)
-        if (!in[k])
-            status[k] = alone(where[k], of);
-    begin(&c);
-    blocks(where, status, &c, &in, of, step, coefficients);
-    store(where, status, &c, in, of);
+        if (c->coin[k]) {
+            for (int i = 0; i < 8; ++i)
+                ((double *)c->coin[k])[i] = s[i][k];
+            c->status[k] = (int32_t)(c->limits.coarse[k] & COIN_COARSE);
+        }
 }
 
-static struct shared shared_of(const coin_params *p, const coin_priv_body *b,
-                               int32_t method, double dt, uint64_t steps)
+/* Steps side by side until all are done, or too few coins are left.  A coin
+ * leaves before a step that is refused for it. */
+COIN_PRIV_INLINE void run_group(struct group *c, const struct shared *of,
+                                coin_lanes_step *step, const void *coefficients)
 {
-    const double coarse2 = coin_priv_limits_of(b, method, dt).coarse2;
-    const struct shared of = {p, b, dt, coarse2, steps, method};
-    return of;
+    const mask none = {0};
+    mask stay = coin_lanes_admit_start(&c->limits, &c->g.y);
+    while (keep(c, stay, of), c->size >= ENOUGH) {
+        if (c->steps == of->steps) {
+            store(c, of);
+            return;
+        }
+        stay = coin_lanes_block(&c->g, &c->limits, &c->steps,
+                                of->steps - c->steps, step, coefficients);
+    }
+    keep(c, none, of);
 }
 
-static void rk4(coin_state *const *where, int32_t *status, const coin_params *p,
-                const coin_priv_body *b, double dt, uint64_t steps)
+/* The same by a method. */
+typedef void run_of_group(struct group *c, const struct shared *of,
+                          const void *coefficients);
+
+static void rk4(struct group *c, const struct shared *of, const void *fields)
 {
-    const struct shared of = shared_of(p, b, COIN_RK4, dt, steps);
+    run_group(c, of, coin_lanes_rk4_step, fields);
+}
+
+static void rk8(struct group *c, const struct shared *of, const void *field)
+{
+    run_group(c, of, coin_lanes_rk8_step, field);
+}
+
+static void run(coin_priv_batch *batch, const struct shared *of,
+                run_of_group *by_method, const void *coefficients)
+{
+    struct group c;
+    for (size_t i = 0; i < batch->count; i += COIN_PRIV_LANES) {
+        const size_t left = batch->count - i;
+        gather(&c, &batch->s[i], left, of);
+        by_method(&c, of, coefficients);
+        for (size_t k = 0; k < COIN_PRIV_LANES && k < left; ++k)
+            coin_priv_note(batch, i + k, c.status[k]);
+    }
+}
+
+int coin_priv_run_abreast(coin_priv_batch *batch, const coin_priv_body *b,
+                          int32_t method, double dt, uint64_t steps)
+{
+    const struct shared of = {
+        b, coin_priv_limits_of(b, method, dt), dt, steps, method,
+    };
     const coin_lanes_rk4_fields k = {
         field_of(b, dt / 2),
         field_of(b, dt),
         field_of(b, dt / 6),
     };
-    run(where, status, &of, rk4_step, &k);
-}
-
-static void rk8(coin_state *const *where, int32_t *status, const coin_params *p,
-                const coin_priv_body *b, double dt, uint64_t steps)
-{
-    const struct shared of = shared_of(p, b, COIN_RK8, dt, steps);
-    const coin_lanes_field f = field_of(b, dt);
-    run(where, status, &of, rk8_step, &f);
-}
-
-coin_priv_lanes_run *coin_priv_lanes_run_of(int32_t method)
-{
-    return method == COIN_RK4 ? rk4 : method == COIN_RK8 ? rk8 : NULL;
+    if (method == COIN_RK4)
+        run(batch, &of, rk4, &k);
+    else if (method == COIN_RK8)
+        run(batch, &of, rk8, &k.full);
+    else
+        return 0;
+    return 1;
 }
 
 #else
 
-coin_priv_lanes_run *coin_priv_lanes_run_of(int32_t method)
+int coin_priv_run_abreast(coin_priv_batch *batch, const coin_priv_body *b,
+                          int32_t method, double dt, uint64_t steps)
 {
-    (void)method;
-    return NULL;
+    (void)batch, (void)b, (void)method, (void)dt, (void)steps;
+    return 0;
 }
 
 #endif

@@ -1,15 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* How far a run has come. */
-#include "../motion/equations.h"
+/* How far a run has come, and the loop around its steps. */
+#include "../motion/methods.h"
 
 #include "../motion/kind.h"
-
-/* A function that runs once per block of steps. */
-#ifdef COIN_PRIV_BLOCKS_APART
-#define COIN_PRIV_PER_BLOCK COIN_PRIV_NOINLINE
-#else
-#define COIN_PRIV_PER_BLOCK COIN_PRIV_INLINE
-#endif
 
 /* A sum and what its rounding left out. */
 typedef struct PRIV(sum) {
@@ -97,7 +90,7 @@ COIN_PRIV_INLINE void PRIV(add_block)(PRIV(progress) * g)
 }
 
 /* Ends a block, and takes the pairs anew from the angles. */
-COIN_PRIV_PER_BLOCK void PRIV(end_block)(PRIV(progress) * g)
+COIN_PRIV_INLINE void PRIV(end_block)(PRIV(progress) * g)
 {
     PRIV(add_block)(g);
     PRIV(variables) *const y = &g->y;
@@ -134,4 +127,74 @@ COIN_PRIV_INLINE PRIV(pose) PRIV(pose_of)(const PRIV(progress) * g, real a)
         added->t,
     };
     return r;
+}
+
+/* Steps of a block; blocks are counted from the start of a run, so that its
+ * bits do not depend on where it is looked at. */
+#define COIN_PRIV_BLOCK 64
+
+/* Twice what the 64 steps of a block can turn phi or psi by.  A step turns phi
+ * by at most TURN_MAX, and psi by at most sqrt(2) |dt| W: both by less than 2
+ * rad. */
+#define COIN_PRIV_BLOCK_TURN 256.0
+
+/* One step from *y by a method's coefficients: where it leads, and the
+ * variables there. */
+typedef void PRIV(step)(PRIV(step_end) * end, PRIV(variables) * next,
+                        const PRIV(variables) * y, const void *coefficients);
+
+/* Whether phi and psi, as they will be reported, are in the range of
+ * coin_state_check().  NaN is not. */
+COIN_PRIV_INLINE whole PRIV(angles_hold)(const PRIV(progress) * g,
+                                         const PRIV(pose) * added)
+{
+    const real phi = PRIV(magnitude)(PRIV(total)(g->phi, added->phi));
+    const real psi = PRIV(magnitude)(PRIV(total)(g->psi, added->psi));
+    return PRIV(truth)(phi <= COIN_PRIV_ANGLE_MAX) &
+           PRIV(truth)(psi <= COIN_PRIV_ANGLE_MAX);
+}
+
+/* Whether phi and psi stay in that range until a block of steps is done, of
+ * which some may be done already. */
+COIN_PRIV_INLINE whole PRIV(block_holds)(const PRIV(progress) * g)
+{
+    const scalar most = COIN_PRIV_ANGLE_MAX - COIN_PRIV_BLOCK_TURN;
+    return PRIV(truth)(PRIV(magnitude)(g->phi.sum) <= most) &
+           PRIV(truth)(PRIV(magnitude)(g->psi.sum) <= most);
+}
+
+/* Up to n more steps of a run that has done *steps, to the end of a block at
+ * most.  Ends before a step that is refused, and is then as the last step left
+ * it.  Returns for which coins no step was refused.  The loop calls no
+ * function: each step would have to spill its registers. */
+COIN_PRIV_INLINE whole PRIV(block)(PRIV(progress) * g, PRIV(limits) * limits,
+                                   uint64_t *steps, uint64_t n,
+                                   PRIV(step) * step, const void *coefficients)
+{
+    const uint64_t left = COIN_PRIV_BLOCK - *steps % COIN_PRIV_BLOCK;
+    const int at_edge = !PRIV(every)(PRIV(block_holds)(g) != 0);
+    const uint64_t most = at_edge ? 1 : n < left ? n : left;
+    const whole none = {0};
+    PRIV(variables) y = g->y, next;
+    PRIV(pose) added = g->added;
+    PRIV(step_end) end;
+    uint64_t done = 0;
+    for (; done < most; ++done) {
+        step(&end, &next, &y, coefficients);
+        const int made = PRIV(admit_each)(limits, &end, &next);
+        const PRIV(pose) sum = PRIV(pose_plus)(&added, 1, &end.adds);
+        if (COIN_PRIV_RARELY(!made))
+            break;
+        added = sum;
+        y = next;
+    }
+    const whole in_range = at_edge ? PRIV(angles_hold)(g, &added) : ~none;
+    if (!PRIV(every)(in_range != 0))
+        return in_range;
+    g->y = y;
+    g->added = added;
+    *steps += done;
+    if (done == left)
+        PRIV(end_block)(g);
+    return done < most ? PRIV(admit_step)(limits, &end, &next) : ~none;
 }

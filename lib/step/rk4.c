@@ -13,18 +13,8 @@
 #include "loop.h"
 #include "rk4.h"
 
-COIN_PRIV_INLINE void step(coin_priv_step_end *end, coin_priv_variables *next,
-                           const coin_priv_variables *y, const void *fields)
-{
-    const coin_priv_sc heading = {y->sph, y->cph};
-    const coin_priv_sc lean =
-        coin_priv_rk4_to(end, y, (const coin_priv_rk4_fields *)fields);
-    *next = coin_priv_variables_at(end, lean,
-                                   coin_priv_turned(heading, end->adds.phi));
-}
-
 void coin_priv_rk4(coin_priv_run *r, uint64_t n)
 {
     const coin_priv_rk4_fields k = coin_priv_rk4_fields_of(&r->b, r->dt);
-    coin_priv_steps(r, n, step, &k);
+    coin_priv_steps(r, n, coin_priv_rk4_step, &k);
 }

@@ -41,70 +41,73 @@ COIN_PRIV_INLINE PRIV(variables)
     return y;
 }
 
-/* sin theta and cos theta after the step.  They are valid if |late| is at most
- * COIN_PRIV_LITTLE_TURN; otherwise the caller computes them.
+/* Sine and cosine of the lean after a step from *y that turns it by `turn`.
  *
- * The next step waits for this pair.  So it is turned in two parts.  The first
- * is h wX after the first stage, which is most of the turn.  It needs nothing
- * of the other stages, and can be done during them.  `late` is the rest of the
- * turn. */
-typedef struct PRIV(rk4_lean) {
-    PRIV(sc) th;
-    real late;
-} PRIV(rk4_lean);
+ * The next step waits for this pair.  So it is turned in two parts.  `early` is
+ * most of the turn: h wX after the first stage.  It needs nothing of the other
+ * stages, and the pair can be turned by it during them. */
+COIN_PRIV_INLINE PRIV(sc)
+    PRIV(lean_after)(const PRIV(variables) * y, real early, real turn)
+{
+    const PRIV(sc) lean = {y->sth, y->cth};
+    const real late = turn - early;
+    const PRIV(sc) th = PRIV(turned_a_little)(PRIV(turned)(lean, early), late);
+    const real size = PRIV(magnitude)(late);
+    if (COIN_PRIV_RARELY(!PRIV(every)(size <= K(COIN_PRIV_LITTLE_TURN)))) {
+        const whole little = PRIV(truth)(size <= K(COIN_PRIV_LITTLE_TURN));
+        const PRIV(sc) at_once = PRIV(turned)(lean, turn);
+        const PRIV(sc) either = {
+            PRIV(choose)(little, th.s, at_once.s),
+            PRIV(choose)(little, th.c, at_once.c),
+        };
+        return either;
+    }
+    return th;
+}
 
-/* The slopes are times h/2, h/2, h and h/6, so that the classical sum is
+/* A step from *y1: where it leads, and sine and cosine of the lean there.
+ *
+ * The slopes are times h/2, h/2, h and h/6, so that the classical sum is
  * (d1 + 2 d2 + d3)/3 + d4, and nothing but the last addition waits for the last
  * slope. */
-COIN_PRIV_INLINE PRIV(step_end)
-    PRIV(rk4_end)(PRIV(rk4_lean) * lean_after, const PRIV(variables) * y1,
-                  const PRIV(rk4_fields) * k)
+COIN_PRIV_INLINE PRIV(sc)
+    PRIV(rk4_to)(PRIV(step_end) * end, const PRIV(variables) * y1,
+                 const PRIV(rk4_fields) * k)
 {
     PRIV(variables) sum = PRIV(slopes_at)(&k->half, y1), d;
     PRIV(pose) path = PRIV(pose_slopes)(&k->half, y1), v;
     PRIV(variables) y = PRIV(stage)(y1, &sum, path.phi);
     const real early = k->full.h * y.wX;
-    real least = y.cth;
 
     d = PRIV(slopes_at)(&k->half, &y);
     v = PRIV(pose_slopes)(&k->half, &y);
     y = PRIV(stage)(y1, &d, v.phi);
     sum = PRIV(variables_plus)(&sum, 2, &d);
     path = PRIV(pose_plus)(&path, 2, &v);
-    least = PRIV(lesser)(least, y.cth);
 
     d = PRIV(slopes_at)(&k->full, &y);
     v = PRIV(pose_slopes)(&k->full, &y);
     y = PRIV(stage)(y1, &d, v.phi);
     sum = PRIV(variables_plus)(&sum, 1, &d);
     path = PRIV(pose_plus)(&path, 1, &v);
-    least = PRIV(lesser)(least, y.cth);
 
     d = PRIV(slopes_at)(&k->sixth, &y);
     v = PRIV(pose_slopes)(&k->sixth, &y);
     y = PRIV(variables_plus)(y1, K(1.0 / 3), &sum);
-    const PRIV(pose) adds = PRIV(pose_plus)(&v, K(1.0 / 3), &path);
-    const PRIV(step_end) end = {
-        y.wX + d.wX, y.wY + d.wY, y.wZ + d.wZ, adds, least,
-    };
-    const PRIV(sc) lean = {y1->sth, y1->cth};
-    const PRIV(sc) near = PRIV(turned)(lean, early);
-    lean_after->late = adds.theta - early;
-    lean_after->th = PRIV(turned_a_little)(near, lean_after->late);
-    return end;
+    end->wX = y.wX + d.wX;
+    end->wY = y.wY + d.wY;
+    end->wZ = y.wZ + d.wZ;
+    end->adds = PRIV(pose_plus)(&v, K(1.0 / 3), &path);
+    return PRIV(lean_after)(y1, early, end->adds.theta);
 }
 
-#ifndef COIN_PRIV_ABREAST
-/* A step from *y: where it leads, and sine and cosine of the lean there. */
-COIN_PRIV_INLINE PRIV(sc)
-    PRIV(rk4_to)(PRIV(step_end) * end, const PRIV(variables) * y,
-                 const PRIV(rk4_fields) * k)
+COIN_PRIV_INLINE void PRIV(rk4_step)(PRIV(step_end) * end,
+                                     PRIV(variables) * next,
+                                     const PRIV(variables) * y,
+                                     const void *fields)
 {
-    const PRIV(sc) lean = {y->sth, y->cth};
-    PRIV(rk4_lean) after;
-    *end = PRIV(rk4_end)(&after, y, k);
-    if (COIN_PRIV_RARELY(!(FABS(after.late) <= COIN_PRIV_LITTLE_TURN)))
-        return PRIV(turned)(lean, end->adds.theta);
-    return after.th;
+    const PRIV(sc) heading = {y->sph, y->cph};
+    const PRIV(sc) lean =
+        PRIV(rk4_to)(end, y, (const PRIV(rk4_fields) *)fields);
+    *next = PRIV(variables_at)(end, lean, PRIV(turned)(heading, end->adds.phi));
 }
-#endif

@@ -19,6 +19,7 @@
 #define SLOPES PRIV(slopes_at)
 #define POSE_SLOPES PRIV(pose_slopes)
 #define EACH_POSE(F) F(theta) F(phi) F(psi)
+#define OF_THE_MOTION
 #endif
 #ifndef FIRST_SLOPES
 #define FIRST_SLOPES SLOPES
@@ -237,3 +238,18 @@ COIN_PRIV_INLINE real rk8_sums(PRIV(variables) * end, PRIV(pose) * adds,
     *end = variables_of_row(&y);
     return least_cth;
 }
+
+#ifdef OF_THE_MOTION
+COIN_PRIV_INLINE void PRIV(rk8_step)(PRIV(step_end) * end,
+                                     PRIV(variables) * next,
+                                     const PRIV(variables) * y,
+                                     const void *field)
+{
+    PRIV(variables) sums;
+    rk8_sums(&sums, &end->adds, y, (const PRIV(field) *)field);
+    end->wX = sums.wX;
+    end->wY = sums.wY;
+    end->wZ = sums.wZ;
+    *next = PRIV(variables_after)(y, end);
+}
+#endif

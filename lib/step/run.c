@@ -3,7 +3,6 @@
 
 #include "run.h"
 
-COIN_PRIV_TOGETHER
 void coin_priv_run_from(coin_priv_run *r, const coin_state *s, int32_t method,
                         double dt)
 {
@@ -18,10 +17,8 @@ void coin_priv_run_from(coin_priv_run *r, const coin_state *s, int32_t method,
 void coin_priv_run_unlimited(coin_priv_run *r, const coin_state *s)
 {
     coin_priv_run_from(r, s, COIN_RK4, 0);
-    r->limits.coarse2 = r->limits.most2 = (double)INFINITY;
 }
 
-COIN_PRIV_TOGETHER
 int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
                             const coin_params *p, int32_t method, double dt)
 {
@@ -36,7 +33,6 @@ int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
     return COIN_OK;
 }
 
-COIN_PRIV_TOGETHER
 int32_t coin_priv_run_to_end(coin_priv_run *r, int32_t method, uint64_t steps,
                              coin_state *s, uint64_t *done)
 {
@@ -49,10 +45,9 @@ int32_t coin_priv_run_to_end(coin_priv_run *r, int32_t method, uint64_t steps,
         n = 0;
     if (done)
         *done = n;
-    return n < steps ? coin_priv_refusal(s) : r->limits.warnings;
+    return n < steps ? coin_priv_refusal(s) : coin_priv_warnings(r);
 }
 
-COIN_PRIV_TOGETHER
 int32_t coin_run(coin_state *s, const coin_params *p, int32_t method, double dt,
                  uint64_t steps, uint64_t *done)
 {
@@ -87,5 +82,5 @@ int32_t coin_sample(const coin_state *start, const coin_params *p,
     }
     if (done)
         *done = k;
-    return refused != COIN_OK ? refused : r.limits.warnings;
+    return refused != COIN_OK ? refused : coin_priv_warnings(&r);
 }

@@ -57,6 +57,12 @@ COIN_PRIV_INLINE coin_state coin_priv_run_state(const coin_priv_run *r)
                          : coin_priv_state_of(&r->g, &r->start, r->b.a);
 }
 
+/* What a run whose steps were all made returns. */
+COIN_PRIV_INLINE int32_t coin_priv_warnings(const coin_priv_run *r)
+{
+    return (int32_t)(r->limits.coarse & COIN_COARSE);
+}
+
 /* Completes a run of `steps` steps and returns its status.  *s becomes the
  * state at the end and, if done is not null, *done the number of steps done.
  * If x or z overflowed, *s is left as it was and no step counts as done. */

@@ -24,7 +24,7 @@ int32_t coin_step(coin_state *s, const coin_params *p, double dt)
         return COIN_OK;
     const coin_priv_variables y = coin_priv_variables_inline(s);
     coin_priv_limits limits = coin_priv_limits_of(&b, COIN_RK4, dt);
-    if (!coin_priv_admit_rate2(&limits, coin_priv_rate2(b.g_a, &y)))
+    if (!coin_priv_admit_start(&limits, &y))
         return coin_priv_refusal(s);
     const coin_priv_rk4_fields k = coin_priv_rk4_fields_of(&b, dt);
     coin_priv_step_end end;
@@ -45,9 +45,9 @@ int32_t coin_step(coin_state *s, const coin_params *p, double dt)
         end.wY,
         end.wZ,
     };
-    if (!coin_priv_admit_step(&limits, b.g_a, &end, &next) ||
+    if (!coin_priv_admit_each(&limits, &end, &next) ||
         !coin_priv_pose_holds(&to))
         return coin_priv_refusal(s);
     *s = to;
-    return limits.warnings;
+    return (int32_t)(limits.coarse & COIN_COARSE);
 }

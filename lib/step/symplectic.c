@@ -130,11 +130,12 @@ COIN_PRIV_INLINE void end_at(coin_priv_step_end *end, coin_priv_variables *next,
                              const struct substep *c)
 {
     *next = c->y;
+    if (!c->sound)
+        next->wZ = (double)INFINITY; /* so that the step is refused */
     end->wX = c->y.wX;
     end->wY = c->y.wY;
     end->wZ = c->y.wZ;
     end->adds = c->adds;
-    end->least_cth = c->sound ? c->y.cth : 0;
 }
 
 /* Stoermer-Verlet: V/2 T V/2. */

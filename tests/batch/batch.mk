@@ -14,7 +14,7 @@ BATCH_SRC := $(SRC)/tests/batch
 # run their tests: the gate then says so, and passes.
 LANES       := avx2 avx512f
 PROCESSOR    = grep -m1 '^flags' /proc/cpuinfo
-LANES_TESTS := $(addprefix tests/test_,$(addsuffix .c,batch float_batch range))
+LANES_TESTS := $(addprefix tests/test_,$(addsuffix .c,batch range))
 
 .PHONY: lanes $(LANES:%=lanes-%)
 lanes: $(LANES:%=lanes-%) ## the tests of batches by vectors of 32 and 64 bytes

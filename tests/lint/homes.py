@@ -24,7 +24,6 @@ OTHER_FORMS = {
     "equations.t.h sundman_pose_slopes": "test_sundman",
     "extrapolation.c add_slope": "test_extrapolation",
     "force.c next_terms": "test_force",
-    "loop.h coin_priv_safe_cosine": "test_limits",
     "orbit.c conditioning_of": "test_orbit",
     "orbit.c is_steady": "test_orbit",
     "orbit.c set_steady": "test_orbit",
