@@ -215,7 +215,8 @@ static coin_state any_start(struct random *r, const coin_params *p, int kind)
         break;
     case 1:
         s.theta = s.wX = 0;
-        s.wY *= kind & (int)small ? 0 : 1;
+        if (small < 1e-9)
+            s.wY = 0;
         break;
     case 2:
         s.theta = s.wY = 0;

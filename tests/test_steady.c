@@ -5,6 +5,7 @@
 #include "support/random.h"
 #include "support/steadies.h"
 
+#include <fenv.h>
 #include <math.h>
 #include <string.h>
 
@@ -230,6 +231,27 @@ static void straight_and_resting_motions_have_plain_radii(void **unused)
     check(center == 0 && contact == 0);
 }
 
+/* Of a coin of 1e10 in its unit, circles of 1e307 and more count as straight;
+ * the largest double is 1.8e308.  An overflow would be raised. */
+static void radii_next_to_the_largest_double_do_not_overflow(void **unused)
+{
+    (void)unused;
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1e10, 1e10), COIN_OK);
+    for (double wY = 1e-280; wY > 1e-310; wY /= 3) {
+        const coin_state s = {.wY = wY, .wZ = 1};
+        const double radius = 1e10 * fmin(1 / wY, 1.01e297);
+        double center, contact;
+        check_note("wY = %g", wY);
+        feclearexcept(FE_ALL_EXCEPT);
+        check_status(coin_steady_radii(&s, &p, &center, &contact), COIN_OK);
+        check(!fetestexcept(FE_OVERFLOW));
+        check(center == contact);
+        check(radius > 1e307 ? isinf(center) != 0
+                             : fabs(center / radius - 1) <= 4 * U);
+    }
+}
+
 /* ---------------------------------------------------------- what is steady */
 static int32_t radii_status(const coin_state *s, const coin_params *p)
 {
@@ -385,6 +407,7 @@ int main(void)
         TEST(radii_are_the_reference_s),
         TEST(radii_are_those_of_the_path_that_a_run_takes),
         TEST(straight_and_resting_motions_have_plain_radii),
+        TEST(radii_next_to_the_largest_double_do_not_overflow),
         TEST(deviations_up_to_1e_9_of_the_largest_are_steady),
         TEST(any_rate_or_torque_may_be_the_largest),
         TEST(bad_arguments_are_refused_in_order),
