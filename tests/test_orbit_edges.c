@@ -51,6 +51,20 @@ static void passes_are_where_the_reference_is(void **unused)
     }
 }
 
+/* LEAN_MAX of orbit.c is 1e-9 rad from flat. */
+static void an_orbit_that_turns_within_1e_9_of_flat_is_refused(void **unused)
+{
+    (void)unused;
+    const coin_params p = ring(0);
+    coin_orbit o;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        coin_state s = {sign * (HALF_PI - 1.1e-9), 0, 0, 0, 0, 0, 1e-3, 0};
+        check_status(coin_orbit_init(&o, &s, &p), COIN_OK);
+        s.theta = sign * (HALF_PI - 0.9e-9);
+        check_status(coin_orbit_init(&o, &s, &p), COIN_EDOMAIN);
+    }
+}
+
 /* It turns at a distance d from flat, and is asked for there or elsewhere. */
 static coin_state pass_of(struct random *r, const coin_params *p, double d)
 {
@@ -365,6 +379,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(passes_are_where_the_reference_is),
+        TEST(an_orbit_that_turns_within_1e_9_of_flat_is_refused),
         TEST(passes_down_to_a_millionth_have_orbits),
         TEST(a_motion_of_43_pieces_is_refused),
         TEST(no_unstable_circle_has_an_orbit),
