@@ -275,6 +275,7 @@ static void a_ride_round_no_circle_is_quiet(void **unused)
     (void)unused;
     QUIET(coin_steady_ride(&s, &p, 1, 1e-200), COIN_EDOMAIN);
     QUIET(coin_steady_ride(&s, &p, 1e-200, 1e-200), COIN_OK);
+    QUIET(coin_steady_ride(&s, &p, 1, DBL_MAX), COIN_EDOMAIN);
     QUIET(coin_steady_turn(&s, &p, 0.3, DBL_MAX), COIN_EDOMAIN);
 }
 

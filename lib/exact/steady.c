@@ -160,7 +160,7 @@ int32_t coin_steady_ride(coin_state *s, const coin_params *p, double speed,
     if (status != COIN_OK)
         return status;
     /* 1/cos theta > B, so that T is above STEEPEST where B is. */
-    if (!(speed <= sqrt(STEEPEST * b.Mga / b.IX) * radius))
+    if (!(radius >= speed / sqrt(STEEPEST * b.Mga / b.IX)))
         return COIN_EDOMAIN;
     const double T = tangent_of(&b, asked.wZ, speed / radius);
     if (!(T <= STEEPEST))
