@@ -188,16 +188,16 @@ COIN_PRIV_INLINE void run_group(struct group *c, const struct shared *of,
                                 coin_lanes_step *step, const void *coefficients)
 {
     const mask none = {0};
-    mask stay = coin_lanes_admit_start(&c->limits, &c->g.y);
-    while (keep(c, stay, of), c->size >= ENOUGH) {
-        if (c->steps == of->steps) {
-            store(c, of);
-            return;
-        }
-        stay = coin_lanes_block(&c->g, &c->limits, &c->steps,
-                                of->steps - c->steps, step, coefficients);
-    }
-    keep(c, none, of);
+    keep(c, coin_lanes_admit_start(&c->limits, &c->g.y), of);
+    while (c->size >= ENOUGH && c->steps < of->steps)
+        keep(c,
+             coin_lanes_block(&c->g, &c->limits, &c->steps,
+                              of->steps - c->steps, step, coefficients),
+             of);
+    if (c->size >= ENOUGH)
+        store(c, of);
+    else
+        keep(c, none, of);
 }
 
 /* The same by a method. */
