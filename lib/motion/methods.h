@@ -3,6 +3,13 @@
 #ifndef ROLLCOIN_METHODS_H
 #define ROLLCOIN_METHODS_H
 
+#include "equations.h"
+
+/* The most by which a step may turn lean or heading: a step that turns them
+ * further has missed what happens on the way.  It is below pi/2, up to which
+ * coin_priv_turned() is accurate. */
+#define COIN_PRIV_TURN_MAX 1.5
+
 #include "methods.t.h"
 
 /* Whether there is such a method; the functions below require it.  Floats have

@@ -59,11 +59,6 @@ COIN_PRIV_INLINE PRIV(limits)
 }
 #endif
 
-/* The most by which a step may turn lean or heading: a step that turns them
- * further has missed what happens on the way.  It is below pi/2, up to which
- * coin_priv_turned() is accurate. */
-#define COIN_PRIV_TURN_MAX 1.5
-
 /* Whether W^2 allows a step from *y.  Notes if the step is COIN_COARSE.  NaN
  * allows none. */
 COIN_PRIV_INLINE whole PRIV(admit_start)(PRIV(limits) * limits,

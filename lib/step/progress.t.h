@@ -129,15 +129,6 @@ COIN_PRIV_INLINE PRIV(pose) PRIV(pose_of)(const PRIV(progress) * g, real a)
     return r;
 }
 
-/* Steps of a block; blocks are counted from the start of a run, so that its
- * bits do not depend on where it is looked at. */
-#define COIN_PRIV_BLOCK 64
-
-/* Twice what the 64 steps of a block can turn phi or psi by.  A step turns phi
- * by at most TURN_MAX, and psi by at most sqrt(2) |dt| W: both by less than 2
- * rad. */
-#define COIN_PRIV_BLOCK_TURN 256.0
-
 /* One step from *y by a method's coefficients: where it leads, and the
  * variables there. */
 typedef void PRIV(step)(PRIV(step_end) * end, PRIV(variables) * next,

@@ -55,7 +55,7 @@ arm-none-eabi-nm -u "$work/control.o" | grep -q __aeabi_dmul
 rm "$work/control.o"
 
 compile -Os
-core=$(code coinf_priv_step_rk4 coinf_priv_residue \
+core=$(code coinf_priv_step_from coinf_priv_residue \
     coinf_priv_sine_cosine_with_low coinf_priv_variables_with_low \
     coinf_priv_reduce coinf_priv_finish_step)
 echo "-Os: the stepping core is $core bytes, at most $CORE_MOST"
