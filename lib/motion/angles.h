@@ -18,6 +18,11 @@
 #include "angles.t.h"
 #undef COIN_PRIV_BY_PAIRS
 
+/* The most by which a step may turn lean or heading: a step that turns them
+ * further has missed what happens on the way.  It is below pi/2, up to which
+ * coin_priv_turned() is accurate. */
+#define COIN_PRIV_TURN_MAX 1.5
+
 /* sine_cosine() as a function, for sources that call it often. */
 PRIV(sc) PRIV(sincos)(real x);
 

@@ -3,12 +3,14 @@
 #ifndef ROLLCOIN_METHODS_H
 #define ROLLCOIN_METHODS_H
 
-#include "equations.h"
+/* Steps of a block; blocks are counted from the start of a run, so that its
+ * bits do not depend on where it is looked at. */
+#define COIN_PRIV_BLOCK 64
 
-/* The most by which a step may turn lean or heading: a step that turns them
- * further has missed what happens on the way.  It is below pi/2, up to which
- * coin_priv_turned() is accurate. */
-#define COIN_PRIV_TURN_MAX 1.5
+/* Twice what the 64 steps of a block can turn phi or psi by.  A step turns phi
+ * by at most TURN_MAX, and psi by at most sqrt(2) |dt| W: both by less than 2
+ * rad. */
+#define COIN_PRIV_BLOCK_TURN 256.0
 
 #include "methods.t.h"
 

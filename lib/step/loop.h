@@ -6,15 +6,6 @@
 #include "../motion/methods.h"
 #include "../motion/state.h"
 
-/* Steps of a block; blocks are counted from the start of a run, so that its
- * bits do not depend on where it is looked at. */
-#define COIN_PRIV_BLOCK 64
-
-/* Twice what the 64 steps of a block can turn phi or psi by.  A step turns phi
- * by at most TURN_MAX, and psi by at most sqrt(2) |dt| W: both by less than 2
- * rad. */
-#define COIN_PRIV_BLOCK_TURN 256.0
-
 #include "progress.t.h"
 
 /* A run by steps of dt. */
