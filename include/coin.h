@@ -370,7 +370,7 @@ COIN_API int32_t coin_angular_velocity(const coin_state *s, double omega[3]);
  * @return as coin_run(): COIN_OK, COIN_COARSE, or an error, after which *s is
  *         unchanged.
  * Accuracy: that of a step of COIN_RK4 by coin_run().
- * Cost: 1,005 instructions, where a further step of coin_run() takes 572, a
+ * Cost: 1,005 instructions, where a further step of coin_run() takes 581, a
  *         textbook step 1,901 (COST, above).  Most of the 432 between check
  *         the arguments and compute sines and cosines, which coin_run() does
  *         once for many steps.  It needs at most 800 bytes of stack on a

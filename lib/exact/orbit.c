@@ -383,7 +383,7 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
     }
     if (!coin_priv_half_period_solve(&h))
         return 0;
-    if (!(fabs(h.A.theta) < LEAN_MAX && fabs(h.B.theta) < LEAN_MAX))
+    if (!(coin_priv_larger(fabs(h.A.theta), fabs(h.B.theta)) < LEAN_MAX))
         return 0;
     const double half = (h.B.time - h.A.time) + (h.B.remainder - h.A.remainder);
     measure_from_A(&h);
