@@ -14,7 +14,7 @@ int32_t coin_batch_run(coin_state *s, size_t count, const coin_params *p,
     /* Coins that do not move stay as they are, each to the bit. */
     const int move =
         count > 0 && steps > 0 && coin_priv_is_finite(dt) && dt != 0;
-    if (!move || !coin_priv_run_abreast(&r, &b, method, dt, steps))
+    if (!move || !coin_priv_run_abreast(&r, p, &b, method, dt, steps))
         for (size_t i = 0; i < count; ++i)
             coin_priv_note(&r, i, coin_run(&s[i], p, method, dt, steps, NULL));
     return r.error != COIN_OK ? r.error : r.warnings;

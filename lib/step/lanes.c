@@ -48,6 +48,7 @@ COIN_PRIV_INLINE coin_lanes_field field_of(const coin_priv_body *b, double h)
 
 /* What the coins of a batch share. */
 struct shared {
+    const coin_params *p;
     const coin_priv_body *b;
     coin_priv_limits limits;
     double dt;
@@ -81,9 +82,10 @@ COIN_PRIV_INLINE coin_lanes member(const coin_state *const *from, int i)
     return of_all;
 }
 
-/* Puts the next coins into lanes, but for those that are no state.  In an empty
- * lane a coin stands upright at rest: a step that is too long for it is too
- * long for every coin. */
+/* Puts the next coins into lanes, but for those that are no state, or whose
+ * rates need a closer look, coin_priv_check_inline(): these run by themselves.
+ * In an empty lane a coin stands upright at rest: a step that is too long for
+ * it is too long for every coin. */
 COIN_PRIV_INLINE void gather(struct group *c, coin_state *s, size_t left,
                              const struct shared *of)
 {
@@ -101,7 +103,9 @@ COIN_PRIV_INLINE void gather(struct group *c, coin_state *s, size_t left,
             k < left && coin_priv_check_state(&s[k], of->b) == COIN_OK;
         c->coin[k] = runs ? &s[k] : NULL;
         from[k] = runs ? &s[k] : &standing;
-        c->status[k] = COIN_ESTATE;
+        if (k < left && !runs)
+            c->status[k] =
+                coin_run(&s[k], of->p, of->method, of->dt, of->steps, NULL);
         c->size += runs;
     }
     const coin_lanes theta = member(from, THETA), phi = member(from, PHI);
@@ -227,11 +231,12 @@ static void run(coin_priv_batch *batch, const struct shared *of,
     }
 }
 
-int coin_priv_run_abreast(coin_priv_batch *batch, const coin_priv_body *b,
-                          int32_t method, double dt, uint64_t steps)
+int coin_priv_run_abreast(coin_priv_batch *batch, const coin_params *p,
+                          const coin_priv_body *b, int32_t method, double dt,
+                          uint64_t steps)
 {
     const struct shared of = {
-        b, coin_priv_limits_of(b, method, dt), dt, steps, method,
+        p, b, coin_priv_limits_of(b, method, dt), dt, steps, method,
     };
     const coin_lanes_rk4_fields k = {
         field_of(b, dt / 2),
@@ -249,10 +254,11 @@ int coin_priv_run_abreast(coin_priv_batch *batch, const coin_priv_body *b,
 
 #else
 
-int coin_priv_run_abreast(coin_priv_batch *batch, const coin_priv_body *b,
-                          int32_t method, double dt, uint64_t steps)
+int coin_priv_run_abreast(coin_priv_batch *batch, const coin_params *p,
+                          const coin_priv_body *b, int32_t method, double dt,
+                          uint64_t steps)
 {
-    (void)batch, (void)b, (void)method, (void)dt, (void)steps;
+    (void)batch, (void)p, (void)b, (void)method, (void)dt, (void)steps;
     return 0;
 }
 
