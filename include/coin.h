@@ -566,7 +566,7 @@ COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
  * docs/guide.md.  It is of this state only.  Near flat it grows within one
  * swing, so take it each frame, or use coin_advance().
  * @return W [1/T]; NaN on the usual errors.
- * Accuracy: 4 u (test_fastest_rate).
+ * Accuracy: 8 u (make adversary).
  * Cost: in the table above. */
 COIN_API double coin_fastest_rate(const coin_state *s, const coin_params *p);
 

@@ -58,7 +58,7 @@ template <class T, class R> double fastest_rate(const scene &s, double)
     const typename T::real W = T::fastest_rate(&q.y, &q.p);
     if (W != W || !q.is_normal())
         return NO_CLAIM;
-    q.hold(W, terms<R>().add(fastest(q.at)), 4);
+    q.hold(W, terms<R>().add(fastest(q.at)), 8);
     return q.v.worst;
 }
 
@@ -411,7 +411,7 @@ void add_observables(std::vector<row> *rows)
 {
     ROW("params_ring", "4 u", params_ring, NO_EDGE);
     ROW("energy", "8 u", energy, NO_EDGE);
-    ROW("fastest_rate", "4 u", fastest_rate, NO_EDGE);
+    ROW("fastest_rate", "8 u", fastest_rate, NO_EDGE);
     ROW("integrals", "16 u of the terms", integrals, NO_EDGE);
     ROW("reaction", "14 u of the terms", reaction, NO_EDGE);
     ROW("rates", "12 u of the terms", rates, NO_EDGE);
