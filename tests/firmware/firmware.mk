@@ -148,7 +148,7 @@ QEMU_watchdog := $(QEMU_counts)
 $(FW_OUT)/host/%.txt: $(SRC)/tests/repro/hash.c $(LIB_A) | $(FW_OUT)/host
 	$(CC) $(FW_C99) $(HASH_$*) -o $(@:.txt=) $< $(LIB_A) -lm
 	$(@:.txt=) >$@
-	test $$(grep -cvxFf $(SRC)/tests/repro/expected.txt $@) = 1
+	test $$(grep -cvxFf $(SRC)/tests/repro/expected.txt $@) = $(if $(filter all,$*),0,1)
 
 $(FW_OUT)/host/watchdog.txt: $(BOARD)/watchdog.c $(FW)/host.c $(LIB_A) \
                              | $(FW_OUT)/host
