@@ -11,7 +11,7 @@
 #   make figures    pictures and tables from tests/bench/results as they are
 #   make atlas      the maps of docs/limits.md, not timed   (three minutes)
 #   make natural    the calls of a frame loop                (one minute)
-#   make batch      many coins at once                       (two minutes)
+#   make batch      many coins at once                       (one minute)
 #   make slides     coins that slip, beside other methods    (two minutes)
 #   make orbits     an orbit beside steps, part of charts    (two minutes)
 #   make longrun    ten million steps of everything          (half an hour)
@@ -210,11 +210,12 @@ atlas-check: $(BENCH_OUT)/portable/bench_accuracy # the maps' references, by ano
 	$< atlas references >$(BENCH_OUT)/references.csv
 	$(BENCH_SRC)/atlas_check.py <$(BENCH_OUT)/references.csv
 
-BATCH = { $(ABOUT); echo build,way,coins,ns_per_step,million_per_second; \
+BATCH = { $(ABOUT); echo build,coins,method,steps,dt_W,alone_ns,$(\
+          )abreast_ns,textbook_ns; \
           $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_batch $$b || exit 1; done; \
           } >$(BENCH_OUT)/batch.csv
 
-batch: $(BUILDS:%=$(BENCH_OUT)/%/bench_batch) need-charts need-bits ## many coins at once: measure, and draw (2 minutes)
+batch: $(BUILDS:%=$(BENCH_OUT)/%/bench_batch) need-charts need-bits ## many coins at once: measure, and draw (one minute)
 	mkdir -p $(RESULTS)
 	$(BATCH)
 	cp $(BENCH_OUT)/batch.csv $(RESULTS)

@@ -1,138 +1,163 @@
 /* SPDX-License-Identifier: MIT */
-/* What a step of a coin costs among many: coin_batch_run() against coin_run()
- * in a loop, in the same windows, beside what its operations must take.
- *     bench_batch BUILD          CSV
- *     bench_batch BUILD COINS    of that many coins alone */
+/* 64 coins in a call of coin_batch_run(), beside a loop of coin_run() that
+ * takes turns with it: ns per coin and step, for each length of step and of
+ * call; a textbook's step; and the best rate of operations.
+ *     bench_batch BUILD    CSV */
 #include "clock.h"
 #include "lanes.h"
 #define RATE_LANES COIN_PRIV_LANES
 #include "rate.h"
 #include "textbook.h"
 
-#include <coin.h>
-
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 256, MOST = 1000000 };
+enum { COINS = 64 };
 
-/* Whoever measures takes turns with the others for so long [ns]. */
-#define PATIENCE 4e8
+/* Each cell is measured for so long [ns], so often: a processor that is slow
+ * for a second, for another's sake, then spoils no cell. */
+#define PATIENCE 1e8
+enum { ROUNDS = 4 };
 
-static coin_params p;
-static coin_state *alike, *mixed, *now;
-
-static double part(size_t i, size_t stride)
-{
-    return (double)(i * stride % MOST) / MOST;
-}
-
-/* Coins of a kind, though no two are equal, and coins of all kinds: slow and
- * fast, upright and near flat. */
-static void make_coins(void)
-{
-    alike = calloc(MOST, sizeof *alike);
-    mixed = calloc(MOST, sizeof *mixed);
-    now = calloc(MOST, sizeof *now);
-    if (!alike || !mixed || !now || coin_params_disc(&p, 1, 1, 1) != COIN_OK)
-        exit(1);
-    for (size_t i = 0; i < MOST; ++i) {
-        alike[i].theta = 0.1 + 0.4 * part(i, 7919);
-        alike[i].wY = 0.5;
-        alike[i].wZ = 1.5;
-        mixed[i].theta = 2.8 * part(i, 7919) - 1.4;
-        mixed[i].wX = 4 * part(i, 104729) - 2;
-        mixed[i].wY = 4 * part(i, 611953) - 2;
-        mixed[i].wZ = 4 * part(i, 350377) - 2;
-    }
-}
-
-static void go_textbook(int32_t method, size_t count)
-{
-    (void)method;
-    for (size_t i = 0; i < count; ++i)
-        textbook_run(&now[i], &p, 0.05, STEPS);
-}
-
-static void go_alone(int32_t method, size_t count)
-{
-    for (size_t i = 0; i < count; ++i)
-        coin_run(&now[i], &p, method, 0.05, STEPS, NULL);
-}
-
-static void go_abreast(int32_t method, size_t count)
-{
-    coin_batch_run(now, count, &p, method, 0.05, STEPS, NULL);
-}
-
-/* Up to how many coins: beyond, what each does alone takes minutes. */
-static const struct way {
+/* Coins of a quarter of a dollar, and how they are called. */
+struct kind {
     const char *name;
-    int32_t method;
-    void (*go)(int32_t method, size_t count);
-    coin_state **coins;
-    size_t most;
-} ways[] = {
-    {"textbook rk4", COIN_RK4, go_textbook, &alike, MOST / 10},
-    {"rk4 alone", COIN_RK4, go_alone, &alike, MOST},
-    {"rk4 abreast", COIN_RK4, go_abreast, &alike, MOST},
-    {"rk8 alone", COIN_RK8, go_alone, &alike, MOST / 10},
-    {"rk8 abreast", COIN_RK8, go_abreast, &alike, MOST},
-    {"rk4 alone of any", COIN_RK4, go_alone, &mixed, MOST / 100},
-    {"rk4 abreast of any", COIN_RK4, go_abreast, &mixed, MOST / 100},
+    coin_params p;
+    coin_state s[COINS];
+    double W; /* the fastest rate of all, where they start */
 };
 
-enum { WAYS = sizeof ways / sizeof *ways };
-
-/* ns per coin and step. */
-static double window(const struct way *way, size_t count, double tare)
+static double part(int i, int stride)
 {
-    memcpy(now, *way->coins, count * sizeof *now);
+    return i * stride % 101 / 101.0;
+}
+
+/* That of README, though no two lean alike. */
+static coin_state rolling(int i)
+{
+    const coin_state s = {0.3 + 0.001 * part(i, 31), 0, 0, 0, 0, 0, 5, 40};
+    return s;
+}
+
+/* Slow and fast, upright and near flat; w is the natural rate. */
+static coin_state any(int i, double w)
+{
+    const coin_state s = {
+        2.8 * part(i, 31) - 1.4,
+        0,
+        0,
+        0,
+        0,
+        w * (4 * part(i, 43) - 2),
+        w * (4 * part(i, 59) - 2),
+        w * (4 * part(i, 73) - 2),
+    };
+    return s;
+}
+
+static struct kind kind_of(const char *name)
+{
+    struct kind k = {.name = name};
+    coin_params_disc(&k.p, 0.00567, 0.01213, 9.80665);
+    const double w = sqrt(k.p.gravity / k.p.radius);
+    for (int i = 0; i < COINS; ++i) {
+        k.s[i] = strcmp(name, "any") ? rolling(i) : any(i, w);
+        k.W = fmax(k.W, coin_fastest_rate(&k.s[i], &k.p));
+    }
+    return k;
+}
+
+static double loop(const struct kind *k, int32_t method, double dt,
+                   unsigned steps)
+{
+    coin_state s[COINS];
+    memcpy(s, k->s, sizeof s);
     const double begin = clock_ns();
-    way->go(way->method, count);
-    return (clock_ns() - begin - tare) / (double)count / STEPS;
+    for (int i = 0; i < COINS; ++i)
+        coin_run(&s[i], &k->p, method, dt, steps, NULL);
+    return clock_ns() - begin;
 }
 
-static void measure(const char *build, size_t count)
+static double batch(const struct kind *k, int32_t method, double dt,
+                    unsigned steps)
 {
-    const double tare = clock_cost(), begin = clock_ns();
-    double least[WAYS];
-    for (int k = 0; k < WAYS; ++k)
-        least[k] = INFINITY;
-    do
-        for (int k = 0; k < WAYS; ++k)
-            if (count <= ways[k].most)
-                least[k] = fmin(least[k], window(&ways[k], count, tare));
-    while (clock_ns() - begin < PATIENCE);
-    for (int k = 0; k < WAYS; ++k)
-        if (count <= ways[k].most)
-            printf("%s,%s,%zu,%.3g,%.3g\n", build, ways[k].name, count,
-                   least[k], 1e3 / least[k]);
-    fflush(stdout);
+    coin_state s[COINS];
+    memcpy(s, k->s, sizeof s);
+    const double begin = clock_ns();
+    coin_batch_run(s, COINS, &k->p, method, dt, steps, NULL);
+    return clock_ns() - begin;
 }
 
-static void best_rate(const char *build)
+static double textbook(const struct kind *k, int32_t method, double dt,
+                       unsigned steps)
 {
-    const double tare = clock_cost();
+    coin_state s[COINS];
+    (void)method;
+    memcpy(s, k->s, sizeof s);
+    const double begin = clock_ns();
+    for (int i = 0; i < COINS; ++i)
+        textbook_run(&s[i], &k->p, dt, steps);
+    return clock_ns() - begin;
+}
+
+/* The least times of a call [ns], so far. */
+struct cell {
+    double alone, abreast, book;
+};
+
+/* They take turns. */
+static void measure(struct cell *c, const struct kind *k, int32_t method,
+                    unsigned steps, double dt)
+{
+    const double begin = clock_ns();
+    do {
+        c->alone = fmin(c->alone, loop(k, method, dt, steps));
+        c->abreast = fmin(c->abreast, batch(k, method, dt, steps));
+        c->book = fmin(c->book, textbook(k, method, dt, steps));
+    } while (clock_ns() - begin < PATIENCE);
+}
+
+static void print(const struct cell *c, const char *build, const struct kind *k,
+                  int32_t method, unsigned steps, double dtW, double tare)
+{
+    const double each = COINS * steps;
+    printf("%s,%s,%s,%u,%g,%.3g,%.3g,%.3g\n", build, k->name,
+           coin_method_name(method), steps, dtW, (c->alone - tare) / each,
+           (c->abreast - tare) / each, (c->book - tare) / each);
+}
+
+static void best_rate(const char *build, double tare)
+{
     double least = INFINITY;
     for (int i = 0; i < 5000; ++i)
         least = fmin(least, rate_window(tare));
-    printf("%s,operation at best,%d,%.3g,%.3g\n", build, COIN_PRIV_LANES, least,
-           1e3 / least);
+    printf("%s,operation at best,%d lanes,,,,%.3g,\n", build, COIN_PRIV_LANES,
+           least);
 }
 
 int main(int argc, char **argv)
 {
-    static const size_t counts[] = {1,   2,    4,     8,      16,  64,
-                                    256, 1000, 10000, 100000, MOST};
+    static const double dtW[] = {0.02, 0.05, 0.1, 0.15, 0.2,
+                                 0.25, 0.35, 0.5, 0.7,  1};
+    static const unsigned calls[] = {1, 16, 64};
+    static struct cell cells[2][2][3][10];
     const char *build = argc > 1 ? argv[1] : "unnamed";
-    make_coins();
-    best_rate(build);
-    if (argc > 2)
-        measure(build, strtoul(argv[2], NULL, 10));
-    for (size_t k = 0; argc <= 2 && k < sizeof counts / sizeof *counts; ++k)
-        measure(build, counts[k]);
+    const struct kind kinds[] = {kind_of("quarter"), kind_of("any")};
+    const double tare = clock_cost();
+    best_rate(build, tare);
+    for (int round = 0; round < ROUNDS; ++round)
+        for (int k = 0; k < 2; ++k)
+            for (int32_t m = COIN_RK4; m <= COIN_RK8; ++m)
+                for (int n = 0; n < 3; ++n)
+                    for (int i = 0; i < (m == COIN_RK4 ? 7 : 10); ++i) {
+                        struct cell *c = &cells[k][m][n][i];
+                        if (round == 0)
+                            *c = (struct cell){INFINITY, INFINITY, INFINITY};
+                        measure(c, &kinds[k], m, calls[n], dtW[i] / kinds[k].W);
+                        if (round == ROUNDS - 1)
+                            print(c, build, &kinds[k], m, calls[n], dtW[i],
+                                  tare);
+                    }
     return 0;
 }

@@ -200,27 +200,6 @@ def spread(labels, low, high):
     return labels
 
 
-def batch(build):
-    """Where the labels of the ways of a batch go."""
-    style = {"textbook rk4": 1, "rk4 alone": 2, "rk4 abreast": 2,
-             "rk8 alone": 3, "rk8 abreast": 3, "rk4 of floats": 15,
-             "rk4 of floats abreast": 15}
-    took = [r for r in rows("batch") if r["build"] == build]
-    best = next(number(r["ns_per_step"]) for r in took
-                if r["way"] == "operation at best")
-    named = {way: [(number(r["coins"]), number(r["million_per_second"]))
-                   for r in took if r["way"] == way] for way in style}
-    for r in rows("costs"):
-        if r["method"] in ("rk4", "rk8"):
-            limit = 1e3 / best / sum(number(r[k]) for k in (
-                "additions", "products", "divisions"))
-            name = f"all operations of {r['method']} at the best rate"
-            named[name] = [(1.2, limit), (8e5, limit)]
-            style[name] = style[f"{r['method']} alone"]
-    write_labels(OUT / f"batch_{build}",
-                 labels.Panel(324, 320, (1, 1e6), (4, 500)), named, style)
-
-
 def chart(name, data, low, high, scale=math.log10, back=lambda v: 10 ** v):
     """data: {(method, h): [(t, y), ...]}; labels go to the ends, right.  scale
     and back: from y to the axis, which ends at low and high, and back."""
@@ -258,8 +237,6 @@ panel(OUT / "second", "quarter", TIMES, "cost",
       NS["portable", "quarter"] / QUARTER,
       labels.Panel(*SECOND[2:], (1e-15, 5), SECOND[:2], 12), rates())
 frame_loop()
-for name in ("portable", "native"):
-    batch(name)
 drifts = rows("longrun")
 chart("energy", by_run(drifts, "energy_rms"), -17, 0)
 chart("integrals", by_run(drifts, "KY_rms", "KZ_rms"), -17, 0)

@@ -140,25 +140,37 @@ def costs():
 
 
 def batch():
-    """At a thousand coins; the limit is all operations at the best rate."""
-    took = {(r["build"], r["way"]): float(r["ns_per_step"])
-            for r in read("batch")
-            if r["coins"] == "1000" or r["way"] == "operation at best"}
+    """Quarters at abs(dt) W = 0.1; the limit is all operations at the best
+    rate.  Then the largest part of a loop's time, over all lengths of step."""
+    rows = read("batch")
+    best = {r["build"]: float(r["abreast_ns"]) for r in rows
+            if r["coins"] == "operation at best"}
+    cells = [r for r in rows if r["steps"]]
     operations = {r["method"]: sum(float(r[k]) for k in (
         "additions", "products", "divisions")) for r in read("costs")
         if r["additions"]}
     def row(build, method):
-        abreast = took[build, method + " abreast"]
-        alone = took.get((build, method + " alone")) or took[build, method]
-        limit = operations[method] * took[build, "operation at best"]
-        of_limit = f"{100 * limit / abreast:.0f} %"
+        here = [r for r in cells if (r["build"], r["method"]) ==
+                (build, method)]
+        at = next(r for r in here if (r["coins"], r["steps"], r["dt_W"]) ==
+                  ("quarter", "64", "0.1"))
+        alone, abreast, book = (float(at[k]) for k in (
+            "alone_ns", "abreast_ns", "textbook_ns"))
+        def most(coins, steps):
+            return max(float(r["abreast_ns"]) / float(r["alone_ns"])
+                       for r in here if (r["coins"], r["steps"]) ==
+                       (coins, steps))
+        limit = operations[method] * best[build]
         return [build, method, f"{alone:.1f}", f"{abreast:.1f}",
-                f"{alone / abreast:.2f}",
-                f"{took[build, 'textbook rk4'] / abreast:.1f}", of_limit]
+                f"{alone / abreast:.2f}", f"{book / abreast:.1f}",
+                f"{100 * limit / abreast:.0f} %",
+                *(" / ".join(f"{most(coins, steps):.2f}"
+                             for steps in ("1", "16", "64"))
+                  for coins in ("quarter", "any"))]
     return table(["build", "method", "alone, ns", "abreast, ns",
-                  "alone / abreast", "textbook / abreast", "of the limit"],
-                 [row(b, m) for b in BUILDS
-                  for m in ("rk4", "rk8")])
+                  "alone / abreast", "textbook / abreast", "of the limit",
+                  "at most, quarters", "at most, any coins"],
+                 [row(b, m) for b in BUILDS for m in ("rk4", "rk8")])
 
 
 def abreast():
