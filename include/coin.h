@@ -37,8 +37,24 @@
  * Functions that return a double return NaN on bad input.
  * "The usual errors" below are COIN_EARG for a null pointer, COIN_EPARAMS as
  * coin_params_check() and COIN_ESTATE as coin_state_check().  A function
- * without p does not return COIN_EPARAMS, and accepts any finite angular
- * velocity.
+ * without p does not return COIN_EPARAMS, and accepts any finite x, z and
+ * angular velocity.
+ *
+ * RANGES. What no coin and no wheel is, is refused:
+ *   mass, radius, gravity      1e-15 to 1e15 each, in the units of the caller
+ *   I_X/(M a^2)                1e-3 to 1e3
+ *   I_Z/I_X                    1e-3 to 2 (1 + 1e-12): no body has I_Z > 2 I_X
+ *   wX, wY, wZ                 up to 1e6 sqrt(g/a) each
+ *   vx, vz of a slide          up to 1e6 sqrt(g a) each
+ *   theta                      below pi/2
+ *   phi, psi                   up to 2^31 rad: the rounding of a larger angle
+ *                              is a visible turn
+ *   x, z                       up to 1e9 a
+ *   dt, t                      up to 1e15 natural units
+ *   tol                        1e-13 to 1e-2
+ * Sizes are meant, of either sign.  NaN is out of every range.  Within them no
+ * function overflows, and all bounds hold.  A state that a function returns is
+ * in range: COIN_ERANGE where phi, psi, x or z would leave it.
  *
  * COST. A textbook step is a step of classical Runge-Kutta for the eight
  * variables that calls the sine of libm in every stage: 1,901 instructions,
@@ -70,11 +86,10 @@
  * FLOATING POINT.  No function changes the rounding mode or the traps.  A call
  * raises neither division by zero nor invalid nor overflow, unless it returns
  * COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_ERANGE or NaN.  So
- * these exceptions may be trapped (test_traps, make fuzz).  This is promised
- * for mass, radius, gravity and moments of inertia from 1e-24 to 1e24, and for
- * rates, velocities and losses that are 0 or from 1e-40 to 1e40 of their
- * natural units, in which M = a = g = 1; in floats for 1e-6 to 1e6 of these
- * (test_float_traps).
+ * these exceptions may be trapped (test_traps, test_float_traps, make fuzz).
+ * This is promised for rates, velocities and losses that are 0 or from 1e-40 to
+ * 1e40 of their natural units, in which M = a = g = 1; in floats from 1e-6 to
+ * 1e6.
  * coin_batch_run() does not promise it if a coin of the batch is refused.
  * Inexact and underflow may be raised.
  * clang keeps this promise only with -ffp-exception-behavior=maytrap, which the
@@ -116,11 +131,11 @@ extern "C" {
 /** A thin axisymmetric body.  Fill it by coin_params_disc(), _ring() or
  * _body(); every member may be read, and written at your own risk. */
 typedef struct coin_params {
-    double mass;        /**< M, > 0 [M] */
-    double radius;      /**< a, of the rim that rolls, > 0 [L] */
-    double gravity;     /**< g, > 0 [L/T^2] */
-    double inertia_X;   /**< I_X = I_Y, about a diameter, > 0 [M L^2] */
-    double inertia_Z;   /**< I_Z, about the axis, > 0, <= 2 I_X [M L^2] */
+    double mass;        /**< M [M] */
+    double radius;      /**< a, of the rim that rolls [L] */
+    double gravity;     /**< g [L/T^2] */
+    double inertia_X;   /**< I_X = I_Y, about a diameter [M L^2] */
+    double inertia_Z;   /**< I_Z, about the axis [M L^2] */
     double reserved[3]; /**< must be 0 */
 } coin_params;
 
@@ -225,15 +240,14 @@ enum {
     COIN_EPARAMS = -1, /**< parameters out of range: coin_params_check();
                             or losses or friction out of range */
     COIN_ESTATE = -2,  /**< state out of range: coin_state_check() */
-    COIN_ESTEP = -3,   /**< a step or a time that is not finite, negative
+    COIN_ESTEP = -3,   /**< a step or a time that is out of range, negative
                             where losses or slips forbid that, or too long.  A
                             step is too long if |dt| W is beyond the method's
                             limit, if the step would cross the table, or if it
                             turns lean or heading by more than 1.5 rad: shorten
                             dt, or call coin_advance().  A time is too long if
                             the steps of one call do not suffice: call again,
-                            or ask for less.  A time of a closed form is too
-                            long if phi, psi, x or z would leave its range */
+                            or ask for less */
     COIN_EARG = -4,    /**< null pointer, unknown method, branch or bit, bad
                             tolerance, mu of a check < 0 */
     COIN_EDOMAIN = -5, /**< no such steady motion; or the state is not steady;
@@ -243,9 +257,10 @@ enum {
                             coin_selftest() */
     COIN_ELIFT = -8,   /**< a coin that may slip lifts off the table within the
                             time asked */
-    COIN_ERANGE = -9   /**< no step leads on from the state reached, and |phi|
-                            or |psi| is within 16 rad of 2^31, the end of its
-                            range: subtract whole turns */
+    COIN_ERANGE = -9   /**< phi, psi, x or z would leave its range: subtract
+                            whole turns, or measure from another place.  Steps
+                            return it for any step that is refused within 16
+                            rad or radii of the end */
 };
 
 /** Status: positive = done, with these warning bits. */
@@ -277,10 +292,10 @@ enum {
 
 /** A uniform thin disc: I_X = M a^2/4, I_Z = M a^2/2.  Eq. (29).
  * @param[out] p   the parameters, reserved members 0
- * @param mass     M, > 0 [M]
- * @param radius   a, > 0 [L]
- * @param gravity  g, > 0 [L/T^2]
- * @return COIN_OK; COIN_EARG null p; COIN_EPARAMS as coin_params_check().
+ * @param mass     M [M]
+ * @param radius   a [L]
+ * @param gravity  g [L/T^2]
+ * @return COIN_OK; COIN_EARG null p; COIN_EPARAMS out of range.
  * Accuracy: 4 u in I_X and I_Z (make adversary); the rest is as given. */
 COIN_API int32_t coin_params_disc(coin_params *p, double mass, double radius,
                                   double gravity);
@@ -298,44 +313,36 @@ COIN_API int32_t coin_params_ring(coin_params *p, double mass, double radius,
 /** Any thin axisymmetric body.
  * @param[out] p     the parameters, reserved members 0
  * @param mass,radius,gravity  as coin_params_disc() [M] [L] [L/T^2]
- * @param inertia_X  I_X about a diameter, > 0 [M L^2]
- * @param inertia_Z  I_Z about the axis, > 0 and <= 2 I_X [M L^2]
+ * @param inertia_X  I_X about a diameter [M L^2]
+ * @param inertia_Z  I_Z about the axis [M L^2]
  * @return as coin_params_disc().
  * Accuracy: the members are the arguments, unrounded. */
 COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
                                   double gravity, double inertia_X,
                                   double inertia_Z);
 
-/** Whether the parameters can be computed with.
+/** Whether parameters are in range: RANGES, above (test_range).
  * @param p  any parameters
- * @return COIN_OK; COIN_EARG null; COIN_EPARAMS if a member is not finite or
- *         not positive, a reserved member is not 0, I_Z exceeds 2 I_X by more
- *         than a relative 1e-12 (no rigid body has I_Z > 2 I_X), or one of the
- *         following numbers, in the units of p, is below 1e-300, or their sum
- *         is above 1e300: M, a, g, I_X, I_Z, M a, M g, M a^2, M g a, g/a;
- *         J = I_X + M a^2 and K = I_Z + M a^2; the ratios I_Z/I_X, M a^2/K,
- *         I_X/J, K/J, M g a/J; the square of coin_critical_roll(). */
+ * @return COIN_OK; COIN_EARG null; COIN_EPARAMS out of range, or a reserved
+ *         member is not 0. */
 COIN_API int32_t coin_params_check(const coin_params *p);
 
 /* ---------------------------------------------------------------- state -- */
 
-/** Whether a state can be computed with.
+/** Whether a state is in range: RANGES, above (test_range).
  * @param s  any state
- * @return COIN_OK; COIN_EARG null; COIN_EPARAMS; COIN_ESTATE if a member is
- *         not finite, |theta| >= pi/2, |phi| or |psi| > 2^31 (the rounding of
- *         a larger angle is a visible turn), or the angular velocity is so
- *         large that energies or forces would overflow. */
+ * @return COIN_OK; COIN_EARG null; COIN_EPARAMS; COIN_ESTATE out of range. */
 COIN_API int32_t coin_state_check(const coin_state *s, const coin_params *p);
 
 /** The state of a coin that an engine holds as a rotation and an angular
  * velocity.  Eq. (7), (30).
  * @param[out] s  the state; -pi < phi, psi <= pi
- * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
+ * @param q       [4] w, x, y, z: rotation body to table; |q|^2 from 1e-15 to
+ *                1e15 [1]
  * @param omega   [3] angular velocity in the table frame [1/T]
  * @param x,z     the centre of mass [L]
- * @return COIN_OK; the usual errors: COIN_ESTATE if q, omega, x or z is not
- *         finite, q is 0, the coin lies flat, or omega is so large that
- *         energies or forces would overflow.
+ * @return COIN_OK; the usual errors: COIN_ESTATE if q, omega, x or z is out of
+ *         range, or the coin lies flat.
  * Accuracy: 8 u in each angle for a unit q; near flat each of phi and psi is
  *         uncertain by u/cos(theta), but their sum or difference is not
  *         (test_state). */
@@ -366,7 +373,7 @@ COIN_API int32_t coin_angular_velocity(const coin_state *s, double omega[3]);
  *         return 1;
  * @endcode
  * @param[in,out] s  the state
- * @param dt         the step, any finite value; < 0 runs backward [T]
+ * @param dt         the step; < 0 runs backward [T]
  * @return as coin_run(): COIN_OK, COIN_COARSE, or an error, after which *s is
  *         unchanged.
  * Accuracy: that of a step of COIN_RK4 by coin_run().
@@ -380,20 +387,22 @@ COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
 /** Moves a coin by a number of fixed steps.
  * @param[in,out] s   the state
  * @param method      COIN_RK4, ...: coin_method_name()
- * @param dt          the step, any finite value; < 0 runs backward [T]
+ * @param dt          the step; < 0 runs backward [T]
  * @param steps       how many; 0 changes nothing
  * @param[out] done   how many were done; may be null
  * @return COIN_OK; COIN_COARSE: all done, but a step began or ended with
  *         |dt| W beyond the method's limit of full accuracy; the usual errors
  *         and COIN_EARG for an unknown method, with *done untouched;
- *         COIN_ESTEP if dt is not finite (*done untouched), or if a step is
+ *         COIN_ESTEP if dt is out of range (*done untouched), or if a step is
  *         refused: s is then the state after the *done steps before it.
- *         COIN_ERANGE: the same, where phi or psi is at the end of its range.
+ *         COIN_ERANGE: the same, where phi, psi, x or z is at the end of its
+ *         range.  COIN_ESTEP also where a rate ends out of range: s is
+ *         untouched and *done is 0.
  * A step is refused if |dt| W is beyond 1.2 (COIN_SYMPLECTIC2: 1,
  * COIN_SYMPLECTIC4: 1.4) where it begins or ends; if it would lead through the
- * table or out of the range of coin_state_check(); or if it turns lean or
- * heading by more than 1.5 rad.  The symplectic methods also refuse a coarse
- * step if its drift is beyond the reach of the series of Eq. (34).
+ * table or out of range; or if it turns lean or heading by more than 1.5 rad.
+ * The symplectic methods also refuse a coarse step if its drift is beyond the
+ * reach of the series of Eq. (34).
  *
  * In a step the method integrates theta, phi and psi from their rates.
  *
@@ -465,11 +474,11 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  *                   own amplification [1]
  * @param[out] reached  the time moved: t, if no error is returned; may be null
  * @return COIN_OK; the usual errors; COIN_EARG also for tol out of range.
- *         COIN_ESTEP: t is not finite or is above 1e15 natural units, and s and
- *         *reached are untouched; or x or z overflows, s is untouched and
- *         *reached is 0; or 2^20 steps were not enough, s is the state at
- *         *reached, and another call goes on from there.  COIN_ERANGE: phi or
- *         psi would leave its range, and s is the state at *reached.
+ *         COIN_ESTEP: t is out of range, and s and *reached are untouched; or a
+ *         rate ends out of range, s is untouched and *reached is 0; or 2^20
+ *         steps were not enough, s is the state at *reached, and another call
+ *         goes on from there.  COIN_ERANGE: phi, psi, x or z would leave its
+ *         range, and s is the state at *reached.
  *         COIN_EFLAT: the coin falls flat, nearer than 1e-30 rad.  s is then
  *         the last state before the impact that a double can hold, and *reached
  *         the time of the impact.  A coin at rest, as coin_settle() leaves it,
@@ -574,11 +583,11 @@ COIN_API double coin_fastest_rate(const coin_state *s, const coin_params *p);
 
 /** Whether the rolling model holds for this state, and whether a step is fine
  * enough for it.  docs/guide.md says what to do about each bit.
- * @param dt  the step in question, any finite value [T]
+ * @param dt  the step in question [T]
  * @param mu  the friction coefficient, >= 0, may be +infinity [1]
  * @return COIN_OK, or the bits COIN_SLIPS, COIN_LIFTS, COIN_COARSE,
  *         COIN_NEARLY_FLAT; COIN_EARG also for an unknown method and mu < 0 or
- *         NaN; the usual errors; COIN_ESTEP dt not finite.
+ *         NaN; the usual errors; COIN_ESTEP dt out of range.
  * Accuracy: a bit may be wrong where the state is nearer to its threshold than
  *         8 u of the terms of that threshold (make adversary).
  * Cost: 0.8 of that of coin_reaction(). */
@@ -644,7 +653,7 @@ COIN_API int32_t coin_advance_until(coin_state *s, const coin_params *p,
  *                too [L/T]
  * @param x,z     the centre of mass [L]
  * @return COIN_OK; the usual errors: COIN_ESTATE as coin_state_from_motion(),
- *         and if v is not finite or the rates would overflow.
+ *         and if the rates would be out of range.
  * Accuracy: that of coin_state_from_motion() in the angles; 16 u of the terms
  *         in the rates, with the computed angles taken as exact
  *         (test_landing). */
@@ -658,8 +667,7 @@ COIN_API int32_t coin_state_from_landing(coin_state *s, const coin_params *p,
 /** Straight rolling, upright: theta = wX = wY = 0.
  * @param[out] s  all 8 members, the pose 0
  * @param wZ      the speed is radius |wZ|, along -x for wZ > 0 [1/T]
- * @return COIN_OK; COIN_EARG; COIN_EPARAMS; COIN_ESTATE if wZ is not finite, or
- *         so large that energies or forces would overflow.
+ * @return COIN_OK; COIN_EARG; COIN_EPARAMS; COIN_ESTATE if wZ is out of range.
  * Accuracy: wZ is as given, and all else is 0. */
 COIN_API int32_t coin_steady_roll(coin_state *s, const coin_params *p,
                                   double wZ);
@@ -674,7 +682,7 @@ COIN_API int32_t coin_steady_spin(coin_state *s, const coin_params *p,
                                   double theta);
 
 /** Spinning upright about a diameter: theta = wX = wZ = 0.
- * @param wY  any finite rate [1/T]
+ * @param wY  the rate [1/T]
  * @return as coin_steady_roll(), with wY for wZ.
  * Accuracy: wY is as given, and all else is 0. */
 COIN_API int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
@@ -683,12 +691,12 @@ COIN_API int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
 /** Rolling along a circle at a constant lean.  Eq. (40), computed as Eq. (41)
  * without cancellation.
  * @param theta   the lean, 0 < |theta| < pi/2 [rad]
- * @param wZ      any finite rate [1/T]
+ * @param wZ      the rate [1/T]
  * @param branch  +1 or -1: the root f+ or f- of Eq. (40); the slow precession
  *                (a large circle for small theta) is the root with
  *                wY wZ theta > 0: branch +1 for wZ > 0, -1 for wZ < 0
  * @return as coin_steady_roll(); COIN_EARG other branch; COIN_ESTATE also if wY
- *         would overflow; COIN_EDOMAIN theta = 0, or wY too small for a double.
+ *         would be out of range; COIN_EDOMAIN theta = 0.
  * Accuracy: 8 u in wY (test_steady). */
 COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
                                     double theta, double wZ, int32_t branch);
@@ -699,9 +707,8 @@ COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
  * @param theta   the lean, 0 < |theta| < pi/2 [rad]
  * @param radius  of the centre's circle, >= 0; 0 is coin_steady_spin() [L]
  * @return as coin_steady_roll(); COIN_EARG also radius < 0 or NaN; COIN_ESTATE
- *         theta out of range, or wY or wZ would be; COIN_EDOMAIN theta = 0,
- *         radius above 1e300 as a length or in radii a, or wY too small for a
- *         double.
+ *         theta out of range, or wY or wZ would be; COIN_EDOMAIN theta = 0, or
+ *         radius above 1e9 a.
  * Accuracy: 8 u in wY and wZ (test_steady_turn).
  * Cost: 480 instructions. */
 COIN_API int32_t coin_steady_turn(coin_state *s, const coin_params *p,
@@ -723,7 +730,7 @@ COIN_API int32_t coin_steady_ride(coin_state *s, const coin_params *p,
 /** The circles that the centre and the contact point of a steady motion
  * follow.  Eq. (43).
  * @param[out] center   R_G, of the centre of mass; +infinity if wY = 0, or if
- *                      R_G is above 1e307, as a length or in radii a [L]
+ *                      R_G is above 1e280 a [L]
  * @param[out] contact  R_C, of the contact point; likewise [L]
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if the state is not steady:
  *         |wX| above 1e-9 of the largest of |wY|, |wZ|, sqrt(g/a), or the two
@@ -761,8 +768,9 @@ COIN_API double coin_critical_spin(const coin_params *p);
  *                  is 0
  * @param t         the time, of either sign [T]
  * @param[out] out  the state at t
- * @return COIN_OK; the usual errors; COIN_ESTEP t not finite, or phi, psi, x
- *         or z leaves its range; COIN_EDOMAIN as coin_steady_radii().
+ * @return COIN_OK; the usual errors; COIN_ESTEP t out of range; COIN_ERANGE
+ *         phi, psi, x or z leaves its range; COIN_EDOMAIN as
+ *         coin_steady_radii().
  * Accuracy: 6 u of the angles turned, and 6 u of the path, plus the rounding of
  *         phi, psi, x and z to doubles (test_steady_at).
  * Cost: three sines and cosines. */
@@ -805,8 +813,9 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  * @param t         the time since the state that the orbit was made from [T]
  * @param[out] out  the state
  * @return COIN_OK; COIN_EARG, also for contents that are seen not to be an
- *         orbit; COIN_ESTEP if t is not finite, 2^31 periods or more, or theta,
- *         phi, psi, x or z leaves its range.
+ *         orbit; COIN_ESTEP if t is 2^31 periods or more, or, of a steady
+ *         motion, out of range; COIN_ERANGE if phi, psi, x or z leaves its
+ *         range.
  * Accuracy: the sum of these terms.  In theta, phi and psi 1e-14 rad; 1e-15
  *         times conditioning for each period since the start; and
  *         4 u W (|t| + period), as from a rounding of t, where W is the fastest
@@ -885,12 +894,11 @@ COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
  *         wY = 0, and wZ the rate at which the face still turns.  Another call
  *         from that state returns COIN_RESTS and *reached = 0.  The usual
  *         errors; COIN_EARG also for tol out of range; COIN_EPARAMS also as
- *         coin_losses_check(); COIN_ESTEP: t is negative or not finite, or
- *         beyond 1e15 natural units, and nothing was moved; or x or z
- *         overflows, s is untouched and *reached is 0; or 2^20 steps were not
- *         enough, s is the state at *reached, and another call goes on from
- *         there.  COIN_ERANGE: phi or psi would leave its range, and s is the
- *         state at *reached.
+ *         coin_losses_check(); COIN_ESTEP: t is negative or out of range, and
+ *         nothing was moved; or a rate ends out of range, s is untouched and
+ *         *reached is 0; or 2^20 steps were not enough, s is the state at
+ *         *reached, and another call goes on from there.  COIN_ERANGE: phi,
+ *         psi, x or z would leave its range, and s is the state at *reached.
  * Without any loss it is coin_advance(), but for a fall, which gives COIN_RESTS
  * and wY = 0.  Pivoting friction alone never brings a coin to rest.  The coin
  * is kept on the table, as by coin_advance(): coin_check() tells whether a real
@@ -1028,13 +1036,12 @@ COIN_API int32_t coin_slide_of(coin_slide *d, const coin_state *s,
  *         above mu_static, or not below the bound of Painleve, Eq. (86), which
  *         is 2 sqrt(k (1 + k)) with k = I_X/(M a^2): 1.118 for a disc, 1.732
  *         for a hoop.  Beyond it Coulomb's friction may allow no motion, or
- *         several.  COIN_ESTATE: also if vx or vz is not finite, or so large
- *         that energies would overflow.  COIN_ESTEP: t is negative, not finite,
- *         or beyond 1e15 natural units, and nothing was moved; or x or z would
- *         overflow, the slide is untouched and *reached is 0; or 2^20 trials of
- *         steps were not enough, the slide is that at *reached, and another
- *         call goes on from there.  COIN_ERANGE: phi or psi would leave its
- *         range, and the slide is that at *reached.
+ *         several.  COIN_ESTATE: also if vx or vz is out of range.  COIN_ESTEP:
+ *         t is negative or out of range, and nothing was moved; or a rate or
+ *         velocity ends out of range, the slide is untouched and *reached is 0;
+ *         or 2^20 trials of steps were not enough, the slide is that at
+ *         *reached, and another call goes on from there.  COIN_ERANGE: phi,
+ *         psi, x or z would leave its range, and the slide is that at *reached.
  * t = 0 changes nothing: the status tells whether the coin rolls or slips.  A
  * slip speed below 1e-10 sqrt(g a) + 16 u a (|wX| + |wZ|) counts as 0.  While a
  * slip begins, its speed counts as 0 until it is 2e-10 sqrt(g a), though vx and

@@ -18,6 +18,16 @@
  * in each scene of tests/reference that amplifies errors less than 100 times
  * (test_float).  Plain floats err by 1e-4 to 1e-3 there.
  *
+ * RANGES are those of coin.h but for these:
+ *   mass, radius, gravity      1e-8 to 1e8 each
+ *   I_Z/I_X                    up to 2 (1 + 1e-6)
+ *   wX, wY, wZ                 up to 1000 sqrt(g/a) each
+ *   phi, psi                   up to 4096 rad
+ *   x, z                       up to 1e6 a
+ *   dt, t                      up to 1e6 natural units
+ *   tol                        1e-6 to 1e-2
+ *   |q|^2 of a rotation        1e-8 to 1e8
+ *
  * METHOD is COIN_RK4, the only one here.  It is an argument so that a call
  * reads as that of coin.h.
  */
@@ -34,11 +44,11 @@ extern "C" {
 
 /** A thin axisymmetric body, as coin_params. */
 typedef struct coinf_params {
-    float mass;        /**< M, > 0 [M] */
-    float radius;      /**< a, of the rim that rolls, > 0 [L] */
-    float gravity;     /**< g, > 0 [L/T^2] */
-    float inertia_X;   /**< I_X = I_Y, about a diameter, > 0 [M L^2] */
-    float inertia_Z;   /**< I_Z, about the axis, > 0, <= 2 I_X [M L^2] */
+    float mass;        /**< M [M] */
+    float radius;      /**< a, of the rim that rolls [L] */
+    float gravity;     /**< g [L/T^2] */
+    float inertia_X;   /**< I_X = I_Y, about a diameter [M L^2] */
+    float inertia_Z;   /**< I_Z, about the axis [M L^2] */
     float reserved[3]; /**< must be 0 */
 } coinf_params;
 
@@ -97,19 +107,14 @@ COIN_API int32_t coinf_params_body(coinf_params *p, float mass, float radius,
                                    float gravity, float inertia_X,
                                    float inertia_Z);
 
-/** As coin_params_check(), with 1e-30 and 1e30 for 1e-300 and 1e300; I_Z may
- * exceed 2 I_X by a relative 1e-6. */
+/** As coin_params_check(): RANGES, above. */
 COIN_API int32_t coinf_params_check(const coinf_params *p);
 
 /* ---------------------------------------------------------------- state -- */
 
-/** As coin_state_check().
- * @return COIN_ESTATE also if |phi| or |psi| > 4096, low is not finite or
- *         |low[0]| + |low[1]| + |low[2]| > 2^-20.  Energies and forces are
- *         certain not to overflow while |omega|^2 is at most 1e14 over
- *         1 + a + M a + J + K, in the units of p, and no step begins or ends
- *         where W^2, Eq. (47), exceeds that.  In kg, m and s only a coin that
- *         is next to flat exceeds it; in mg and um others may. */
+/** As coin_state_check(): RANGES, above.
+ * @return COIN_ESTATE also if low is not finite or
+ *         |low[0]| + |low[1]| + |low[2]| > 2^-20. */
 COIN_API int32_t coinf_state_check(const coinf_state *s, const coinf_params *p);
 
 /** As coin_state_from_motion(); sets low to 0. */
@@ -149,7 +154,7 @@ COIN_API int32_t coinf_losses_check(const coinf_losses *l,
  * it moves an ideal coin, and returns COIN_RESTS if that falls flat.
  * @param[in,out] s  the state; at rest theta is the last lean that
  *                   coinf_state_check() accepts
- * @param t          the time, 0 to 1e6 natural units [T]
+ * @param t          the time, >= 0 [T]
  * @param tol        1e-6 to 1e-2: the error that the steps may add per natural
  *                   unit of time, in radians and radii, before the motion's
  *                   own amplification [1]

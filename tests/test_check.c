@@ -229,8 +229,11 @@ static void a_step_is_coarse_beyond_the_method_s_limit(void **unused)
             check_status(bits(&s, &p, sign * dt * (1 - 1e-12), INFINITY), fine);
             check_status(bits(&s, &p, sign * dt * (1 + 1e-12), INFINITY),
                          fine | COIN_COARSE);
-            check_status(bits(&s, &p, sign * 1e300, INFINITY),
+            const double longest = 1e15 * natural_time(&p);
+            check_status(bits(&s, &p, sign * longest * (1 - 4 * U), INFINITY),
                          fine | COIN_COARSE);
+            check_status(bits(&s, &p, sign * longest * (1 + 4 * U), INFINITY),
+                         COIN_ESTEP);
         }
         check_status(bits(&s, &p, 1e-320, INFINITY), fine);
     }

@@ -105,14 +105,14 @@ static void a_millionth_above_the_cone_is_found_wherever_it_lies(void **unused)
 }
 
 /* A slip that begins grows against its friction, (84): its acceleration by
- * Newton and Euler, of bodies down to a 10,000th of a disc's inertia. */
+ * Newton and Euler, of bodies down to a 1,000th of a hoop's inertia. */
 static void a_slip_begins_where_its_friction_lets_it_grow(void **unused)
 {
     (void)unused;
     struct random r = random_begin(182);
     int began = 0;
     for (int i = 0; i < 30000; ++i) {
-        const double k = pow(10, random_between(&r, -4, 0));
+        const double k = pow(10, random_between(&r, -3, 0));
         coin_params p;
         coin_force f;
         coin_slide d;

@@ -35,7 +35,7 @@ static void check_held(const coin_state *s, const coin_params *p, double spin)
     coin_priv_run run;
     coin_priv_losses l;
     const double eps = 1e-12;
-    check_status(coin_priv_check_body(&run.b, p), COIN_OK);
+    run.b = coin_priv_body_of(p);
     coin_priv_run_unlimited(&run, s);
     const coin_priv_variables *y = &run.g.y;
     coin_losses dry = {.dry = 1, .spin = spin};
@@ -113,7 +113,7 @@ static void losses_stop_what_a_fall_makes_grow(void **unused)
         coin_state s = {.theta = side * (1.5707963267948966 - from_flat),
                         .wX = side * random_between(&r, 400, 600)};
         const double c = sin(from_flat), u = eps * fabs(s.wX);
-        check_status(coin_priv_check_body(&run.b, &p), COIN_OK);
+        run.b = coin_priv_body_of(&p);
         coin_priv_run_unlimited(&run, &s);
         coin_state rolls = s;
         rolls.wY = u * sin(s.theta);
@@ -167,7 +167,7 @@ static void a_held_slip_is_stepped_by_its_rates_alone(void **unused)
     static coin_priv_sliding g;
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    check_status(coin_priv_check_body(&g.contact.b, &p), COIN_OK);
+    g.contact.b = coin_priv_body_of(&p);
     g.contact.psi_held = 1;
     for (double from_flat = 1e-2; from_flat > 1e-8; from_flat /= 10) {
         const coin_state s = {
@@ -186,7 +186,7 @@ static void too_strong_pivoting_friction_holds_nothing(void **unused)
     const coin_params p = disc();
     coin_priv_run run;
     coin_priv_losses l;
-    check_status(coin_priv_check_body(&run.b, &p), COIN_OK);
+    run.b = coin_priv_body_of(&p);
     const coin_state s = {.theta = 1.5707963267948966 - 0.04};
     coin_priv_run_unlimited(&run, &s);
     for (double b = 1; b < 1e6; b *= 10) {
@@ -205,7 +205,7 @@ static void no_law_of_the_end_holds_for_other_losses(void **unused)
     coin_params p = disc();
     coin_priv_run run;
     coin_priv_losses l;
-    check_status(coin_priv_check_body(&run.b, &p), COIN_OK);
+    run.b = coin_priv_body_of(&p);
     const double c = 1e-8;
     const coin_state s = {.theta = 1.5707963267948966 - c, .wY = sqrt(4 * c)};
     coin_priv_run_unlimited(&run, &s);
@@ -228,7 +228,7 @@ static void what_a_turn_lifts_does_not_fall(void **unused)
     (void)unused;
     coin_params p;
     const coin_losses l = {.dry = 10, .soft = 1e-9};
-    check_status(coin_params_body(&p, 1, 1, 1, 1e4, 1), COIN_OK);
+    check_status(coin_params_body(&p, 1, 1, 1, 1e3, 1), COIN_OK);
     const double c = 0.0499, turn = 0.03, t = 1e-5;
     coin_state s = {
         .theta = acos(c), .wY = c * turn, .wZ = -sqrt(1 - c * c) * turn};

@@ -131,7 +131,7 @@ static void near_flat_they_give_the_limit_of_wY_cos_theta(void **unused)
         coin_state s = random_state(&r, &p, 1);
         const double side = i % 2 ? 1 : -1;
         s.theta = side * (COIN_PRIV_HALF_PI - 1e-9);
-        s.wY *= 1e9;
+        s.wY *= 1e5;
         values(&s, &p, K);
         terms(&s, &p, size);
         const double p_flat = K[0] * at_1[k].Pe + side * 2 * K[1] * at_1[k].Po;

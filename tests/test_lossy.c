@@ -13,7 +13,7 @@ static coin_priv_lossy lossy(const coin_state *s, const coin_losses *l)
 {
     const coin_params p = disc();
     coin_priv_lossy w;
-    check_status(coin_priv_check_body(&w.run.b, &p), COIN_OK);
+    w.run.b = coin_priv_body_of(&p);
     check_status(coin_priv_losses_of(&w.l, l, &w.run.b), COIN_OK);
     coin_priv_run_unlimited(&w.run, s);
     coin_priv_lossy_bound(&w, 1e-9); /* sets w.du, which a step needs */

@@ -86,7 +86,7 @@ static struct slopes random_slopes(struct random *r)
     const coin_params p = random_coin(r);
     k.s = random_state(r, &p, 1.57);
     k.h = natural_time(&p) * random_between(r, -1, 1);
-    check_status(coin_priv_check_body(&k.b, &p), COIN_OK);
+    k.b = coin_priv_body_of(&p);
     const coin_priv_field f = coin_priv_field_of(&k.b, k.h);
     k.y = coin_priv_variables_of(&k.s);
     k.d = coin_priv_slopes_at(&f, &k.y);

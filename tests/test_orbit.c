@@ -361,22 +361,6 @@ static void its_size_is_as_promised(void **unused)
     check(sizeof(coin_orbit) == 32768);
 }
 
-/* So near to flat and so fast that a series reaches no farther than the
- * rounding of the time: the search for its end must end. */
-static void a_motion_too_fast_for_its_time_is_refused(void **unused)
-{
-    (void)unused;
-    const coin_state s = {
-        .theta = -0x1.921fb47d1d489p+0,
-        .wX = 0x1.81ab3d2e64d98p+72,
-        .wY = -0x1.166382edfb1fp+6,
-    };
-    coin_params p;
-    coin_orbit o;
-    check_status(coin_params_disc(&p, 1, 1, 0x1.4bcb327a05ab5p-3), COIN_OK);
-    check_status(coin_orbit_init(&o, &s, &p), COIN_EDOMAIN);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -393,7 +377,6 @@ int main(void)
         TEST(it_drifts_from_the_end_of_the_range_as_well),
         TEST(a_resonant_motion_drifts),
         TEST(its_size_is_as_promised),
-        TEST(a_motion_too_fast_for_its_time_is_refused),
     };
     return RUN_TESTS(tests);
 }

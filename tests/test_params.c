@@ -93,7 +93,6 @@ static void axial_inertia_is_at_most_twice_the_diametral(void **unused)
                  COIN_OK);
     check_status(coin_params_body(&p, 1, 1, 1, 0.3, 0.6 * (1 + 2e-12)),
                  COIN_EPARAMS);
-    check_status(coin_params_body(&p, 1, 1, 1, 0.3, 1e-9), COIN_OK);
 }
 
 static void the_hole_lies_within_the_coin(void **unused)
@@ -119,113 +118,6 @@ static void a_null_pointer_is_noticed_before_anything_else(void **unused)
     check_status(coin_params_check(NULL), COIN_EARG);
 }
 
-/* M, a, g whose products or quotients no double holds. */
-static void products_must_not_leave_the_range_of_doubles(void **unused)
-{
-    (void)unused;
-    const double bad[][3] = {
-        {1e200, 1e60, 1},    /* M a^2 */
-        {1e-200, 1e-60, 1},  /* M a^2 */
-        {1e150, 1, 1e160},   /* M g a */
-        {1e-150, 1, 1e-160}, /* M g a */
-        {1, 1e-155, 1e155},  /* g/a */
-        {1, 1e155, 1e-155},  /* g/a */
-    };
-    coin_params p;
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
-        const double *b = bad[i];
-        check_note("M = %g, a = %g, g = %g", b[0], b[1], b[2]);
-        check_status(coin_params_disc(&p, b[0], b[1], b[2]), COIN_EPARAMS);
-    }
-}
-
-/* One number is at the edge each time, and all others are inside. */
-static void numbers_reach_from_1e_300_to_1e300(void **unused)
-{
-    (void)unused;
-    const struct {
-        const char *number;
-        double mass, radius, gravity, IX, IZ;
-        int32_t want;
-    } cases[] = {
-        {"M", 1.01e-300, 1, 1, 1e-300, 1.1e-300, COIN_OK},
-        {"M", 0.99e-300, 1, 1, 1e-300, 1.1e-300, COIN_EPARAMS},
-        {"I_Z", 1, 1, 1, 1e-200, 1.01e-300, COIN_OK},
-        {"I_Z", 1, 1, 1, 1e-200, 0.99e-300, COIN_EPARAMS},
-        {"M g a/J", 1, 1e100, 1.01e-200, 1e150, 5e149, COIN_OK},
-        {"M g a/J", 1, 1e100, 0.99e-200, 1e150, 5e149, COIN_EPARAMS},
-        {"M g a", 1e200, 0.98, 1e100, 1e200, 1e200, COIN_EPARAMS},
-        {"M g a + M g", 1e200, 0.4, 0.7e100, 1e199, 1e199, COIN_OK},
-        {"M g a + M g", 1e200, 0.4, 0.8e100, 1e199, 1e199, COIN_EPARAMS},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        coin_params p;
-        check_note("%s, case %zu", cases[i].number, i);
-        check_status(coin_params_body(&p, cases[i].mass, cases[i].radius,
-                                      cases[i].gravity, cases[i].IX,
-                                      cases[i].IZ),
-                     cases[i].want);
-    }
-}
-
-/* Each body has one ratio that no double holds, or none. */
-static void ratios_of_inertias_must_not_leave_the_range_either(void **unused)
-{
-    (void)unused;
-    const struct {
-        const char *ratio;
-        double mass, radius, gravity, IX, IZ;
-        int32_t want;
-    } cases[] = {
-        {"none", 1, 1, 1, 1e-200, 1e-300, COIN_OK},
-        {"I_Z/I_X", 1, 1, 1, 1e200, 1e-200, COIN_EPARAMS},
-        {"I_X/J", 1, 1e75, 1, 1e-200, 1e-200, COIN_EPARAMS},
-        {"m/K", 1e-200, 1, 1e100, 1e150, 1e150, COIN_EPARAMS},
-        {"M g a/J", 1e-200, 1, 1, 1e150, 1e150, COIN_EPARAMS},
-        {"critical rate", 1e-150, 1, 1e60, 1e100, 1e-150, COIN_EPARAMS},
-        {"none", 1e-150, 1, 1, 1e100, 1e-150, COIN_OK},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        coin_params p;
-        check_note("%s", cases[i].ratio);
-        check_status(coin_params_body(&p, cases[i].mass, cases[i].radius,
-                                      cases[i].gravity, cases[i].IX,
-                                      cases[i].IZ),
-                     cases[i].want);
-    }
-}
-
-/* Atoms to planets, with room. */
-static void every_sensible_scale_is_accepted(void **unused)
-{
-    (void)unused;
-    coin_params p;
-    for (int e = -30; e <= 30; e += 10)
-        for (int f = -30; f <= 30; f += 10) {
-            check_note("mass 1e%d, length 1e%d", e, f);
-            check_status(
-                coin_params_disc(&p, pow(10, e), pow(10, f), pow(10, -f)),
-                COIN_OK);
-        }
-}
-
-/* a^2 is no normal number, but M a^2 is. */
-static void a_square_of_the_radius_may_leave_the_doubles(void **unused)
-{
-    (void)unused;
-    static const double sizes[][2] = {
-        {1e200, 1e-160}, {1e250, 1e-170}, {1e-100, 1e155}, {1e-300, 1e299}};
-    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
-        coin_params p;
-        const double M = sizes[i][0], a = sizes[i][1], m = M * a * a;
-        check_note("mass %g, radius %g", M, a);
-        check_status(coin_params_disc(&p, M, a, 1), COIN_OK);
-        check_terms(p.inertia_X, m / 4, 4, m / 4);
-        check_status(coin_params_ring(&p, M, a, a / 2, 1), COIN_OK);
-        check_terms(p.inertia_X, 1.25 * m / 4, 4, m / 4);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -236,11 +128,6 @@ int main(void)
         TEST(axial_inertia_is_at_most_twice_the_diametral),
         TEST(the_hole_lies_within_the_coin),
         TEST(a_null_pointer_is_noticed_before_anything_else),
-        TEST(numbers_reach_from_1e_300_to_1e300),
-        TEST(products_must_not_leave_the_range_of_doubles),
-        TEST(ratios_of_inertias_must_not_leave_the_range_either),
-        TEST(every_sensible_scale_is_accepted),
-        TEST(a_square_of_the_radius_may_leave_the_doubles),
     };
     return RUN_TESTS(tests);
 }

@@ -24,7 +24,7 @@ static struct climb climb_of(double inner, double theta)
 {
     struct climb c = {.p = ring(inner)};
     coin_priv_body b;
-    check_status(coin_priv_check_body(&b, &c.p), COIN_OK);
+    b = coin_priv_body_of(&c.p);
     const double wZ = coin_critical_roll(&c.p) / 2, u = sin(theta);
     const coin_priv_central f = coin_priv_legendre_central(b.k1 * b.k2, u);
     coin_state top;

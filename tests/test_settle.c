@@ -89,8 +89,8 @@ static void how_far_a_rise_is_held_does_not_depend_on_units(void **unused)
     check_status(coin_params_body(&p, 1, 1, 1, 0.3, 0.5), COIN_OK);
     check_status(coin_settle(&want, &p, &at_one, 0.2, 1e-6, NULL), COIN_OK);
     check(want.psi != start.psi);
-    for (int unit = -800; unit <= 200; unit += 200) {
-        const double M = ldexp(1, unit / 2), L = ldexp(1, unit / 4);
+    for (int unit = -160; unit <= 80; unit += 40) {
+        const double M = ldexp(1, unit / 4), L = ldexp(1, unit / 8);
         const double I = M * L * L, torque = I / (T * T);
         const coin_losses l = {.dry = torque * dry, .spin = torque * T * spin};
         coin_state s = start;

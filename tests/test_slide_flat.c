@@ -173,26 +173,6 @@ static void a_slip_that_passes_near_0_keeps_the_energy(void **unused)
     }
 }
 
-/* Once it slips, its lean changes 3000 times as fast as while it rolls. */
-static void a_slip_of_a_body_of_tiny_inertia_is_as_accurate(void **unused)
-{
-    (void)unused;
-    const coin_friction ice = {0, 0};
-    const coin_state from = {.theta = 2e-4, .wX = -0.7, .wY = 1e-3};
-    coin_params p;
-    coin_slide best, d;
-    check_status(coin_params_body(&p, 1, 1, 1, 2.8e-8, 1e-9), COIN_OK);
-    coin_slide_of(&best, &from, &p);
-    check_status(coin_slide_advance(&best, &p, &ice, NULL, 0.01, 1e-13, NULL),
-                 COIN_SLIPS);
-    for (double tol = 1e-12; tol < 2e-4; tol *= 10) {
-        coin_slide_of(&d, &from, &p);
-        check_status(coin_slide_advance(&d, &p, &ice, NULL, 0.01, tol, NULL),
-                     COIN_SLIPS);
-        check_near(slides_apart(&d, &best, &p), 0, tol);
-    }
-}
-
 /* The coin rolls, and its last step goes beyond the end of the time, to where
  * losses hold the contact: the next goes back. */
 static void a_step_beyond_the_end_is_taken_back(void **unused)
@@ -229,7 +209,6 @@ int main(void)
         TEST(losses_of_rolling_change_nothing_of_a_planar_fall),
         TEST(a_slip_that_losses_end_at_once_does_not_grow),
         TEST(a_slip_that_passes_near_0_keeps_the_energy),
-        TEST(a_slip_of_a_body_of_tiny_inertia_is_as_accurate),
         TEST(a_step_beyond_the_end_is_taken_back),
     };
     return RUN_TESTS(tests);

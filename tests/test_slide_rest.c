@@ -167,7 +167,7 @@ static void losses_and_friction_take_what_the_energy_falls_by(void **unused)
 static void units_change_nothing_of_losses(void **unused)
 {
     (void)unused;
-    const double T = 0x1p200; /* of time and length; M = 1 */
+    const double T = 0x1p40; /* of time and length; M = 1 */
     const coin_friction f = {0.55, 0.5};
     const coin_losses l = {.dry = 0.01, .soft = 0.01};
     const coin_losses big_l = {.dry = 0.01, .soft = 0.01 / T};

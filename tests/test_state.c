@@ -53,44 +53,6 @@ static void heading_and_roll_stay_below_2_to_the_31(void **unused)
         }
 }
 
-static void the_path_may_be_as_long_as_a_double(void **unused)
-{
-    (void)unused;
-    check_status(check_with(3, 1.7e308), COIN_OK);
-    check_status(check_with(4, -1.7e308), COIN_OK);
-}
-
-static void a_rate_that_would_overflow_is_refused(void **unused)
-{
-    (void)unused;
-    for (size_t member = 5; member < 8; ++member) {
-        check_status(check_with(member, 1e100), COIN_OK);
-        check_status(check_with(member, 1e200), COIN_ESTATE);
-        check_status(check_with(member, -1e200), COIN_ESTATE);
-    }
-}
-
-/* What a body's constants leave of the range: |omega|^2 (1 + a + M a + J + K)
- * up to 1e268. */
-static void each_body_has_a_limit_of_its_own(void **unused)
-{
-    (void)unused;
-    const double sizes[] = {1e-30, 1, 1e6, 1e30, 1e60};
-    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
-        const double a = sizes[i], m = a * a;
-        coin_params p;
-        check_status(coin_params_disc(&p, 1, a, 1), COIN_OK);
-        const double most = sqrt(1e268 / (1 + 2 * a + (1.25 + 1.5) * m));
-        for (int side = -1; side <= 1; side += 2) {
-            const coin_state in = {.theta = 0.5, .wZ = side * most * 0.999};
-            const coin_state out = {.theta = 0.5, .wZ = side * most * 1.001};
-            check_note("radius %g", a);
-            check_status(coin_state_check(&in, &p), COIN_OK);
-            check_status(coin_state_check(&out, &p), COIN_ESTATE);
-        }
-    }
-}
-
 /* What passes the check gives finite numbers everywhere. */
 static void no_accepted_state_overflows(void **unused)
 {
@@ -102,7 +64,7 @@ static void no_accepted_state_overflows(void **unused)
         coin_state s = random_state(&r, &p, 1), rates;
         coin_force f;
         double K[2];
-        const double size = pow(10, random_between(&r, 0, 150));
+        const double size = pow(10, random_between(&r, 0, 7));
         s.theta = nextafter(1.5707963267948966, 0);
         s.wX *= size;
         s.wY *= size;
@@ -210,7 +172,7 @@ static void the_norm_of_the_quaternion_does_not_matter(void **unused)
     (void)unused;
     const coin_params p = disc();
     const double omega[3] = {0.1, 0.2, 0.3};
-    const int exponents[] = {-1000, -500, 1, 500, 1000};
+    const int exponents[] = {-24, -9, 1, 9, 24};
     const double q[4] = {0.3, -0.4, 0.5, 0.6};
     coin_state want, got;
     check_status(coin_state_from_motion(&want, &p, q, omega, 0, 0), COIN_OK);
@@ -336,6 +298,8 @@ static void a_motion_without_a_state_is_refused(void **unused)
         double q[4], omega[3], x;
     } bad[] = {
         {"q is 0", {0, 0, 0, 0}, {0, 0, 0}, 0},
+        {"q is tiny", {3.1e-8, 0, 0, 0}, {0, 0, 0}, 0},
+        {"q is huge", {0, 0, 3.2e7, 0}, {0, 0, 0}, 0},
         {"q has a NaN", {1, NAN, 0, 0}, {0, 0, 0}, 0},
         {"q has an infinity", {1, 0, -INFINITY, 0}, {0, 0, 0}, 0},
         {"all of q is infinite",
@@ -381,9 +345,6 @@ int main(void)
         TEST(every_member_must_be_finite),
         TEST(the_lean_stays_above_the_table),
         TEST(heading_and_roll_stay_below_2_to_the_31),
-        TEST(the_path_may_be_as_long_as_a_double),
-        TEST(a_rate_that_would_overflow_is_refused),
-        TEST(each_body_has_a_limit_of_its_own),
         TEST(no_accepted_state_overflows),
         TEST(a_motion_gives_the_reference_s_state),
         TEST(a_state_survives_the_way_through_an_engine),

@@ -127,7 +127,8 @@ static void what_is_not_steady_or_leaves_its_range_is_refused(void **unused)
     coin_state s = circle(&p, 0.4, 1, 1), out = s;
     check_status(coin_steady_at(&s, &p, (double)INFINITY, &out), COIN_ESTEP);
     check_status(coin_steady_at(&s, &p, (double)NAN, &out), COIN_ESTEP);
-    check_status(coin_steady_at(&s, &p, 1e10, &out), COIN_ESTEP);
+    check_status(coin_steady_at(&s, &p, 1.001e15, &out), COIN_ESTEP);
+    check_status(coin_steady_at(&s, &p, 1e10, &out), COIN_ERANGE);
     check_same(&out, &s, sizeof s);
     s.wX = 1e-3;
     check_status(coin_steady_at(&s, &p, 1, &out), COIN_EDOMAIN);

@@ -27,7 +27,7 @@ static struct forms random_forms(struct random *r)
     f.size = parts_of(&s, &p);
     f.h = natural_time(&p);
     f.cth = cos(s.theta);
-    check_status(coin_priv_check_body(&b, &p), COIN_OK);
+    b = coin_priv_body_of(&p);
     const coin_priv_field field = coin_priv_field_of(&b, f.h);
     const coin_priv_variables y = coin_priv_variables_of(&s);
     f.time = coin_priv_slopes_at(&field, &y);

@@ -159,7 +159,7 @@ static double determinant(const coin_state *at, const coin_params *p,
                           int32_t method, double dt)
 {
     struct map m = {.p = *p, .method = method, .dt = dt};
-    check_status(coin_priv_check_body(&m.b, p), COIN_OK);
+    m.b = coin_priv_body_of(p);
     m.K = integrals_of(at, &m.b);
     const struct point by_theta = derivative(&m, at, 1, 0);
     const struct point by_wX = derivative(&m, at, 0, 1);

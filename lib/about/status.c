@@ -15,7 +15,7 @@ static const char errors[][80] = {
     "the coin falls flat",
     "this build does not give the pinned bits",
     "the coin lifts off the table",
-    "phi or psi is at the end of its range: subtract whole turns",
+    "phi, psi, x or z would leave its range: subtract turns, move the origin",
 };
 
 static const char warnings[][56] = {

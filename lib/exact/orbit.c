@@ -375,6 +375,8 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
     coin_priv_half_period h;
     o->conditioning = 1;
     o->private_frame[0] = COIN_PRIV_FORMAT;
+    o->private_frame[COIN_PRIV_FAR] = COIN_PRIV_PLACE_MAX * b->a;
+    o->private_frame[COIN_PRIV_W2_MAX] = b->w2_max;
     coin_priv_half_period_begin(&h, o, s, b);
     const int steady = is_steady(&h);
     if (steady) {

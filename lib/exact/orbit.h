@@ -59,7 +59,9 @@ enum {
     COIN_PRIV_AXIS = 23,    /* radius times cosine and sine of A's heading */
     COIN_PRIV_PLACE = 25,   /* z and x of the centre of mass at A */
     COIN_PRIV_SWING = 27,   /* of (58): L/sin(b), or 0 if b is next to 0 */
-    COIN_PRIV_DRIFT         /* L if b is next to 0 */
+    COIN_PRIV_DRIFT,        /* L if b is next to 0 */
+    COIN_PRIV_FAR = 30,     /* the largest x and z, of a steady motion too */
+    COIN_PRIV_W2_MAX        /* the largest square of a rate, likewise */
 };
 
 /* private_frame of a steady motion, whose start is private_terms: theta, phi,

@@ -65,9 +65,22 @@ static inline void set_place(coin_state *at, const double *f, double k,
     at->x = f[COIN_PRIV_PLACE + 1] + (xk * C + zk * S);
 }
 
+/* *out becomes *at, unless that is out of range. */
+static int32_t end(const coin_orbit *o, const coin_state *at, coin_state *out)
+{
+    const double *f = o->private_frame;
+    if (!coin_priv_state_within(at, f[COIN_PRIV_FAR], f[COIN_PRIV_W2_MAX]))
+        return COIN_ERANGE;
+    *out = *at;
+    return COIN_OK;
+}
+
 static int32_t steady_at(const coin_orbit *o, double t, coin_state *out)
 {
     const double *f = o->private_frame, *s = o->private_terms;
+    const double most = COIN_PRIV_TIME_MAX * COIN_PRIV_RATE_MAX;
+    if (!(t * t * f[COIN_PRIV_W2_MAX] <= most * most))
+        return COIN_ESTEP;
     const coin_priv_steady rates = {
         f[COIN_PRIV_STEADY_HEADING],
         f[COIN_PRIV_STEADY_ROLL],
@@ -78,10 +91,8 @@ static int32_t steady_at(const coin_orbit *o, double t, coin_state *out)
         s[COIN_PRIV_X],     s[COIN_PRIV_Z],        0,
         s[COIN_PRIV_ROWS],  s[COIN_PRIV_ROWS + 1],
     };
-    if (coin_priv_steady_move(&at, &rates, t) != COIN_OK)
-        return COIN_ESTEP;
-    *out = at;
-    return COIN_OK;
+    coin_priv_steady_move(&at, &rates, t);
+    return end(o, &at, out);
 }
 
 /* The state in a piece a time tau after its centre, moved on by k periods.  If
@@ -142,8 +153,5 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
         coin_priv_piece(rank_at(o->private_edges, count, since), back, count);
     const double tau = since - o->private_centers[piece];
     const coin_state at = state_at(o, piece, tau, side, k);
-    if (coin_priv_check_members(&at) != COIN_OK)
-        return COIN_ESTEP;
-    *out = at;
-    return COIN_OK;
+    return end(o, &at, out);
 }

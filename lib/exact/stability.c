@@ -5,8 +5,6 @@
 
 #include <math.h>
 
-/* wY tan theta comes first: near the table I_X tan^2 theta alone can overflow
- * (test_stability). */
 double coin_priv_stability(const coin_state *s, const coin_priv_body *b,
                            const coin_priv_sc *th)
 {

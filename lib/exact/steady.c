@@ -9,13 +9,9 @@
  * rounding of a long run, and far below a visible swing. */
 #define STEADY 1e-9
 
-/* A radius that is longer than this, in its unit or in radii of the coin,
- * counts as infinite. */
-#define FARTHEST 1e307
-
-/* The largest radius of coin_steady_turn(), in its unit or in radii of the
- * coin: no product with it overflows. */
-#define LARGEST 1e300
+/* A radius that is longer than this, in radii of the coin, counts as infinite.
+ */
+#define FARTHEST 1e280
 
 /* The largest tan theta of coin_steady_ride().  Nearer to flat the rounding of
  * theta changes the speed by more than STEADY. */
@@ -98,9 +94,10 @@ int32_t coin_steady_circle(coin_state *s, const coin_params *p, double theta,
     /* q/A, where nothing cancels, is the root f- of (40), or f+ if wZ < 0. */
     const double q = -(wZ + (wZ < 0 ? -root : root)) / 2; /* (40) */
     const int large = (branch < 0) == !(wZ < 0);
-    /* If wZ and theta are so small that q underflows, wY is 0 too. */
-    const double wY = q == 0 ? 0 : large ? q / A : -G / q; /* (41) */
-    return wY == 0 ? COIN_EDOMAIN : steady(s, p, theta, wY, wZ);
+    if (q == 0) /* wZ = 0, and theta is next to 0 */
+        return COIN_EDOMAIN;
+    const double wY = large ? q / A : -G / q; /* (41) */
+    return steady(s, p, theta, wY, wZ);
 }
 
 int32_t coin_steady_turn(coin_state *s, const coin_params *p, double theta,
@@ -112,7 +109,7 @@ int32_t coin_steady_turn(coin_state *s, const coin_params *p, double theta,
         s && radius >= 0 ? coin_priv_check(&asked, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    if (theta == 0 || !(radius <= coin_priv_lesser(1, b.a) * LARGEST))
+    if (theta == 0 || !(radius <= COIN_PRIV_PLACE_MAX * b.a))
         return COIN_EDOMAIN;
     if (radius == 0)
         return coin_steady_spin(s, p, theta);
@@ -121,8 +118,7 @@ int32_t coin_steady_turn(coin_state *s, const coin_params *p, double theta,
     const double part = sth / (r + b.IX / b.K * sth);
     const double wY = sqrt(b.Mga / b.K) * sqrt(th.c * part); /* (93) */
     const double wZ = wY / th.c * r;
-    return wY == 0 ? COIN_EDOMAIN
-                   : steady(s, p, theta, wY, theta < 0 ? -wZ : wZ);
+    return steady(s, p, theta, wY, theta < 0 ? -wZ : wZ);
 }
 
 /* tan theta of (94), at a given roll and rate of turning.  Newton's method from
@@ -180,8 +176,7 @@ int32_t coin_steady_radii(const coin_state *s, const coin_params *p,
     if (status != COIN_OK)
         return status;
     const double wY = s->wY, wZ = s->wZ;
-    const double size = b.a > 1 ? b.a : 1;
-    const int straight = fabs(wY) <= size * fabs(wZ * th.c) / FARTHEST;
+    const int straight = fabs(wY) * FARTHEST <= fabs(wZ * th.c);
     *center =
         straight ? (double)INFINITY : b.a * fabs(wZ * th.c / wY); /* (43) */
     *contact = straight ? (double)INFINITY

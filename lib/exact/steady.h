@@ -24,9 +24,8 @@ coin_priv_steady coin_priv_steady_rates(const coin_state *s,
                                         const coin_priv_body *b,
                                         const coin_priv_sc *th);
 
-/* Moves a steady state by any time; COIN_ESTEP, and *s untouched, if that
- * leads out of range. */
-int32_t coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
-                              double t);
+/* Moves a steady state by any time; it may leave its range. */
+void coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
+                           double t);
 
 #endif

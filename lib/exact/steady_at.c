@@ -15,8 +15,8 @@ coin_priv_steady coin_priv_steady_rates(const coin_state *s,
     return rates;
 }
 
-int32_t coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
-                              double t)
+void coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
+                           double t)
 {
     const double half = rates->heading * t / 2; /* (56) */
     const coin_priv_sc h = coin_priv_sincos(half),
@@ -26,18 +26,13 @@ int32_t coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
     const int turns = half != 0;
     const double sinc = (turns ? h.s : 1) / (turns ? half : 1);
     const double way = rates->speed * t * sinc; /* (56) */
-    coin_state at = *s;
-    at.wX = 0;
-    at.phi += 2 * half;        /* (56) */
-    at.psi += rates->roll * t; /* (56) */
+    s->wX = 0;
+    s->phi += 2 * half;        /* (56) */
+    s->psi += rates->roll * t; /* (56) */
     /* The direction is phi + half.  That sum is not computed, as it would be
      * rounded if phi is large. */
-    at.x -= way * (ph.c * h.c - ph.s * h.s); /* (56) */
-    at.z += way * (ph.s * h.c + ph.c * h.s); /* (56) */
-    if (coin_priv_check_members(&at) != COIN_OK)
-        return COIN_ESTEP;
-    *s = at;
-    return COIN_OK;
+    s->x -= way * (ph.c * h.c - ph.s * h.s); /* (56) */
+    s->z += way * (ph.s * h.c + ph.c * h.s); /* (56) */
 }
 
 int32_t coin_steady_at(const coin_state *s, const coin_params *p, double t,
@@ -47,13 +42,14 @@ int32_t coin_steady_at(const coin_state *s, const coin_params *p, double t,
     coin_priv_sc th;
     int32_t status = out ? coin_priv_check_steady(s, p, &b, &th) : COIN_EARG;
     if (status == COIN_OK || status == COIN_EDOMAIN)
-        status = t - t == 0 ? status : COIN_ESTEP;
+        status = coin_priv_time_holds(t, &b) ? status : COIN_ESTEP;
     if (status != COIN_OK)
         return status;
     const coin_priv_steady rates = coin_priv_steady_rates(s, &b, &th);
     coin_state at = *s;
-    status = coin_priv_steady_move(&at, &rates, t);
-    if (status == COIN_OK)
-        *out = at;
-    return status;
+    coin_priv_steady_move(&at, &rates, t);
+    if (!coin_priv_state_holds(&at, &b))
+        return COIN_ERANGE;
+    *out = at;
+    return COIN_OK;
 }

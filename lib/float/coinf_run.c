@@ -6,9 +6,7 @@ int32_t coinf_run(coinf_state *s, const coinf_params *p, int32_t method,
 {
     coinf_priv_plan plan;
     int32_t warnings = COIN_OK;
-    /* Without a step dt may be so long that what steps share overflows. */
-    const int32_t status =
-        coinf_priv_plan_of(&plan, s, p, method, steps > 0 ? dt : 0 * dt);
+    const int32_t status = coinf_priv_plan_of(&plan, s, p, method, dt);
     if (status != COIN_OK)
         return status;
     uint64_t n = dt == 0 ? steps : 0;
@@ -16,5 +14,5 @@ int32_t coinf_run(coinf_state *s, const coinf_params *p, int32_t method,
         ++n;
     if (done)
         *done = n;
-    return n < steps ? COIN_ESTEP : warnings;
+    return n < steps ? coinf_priv_refusal(s, plan.a) : warnings;
 }

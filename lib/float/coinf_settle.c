@@ -7,10 +7,6 @@
 #include "../motion/rest.h"
 #include "../real/hold.h"
 
-/* The longest time of a call, in natural units.  The rounding of t is 0.03 unit
- * there, so that a step would hardly change it. */
-#define TOO_LONG 1e6f
-
 /* The most steps of a call.  They take a second on a Cortex-M4F. */
 #define STEPS_MAX 65536
 
@@ -117,8 +113,8 @@ COIN_PRIV_NOINLINE int lossy_step(struct settling *g,
 {
     const coinf_priv_body *b = &g->b;
     const struct lossy_plan plan = {
-        {coinf_priv_field_of(b, dt), 0, b->a, b->g_a, b->k1, b->k2, b->w2_max,
-         b->w2_max},
+        {coinf_priv_field_of(b, dt), 0, b->a, b->g_a, b->w2_max,
+         COIN_PRIV_LARGEST, COIN_PRIV_LARGEST},
         &g->l,
     };
     coinf_priv_slope first, rest;
@@ -258,7 +254,7 @@ int32_t coinf_settle(coinf_state *s, const coinf_params *p,
     int32_t status = coinf_priv_check(s, p, &g.b);
     if (status != COIN_OK)
         return status;
-    if (!(t >= 0 && t * sqrtf(g.b.g_a) <= TOO_LONG))
+    if (!(t >= 0 && coinf_priv_time_holds(t, &g.b)))
         return COIN_ESTEP;
     const float stride = STRIDE * sqrtf(sqrtf(tol));
     g.s = *s;
@@ -269,10 +265,10 @@ int32_t coinf_settle(coinf_state *s, const coinf_params *p,
     status = coinf_priv_lies_flat(s) ? COIN_RESTS : approach(&g);
     /* For a body next to the limits of coinf_params the rates of a fall may
      * exceed what a state may have. */
-    const int lost = coinf_priv_check_state(&g.s, &g.b) != COIN_OK;
+    const int lost = !coinf_priv_state_holds(&g.s, &g.b);
     if (!lost)
         *s = g.s;
     if (reached)
         *reached = lost ? 0 : g.rem > 0 ? (t - g.rem) - g.rem_low : t;
-    return lost ? COIN_ESTEP : status;
+    return lost || status == COIN_ESTEP ? coinf_priv_refusal(s, g.b.a) : status;
 }

@@ -36,14 +36,13 @@ int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
                                : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    if (!coinf_priv_is_finite(dt))
+    if (!coinf_priv_time_holds(dt, &b))
         return COIN_ESTEP;
     const coinf_priv_limits limits = coinf_priv_limits_of(&b, method, dt);
     plan->f = coinf_priv_field_of(&b, dt);
     plan->a = b.a;
     plan->g_a = b.g_a;
-    plan->k1 = b.k1;
-    plan->k2 = b.k2;
+    plan->w2_max = b.w2_max;
     plan->most2 = limits.most2;
     plan->coarse2 = limits.coarse2;
     plan->KJ_low = balance(&plan->f, &b, p->gravity);
@@ -73,5 +72,6 @@ int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt)
     const int32_t status = coinf_priv_plan_of(&plan, s, p, COIN_RK4, dt);
     if (status != COIN_OK || dt == 0)
         return status;
-    return coinf_priv_step(s, &warnings, &plan) ? warnings : COIN_ESTEP;
+    return coinf_priv_step(s, &warnings, &plan) ? warnings
+                                                : coinf_priv_refusal(s, plan.a);
 }

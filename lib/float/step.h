@@ -22,7 +22,7 @@
 typedef struct coinf_priv_plan {
     coinf_priv_field f;
     float KJ_low; /* (KJ + KJ_low)/GJ is K/(M g a), in twice a float's digits */
-    float a, g_a, k1, k2;
+    float a, g_a, w2_max;
     float coarse2, most2; /* coarse2 <= most2 */
 } coinf_priv_plan;
 
@@ -229,15 +229,19 @@ COIN_PRIV_INLINE void coinf_priv_add_change(coinf_state *s,
     coinf_priv_add_parts(&s->wZ, &s->low[7], first->wZ, rest->wZ);
 }
 
-/* Whether a step may end here; not if a number is NaN. */
+/* Whether a step may end here; not if a number is NaN.  Whole turns have not
+ * been subtracted yet. */
 COIN_PRIV_INLINE int coinf_priv_holds(const coinf_state *s,
                                       const coinf_priv_plan *plan)
 {
     const float wX = s->wX, wY = s->wY, wZ = s->wZ;
-    const float pose =
-        fabsf(s->phi) + fabsf(s->psi) + fabsf(s->x) + fabsf(s->z);
-    return fabsf(s->theta) < COIN_PRIV_HALF_PI && pose <= COIN_PRIV_LARGEST &&
-           wX * wX + wY * wY + wZ * wZ <= plan->most2;
+    const float far = COIN_PRIV_PLACE_MAX * plan->a;
+    return fabsf(s->theta) < COIN_PRIV_HALF_PI &&
+           fabsf(s->phi) <= COIN_PRIV_ANGLE_MAX + 16 &&
+           fabsf(s->psi) <= COIN_PRIV_ANGLE_MAX + 16 && fabsf(s->x) <= far &&
+           fabsf(s->z) <= far && wX * wX + wY * wY + wZ * wZ <= plan->most2 &&
+           wX * wX <= plan->w2_max && wY * wY <= plan->w2_max &&
+           wZ * wZ <= plan->w2_max;
 }
 
 /* ----------------------------------------------------------------- steps -- */

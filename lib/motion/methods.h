@@ -7,10 +7,11 @@
  * bits do not depend on where it is looked at. */
 #define COIN_PRIV_BLOCK 64
 
-/* Twice what the 64 steps of a block can turn phi or psi by.  A step turns phi
- * by at most TURN_MAX, and psi by at most sqrt(2) |dt| W: both by less than 2
- * rad. */
-#define COIN_PRIV_BLOCK_TURN 256.0
+/* Twice what the 64 steps of a block can turn phi or psi by, and move the
+ * centre by in radii.  A step turns phi by at most TURN_MAX, psi by at most
+ * sqrt(2) |dt| W, and moves the centre by at most |dt| W: all by less than 2.
+ */
+#define COIN_PRIV_BLOCK_MOVES 256.0
 
 #include "methods.t.h"
 

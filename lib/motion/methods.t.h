@@ -6,10 +6,12 @@
 #include "kind.h"
 
 /* Limits of W^2 in a run: COIN_COARSE beyond coarse2, COIN_ESTEP beyond most2,
- * both compared where each step begins and ends. */
+ * both compared where each step begins and ends.  And what the limit of its
+ * path needs: the radius, and where the path starts. */
 typedef struct PRIV(limits) {
     real g_a, coarse2, most2; /* coarse2 <= most2 */
-    whole coarse;             /* all ones once a step was COIN_COARSE */
+    real a, x, z;
+    whole coarse; /* all ones once a step was COIN_COARSE */
 } PRIV(limits);
 
 #ifndef COIN_PRIV_ABREAST
@@ -34,26 +36,19 @@ COIN_PRIV_INLINE real PRIV(refusal_limit)(int32_t method)
                                                     : K(1.4);
 }
 
-/* The limits of steps of dt.  Pre: dt is finite. */
+/* The limits of steps of dt from *s.  All steps are refused if dt is not
+ * finite.
+ */
 COIN_PRIV_INLINE PRIV(limits)
     PRIV(limits_of)(const PRIV(body) * b, int32_t method, real dt)
 {
     const real most = PRIV(refusal_limit)(method);
     const real coarse = PRIV(coarse_limit)(method);
     const real size = FABS(dt);
-    /* |dt| is clipped, so that 1/dt^2 neither overflows nor underflows.  At
-     * DT_MOST the limit is below the W of any coin: a longer step is refused
-     * too. */
-    const real kept = size < COIN_PRIV_DT_LEAST  ? COIN_PRIV_DT_LEAST
-                      : size > COIN_PRIV_DT_MOST ? COIN_PRIV_DT_MOST
-                                                 : size;
+    const real kept = size < COIN_PRIV_DT_LEAST ? COIN_PRIV_DT_LEAST : size;
     const real over = 1 / (kept * kept);
-    const real most2 = PRIV(lesser)(most * most * over, b->w2_max);
     const PRIV(limits) limits = {
-        b->g_a,
-        PRIV(lesser)(coarse * coarse * over, most2),
-        most2,
-        0,
+        b->g_a, coarse * coarse * over, most * most * over, b->a, 0, 0, 0,
     };
     return limits;
 }

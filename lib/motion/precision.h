@@ -51,28 +51,20 @@
 
 /* ---------------------------------------------------------------- limits -- */
 
-/* The numbers of a body, its constants and the squares of its rates lie between
- * these.  A float underflows and overflows 2^26 times beyond.  That is left for
- * ratios of such numbers, and for 1/cos theta of the flattest lean. */
-#define COIN_PRIV_LEAST 1e-30f
-#define COIN_PRIV_MOST 1e30f
+/* Mass, radius and gravity lie between these. */
+#define COIN_PRIV_LEAST 1e-8f
+#define COIN_PRIV_MOST 1e8f
 
-/* COIN_PRIV_MOST over the largest 1/cos^2 theta, which is below 1e16 for every
- * |theta| < pi/2 that a float and its remainder hold. */
-#define COIN_PRIV_W2_MAX 1e14f
+/* The largest component of an angular velocity, in sqrt(g/a), and the largest x
+ * and z, in radii. */
+#define COIN_PRIV_RATE_MAX 1e3f
+#define COIN_PRIV_PLACE_MAX 1e6f
 
-/* A body whose five numbers lie between these keeps the limits above, whatever
- * their ratios.  The least quotients, M g a/J and m/K, are above 2^-84/2^15:
- * three of the least numbers over one of the largest.  COIN_PRIV_ORDINARY_W2 is
- * 0: no limit of |omega|^2 suits all these bodies, so each computes its own. */
-#define COIN_PRIV_ORDINARY_LEAST 3.7252903e-9f /* 2^-28 */
-#define COIN_PRIV_ORDINARY_MOST 16384.0f       /* 2^14 */
-#define COIN_PRIV_ORDINARY_W2 0
+/* The longest time of a call, in natural units. */
+#define COIN_PRIV_TIME_MAX 1e6f
 
-/* Steps whose squares are normal numbers.  W is at least sqrt(g/a), so a
- * longer one than the most is refused for every body that is allowed. */
+/* A shorter step counts as one of this length where 1/dt^2 is computed. */
 #define COIN_PRIV_DT_LEAST 1e-18f
-#define COIN_PRIV_DT_MOST 1e18f
 
 /* I_Z may be this part larger than 2 I_X, for the rounding of both. */
 #define COIN_PRIV_INERTIA_SLACK 1e-6f
@@ -172,28 +164,22 @@ static inline int coinf_priv_low_holds(const float low[8])
 
 /* ---------------------------------------------------------------- limits -- */
 
-/* The numbers of a body, its constants and the squares of its rates lie between
- * these.  A double underflows 4e7 times below and overflows 1e8 times above:
- * that is left for sums and products with the ratios of such numbers. */
-#define COIN_PRIV_LEAST 1e-300
-#define COIN_PRIV_MOST 1e300
+/* Mass, radius and gravity lie between these. */
+#define COIN_PRIV_LEAST 1e-15
+#define COIN_PRIV_MOST 1e15
 
-/* COIN_PRIV_MOST over the largest 1/cos^2 theta, which is below 1e32 for every
- * |theta| < pi/2 that a double holds. */
-#define COIN_PRIV_W2_MAX (COIN_PRIV_MOST / 1e32)
+/* The largest component of an angular velocity, in sqrt(g/a), and the largest x
+ * and z, in radii. */
+#define COIN_PRIV_RATE_MAX 1e6
+#define COIN_PRIV_PLACE_MAX 1e9
 
-/* A body whose five numbers lie between these keeps the limits above, whatever
- * their ratios: no formula takes more than six factors of them.  J and K are
- * then below 2^242, and w2_max of every such body is above
- * COIN_PRIV_ORDINARY_W2, which is used in its place. */
-#define COIN_PRIV_ORDINARY_LEAST 8.271806125530277e-25 /* 2^-80 */
-#define COIN_PRIV_ORDINARY_MOST 1.2089258196146292e24  /* 2^80 */
-#define COIN_PRIV_ORDINARY_W2 1e190
+/* The longest time of a call, in natural units.  The rounding of t is 0.1 unit
+ * there, so that a step would hardly change it. */
+#define COIN_PRIV_TIME_MAX 1e15
 
-/* Steps whose squares are normal numbers.  W is at least sqrt(g/a), so a
- * longer one than the most is refused for every body that is allowed. */
-#define COIN_PRIV_DT_LEAST 1e-153
-#define COIN_PRIV_DT_MOST 1e153
+/* A shorter step counts as one of this length where 1/dt^2 is computed.  No W
+ * is above 1e38, so that a step of this length is sound for any coin. */
+#define COIN_PRIV_DT_LEAST 1e-100
 
 /* I_Z may be this part larger than 2 I_X, for the rounding of both. */
 #define COIN_PRIV_INERTIA_SLACK 1e-12

@@ -13,19 +13,17 @@ int32_t COIN(check)(const COIN(state) * s, const COIN(params) * p,
                                : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    if (!PRIV(is_finite)(dt))
+    if (!PRIV(time_holds)(dt, &b))
         return COIN_ESTEP;
     const PRIV(variables) y = PRIV(variables_inline)(s);
     const COIN(force) f = PRIV(reaction)(&b, &y);
-    const real W = SQRT(PRIV(rate2)(b.g_a, &y));
+    const real limit = PRIV(coarse_limit)(method);
     int32_t bits = 0;
     if (!(f.normal > 0))
         bits |= COIN_LIFTS;
     else if (mu > 1 ? f.friction / mu > f.normal : f.friction > mu * f.normal)
         bits |= COIN_SLIPS; /* no product of a large mu may overflow */
-    /* A dt above DT_MOST is coarse for every body. */
-    if (PRIV(lesser)(FABS(dt), COIN_PRIV_DT_MOST) * W >
-        PRIV(coarse_limit)(method))
+    if (dt * dt * PRIV(rate2)(b.g_a, &y) > limit * limit)
         bits |= COIN_COARSE;
     if (y.cth < K(COIN_PRIV_NEARLY_FLAT))
         bits |= COIN_NEARLY_FLAT;

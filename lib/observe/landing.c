@@ -6,13 +6,12 @@ int32_t coin_state_from_landing(coin_state *s, const coin_params *p,
                                 const double q[4], const double omega[3],
                                 const double v[3], double x, double z)
 {
-    coin_priv_body b;
     coin_state made;
     int32_t status =
         s && v ? coin_state_from_motion(&made, p, q, omega, x, z) : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    (void)coin_priv_check_body(&b, p);
+    const coin_priv_body b = coin_priv_body_of(p);
     double R[9];
     const coin_priv_variables y = coin_priv_variables_of(&made);
     coin_priv_axes(&y, R);

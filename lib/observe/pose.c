@@ -124,26 +124,16 @@ static real angle_of(real s, real c)
     return angle == -2 * COIN_PRIV_HALF_PI ? -angle : angle;
 }
 
-/* Squares and products of numbers between 1/NORM_MAX and NORM_MAX neither
- * overflow nor underflow. */
-#define NORM_MAX (1 / (COIN_PRIV_EPSILON * COIN_PRIV_EPSILON))
-
 /* The angles of a rotation, by Eq. (30).  With C2, S2 the cosine and sine of
  * theta/2, A is C2 + S2 times the cosine and sine of (phi - psi)/2, and B is C2
  * - S2 times those of (phi + psi)/2.  Both keep their accuracy where the coin
  * is nearly flat and phi, psi lose theirs.  NaN if q is 0 or not finite. */
 static void angles_of(COIN(state) * s, const real q[4])
 {
-    real largest = 0, u[4];
-    for (int i = 0; i < 4; ++i)
-        largest = FABS(q[i]) > largest ? FABS(q[i]) : largest;
-    const int is_ordinary = largest < NORM_MAX && largest > 1 / NORM_MAX;
-    for (int i = 0; i < 4; ++i)
-        u[i] = q[i] / (is_ordinary ? 1 : largest);
-    const real Ac = u[0] + u[1], As = u[2] - u[3];
-    const real Bc = u[0] - u[1], Bs = u[2] + u[3];
+    const real Ac = q[0] + q[1], As = q[2] - q[3];
+    const real Bc = q[0] - q[1], Bs = q[2] + q[3];
     const real A = PRIV(hypot)(As, Ac), B = PRIV(hypot)(Bs, Bc);
-    const real sine = 2 * (u[0] * u[1] - u[2] * u[3]);
+    const real sine = 2 * (q[0] * q[1] - q[2] * q[3]);
     s->theta = angle_of(sine, A * B);                        /* (30) */
     s->phi = angle_of(Bs * Ac + Bc * As, Bc * Ac - Bs * As); /* (30) */
     s->psi = angle_of(Bs * Ac - Bc * As, Bc * Ac + Bs * As); /* (30) */
@@ -159,6 +149,9 @@ int32_t COIN(state_from_motion)(COIN(state) * s, const COIN(params) * p,
         return COIN_EARG;
     if (PRIV(check_body)(&b, p) != COIN_OK)
         return COIN_EPARAMS;
+    const real size2 = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    if (!PRIV(is_ordinary)(size2))
+        return COIN_ESTATE;
     angles_of(&made, q);
     real R[9];
     const PRIV(variables) f = PRIV(variables_of)(&made);

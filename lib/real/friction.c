@@ -18,7 +18,8 @@ static int32_t status_of(int32_t status, const coin_slide *d,
 
 int32_t coin_priv_check_slide(const coin_slide *d, const coin_priv_body *b)
 {
-    return status_of(coin_priv_check_state(&d->s, b), d, b);
+    return status_of(coin_priv_state_holds(&d->s, b) ? COIN_OK : COIN_ESTATE, d,
+                     b);
 }
 
 /* COIN_OK and the body of a slide that can be computed with, or COIN_EARG,

@@ -77,16 +77,15 @@ static int32_t step(struct settling *g, double rate, int *ends)
 }
 
 /* Sets the coin to the end of a fall or of a part of it.  Its point of contact
- * stays where it is.  Returns 0, and does nothing, if phi would leave its
- * range.
- */
+ * stays where it is.  Returns 0, and does nothing, if the pose would leave
+ * its range. */
 static int put(coin_priv_run *r, const coin_priv_held_fall *f,
                const coin_priv_losses *l)
 {
     coin_priv_progress *const g = &r->g;
     coin_priv_pose added = g->added;
     added.phi += f->phi;
-    if (!coin_priv_angles_hold(g, &added))
+    if (!coin_priv_pose_holds(g, &r->limits, &added))
         return 0;
     coin_priv_variables *const y = &g->y, from = g->y;
     const coin_priv_sc at = coin_priv_sincos(f->x);
@@ -229,7 +228,7 @@ int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
     int32_t status = coin_priv_check(s, p, &g.w.run.b);
     if (status != COIN_OK)
         return status;
-    if (!(t >= 0 && t * sqrt(g.w.run.b.g_a) <= COIN_PRIV_TOO_LONG))
+    if (!(t >= 0 && coin_priv_time_holds(t, &g.w.run.b)))
         return COIN_ESTEP;
     if (coin_priv_lies_flat(s)) {
         if (reached)
@@ -251,10 +250,11 @@ int32_t coin_settle(coin_state *s, const coin_params *p, const coin_losses *l,
     coin_state end = coin_priv_run_state(&g.w.run);
     if (status == COIN_RESTS)
         end.wY = 0;
-    const int lost = coin_priv_check_members(&end) != COIN_OK;
+    const int lost = !coin_priv_state_holds(&end, &g.w.run.b);
     if (!lost)
         coin_priv_copy_state(s, &end);
     if (reached)
         *reached = lost ? 0 : coin_priv_passed(t, &g.rem);
-    return lost || status == COIN_ESTEP ? coin_priv_refusal(s) : status;
+    return lost || status == COIN_ESTEP ? coin_priv_refusal(s, g.w.run.b.a)
+                                        : status;
 }

@@ -215,7 +215,7 @@ int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
     int32_t status = coin_priv_check_slide(d, &g.contact.b);
     if (status != COIN_OK)
         return status;
-    if (!(t >= 0 && t * g.contact.w0 <= COIN_PRIV_TOO_LONG))
+    if (!(t >= 0 && coin_priv_time_holds(t, &g.contact.b)))
         return COIN_ESTEP;
     double moved = 0;
     status = COIN_RESTS;
@@ -225,7 +225,8 @@ int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
         if (t > 0 && status != COIN_ELIFT) {
             status = go_on(&g);
             const coin_slide end = end_of(&g, status);
-            const int lost = coin_priv_check_members(&end.s) != COIN_OK;
+            const int lost =
+                coin_priv_check_slide(&end, &g.contact.b) != COIN_OK;
             if (!lost) {
                 *d = end;
                 /* A moment is located to within COIN_PRIV_LOCATED tol, and may
@@ -233,7 +234,7 @@ int32_t coin_slide_advance(coin_slide *d, const coin_params *p,
                 moved = coin_priv_lesser(coin_priv_passed(t, &g.rem), t);
             }
             if (lost || status == COIN_ESTEP)
-                status = coin_priv_refusal(&d->s);
+                status = coin_priv_refusal(&d->s, g.contact.b.a);
         }
     }
     if (reached)

@@ -104,7 +104,7 @@ static int32_t prepare(struct moving *g, coin_priv_stretch *w,
     if (status != COIN_OK)
         return status;
     const double w0 = sqrt(g->run.b.g_a);
-    if (!(fabs(t) * w0 <= COIN_PRIV_TOO_LONG))
+    if (!coin_priv_time_holds(t, &g->run.b))
         return COIN_ESTEP;
     coin_priv_run_unlimited(&g->run, s);
     g->lengths = coin_priv_lengths_of(f->tol < COARSEST ? f->tol : COARSEST);

@@ -27,7 +27,7 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
         coin_priv_tol_is_valid(tol) ? coin_priv_check(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    if (!(fabs(t) * sqrt(b.g_a) <= COIN_PRIV_TOO_LONG))
+    if (!coin_priv_time_holds(t, &b))
         return COIN_ESTEP;
     if (t >= 0 && coin_priv_lies_flat(s)) {
         if (reached)

@@ -7,10 +7,6 @@
 #include "extrapolation.h"
 #include "sundman.h"
 
-/* The longest time of a call, in natural units.  The rounding of t is 0.1 unit
- * there, so that a step would hardly change it. */
-#define COIN_PRIV_TOO_LONG 1e15
-
 /* The most steps of a call.  They take 0.2 s. */
 #define COIN_PRIV_STEPS_MAX (UINT64_C(1) << 20)
 
@@ -198,9 +194,9 @@ COIN_PRIV_INLINE double coin_priv_passed(double t, const coin_priv_sum *rem)
     return rem->sum == 0 ? t : (t - rem->sum) - rem->low;
 }
 
-/* Ends a call that was to move *s by the time t, of which *rem is left.  If x
- * or z has overflowed, *s stays as it was and *reached becomes 0, as in a run.
- */
+/* Ends a call that was to move *s by the time t, of which *rem is left.  If a
+ * rate has left its range, *s stays as it was and *reached becomes 0, as in a
+ * run. */
 COIN_PRIV_INLINE int32_t coin_priv_end_call(coin_state *s,
                                             const coin_priv_run *r,
                                             int32_t status, double t,
@@ -208,12 +204,12 @@ COIN_PRIV_INLINE int32_t coin_priv_end_call(coin_state *s,
                                             double *reached)
 {
     const coin_state end = coin_priv_run_state(r);
-    const int lost = !coin_priv_pose_holds(&end);
+    const int lost = !coin_priv_state_holds(&end, &r->b);
     if (!lost)
         coin_priv_copy_state(s, &end);
     if (reached)
         *reached = lost ? 0 : coin_priv_passed(t, rem);
-    return lost || status == COIN_ESTEP ? coin_priv_refusal(s) : status;
+    return lost || status == COIN_ESTEP ? coin_priv_refusal(s, r->b.a) : status;
 }
 
 #endif

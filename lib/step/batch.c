@@ -13,8 +13,8 @@ int32_t coin_batch_run(coin_state *s, size_t count, const coin_params *p,
         return COIN_EPARAMS;
     /* Coins that do not move stay as they are, each to the bit. */
     const int move =
-        count > 0 && steps > 0 && coin_priv_is_finite(dt) && dt != 0;
-    if (!move || !coin_priv_run_abreast(&r, p, &b, method, dt, steps))
+        count > 0 && steps > 0 && coin_priv_time_holds(dt, &b) && dt != 0;
+    if (!move || !coin_priv_run_abreast(&r, &b, method, dt, steps))
         for (size_t i = 0; i < count; ++i)
             coin_priv_note(&r, i, coin_run(&s[i], p, method, dt, steps, NULL));
     return r.error != COIN_OK ? r.error : r.warnings;

@@ -48,7 +48,6 @@ COIN_PRIV_INLINE coin_lanes_field field_of(const coin_priv_body *b, double h)
 
 /* What the coins of a batch share. */
 struct shared {
-    const coin_params *p;
     const coin_priv_body *b;
     coin_priv_limits limits;
     double dt;
@@ -63,8 +62,7 @@ struct group {
     int size;                          /* coins in lanes */
     coin_lanes_progress g;
     coin_lanes_limits limits;
-    coin_lanes x, z; /* where the paths start */
-    uint64_t steps;  /* done so far */
+    uint64_t steps; /* done so far */
 };
 
 /* Fewer coins than this go one by one, which takes less time. */
@@ -82,32 +80,31 @@ COIN_PRIV_INLINE coin_lanes member(const coin_state *const *from, int i)
     return of_all;
 }
 
-/* Puts the next coins into lanes, but for those that are no state, or whose
- * rates need a closer look, coin_priv_check_inline(): these run by themselves.
- * In an empty lane a coin stands upright at rest: a step that is too long for
- * it is too long for every coin. */
+/* Puts the next coins into lanes, but for those that are no state.  In an empty
+ * lane a coin stands upright at rest: a step that is too long for it is too
+ * long for every coin. */
 COIN_PRIV_INLINE void gather(struct group *c, coin_state *s, size_t left,
                              const struct shared *of)
 {
     static const coin_state standing = {0, 0, 0, 0, 0, 0, 0, 0};
+    const coin_state *from[COIN_PRIV_LANES];
+    c->size = 0;
+    for (size_t k = 0; k < COIN_PRIV_LANES; ++k) {
+        const int runs = k < left && coin_priv_state_holds(&s[k], of->b);
+        c->coin[k] = runs ? &s[k] : NULL;
+        from[k] = runs ? &s[k] : &standing;
+        c->status[k] = COIN_ESTATE;
+        c->size += runs;
+    }
     const coin_lanes_limits limits = {
         all(of->limits.g_a),
         all(of->limits.coarse2),
         all(of->limits.most2),
+        all(of->b->a),
+        member(from, X),
+        member(from, Z),
         {0},
     };
-    const coin_state *from[COIN_PRIV_LANES];
-    c->size = 0;
-    for (size_t k = 0; k < COIN_PRIV_LANES; ++k) {
-        const int runs =
-            k < left && coin_priv_check_state(&s[k], of->b) == COIN_OK;
-        c->coin[k] = runs ? &s[k] : NULL;
-        from[k] = runs ? &s[k] : &standing;
-        if (k < left && !runs)
-            c->status[k] =
-                coin_run(&s[k], of->p, of->method, of->dt, of->steps, NULL);
-        c->size += runs;
-    }
     const coin_lanes theta = member(from, THETA), phi = member(from, PHI);
     const coin_lanes_sc th = coin_lanes_sine_cosine(theta);
     const coin_lanes_sc ph = coin_lanes_sine_cosine(phi);
@@ -125,8 +122,6 @@ COIN_PRIV_INLINE void gather(struct group *c, coin_state *s, size_t left,
     };
     coin_lanes_progress_begin(&c->g, &y, theta, phi, member(from, PSI));
     c->limits = limits;
-    c->x = member(from, X);
-    c->z = member(from, Z);
     c->steps = 0;
 }
 
@@ -142,6 +137,8 @@ static void leave(struct group *c, int k, const struct shared *of)
     coin_priv_copy_state(&r.start, s);
     r.b = *of->b;
     r.limits = of->limits;
+    r.limits.x = s->x;
+    r.limits.z = s->z;
     r.limits.coarse = c->limits.coarse[k];
     r.dt = of->dt;
     r.steps = c->steps;
@@ -164,19 +161,20 @@ static void keep(struct group *c, mask stay, const struct shared *of)
             leave(c, k, of);
 }
 
-/* Writes the states at the end.  A coin whose path overflowed, or whose lean is
- * rounded to flat, leaves instead. */
+/* Writes the states at the end.  A coin with a rate out of range, or whose lean
+ * is rounded to flat, leaves instead. */
 static void store(struct group *c, const struct shared *of)
 {
     const coin_lanes_pose to = coin_lanes_pose_of(&c->g, all(of->b->a));
     const coin_lanes s[8] = {
-        to.theta,    to.phi,    to.psi,    c->x + to.x,
-        c->z + to.z, c->g.y.wX, c->g.y.wY, c->g.y.wZ,
+        to.theta,           to.phi,    to.psi,    c->limits.x + to.x,
+        c->limits.z + to.z, c->g.y.wX, c->g.y.wY, c->g.y.wZ,
     };
     keep(c,
          (coin_lanes_magnitude(s[THETA]) < COIN_PRIV_HALF_PI) &
-             (coin_lanes_magnitude(s[X]) <= COIN_PRIV_LARGEST) &
-             (coin_lanes_magnitude(s[Z]) <= COIN_PRIV_LARGEST),
+             (s[WX] * s[WX] <= of->b->w2_max) &
+             (s[WY] * s[WY] <= of->b->w2_max) &
+             (s[WZ] * s[WZ] <= of->b->w2_max),
          of);
     for (int k = 0; k < COIN_PRIV_LANES; ++k)
         if (c->coin[k]) {
@@ -231,12 +229,11 @@ static void run(coin_priv_batch *batch, const struct shared *of,
     }
 }
 
-int coin_priv_run_abreast(coin_priv_batch *batch, const coin_params *p,
-                          const coin_priv_body *b, int32_t method, double dt,
-                          uint64_t steps)
+int coin_priv_run_abreast(coin_priv_batch *batch, const coin_priv_body *b,
+                          int32_t method, double dt, uint64_t steps)
 {
     const struct shared of = {
-        p, b, coin_priv_limits_of(b, method, dt), dt, steps, method,
+        b, coin_priv_limits_of(b, method, dt), dt, steps, method,
     };
     const coin_lanes_rk4_fields k = {
         field_of(b, dt / 2),
@@ -254,11 +251,10 @@ int coin_priv_run_abreast(coin_priv_batch *batch, const coin_params *p,
 
 #else
 
-int coin_priv_run_abreast(coin_priv_batch *batch, const coin_params *p,
-                          const coin_priv_body *b, int32_t method, double dt,
-                          uint64_t steps)
+int coin_priv_run_abreast(coin_priv_batch *batch, const coin_priv_body *b,
+                          int32_t method, double dt, uint64_t steps)
 {
-    (void)batch, (void)p, (void)b, (void)method, (void)dt, (void)steps;
+    (void)batch, (void)b, (void)method, (void)dt, (void)steps;
     return 0;
 }
 

@@ -134,24 +134,36 @@ COIN_PRIV_INLINE PRIV(pose) PRIV(pose_of)(const PRIV(progress) * g, real a)
 typedef void PRIV(step)(PRIV(step_end) * end, PRIV(variables) * next,
                         const PRIV(variables) * y, const void *coefficients);
 
-/* Whether phi and psi, as they will be reported, are in the range of
+/* Whether phi, psi, x and z, as they will be reported, are in the range of
  * coin_state_check().  NaN is not. */
-COIN_PRIV_INLINE whole PRIV(angles_hold)(const PRIV(progress) * g,
-                                         const PRIV(pose) * added)
+COIN_PRIV_INLINE whole PRIV(pose_holds)(const PRIV(progress) * g,
+                                        const PRIV(limits) * limits,
+                                        const PRIV(pose) * added)
 {
-    const real phi = PRIV(magnitude)(PRIV(total)(g->phi, added->phi));
-    const real psi = PRIV(magnitude)(PRIV(total)(g->psi, added->psi));
-    return PRIV(truth)(phi <= COIN_PRIV_ANGLE_MAX) &
-           PRIV(truth)(psi <= COIN_PRIV_ANGLE_MAX);
+    const real a = limits->a, far = COIN_PRIV_PLACE_MAX * a;
+    const real phi = PRIV(total)(g->phi, added->phi);
+    const real psi = PRIV(total)(g->psi, added->psi);
+    const real x = limits->x + a * PRIV(total)(g->x, added->x);
+    const real z = limits->z + a * PRIV(total)(g->z, added->z);
+    return PRIV(truth)(PRIV(magnitude)(phi) <= COIN_PRIV_ANGLE_MAX) &
+           PRIV(truth)(PRIV(magnitude)(psi) <= COIN_PRIV_ANGLE_MAX) &
+           PRIV(truth)(PRIV(magnitude)(x) <= far) &
+           PRIV(truth)(PRIV(magnitude)(z) <= far);
 }
 
-/* Whether phi and psi stay in that range until a block of steps is done, of
- * which some may be done already. */
-COIN_PRIV_INLINE whole PRIV(block_holds)(const PRIV(progress) * g)
+/* Whether they stay in that range until a block of steps is done, of which some
+ * may be done already. */
+COIN_PRIV_INLINE whole PRIV(block_holds)(const PRIV(progress) * g,
+                                         const PRIV(limits) * limits)
 {
-    const scalar most = COIN_PRIV_ANGLE_MAX - COIN_PRIV_BLOCK_TURN;
-    return PRIV(truth)(PRIV(magnitude)(g->phi.sum) <= most) &
-           PRIV(truth)(PRIV(magnitude)(g->psi.sum) <= most);
+    const scalar turn = COIN_PRIV_ANGLE_MAX - COIN_PRIV_BLOCK_MOVES;
+    const scalar place = COIN_PRIV_PLACE_MAX - COIN_PRIV_BLOCK_MOVES;
+    const real a = limits->a, far = place * a;
+    const real x = limits->x + a * g->x.sum, z = limits->z + a * g->z.sum;
+    return PRIV(truth)(PRIV(magnitude)(g->phi.sum) <= turn) &
+           PRIV(truth)(PRIV(magnitude)(g->psi.sum) <= turn) &
+           PRIV(truth)(PRIV(magnitude)(x) <= far) &
+           PRIV(truth)(PRIV(magnitude)(z) <= far);
 }
 
 /* Up to n more steps of a run that has done *steps, to the end of a block at
@@ -163,7 +175,7 @@ COIN_PRIV_INLINE whole PRIV(block)(PRIV(progress) * g, PRIV(limits) * limits,
                                    PRIV(step) * step, const void *coefficients)
 {
     const uint64_t left = COIN_PRIV_BLOCK - *steps % COIN_PRIV_BLOCK;
-    const int at_edge = !PRIV(every)(PRIV(block_holds)(g) != 0);
+    const int at_edge = !PRIV(every)(PRIV(block_holds)(g, limits) != 0);
     const uint64_t most = at_edge ? 1 : n < left ? n : left;
     const whole none = {0};
     PRIV(variables) y = g->y, next;
@@ -179,7 +191,8 @@ COIN_PRIV_INLINE whole PRIV(block)(PRIV(progress) * g, PRIV(limits) * limits,
         added = sum;
         y = next;
     }
-    const whole in_range = at_edge ? PRIV(angles_hold)(g, &added) : ~none;
+    const whole in_range =
+        at_edge ? PRIV(pose_holds)(g, limits, &added) : ~none;
     if (!PRIV(every)(in_range != 0))
         return in_range;
     g->y = y;

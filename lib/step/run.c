@@ -9,6 +9,8 @@ void coin_priv_run_from(coin_priv_run *r, const coin_state *s, int32_t method,
     const coin_priv_variables y = coin_priv_variables_inline(s);
     coin_priv_copy_state(&r->start, s);
     r->limits = coin_priv_limits_of(&r->b, method, dt);
+    r->limits.x = s->x;
+    r->limits.z = s->z;
     r->dt = dt;
     coin_priv_progress_begin(&r->g, &y, s->theta, s->phi, s->psi);
     r->steps = 0;
@@ -24,10 +26,10 @@ int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
 {
     if (!coin_priv_method_is_known(method))
         return COIN_EARG;
-    const int32_t status = coin_priv_check_inline(s, p, &r->b);
+    const int32_t status = coin_priv_check(s, p, &r->b);
     if (status != COIN_OK)
         return status;
-    if (!coin_priv_is_finite(dt))
+    if (!coin_priv_time_holds(dt, &r->b))
         return COIN_ESTEP;
     coin_priv_run_from(r, s, method, dt);
     return COIN_OK;
@@ -39,21 +41,20 @@ int32_t coin_priv_run_to_end(coin_priv_run *r, int32_t method, uint64_t steps,
     const uint64_t before = r->steps;
     uint64_t n = before + coin_priv_run_on(r, method, steps - before);
     const coin_state end = coin_priv_run_state(r);
-    if (coin_priv_path_holds(&end))
+    if (coin_priv_state_holds(&end, &r->b))
         coin_priv_copy_state(s, &end);
     else
         n = 0;
     if (done)
         *done = n;
-    return n < steps ? coin_priv_refusal(s) : coin_priv_warnings(r);
+    return n < steps ? coin_priv_refusal(s, r->b.a) : coin_priv_warnings(r);
 }
 
 int32_t coin_run(coin_state *s, const coin_params *p, int32_t method, double dt,
                  uint64_t steps, uint64_t *done)
 {
     coin_priv_run r;
-    const int32_t status =
-        coin_priv_run_begin(&r, s, p, method, coin_priv_dt_of(dt, steps));
+    const int32_t status = coin_priv_run_begin(&r, s, p, method, dt);
     if (status != COIN_OK)
         return status;
     return coin_priv_run_to_end(&r, method, steps, s, done);
@@ -66,8 +67,7 @@ int32_t coin_sample(const coin_state *start, const coin_params *p,
     coin_priv_run r;
     const uint64_t n = steps_per_sample;
     const int32_t status =
-        out ? coin_priv_run_begin(&r, start, p, method, coin_priv_dt_of(dt, n))
-            : COIN_EARG;
+        out ? coin_priv_run_begin(&r, start, p, method, dt) : COIN_EARG;
     if (status != COIN_OK)
         return status;
     size_t k = 0;
@@ -75,8 +75,8 @@ int32_t coin_sample(const coin_state *start, const coin_params *p,
     while (k < count && refused == COIN_OK) {
         const uint64_t made = k > 0 ? coin_priv_run_on(&r, method, n) : n;
         const coin_state sample = coin_priv_run_state(&r);
-        if (made < n || !coin_priv_path_holds(&sample))
-            refused = coin_priv_refusal(&sample);
+        if (made < n || !coin_priv_state_holds(&sample, &r.b))
+            refused = coin_priv_refusal(&sample, r.b.a);
         else
             coin_priv_copy_state(&out[k++], &sample);
     }

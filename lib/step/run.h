@@ -11,13 +11,6 @@ COIN_PRIV_INLINE int coin_priv_tol_is_valid(double tol)
     return tol >= 1e-13 && tol <= 1e-2;
 }
 
-/* dt, or 0 if there is no step to make: constants made of a large dt could
- * overflow.  NaN if dt is not finite. */
-COIN_PRIV_INLINE double coin_priv_dt_of(double dt, uint64_t steps)
-{
-    return steps > 0 ? dt : 0 * dt;
-}
-
 /* Checks everything, then computes what the steps share. */
 int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
                             const coin_params *p, int32_t method, double dt);
@@ -47,7 +40,7 @@ COIN_PRIV_INLINE uint64_t coin_priv_run_by(coin_priv_run *r, int32_t method,
 COIN_PRIV_INLINE uint64_t coin_priv_run_on(coin_priv_run *r, int32_t method,
                                            uint64_t n)
 {
-    return r->dt == 0 ? n : coin_priv_run_by(r, method, n);
+    return r->dt == 0 || n == 0 ? n : coin_priv_run_by(r, method, n);
 }
 
 /* The state of a run; before the first step that is its start, to the bit. */
@@ -65,7 +58,8 @@ COIN_PRIV_INLINE int32_t coin_priv_warnings(const coin_priv_run *r)
 
 /* Completes a run of `steps` steps and returns its status.  *s becomes the
  * state at the end and, if done is not null, *done the number of steps done.
- * If x or z overflowed, *s is left as it was and no step counts as done. */
+ * If a rate has left its range, *s is left as it was and no step counts as
+ * done. */
 int32_t coin_priv_run_to_end(coin_priv_run *r, int32_t method, uint64_t steps,
                              coin_state *s, uint64_t *done);
 

@@ -15,17 +15,15 @@
 int32_t coin_step(coin_state *s, const coin_params *p, double dt)
 {
     coin_priv_body b;
-    const int32_t status = coin_priv_check_inline(s, p, &b);
+    const int32_t status = coin_priv_check(s, p, &b);
     if (status != COIN_OK)
         return status;
-    if (!coin_priv_is_finite(dt))
-        return COIN_ESTEP;
     if (dt == 0)
         return COIN_OK;
     const coin_priv_variables y = coin_priv_variables_inline(s);
     coin_priv_limits limits = coin_priv_limits_of(&b, COIN_RK4, dt);
     if (!coin_priv_admit_start(&limits, &y))
-        return coin_priv_refusal(s);
+        return coin_priv_refusal(s, b.a);
     const coin_priv_rk4_fields k = coin_priv_rk4_fields_of(&b, dt);
     coin_priv_step_end end;
     const coin_priv_sc lean = coin_priv_rk4_to(&end, &y, &k);
@@ -46,8 +44,8 @@ int32_t coin_step(coin_state *s, const coin_params *p, double dt)
         end.wZ,
     };
     if (!coin_priv_admit_each(&limits, &end, &next) ||
-        !coin_priv_pose_holds(&to))
-        return coin_priv_refusal(s);
+        !coin_priv_state_holds(&to, &b))
+        return coin_priv_refusal(s, b.a);
     *s = to;
     return (int32_t)(limits.coarse & COIN_COARSE);
 }

@@ -56,7 +56,7 @@ int coin_priv_sundman_accept(coin_priv_run *r, const coin_priv_variables *y,
     coin_priv_progress *const g = &r->g;
     coin_priv_pose added = coin_priv_pose_plus(&g->added, 1, adds);
     added.t = g->added.t + adds->t;
-    if (!coin_priv_angles_hold(g, &added))
+    if (!coin_priv_pose_holds(g, &r->limits, &added))
         return 0;
     g->y = *y;
     g->added = added;

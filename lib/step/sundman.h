@@ -20,8 +20,8 @@ double coin_priv_tau_of(const coin_priv_body *b, const coin_priv_variables *y,
                         double rem);
 
 /* Ends a step in tau that was accepted: y are the variables at its end, adds
- * what it adds to the pose.  0, and *r untouched, if phi or psi leave their
- * range. */
+ * what it adds to the pose.  0, and *r untouched, if the pose leaves its range.
+ */
 int coin_priv_sundman_accept(coin_priv_run *r, const coin_priv_variables *y,
                              const coin_priv_pose *adds);
 

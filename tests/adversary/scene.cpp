@@ -30,17 +30,17 @@ int kind(double gene, int kinds)
 
 void choose_units(scene *s, const double *g, bool narrow)
 {
-    const double wide = narrow ? 4 : 6, extreme = narrow ? 8 : 95;
+    const double wide = narrow ? 4 : 6, extreme = narrow ? 8 : 15;
     const double units[][3] = {
         {1, 1, 1},
         {0.00567, 0.01213, 9.80665},
-        {narrow ? 1e-6 : 1e-20, narrow ? 1e-3 : 1e-9, 9.81},
-        {narrow ? 1e6 : 1e20, narrow ? 1e3 : 1e9, 1e-3},
+        {narrow ? 1e-6 : 1e-14, narrow ? 1e-3 : 1e-9, 9.81},
+        {narrow ? 1e6 : 1e14, narrow ? 1e3 : 1e9, 1e-3},
         {power_of_ten(g[1], -wide, wide), power_of_ten(g[2], -wide, wide),
          power_of_ten(g[3], -wide, wide)},
         {power_of_ten(g[1], -extreme, extreme),
-         power_of_ten(g[2], narrow ? -4 : -95, narrow ? 4 : 95),
-         power_of_ten(g[3], narrow ? -4 : -95, narrow ? 4 : 95)},
+         power_of_ten(g[2], narrow ? -4 : -15, narrow ? 4 : 15),
+         power_of_ten(g[3], narrow ? -4 : -15, narrow ? 4 : 15)},
     };
     const int choice[] = {0, 0, 0, 0, 1, 2, 3, 4, 4, 5};
     const double *of = units[choice[kind(g[0], 10)]];
@@ -49,9 +49,9 @@ void choose_units(scene *s, const double *g, bool narrow)
     s->g = of[2];
 }
 
-void choose_inertia(scene *s, const double *g, bool narrow)
+void choose_inertia(scene *s, const double *g)
 {
-    const double m = s->M * s->a * s->a, far = narrow ? 3 : 8;
+    const double m = s->M * s->a * s->a;
     switch (kind(g[0], 8)) {
     case 0:
     case 1:
@@ -73,8 +73,8 @@ void choose_inertia(scene *s, const double *g, bool narrow)
         s->IZ = 2 * s->IX * (0.01 + 0.99 * g[2]);
         return;
     default: /* one far from a disc */
-        s->IX = m * power_of_ten(g[1], -far, far);
-        s->IZ = 2 * s->IX * power_of_ten(g[2], -far, 0);
+        s->IX = m * power_of_ten(g[1], -3, 3);
+        s->IZ = 2 * s->IX * power_of_ten(g[2], -3, 0);
     }
 }
 
@@ -175,7 +175,7 @@ scene scene_of(const genome &genes, bool narrow)
     const double *g = genes.data();
     scene s = {};
     choose_units(&s, g, narrow);
-    choose_inertia(&s, g + 4, narrow);
+    choose_inertia(&s, g + 4);
     s.theta = lean(g + 7);
     choose_rates(&s, g + 10);
     s.phi = narrow ? 6 * g[18] - 3 : heading(g[18]);

@@ -73,9 +73,10 @@ static coin_params take_ring(struct bytes *b, double M, double a, double g)
     return p;
 }
 
+/* Up to 2^50: at the ends of the range, and beyond. */
 static double take_scale(struct bytes *b)
 {
-    return ldexp(1.5 + 0.4 * take_part(b), (int8_t)take_byte(b));
+    return ldexp(1.5 + 0.4 * take_part(b), (int8_t)take_byte(b) * 50 / 127);
 }
 
 static coin_params take_params(struct bytes *b)

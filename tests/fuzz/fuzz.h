@@ -71,11 +71,6 @@ extern const size_t single_kind_count;
 /* Whether all are finite. */
 int finite_all(const double *x, size_t count);
 
-/* Whether body and rates lie in the range in which coin.h promises that no
- * exception is raised.  Beyond it a step that fails may leave rates that
- * coin_state_check() refuses. */
-int is_far_from_overflow(const struct world *w);
-
 /* A call that was made, with the arguments as given and as left behind. */
 struct outcome {
     double result; /* the status, or the number */

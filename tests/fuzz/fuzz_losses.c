@@ -41,8 +41,7 @@ static void judge_settle(const struct outcome *o)
         demand(reached == t);
     else
         demand(reached >= 0 && reached <= t &&
-               (coin_state_check(s, &o->world->p) == COIN_OK ||
-                !is_far_from_overflow(o->world)));
+               coin_state_check(s, &o->world->p) == COIN_OK);
     if (o->result == COIN_RESTS && slows(o->given[2].p))
         demand(s->wY == 0 && s->wX * s->theta >= 0 && fabs(s->theta) > 1.57);
 }

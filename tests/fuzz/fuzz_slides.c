@@ -41,8 +41,7 @@ static void judge_advance(const struct outcome *o)
         demand(reached == t);
     else
         demand(reached >= 0 && reached <= t &&
-               (coin_state_check(&d->s, &o->world->p) == COIN_OK ||
-                !is_far_from_overflow(o->world)));
+               coin_state_check(&d->s, &o->world->p) == COIN_OK);
     if (o->result == COIN_RESTS)
         demand(d->s.wY == 0 && d->s.wX * d->s.theta >= 0 &&
                fabs(d->s.theta) > 1.57);

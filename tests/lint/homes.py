@@ -16,7 +16,6 @@ import sys
 from functions import functions
 
 OTHER_FORMS = {
-    "body.c check_any_body": "test_params",
     "coinf_settle.c longest": "test_float_settle",
     "coinf_settle.c put": "test_float_settle",
     "equations.h drift_slopes_of": "test_drift",

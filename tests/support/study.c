@@ -35,8 +35,8 @@ static coin_params draw_body(struct random *r)
     const double units[5][3] = {
         {1, 1, 1},
         {0.00567, 0.01213, 9.80665},
-        {1e-20, 1e-9, 9.81},
-        {1e20, 1e9, 1e-3},
+        {1e-14, 1e-9, 9.81},
+        {1e14, 1e9, 1e-3},
         {spread(r, -12, 12), spread(r, -6, 6), spread(r, -6, 6)},
     };
     const double *of = units[one_of(r, 5)], m = of[0] * of[1] * of[1];

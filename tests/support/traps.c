@@ -13,7 +13,7 @@
 
 #define TRAPPED (FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW)
 
-enum { RANDOM_CASES = 20, MAX_CASES = 400 };
+enum { RANDOM_CASES = 20, MAX_CASES = 500 };
 
 #define FLATTEST 1.5707963267948963 /* the last lean that is accepted */
 
@@ -30,31 +30,36 @@ static const double states[][8] = {
     {0.4, 1, -2, 3, 4, 0, 0.25502914, 1}, /* nearly a circle */
     {0.3, 0, 0, 0, 0, 0.1, 0.7, -1.2},
     {1.2, 3e9, 0, 0, 0, 0, 0, 0}, /* refused */
-    {-1.2, 2147483648.0, -2147483648.0, 1e300, -1e300, 1, 2, 3},
+    {-1.2, 2147483648.0, -2147483648.0, 1e9, -1e9, 1, 2, 3},
     {1.57, 0, 0, 0, 0, 0, 1e-3, 1e-3}, /* all but flat */
     {-1.5707963, 0, 0, 0, 0, -1, 1e-8, 0.5},
     {FLATTEST, 0, 0, 0, 0, 0, 0, 0},
     {-FLATTEST, 0, 0, 0, 0, 0, 0, 0},
     {FLATTEST, 0, 0, 0, 0, -1, 1e-16, 1},
     {1e-300, 0, 0, 0, 0, 1e-300, 1e-300, 1e-300},
-    {5e-324, 5e-324, 5e-324, 0, 0, 5e-324, 5e-324, 5e-324},
+    {5e-324, 5e-324, 5e-324, 0, 0, 0, 0, 0},
+    {0, 0, 0, 0, 0, 1e-40, 1e-40, 1e-40},
     {0.2, 0, 0, 0, 0, 1e-310, 0, 1e-310},
-    {0.2, 0, 0, 0, 0, 1e3, 1e3, -1e3},  /* fast */
+    {0.2, 0, 0, 0, 0, 1e3, 1e3, -1e3},  /* as fast as floats may be */
+    {0.2, 0, 0, 0, 0, 1e6, 1e6, -1e6},  /* as fast as doubles may be */
     {0.2, 0, 0, 0, 0, 0, 1e100, 1e100}, /* absurd */
 };
 enum { STATES = sizeof states / sizeof *states };
 
-/* Ordinary ones first; then units far from 1, and mass far from the rim. */
+/* Ordinary ones first; then units far from 1, for doubles and for floats, and
+ * mass far from the rim. */
 static size_t bodies(coin_params *p)
 {
     check_status(coin_params_disc(&p[0], 1, 1, 1), COIN_OK);
     check_status(coin_params_disc(&p[1], 0.00567, 0.01213, 9.80665), COIN_OK);
     check_status(coin_params_ring(&p[2], 1, 1, 1, 1), COIN_OK);
-    check_status(coin_params_disc(&p[3], 1e-60, 1e60, 1e-60), COIN_OK);
-    check_status(coin_params_disc(&p[4], 1e60, 1e-60, 1e60), COIN_OK);
-    check_status(coin_params_body(&p[5], 1, 1, 1, 500, 1), COIN_OK);
-    check_status(coin_params_body(&p[6], 1, 1, 1, 1e-5, 2e-5), COIN_OK);
-    return 7;
+    check_status(coin_params_disc(&p[3], 1e-15, 1e15, 1e-15), COIN_OK);
+    check_status(coin_params_disc(&p[4], 1e15, 1e-15, 1e15), COIN_OK);
+    check_status(coin_params_disc(&p[5], 1e-8, 1e8, 1e-8), COIN_OK);
+    check_status(coin_params_disc(&p[6], 1e8, 1e-8, 1e8), COIN_OK);
+    check_status(coin_params_body(&p[7], 1, 1, 1, 500, 1), COIN_OK);
+    check_status(coin_params_body(&p[8], 1, 1, 1, 1.001e-3, 2e-3), COIN_OK);
+    return 9;
 }
 
 static const double steps[] = {0.01, 0, -0.0, -0.01, 5e-324, 1e-300, 0.3, 1e9};
@@ -76,7 +81,7 @@ static struct trap_case case_of(const coin_params *p, const double of[8],
 
 static size_t cases(struct trap_case *c)
 {
-    coin_params p[8];
+    coin_params p[9];
     const size_t of_body = bodies(p);
     size_t n = 0;
     for (size_t i = 0; i < STATES; ++i)

@@ -25,7 +25,7 @@ impl Error {
     pub const FLAT: Error = Error(ffi::COIN_EFLAT);
     /// A coin that may slip lifts off the table.
     pub const LIFT: Error = Error(ffi::COIN_ELIFT);
-    /// phi or psi is at the end of its range: subtract whole turns.
+    /// phi, psi, x or z is at the end of its range.
     pub const RANGE: Error = Error(ffi::COIN_ERANGE);
     /// This build does not give the pinned bits.
     pub const BUILD: Error = Error(ffi::COIN_EBUILD);
