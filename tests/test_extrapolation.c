@@ -14,8 +14,10 @@
 
 typedef int step(coin_priv_run *r, double tau);
 
-/* The same with this many lanes: support/extrapolate_*.c. */
-step extrapolate_1, extrapolate_2, extrapolate_4;
+/* coin_priv_extrapolate_within() with this many lanes:
+ * support/extrapolate_*.c. */
+typedef int lanes_step(coin_priv_run *r, double tau, double *error);
+lanes_step extrapolate_1, extrapolate_2, extrapolate_4;
 
 static coin_priv_run begun(const coin_state *s, const coin_params *p)
 {
@@ -78,6 +80,84 @@ static void a_step_errs_by_its_fifteenth_power(void **unused)
     check_within(sum / TRIED, 14.3, 16);
 }
 
+/* The estimate of one step is as its 13th power. */
+static void the_estimate_is_as_the_thirteenth_power(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(91);
+    double sum = 0;
+    enum { TRIED = 40 };
+    for (int i = 0; i < TRIED; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const coin_state s = random_state(&r, &p, 1.5);
+        const coin_priv_run at = begun(&s, &p);
+        const double tau = coin_priv_sundman_tau(&at.b, &at.g.y, 0.8);
+        double error[2] = {1, 1};
+        for (int k = 0; k < 2; ++k) {
+            coin_priv_run c = at;
+            check(coin_priv_extrapolate_within(&c, k == 0 ? tau : 1.25 * tau,
+                                               &error[k]));
+        }
+        sum += log(error[1] / error[0]) / log(1.25);
+    }
+    check_within(sum / TRIED, 12.4, 13.6);
+}
+
+/* As COIN_PRIV_ACCEPTED says, by 8 steps for one. */
+static void the_error_is_a_part_of_the_estimate(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(92);
+    enum { TRIED = 1000 };
+    double most = 0;
+    int above = 0;
+    for (int i = 0; i < TRIED; ++i) {
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const coin_state s = random_state(&r, &p, 1.5);
+        const double stride = random_between(&r, 1, 2.4);
+        coin_priv_run one = begun(&s, &p), exact = one;
+        const double tau = coin_priv_sundman_tau(&one.b, &one.g.y, stride);
+        double error = 1;
+        if (!coin_priv_extrapolate_within(&one, tau, &error))
+            continue;
+        for (int k = 0; k < 8; ++k)
+            check(coin_priv_extrapolate(&exact, tau / 8));
+        const double off = apart(&one.g, &exact.g) - 64 * U;
+        const double part = off / (error * stride * stride);
+        above += part > 1.0 / 80;
+        most = fmax(most, part);
+    }
+    check_within(above, TRIED / 5, TRIED * 4 / 5);
+    check_within(most, 0.03, 0.3);
+}
+
+static void a_step_beyond_the_error_allowed_is_not_made(void **unused)
+{
+    (void)unused;
+    const coin_params p = ring(0.5);
+    const coin_state s = {.theta = 0.5, .wX = 0.3, .wY = 1, .wZ = 1};
+    const coin_priv_run start = begun(&s, &p);
+    coin_priv_run c = start;
+    double error = 1;
+    check(coin_priv_extrapolate_within(&c, 1, &error));
+    const double estimate = error;
+    c = start;
+    check(coin_priv_extrapolate_within(&c, 1, &error));
+    c = start;
+    error = estimate * (1 - U);
+    check(!coin_priv_extrapolate_within(&c, 1, &error));
+    check(error == estimate);
+    check_same(&c, &start, sizeof c);
+    error = 1;
+    (void)coin_priv_extrapolate_within(&c, 1000, &error);
+    check(error == 1);
+    /* It ends above the table, and errs by far more than a radian. */
+    c.g.y.wY = 7.59375;
+    c.g.y.wZ = 1.5;
+    check(!coin_priv_extrapolate_within(&c, 1.37371, &error));
+    check(error == 1);
+}
+
 /* A step of order 8, by another formula, leads to the same place, pose and
  * time included. */
 static void it_ends_where_steps_of_another_method_do(void **unused)
@@ -98,7 +178,7 @@ static void it_ends_where_steps_of_another_method_do(void **unused)
 static void any_number_of_lanes_gives_the_same_bits(void **unused)
 {
     (void)unused;
-    step *const by[] = {extrapolate_1, extrapolate_2, extrapolate_4};
+    lanes_step *const by[] = {extrapolate_1, extrapolate_2, extrapolate_4};
     struct random r = random_begin(89);
     int done = 0;
     for (int i = 0; i < 500; ++i) {
@@ -108,10 +188,13 @@ static void any_number_of_lanes_gives_the_same_bits(void **unused)
         const double tau = coin_priv_sundman_tau(&start.b, &start.g.y,
                                                  random_between(&r, -3, 3));
         coin_priv_run want = start;
-        const int sound = coin_priv_extrapolate(&want, tau);
+        double error = 1;
+        const int sound = coin_priv_extrapolate_within(&want, tau, &error);
         for (int k = 0; k < 3; ++k) {
             coin_priv_run c = start;
-            check(by[k](&c, tau) == sound);
+            double by_lanes = 1;
+            check(by[k](&c, tau, &by_lanes) == sound);
+            check(by_lanes == error);
             check_same(&c, &want, sizeof c);
         }
         done += sound;
@@ -145,6 +228,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(a_step_errs_by_its_fifteenth_power),
+        TEST(the_estimate_is_as_the_thirteenth_power),
+        TEST(the_error_is_a_part_of_the_estimate),
+        TEST(a_step_beyond_the_error_allowed_is_not_made),
         TEST(it_ends_where_steps_of_another_method_do),
         TEST(any_number_of_lanes_gives_the_same_bits),
         TEST(a_step_is_sound_or_not_done),

@@ -33,7 +33,7 @@ static void check_fall(const struct table *t, size_t row, double sign,
     double reached = 7;
     check_note("row %zu of falls.csv, side %g, radius %g", row, sign,
                p->radius);
-    check_status(coin_advance(&s, p, 50 * sign * T, 1e-10, &reached),
+    check_status(coin_advance(&s, p, 50 * sign * T, 1e-12, &reached),
                  COIN_EFLAT);
     check_near(reached / T, impact, 1e-11);
     check(s.theta == side * (HALF_PI - 0x1p-52));
@@ -100,7 +100,7 @@ static void a_call_that_ends_just_before_the_impact_succeeds(void **unused)
     for (double left = 1; left > 1e-11; left /= 10) {
         coin_state s = {.theta = 0.3};
         check_note("%g before impact", left);
-        check_status(coin_advance(&s, &p, impact - left, 1e-10, NULL), COIN_OK);
+        check_status(coin_advance(&s, &p, impact - left, 1e-12, NULL), COIN_OK);
         /* At the speed of the fall. */
         check_within((HALF_PI - s.theta) / left, 0.7, 1.3);
     }

@@ -140,8 +140,10 @@ static void start(coin_priv_sliding *g, const coin_slide *d,
     g->rem.sum = t;
     g->rem.low = 0;
     g->tol = tol;
-    g->lengths = coin_priv_lengths_of(tol);
-    g->roll_stride = g->lossy ? coin_priv_first_stride(tol) : g->lengths.stride;
+    /* A roll without losses has steps of one stride, which none repeats. */
+    g->lengths = coin_priv_lengths_of(tol / 16);
+    g->roll_stride =
+        g->lossy ? coin_priv_first_stride(tol) : g->lengths.stride / 2;
     g->slip_stride = coin_priv_first_stride(tol);
     g->tries = 0;
     if (!g->slips)

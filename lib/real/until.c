@@ -17,7 +17,8 @@
 struct moving {
     coin_priv_run run;
     coin_priv_lengths lengths;
-    double t, stride;
+    coin_priv_pace pace;
+    double t;
     coin_priv_sum rem; /* of t, still to go */
 };
 
@@ -31,9 +32,8 @@ static int32_t step(struct moving *g, coin_priv_stretch *w)
     do {
         if (coin_priv_one_step_suffices(r, &g->lengths, g->rem.sum))
             break;
-        const double tau = coin_priv_next_tau(r, g->stride, g->rem.sum);
-        status = coin_priv_advance_by(r, tau, &g->stride, &g->rem);
-        w->tau += status == COIN_OK ? tau : 0;
+        status = coin_priv_advance_by(r, &g->lengths, &g->pace, &g->rem);
+        w->tau += status == COIN_OK ? g->pace.tau : 0;
     } while (status == COIN_OK && g->rem.sum * g->t < 0);
     return status;
 }
@@ -54,7 +54,7 @@ static int32_t next_stretch(struct moving *g, coin_priv_stretch *w, int *last)
         const double tau = coin_priv_tau_of(&r->b, &r->g.y, left);
         if (r->steps > 0)
             coin_priv_read_lean(&r->g);
-        status = coin_priv_step_to_end(r, &g->lengths, &g->rem);
+        status = coin_priv_last_step(r, &g->lengths, &g->rem);
         if (status == COIN_OK && left != 0) {
             w->tau += tau;
             w->t = rem;
@@ -108,7 +108,6 @@ static int32_t prepare(struct moving *g, coin_priv_stretch *w,
         return COIN_ESTEP;
     coin_priv_run_unlimited(&g->run, s);
     g->lengths = coin_priv_lengths_of(f->tol < COARSEST ? f->tol : COARSEST);
-    g->stride = g->lengths.stride;
     g->t = t;
     g->rem.sum = t;
     g->rem.low = 0;

@@ -9,13 +9,11 @@
 static int32_t approach(coin_priv_run *r, const coin_priv_lengths *lengths,
                         coin_priv_sum *rem)
 {
-    double stride = lengths->stride;
+    coin_priv_pace pace = {0, 0};
     int32_t status = COIN_OK;
     while (status == COIN_OK && rem->sum != 0 &&
-           !coin_priv_one_step_suffices(r, lengths, rem->sum)) {
-        const double tau = coin_priv_next_tau(r, stride, rem->sum);
-        status = coin_priv_advance_by(r, tau, &stride, rem);
-    }
+           !coin_priv_one_step_suffices(r, lengths, rem->sum))
+        status = coin_priv_advance_by(r, lengths, &pace, rem);
     return status;
 }
 
@@ -43,6 +41,6 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
     if (r.steps > 0)
         coin_priv_read_lean(&r.g);
     if (status == COIN_OK)
-        status = coin_priv_step_to_end(&r, &lengths, &rem);
+        status = coin_priv_last_step(&r, &lengths, &rem);
     return coin_priv_end_call(s, &r, status, t, &rem, reached);
 }

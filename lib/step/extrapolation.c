@@ -90,6 +90,19 @@ static const double weight_of_sum[] = {
     15 * C16, 20 * C12, 24 * C10, 30 * C8, 40 * C6, 60 * C4, 120 * C2, 0,
 };
 
+/* The weights of the columns of 12, 10, ..., 2 substeps alone, of order 12,
+ * minus those above. */
+static const double weight_of_error[] = {
+    -C16,
+    279936.0 / 13475.0,
+    -9765625.0 / 486486.0,
+    262144.0 / 42525.0,
+    -2187.0 / 3850.0,
+    128.0 / 14175.0,
+    -1.0 / 297675.0,
+    0,
+};
+
 COIN_PRIV_INLINE lanes all(double value)
 {
     const lanes none = {0};
@@ -279,6 +292,22 @@ COIN_PRIV_INLINE void add_totals(coin_priv_variables *to, coin_priv_pose *adds,
     adds->t = unit * (120 * y->cth + total_dcth(c, weight_of_sum));
 }
 
+/* The largest difference of order 12 from order 14, of the sines and cosines
+ * and of psi: angles all.  1 if that is more, or is not a number, and at least
+ * a rounding.  With all twelve sums the estimate would be no better. */
+COIN_PRIV_INLINE double error_of(const struct columns *c)
+{
+    const double e[] = {
+        total_sth(c, weight_of_error), total_cth(c, weight_of_error),
+        total_sph(c, weight_of_error), total_cph(c, weight_of_error),
+        total_psi(c, weight_of_error),
+    };
+    double most = DBL_EPSILON;
+    for (int i = 0; i < 5; ++i)
+        most = coin_priv_larger(fabs(e[i]), most);
+    return coin_priv_lesser(most, 1);
+}
+
 COIN_PRIV_INLINE struct problem problem_of(const coin_priv_variables *y,
                                            const coin_priv_body *b, double unit)
 {
@@ -329,7 +358,7 @@ COIN_PRIV_INLINE void start_columns(struct columns *columns,
 #endif
 }
 
-int coin_priv_extrapolate(coin_priv_run *r, double tau)
+int coin_priv_extrapolate_within(coin_priv_run *r, double tau, double *error)
 {
     const double unit = tau / 120;
     const lanes none = {0}, one = none + 1;
@@ -342,5 +371,8 @@ int coin_priv_extrapolate(coin_priv_run *r, double tau)
     start_columns(of, &slope);
     all_substeps(of, &p);
     add_totals(&to, &adds, &r->g.y, of, &r->b, unit);
-    return to.cth > 0 && coin_priv_sundman_accept(r, &to, &adds);
+    const double most = *error;
+    *error = to.cth > 0 ? error_of(of) : 1;
+    return to.cth > 0 && *error <= most &&
+           coin_priv_sundman_accept(r, &to, &adds);
 }

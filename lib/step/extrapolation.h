@@ -4,10 +4,19 @@
 
 #include "run.h"
 
-/* One step of order 14 in tau.  Adds the time that it takes to r->g.added.t.
- * Returns 0, and leaves *r untouched, if the step ends at or below the table,
- * or where phi or psi is out of range.  It does not set added.theta: until
- * coin_priv_read_lean() is called, only sin and cos theta are right. */
-int coin_priv_extrapolate(coin_priv_run *r, double tau);
+/* One step of order 14 in tau, unless the estimate of its error is above
+ * *error; *error becomes that estimate, an angle, and at most 1 rad: through
+ * the table too.  Adds the time of the step to r->g.added.t.  Returns whether
+ * the step was made.  If not, or if phi or psi would leave their range, *r is
+ * untouched.  The step does not set added.theta: until coin_priv_read_lean() is
+ * called, only sin and cos theta are right. */
+int coin_priv_extrapolate_within(coin_priv_run *r, double tau, double *error);
+
+/* The same whatever the error, if it is below 1 rad. */
+COIN_PRIV_INLINE int coin_priv_extrapolate(coin_priv_run *r, double tau)
+{
+    double error = 1;
+    return coin_priv_extrapolate_within(r, tau, &error);
+}
 
 #endif

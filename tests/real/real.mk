@@ -48,7 +48,7 @@ $(REAL_OUT)/slides: $(SRC)/tests/real/slides.c $(TEST_EXTRA) $(LIB_A) | $(REAL_O
 	    $(TEST_EXTRA) $(LIB_A) $(CMOCKA_LIBS) -lm
 
 # The functions that tuning counts.
-TUNED = coin_priv_dopri8 coin_priv_lossy_try coin_priv_extrapolate \
+TUNED = coin_priv_dopri8 coin_priv_lossy_try coin_priv_extrapolate_within \
         coin_priv_test_cone coin_priv_stretch_know coin_check \
         coinf_priv_finish_step
 

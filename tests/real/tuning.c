@@ -51,8 +51,8 @@ COUNT(LOSSY, void, , coin_priv_lossy_try,
       (coin_priv_trial * trial, const coin_priv_lossy *w, double tau,
        double least),
       (trial, w, tau, least))
-COUNT(EXTRAPOLATE, int, return, coin_priv_extrapolate,
-      (coin_priv_run * r, double tau), (r, tau))
+COUNT(EXTRAPOLATE, int, return, coin_priv_extrapolate_within,
+      (coin_priv_run * r, double tau, double *error), (r, tau, error))
 COUNT(CONE, coin_priv_verdict, return, coin_priv_test_cone,
       (const coin_priv_tested_step *step, double *part), (step, part))
 COUNT(SERIES, void, , coin_priv_stretch_know,

@@ -456,8 +456,8 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
 
 /** Moves a coin by any time to a stated accuracy, however near to flat it
  * passes.  The steps are of order 14, by extrapolation, in Sundman's time,
- * Eq. (32), and their length is chosen from the state.  The last step is in t,
- * Eq. (54).
+ * Eq. (32), and their length is chosen by an estimate of their error.  The last
+ * step is in t, Eq. (54).
  * @param[in,out] s  the state
  * @param t          the time, of either sign [T]
  * @param tol        1e-13 to 1e-2: the error that the steps may add per natural
@@ -475,8 +475,8 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  *         the time of the impact.  A coin at rest, as coin_settle() leaves it,
  *         counts as fallen: for t >= 0 *reached is 0.
  * Accuracy: within 2 tol (1 + n), with n as for coin_settle() (docs/limits.md);
- *         below tol per unit for all of 1000 random coins over 4 units, at each
- *         of eleven tolerances (docs/accuracy.md).  Rounding adds about
+ *         below tol per unit for 99 of 100 random coins over 4 units, at each
+ *         tolerance (docs/accuracy.md).  Rounding adds about
  *         1e-15 per unit.  Near flat the double theta cannot hold cos(theta)
  *         exactly: a call that begins at a distance d from flat has a relative
  *         error of u/d in it.  Within a call no such error arises.
