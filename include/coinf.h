@@ -76,22 +76,6 @@ typedef struct coinf_force {
                          if N <= 0 */
 } coinf_force;
 
-/** What slows a coin, as coin_losses. */
-typedef struct coinf_losses {
-    float damping; /**< alpha [1] */
-    float dry;     /**< contour friction [M L^2/T^2] */
-    float viscous; /**< the same, proportional to the rate of roll [M L^2/T] */
-    float layer;   /**< the same, proportional to the power 3/2 of that rate
-                        [M L^2/T^(1/2)] */
-    float gap;     /**< the same, proportional to that rate over cos(theta)
-                        [M L^2/T] */
-    float rolling; /**< the rolling moment of physics engines [M L^2/T^2] */
-    float spin;    /**< pivoting friction [M L^2/T] */
-    float soft;    /**< the rate of roll below which dry and rolling fade
-                        [1/T].  0 stands for sqrt(g/a)/1024; a value below
-                        2^-12 sqrt(g/a) stands for 2^-12 sqrt(g/a) */
-} coinf_losses;
-
 /* ----------------------------------------------------------- parameters -- */
 
 /** As coin_params_disc(). */
@@ -141,48 +125,6 @@ COIN_API int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt);
 COIN_API int32_t coinf_run(coinf_state *s, const coinf_params *p,
                            int32_t method, float dt, uint64_t steps,
                            uint64_t *done);
-
-/* --------------------------------------------------------------- losses -- */
-
-/** As coin_losses_check(), with 1e9 in place of 1e60. */
-COIN_API int32_t coinf_losses_check(const coinf_losses *l,
-                                    const coinf_params *p);
-
-/** Moves a coin that loses energy, and tells when it rests: as coin_settle(),
- * by Runge-Kutta steps of order 4 in t whose length follows the state.  A loop
- * at a fixed rate calls it each time.  No step is repeated.  Without any loss
- * it moves an ideal coin, and returns COIN_RESTS if that falls flat.
- * @param[in,out] s  the state; at rest theta is the last lean that
- *                   coinf_state_check() accepts
- * @param t          the time, >= 0 [T]
- * @param tol        1e-6 to 1e-2: the error that the steps may add per natural
- *                   unit of time, in radians and radii, before the motion's
- *                   own amplification [1]
- * @param[out] reached  the time moved; may be null [T]
- * @return as coin_settle(), but COIN_ESTEP after 2^16 steps in one call: the
- *         state is then that at *reached, and another call goes on from there.
- * A coin nearer to flat than 3e-8 rad counts as flat.  If the losses never
- * stop the contact, the time from cos(theta) = 1e-6 to rest is taken from the
- * law by which such a motion ends.  In calls of 1e-5 natural units a fall
- * whose contact has stopped may err by 6e-4 units: a float cannot add what it
- * moves in such a call (test_float_settle_calls).
- * Accuracy: in 98 of 100 random launches the error stays within tol per natural
- *         unit of time.  It stays within that of coin_settle() and
- *         90 u (1 + t sqrt(g/a)), u = 2^-24, in all launches that were searched
- *         (make adversary), of losses up to 1 in natural units.  With layer or
- *         damping above 100 it may be larger for a tol above 1e-4, and above
- *         1000 for any.  A quarter that turns for 8 s by dry, viscous, layer or
- *         gap, in calls of 1 ms or of 1/60 s, rests within 1e-5 s of the time
- *         that coin_settle() gives (test_float_settle).  By rolling or damping
- *         alone the difference is larger: in short calls such a coin counts as
- *         flat before it rests.
- * Cost: on a Cortex-M4F 2,219 instructions for a call of one step, by dry
- *         friction, and 1,112 bytes of stack.  A quarter's 8 s take 8,263 steps
- *         in 8,019 calls of 1 ms at 1e-3, at most 12 of them in one call
- *         (docs/embedding.md). */
-COIN_API int32_t coinf_settle(coinf_state *s, const coinf_params *p,
-                              const coinf_losses *l, float t, float tol,
-                              float *reached);
 
 /* ---------------------------------------------------------- observables -- */
 

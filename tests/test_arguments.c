@@ -17,8 +17,8 @@ enum { BUFFER = 32768 }; /* what a coin_orbit has room in */
 /* Upright and steady, so that every function accepts it. */
 static const coin_state good_state = {0, 1, 2, 3, 4, 0, 0, 5};
 static const coin_params good_params = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
-static const coin_losses good_losses = {0, 1e-6, 0, 0, 0, 0, 0, 0};
-static const coin_friction good_friction = {0.5, 0.4};
+static const coin_losses good_losses = {.dry = 1e-6, .viscous = 1e-3};
+static const coin_table good_table = {.mu_static = 0.5, .mu_kinetic = 0.4};
 static const double good_doubles[4] = {0.5, 0.1, 0.2, 0.3};
 
 struct arguments {
@@ -42,10 +42,10 @@ static void place_orbit(struct arguments *a, size_t i)
 }
 
 /* Rolls as the good state does. */
-static void place_slide(struct arguments *a, size_t i, const coin_state *s)
+static void place_body(struct arguments *a, size_t i, const coin_state *s)
 {
-    coin_slide d;
-    check_status(coin_slide_of(&d, &good_state, &good_params), COIN_OK);
+    coin_body d;
+    check_status(coin_body_from_state(&d, &good_state, &good_params), COIN_OK);
     d.s = *s;
     place(a, i, &d, sizeof d);
 }
@@ -65,10 +65,10 @@ static struct arguments arguments_for(const struct function *f,
             place(&a, i, good_doubles, sizeof good_doubles);
         else if (f->kinds[i] == 'l')
             place(&a, i, &good_losses, sizeof good_losses);
-        else if (f->kinds[i] == 'f')
-            place(&a, i, &good_friction, sizeof good_friction);
+        else if (f->kinds[i] == 't')
+            place(&a, i, &good_table, sizeof good_table);
         else if (f->kinds[i] == 'g' || f->kinds[i] == 'G')
-            place_slide(&a, i, s);
+            place_body(&a, i, s);
         else if (f->kinds[i] == 'b')
             place_orbit(&a, i);
     }

@@ -75,36 +75,6 @@ static int32_t call_coinf_run(const struct trap_case *c)
     return coinf_run(&out, &c->fp, COIN_RK4, c->fdt, 130, NULL);
 }
 
-/* Some of each loss, of the size of the coin's own torques. */
-static coinf_losses losses(const struct trap_case *c)
-{
-    const double w0 = sqrt(c->p.gravity / c->p.radius);
-    const double torque = 1e-3 * c->p.mass * c->p.gravity * c->p.radius;
-    const coinf_losses l = {1e-3f,
-                            (float)torque,
-                            (float)(torque / w0),
-                            (float)(torque / (w0 * sqrt(w0))),
-                            (float)(torque / w0),
-                            (float)torque,
-                            (float)(torque / w0),
-                            0};
-    return l;
-}
-
-static int32_t call_coinf_losses_check(const struct trap_case *c)
-{
-    const coinf_losses l = losses(c);
-    return coinf_losses_check(&l, &c->fp);
-}
-
-static int32_t call_coinf_settle(const struct trap_case *c)
-{
-    const coinf_losses l = losses(c);
-    const float unit = sqrtf(c->fp.radius / c->fp.gravity);
-    out = c->fs;
-    return coinf_settle(&out, &c->fp, &l, 3 * unit, 1e-4f, NULL);
-}
-
 static const struct trap_function all[] = {
     ROW(coinf_selftest),
     ROW(coinf_params_disc),
@@ -128,8 +98,6 @@ static const struct trap_function all[] = {
     ROW(coinf_quaternion),
     ROW(coinf_matrix),
     ROW(coinf_check),
-    ROW(coinf_losses_check),
-    ROW(coinf_settle),
 };
 
 static void no_call_that_succeeds_traps(void **unused)

@@ -72,25 +72,6 @@ static void at_1e_9_it_is_one_step_in_tau(void **unused)
     }
 }
 
-static void until_an_event_frames_have_the_same_bits(void **unused)
-{
-    (void)unused;
-    const coin_params p = quarter();
-    const double tols[] = {1e-6, 1e-9};
-    for (int k = 0; k < 2; ++k) {
-        coin_state s = rolling, want = rolling;
-        for (int i = 0; i < 60; ++i) {
-            check_note("frame %d, tol %g", i, tols[k]);
-            check_status(coin_advance(&want, &p, 1.0 / 60, tols[k], NULL),
-                         COIN_OK);
-            check_status(coin_advance_until(&s, &p, 1.0 / 60, tols[k], INFINITY,
-                                            COIN_LIFTS, NULL),
-                         COIN_OK);
-            check_same(&s, &want, sizeof s);
-        }
-    }
-}
-
 /* Leans, headings and rolls that turn fast or slowly beside each other: within
  * tol for each radian that W turns, beside 400 steps of RK8, which err by less
  * than 400^-8 of what one would. */
@@ -277,7 +258,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(frames_of_a_quarter_are_one_step_each),
         TEST(at_1e_9_it_is_one_step_in_tau),
-        TEST(until_an_event_frames_have_the_same_bits),
         TEST(however_a_coin_turns_the_error_is_below_tol_per_radian),
         TEST(fast_spins_err_by_less_than_tol_per_radian),
         TEST(short_calls_err_by_less_than_tol_per_radian),

@@ -6,6 +6,7 @@
 #include "support/floats.h"
 #include "support/methods.h"
 #include "support/random.h"
+#include "support/slides.h"
 
 #include <coinf.h>
 
@@ -58,19 +59,15 @@ static void a_body_of_any_I_Z_is_told_that_its_roll_ends(void **unused)
     for (double I_Z = 1; I_Z > 0.9e-3; I_Z /= 10) {
         coin_params p;
         check_status(coin_params_body(&p, 1, 1, 1, 0.99, I_Z), COIN_OK);
-        const coin_friction rough = {0.5, 0.5};
-        coin_state s = {.psi = 0x1p31 - 1000, .wZ = 100}, until = s;
-        coin_slide d;
+        const coin_table rough = {.mu_static = 0.5, .mu_kinetic = 0.5};
+        coin_state s = {.psi = 0x1p31 - 1000, .wZ = 100};
+        coin_body d;
         double at;
         check_note("I_Z = %g", I_Z);
-        check_status(coin_slide_of(&d, &s, &p), COIN_OK);
+        check_status(coin_body_from_state(&d, &s, &p), COIN_OK);
         check_status(coin_advance(&s, &p, 20, 1e-9, &at), COIN_ERANGE);
         check_within(at, 9.8, 10);
-        check_status(
-            coin_advance_until(&until, &p, 20, 1e-9, 1, COIN_SLIPS, &at),
-            COIN_ERANGE);
-        check_status(coin_slide_advance(&d, &p, &rough, NULL, 20, 1e-9, &at),
-                     COIN_ERANGE);
+        check_status(slide(&d, &p, &rough, NULL, 20, 1e-9, &at), COIN_ERANGE);
     }
 }
 
@@ -301,7 +298,8 @@ static void members_of_a_state_have_limits_in_natural_units(void **unused)
     }
 }
 
-static void velocities_of_a_slide_have_limits(void **unused)
+/* vx, vy, vz of a body, and y, in the air. */
+static void motions_of_a_body_have_limits(void **unused)
 {
     (void)unused;
     for (int i = 0; i < UNITS; ++i) {
@@ -310,14 +308,17 @@ static void velocities_of_a_slide_have_limits(void **unused)
             coin_params_disc(&p, units[i][0], units[i][1], units[i][2]),
             COIN_OK);
         const double most = 1e6 * sqrt(p.gravity * p.radius);
-        for (int k = 0; k < 4; ++k) {
+        for (int k = 0; k < 7; ++k) {
+            const double size = k == 6 ? 1e9 * p.radius : most;
+            const double side = k % 2 ? -1 : 1;
             double u[2];
-            coin_slide in = {{0, 0, 0, 0, 0, 0, 0, 0}, 0, 0}, out = in;
-            *(k & 1 ? &in.vx : &in.vz) = (k & 2 ? 1 : -1) * most * (1 - PART);
-            *(k & 1 ? &out.vx : &out.vz) = (k & 2 ? 1 : -1) * most * (1 + PART);
+            coin_body in = {.y = 2 * p.radius}, out = in;
+            const int member = k == 6 ? 0 : 1 + k / 2;
+            (&in.y)[member] = side * size * (1 - PART);
+            (&out.y)[member] = side * size * (1 + PART);
             check_note("units %d, case %d", i, k);
-            check_status(coin_slide_velocity(&in, &p, u), COIN_OK);
-            check_status(coin_slide_velocity(&out, &p, u), COIN_ESTATE);
+            check_status(coin_body_slip(&in, &p, u), COIN_OK);
+            check_status(coin_body_slip(&out, &p, u), COIN_ESTATE);
         }
     }
 }
@@ -328,8 +329,8 @@ static int32_t with_time(int call, const coin_params *p, double t)
 {
     coin_state s = {0, 0, 0, 0, 0, 0, 0, 0}, out[2];
     const coin_losses l = {.spin = p->inertia_X * 1e-9 / natural_time(p)};
-    const coin_friction f = {0.3, 0.3};
-    coin_slide d = {s, 0, 0};
+    const coin_table f = {.mu_static = 0.3, .mu_kinetic = 0.3};
+    coin_body d = {.y = p->radius};
     coin_orbit o;
     switch (call) {
     case 0:
@@ -351,7 +352,7 @@ static int32_t with_time(int call, const coin_params *p, double t)
     case 7:
         return coin_settle(&s, p, &l, fabs(t), 1e-2, NULL);
     default:
-        return coin_slide_advance(&d, p, &f, NULL, fabs(t), 1e-2, NULL);
+        return coin_move(&d, p, &f, fabs(t), 1e-2, 0, NULL);
     }
 }
 
@@ -423,6 +424,12 @@ static void a_rate_does_not_leave_its_range(void **unused)
         check(reached == 0);
         check_same(&s, &before, sizeof s);
     }
+    const coin_losses l = {.spin = 1e-9};
+    coin_state s = {.theta = 0.3, .wY = 9.5e5, .wZ = 9.5e5};
+    double reached;
+    check_status(coin_settle(&s, &p, &l, 1, 1e-9, &reached), COIN_ESTEP);
+    check_within(reached, 1e-7, 1e-5);
+    check_status(coin_state_check(&s, &p), COIN_OK);
 }
 
 /* ------------------------------------------------------------------ statuses
@@ -471,7 +478,7 @@ int main(void)
         TEST(inertias_have_3_decades_each_way),
         TEST(inertias_end_where_the_rounding_of_a_double_does),
         TEST(members_of_a_state_have_limits_in_natural_units),
-        TEST(velocities_of_a_slide_have_limits),
+        TEST(motions_of_a_body_have_limits),
         TEST(times_go_to_1e15_natural_units),
         TEST(tolerances_go_from_1e_minus_13_to_1e_minus_2),
         TEST(a_rate_does_not_leave_its_range),

@@ -12,7 +12,7 @@ static void upright_the_laws_are_closed_forms(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const double t = 7, K = 1.5, IX = 0.25;
+    const double t = 7, K = 1.5, IX = 0.25, IZ = 0.5;
     const struct {
         coin_losses l;
         coin_state start, end;
@@ -37,6 +37,13 @@ static void upright_the_laws_are_closed_forms(void **unused)
         {{.damping = 0.05},
          {.wZ = 2},
          {.psi = log(1 + 0.1 * t) / 0.05, .wZ = 2 / (1 + 0.1 * t)}},
+        {{.angular = 0.01}, /* I_Z of the K of rolling */
+         {.wZ = 2},
+         {.psi = 2 * K / (0.01 * IZ) * (1 - exp(-0.01 * IZ * t / K)),
+          .wZ = 2 * exp(-0.01 * IZ * t / K)}},
+        {{.angular = 0.01},
+         {.wY = 2},
+         {.phi = 2 / 0.01 * (1 - exp(-0.01 * t)), .wY = 2 * exp(-0.01 * t)}},
         {{.spin = 0.01},
          {.wY = 2},
          {.phi = 2 * IX / 0.01 * (1 - exp(-0.01 * t / IX)),
@@ -178,21 +185,19 @@ static void a_coin_at_rest_stays_there(void **unused)
     check(s.theta < flat.theta);
 }
 
-/* The same lean is no rest if the coin rises or turns. */
-static void a_coin_that_leaves_the_table_does_not_rest(void **unused)
+/* Nearer than `flat` it lies flat, even if it rises; else it may rise. */
+static void a_coin_rises_from_beyond_flat_alone(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const coin_losses l = {.damping = 0.01};
-    const coin_state starts[] = {
-        {.theta = -1.5707963267948963, .wX = 0.5},
-        {.theta = 1.5707963267948963, .wX = 0.5, .wY = 0.5, .wZ = 0.2},
-    };
-    for (int i = 0; i < 2; ++i) {
-        coin_state s = starts[i];
-        check_note("start %d", i);
-        check_status(coin_settle(&s, &p, &l, 0.1, 1e-8, NULL), COIN_OK);
-        check_within(cos(s.theta), 0.02, 0.1);
+    const coin_state start = {.theta = -1.5707963267, .wX = 0.5};
+    const double flats[] = {0, 1e-9, 1e-12};
+    for (int i = 0; i < 3; ++i) {
+        const coin_losses l = {.damping = 0.01, .flat = flats[i]};
+        coin_state s = start;
+        check_status(coin_settle(&s, &p, &l, 0.1, 1e-8, NULL),
+                     i < 2 ? COIN_RESTS : COIN_OK);
+        check_within(cos(s.theta), i < 2 ? 0 : 0.02, i < 2 ? 1e-15 : 0.1);
     }
 }
 
@@ -252,7 +257,7 @@ static void a_stopped_contact_near_flat_is_held(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const coin_losses l = {.dry = 0.1, .spin = 0.2};
+    const coin_losses l = {.dry = 0.1, .spin = 0.2, .flat = 1e-12};
     for (int turns = 0; turns < 2; ++turns)
         for (int k = 0; k < 3; ++k) {
             const int side = (turns + k) % 2 ? 1 : -1;
@@ -282,7 +287,7 @@ static void a_stopped_contact_near_flat_is_held(void **unused)
             /* Of the energy only the pivoting takes its part. */
             check_near(E - coin_energy(&s, &p),
                        K / 2 * turn * turn * (1 - exp(-2 * 0.2 * when / K)),
-                       1e-4 * turn + 1e-12);
+                       1e-4 * turn + 1e-9); /* tol 1e-8 */
             check_near(s.phi - 1, turn * when, 0.1 * turn * when + 1e-15);
             /* The point of contact stays. */
             check_near(s.x, start.x + side * (sin(s.phi) - cos(e) * sin(1)),
@@ -295,8 +300,8 @@ static void a_stopped_contact_near_flat_is_held(void **unused)
                 check(reached <= when / 7.5);
             } while (status == COIN_OK);
             check_status(status, COIN_RESTS);
-            check_near(sum, when, 1e-12);
-            check_near(by.wZ, s.wZ, 1e-12);
+            check_near(sum, when, 1e-8); /* tol 1e-8 */
+            check_near(by.wZ, s.wZ, 1e-8);
         }
 }
 
@@ -343,7 +348,8 @@ static void a_symmetric_fall_is_an_ideal_one(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const coin_losses l = {.damping = 0.1, .dry = 0.1, .viscous = 0.1};
+    const coin_losses l = {
+        .damping = 0.1, .dry = 0.1, .viscous = 0.1, .flat = 1e-12};
     coin_state s = {.theta = 0.3}, ideal = s;
     double when, right;
     check_status(coin_settle(&s, &p, &l, 99, 1e-10, &when), COIN_RESTS);
@@ -362,7 +368,7 @@ int main(void)
         TEST(in_the_last_fall_a_fifth_of_the_weight_is_left),
         TEST(the_softening_shifts_rest_by_its_square),
         TEST(a_coin_at_rest_stays_there),
-        TEST(a_coin_that_leaves_the_table_does_not_rest),
+        TEST(a_coin_rises_from_beyond_flat_alone),
         TEST(a_pass_closer_than_a_double_can_tell_is_a_fall),
         TEST(a_coin_that_stands_stays_standing),
         TEST(a_fast_turn_is_held_too),

@@ -13,14 +13,13 @@ static void the_sizes_are_those_of_the_headers(void **unused)
         {"coin_params", 64, sizeof(coin_params)},
         {"coin_state", 64, sizeof(coin_state)},
         {"coin_force", 48, sizeof(coin_force)},
-        {"coin_losses", 64, sizeof(coin_losses)},
-        {"coin_friction", 16, sizeof(coin_friction)},
-        {"coin_slide", 80, sizeof(coin_slide)},
+        {"coin_losses", 96, sizeof(coin_losses)},
+        {"coin_table", 160, sizeof(coin_table)},
+        {"coin_body", 128, sizeof(coin_body)},
         {"coin_orbit", 32768, sizeof(coin_orbit)},
         {"coinf_params", 32, sizeof(coinf_params)},
         {"coinf_state", 64, sizeof(coinf_state)},
         {"coinf_force", 24, sizeof(coinf_force)},
-        {"coinf_losses", 32, sizeof(coinf_losses)},
     };
     for (size_t i = 0; i < sizeof of / sizeof *of; ++i) {
         check_note("%s", of[i].type);

@@ -10,17 +10,17 @@
 #include <stdio.h>
 #include <string.h>
 
-static const coin_friction rough = {0.55, 0.5};
+static const coin_table rough = {.mu_static = 0.55, .mu_kinetic = 0.5};
 
 /* Thrown with a side slip: it slips, rolls, slips and rolls. */
-static const coin_slide thrown = {
-    {.theta = 0.3, .wY = 0.5, .wZ = -0.5}, 1, 0.4};
+static const coin_body thrown = {
+    .s = {.theta = 0.3, .wY = 0.5, .wZ = -0.5}, .vx = 1, .vz = 0.4};
 
 /* ---------------------------------------------------------------- rolling */
 static void what_never_needs_more_friction_moves_as_coin_advance(void **unused)
 {
     (void)unused;
-    const coin_friction endless = {INFINITY, 0.3};
+    const coin_table endless = {.mu_static = INFINITY, .mu_kinetic = 0.3};
     const double times[] = {0.01, 0.3, 5};
     struct random r = random_begin(173);
     int rolled = 0;
@@ -28,17 +28,18 @@ static void what_never_needs_more_friction_moves_as_coin_advance(void **unused)
         const coin_params p = random_coin(&r);
         const coin_state start = random_state(&r, &p, 1.2);
         const double t = times[i % 3] * natural_time(&p);
-        coin_slide d, rolls;
+        coin_body d, rolls;
         coin_state s = start;
         double reached, by_advance;
-        check_status(coin_slide_of(&d, &start, &p), COIN_OK);
+        check_status(coin_body_from_state(&d, &start, &p), COIN_OK);
         check_status(coin_advance(&s, &p, t, 1e-9, &by_advance), COIN_OK);
-        if (coin_slide_advance(&d, &p, &endless, NULL, t, 1e-9, &reached) !=
+        if (coin_move(&d, &p, &endless, t, 1e-9, COIN_SLIPS, &reached) !=
             COIN_OK)
-            continue;
-        check(slides_apart(&d, &(coin_slide){s, d.vx, d.vz}, &p) < 1e-9);
+            continue; /* where rolling needs a pull it slips */
+        check(slides_apart(&d, &(coin_body){.s = s, .vx = d.vx, .vz = d.vz},
+                           &p) < 1e-9);
         check(reached == by_advance);
-        check_status(coin_slide_of(&rolls, &d.s, &p), COIN_OK);
+        check_status(coin_body_from_state(&rolls, &d.s, &p), COIN_OK);
         check(slides_apart(&d, &rolls, &p) < 1e-12);
         ++rolled;
     }
@@ -49,27 +50,34 @@ static void a_coin_that_rolls_is_described_as_by_the_other_functions(
     void **unused)
 {
     (void)unused;
-    const coin_friction endless = {INFINITY, 0.3};
-    const coin_losses l = {0, 0.01, 0.02, 0.01, 0.01, 0.02, 0.01, 0};
+    const coin_table endless = {.mu_static = INFINITY, .mu_kinetic = 0.3};
+    const coin_losses l = {.dry = 0.01,
+                           .viscous = 0.02,
+                           .layer = 0.01,
+                           .gap = 0.01,
+                           .rolling = 0.02,
+                           .spin = 0.01};
     struct random r = random_begin(174);
     for (int i = 0; i < 300; ++i) {
         const coin_params p = i % 2 ? disc() : ring(random_between(&r, 0, 1));
         const coin_state s = random_state(&r, &p, 1.3);
-        coin_slide d;
+        coin_body d;
         coin_force by, want;
         double u[2];
-        check_status(coin_slide_of(&d, &s, &p), COIN_OK);
-        check_status(coin_slide_velocity(&d, &p, u), COIN_OK);
+        check_status(coin_body_from_state(&d, &s, &p), COIN_OK);
+        check_status(slide_velocity(&d, &p, u), COIN_OK);
         check_near(hypot(u[0], u[1]), 0, 32 * U);
-        check_near(coin_slide_energy(&d, &p), coin_energy(&s, &p), 128 * U);
+        check_near(slide_energy(&d, &p), coin_energy(&s, &p), 128 * U);
         const double terms = 16 / cos(s.theta);
         for (int lossy = 0; lossy < 2; ++lossy) {
             check_status(
-                coin_slide_reaction(&d, &p, &endless, lossy ? &l : NULL, &by),
+                slide_reaction(&d, &p, &endless, lossy ? &l : NULL, &by),
                 COIN_OK);
             check_status(lossy ? coin_losses_reaction(&s, &p, &l, &want)
                                : coin_reaction(&s, &p, &want),
                          COIN_OK);
+            if (want.normal < 0) /* it lifts off, or slips */
+                continue;
             for (int k = 0; k < 3; ++k)
                 check_near(by.R[k], want.R[k], 32 * U * terms);
             check_near(by.friction, want.friction, 64 * U * terms);
@@ -87,13 +95,15 @@ static void the_force_of_a_slip_is_that_of_newton_and_euler(void **unused)
     for (int i = 0; i < 200; ++i) {
         const coin_params p = ring(random_between(&r, 0, 1));
         const double mu = random_between(&r, 0, 0.9);
-        const coin_friction f = {1, mu};
-        coin_slide d = random_launch(&r, &p);
+        const coin_table f = {.mu_static = 1, .mu_kinetic = mu};
+        coin_body d = random_launch(&r, &p);
         d.vx += 1;
         coin_force force;
         double u[2], R[9];
-        check_status(coin_slide_reaction(&d, &p, &f, NULL, &force), COIN_OK);
-        check_status(coin_slide_velocity(&d, &p, u), COIN_OK);
+        check_status(slide_reaction(&d, &p, &f, NULL, &force), COIN_OK);
+        check_status(slide_velocity(&d, &p, u), COIN_OK);
+        if (force.normal == 0)
+            continue; /* it lifts off */
         const double size = hypot(u[0], u[1]);
         /* Against the slip, and mu N large. */
         check_near(force.R[0], -mu * force.normal * u[0] / size, 1e-12);
@@ -125,44 +135,40 @@ static void t_0_changes_nothing_and_says_whether_it_slips(void **unused)
     const coin_params p = disc();
     const coin_state wild = {.theta = 0.7, .wX = 1, .wY = 1, .wZ = 0.5};
     const coin_state still = {.theta = 0.1, .wZ = 1};
-    coin_slide d = thrown;
+    coin_body d = thrown;
     double reached = 7;
-    check_status(coin_slide_advance(&d, &p, &rough, NULL, 0, 1e-9, &reached),
-                 COIN_SLIPS);
+    check_status(slide(&d, &p, &rough, NULL, 0, 1e-9, &reached), COIN_SLIPS);
     check(reached == 0);
     check_same(&d, &thrown, sizeof d);
-    coin_slide_of(&d, &still, &p);
-    check_status(coin_slide_advance(&d, &p, &rough, NULL, 0, 1e-9, &reached),
-                 COIN_OK);
-    const coin_friction ice = {0.01, 0};
-    coin_slide_of(&d, &wild, &p);
-    check_status(coin_slide_advance(&d, &p, &ice, NULL, 0, 1e-9, &reached),
-                 COIN_SLIPS);
+    coin_body_from_state(&d, &still, &p);
+    check_status(slide(&d, &p, &rough, NULL, 0, 1e-9, &reached), COIN_OK);
+    const coin_table ice = {.mu_static = 0.01, .mu_kinetic = 0};
+    coin_body_from_state(&d, &wild, &p);
+    check_status(slide(&d, &p, &ice, NULL, 0, 1e-9, &reached), COIN_OK);
 }
 
 static void a_coin_that_would_lift_off_is_kept_where_it_does(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    coin_slide d, again;
+    coin_body d, again;
     const coin_state up = {.theta = 0.2, .wX = 3};
     double reached = 7;
-    coin_slide_of(&d, &up, &p);
+    coin_body_from_state(&d, &up, &p);
     again = d;
-    check_status(coin_slide_advance(&d, &p, &rough, NULL, 1, 1e-9, &reached),
-                 COIN_ELIFT);
+    check_status(slide(&d, &p, &rough, NULL, 1, 1e-9, &reached), COIN_LIFTS);
     check(reached == 0);
     check_same(&d, &again, sizeof d);
-    const coin_slide none[] = {
-        {{.theta = 0.2, .wX = 3}, 1, 0},         /* slips */
-        {{.theta = 0, .wX = 1}, 0, 1},           /* rolls; N = 0 */
-        {{.theta = 0, .wX = 1.0625}, 0, 1.0625}, /* rolls; F = 0 */
+    const coin_body none[] = {
+        {.s = {.theta = 0.2, .wX = 3}, .vx = 1, .vz = 0}, /* slips */
+        {.s = {.theta = 0, .wX = 1.0625},
+         .vx = 0,
+         .vz = 1.0625}, /* rolls; F = 0 */
     };
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 2; ++i) {
         d = none[i];
-        check_status(
-            coin_slide_advance(&d, &p, &rough, NULL, 1, 1e-9, &reached),
-            COIN_ELIFT);
+        check_status(slide(&d, &p, &rough, NULL, 1, 1e-9, &reached),
+                     COIN_LIFTS);
         check(reached == 0);
         check_same(&d, &none[i], sizeof d);
     }
@@ -172,14 +178,12 @@ static void a_coin_that_would_lift_off_is_kept_where_it_does(void **unused)
     for (int i = 0; i < 200; ++i) {
         coin_force force;
         d = random_launch(&r, &p);
-        if (coin_slide_advance(&d, &p, &rough, NULL, 9, 1e-10, &reached) !=
-                COIN_ELIFT ||
+        if (slide(&d, &p, &rough, NULL, 9, 1e-10, &reached) != COIN_LIFTS ||
             reached == 0)
             continue;
         ++lifted;
         check(reached < 9);
-        check_status(coin_slide_reaction(&d, &p, &rough, NULL, &force),
-                     COIN_OK);
+        check_status(slide_reaction(&d, &p, &rough, NULL, &force), COIN_OK);
         check_within(force.normal, -1e-9, 1e-6);
     }
     check(lifted > 20);
@@ -190,14 +194,13 @@ static void a_coin_that_needs_no_friction_rolls_on_ice(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const coin_friction ice = {0, 0};
+    const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
     const coin_state needs_none[] = {{.wZ = 1}, {.wY = 2}};
     for (int i = 0; i < 2; ++i)
         for (double t = 0; t < 20; t += 5) {
-            coin_slide d;
-            coin_slide_of(&d, &needs_none[i], &p);
-            check_status(coin_slide_advance(&d, &p, &ice, NULL, t, 1e-9, NULL),
-                         COIN_OK);
+            coin_body d;
+            coin_body_from_state(&d, &needs_none[i], &p);
+            check_status(slide(&d, &p, &ice, NULL, t, 1e-9, NULL), COIN_OK);
             check(d.s.theta == 0 && d.s.wY == needs_none[i].wY);
         }
 }
@@ -212,42 +215,40 @@ static void a_coin_that_falls_over_rests_also_without_losses(void **unused)
     double when[6];
     for (int i = 0; i < 6; ++i) {
         const double mu = mus[i % 3], side = i < 3 ? 1 : -1;
-        const coin_friction f = {mu, mu < 1 ? mu : 0.3};
+        const coin_table f = {.mu_static = mu, .mu_kinetic = mu < 1 ? mu : 0.3};
         const coin_state s = {.theta = side * 1.2};
-        coin_slide d;
-        coin_slide_of(&d, &s, &p);
-        check_status(coin_slide_advance(&d, &p, &f, NULL, 9, 1e-10, &when[i]),
-                     COIN_RESTS);
+        coin_body d;
+        coin_body_from_state(&d, &s, &p);
+        check_status(slide(&d, &p, &f, NULL, 9, 1e-10, &when[i]), COIN_RESTS);
         check(side * d.s.theta > 1.57079632679489);
-        check(side * d.s.wX > 0.5 && d.s.wY == 0);
-        const coin_slide flat = d;
+        check(d.s.wX == 0 && d.s.wY == 0 && d.vz == 0);
+        const coin_body flat = d;
         double reached = 7;
-        check_status(coin_slide_advance(&d, &p, &f, NULL, 9, 1e-10, &reached),
-                     COIN_RESTS);
+        check_status(slide(&d, &p, &f, NULL, 9, 1e-10, &reached), COIN_RESTS);
         check(reached == 0);
         check_same(&d, &flat, sizeof d);
     }
     coin_state s = {.theta = 1.2};
     double by_advance;
     check_status(coin_advance(&s, &p, 9, 1e-10, &by_advance), COIN_EFLAT);
-    check_near(when[2], by_advance, 1e-9);
+    /* It lies flat 1e-6 rad before, at a speed of 0.75. */
+    check_near(when[2], by_advance, 2e-6);
     check(when[0] < when[2]);
     for (int i = 0; i < 3; ++i)
         check(when[i + 3] == when[i]);
 }
 
-/* In a time so short that the slip has not grown to what it begins with. */
+/* In a time so short that the slip cannot be told from rolling. */
 static void a_slip_that_has_just_begun_takes_the_time_asked(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const coin_friction ice = {0.01, 0.005};
+    const coin_table ice = {.mu_static = 0.01, .mu_kinetic = 0.005};
     const coin_state wild = {.theta = 0.7, .wX = 0.5, .wY = 1, .wZ = 0.5};
-    coin_slide d;
+    coin_body d;
     double reached;
-    coin_slide_of(&d, &wild, &p);
-    check_status(coin_slide_advance(&d, &p, &ice, NULL, 1e-12, 1e-9, &reached),
-                 COIN_SLIPS);
+    coin_body_from_state(&d, &wild, &p);
+    check_status(slide(&d, &p, &ice, NULL, 1e-12, 1e-9, &reached), COIN_OK);
     check(reached == 1e-12);
     check_near(d.s.theta, wild.theta + 1e-12 * wild.wX, 2 * U);
 }
@@ -257,10 +258,9 @@ static void an_upright_coin_without_friction_glides(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const coin_friction none = {0, 0};
-    coin_slide d = {{0}, 0.5, 0.25};
-    check_status(coin_slide_advance(&d, &p, &none, NULL, 8, 1e-9, NULL),
-                 COIN_SLIPS);
+    const coin_table none = {.mu_static = 0, .mu_kinetic = 0};
+    coin_body d = {.s = {0}, .vx = 0.5, .vz = 0.25};
+    check_status(slide(&d, &p, &none, NULL, 8, 1e-9, NULL), COIN_SLIPS);
     check(d.vx == 0.5 && d.vz == 0.25 && d.s.theta == 0 && d.s.wZ == 0);
     check_near(d.s.x, 4, 16 * U);
     check_near(d.s.z, 2, 16 * U);
@@ -271,12 +271,11 @@ static void a_slip_of_any_speed_takes_few_steps(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    coin_slide d = thrown;
-    for (double v = 1; v < 2e6; v *= 1e3) {
+    coin_body d = thrown;
+    for (double v = 1; v < 1e6; v *= 9) {
         d = thrown;
         d.vx = v;
-        check_status(coin_slide_advance(&d, &p, &rough, NULL, 0.5, 1e-10, NULL),
-                     COIN_SLIPS);
+        check_status(slide(&d, &p, &rough, NULL, 0.5, 1e-10, NULL), COIN_SLIPS);
         check(fabs(d.vx - v) < 0.5 * 0.5 * 2 + 4 * U * v); /* mu N t */
     }
 }
@@ -285,11 +284,10 @@ static void many_calls_go_where_one_goes(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    coin_slide one = thrown, many = thrown;
-    check(coin_slide_advance(&one, &p, &rough, NULL, 3, 1e-11, NULL) >= 0);
+    coin_body one = thrown, many = thrown;
+    check(slide(&one, &p, &rough, NULL, 3, 1e-11, NULL) >= 0);
     for (int i = 0; i < 300; ++i)
-        check(coin_slide_advance(&many, &p, &rough, NULL, 0.01, 1e-11, NULL) >=
-              0);
+        check(slide(&many, &p, &rough, NULL, 0.01, 1e-11, NULL) >= 0);
     check(slides_apart(&one, &many, &p) < 1e-8);
 }
 
@@ -302,8 +300,8 @@ static void mirror_heading_and_units_change_nothing(void **unused)
         const coin_params p = disc();
         coin_params big;
         check_status(coin_params_disc(&big, 8, 4, 0.25), COIN_OK);
-        const coin_slide d = random_launch(&r, &p);
-        coin_slide a = d, b = d, c = d, e = d;
+        const coin_body d = random_launch(&r, &p);
+        coin_body a = d, b = d, c = d, e = d;
         /* x-y plane; y-z plane; a turn of the table; L = 4, T = 4, M = 8. */
         const coin_state s = d.s;
         b.s = (coin_state){-s.theta, -s.phi, s.psi, s.x,
@@ -313,14 +311,10 @@ static void mirror_heading_and_units_change_nothing(void **unused)
                            s.z,     s.wX,   -s.wY,  -s.wZ};
         c.vx = -d.vx;
         e.s = state_in(&s, 4, 4);
-        const int32_t status =
-            coin_slide_advance(&a, &p, &rough, NULL, 2, 1e-10, NULL);
-        check_status(coin_slide_advance(&b, &p, &rough, NULL, 2, 1e-10, NULL),
-                     status);
-        check_status(coin_slide_advance(&c, &p, &rough, NULL, 2, 1e-10, NULL),
-                     status);
-        check_status(coin_slide_advance(&e, &big, &rough, NULL, 8, 1e-10, NULL),
-                     status);
+        const int32_t status = slide(&a, &p, &rough, NULL, 2, 1e-10, NULL);
+        check_status(slide(&b, &p, &rough, NULL, 2, 1e-10, NULL), status);
+        check_status(slide(&c, &p, &rough, NULL, 2, 1e-10, NULL), status);
+        check_status(slide(&e, &big, &rough, NULL, 8, 1e-10, NULL), status);
         check_near(b.s.theta, -a.s.theta, 1e-8);
         check_near(b.s.z, -a.s.z, 1e-8);
         check_near(b.vz, -a.vz, 1e-8);
@@ -336,17 +330,17 @@ static void a_slip_that_grows_fast_ends_at_the_time_asked(void **unused)
 {
     (void)unused;
     const coin_params p = disc();
-    const coin_friction f = {0.34, 0.25};
+    const coin_table f = {.mu_static = 0.34, .mu_kinetic = 0.25};
     for (double u = 1e-9; u < 1e-3; u *= 1.1) {
-        coin_slide d = {{.theta = 0.83, .wX = 0.22, .wY = -0.09, .wZ = 0.2},
-                        u - 0.2,
-                        0.15 + u};
-        const double t = 0.04, E = coin_slide_energy(&d, &p);
+        coin_body d = {.s = {.theta = 0.83, .wX = 0.22, .wY = -0.09, .wZ = 0.2},
+                       .vx = u - 0.2,
+                       .vz = 0.15 + u};
+        const double t = 0.04, E = slide_energy(&d, &p);
         double reached;
         check_note("slip %g", u);
-        check(coin_slide_advance(&d, &p, &f, NULL, t, 1e-2, &reached) >= 0);
+        check(slide(&d, &p, &f, NULL, t, 1e-2, &reached) >= 0);
         check(reached == t);
-        check(coin_slide_energy(&d, &p) < E * (1 + 1e-6));
+        check(slide_energy(&d, &p) < E * (1 + 1e-6));
     }
 }
 
@@ -359,9 +353,9 @@ static void no_launch_sets_errno(void **unused)
     for (int i = 0; i < 300; ++i) {
         const coin_params p = ring(random_between(&r, 0, 1));
         const double mu = random_between(&r, 0.2, 0.6);
-        const coin_friction f = {mu, mu};
-        coin_slide d = random_launch(&r, &p);
-        coin_slide_advance(&d, &p, &f, NULL, 2, 1e-4, NULL);
+        const coin_table f = {.mu_static = mu, .mu_kinetic = mu};
+        coin_body d = random_launch(&r, &p);
+        slide(&d, &p, &f, NULL, 2, 1e-4, NULL);
         check_note("launch %d", i);
         check(errno == 0);
     }

@@ -66,10 +66,11 @@ static void texts_say_what_they_are_about(void **unused)
         {COIN_OK, "done"},          {COIN_EPARAMS, "parameter"},
         {COIN_ESTATE, "state"},     {COIN_EARG, "argument"},
         {COIN_EFLAT, "flat"},       {COIN_EBUILD, "build"},
-        {COIN_ELIFT, "lifts"},      {COIN_SLIPS, "slip"},
+        {COIN_ROLLS, "roll"},       {COIN_SLIPS, "slip"},
         {COIN_LIFTS, "lift"},       {COIN_COARSE, "coarse"},
         {COIN_NEARLY_FLAT, "flat"}, {ALL_WARNINGS, "all"},
-        {COIN_RESTS, "flat"},       {COIN_ERANGE, "turns"},
+        {COIN_RESTS, "flat"},       {COIN_ERANGE, "range"},
+        {COIN_TOUCHES, "table"},
     };
     for (size_t i = 0; i < sizeof about / sizeof *about; ++i) {
         const char *text = coin_status_string(about[i].status);
@@ -102,8 +103,8 @@ static void errors_of_several_cases_name_each_of_them(void **unused)
 static void any_other_number_is_unknown(void **unused)
 {
     (void)unused;
-    const int32_t others[] = {COIN_ERANGE - 1, -1000, INT32_MIN,
-                              COIN_RESTS + 1,  1000,  INT32_MAX};
+    const int32_t others[] = {COIN_ERANGE - 1, -1000, INT32_MIN, 128, 1000,
+                              INT32_MAX};
     for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
         check_note("%d", (int)others[i]);
         check(strcmp(coin_status_string(others[i]), "unknown status") == 0);

@@ -64,13 +64,21 @@ static void print_life(const char *body, const char *law, coin_state s,
     printf("\n\n"); /* gnuplot's end of a curve */
 }
 
-/* Along a steady motion that slows down: without a swing. */
+/* A spin whose wX lets Eq. (39) hold while the losses slow wY and wZ: without a
+ * swing. */
 static coin_state spun(const coin_params *p, const coin_losses *l, double lean)
 {
-    coin_state s;
+    const double m = p->mass * p->radius * p->radius, IX = p->inertia_X;
+    const double K = p->inertia_Z + m, T = tan(lean), c = cos(lean);
+    coin_state s, rates;
 
     demand(coin_steady_spin(&s, p, lean));
-    demand(coin_quasisteady_at(&s, p, l, 0, &s));
+    demand(coin_losses_rates(&s, p, l, &rates));
+    const double FY = 2 * IX * T * s.wY, FZ = K * s.wY; /* of (39) */
+    const double Ftheta =
+        IX * s.wY * s.wY / (c * c) - p->mass * p->gravity * p->radius * c;
+    s.wX = -(FY * rates.wY + FZ * rates.wZ) /
+           (Ftheta + FY * s.wY * T + FZ * m / K * s.wY);
     return s;
 }
 

@@ -17,81 +17,70 @@
 #define TIME 14.0
 #define ROW 0.4 /* between two rows */
 
-static const coin_friction FRICTION = {0.3, 0.27};
+static const coin_table TABLE = {.mu_static = 0.3, .mu_kinetic = 0.27};
 
 static void demand(int32_t status)
 {
-    if (status != COIN_OK && status != COIN_SLIPS) {
+    if (status < 0) {
         fprintf(stderr, "%s\n", coin_status_string(status));
         exit(EXIT_FAILURE);
     }
 }
 
-static int32_t go_on(coin_slide *d, const coin_params *p, double t)
+static int32_t go_on(coin_body *d, const coin_params *p, double t, int32_t stop,
+                     double *moved)
 {
-    const int32_t status =
-        coin_slide_advance(d, p, &FRICTION, NULL, t, TOL, NULL);
+    const int32_t status = coin_move(d, p, &TABLE, t, TOL, stop, moved);
 
     demand(status);
     return status;
 }
 
-static void print_row(double direction, double t, const coin_slide *d,
+static void print_row(double direction, double t, const coin_body *d,
                       const coin_params *p)
 {
     double r[3], v[3], u[2];
 
     demand(coin_contact(&d->s, p, r, v));
-    demand(coin_slide_velocity(d, p, u));
+    demand(coin_body_slip(d, p, u));
     printf("%g,%.4f,%.4f,%.4f,%.4f\n", direction, t, r[0], r[2],
            hypot(u[0], u[1]));
 }
 
-static coin_slide thrown(double direction)
+static coin_body thrown(double direction, const coin_params *p)
 {
     const double speed = 1.8, angle = direction * PI / 180;
-    const coin_slide d = {
-        {.theta = 0.1, .wZ = 7}, speed * cos(angle), speed * sin(angle)};
+    const coin_state s = {.theta = 0.1, .wZ = 7};
+    coin_body d;
+
+    demand(coin_body_from_state(&d, &s, p));
+    d.vx = speed * cos(angle);
+    d.vz = speed * sin(angle);
     return d;
 }
 
-/* The time until a coin that slips at *from rolls, which it does within t. */
-static double until_it_rolls(const coin_slide *from, const coin_params *p,
-                             double t)
+/* Rows until it rolls: returns when. */
+static double print_slip(double direction, coin_body *d, const coin_params *p)
 {
-    double slips = 0, rolls = t;
+    double t = 0, moved;
+    int32_t status = COIN_SLIPS;
 
-    for (int k = 0; k < 30; ++k) {
-        const double middle = (slips + rolls) / 2;
-        coin_slide d = *from;
-        *(go_on(&d, p, middle) == COIN_SLIPS ? &slips : &rolls) = middle;
+    while (status == COIN_SLIPS) {
+        print_row(direction, t, d, p);
+        status = go_on(d, p, ROW, COIN_ROLLS, &moved);
+        t += moved;
     }
-    return rolls;
+    return t;
 }
 
-/* Rows from t until it rolls, or TIME: returns when. */
-static double print_slip(double direction, coin_slide *d, const coin_params *p)
-{
-    for (int k = 0;; ++k) {
-        coin_slide next = *d;
-        print_row(direction, k * ROW, d, p);
-        if (go_on(&next, p, ROW) == COIN_OK) {
-            const double rest = until_it_rolls(d, p, ROW);
-            go_on(d, p, rest);
-            return k * ROW + rest;
-        }
-        *d = next;
-    }
-}
-
-static void print_roll(double direction, double t, coin_slide *d,
+static void print_roll(double direction, double t, coin_body *d,
                        const coin_params *p)
 {
     const int rows = (int)ceil((TIME - t) / ROW);
 
     for (int k = 0; k <= rows; ++k) {
         print_row(direction, t + (TIME - t) * k / rows, d, p);
-        go_on(d, p, (TIME - t) / rows);
+        go_on(d, p, (TIME - t) / rows, 0, NULL);
     }
 }
 
@@ -102,7 +91,7 @@ int main(void)
     demand(coin_params_disc(&disc, 1, 1, 1));
     printf("direction,t,x,z,slip\n");
     for (int direction = -60; direction <= 60; direction += 30) {
-        coin_slide d = thrown(direction);
+        coin_body d = thrown(direction, &disc);
         const double rolls = print_slip(direction, &d, &disc);
         print_row(direction, rolls, &d, &disc);
         printf("\n\n"); /* gnuplot's end of a curve */

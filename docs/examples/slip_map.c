@@ -24,7 +24,7 @@ enum { LEANS = 84, SPINS = 6, COLUMNS = 112, ROWS = 80, SIZE = 3 };
 enum { LEFT = 40, TOP = 40, APART = 392 };
 enum { WIDTH = 784, HEIGHT = 324 };
 
-static const coin_friction FRICTION = {0.3, 0.27};
+static const coin_table TABLE = {.mu_static = 0.3, .mu_kinetic = 0.27};
 
 typedef enum fate { ROLLS, SLIPS, LIFTS, FATES } fate;
 
@@ -57,26 +57,22 @@ static double wY_of(const map *m, int row)
     return m->wY_low + (row + 0.5) * SPINS / ROWS;
 }
 
-/* What becomes of a launch.  Rolling needs no slide: where coin_advance_until()
- * finds no slip there is none. */
+/* What becomes of a launch: where it stops to slip it may go on to lift off. */
 static fate fate_of(const coin_state *start, const coin_params *p)
 {
-    coin_state s = *start;
-    coin_slide d;
+    coin_body b;
 
-    if (coin_advance_until(&s, p, TIME, TOL, FRICTION.mu_static, COIN_SLIPS,
-                           NULL) == COIN_OK)
+    coin_body_from_state(&b, start, p);
+    int32_t status = coin_move(&b, p, &TABLE, TIME, TOL, COIN_SLIPS, NULL);
+    if (status == COIN_OK || status == COIN_RESTS)
         return ROLLS;
-    coin_slide_of(&d, start, p);
-    const int32_t status =
-        coin_slide_advance(&d, p, &FRICTION, NULL, TIME, TOL, NULL);
-    if (status == COIN_ELIFT)
-        return LIFTS;
+    if (status == COIN_SLIPS)
+        status = coin_move(&b, p, &TABLE, TIME, TOL, 0, NULL);
     if (status < 0) {
         fprintf(stderr, "%s\n", coin_status_string(status));
         exit(EXIT_FAILURE);
     }
-    return SLIPS;
+    return status == COIN_LIFTS ? LIFTS : SLIPS;
 }
 
 static void compute(map *m, const coin_params *p)

@@ -16,25 +16,26 @@
 
 /* Kinetic friction is somewhat less than static friction.  The library refuses
  * a kinetic coefficient beyond 1.118 for a disc. */
-static coin_friction friction_of(const options *o)
+static coin_table table_of(const options *o)
 {
-    const coin_friction f = {o->mu, fmin(0.9 * o->mu, 1)};
+    const coin_table f = {.mu_static = o->mu,
+                          .mu_kinetic = fmin(0.9 * o->mu, 1)};
     return f;
 }
 
 /* The start: its velocity is that of rolling, and what it is thrown with along
  * its plane, e_X, Eq. (7). */
-static int32_t throw_it(coin_slide *d, const motion *m, const options *o)
+static int32_t throw_it(coin_body *d, const motion *m, const options *o)
 {
     const coin_state *s = &m->scene->start;
-    const int32_t status = coin_slide_of(d, s, &m->params);
+    const int32_t status = coin_body_from_state(d, s, &m->params);
 
     d->vx += o->thrown * cos(s->phi);
     d->vz -= o->thrown * sin(s->phi);
     return status;
 }
 
-static void keep(motion *m, double t, const coin_slide *d, int32_t status)
+static void keep(motion *m, double t, const coin_body *d, int32_t status)
 {
     const moment now = {t, d->s, status > 0 ? status : 0, d->vx, d->vz};
 
@@ -47,21 +48,20 @@ static void keep(motion *m, double t, const coin_slide *d, int32_t status)
 static int32_t slide(motion *m, const options *o)
 {
     const uint64_t kept = o->steps < MOMENTS ? o->steps : MOMENTS;
-    const coin_friction f = friction_of(o);
-    coin_slide d;
+    const coin_table f = table_of(o);
+    coin_body d;
     double t = 0;
 
     m->end = throw_it(&d, m, o);
     for (uint64_t k = 0; k <= kept && m->end >= 0; ++k) {
         const double goal = (double)(k * o->steps / kept) * o->dt;
         double moved = 0;
-        m->end = coin_slide_advance(&d, &m->params, &f, NULL, goal - t,
-                                    SLIDE_TOL, &moved);
-        if (m->end < 0 && m->end != COIN_ELIFT)
+        m->end = coin_move(&d, &m->params, &f, goal - t, SLIDE_TOL, 0, &moved);
+        if (m->end < 0)
             return m->end;
         t += moved;
         keep(m, t, &d, m->end);
-        if (m->end == COIN_RESTS || m->end == COIN_ELIFT)
+        if (m->end == COIN_RESTS || m->end == COIN_LIFTS)
             return COIN_OK;
     }
     return m->end < 0 ? m->end : COIN_OK;
@@ -75,27 +75,31 @@ static double plain(double x)
     return fabs(x) < 0.005 ? 0 : x;
 }
 
-static coin_slide slide_at(const motion *m, size_t k)
+static coin_body body_at(const motion *m, size_t k)
 {
-    const coin_slide d = {m->at[k].state, m->at[k].vx, m->at[k].vz};
+    coin_body d;
+
+    coin_body_from_state(&d, &m->at[k].state, &m->params);
+    d.vx = m->at[k].vx;
+    d.vz = m->at[k].vz;
     return d;
 }
 
 /* The energy that is left of that at the start. */
 static double energy_left(const motion *m, size_t k)
 {
-    const coin_slide start = slide_at(m, 0), now = slide_at(m, k);
+    const coin_body start = body_at(m, 0), now = body_at(m, k);
 
-    return coin_slide_energy(&now, &m->params) /
-           coin_slide_energy(&start, &m->params);
+    return coin_body_energy(&now, &m->params) /
+           coin_body_energy(&start, &m->params);
 }
 
 static void print_slide_heading(const options *o)
 {
-    const coin_friction f = friction_of(o);
+    const coin_table f = table_of(o);
 
-    printf("coin_slide_advance at %g, mu %g, and %g where it slips\n\n",
-           SLIDE_TOL, f.mu_static, f.mu_kinetic);
+    printf("coin_move at %g, mu %g, and %g where it slips\n\n", SLIDE_TOL,
+           f.mu_static, f.mu_kinetic);
 }
 
 static void print_slide_columns(const motion *m)
@@ -111,7 +115,7 @@ static void print_slide_columns(const motion *m)
 
 static const char *mode_of(const motion *m, size_t k)
 {
-    if (k + 1 == m->count && m->end == COIN_ELIFT)
+    if (k + 1 == m->count && m->end == COIN_LIFTS)
         return "lifts off";
     if (m->at[k].bits == COIN_RESTS)
         return "lies flat";
@@ -120,14 +124,14 @@ static const char *mode_of(const motion *m, size_t k)
 
 static void print_slide_row(const motion *m, const options *o, size_t k)
 {
-    const coin_slide d = slide_at(m, k);
-    const coin_friction f = friction_of(o);
+    const coin_body d = body_at(m, k);
+    const coin_table f = table_of(o);
     const double shown = m->scene->body->in->shown;
     coin_force R = {{0, 0, 0}, 0, 0, 0};
     double u[2] = {0, 0};
 
-    coin_slide_velocity(&d, &m->params, u);
-    coin_slide_reaction(&d, &m->params, &f, NULL, &R);
+    coin_body_slip(&d, &m->params, u);
+    coin_body_reaction(&d, &m->params, &f, &R);
     printf("%9.3f %7.2f %8.1f %8.2f %8.2f ", m->at[k].t, d.s.theta * DEGREES,
            d.s.phi * DEGREES, plain(d.s.x * shown), plain(d.s.z * shown));
     printf("%8.4f %7.3f %8.2f  %s\n", energy_left(m, k),

@@ -28,8 +28,8 @@ const selfTest = () => lib.page_selftest() === 0 && $("hashes").textContent.trim
 
 // ----------------------------------------------------- layouts, see page.c --
 const ASKED = ("theta phi psi x z wX wY wZ mass radius inner gravity " +
-  "damping dry viscous layer gap rolling spin soft mu").split(" ");
-const START = ASKED.slice(0, 8), LOSSES = ASKED.slice(12, 19);
+  "damping dry viscous layer gap rolling spin angular soft flat reserved0 reserved1 mu").split(" ");
+const START = ASKED.slice(0, 8), LOSSES = ASKED.slice(12, 20);
 const METHODS = ["rk4", "rk8", "symplectic2", "symplectic4"];
 const COIN = { slips: 1, lifts: 2, coarse: 4, flat: 8, rests: 16, through: -100 };
 const MOMENT = 19, RACER = 22; // doubles in each

@@ -20,7 +20,7 @@
  * draw straight lines between them. */
 #define LONGEST 0.06
 
-static const coin_losses NO_LOSSES = {0, 0, 0, 0, 0, 0, 0, 0};
+static const coin_losses NO_LOSSES = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0}};
 struct motion page;
 static inputs asked;
 static double stride; /* of the trail */
@@ -88,7 +88,7 @@ inputs *PAGE(page_asked)(void)
 static int slowed(const coin_losses *l)
 {
     return l->damping + l->dry + l->viscous + l->layer + l->gap + l->rolling +
-               l->spin >
+               l->spin + l->angular >
            0;
 }
 
@@ -139,7 +139,6 @@ double PAGE(page_lambda2)(void)
     return lambda2;
 }
 
-/* By the quasi-steady model. */
 double PAGE(page_time_to_rest)(void)
 {
     return coin_time_to_rest(&page.taken.start, &page.body, &page.taken.losses);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Asserts what physics.md says of losses and rest.
 
-usage:  python3 docs/proofs/losses.py         Eq. (64)-(70), (72)-(75)
+usage:  python3 docs/proofs/losses.py         Eq. (64)-(70), (72), (73), (75), (95)
 runs derivation.py first
 """
 import sys
@@ -16,7 +16,7 @@ from derivation import (E, IX, IZ, J, K, M, T, a, accel, c, column, count, dX,
                         w, wX, wY, wZ)
 
 count.clear()
-Q, alpha, b, pace, f, df, e, m1 = sp.symbols('Q alpha b pace f df e m1')
+Q, alpha, b, k, pace, f, df, m1 = sp.symbols('Q alpha b k pace f df m1')
 roll = wZ + wY*T                                # psi'
 turn = w.dot(up)                                # about the vertical
 
@@ -37,17 +37,22 @@ contour = tau.subs(contour)
 holds(65, contour - Q*(T*column(0, 1, 0) + Z), contour.dot(w) - Q*roll,
       contour.dot(contour) - (Q/c)**2)          # horizontal: e_y has no part
 
-# ---- the other two, and all in Sundman's time, (66)-(69); pace = |psi'|
+# ---- the other three, and all in Sundman's time, (66)-(69), (95);
+# pace = |psi'|
 damping = -alpha*pace*column(J*wX, IX*wY, K*wZ)
 pivoting = -b*turn*up
 holds(67, turn - (wY*c - wZ*s), pivoting - column(0, -b*turn*c, b*turn*s))
-every = contour + damping + pivoting
+angular = -k*column(IX*wX, IX*wY, IZ*wZ)
+holds(95, (eq16 + angular[2]/K).subs({wX: 0}) + k*IZ/K*wZ,   # upright roll
+      (eq15 + angular[1]/IX).subs({wX: 0}) + k*wY)           # upright spin
+every = contour + damping + pivoting + angular
 u, au = c*roll, alpha*c*pace
-holds(68, c*every[0]/J + au*wX,
-      c*every[1]/IX - (Q*s - b*turn*c**2)/IX + au*wY,
-      c*every[2]/K - (Q*c + b*turn*s*c)/K + au*wZ)
+holds(68, c*every[0]/J + au*wX + k*c*IX/J*wX,
+      c*every[1]/IX - (Q*s - b*turn*c**2)/IX + au*wY + k*c*wY,
+      c*every[2]/K - (Q*c + b*turn*s*c)/K + au*wZ + k*c*IZ/K*wZ)
 holds(69, -c*every.dot(w) + Q*u
-      - au*(J*wX**2 + IX*wY**2 + K*wZ**2) - b*turn**2*c)
+      - au*(J*wX**2 + IX*wY**2 + K*wZ**2) - b*turn**2*c
+      - k*c*(IX*(wX**2 + wY**2) + IZ*wZ**2))
 
 # ---- the reaction, (70)
 more = sp.symbols('mX mY mZ')
@@ -58,37 +63,31 @@ holds(70, M*(accel.subs(moved, simultaneous=True) - accel)
 # ---- the contact stopped, (72), (73): f = phi'
 stopped = {wY: c*f, wZ: -s*f}
 D = IX*c**2 + K*s**2
-holds(72, (J*eq14 - M*g*a*s - (K - IX)*s*c*f**2).subs(stopped),
+rest = contour + pivoting + angular
+holds(72, (J*eq14 + angular[0] - M*g*a*s - (K - IX)*s*c*f**2
+           + k*IX*wX).subs(stopped),
       roll.subs(stopped))
-turns = [(-s*wX*f + c*df) - (eq15 + (contour + pivoting)[1]/IX).subs(stopped),
-         (-c*wX*f - s*df) - (eq16 + (contour + pivoting)[2]/K).subs(stopped)]
+turns = [(-s*wX*f + c*df) - (eq15 + rest[1]/IX).subs(stopped),
+         (-c*wX*f - s*df) - (eq16 + rest[2]/K).subs(stopped)]
 held = sp.solve(turns, [df, Q])
-holds(72, D*held[df] + diff(D, th)*wX*f + b*f)
+holds(72, D*held[df] + diff(D, th)*wX*f
+      + (b + k*(IX*c**2 + IZ*s**2))*f)
 need = K*(2*IX - IZ) + c**2*IZ*(K - IX)
-falls = held[Q].subs(b, 0)
+falls = held[Q].subs({b: 0, k: 0})
 holds(73, (falls*D)**2 - (f*wX*c*need)**2,
-      ((held[Q] - falls)*D)**2 - (b*f*s*c**2*(K - IX))**2)
-# the same where a little roll, u = c psi', is to stay as it is
+      ((held[Q] - falls)*D)**2
+      - (f*s*c**2*(b*(K - IX) + k*IX*(K - IZ)))**2)
+# the same where a little roll, u = c psi', is to stay as it is; angular
+# damping slows it by itself
 stays = sp.Symbol('u')
 moving = {wY: c*f + s*stays, wZ: -s*f + c*stays}
 turns = [(-s*wX*f + c*df + c*wX*stays
-          - (eq15 + (contour + pivoting)[1]/IX)).subs(moving),
+          - (eq15 + rest[1]/IX)).subs(moving),
          (-c*wX*f - s*df - s*wX*stays
-          - (eq16 + (contour + pivoting)[2]/K)).subs(moving)]
+          - (eq16 + rest[2]/K)).subs(moving)]
 kept = sp.solve(turns, [df, Q])[Q]
-holds(73, ((kept - held[Q])*D)**2
+holds(73, ((kept - held[Q]).subs(k, 0)*D)**2
       - (wX*stays*s*(IX*K + c**2*IZ*(K - IX)))**2)
-
-# ---- quasi-steady motion, (74): F stays 0
-F = IX*T*wY**2 + K*wY*wZ - M*g*a*s              # (39)
-F_Y, F_Z = diff(F, wY), diff(F, wZ)
-F_th = IX*wY**2/c**2 - M*g*a*c
-room = F_th + F_Y*(wY*T + m1*wZ) + F_Z*m/K*wY
-slow = -(F_Y*tau[1]/IX + F_Z*tau[2]/K)/room.subs(m1, IZ/IX)
-dwY = eq15.subs(wX, slow) + tau[1]/IX
-dwZ = eq16.subs(wX, slow) + tau[2]/K
-holds(74, F_Y - (2*IX*T*wY + K*wZ), F_Z - K*wY, diff(F, th) - F_th,
-      F_th*slow + F_Y*dwY + F_Z*dwZ)
 
 # ---- the laws of the end, (75), of a disc in natural units: E = (3/2) e,
 # psi' = 2/sqrt(e), and 2 T_kin = e

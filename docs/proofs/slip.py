@@ -3,7 +3,7 @@
 """Asserts what physics.md says of a coin that slips, from Newton and Euler in
 the table's frame.
 
-usage:  python3 docs/proofs/slip.py     Eq. (77)-(82), (85), (86), (88)
+usage:  python3 docs/proofs/slip.py     Eq. (77)-(82), (85), (86), (88), (96)
 """
 import sympy as sp
 from sympy import Matrix, cos, diff, simplify, sin, sqrt, tan
@@ -74,6 +74,7 @@ lever, free = M*a**2/IX, M*(g - a*c*wX**2 - a*s*gX)
 D = 1 + lever*s**2
 N79 = (free + lever*s*c*Fh)/D
 holds(79, of[5].subs(right).subs(N, N79))
+holds(96, free + M*a*(c*wX**2 - g/a - s*wY*(IZ/IX*wZ + wY*T)))
 nh = sp.Symbol('n_h')
 N80 = free/(D + lever*mu*nh*s*c)
 holds(80, (N - N79).subs(Fh, -mu*nh*N).subs(N, N80))

@@ -24,10 +24,10 @@ uint32_t coin_sizeof(const char *type)
         char type[16];
         uint32_t size;
     } sizes[] = {
-        SIZE(coin_params), SIZE(coin_state),    SIZE(coin_force),
-        SIZE(coin_losses), SIZE(coin_friction), SIZE(coin_slide),
-        SIZE(coin_orbit),  SIZE(coinf_params),  SIZE(coinf_state),
-        SIZE(coinf_force), SIZE(coinf_losses),
+        SIZE(coin_params), SIZE(coin_state),   SIZE(coin_force),
+        SIZE(coin_losses), SIZE(coin_table),   SIZE(coin_body),
+        SIZE(coin_orbit),  SIZE(coinf_params), SIZE(coinf_state),
+        SIZE(coinf_force),
     };
     for (size_t i = 0; type && i < sizeof sizes / sizeof *sizes; ++i)
         if (is_equal(type, sizes[i].type))

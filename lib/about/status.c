@@ -14,14 +14,14 @@ static const char errors[][80] = {
     "no such steady motion, not steady, or no orbit",
     "the coin falls flat",
     "this build does not give the pinned bits",
-    "the coin lifts off the table",
+    "unknown error",
     "phi, psi, x or z would leave its range: subtract turns, move the origin",
 };
 
 static const char warnings[][56] = {
     "unknown status",
-    "done, but a real coin would slip",
-    "done, but a real coin would lift off",
+    "done, but the coin slips, or a real one would",
+    "done, but the coin lifts off, or a real one would",
     "done, several warnings: COIN_SLIPS + COIN_LIFTS",
     "done, but the step is coarse",
     "done, several warnings: COIN_SLIPS + COIN_COARSE",
@@ -41,7 +41,11 @@ const char *coin_status_string(int32_t status)
 {
     if (status <= 0 && status >= COIN_ERANGE)
         return errors[-status];
-    if (status == COIN_RESTS)
+    if (status > 0 && status < 128 && status & COIN_RESTS)
         return "done: the coin lies flat, at rest";
+    if (status > 0 && status < 128 && status & COIN_ROLLS)
+        return "done: the coin has begun to roll";
+    if (status > 0 && status < 128 && status & COIN_TOUCHES)
+        return "done: the coin has come down on the table";
     return warnings[status > 0 && status < 16 ? status : 0];
 }

@@ -93,20 +93,6 @@ static inline int coinf_priv_low_holds(const float low[8])
 /* Terms below this part of their sum no longer change it. */
 #define COIN_PRIV_NEGLIGIBLE 1e-9f
 
-/* ---------------------------------------------------------------- losses -- */
-
-/* The largest member of coinf_losses, and the largest ratio of a member and a
- * moment of inertia.  It is far above that of any coin, and so far below
- * overflow that the rates of a step stay finite. */
-#define COIN_PRIV_LOSS_MOST 1e9f
-
-/* The least softening rate, in natural units.  Its square shifts the motion by
- * less than rounding, so that a smaller one would only cost steps. */
-#define COIN_PRIV_SOFT_LEAST (1.0f / 4096)
-
-/* Half the order of extrapolated steps. */
-#define COIN_PRIV_GBS_COLUMNS 4
-
 #else
 
 /* ---------------------------------------------------------------- angles -- */
@@ -195,20 +181,6 @@ static inline int coinf_priv_low_holds(const float low[8])
 
 /* Terms below this part of their sum no longer change it. */
 #define COIN_PRIV_NEGLIGIBLE 1e-17
-
-/* ---------------------------------------------------------------- losses -- */
-
-/* The largest member of coin_losses, and the largest ratio of a member and a
- * moment of inertia.  It is far above that of any coin, and so far below
- * overflow that the rates of a step stay finite. */
-#define COIN_PRIV_LOSS_MOST 1e60
-
-/* The least softening rate, in natural units.  Its square shifts the motion by
- * less than rounding, so that a smaller one would only cost steps. */
-#define COIN_PRIV_SOFT_LEAST (1.0 / 1073741824)
-
-/* Half the order of extrapolated steps. */
-#define COIN_PRIV_GBS_COLUMNS 7
 
 #endif
 

@@ -1,310 +1,271 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "contact.h"
+#include "law.h"
 
-/* The most trials of coin_priv_slip_direction(). */
-#define TRIALS 60
-
-/* A force that leaves the cone by less than this part of its terms counts as
- * inside.  Where friction is 0, or exactly at its limit, the difference is
- * rounding. */
+/* A force that leaves the cone of friction by less than this part of its terms
+ * counts as inside.  Where friction is 0, or exactly at its limit, the
+ * difference is rounding. */
 #define SLACK 1e-14
 
-/* How a coin responds to a force of the contact: its slopes without friction,
- * and what a force adds to them. */
-struct response {
-    double f;        /* the slope of the time: cos theta, or 1 */
-    double turn;     /* the slope of phi */
-    double roll;     /* the slope of psi */
-    double gX;       /* the slope of wX without a force of the table */
-    double wY, wZ;   /* the slopes of wY and wZ without friction */
-    double yX, zX;   /* what they gain per unit of friction along e_X */
-    double uX, uh;   /* the slope of the slip without a force of the table */
-    double weight;   /* the N without friction, times D */
-    double vX, vh;   /* the velocity of the centre */
-    double lever, D; /* M a^2/I_X; 1 + lever sin^2 theta */
+/* The most trials of coin_priv_onset(). */
+#define TRIALS 60
+
+/* How the coin would move without a force of the table on it, or, without a
+ * slip, with the force that keeps its contact where it is. */
+struct free {
+    double f;          /* the slope of the time: cos theta, or 1 */
+    double turn, roll; /* the slopes of phi and psi */
+    double X, Y, Z;    /* the slopes of wX, wY, wZ */
+    double perY, perZ; /* what a friction of 1 along e_X adds to the last two */
 };
 
-/* A slipping coin near flat whose contact is held turns about the vertical
- * through its centre. */
-static void hold(struct response *o, const coin_priv_contact *t,
-                 const coin_priv_slip *y)
+/* The contact is held: the coin turns about the vertical through its contact,
+ * or through its centre if it slips. */
+COIN_PRIV_INLINE struct free held(const double *y, const coin_priv_law *l,
+                                  int slips, int lossy)
 {
-    const coin_priv_body *b = &t->b;
-    const double wX = y->wX, sth = y->sth, cth = y->cth;
-    const double turn = -y->wZ / sth;
-    const double D = b->IX * cth * cth + b->IZ * sth * sth;
-    const double fade = -turn *
-                        (t->l.spin + 2 * sth * cth * wX * (b->IZ - b->IX)) /
-                        D; /* (85) */
-    o->f = 1;
-    o->turn = turn;
-    o->roll = 0;
-    o->gX = sth * cth * turn * turn * (b->k1 - 1); /* (85) */
-    o->wY = cth * fade - sth * wX * turn;
-    o->wZ = -sth * fade - cth * wX * turn;
-    o->yX = -sth * cth * b->m / D; /* (85) */
-    o->zX = sth * sth * b->m / D;  /* (85) */
+    const double wX = y[COIN_PRIV_WX], wZ = y[COIN_PRIV_WZ];
+    const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
+    const double IX = l->IX, K = l->K[slips], turn = -wZ / s;
+    const double D = IX * (c * c) + K * (s * s);
+    const double angular = lossy ? l->angular : 0;
+    const double spin = lossy ? l->spin : 0;
+    const double torque =
+        spin + angular * (IX * (c * c) + l->IZ * (s * s)); /* (72) */
+    const double fade =
+        -turn * (torque + 2 * s * c * wX * (K - IX)) / D; /* (72), (85) */
+    const double lift = (K - IX) * c * (turn * turn);
+    const struct free r = {
+        1,
+        turn,
+        0,
+        (s * ((slips ? 0 : 1) + lift) - angular * IX * wX) *
+            l->perJ[slips], /* (72) */
+        c * fade - s * wX * turn,
+        -s * fade - c * wX * turn,
+        -s * c / D, /* (85) */
+        s * s / D,  /* (85) */
+    };
+    return r;
 }
 
-COIN_PRIV_INLINE void let_roll(struct response *o, const coin_priv_contact *t,
-                               const coin_priv_slip *y)
+COIN_PRIV_INLINE struct free rolling(const double *y, const coin_priv_law *l,
+                                     int slips, int lossy)
 {
-    const coin_priv_body *b = &t->b;
-    const double wX = y->wX, wY = y->wY, sth = y->sth, cth = y->cth;
-    const double cwZ = cth * y->wZ;
-    o->f = cth;
-    o->turn = wY;
-    o->roll = cwZ + sth * wY;
-    /* clang-format off */
-    o->gX = -wY * (b->k1 * cwZ + wY * sth);                  /* (78) */
-    o->wY = wX * (b->k1 * cwZ + wY * sth);                   /* (78) */
-    /* clang-format on */
-    o->wZ = 0;
-    o->yX = 0;
-    o->zX = b->m / b->IZ;
-    if (t->l.solid + t->l.fluid + t->l.spin > 0) {
-        const coin_priv_variables v = {wX, wY, y->wZ, sth, cth, 0, 0, 0, 0};
-        const coin_priv_slowing slow = coin_priv_slowing_of(&t->l, &v);
-        o->wY += slow.wY;
-        o->wZ += slow.wZ;
+    const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
+    const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
+    const double cwZ = c * y[COIN_PRIV_WZ], swY = s * wY;
+    const double k1 = l->IZ * l->perJ[1], K = l->K[slips];
+    const double fall = slips ? 0 : s * c;
+    struct free r = {
+        c,
+        wY,
+        cwZ + swY,
+        (fall - wY * (K * cwZ + l->IX * swY)) * l->perJ[slips], /* (78) */
+        wX * (k1 * cwZ + swY),                                  /* (78) */
+        slips ? 0 : c * wX * wY * l->perK[0],
+        0,
+        l->perK[1],
+    };
+    if (lossy) {
+        const coin_priv_slowing d = coin_priv_slowing_of(l, y, slips);
+        r.X += d.wX;
+        r.Y += d.wY;
+        r.Z += d.wZ;
+    }
+    return r;
+}
+
+/* The slopes of a coin under a force, times `by`. */
+COIN_PRIV_INLINE void slopes_of(double *d, const double *y,
+                                const struct free *o, const coin_priv_push *F,
+                                int slips, double by)
+{
+    const double wX = y[COIN_PRIV_WX], s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
+    const double sph = y[COIN_PRIV_SPH], cph = y[COIN_PRIV_CPH];
+    const double vX = y[COIN_PRIV_UX] - y[COIN_PRIV_WZ];
+    const double vh = y[COIN_PRIV_UH] + wX * c;
+    const double swX2 = o->f * s * (wX * wX);
+    d[COIN_PRIV_WX] = by * o->X;
+    d[COIN_PRIV_WY] = by * o->Y;
+    d[COIN_PRIV_WZ] = by * o->Z;
+    d[COIN_PRIV_S] = by * (o->f * c * wX);
+    d[COIN_PRIV_C] = by * (-o->f * s * wX);
+    d[COIN_PRIV_UX] = slips ? by * (F->X - o->turn * vh + o->Z) : 0;
+    d[COIN_PRIV_UH] = slips ? by * (F->h + o->turn * vX + swX2 - c * o->X) : 0;
+    d[COIN_PRIV_SPH] = by * (o->turn * cph);
+    d[COIN_PRIV_CPH] = by * (-o->turn * sph);
+    d[COIN_PRIV_ADDS_PHI] = by * o->turn;
+    d[COIN_PRIV_ADDS_PSI] = by * o->roll;
+    d[COIN_PRIV_ADDS_X] = by * (o->f * (vX * cph + vh * sph));
+    d[COIN_PRIV_ADDS_Z] = by * (o->f * (vh * cph - vX * sph));
+    d[COIN_PRIV_ADDS_T] = by * o->f;
+}
+
+/* Slopes and force of one mode.  *d is what a step needs, times `by`. */
+COIN_PRIV_INLINE coin_priv_push contact(double *d, const double *y,
+                                        const coin_priv_law *l, int mode,
+                                        coin_priv_direction n, double by)
+{
+    const double wX = y[COIN_PRIV_WX], s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
+    const int slips = (mode & COIN_PRIV_SLIPS) != 0;
+    const int lossy = l->lossy && !(mode & COIN_PRIV_IDLE);
+    struct free o = mode & COIN_PRIV_HELD ? held(y, l, slips, lossy)
+                                          : rolling(y, l, slips, lossy);
+    const double vX = y[COIN_PRIV_UX] - y[COIN_PRIV_WZ]; /* (77) */
+    const double vh = y[COIN_PRIV_UH] + wX * c;          /* (77) */
+    const double swX2 = o.f * s * (wX * wX);
+    coin_priv_push F;
+    if (slips) {
+        const double mu = l->mu_kinetic;
+        F.N = (o.f * (1 - c * (wX * wX)) - s * o.X) /
+              (1 + s * (s + c * (mu * n.h)) * l->perJ[1]); /* (80) */
+        F.X = -mu * F.N * n.X;
+        F.h = -mu * F.N * n.h;
+        o.X += (F.N * s - F.h * c) * l->perJ[1]; /* (81) */
+        o.Y += o.perY * F.X;                     /* (81) */
+        o.Z += o.perZ * F.X;                     /* (81) */
+    } else {
+        F.N = o.f * (1 - c * (wX * wX)) - s * o.X;
+        F.X = o.turn * vh - o.Z;            /* (82) */
+        F.h = c * o.X - swX2 - o.turn * vX; /* (82) */
+    }
+    if (d)
+        slopes_of(d, y, &o, &F, slips, by);
+    return F;
+}
+
+coin_priv_push coin_priv_slopes(double *d, const double *y,
+                                const coin_priv_law *l, int mode,
+                                coin_priv_direction n)
+{
+    return contact(d, y, l, mode, n, 1);
+}
+
+/* The direction of a slip with these variables, and its speed. */
+static double direction(coin_priv_direction *n, const double *y)
+{
+    const double uX = y[COIN_PRIV_UX], uh = y[COIN_PRIV_UH];
+    const double u = sqrt(uX * uX + uh * uh);
+    n->X = uX / u;
+    n->h = uh / u;
+    return u;
+}
+
+void coin_priv_rates(double *d, const double *y, const coin_priv_law *l,
+                     int mode, int in_t)
+{
+    coin_priv_direction n = {0, 0};
+    double by = in_t && !(mode & COIN_PRIV_HELD) ? 1 / y[COIN_PRIV_C] : 1;
+    if (mode == COIN_PRIV_SLIPS) {
+        const double u = direction(&n, y);
+        by = in_t ? by : u / (u + 1); /* (83) */
+        (void)contact(d, y, l, COIN_PRIV_SLIPS, n, by);
+    } else if (mode == 0 && !in_t) {
+        (void)contact(d, y, l, 0, n, 1);
+    } else {
+        if (mode & COIN_PRIV_SLIPS) {
+            const double u = direction(&n, y);
+            by = in_t ? by : u / (u + 1); /* (83) */
+        }
+        (void)contact(d, y, l, mode, n, by);
     }
 }
 
-COIN_PRIV_INLINE struct response response_at(const coin_priv_contact *t,
-                                             const coin_priv_slip *y)
+coin_priv_push coin_priv_push_of(const double *y, const coin_priv_law *l,
+                                 int mode)
 {
-    struct response o;
-    const double wX = y->wX, sth = y->sth, cth = y->cth;
-    if (t->psi_held)
-        hold(&o, t, y);
-    else
-        let_roll(&o, t, y);
-    o.vX = y->uX - y->wZ;    /* (77) */
-    o.vh = y->uh + wX * cth; /* (77) */
-    o.lever = t->b.m / t->b.IX;
-    o.D = 1 + o.lever * (sth * sth);
-    o.weight = o.f * (t->b.g_a - cth * (wX * wX)) - sth * o.gX;
-    o.uX = o.wZ - o.turn * o.vh;
-    o.uh = o.turn * o.vX + o.f * (wX * wX) * sth - cth * o.gX;
-    return o;
+    coin_priv_direction n = {0, 0};
+    if (mode & COIN_PRIV_SLIPS)
+        (void)direction(&n, y);
+    return coin_priv_slopes(0, y, l, mode, n);
 }
 
-/* The same as a function. */
-static struct response response_of(const coin_priv_contact *t,
-                                   const coin_priv_slip *y)
+double coin_priv_weight(const double *y, const coin_priv_law *l)
 {
-    return response_at(t, y);
+    const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
+    const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
+    const double up = l->IZ / l->IX * c * y[COIN_PRIV_WZ] + s * wY;
+    return c * (1 - c * (wX * wX)) + s * (wY * up); /* (96) */
 }
 
-static coin_priv_push stick(const struct response *o, const coin_priv_slip *y)
-{
-    const double part = o->lever * y->sth * y->cth;
-    const double h =
-        (part * o->weight - o->D * o->uh) / (1 + o->lever); /* (82) */
-    const coin_priv_push force = {
-        (o->weight + part * h) / o->D, /* (79) */
-        -o->uX / (1 + o->zX),          /* (82) */
-        h,
-    };
-    return force;
-}
-
-coin_priv_push coin_priv_static(const coin_priv_contact *contact,
-                                const coin_priv_slip *y)
-{
-    const struct response o = response_of(contact, y);
-    return stick(&o, y);
-}
-
-COIN_PRIV_INLINE coin_priv_push slide(const struct response *o,
-                                      const coin_priv_slip *y, double mu,
-                                      coin_priv_direction n)
-{
-    const double part = o->lever * y->sth * y->cth;
-    const double N = o->weight / (o->D + part * mu * n.h); /* (80) */
-    const coin_priv_push force = {N, -mu * N * n.X, -mu * N * n.h};
-    return force;
-}
-
-coin_priv_push coin_priv_kinetic(const coin_priv_contact *contact,
-                                 const coin_priv_slip *y, coin_priv_direction n)
-{
-    const struct response o = response_of(contact, y);
-    return slide(&o, y, contact->mu_kinetic, n);
-}
-
-/* The slope of the slip. */
-COIN_PRIV_INLINE coin_priv_direction slip_slope(const struct response *o,
-                                                const coin_priv_slip *y,
-                                                const coin_priv_push *p)
-{
-    const double sth = y->sth, cth = y->cth;
-    const double turn = o->lever * (p->N * sth - p->h * cth);
-    const coin_priv_direction d = {
-        o->uX + (1 + o->zX) * p->X,
-        o->uh + p->h - cth * turn,
-    };
-    return d;
-}
-
-/* The slopes under a force, times `by`. */
-COIN_PRIV_INLINE void slopes_under(coin_priv_slip *d, const struct response *o,
-                                   const coin_priv_slip *y,
-                                   const coin_priv_push *force, double by)
-{
-    const coin_priv_direction slip = slip_slope(o, y, force);
-    const double wX = y->wX, sth = y->sth, cth = y->cth;
-    const double sph = y->sph, cph = y->cph, f = o->f;
-    const double lean = o->lever * (force->N * sth - force->h * cth);
-    d->wX = by * (o->gX + lean);             /* (81) */
-    d->wY = by * (o->wY + o->yX * force->X); /* (81) */
-    d->wZ = by * (o->wZ + o->zX * force->X); /* (81) */
-    d->sth = by * (f * cth * wX);
-    d->cth = by * (-f * sth * wX);
-    d->uX = by * slip.X;
-    d->uh = by * slip.h;
-    d->sph = by * (o->turn * cph);
-    d->cph = by * (-o->turn * sph);
-    d->phi = by * o->turn;
-    d->psi = by * o->roll;
-    d->x = by * (f * (o->vX * cph + o->vh * sph));
-    d->z = by * (f * (o->vh * cph - o->vX * sph));
-    d->t = by * f;
-}
-
-void coin_priv_slopes_under(coin_priv_slip *d, const coin_priv_contact *contact,
-                            const coin_priv_slip *y,
-                            const coin_priv_push *force)
-{
-    const struct response o = response_of(contact, y);
-    slopes_under(d, &o, y, force, 1);
-}
-
-int coin_priv_can_slip(const coin_priv_contact *contact,
-                       const coin_priv_slip *y)
+double coin_priv_contact_margin(const double *y, const coin_priv_law *l,
+                                int mode)
 {
     const coin_priv_direction none = {0, 0};
-    return contact->mu_static <= DBL_MAX &&
-           coin_priv_kinetic(contact, y, none).N > 0;
+    const double wX = y[COIN_PRIV_WX], wY = fabs(y[COIN_PRIV_WY]);
+    const double f = mode & COIN_PRIV_HELD ? 1 : y[COIN_PRIV_C];
+    const double size = f * (1 + wX * wX) + wY * (wY + fabs(y[COIN_PRIV_WZ]));
+    const double mu = l->mu_static;
+    if (l->damping > 0)
+        return coin_priv_weight(y, l) / size;
+    const coin_priv_push F = coin_priv_slopes(0, y, l, mode, none);
+    if (mode & COIN_PRIV_SLIPS)
+        return F.N / size;
+    const double friction = sqrt(F.X * F.X + F.h * F.h);
+    const double over = mu > 1 ? F.N - friction / mu : mu * F.N - friction;
+    return over / size + SLACK;
 }
 
-/* mu N + F, divided by mu if that is above 1, with the absolute values of all
- * terms of the force. */
-static double terms_of(const coin_priv_contact *t, const struct response *o,
-                       const coin_priv_slip *y)
-{
-    const double cth = y->cth, sth = fabs(y->sth), mu = t->mu_static;
-    const double turn = fabs(o->turn), wX2 = o->f * (y->wX * y->wX);
-    const double wY = fabs(y->wY), cwZ = cth * fabs(y->wZ);
-    const double gX =
-        t->psi_held ? fabs(o->gX) : wY * (t->b.k1 * cwZ + wY * sth);
-    const double weight = o->f * t->b.g_a + cth * wX2 + sth * gX;
-    const double uX = fabs(o->wZ) + turn * fabs(o->vh);
-    const double uh = turn * fabs(o->vX) + wX2 * sth + cth * gX;
-    const double part = o->lever * sth * cth;
-    const double h = (part * weight + o->D * uh) / (1 + o->lever);
-    const double N = (weight + part * h) / o->D, F = uX / (1 + o->zX) + h;
-    return mu > 1 ? N + F / mu : mu * N + F;
-}
-
-double coin_priv_margin(const coin_priv_contact *contact,
-                        const coin_priv_slip *y)
-{
-    const struct response o = response_of(contact, y);
-    const coin_priv_push force = stick(&o, y);
-    const double mu = contact->mu_static;
-    const double F = coin_priv_hypot(force.X, force.h);
-    return (mu > 1 ? force.N - F / mu : mu * force.N - F) +
-           SLACK * terms_of(contact, &o, y);
-}
-
-/* The directions between two.  That of a slip that begins is looked for in such
- * a sector. */
+/* The directions between two. */
 struct sector {
     coin_priv_direction from, to;
 };
 
-/* The direction of a vector; along e_X if it is 0. */
-static coin_priv_direction unit(double X, double h)
-{
-    const double size = coin_priv_hypot(X, h);
-    const int none = size == 0;
-    const coin_priv_direction n = {none ? 1 : X / size, none ? 0 : h / size};
-    return n;
-}
-
 static coin_priv_direction direction_at(const struct sector *f, double part)
 {
-    return unit((1 - part) * f->from.X + part * f->to.X,
-                (1 - part) * f->from.h + part * f->to.h);
+    const double X = (1 - part) * f->from.X + part * f->to.X;
+    const double h = (1 - part) * f->from.h + part * f->to.h;
+    const double size = sqrt(X * X + h * h);
+    const coin_priv_direction n = {X / size, h / size};
+    return n;
 }
 
 /* The cross product of the slope of the slip and n, for a slip that begins in
  * the direction n, a part of the way through the sector.  It is 0 if the slip
  * keeps that direction. */
-static double turn_away(const struct response *o, const coin_priv_contact *t,
-                        const coin_priv_slip *y, const struct sector *f,
-                        double part)
+static double turn_away(const double *y, const coin_priv_law *l, int mode,
+                        const struct sector *f, double part)
 {
+    double d[COIN_PRIV_SIZE];
     const coin_priv_direction n = direction_at(f, part);
-    const coin_priv_push force = slide(o, y, t->mu_kinetic, n);
-    const coin_priv_direction d = slip_slope(o, y, &force);
-    return d.X * n.h - d.h * n.X; /* (84) */
+    (void)coin_priv_slopes(d, y, l, mode, n);
+    return d[COIN_PRIV_UX] * n.h - d[COIN_PRIV_UH] * n.X; /* (84) */
 }
 
 /* The root of (84) lies between the direction against the static force and that
  * of the slip without friction.  Where these agree to rounding, the one with
  * the smaller cross product is taken. */
-coin_priv_direction coin_priv_slip_direction(const coin_priv_contact *contact,
-                                             const coin_priv_slip *y,
-                                             const coin_priv_push *stick)
+coin_priv_direction coin_priv_onset(const double *y, const coin_priv_law *l,
+                                    int mode, coin_priv_push F)
 {
-    const struct response o = response_of(contact, y);
-    const double lever_h = (1 + o.lever) / o.D;
-    const struct sector sector = {
-        unit(-stick->X, -stick->h),
-        unit(-stick->X * (1 + o.zX), -stick->h * lever_h),
-    };
-    double x0 = 0, off0 = turn_away(&o, contact, y, &sector, 0);
-    double x1 = 1, off1 = turn_away(&o, contact, y, &sector, 1);
-    double x = fabs(off0) < fabs(off1) ? x0 : x1, step = 1;
-    for (int i = 0;
-         (i < TRIALS) & (step > DBL_EPSILON) & ((off0 < 0) != (off1 < 0));
-         ++i) {
-        x = x0 + (x1 - x0) * (off0 / (off0 - off1));
-        const double off = turn_away(&o, contact, y, &sector, x);
-        step = fabs(x - x1);
-        if ((off < 0) == (off1 < 0)) {
-            off0 /= 2; /* Illinois */
+    const coin_priv_direction none = {0, 0};
+    double d[COIN_PRIV_SIZE];
+    mode |= COIN_PRIV_SLIPS;
+    (void)coin_priv_slopes(d, y, l, mode, none);
+    const double dX = d[COIN_PRIV_UX], dh = d[COIN_PRIV_UH];
+    const double a = sqrt(F.X * F.X + F.h * F.h), b = sqrt(dX * dX + dh * dh);
+    const struct sector sector = {{-F.X / a, -F.h / a}, {dX / b, dh / b}};
+    const double first = turn_away(y, l, mode, &sector, 0);
+    const double last = turn_away(y, l, mode, &sector, 1);
+    if ((first < 0) == (last < 0))
+        return fabs(first) < fabs(last) ? sector.from : sector.to;
+    double x0 = 0, at0 = first, x1 = 1, at1 = last;
+    for (int i = 0; i < TRIALS && fabs(x1 - x0) > DBL_EPSILON; ++i) {
+        const double x = x0 + (x1 - x0) * (at0 / (at0 - at1));
+        const double at = turn_away(y, l, mode, &sector, x);
+        if ((at < 0) == (at1 < 0)) {
+            at0 /= 2; /* Illinois */
         } else {
             x0 = x1;
-            off0 = off1;
+            at0 = at1;
         }
+        const double moved = fabs(x - x1);
         x1 = x;
-        off1 = off;
+        at1 = at;
+        if (moved <= DBL_EPSILON || at == 0)
+            break;
     }
-    return direction_at(&sector, x);
-}
-
-void coin_priv_roll_slopes(double *dy, const double *y, const void *contact)
-{
-    const coin_priv_contact *t = (const coin_priv_contact *)contact;
-    const coin_priv_slip *at = (const coin_priv_slip *)(const void *)y;
-    const struct response o = response_of(t, at);
-    const coin_priv_push force = stick(&o, at);
-    slopes_under((coin_priv_slip *)(void *)dy, &o, at, &force, 1);
-}
-
-void coin_priv_slip_slopes(double *dy, const double *y, const void *contact)
-{
-    const coin_priv_contact *t = (const coin_priv_contact *)contact;
-    const coin_priv_slip *at = (const coin_priv_slip *)(const void *)y;
-    const double u = coin_priv_hypot(at->uX, at->uh);
-    const double scale = coin_priv_slip_scale(t, u);
-    const coin_priv_direction n = {at->uX / u, at->uh / u};
-    const struct response o = response_at(t, at);
-    const coin_priv_push force = slide(&o, at, t->mu_kinetic, n);
-    slopes_under((coin_priv_slip *)(void *)dy, &o, at, &force, scale);
+    return direction_at(&sector, x1);
 }

@@ -1,35 +1,57 @@
 /* SPDX-License-Identifier: MIT */
-/* At a state: the power that the losses take, and the rates and the reaction
- * of a coin with them. */
+/* At a state of a coin that rolls: the power that the losses take, and the
+ * rates and the reaction of a coin with them. */
 #include "../motion/pinned.h"
 
-#include "../motion/state.h"
+#include "../motion/equations.h"
 
-#include "losses.h"
+#include "law.h"
 
-/* What the losses do to a state, after the checks in their order. */
+/* What the losses do to a state: what they add to d/dt of the rates, in natural
+ * units, and the power. */
 struct slowed {
     coin_priv_body b;
     coin_priv_variables y;
-    coin_priv_slowing d;
+    double dwX, dwY, dwZ, power;
 };
+
+/* The power of (69) by t, in natural units. */
+static double power_of(const coin_priv_law *l, const double *y)
+{
+    const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
+    const double wZ = y[COIN_PRIV_WZ], s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
+    const double u = coin_priv_roll_speed(y), about = wY * c - wZ * s;
+    const double IX = l->IX, IZ = l->IZ;
+    const double all = l->J[0] * wX * wX + IX * wY * wY + l->K[0] * wZ * wZ;
+    const double own = IX * (wX * wX + wY * wY) + IZ * wZ * wZ;
+    return u * u * coin_priv_grip(l, u, c) / c +
+           l->damping * fabs(u) * all / c + l->spin * about * about +
+           l->angular * own; /* (69) */
+}
 
 static int32_t slow(struct slowed *w, const coin_state *s, const coin_params *p,
                     const coin_losses *l)
 {
-    coin_priv_losses losses;
+    coin_priv_law law;
     if (!s || !p || !l)
         return COIN_EARG;
-    if (coin_losses_check(l, p) != COIN_OK)
+    if (coin_priv_check_body(&w->b, p) != COIN_OK ||
+        coin_priv_law_of(&law, l, &w->b) != COIN_OK)
         return COIN_EPARAMS;
     const int32_t status = coin_priv_check(s, p, &w->b);
     if (status != COIN_OK)
         return status;
-    (void)coin_priv_losses_of(&losses, l, &w->b);
-    w->y = coin_priv_variables_of(s);
-    w->d = coin_priv_slowing_of(&losses, &w->y);
-    const double sum = w->d.wX + w->d.wY + w->d.wZ + w->d.power;
-    return fabs(sum * w->y.q) <= DBL_MAX ? COIN_OK : COIN_ESTATE;
+    const coin_priv_variables v = w->y = coin_priv_variables_of(s);
+    const double per = 1 / sqrt(w->b.g_a);
+    const double y[COIN_PRIV_SIZE] = {
+        per * v.wX, per * v.wY, per * v.wZ, v.sth, v.cth, 0, 0, v.sph, v.cph,
+    };
+    const coin_priv_slowing d = coin_priv_slowing_of(&law, y, 0);
+    w->dwX = d.wX * v.q; /* dtau = dt/cos(theta) */
+    w->dwY = d.wY * v.q;
+    w->dwZ = d.wZ * v.q;
+    w->power = power_of(&law, y);
+    return COIN_OK;
 }
 
 double coin_losses_power(const coin_state *s, const coin_params *p,
@@ -37,7 +59,7 @@ double coin_losses_power(const coin_state *s, const coin_params *p,
 {
     struct slowed w;
     const int32_t status = slow(&w, s, p, l);
-    return status == COIN_OK ? w.d.power * w.y.q : (double)NAN;
+    return status == COIN_OK ? w.b.Mga * sqrt(w.b.g_a) * w.power : (double)NAN;
 }
 
 int32_t coin_losses_rates(const coin_state *s, const coin_params *p,
@@ -45,13 +67,13 @@ int32_t coin_losses_rates(const coin_state *s, const coin_params *p,
 {
     struct slowed w;
     coin_state rates;
-    int32_t status = out ? slow(&w, s, p, l) : COIN_EARG;
+    const int32_t status = out ? slow(&w, s, p, l) : COIN_EARG;
     if (status != COIN_OK)
         return status;
     (void)coin_rates(s, p, &rates);
-    rates.wX += w.d.wX * w.y.q; /* dtau = dt/cos(theta) */
-    rates.wY += w.d.wY * w.y.q;
-    rates.wZ += w.d.wZ * w.y.q;
+    rates.wX += w.b.g_a * w.dwX;
+    rates.wY += w.b.g_a * w.dwY;
+    rates.wZ += w.b.g_a * w.dwZ;
     *out = rates;
     return COIN_OK;
 }
@@ -62,16 +84,13 @@ int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
     struct slowed w;
     coin_force f;
     double R[9];
-    int32_t status = out ? slow(&w, s, p, l) : COIN_EARG;
+    const int32_t status = out ? slow(&w, s, p, l) : COIN_EARG;
     if (status != COIN_OK)
         return status;
     (void)coin_reaction(s, p, &f);
     coin_priv_axes(&w.y, R);
-    const double Ma = w.b.M * w.b.a;
-    const double along_X = -Ma * (w.d.wZ * w.y.q); /* (70) */
-    const double along_Z = Ma * (w.d.wX * w.y.q);  /* (70) */
     for (int i = 0; i < 3; ++i)
-        f.R[i] += along_X * R[i] + along_Z * R[6 + i];
+        f.R[i] += w.b.Mg * (w.dwX * R[6 + i] - w.dwZ * R[i]); /* (70) */
     f.normal = f.R[1];
     f.friction = coin_priv_hypot(f.R[0], f.R[2]);
     f.ratio = f.normal > 0 ? f.friction / f.normal : (double)INFINITY;

@@ -21,8 +21,9 @@ int32_t coin_advance(coin_state *s, const coin_params *p, double t, double tol,
                      double *reached)
 {
     coin_priv_body b;
-    int32_t status =
-        coin_priv_tol_is_valid(tol) ? coin_priv_check(s, p, &b) : COIN_EARG;
+    if (!coin_priv_tol_is_valid(tol))
+        return COIN_EARG;
+    int32_t status = coin_priv_check(s, p, &b);
     if (status != COIN_OK)
         return status;
     if (!coin_priv_time_holds(t, &b))

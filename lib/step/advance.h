@@ -41,7 +41,7 @@
  * below 2.9^2. */
 #define COIN_PRIV_LAST_RK8 5.5
 #define COIN_PRIV_LAST_MOST 2.0
-#define COIN_PRIV_TURN 10.0
+#define COIN_PRIV_TURN_WEIGHT 10.0
 #define COIN_PRIV_LAST_RK4 2.0
 
 /* How far a call may step. */
@@ -114,11 +114,11 @@ COIN_PRIV_INLINE int coin_priv_one_step_suffices(
     const double left2 = coin_priv_left2(r, rem), most = lengths->rk8;
     if (!(left2 <= most * most))
         return 0;
-    if ((1 + COIN_PRIV_TURN) * left2 <= most * most)
+    if ((1 + COIN_PRIV_TURN_WEIGHT) * left2 <= most * most)
         return 1; /* w is hardly ever above W */
     const double tau = rem * r->g.y.q;
     const double turn2 = tau * tau * coin_priv_turn2(r, tau / 2);
-    return left2 + COIN_PRIV_TURN * turn2 <= most * most;
+    return left2 + COIN_PRIV_TURN_WEIGHT * turn2 <= most * most;
 }
 
 /* A step in tau, shorter and shorter until its error is accepted.  *r stays
@@ -131,7 +131,7 @@ COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r,
 {
     const double unit = coin_priv_sundman_tau(&r->b, &r->g.y, 1);
     const double before = rem->sum;
-    double stride, most, error;
+    double most, error;
     int made;
     if (r->g.y.cth < COIN_PRIV_FLAT)
         return COIN_EFLAT;
@@ -144,7 +144,7 @@ COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r,
     r->g.added.t = 0;
     do {
         pace->tau = coin_priv_next_tau(r, pace->stride * unit, before);
-        stride = fabs(pace->tau) / unit;
+        const double stride = fabs(pace->tau) / unit;
         error = most = COIN_PRIV_ACCEPTED * lengths->tol / stride;
         made = coin_priv_extrapolate_within(r, pace->tau, &error);
         /* With the 14th root of an accepted step's, more would be refused. */

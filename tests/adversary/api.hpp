@@ -13,7 +13,6 @@
     using params = PREFIX##_params;                                            \
     using state = PREFIX##_state;                                              \
     using force = PREFIX##_force;                                              \
-    using losses = PREFIX##_losses;                                            \
     static constexpr auto disc = PREFIX##_params_disc;                         \
     static constexpr auto ring = PREFIX##_params_ring;                         \
     static constexpr auto body = PREFIX##_params_body;                         \

@@ -7,6 +7,7 @@
 #include "slides.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace
 {
@@ -16,21 +17,24 @@ constexpr double LOOK = 0.1;
 
 struct calls {
     coin_params p;
-    coin_friction f;
+    coin_table f;
     coin_losses l;
-    coin_slide at;
+    coin_body at;
     int count;
     double dt, tol;
 
     calls(const scene &s, bool lossy)
-        : p(params_of<doubles>(s)), f{s.q[1], s.q[0]},
-          l(), at{state_of<doubles>(s), 0, 0}, count(int(s.steps)), dt(s.t),
-          tol(s.tol)
+        : p(params_of<doubles>(s)), f(), l(), at(), count(int(s.steps)),
+          dt(s.t), tol(s.tol)
     {
         scene of = s;
         of.steps = lossy ? s.q[3] : 0;
         std::fill(of.q, of.q + 4, s.q[2]);
         l = losses_of(of);
+        at.s = state_of<doubles>(s);
+        f.mu_static = s.q[1];
+        f.mu_kinetic = s.q[0];
+        f.losses = l;
     }
     coin_state *state()
     {
@@ -50,16 +54,21 @@ int32_t by_settle(calls *c, double t)
     return coin_settle(c->state(), &c->p, &c->l, t, c->tol, nullptr);
 }
 
-int32_t by_slide(calls *c, double t)
+int32_t by_move(calls *c, double t)
 {
-    return coin_slide_advance(&c->at, &c->p, &c->f, &c->l, t, c->tol, nullptr);
+    return coin_move(&c->at, &c->p, &c->f, t, c->tol, 0, nullptr);
 }
 
-/* The slip of a slide that rolls, in parts of what rounding may leave. */
+/* The slip of a body that rolls, in parts of what rounding may leave; broken if
+ * it is not on the table, or a call with t = 0 changes it. */
 double slip_left(const calls &c)
 {
+    calls again = c;
+    if (by_move(&again, 0) != COIN_OK ||
+        std::memcmp(&again.at, &c.at, sizeof c.at) || !is_on_table(c.at, c.p))
+        return BROKEN;
     double u[2];
-    if (coin_slide_velocity(&c.at, &c.p, u) != COIN_OK)
+    if (coin_body_slip(&c.at, &c.p, u) != COIN_OK)
         return BROKEN;
     const double size =
         std::fabs(c.at.vx) + std::fabs(c.at.vz) +
@@ -128,18 +137,21 @@ template <class R> class rolled
     {
         const R s = sine(y.lean()), c = y.cos_theta();
         held<R> f(IX, IZ, s, c, &y.at()[5]);
-        if (y.slow)
-            f.X -= y.slow
-                       ->at(IX, 1 + IX, 1 + IZ, s, c, y.at()[5], y.at()[6],
-                            y.at()[7])
-                       .wZ.value; /* (70) */
+        if (y.slow) {
+            const slowing<R> by = y.slow->at(IX, IZ, 1 + IX, 1 + IZ, s, c,
+                                             y.at()[5], y.at()[6], y.at()[7]);
+            f.N -= by.wX.value * s; /* (70) */
+            f.X -= by.wZ.value;     /* (70) */
+            f.h += by.wX.value * c; /* (70) */
+        }
         if (mu > R(DBL_MAX))
             return f.N;
         return mu > 1 ? f.N - f.friction() / mu : mu * f.N - f.friction();
     }
 };
 
-/* By a mover that keeps the coin rolling, and by slides where friction does. */
+/* By a mover that keeps the coin rolling, and by coin_move() where friction
+ * does. */
 template <class R, mover move, bool lossy, bool may_slip>
 double rolls(const scene &s, double enough)
 {
@@ -155,7 +167,8 @@ double rolls(const scene &s, double enough)
                                  1 / (long double)first.w);
     rolled<R> truth(start, lossy ? &slow : nullptr);
     calls c = start;
-    if (may_slip && coin_slide_of(&c.at, &start.at.s, &start.p) != COIN_OK)
+    if (may_slip &&
+        coin_body_from_state(&c.at, &start.at.s, &start.p) != COIN_OK)
         return NO_CLAIM;
     for (int i = 0; i < c.count; ++i)
         if (!truth.follow(R(c.dt), may_slip) ||
@@ -176,15 +189,12 @@ double rolls(const scene &s, double enough)
     double worst = 0;
     for (int i = 0; i < c.count; ++i) {
         const int32_t status = move(&c, c.dt);
-        if (may_slip && (status == COIN_SLIPS || status == COIN_ELIFT)) {
+        if (may_slip && (status == COIN_SLIPS || status == COIN_LIFTS)) {
             const double near = double(truth.left / truth.moves() / bound);
             return near > 1 && grown(near) < near ? BROKEN : NO_CLAIM;
         }
         if (status != COIN_OK)
             return NO_CLAIM;
-        calls again = c;
-        if (move(&again, 0) != COIN_OK)
-            return BROKEN;
         worst = may_slip ? larger(worst, slip_left(c)) : worst;
     }
     R off[8], far = 0;
@@ -196,7 +206,8 @@ double rolls(const scene &s, double enough)
 }
 
 /* Up to 64 calls of what is 1/1000 to 1/30 s to a quarter; mu_static from
- * mu_kinetic to infinity; half with losses but damping. */
+ * mu_kinetic to infinity; half with losses, damping where
+ * mu_static is infinite. */
 void short_calls(scene *s, const double *g)
 {
     s->t = std::sqrt(s->a / s->g) * std::pow(10, 1.6 * g[22] - 1.6);
@@ -205,7 +216,10 @@ void short_calls(scene *s, const double *g)
     s->q[0] = 0.9 * g[26];
     s->q[1] = g[27] > 0.8 ? double(INFINITY) : s->q[0] / (1 - g[27]);
     s->q[2] = std::pow(10, 5 * g[28] - 6.5);
-    s->q[3] = g[29] < 0.5 ? 0 : 2 * std::floor(128 * g[29] - 64);
+    const int which = int(512 * g[29] - 256); /* angular, damping too */
+    s->q[3] = which < 0 ? 0 : which % 128 / 2 * 2 + which / 128 * 256;
+    if (which > 0 && s->q[1] > DBL_MAX)
+        s->q[3] += which % 2;
     s->phi = 6 * g[18] - 3;
     s->psi = 6 * g[19] - 3;
     s->x = s->a * (6 * g[20] - 3);
@@ -231,7 +245,7 @@ void add_calls(std::vector<row> *rows)
         "coin_advance_calls", "2 tol a radius of speed + rounding"));
     rows->push_back(row_of<by_settle, true, false>(
         "coin_settle_calls", "2 tol a radius of speed + rounding"));
-    rows->push_back(row_of<by_slide, true, true>(
-        "coin_slide_advance_calls",
+    rows->push_back(row_of<by_move, true, true>(
+        "coin_move_calls",
         "2 tol a radius of speed + rounding; rolls where the truth does"));
 }

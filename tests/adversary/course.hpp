@@ -119,15 +119,18 @@ class losing_series
     {
     }
 
-    /* Adds to d(wX), d(wY), d(wZ)/dt of order n. */
+    /* Adds to d(wX), d(wY), d(wZ)/dt of order n; of angular, whose part of wX
+     * is the motion's, only the last two. */
     template <class T>
-    void add(const turning_series &q, T IX, T K, int n, T d[3])
+    void add(const turning_series &q, T IX, T IZ, T K, int n, T d[3])
     {
         const T Q = torque<T>(q, n);
         pull.set(n, Q);
         tangent.set(n, tangent.quotient<T>(q.s.at<T>(n), q.c, n));
         d[1] += series::product<T>(pull, tangent, n) / IX;
         d[2] += Q / K;
+        d[1] -= T(of.angular) * q.wY.at<T>(n);
+        d[2] -= T(of.angular) * IZ / K * q.wZ.at<T>(n);
         if (of.spin != 0) {
             upright.set(n, series::product<T>(q.wY, q.c, n) -
                                series::product<T>(q.wZ, q.s, n));
@@ -141,6 +144,11 @@ class losing_series
             d[1] -= fade * series::product<T>(roll, q.wY, n);
             d[2] -= fade * series::product<T>(roll, q.wZ, n);
         }
+    }
+
+    template <class T> T angular() const
+    {
+        return T(of.angular);
     }
 
   private:
@@ -194,8 +202,10 @@ struct rolling_series : turning_series {
         T d[] = {(weight - series::product<T>(wY, gyro, n)) /
                      (1 + X),                                   /* (14) */
                  dwY, series::product<T>(wX, wY, n) / (1 + Z)}; /* (16) */
-        if (slow)
-            slow->add<T>(*this, X, 1 + Z, n, d);
+        if (slow) {
+            d[0] -= slow->angular<T>() * X / (1 + X) * wX.at<T>(n);
+            slow->add<T>(*this, X, Z, 1 + Z, n, d);
+        }
         rates<T>(n, -roll, fall.at<T>(n), d, to); /* (20) */
     }
 };
@@ -232,7 +242,7 @@ struct slipping_series : turning_series {
             series::product<T>(N, s, n) - series::product<T>(force, c, n);
         T d[] = {still.at<T>(n) + turns / X, dwY, FX / Z};
         if (slow)
-            slow->add<T>(*this, X, Z, n, d);
+            slow->add<T>(*this, X, Z, Z, n, d);
         const T dX = FX - series::product<T>(turn, vh, n);
         const T dh = Fh + series::product<T>(turn, vX, n);
         rates<T>(n, vX.at<T>(n), vh.at<T>(n), d, to);
@@ -262,7 +272,8 @@ struct slipping_series : turning_series {
         if (mu > 0)
             direct<T>(n);
         gyro.set(n, Z / X * wZ.at<T>(n) + spun.at<T>(n));
-        still.set(n, -series::product<T>(wY, gyro, n)); /* (78) */
+        const T slows = slow ? slow->angular<T>() * wX.at<T>(n) : T(0);
+        still.set(n, -series::product<T>(wY, gyro, n) - slows); /* (78) */
         hinder.set(n, series::product<T>(nh, c, n));
         lever.set(n, s.at<T>(n) + T(mu) * hinder.at<T>(n));
         share.set(n, one + series::product<T>(s, lever, n) / X);

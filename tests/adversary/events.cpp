@@ -14,7 +14,7 @@ template <class R> R blurred(R error, R moves, R slope)
     return error * moves / magnitude(slope);
 }
 
-/* What coin_slide_advance() may err by until a natural time. */
+/* What coin_move() may err by until a natural time. */
 template <class R> R allowed(R tol, R natural)
 {
     return (tol + R(1e-14)) * (1 + natural) + 64 * R(doubles::u);
@@ -23,12 +23,16 @@ template <class R> R allowed(R tol, R natural)
 /* Times that are determined worse than this are no claim. */
 constexpr double BLURRED = 1e-3;
 
+/* The slip speed below which a coin rolls.  The truth takes what remains of a
+ * slip from there on as a straight line. */
+constexpr double ROLLS = 1e-10;
+
 /* How far from a true time the status changes from one to another, in parts of
  * `bound`: halved from the first of `enough` parts, twice as many and so on
  * before and behind which it is known; REACH where that is beyond.  Half of
- * enough, where it is less than enough.  A coin that begins to slip may lift off
- * at once.  No claim if a call says COIN_ESTEP: its trials were not enough, and
- * it tells neither. */
+ * enough, where it is less than enough.  A coin that begins to slip may lift
+ * off at once.  No claim if a call says COIN_ESTEP: its trials were not enough,
+ * and it tells neither. */
 constexpr double REACH = 32;
 
 double distance(const asked &q, double tol, double when, double bound,
@@ -36,10 +40,10 @@ double distance(const asked &q, double tol, double when, double bound,
 {
     bool tells = true;
     const auto status = [&](double t) {
-        coin_slide d = q.d;
+        coin_body d = q.d;
         const int32_t is = q.advance(&d, larger(t, 0.0), tol);
         tells = tells && is != COIN_ESTEP;
-        return before == COIN_OK && is == COIN_ELIFT ? after : is;
+        return before == COIN_OK && is == COIN_LIFTS ? after : is;
     };
     double far = enough > 0 ? enough : 1 / REACH;
     while (status(when - far * bound) != before ||
@@ -58,6 +62,19 @@ double distance(const asked &q, double tol, double when, double bound,
     return std::fabs((low + high) / 2 - when) / bound;
 }
 
+/* How far from a true time a call ends that `stop` is to end there, in parts of
+ * `bound`. */
+double stopped(const asked &q, double tol, double when, double bound,
+               int32_t stop)
+{
+    coin_body b = q.d;
+    double reached = 0;
+    const int32_t is = q.advance(&b, when + REACH * bound, tol, stop, &reached);
+    if (is == COIN_ESTEP)
+        return NO_CLAIM;
+    return is & stop ? std::fabs(reached - when) / bound : REACH;
+}
+
 /* ------------------------------------------------------- from roll to slip */
 template <class R> class rolling
 {
@@ -66,7 +83,8 @@ template <class R> class rolling
 
     rolling(const asked &q, const coin_state &s)
         : at(q.p, s), IX(R(q.p.inertia_X) / m_of(q.p)),
-          IZ(R(q.p.inertia_Z) / m_of(q.p)), mu(q.f.mu_static)
+          IZ(R(q.p.inertia_Z) / m_of(q.p)), mu(q.f.mu_static),
+          mu_kinetic(q.f.mu_kinetic)
     {
     }
     /* What is left of the cone of friction. */
@@ -98,6 +116,17 @@ template <class R> class rolling
         return -1;
     }
 
+    /* How long a slip from here counts as rolling, at most, in natural time: by
+     * what rolling needs beyond the friction of a slip. */
+    R unseen() const
+    {
+        const held<R> f(IX, IZ, sine(at.lean()), at.cos_theta(), &at.at()[5]);
+        const R least =
+            R(ROLLS) + 16 * R(doubles::u) *
+                           (magnitude(at.at()[5]) + magnitude(at.at()[7]));
+        return least / (f.friction() - mu_kinetic * f.N);
+    }
+
     /* How fast what is left changes, in natural time; and how much errors of
      * the lean and of the rates change it. */
     R slope() const
@@ -118,7 +147,7 @@ template <class R> class rolling
     }
 
   private:
-    R IX, IZ, mu;
+    R IX, IZ, mu, mu_kinetic;
 
     static R m_of(const coin_params &p)
     {
@@ -141,7 +170,7 @@ template <class R> double begins(const scene &s, double enough)
 {
     asked q(s);
     const double tol = s.q[3];
-    if (coin_slide_of(&q.d, &q.d.s, &q.p) != COIN_OK ||
+    if (coin_body_from_state(&q.d, &q.d.s, &q.p) != COIN_OK ||
         q.advance(&q.d, 0, tol) != COIN_OK)
         return NO_CLAIM;
     rolling<R> truth(q, q.d.s);
@@ -157,21 +186,20 @@ template <class R> double begins(const scene &s, double enough)
     if (!(bound * double(truth.at.w) < BLURRED / double(truth.at.fastest())))
         return NO_CLAIM;
     const double ratio =
-        distance(q, tol, double(when), bound, COIN_OK, COIN_SLIPS, enough);
+        larger(distance(q, tol, double(when),
+                        bound + double(truth.unseen() / truth.at.w), COIN_OK,
+                        COIN_SLIPS, enough),
+               stopped(q, tol, double(when), bound, COIN_SLIPS | COIN_LIFTS));
     return unamplified(ratio, enough, [&](double most) {
         return growth(q.p, q.d.s, double(when) / 8, 8, most);
     });
 }
 
 /* ----------------------------------------------------------- ends of slips */
-/* The slip speed below which a coin rolls.  The truth takes what remains of a
- * slip from there on as a straight line. */
-constexpr double ROLLS = 1e-10;
-
 /* Whether a coin slips, on a table that is accepted. */
 bool slips(const asked &q, double tol)
 {
-    coin_slide d = q.d;
+    coin_body d = q.d;
     return q.advance(&d, 0, tol) == COIN_SLIPS;
 }
 
@@ -196,7 +224,8 @@ template <class R> double ends(const scene &s, double enough)
         return NO_CLAIM;
     const double when = double(natural) / w;
     const double ratio =
-        distance(q, tol, when, bound, COIN_SLIPS, COIN_OK, enough);
+        larger(distance(q, tol, when, bound, COIN_SLIPS, COIN_OK, enough),
+               stopped(q, tol, when, bound, COIN_ROLLS));
     return unamplified(ratio, enough, [&](double most) {
         return growth(q, 0.9L * when, most);
     });
@@ -216,11 +245,10 @@ template <class R> double lifts(const scene &s, double enough)
         blurred(allowed(R(tol), truth.took), truth.pull(), truth.lightening());
     if (!(bound < R(BLURRED)))
         return NO_CLAIM;
-    coin_slide d = q.d;
+    coin_body d = q.d;
     double reached;
-    if (coin_slide_advance(&d, &q.p, &q.f, nullptr,
-                           double(truth.took) / w * 1.01, tol,
-                           &reached) != COIN_ELIFT)
+    if (q.advance(&d, double(truth.took) / w * 1.01, tol, 0, &reached) !=
+        COIN_LIFTS)
         return BROKEN;
     const double ratio =
         double(magnitude(R(reached) * truth.w - truth.took) / bound);
@@ -246,8 +274,9 @@ template <class R> double reaction(const scene &s, double)
     const moment<R> y(q.p, q.d.s);
     const slipping<R> u(y, q.d);
     coin_force f;
-    if (coin_slide_reaction(&q.d, &q.p, &q.f, nullptr, &f) != COIN_OK ||
-        !(u.speed() > R(1e-3) * u.size()) || !(u.speed() > R(1e-9) * y.a))
+    if (coin_body_reaction(&q.d, &q.p, &q.f, &f) != COIN_OK ||
+        !slips(q, 1e-2) || !(u.speed() > R(1e-3) * u.size()) ||
+        !(u.speed() > R(1e-9) * y.a))
         return NO_CLAIM;
     const R nX = u.X.value / u.speed(), nh = u.h.value / u.speed();
     const R lever = y.m / y.IX, mu = q.f.mu_kinetic;
@@ -257,7 +286,10 @@ template <class R> double reaction(const scene &s, double)
     weight.add(y.a * y.s * y.wY * y.wY * y.T); /* (78) */
     D.add(R(1)).add(lever * y.s * y.s).add(lever * mu * nh * y.s * y.c);
     D.size += lever * mu * magnitude(y.s * y.c) * u.size() / u.speed();
-    const terms<R> N = over(weight, D); /* (80) */
+    const terms<R> N = over(weight, D);           /* (80) */
+    if (!(N.value > 32 * R(doubles::u) * N.size)) /* it lifts off */
+        return f.normal <= double(y.M * N.size) * 64 * doubles::u ? NO_CLAIM
+                                                                  : BROKEN;
     const R turned = magnitude(N.value) * mu * u.size() / u.speed();
     const R least = 1024 * R(doubles::normal);
     const R normal = 32 * R(doubles::u) * y.M * N.size / y.c + least;
@@ -285,13 +317,13 @@ void add_slide_events(std::vector<row> *rows)
 {
     const char *law = "tol (1 + natural time) over the rate; before "
                       "amplification";
-    rows->push_back({"coin_slide_advance_begins", law, 5, false, thrown_far,
+    rows->push_back({"coin_move_begins", law, 5, false, thrown_far,
                      begins<long double>, begins<quad>});
-    rows->push_back({"coin_slide_advance_ends", law, 100, false, thrown_far,
+    rows->push_back({"coin_move_ends", law, 100, false, thrown_far,
                      ends<long double>, ends<quad>});
-    rows->push_back({"coin_slide_advance_lifts", law, 25, false, thrown_far,
+    rows->push_back({"coin_move_lifts", law, 25, false, thrown_far,
                      lifts<long double>, lifts<quad>});
-    rows->push_back({"coin_slide_reaction",
+    rows->push_back({"coin_body_reaction",
                      "32 u of the terms over cos theta; slipping", 1, false,
                      thrown, reaction<long double>, reaction<quad>});
 }

@@ -8,7 +8,8 @@
 #include "scene.hpp"
 
 /* The losses of a scene: which, by the bits of steps, and how large, by q and
- * tol, in parts of the coin's own torques. */
+ * tol, in parts of the coin's own torques.  Bit 7 is soft; bit 8 angular, as
+ * large as spin; bit 9 flat, by method. */
 inline coin_losses losses_of(const scene &s)
 {
     const double w = std::sqrt(s.g / s.a), torque = s.M * s.g * s.a;
@@ -18,8 +19,12 @@ inline coin_losses losses_of(const scene &s)
     coin_losses l = {};
     for (int i = 0; i < 8; ++i)
         if (int(s.steps) >> i & 1)
-            (&l.damping)[i] =
+            (i == 7 ? l.soft : (&l.damping)[i]) =
                 unit[i] * (i == 7 ? s.tol : std::fabs(s.q[i / 2]));
+    if (int(s.steps) >> 8 & 1)
+        l.angular = w * std::fabs(s.q[3]);
+    if (int(s.steps) >> 9 & 1)
+        l.flat = std::fabs(s.method);
     return l;
 }
 
@@ -29,7 +34,7 @@ template <class R> struct slowing {
 };
 
 template <class R> struct losses {
-    R damping, dry, viscous, layer, gap, rolling, spin, soft;
+    R damping, dry, viscous, layer, gap, rolling, spin, angular, soft;
 
     /* In units of mass M, length L, time T. */
     template <class S>
@@ -39,7 +44,7 @@ template <class R> struct losses {
           layer(R(l.layer) / (M * L * L / root(T))),
           gap(R(l.gap) / (M * L * L / T)),
           rolling(R(l.rolling) / (M * L * L / T / T)),
-          spin(R(l.spin) / (M * L * L / T)),
+          spin(R(l.spin) / (M * L * L / T)), angular(R(l.angular) * T),
           soft((l.soft > least_soft ? R(l.soft) : R(least_soft)) * T)
     {
     }
@@ -52,9 +57,10 @@ template <class R> struct losses {
                layer * root(rate) + gap / c;
     }
 
-    /* Of a body I_X, J, K.  Inline: most callers need no sizes, or no power. */
-    __attribute__((always_inline)) slowing<R> at(R IX, R J, R K, R s, R c, R wX,
-                                                 R wY, R wZ) const
+    /* Of a body I_X, I_Z, J, K.  Inline: most callers need no sizes, or no
+     * power. */
+    __attribute__((always_inline)) slowing<R> at(R IX, R IZ, R J, R K, R s, R c,
+                                                 R wX, R wY, R wZ) const
     {
         const R T = s / c, roll = wZ + wY * T;
         const R size = magnitude(wZ) + magnitude(wY * T);
@@ -65,22 +71,24 @@ template <class R> struct losses {
         const R turns = magnitude(wY * c) + magnitude(wZ * s);
         const R T2 = J * wX * wX + IX * wY * wY + K * wZ * wZ;
         slowing<R> d;
-        d.wX = {-fade * wX, fades * magnitude(wX)};
-        d.wY = {(Q * T - spin * wy * c) / IX - fade * wY,
+        const R aX = fade + angular * IX / J, aZ = fade + angular * IZ / K;
+        const R all = angular * (IX * wX * wX + IX * wY * wY + IZ * wZ * wZ);
+        d.wX = {-aX * wX, (fades + angular * IX / J) * magnitude(wX)};
+        d.wY = {(Q * T - spin * wy * c) / IX - (fade + angular) * wY,
                 (most * magnitude(T) + spin * turns * c) / IX +
-                    fades * magnitude(wY)};
-        d.wZ = {(Q + spin * wy * s) / K - fade * wZ,
+                    (fades + angular) * magnitude(wY)};
+        d.wZ = {(Q + spin * wy * s) / K - aZ * wZ,
                 (most + spin * turns * magnitude(s)) / K +
-                    fades * magnitude(wZ)};
-        d.power = {fade * T2 + spin * wy * wy - Q * roll,
-                   fades * T2 + spin * turns * turns + most * size};
+                    (fades + angular * IZ / K) * magnitude(wZ)};
+        d.power = {fade * T2 + spin * wy * wy - Q * roll + all,
+                   fades * T2 + spin * turns * turns + most * size + all};
         return d;
     }
 
     /* Adds d(wX), d(wY), d(wZ)/dt where M = a = g = 1. */
     void add(R IX, R IZ, R s, R c, R wX, R wY, R wZ, R *d) const
     {
-        const slowing<R> l = at(IX, 1 + IX, 1 + IZ, s, c, wX, wY, wZ);
+        const slowing<R> l = at(IX, IZ, 1 + IX, 1 + IZ, s, c, wX, wY, wZ);
         d[0] += l.wX.value;
         d[1] += l.wY.value;
         d[2] += l.wZ.value;
@@ -92,11 +100,6 @@ inline double softening(const coin_losses &l, const coin_params &p)
 {
     const double w = std::sqrt(p.gravity / p.radius);
     return l.soft > 0 ? w * 0x1p-30 : w / 1024;
-}
-inline double softening(const coinf_losses &l, const coinf_params &p)
-{
-    const double w = std::sqrt(double(p.gravity) / p.radius);
-    return l.soft > 0 ? w * 0x1p-12 : w / 1024;
 }
 
 #endif

@@ -67,7 +67,7 @@ R excess(const path<R> &at, const coin_params &p, const R &mu, bool lifts)
                               : R(lifts ? 1 : -1);
 }
 
-/* No excursion that exceeds mu by 1e-6 of it lies before the moment reached;
+/* No excursion that exceeds mu by 1e-4 of it lies before the moment reached;
  * looked for at 48 moments, of motions that amplify errors little.  A lift-off
  * may be brief: where mu is large, there are 500. */
 template <class R> double until(const scene &s, double)
@@ -75,30 +75,34 @@ template <class R> double until(const scene &s, double)
     constexpr double TOL = 1e-12;
     const coin_params p = params_of<doubles>(s);
     const coin_state start = state_of<doubles>(s);
-    coin_state end = start;
+    const double t = std::fabs(s.t);
+    coin_body end;
+    coin_table table = {};
+    table.mu_static = s.tol;
+    table.mu_kinetic = lesser(s.tol, 0.1);
     path<R> truth(p, start);
     const int32_t bits = s.tol > 1e6 && int(s.steps) % 2 > 0
                              ? COIN_SLIPS
                              : COIN_SLIPS | COIN_LIFTS;
     double reached = 0;
-    if (truth.is_long(R(s.t)) ||
-        coin_advance_until(&end, &p, s.t, TOL, s.tol, bits, &reached) < 0)
+    if (truth.is_long(R(t)) ||
+        coin_body_from_state(&end, &start, &p) != COIN_OK ||
+        coin_move(&end, &p, &table, t, TOL, bits, &reached) < 0)
         return NO_CLAIM;
-    const R side = reached < 0 ? -1 : 1;
     /* Next to N = 0 F/N changes fast. */
     const bool is_large = s.tol > 100;
     const int looks = is_large ? 500 : 48;
     const double late = is_large ? 1e-6 : 2 * TOL, most = is_large ? 1e5 : 1000;
-    const R clear = R(reached) - side * late / truth.w;
+    const R clear = R(reached) - late / truth.w;
     R worst = 0;
-    for (int k = 0; k < looks && clear * side > 0; ++k) {
+    for (int k = 0; k < looks && clear > 0; ++k) {
         if (!truth.follow(clear / looks) || truth.cos_theta() < 1 / R(most))
             return NO_CLAIM;
         worst = larger(worst, excess(truth, p, R(s.tol), bits & COIN_LIFTS));
     }
     if (worst > 0 && growth(p, start, reached / 16, 16, most + 1) > most)
         return NO_CLAIM;
-    return double(worst / R(1e-6));
+    return double(worst / R(1e-4));
 }
 
 /* ------------------------------------------------------------------ orbits */
@@ -298,7 +302,7 @@ void add_motions(std::vector<row> *rows)
     const row made[] = {
         MOTION(advance, "coin_advance", "2 tol a radius of speed + rounding", 5,
                horizon),
-        MOTION(until, "coin_advance_until", "F/N over mu by 1e-6 of mu", 2,
+        MOTION(until, "coin_move_until", "F/N over mu by 1e-4 of mu", 2,
                until_it_slips),
         ORBIT(false, "coin_orbit_at",
               "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + period) "

@@ -8,33 +8,53 @@
 #include "scene.hpp"
 #include "truth.hpp"
 
+/* The height and the normal velocity of a body that touches the table. */
+inline void set_on_table(coin_body *b, const coin_params &p)
+{
+    b->y = p.radius * std::cos(b->s.theta);
+    b->vy = -p.radius * std::sin(b->s.theta) * b->s.wX;
+}
+
+/* Whether that is so of a returned body, to the rounding of two cosines. */
+inline bool is_on_table(const coin_body &b, const coin_params &p)
+{
+    coin_body on = b;
+    set_on_table(&on, p);
+    return std::fabs(on.y - b.y) <= 0x1p-52 * p.radius &&
+           std::fabs(on.vy - b.vy) <= 0x1p-51 * std::fabs(on.vy);
+}
+
 /* A scene's velocity of the centre, in parts of sqrt(g a), and its friction;
  * its losses, all of the size q[2] in parts of the coin's own torques, where
  * the bits of steps ask for them. */
 struct asked {
     coin_params p;
-    coin_slide d;
-    coin_friction f;
-    coin_losses l;
+    coin_body d;
+    coin_table f;
     bool lossy;
 
     explicit asked(const scene &s, bool slowed = false)
-        : p(params_of<doubles>(s)), l(), lossy(slowed)
+        : p(params_of<doubles>(s)), d(), f(), lossy(slowed)
     {
         const double v = std::sqrt(s.g * s.a);
-        d = {state_of<doubles>(s), s.q[0] * v, s.q[1] * v};
-        f = {s.tol * 1.1, s.tol};
+        d.s = state_of<doubles>(s);
+        d.vx = s.q[0] * v;
+        d.vz = s.q[1] * v;
+        set_on_table(&d, p);
+        f.mu_static = s.tol * 1.1;
+        f.mu_kinetic = s.tol;
         if (slowed) {
             scene of = s;
-            of.steps = 2 * (int(s.steps) % 64); /* no damping */
+            /* No damping; angular. */
+            of.steps = 2 * (int(s.steps) % 64) + 256 * (int(s.steps) / 64 % 2);
             of.q[0] = of.q[1] = of.q[3] = s.q[2];
-            l = losses_of(of);
+            f.losses = losses_of(of);
         }
     }
-    int32_t advance(coin_slide *at, double t, double tol) const
+    int32_t advance(coin_body *at, double t, double tol, int32_t stop = 0,
+                    double *reached = nullptr) const
     {
-        return coin_slide_advance(at, &p, &f, lossy ? &l : nullptr, t, tol,
-                                  nullptr);
+        return coin_move(at, &p, &f, t, tol, stop, reached);
     }
 };
 
@@ -42,7 +62,7 @@ struct asked {
 template <class R> struct slipping {
     terms<R> X, h;
 
-    slipping(const moment<R> &y, const coin_slide &d)
+    slipping(const moment<R> &y, const coin_body &d)
     {
         X.add(R(d.vx) * y.cph).add(-R(d.vz) * y.sph).add(y.a * y.wZ);
         h.add(R(d.vx) * y.sph).add(R(d.vz) * y.cph).add(-y.a * y.wX * y.c);
@@ -87,7 +107,8 @@ template <class R> class slide
 
     explicit slide(const asked &q)
         : a(R(q.p.radius)), w(root(R(q.p.gravity) / a)),
-          of(q.l, softening(q.l, q.p), q.p.mass, q.p.radius, 1 / w),
+          of(q.f.losses, softening(q.f.losses, q.p), q.p.mass, q.p.radius,
+             1 / w),
           lossy(q.lossy)
     {
         const moment<R> m(q.p, q.d.s);
@@ -216,7 +237,7 @@ template <class R> class slide
     }
 
     /* The largest difference from an output, each in its unit. */
-    R apart(const coin_slide &d) const
+    R apart(const coin_body &d) const
     {
         const R sph = sine(y[1]), cph = cosine(y[1]), v = a * w;
         const R at[] = {d.s.theta,
@@ -359,7 +380,10 @@ template <class R> class slide
         const R wX = q[5], wY = q[6], wZ = q[7], u = speed(q);
         const R nX = mu > 0 ? (q[8] + wZ) / u : R(0);
         const R nh = mu > 0 ? (q[9] - wX * c) / u : R(0);
-        const R gX = -(IZ * wY * wZ + IX * wY * wY * T) / IX; /* (78) */
+        slowing<R> by;
+        if (lossy)
+            by = of.at(IX, IZ, IX, IZ, s, c, wX, wY, wZ);
+        const R gX = -(IZ * wY * wZ + IX * wY * wY * T) / IX + by.wX.value;
         const R N = (1 - wX * wX * c - s * gX) /
                     (1 + s * (s + mu * nh * c) / IX); /* (80) */
         const R FX = -mu * N * nX, Fh = -mu * N * nh, turn = wY / c;
@@ -375,7 +399,6 @@ template <class R> class slide
              FX - turn * q[9],
              Fh + turn * q[8]};
         if (lossy) {
-            const slowing<R> by = of.at(IX, IX, IZ, s, c, wX, wY, wZ);
             d[6] += by.wY.value;
             d[7] += by.wZ.value;
         }
@@ -394,7 +417,7 @@ inline void thrown(scene *s, const double *g)
     s->z = s->a * (6 * g[21] - 3);
     s->q[0] = 4 * g[26] - 2;
     s->q[1] = 4 * g[27] - 2;
-    s->q[3] = std::pow(10, 9 * g[29] - 12);
+    s->q[3] = std::pow(10, 9.9 * g[29] - 11.95);
 }
 
 #endif

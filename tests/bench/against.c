@@ -4,10 +4,10 @@
  *     against scenes        ratios at equal errors on the chart's scenes
  *     against coins         ratios at equal tol over 300 random coins
  *     against frames        short calls beside the textbook's step
- *     against until         what coin_advance_until() costs, calls of one
- *                           length after each other, in the older
- *                           coin_advance()
- *     against slides        what coin_slide_advance() costs, in the same
+ *     against until         what coin_move() costs that looks for a slip,
+ *                           calls of one length after each other, in the
+ *                           older coin_advance()
+ *     against moves         what coin_move() costs, in the same
  *
  * A ratio above 1 says how many times faster these sources are, but in the last
  * two how many times dearer. */
@@ -257,11 +257,15 @@ static double until_ns(const scene *c, double length, double tol,
 {
     const int calls = (int)ceil(REACH / length);
     coin_state s = c->row[0].s;
+    const coin_table table = {.mu_static = f ? f->mu : 0,
+                              .mu_kinetic = f ? fmin(f->mu, 0.1) : 0};
+    coin_body b;
+    coin_body_from_state(&b, &s, &c->p);
     const double begin = clock_ns(), t = length * c->unit;
     for (int i = 0; i < calls; ++i) {
         if (!f)
             old_coin_advance(&s, &c->p, t, tol, NULL);
-        else if (coin_advance_until(&s, &c->p, t, tol, f->mu, f->bits, NULL))
+        else if (coin_move(&b, &c->p, &table, t, tol, f->bits, NULL))
             return NAN;
     }
     return (clock_ns() - begin) / calls;
@@ -309,38 +313,41 @@ static void until(void)
     }
 }
 
-/* ---------------------------------------------------------------- slides -- */
+/* ---------------------------------------------------------------- moves -- */
 enum {
     MODES = 3
-}; /* the old coin_advance(), and slides of much friction and
-      of little more than is needed */
+}; /* the old coin_advance(), and coin_move() with much friction and
+      with little more than is needed */
 
-static double calls_of(int mode, const coin_params *p, const coin_friction *f,
+static double calls_of(int mode, const coin_params *p, const coin_table *f,
                        double t, double tol)
 {
     const coin_state start = {.theta = 0.1, .wY = 0.05, .wZ = 1.2};
     const int calls = t < 4 ? (int)(4 / t) : 1;
     coin_state s = start;
-    coin_slide d;
-    coin_slide_of(&d, &start, p);
+    coin_body b;
+    coin_body_from_state(&b, &start, p);
     const double begin = clock_ns();
     for (int i = 0; i < calls; ++i)
         if (mode == 0)
             old_coin_advance(&s, p, t, tol, NULL);
         else
-            coin_slide_advance(&d, p, &f[mode - 1], NULL, t, tol, NULL);
+            coin_move(&b, p, &f[mode - 1], t, tol, 0, NULL);
     return (clock_ns() - begin) / calls;
 }
 
-static void slides(void)
+static void moves(void)
 {
     /* Its motion needs F/N up to 0.0695. */
-    const coin_friction f[MODES - 1] = {{0.14, 0.126}, {0.0709, 0.0638}};
+    const coin_table f[MODES - 1] = {
+        {.mu_static = 0.14, .mu_kinetic = 0.126},
+        {.mu_static = 0.0709, .mu_kinetic = 0.0638},
+    };
     const double tols[] = {1e-6, 1e-9, 1e-12};
     const double times[] = {0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 20};
     coin_params p;
     coin_params_disc(&p, 1, 1, 1);
-    puts("tol,t,old ns,slide / old,slide near the cone / old");
+    puts("tol,t,old ns,move / old,move near the cone / old");
     for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 8; ++b) {
             double ns[MODES] = {INFINITY, INFINITY, INFINITY};
@@ -363,8 +370,8 @@ int main(int argc, char **argv)
         frames();
     else if (strcmp(what, "until") == 0)
         until();
-    else if (strcmp(what, "slides") == 0)
-        slides();
+    else if (strcmp(what, "moves") == 0)
+        moves();
     else
         return 2;
     return 0;

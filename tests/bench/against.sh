@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # coin_advance() of this tree beside that of an older revision, in one process:
-#     against.sh REVISION portable|native [scenes|coins|frames|until|slides]
+#     against.sh REVISION portable|native [scenes|coins|frames|until|moves]
 # Needs the git history, and objcopy.  Works in build/against.
 set -eu
 revision=$1 build=$2
@@ -36,6 +36,6 @@ gcc -std=c11 $flags -D_POSIX_C_SOURCE=200809L -I"$src/include" \
     -DBENCH_DATA="\"$src/tests/reference\"" -o "$work/against" \
     "$src/tests/bench/against.c" "$src/tests/bench/scene.c" \
     "$src/tests/bench/textbook.c" "$work/new"/*.o "$work/old.o" -lm
-for what in ${3:-scenes coins frames until slides}; do
+for what in ${3:-scenes coins frames until moves}; do
     "$work/against" $what
 done

@@ -38,12 +38,11 @@ about()
     batch) echo "batch: charts" ;;
     costs | frames | natural | steps) echo "coinf advance: charts" ;;
     longrun | damping) echo ": longrun" ;;
-    models_quasi) echo "settle: real-quasi" ;;
     orbit_*) echo "orbit: charts" ;;
     accuracy | atlas | best) echo "advance orbit: charts" ;;
     reliability) echo "advance: charts" ;;
     silent*) echo ": silent" ;;
-    slides) echo "advance slide: slides" ;;
+    slides) echo "advance move: slides" ;;
     *) echo "bits.sh: what does $1.csv depend on?" >&2; exit 2 ;;
     esac
 }

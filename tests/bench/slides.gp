@@ -28,7 +28,7 @@ do for [k=1:3] {
     set title says[k] offset 0,-0.7
     if (k == 1) {
         set ylabel "cost in textbook steps" offset 1.5,0
-        set label 1 "coin\\_slide\\_advance" at 2e-11,4e2 left tc rgb colour[4]
+        set label 1 "coin\\_move" at 2e-11,4e2 left tc rgb colour[4]
         set label 2 "friction regularised," at 3e-4,6e6 right tc rgb colour[7]
         set label 3 "by RK4" at 3e-4,3e6 right tc rgb colour[7]
         set label 4 "by BDF" at 8e-4,5e4 right tc rgb colour[7]

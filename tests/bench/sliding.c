@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-void sliding_start(double y[SLIDING], const coin_slide *d)
+void sliding_start(double y[SLIDING], const coin_body *d)
 {
     const coin_state *s = &d->s;
     const double sph = sin(s->phi), cph = cos(s->phi);

@@ -19,7 +19,7 @@ struct sliding {
     int usual;
 };
 
-void sliding_start(double y[SLIDING], const coin_slide *d);
+void sliding_start(double y[SLIDING], const coin_body *d);
 coin_state sliding_state(const double y[SLIDING]);
 
 /* Slopes by t, friction regularised; without friction if delta is 0. */

@@ -164,7 +164,7 @@ $(FW_OUT)/m0/late.txt: $(FW_OUT)/m0/watchdog.elf
 	test "$$(head -1 $@)" = '1 rounds: late'
 
 # ---------------------------------------------------------------- what it takes
-FW_ENTRIES := coinf_step coinf_run coinf_check coinf_settle coin_step coin_run
+FW_ENTRIES := coinf_step coinf_run coinf_check coin_step coin_run
 FW_TOOLS    = $(if $(filter wasm32,$1),llvm-,$(patsubst \
                 %gcc,%,$(firstword $(CC_$1))))
 

@@ -49,17 +49,6 @@ static void float_checks(uint32_t n)
         failed |= coinf_check(&s, &quarter_f, COIN_RK4, 1e-3f, 1) != COIN_OK;
 }
 
-/* Calls of 1 ms of a quarter that spins and loses energy. */
-static void float_settles(uint32_t n)
-{
-    const coinf_losses dry = {0, 5.7330e-7f, 0, 0, 0, 0, 0, 0};
-    const coinf_state start = {1.04719755f, 0, 0, 0, 0, 0.142f, 40.21f, 0, {0}};
-    coinf_state s = start;
-    while (n-- > 0)
-        failed |=
-            coinf_settle(&s, &quarter_f, &dry, 1e-3f, 1e-3f, 0) != COIN_OK;
-}
-
 static void double_steps(uint32_t n)
 {
     coin_state s;
@@ -86,8 +75,8 @@ static const struct {
     work *does;
 } works[] = {
     {"coinf_step", float_steps},   {"coinf_run", float_run},
-    {"coinf_check", float_checks}, {"coinf_settle", float_settles},
-    {"coin_step", double_steps},   {"coin_run", double_run},
+    {"coinf_check", float_checks}, {"coin_step", double_steps},
+    {"coin_run", double_run},
 };
 enum { WORKS = sizeof works / sizeof *works };
 

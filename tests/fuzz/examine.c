@@ -170,7 +170,7 @@ static int moves_ordinarily(const struct subject *s)
     int good = is_ordinary(world.s.wX, w0) && is_ordinary(world.s.wY, w0) &&
                is_ordinary(world.s.wZ, w0);
     if (*s->f->signature == '=') {
-        const coin_slide *d = s->a[GIVEN][0].p;
+        const coin_body *d = s->a[GIVEN][0].p;
         good &= is_ordinary(d->vx, v0) && is_ordinary(d->vz, v0);
     }
     return good;

@@ -7,9 +7,6 @@
 
 CALL(coin_selftest, ())
 CALL(coin_advance, (a[0].p, a[1].p, a[2].d, a[3].d, a[4].p))
-CALL(coin_advance_until,
-     (a[0].p, a[1].p, a[2].d, a[3].d, a[4].d, a[5].i, a[6].p))
-
 /* After an error on the way: somewhere between here and t, and sound. */
 static void judge_advance(const struct outcome *o)
 {
@@ -29,36 +26,10 @@ static void judge_advance(const struct outcome *o)
                coin_state_check(s, &o->world->p) == COIN_OK);
 }
 
-/* As of coin_advance(); the bits are those asked for that hold, and not before.
- */
-static void judge_advance_until(const struct outcome *o)
-{
-    const double t = o->given[2].d, mu = o->given[4].d;
-    const int32_t bits = o->given[5].i, got = (int32_t)o->result;
-    const coin_state *s = o->left[0].p;
-    const coin_params *p = &o->world->p;
-    double reached;
-    memcpy(&reached, o->left[6].p, sizeof reached);
-    if (got < 0 && same(&reached, o->given[6].p, sizeof reached)) {
-        demand(same(s, &o->world->s, sizeof *s));
-        return;
-    }
-    demand(fabs(reached) <= fabs(t) && reached * t >= 0);
-    demand(coin_state_check(s, p) == COIN_OK);
-    if (got >= 0)
-        demand((coin_check(s, p, COIN_RK4, 0, mu) & bits) == got);
-    if (got == COIN_OK)
-        demand(reached == t);
-    else if (reached != 0)
-        demand((coin_check(&o->world->s, p, COIN_RK4, 0, mu) & bits) == 0);
-}
-
 #define LANDS (STOPS | BIT(COIN_EFLAT))
 
 const struct function fuzz_functions[] = {
     ROW(coin_advance, "SpTer", USUAL | LANDS, 0, LANDS, judge_advance, 0),
-    ROW(coin_advance_until, "SpTedxr", USUAL | LANDS, 11, LANDS,
-        judge_advance_until, 0),
     ROW(coin_selftest, "", 0, 0, PLAIN),
 };
 

@@ -11,7 +11,6 @@ CALL(coin_losses_rates, (a[0].p, a[1].p, a[2].p, a[3].p))
 CALL(coin_losses_reaction, (a[0].p, a[1].p, a[2].p, a[3].p))
 CALL(coin_settle, (a[0].p, a[1].p, a[2].p, a[3].d, a[4].d, a[5].p))
 CALL(coin_time_to_rest, (a[0].p, a[1].p, a[2].p))
-CALL(coin_quasisteady_at, (a[0].p, a[1].p, a[2].p, a[3].d, a[4].p))
 CALL(coin_losses_fit, (a[0].p, a[1].p, a[2].p, a[3].d))
 
 static void judge_power(const struct outcome *o)
@@ -23,7 +22,7 @@ static void judge_power(const struct outcome *o)
 static int slows(const coin_losses *l)
 {
     return l->damping > 0 || l->dry > 0 || l->viscous > 0 || l->layer > 0 ||
-           l->gap > 0 || l->rolling > 0 || l->spin > 0;
+           l->gap > 0 || l->rolling > 0 || l->spin > 0 || l->angular > 0;
 }
 
 /* As of coin_advance(); at rest as coin.h says. */
@@ -46,13 +45,6 @@ static void judge_settle(const struct outcome *o)
         demand(s->wY == 0 && s->wX * s->theta >= 0 && fabs(s->theta) > 1.57);
 }
 
-static void judge_quasisteady(const struct outcome *o)
-{
-    const coin_state *s = o->left[4].p;
-    if (o->result == COIN_RESTS)
-        demand(s->wX == 0 && s->wY == 0);
-}
-
 #define NEAR_STEADY (USUAL | BIT(COIN_EDOMAIN))
 
 const struct function fuzz_functions[] = {
@@ -63,8 +55,6 @@ const struct function fuzz_functions[] = {
     ROW(coin_settle, "SplTer", USUAL | STOPS, COIN_RESTS, STOPS, judge_settle,
         0),
     ROW(coin_time_to_rest, "spl", 0, 0, 0, judge_power, 2),
-    ROW(coin_quasisteady_at, "splTO", NEAR_STEADY | BIT(COIN_ESTEP), COIN_RESTS,
-        0, judge_quasisteady, 0),
     ROW(coin_losses_fit, "LEpT", NEAR_STEADY, 0, PLAIN),
 };
 

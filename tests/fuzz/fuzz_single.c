@@ -38,8 +38,6 @@ CALL(coinf_axes, (a[0].p, a[1].p))
 CALL(coinf_quaternion, (a[0].p, a[1].p))
 CALL(coinf_matrix, (a[0].p, a[1].p, a[2].p))
 CALL(coinf_check, (a[0].p, a[1].p, a[2].i, f(a[3]), f(a[4])))
-CALL(coinf_losses_check, (a[0].p, a[1].p))
-CALL(coinf_settle, (a[0].p, a[1].p, a[2].p, f(a[3]), f(a[4]), a[5].p))
 /* clang-format on */
 
 /* A run is so many runs of one step, to the bit, and ends where one does. */
@@ -57,22 +55,6 @@ static void judge_run(const struct outcome *o)
         demand(left == done && (o->result >= 0) == (done == a[4].u));
     else
         demand(o->result < 0);
-}
-
-/* As of coin_settle(). */
-static void judge_settle(const struct outcome *o)
-{
-    const coinf_state *s = o->left[0].p;
-    float reached;
-    memcpy(&reached, o->left[5].p, sizeof reached);
-    if (o->result < 0 && same(&reached, o->given[5].p, sizeof reached))
-        demand(same(s, &o->world->sf, sizeof *s));
-    else if (o->result == COIN_OK)
-        demand(reached == f(o->given[3]));
-    else
-        demand(reached >= 0 && reached <= f(o->given[3]));
-    if (o->result == COIN_RESTS)
-        demand(s->wY == 0 && s->wX * s->theta >= 0 && fabsf(s->theta) > 1.57f);
 }
 
 #define MAKES (BIT(COIN_EARG) | BIT(COIN_EPARAMS))
@@ -102,9 +84,6 @@ const struct function fuzz_functions[] = {
     ROW(coinf_quaternion, "gD", NO_PARAMS, 0, PLAIN),
     ROW(coinf_matrix, "gfU", USUAL, 0, PLAIN),
     ROW(coinf_check, "gfitd", STEPS, 15, PLAIN),
-    ROW(coinf_losses_check, "of", BIT(COIN_EARG) | BIT(COIN_EPARAMS), 0, PLAIN),
-    ROW(coinf_settle, "HfoTeK", STEPS, COIN_RESTS, BIT(COIN_ESTEP),
-        judge_settle, 0),
 };
 
 END_OF_TABLE;

@@ -1,35 +1,39 @@
 /* SPDX-License-Identifier: MIT */
-/* Coins that slip. */
+/* Real coins. */
 #include "fuzz.h"
 
 #include <math.h>
 #include <string.h>
 
-CALL(coin_slide_of, (a[0].p, a[1].p, a[2].p))
-CALL(coin_slide_advance,
-     (a[0].p, a[1].p, a[2].p, a[3].p, a[4].d, a[5].d, a[6].p))
-CALL(coin_slide_energy, (a[0].p, a[1].p))
-CALL(coin_slide_reaction, (a[0].p, a[1].p, a[2].p, a[3].p, a[4].p))
-CALL(coin_slide_velocity, (a[0].p, a[1].p, a[2].p))
+CALL(coin_table_check, (a[0].p, a[1].p))
+CALL(coin_body_from_state, (a[0].p, a[1].p, a[2].p))
+CALL(coin_body_from_motion, (a[0].p, a[1].p, a[2].p, a[3].p, a[4].p, a[5].p))
+CALL(coin_move, (a[0].p, a[1].p, a[2].p, a[3].d, a[4].d, a[5].i, a[6].p))
+CALL(coin_body_energy, (a[0].p, a[1].p))
+CALL(coin_body_reaction, (a[0].p, a[1].p, a[2].p, a[3].p))
+CALL(coin_body_slip, (a[0].p, a[1].p, a[2].p))
+CALL(coin_body_matrix, (a[0].p, a[1].p, a[2].p))
 
 /* Friction and losses take energy: what is gained is error.  A step errs by tol
  * per natural unit of time, in units of the energy or of Mga. */
 static void no_energy_is_gained(const struct outcome *o)
 {
     const coin_params *p = &o->world->p;
-    const double units = o->given[4].d * sqrt(p->gravity / p->radius);
-    const double before = coin_slide_energy(o->given[0].p, p);
-    const double after = coin_slide_energy(o->left[0].p, p);
+    const double units = o->given[3].d * sqrt(p->gravity / p->radius);
+    const double before = coin_body_energy(o->given[0].p, p);
+    const double after = coin_body_energy(o->left[0].p, p);
     const double Mga = p->mass * p->gravity * p->radius;
-    const double error = 10 * o->given[5].d * (1 + units) + 1e-12;
+    const double error = 10 * o->given[4].d * (1 + units) + 1e-12;
     demand(after - before <= error * (before + Mga));
 }
 
-/* As of coin_settle(); a lift-off keeps the progress made. */
-static void judge_advance(const struct outcome *o)
+/* In two calls it goes where it goes in one, to tol and what the motion makes
+ * of it: at least, the second begins as what the first returned. */
+static void judge_move(const struct outcome *o)
 {
-    const double t = o->given[4].d;
-    const coin_slide *d = o->left[0].p;
+    const double t = o->given[3].d;
+    const int32_t stop = o->given[5].i;
+    const coin_body *d = o->left[0].p;
     double reached;
     memcpy(&reached, o->left[6].p, sizeof reached);
     const int untouched =
@@ -37,25 +41,33 @@ static void judge_advance(const struct outcome *o)
     if (untouched)
         return;
     no_energy_is_gained(o);
-    if (o->result == COIN_OK || o->result == COIN_SLIPS)
+    demand(reached >= 0 && reached <= t &&
+           coin_state_check(&d->s, &o->world->p) == COIN_OK);
+    const int32_t mode = (int32_t)o->result;
+    if (mode >= 0 && !(mode & (COIN_RESTS | COIN_LIFTS | stop)))
         demand(reached == t);
-    else
-        demand(reached >= 0 && reached <= t &&
-               coin_state_check(&d->s, &o->world->p) == COIN_OK);
-    if (o->result == COIN_RESTS)
-        demand(d->s.wY == 0 && d->s.wX * d->s.theta >= 0 &&
-               fabs(d->s.theta) > 1.57);
+    if (mode == COIN_RESTS && t > 0)
+        demand(d->s.wX == 0 && d->s.wY == 0 && d->s.wZ == 0 && d->vx == 0 &&
+               d->vy == 0 && d->vz == 0 && fabs(d->s.theta) > 1.57);
+    if (mode == COIN_OK && t > 0) {
+        double v[3];
+        demand(coin_velocity(&d->s, &o->world->p, v) == COIN_OK);
+        demand(d->vx == v[0] && d->vy == v[1] && d->vz == v[2]);
+    }
 }
 
-#define ENDS (STOPS | BIT(COIN_ELIFT))
+#define MODES                                                                  \
+    (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_RESTS | COIN_ROLLS)
 
 const struct function fuzz_functions[] = {
-    ROW(coin_slide_of, ">sp", USUAL, 0, PLAIN),
-    ROW(coin_slide_advance, "=p%-Ter", USUAL | ENDS, COIN_SLIPS | COIN_RESTS,
-        ENDS, judge_advance, 0),
-    ROW(coin_slide_energy, "<p", NUMBER),
-    ROW(coin_slide_reaction, "<p%-F", USUAL, 0, PLAIN),
-    ROW(coin_slide_velocity, "<p2", USUAL, 0, PLAIN),
+    ROW(coin_table_check, "%p", BIT(COIN_EARG) | BIT(COIN_EPARAMS), 0, PLAIN),
+    ROW(coin_body_from_state, ">sp", USUAL, 0, PLAIN),
+    ROW(coin_body_from_motion, ">pqw--", USUAL, 0, PLAIN),
+    ROW(coin_move, "=p%Texr", USUAL | STOPS, MODES, STOPS, judge_move, 0),
+    ROW(coin_body_energy, "<p", NUMBER),
+    ROW(coin_body_reaction, "<p%F", USUAL, 0, PLAIN),
+    ROW(coin_body_slip, "<p2", USUAL, 0, PLAIN),
+    ROW(coin_body_matrix, "<pM", USUAL, 0, PLAIN),
 };
 
 END_OF_TABLE;

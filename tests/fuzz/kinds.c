@@ -80,47 +80,60 @@ static void take_losses(struct bytes *b, const struct world *w, void *to)
     const double torque = w->p.mass * w->p.gravity * w->p.radius;
     const double unit[] = {
         1,           torque, torque / w0, torque / (w0 * sqrt(w0)),
-        torque / w0, torque, torque / w0, w0};
-    double x[8];
-    for (int i = 0; i < 8; ++i) {
+        torque / w0, torque, torque / w0, w0,
+        w0};
+    double x[12] = {0};
+    for (int i = 0; i < 9; ++i) {
         const uint8_t how = take_byte(b);
         x[i] = how < 128 ? 0 : ldexp(fabs(take_part(b)), -(how % 40)) * unit[i];
     }
+    x[9] = take_byte(b) < 128 ? 0 : ldexp(1, -7 - take_byte(b) % 33); /* flat */
     memcpy(to, x, sizeof x);
     if (coin_losses_check(to, &w->p) != COIN_OK)
         memset(to, 0, sizeof x);
 }
 
-/* What a coin that slips may have. */
-static void take_undamped(struct bytes *b, const struct world *w, void *to)
-{
-    coin_losses *const l = to;
-    take_losses(b, w, to);
-    l->damping = 0;
-}
-
-/* Rolls, or slips. */
-static void take_slide(struct bytes *b, const struct world *w, void *to)
+/* Rolls, slips or flies; now and then it lies flat, or is none. */
+static void take_body(struct bytes *b, const struct world *w, void *to)
 {
     const double v = sqrt(w->p.gravity * w->p.radius);
     const uint8_t how = take_byte(b);
-    coin_slide d = {w->s, 0, 0};
-    if (coin_slide_of(&d, &w->s, &w->p) == COIN_OK && how < 128) {
+    coin_body d = {w->s, 0, 0, 0, 0, {0, 0, 0, 0}};
+    if (coin_body_from_state(&d, &w->s, &w->p) == COIN_OK && how < 128) {
         d.vx += perhaps(b, v * take_part(b));
         d.vz += perhaps(b, v * take_part(b));
     }
+    if (how % 16 == 3)
+        d.y += perhaps(b, w->p.radius * take_part(b));
+    if (how % 16 == 5)
+        d.vy += perhaps(b, v * take_part(b));
+    if (how % 64 == 7)
+        d.reserved[how / 64] = take_number(b);
     memcpy(to, &d, sizeof d);
 }
 
-static void take_friction(struct bytes *b, const struct world *w, void *to)
+static void take_table(struct bytes *b, const struct world *w, void *to)
 {
     const double kinetic = fabs(take_part(b));
     const uint8_t how = take_byte(b);
     const double over[] = {1, 1.05, 1.5, INFINITY};
-    const coin_friction f = {how % 4 == 3 ? INFINITY : kinetic * over[how % 4],
-                             kinetic};
-    (void)w;
+    coin_table f = {
+        0, 0, 0, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0}}};
+    f.mu_kinetic = kinetic;
+    f.mu_static = how % 4 == 3 ? INFINITY : kinetic * over[how % 4];
+    f.restitution = perhaps(b, fabs(take_part(b)));
+    if (how & 4)
+        take_losses(b, w, &f.losses);
+    if (how & 8)
+        f.losses.damping = 0;
     memcpy(to, &f, sizeof f);
+}
+
+static void take_r(struct bytes *b, const struct world *w, void *to)
+{
+    double *const r = to;
+    for (int i = 0; i < 3; ++i)
+        r[i] = w->p.radius * (i == 1) + perhaps(b, w->p.radius * take_part(b));
 }
 
 static void take_d(struct bytes *b, const struct world *w, void *to)
@@ -253,9 +266,9 @@ static void take_text(struct bytes *b, const struct world *w, void *to)
 {
     char *const text = to;
     (void)w;
-    memcpy(text, "coinf_losses\0\0\0", 16);
+    memcpy(text, "coinf_params\0\0\0", 16);
     if (take_byte(b) % 2)
-        memcpy(text, "coin_friction\0\0", 16);
+        memcpy(text, "coin_losses\0\0\0\0", 16);
     if (take_byte(b) % 4 == 0)
         text[take_byte(b) % 15] = (char)take_byte(b);
 }
@@ -320,10 +333,10 @@ static int sound_losses(const void *of, const struct world *w)
     return coin_losses_check(of, &w->p) == COIN_OK;
 }
 
-static int sound_slide(const void *of, const struct world *w)
+static int sound_body(const void *of, const struct world *w)
 {
     double u[2];
-    return coin_slide_velocity(of, &w->p, u) == COIN_OK;
+    return coin_body_slip(of, &w->p, u) == COIN_OK;
 }
 
 static int sound_orbit(const void *of, const struct world *w)
@@ -351,11 +364,11 @@ static const struct kind kinds[] = {
     {'y', READ, sizeof(coin_orbit), take_orbit, NULL},
     {'l', READ, sizeof(coin_losses), take_losses, NULL},
     {'L', MOVED, sizeof(coin_losses), take_losses, sound_losses},
-    {'<', READ, sizeof(coin_slide), take_slide, NULL},
-    {'=', MOVED, sizeof(coin_slide), take_slide, sound_slide},
-    {'>', WRITTEN, sizeof(coin_slide), NULL, sound_slide},
-    {'%', READ, sizeof(coin_friction), take_friction, NULL},
-    {'-', OPTIONAL, sizeof(coin_losses), take_undamped, NULL},
+    {'<', READ, sizeof(coin_body), take_body, NULL},
+    {'=', MOVED, sizeof(coin_body), take_body, sound_body},
+    {'>', WRITTEN, sizeof(coin_body), NULL, sound_body},
+    {'%', READ, sizeof(coin_table), take_table, NULL},
+    {'-', READ, 3 * sizeof(double), take_r, NULL},
     {'q', READ, 4 * sizeof(double), take_q, NULL},
     {'w', READ, 3 * sizeof(double), take_omega, NULL},
     {'1', WRITTEN, sizeof(double), NULL, sound_1},

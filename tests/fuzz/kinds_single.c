@@ -49,25 +49,6 @@ static void take_omega(struct bytes *b, const struct world *w, void *to)
         omega[i] = single(take_rate(b, w->W));
 }
 
-/* Good ones, of up to the size of the coin's own torques; half of them none. */
-static void take_losses(struct bytes *b, const struct world *w, void *to)
-{
-    const double w0 = sqrt(w->p.gravity / w->p.radius);
-    const double torque = w->p.mass * w->p.gravity * w->p.radius;
-    const double unit[] = {
-        1,           torque, torque / w0, torque / (w0 * sqrt(w0)),
-        torque / w0, torque, torque / w0, w0};
-    float x[8];
-    for (int i = 0; i < 8; ++i) {
-        const uint8_t how = take_byte(b);
-        const double part = ldexp(fabs(take_part(b)), -(how % 40));
-        x[i] = how < 128 ? 0 : single(part * unit[i]);
-    }
-    memcpy(to, x, sizeof x);
-    if (coinf_losses_check(to, &w->pf) != COIN_OK)
-        memset(to, 0, sizeof x);
-}
-
 /* What is left out of a float; now and then more than that. */
 static float take_low(struct bytes *b, float of)
 {
@@ -146,7 +127,6 @@ const struct kind single_kinds[] = {
     {'B', WRITTEN, 2 * sizeof(float), NULL, sound_2},
     {'C', WRITTEN, 3 * sizeof(float), NULL, sound_3},
     {'D', WRITTEN, 4 * sizeof(float), NULL, sound_4},
-    {'o', READ, sizeof(coinf_losses), take_losses, NULL},
     {'K', PROGRESS, sizeof(float), NULL, sound_1},
     {'N', WRITTEN, 9 * sizeof(float), NULL, sound_9},
     {'U', WRITTEN, 16 * sizeof(float), NULL, sound_16},

@@ -15,7 +15,7 @@ import sys
 
 FLOORS = [
     {"about": {"motion"}},
-    {"float": {"motion", "observe", "real"}},
+    {"float": {"motion", "observe"}},
     {"exact": {"motion", "step"}, "real": {"motion", "step"}},
     {"step": {"motion"}, "observe": {"motion"}},
     {"motion": set()},

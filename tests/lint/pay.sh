@@ -14,7 +14,8 @@ mkdir -p "$work"
 program()
 {
     { echo '#include <coin.h>'; echo 'coin_state s; coin_params p;'
-      echo 'coin_force f;'; echo "int main(void) { return $1; }"
+      echo 'coin_force f; coin_losses l; coin_table table; coin_body b;'
+      echo "int main(void) { return $1; }"
     } >"$work/pay.c"
     $CC -O2 -I"$SRC/include" "$work/pay.c" "$OUT/librollcoin.a" -lm \
         -o "$work/pay"
@@ -37,6 +38,8 @@ done <<END
 7000 coin_check(&s, &p, COIN_RK8, .01, .3)
 5000 coin_energy(&s, &p)
 7000 coin_reaction(&s, &p, &f)
+40000 coin_settle(&s, &p, &l, 1, 1e-9, 0)
+60000 coin_move(&b, &p, &table, 1, 1e-9, 0, 0)
 - coin_run(&s, &p, COIN_RK4, .01, 9, 0)
 - coin_advance(&s, &p, 1, 1e-9, 0)
 - coin_batch_run(&s, 1, &p, COIN_RK4, .01, 9, 0)

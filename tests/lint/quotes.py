@@ -198,9 +198,6 @@ QUOTES = (
     ("docs/models.md",
      r"\| `tumble` \| (\S+) \| - \| (\S+) \| not reached \| (\S+) \|",
      *slides("tumble")),
-    ("docs/models.md", r"rolls; (\d+) to (\d+) for a whole scene",
-     *[least(slide(scene, "located") for scene in ("thrown", "tumble", "ring"))
-       for least in (min, max)]),
     ("docs/models.md",
      r"\| ring \| (\S+) \| (\S+) \| (\S+) \| (\S+) \| (\S+) \|",
      *slides("ring")),

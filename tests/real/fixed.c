@@ -174,7 +174,7 @@ int main(int count, char **of)
         printf("%.17g %s\n", l.end, l.how);
         return 0;
     }
-    const struct life truth = settled(1e-13);
+    const struct life truth = settled(1e-12);
     printf("method,setting,nine tenths,late,end,how\n");
     for (int k = 5; k <= 12; ++k)
         row("settle", pow(10, -k), &truth);

@@ -5,28 +5,13 @@
 REAL_OUT = $(O)/real
 LAUNCHES ?= 10000
 
-.PHONY: real-study real-quasi quasi-figures real-cost
+.PHONY: real-study real-cost
 real-study: $(REAL_OUT)/study ## coins to rest: launches, and the time by calls and tolerances
 	$< launches $(LAUNCHES)
 	$< calls
 
-real-quasi: $(REAL_OUT)/quasi need-gnuplot need-bits ## errors of the quasi-steady model, and their chart
-	$< laws
-	{ $(BITS); $< csv; } >$(REAL_OUT)/quasi.csv
-	cp $(REAL_OUT)/quasi.csv $(SRC)/tests/bench/results/models_quasi.csv
-	+$(AGAIN) quasi-figures
-
-quasi-figures: need-gnuplot
-	gnuplot -e "style='$(SRC)/tests/bench/style.gpi'" \
-	    -e "from='$(SRC)/tests/bench/results'" \
-	    -e "to='$(SRC)/docs/figures'" $(SRC)/tests/real/quasi.gp
-	$(SLIM)
-
-figures: quasi-figures
-
-real-cost: $(REAL_OUT)/study $(REAL_OUT)/quasi ## instructions to rest, in textbook steps
-	STUDY=$(abspath $<) QUASI=$(abspath $(REAL_OUT)/quasi) OUT=$(abspath $(REAL_OUT)) \
-	    sh $(SRC)/tests/real/cost.sh
+real-cost: $(REAL_OUT)/study ## instructions to rest, in textbook steps
+	STUDY=$(abspath $<) sh $(SRC)/tests/real/cost.sh
 
 $(REAL_OUT)/%: $(SRC)/tests/real/%.c $(SRC)/tests/real/laws.h \
                $(SRC)/tests/bench/textbook.c $(SRC)/tests/support/losses.c \
@@ -35,29 +20,27 @@ $(REAL_OUT)/%: $(SRC)/tests/real/%.c $(SRC)/tests/real/laws.h \
 	    $(filter %.c,$^) $(filter-out $(O)/tests/support/losses.o,\
 	    $(TEST_EXTRA)) $(LIB_A) $(CMOCKA_LIBS) -lm
 
-$(REAL_OUT)/study $(REAL_OUT)/quasi: $(TEST_EXTRA)
+$(REAL_OUT)/study: $(TEST_EXTRA)
 
-.PHONY: slide-study
-slide-study: $(REAL_OUT)/slides ## coins that slip: launches, and the cost while they roll
+.PHONY: move-study
+move-study: $(REAL_OUT)/moves ## coins that slip: launches, and the cost while they roll
 	$< launches $(LAUNCHES)
 	$< launches $(LAUNCHES) 1
 	$< cost
 
-$(REAL_OUT)/slides: $(SRC)/tests/real/slides.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
+$(REAL_OUT)/moves: $(SRC)/tests/real/moves.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
 	$(CC_TEST) $(CMOCKA) -D_POSIX_C_SOURCE=200809L -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) \
 	    $(TEST_EXTRA) $(LIB_A) $(CMOCKA_LIBS) -lm
 
 # The functions that tuning counts.
-TUNED = coin_priv_dopri8 coin_priv_lossy_try coin_priv_extrapolate_within \
-        coin_priv_test_cone coin_priv_stretch_know coin_check \
-        coinf_priv_finish_step
+TUNED = coin_priv_try_step coin_priv_within coin_priv_rates \
+        coin_priv_extrapolate_within
 
 .PHONY: tuning
 tuning: $(REAL_OUT)/tuning ## what the tuned numbers of lib/ trade: calls and errors (5 minutes)
 	$< 500
 
-$(REAL_OUT)/tuning: $(SRC)/tests/real/tuning.c $(SRC)/tests/real/tuning_float.c \
-                    $(SRC)/tests/real/tuning.h $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
+$(REAL_OUT)/tuning: $(SRC)/tests/real/tuning.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
 	$(CC_TEST) $(CMOCKA) -I$(SRC)/tests -I$(SRC)/lib $(LDFLAGS) \
 	    $(TUNED:%=-Wl,--wrap=%) -o $@ $(filter %.c,$^) $(TEST_EXTRA) $(LIB_A) \
 	    $(CMOCKA_LIBS) -lm

@@ -140,7 +140,7 @@ static void calls(void)
     for (int quarter = 0; quarter < 2; ++quarter) {
         double turns;
         const double T = sqrt((quarter ? 0.01213 : 0.0375) / 9.80665);
-        const double exact = life(quarter, 1e-13, 0, &turns, 100000);
+        const double exact = life(quarter, 1e-12, 0, &turns, 100000);
         printf("%s: rests after %.12g s, %.3f turns\n",
                quarter ? "quarter" : "Euler's disk", exact, turns);
         for (double tol = 1e-6; tol > 5e-12; tol /= 10) {

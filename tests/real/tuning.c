@@ -1,40 +1,39 @@
 /* SPDX-License-Identifier: MIT */
 /* What the tuned numbers of lib/ trade: calls and errors over random motions.
  *     tuning N [WHAT]      N motions of each kind, or of those in WHAT: slips,
- *                          light, losses, settle, rest, floats, advance, thin,
- *                          until, orbit, falls
+ *                          light, losses, settle, rest, advance, thin, until,
+ *                          orbit, falls
  * Change a number, run it again and compare.  An error is the distance from the
  * same call with a far smaller tol, over tol and over the time.  So it shows
  * what a change does; the tests compare with independent references.
  *
  * The linker puts a counter before each function that is counted (--wrap). */
-#include "tuning.h"
-
 #include "support/coins.h"
-#include "support/floats.h"
 #include "support/losses.h"
 #include "support/methods.h"
 #include "support/slides.h"
 
-#include "cone.h"
-#include "dopri8.h"
-#include "extrapolation.h"
-#include "lossy.h"
-#include "orbit.h"
-#include "stretch.h"
+#include "exact/orbit.h"
+#include "step/extrapolation.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-double counted[COUNTED];
+enum { STEP, WITHIN, SLOPES, EXTRAPOLATE, COUNTED };
+static double counted[COUNTED];
 
 static const char *const names[COUNTED] = {
-    "dopri8", "lossy", "extrapolate", "cone", "series", "check", "rk4f",
+    "steps",
+    "within",
+    "slopes",
+    "extrapolate",
 };
 
 /* ---------------------------------------------------------------- counters */
+struct coin_priv_dop853;
+struct coin_priv_law;
 #define COUNT(which, type, back, name, params, args)                           \
     type __real_##name params;                                                 \
     type __wrap_##name params;                                                 \
@@ -43,24 +42,16 @@ static const char *const names[COUNTED] = {
         ++counted[which];                                                      \
         back __real_##name args;                                               \
     }
-COUNT(DOPRI8, void, , coin_priv_dopri8,
-      (double *y, const double *d, coin_priv_right_hand_side *slopes,
-       const void *problem, double h, coin_priv_estimates *error),
-      (y, d, slopes, problem, h, error))
-COUNT(LOSSY, void, , coin_priv_lossy_try,
-      (coin_priv_trial * trial, const coin_priv_lossy *w, double tau,
-       double least),
-      (trial, w, tau, least))
+COUNT(STEP, double, return, coin_priv_try_step,
+      (struct coin_priv_dop853 * w, double h), (w, h))
+COUNT(WITHIN, void, , coin_priv_within,
+      (double *to, struct coin_priv_dop853 *w, double x), (to, w, x))
+COUNT(SLOPES, void, , coin_priv_rates,
+      (double *d, const double *y, const struct coin_priv_law *l, int mode,
+       int in_t),
+      (d, y, l, mode, in_t))
 COUNT(EXTRAPOLATE, int, return, coin_priv_extrapolate_within,
       (coin_priv_run * r, double tau, double *error), (r, tau, error))
-COUNT(CONE, coin_priv_verdict, return, coin_priv_test_cone,
-      (const coin_priv_tested_step *step, double *part), (step, part))
-COUNT(SERIES, void, , coin_priv_stretch_know,
-      (coin_priv_stretch * w, int terms), (w, terms))
-COUNT(CHECK, int32_t, return, coin_check,
-      (const coin_state *s, const coin_params *p, int32_t method, double dt,
-       double mu),
-      (s, p, method, dt, mu))
 
 /* ----------------------------------------------------------------- reports */
 /* The errors of one kind of motion, and how many calls ended otherwise than
@@ -126,20 +117,21 @@ static void slips(struct errors *e, int n, int kind, double tol)
         coin_params p = body(&r, i);
         double before[COUNTED], a = 0, b = 0;
         if (kind == LIGHT) {
-            const double IX = 0.5 * pow(10, random_between(&r, -5, 0));
+            const double IX = 0.5 * pow(10, random_between(&r, -2.6, 0));
             coin_params_body(&p, 1, 1, 1, IX,
                              2 * IX * random_between(&r, 0.01, 1));
         }
         coin_losses l = random_losses(&r, &p, 0.3);
-        l.damping = 0;
-        const coin_losses *const of = kind == LOSSES ? &l : NULL;
         const double mu = random_between(&r, 0.05, 0.6);
-        const coin_friction f = {mu, mu * random_between(&r, 0.5, 1)};
-        coin_slide d = random_launch(&r, &p), small = d;
-        const int32_t status = coin_slide_advance(&d, &p, &f, of, 3, tol, &a);
+        coin_table f = {.mu_static = mu,
+                        .mu_kinetic = mu * random_between(&r, 0.5, 1)};
+        if (kind == LOSSES)
+            f.losses = l;
+        f.losses.damping = 0;
+        coin_body d = random_launch(&r, &p), small = d;
+        const int32_t status = coin_move(&d, &p, &f, 3, tol, 0, &a);
         memcpy(before, counted, sizeof before);
-        const int32_t wanted =
-            coin_slide_advance(&small, &p, &f, of, 3, 1e-12, &b);
+        const int32_t wanted = coin_move(&small, &p, &f, 3, 1e-12, 0, &b);
         note(e, before, status, wanted,
              (slides_apart(&d, &small, &p) + fabs(a - b)) / (3 * tol));
     }
@@ -166,27 +158,6 @@ static void settles(struct errors *e, int n, double t, double tol)
     report(t > 5 ? "rest" : "settle", tol, e);
 }
 
-static void floats(struct errors *e, int n, float tol)
-{
-    struct random r = random_begin(9);
-    for (int i = 0; i < n; ++i) {
-        const coin_params p = body(&r, i);
-        const coin_losses l = random_losses(&r, &p, 0.3);
-        coin_state s = random_state(&r, &p, 1.4);
-        const coinf_params pf = floats_params(&p);
-        const coinf_losses lf = floats_losses(&l);
-        coinf_state f = floats_state(&s);
-        double before[COUNTED], b = 0;
-        float a = 0;
-        const int32_t status = coinf_settle(&f, &pf, &lf, 1000, tol, &a);
-        memcpy(before, counted, sizeof before);
-        const int32_t wanted = coin_settle(&s, &p, &l, 1000, 1e-10, &b);
-        note(e, before, status, wanted,
-             fabs((double)a - b) / fmax(b, 1) / (double)tol);
-    }
-    report("floats", (double)tol, e);
-}
-
 static void advances(struct errors *e, int n, int thin, double tol)
 {
     struct random r = random_begin(10);
@@ -195,7 +166,7 @@ static void advances(struct errors *e, int n, int thin, double tol)
         double before[COUNTED];
         if (thin)
             coin_params_body(&p, 1, 1, 1, 0.25,
-                             0.5 * pow(10, random_between(&r, -6, 0)));
+                             0.5 * pow(10, random_between(&r, -3, 0)));
         coin_state s = random_state(&r, &p, 1.4), small = s;
         const int32_t status = coin_advance(&s, &p, 10, tol, NULL);
         memcpy(before, counted, sizeof before);
@@ -212,14 +183,16 @@ static void untils(struct errors *e, int n, double tol)
     struct random r = random_begin(12);
     for (int i = 0; i < n; ++i) {
         const coin_params p = body(&r, i);
-        coin_state s = random_state(&r, &p, 1), small = s;
+        const coin_state s = random_state(&r, &p, 1);
         const double mu = random_between(&r, 0.1, 1);
+        const coin_table f = {.mu_static = mu, .mu_kinetic = 0.1};
+        coin_body d, small;
+        coin_body_from_state(&d, &s, &p);
+        small = d;
         double before[COUNTED], a = 0, b = 0;
-        const int32_t status =
-            coin_advance_until(&s, &p, 10, tol, mu, bits, &a);
+        const int32_t status = coin_move(&d, &p, &f, 10, tol, bits, &a);
         memcpy(before, counted, sizeof before);
-        const int32_t wanted =
-            coin_advance_until(&small, &p, 10, 1e-12, mu, bits, &b);
+        const int32_t wanted = coin_move(&small, &p, &f, 10, 1e-12, bits, &b);
         note(e, before, status, wanted, fabs(a - b) / tol);
     }
     report("until", tol, e);
@@ -286,8 +259,6 @@ int main(int argc, char **argv)
             advances(&e, n, 1, tol);
         if (IS("until"))
             untils(&e, n, tol);
-        if (IS("floats") && k < 2)
-            floats(&e, n, (float)tol);
     }
     if (IS("orbit"))
         orbits(&e, n, 0);

@@ -2,18 +2,18 @@
 /* Prints a hash of every bit of many motions: the reference scenes, a coin that
  * nearly falls flat and one that does, by each method, 2000 steps of 0.02
  * natural units of time; some of them in batches, and by coin_advance() forward
- * and back; the orbit; coins with losses to rest; and the runs in single
- * precision.  The same on every platform and compiler, whatever the size or
- * order of bytes: it takes the bits of each double from the lowest to the
- * highest.
+ * and back; the orbit; coins with losses to rest; coins that slip; and the
+ * runs in single precision.  The same on every platform and compiler, whatever
+ * the size or order of bytes: it takes the bits of each double from the lowest
+ * to the highest.
  *
  * A processor that is emulated, or has no unit for doubles, or little memory,
  * takes a part, line by line the same: every SCENE_STRIDE-th scene;
- * WITHOUT_ORBIT, which takes 70 KiB, and without slides then.  Needs sqrt,
+ * WITHOUT_ORBIT, which takes 70 KiB, and without coin_move() then.  Needs sqrt,
  * memcpy and puts of the C library. */
 #include "fnv.h"
 #ifndef WITHOUT_ORBIT
-#include "hash_slide.h"
+#include "hash_move.h"
 #endif
 
 #include <coinf.h>
@@ -133,9 +133,16 @@ static uint64_t hash_advance(const scene *a)
 static coin_losses losses_of(const start *b)
 {
     const double m = b->p.mass * b->p.radius * b->p.radius, w = 1 / b->unit;
-    const coin_losses l = {
-        0.01,          0.008 * m * w * w, 0.004 * m * w, 0.002 * m * sqrt(w),
-        0.001 * m * w, 0.004 * m * w * w, 0.01 * m * w,  0};
+    coin_losses l = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0}};
+    l.damping = 0.01;
+    l.dry = 0.008 * m * w * w;
+    l.viscous = 0.004 * m * w;
+    l.layer = 0.002 * m * sqrt(w);
+    l.gap = 0.001 * m * w;
+    l.rolling = 0.004 * m * w * w;
+    l.spin = 0.01 * m * w;
+    l.angular = 0.001 * w;
+    l.flat = 1e-4;
     return l;
 }
 
@@ -210,44 +217,6 @@ static uint64_t hash_float(const scene *a)
     return h;
 }
 
-/* With losses, call by call. */
-static uint64_t hash_settle_float(const scene *a)
-{
-    start_float b = start_float_of(a);
-    const start exact = start_of(a);
-    const coin_losses of = losses_of(&exact);
-    const coinf_losses l = {(float)of.damping, (float)of.dry, (float)of.viscous,
-                            (float)of.layer,   (float)of.gap, (float)of.rolling,
-                            (float)of.spin,    (float)of.soft};
-    uint64_t h = FNV_OFFSET;
-    float reached = 0;
-    int i;
-    for (i = 0; i < 30; ++i) {
-        h = hash_status(
-            h, coinf_settle(&b.s, &b.p, &l, 32 * b.dt, 1e-4f, &reached));
-        h = hash_state_float(hash_floats(h, &reached, 1), &b.s);
-    }
-    return h;
-}
-
-/* A US quarter that spins for 8 s, in calls of 1 ms until it rests. */
-static uint64_t hash_life_float(void)
-{
-    const coinf_losses l = {0, 5.7330e-7f, 0, 0, 0, 0, 0, 0};
-    coinf_params p;
-    coinf_state s = {
-        1.04719755f, 0, 0, 0, 0, 0.142f, 40.21f, 0, {0, 0, 0, 0, 0, 0, 0, 0}};
-    uint64_t calls = 0;
-    float reached = 0;
-    int32_t status = coinf_params_disc(&p, 0.00567f, 0.01213f, 9.80665f);
-    while (status == COIN_OK) {
-        status = coinf_settle(&s, &p, &l, 1e-3f, 1e-3f, &reached);
-        ++calls;
-    }
-    calls = hash_u64(hash_status(FNV_OFFSET, status), calls);
-    return hash_state_float(hash_floats(calls, &reached, 1), &s);
-}
-
 #ifndef WITHOUT_ORBIT
 #define LENGTH(array) (sizeof(array) / sizeof *(array))
 
@@ -314,13 +283,11 @@ static uint64_t print_scene(uint64_t all, const scene *a)
         all = print(all, hash_float(a), words);
         words[1] = "settle";
         all = print(all, hash_settle(a), words);
-        words[1] = "settle_float";
-        all = print(all, hash_settle_float(a), words);
 #ifndef WITHOUT_ORBIT
         words[1] = "orbit";
         all = print(all, hash_orbit(a), words);
-        words[1] = "slide";
-        all = print(all, hash_slide(&b.s, &b.p, b.unit), words);
+        words[1] = "move";
+        all = print(all, hash_move(&b.s, &b.p, b.unit), words);
 #endif
     }
     return all;
@@ -328,14 +295,12 @@ static uint64_t print_scene(uint64_t all, const scene *a)
 
 int main(void)
 {
-    const char *const life[] = {"coin", "settle_float", "8_s_at_1_kHz"};
     const char *const all_of[] = {"all", "of", "these"};
     uint64_t all = FNV_OFFSET;
     size_t i;
 
     for (i = 0; i < sizeof scenes / sizeof *scenes; i += SCENE_STRIDE)
         all = print_scene(all, &scenes[i]);
-    all = print(all, hash_life_float(), life);
     print(0, all, all_of);
     return coin_selftest() != COIN_OK || coinf_selftest() != COIN_OK;
 }

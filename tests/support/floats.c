@@ -62,18 +62,3 @@ double floats_error(const coinf_state *s, const coinf_state *start,
     got.psi = near(got.psi, want.psi);
     return path_apart(&got, &want, &d);
 }
-
-coin_losses doubles_losses(const coinf_losses *l)
-{
-    const coin_losses d = {l->damping, l->dry,     l->viscous, l->layer,
-                           l->gap,     l->rolling, l->spin,    l->soft};
-    return d;
-}
-
-coinf_losses floats_losses(const coin_losses *l)
-{
-    const coinf_losses f = {(float)l->damping, (float)l->dry, (float)l->viscous,
-                            (float)l->layer,   (float)l->gap, (float)l->rolling,
-                            (float)l->spin,    (float)l->soft};
-    return f;
-}

@@ -18,8 +18,6 @@ coin_params doubles_params(const coinf_params *p);
 coin_state doubles_state(const coinf_state *s);
 
 /* The same of losses. */
-coinf_losses floats_losses(const coin_losses *l);
-coin_losses doubles_losses(const coinf_losses *l);
 
 /* How far the pose of a state is from the exact motion, a time after *start:
  * the largest difference of the angles, up to whole turns, and of x and z in

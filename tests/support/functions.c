@@ -43,9 +43,9 @@ static int32_t run(void *const a[])
 {
     return coin_run(a[0], a[1], COIN_RK4, 0.01, 3, a[2]);
 }
-static int32_t advance_until(void *const a[])
+static int32_t advance(void *const a[])
 {
-    return coin_advance_until(a[0], a[1], 0.01, 1e-6, 1e9, COIN_SLIPS, a[2]);
+    return coin_advance(a[0], a[1], 0.01, 1e-6, a[2]);
 }
 static int32_t batch_run(void *const a[])
 {
@@ -156,25 +156,34 @@ static int32_t settle(void *const a[])
 {
     return coin_settle(a[0], a[1], a[2], 0.1, 1e-6, a[3]);
 }
-static int32_t quasisteady_at(void *const a[])
+static int32_t table_check(void *const a[])
 {
-    return coin_quasisteady_at(a[0], a[1], a[2], 1, a[3]);
+    return coin_table_check(a[0], a[1]);
 }
-static int32_t slide_of(void *const a[])
+static int32_t body_from_state(void *const a[])
 {
-    return coin_slide_of(a[0], a[1], a[2]);
+    return coin_body_from_state(a[0], a[1], a[2]);
 }
-static int32_t slide_advance(void *const a[])
+static int32_t body_from_motion(void *const a[])
 {
-    return coin_slide_advance(a[0], a[1], a[2], NULL, 0.1, 1e-6, a[3]);
+    static const double high[3] = {0, 9, 0};
+    return coin_body_from_motion(a[0], a[1], a[2], a[3], high, a[4]);
 }
-static int32_t slide_reaction(void *const a[])
+static int32_t move(void *const a[])
 {
-    return coin_slide_reaction(a[0], a[1], a[2], NULL, a[3]);
+    return coin_move(a[0], a[1], a[2], 0.1, 1e-6, 0, a[3]);
 }
-static int32_t slide_velocity(void *const a[])
+static int32_t body_reaction(void *const a[])
 {
-    return coin_slide_velocity(a[0], a[1], a[2]);
+    return coin_body_reaction(a[0], a[1], a[2], a[3]);
+}
+static int32_t body_slip(void *const a[])
+{
+    return coin_body_slip(a[0], a[1], a[2]);
+}
+static int32_t body_matrix(void *const a[])
+{
+    return coin_body_matrix(a[0], a[1], a[2]);
 }
 
 const struct function functions[] = {
@@ -188,7 +197,7 @@ const struct function functions[] = {
     {"coin_angular_velocity", "so", angular_velocity},
     {"coin_step", "Sp", step},
     {"coin_run", "Spn", run},
-    {"coin_advance_until", "Spn", advance_until},
+    {"coin_advance", "Spn", advance},
     {"coin_batch_run", "Sp", batch_run},
     {"coin_sample", "spon", sample},
     {"coin_integrals", "spo", integrals},
@@ -216,11 +225,13 @@ const struct function functions[] = {
     {"coin_losses_rates", "splo", losses_rates},
     {"coin_losses_reaction", "splo", losses_reaction},
     {"coin_settle", "Spln", settle},
-    {"coin_quasisteady_at", "splo", quasisteady_at},
-    {"coin_slide_of", "osp", slide_of},
-    {"coin_slide_advance", "Gpfn", slide_advance},
-    {"coin_slide_reaction", "gpfo", slide_reaction},
-    {"coin_slide_velocity", "gpo", slide_velocity},
+    {"coin_table_check", "tp", table_check},
+    {"coin_body_from_state", "osp", body_from_state},
+    {"coin_body_from_motion", "opddd", body_from_motion},
+    {"coin_move", "Gptn", move},
+    {"coin_body_reaction", "gpto", body_reaction},
+    {"coin_body_slip", "gpo", body_slip},
+    {"coin_body_matrix", "gpo", body_matrix},
 };
 
 const size_t function_count = sizeof functions / sizeof *functions;

@@ -14,7 +14,9 @@ enum { POINTERS = 5 };
  *   s  a state, read                    S  a state, moved
  *   o  output, written                  n  output that may be null
  *   d  four doubles, read              b  an orbit, read
- *   l  losses, read */
+ *   l  losses, read
+ *   t  a table, read
+ *   g  a body, read                    G  a body, moved */
 struct function {
     const char *name, *kinds;
     int32_t (*call)(void *const a[POINTERS]);

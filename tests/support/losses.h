@@ -12,7 +12,7 @@
 extern const coin_state spun;
 
 /* The losses that stop a coin, one at a time. */
-enum { DRY, VISCOUS, LAYER, GAP, ROLLING, DAMPING, LAWS };
+enum { DRY, VISCOUS, LAYER, GAP, ROLLING, DAMPING, ANGULAR, LAWS };
 extern const char *const loss_names[LAWS];
 coin_losses one_loss(int law, double m);
 
@@ -35,7 +35,7 @@ void check_losses_rows(const char *name, row_check *check_row,
 /* Some of the terms, each up to `most` in natural units, and not spin alone. */
 coin_losses random_losses(struct random *r, const coin_params *p, double most);
 
-/* coin_settle() for 1e6 natural units. */
+/* coin_settle() for 1e6 natural units, down to the least `flat`. */
 int32_t settle(coin_state *s, const coin_params *p, const coin_losses *l,
                double tol, double *when);
 

@@ -295,8 +295,8 @@ static double slip(struct coin *c, double most, double h, int *mode)
 }
 
 /* ------------------------------------------------------- slides, and theirs */
-static struct coin coin_of(const coin_slide *d, const coin_params *p,
-                           const coin_friction *f)
+static struct coin coin_of(const coin_body *d, const coin_params *p,
+                           const coin_table *f)
 {
     const coin_state *s = &d->s;
     const double st = sin(s->theta), ct = cos(s->theta);
@@ -316,7 +316,7 @@ static struct coin coin_of(const coin_slide *d, const coin_params *p,
     return c;
 }
 
-static void slide_of(coin_slide *d, const struct coin *c)
+static void slide_of(coin_body *d, const struct coin *c)
 {
     const vector k = at(c->y + AXIS), w = turned(c, k, at(c->y + L));
     const double sp = sin(c->y[PHI]), cp = cos(c->y[PHI]);
@@ -328,8 +328,8 @@ static void slide_of(coin_slide *d, const struct coin *c)
     d->vz = c->y[VZ];
 }
 
-int newton(coin_slide *d, const coin_params *p, const coin_friction *f,
-           double t, double h, double *reached)
+int newton(coin_body *d, const coin_params *p, const coin_table *f, double t,
+           double h, double *reached)
 {
     struct coin c = coin_of(d, p, f);
     const vector none = {0, 0, 0};

@@ -18,7 +18,7 @@ enum { NEWTON_ROLLS, NEWTON_SLIPS, NEWTON_LIFTS, NEWTON_FLAT, NEWTON_COSTLY };
  * motion changes.  A slip should begin with little acceleration; the error is
  * at least of the second order in h.  *reached is the time at which the motion
  * ends. */
-int newton(coin_slide *d, const coin_params *p, const coin_friction *f,
-           double t, double h, double *reached);
+int newton(coin_body *d, const coin_params *p, const coin_table *f, double t,
+           double h, double *reached);
 
 #endif

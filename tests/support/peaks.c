@@ -5,11 +5,6 @@
 
 #include <math.h>
 
-double excess_of(double tol)
-{
-    return tol < 1e-8 ? 1e-6 : 100 * tol;
-}
-
 /* Samples in a natural unit of time. */
 enum { PER_UNIT = 40 };
 

@@ -14,11 +14,6 @@ struct motion {
     double unit, side; /* side: of time, 1 or -1 */
 };
 
-/* How much F/N may exceed mu, in parts of mu, unnoticed: 1e-6 of the motion as
- * computed.  That errs by tol per unit of time, and by more where errors grow.
- */
-double excess_of(double tol);
-
 /* One that has an orbit and that is not so unstable that steps lose it, and
  * that begins with N > 0. */
 struct motion motion_any(struct random *r);

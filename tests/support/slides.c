@@ -6,16 +6,80 @@
 
 #include <math.h>
 
-coin_slide slide_at(const coin_state *s, double vX, double vh)
+/* With the height and the normal velocity of one that touches the table, if
+ * they can be computed. */
+static coin_body touching(const coin_body *d, const coin_params *p)
+{
+    coin_body r = *d;
+    double at[3], v[3];
+    if (coin_center(&d->s, p, at) == COIN_OK &&
+        coin_velocity(&d->s, p, v) == COIN_OK) {
+        r.y = at[1];
+        r.vy = v[1];
+    }
+    return r;
+}
+
+static coin_table with(const coin_table *f, const coin_losses *l)
+{
+    coin_table r = *f;
+    if (l)
+        r.losses = *l;
+    return r;
+}
+
+int32_t slide(coin_body *d, const coin_params *p, const coin_table *f,
+              const coin_losses *l, double t, double tol, double *reached)
+{
+    const coin_table table = with(f, l);
+    const double least = tol > 0 && tol < 1e-12 ? 1e-12 : tol;
+    coin_body b = touching(d, p);
+    double moved = 0, sum = 0;
+    int32_t status = coin_move(&b, p, &table, t, least, 0, &moved);
+    for (int i = 0; i < 200 && status == COIN_ESTEP && moved > 0; ++i) {
+        sum += moved; /* a call is bounded, and the next goes on */
+        status = coin_move(&b, p, &table, t - sum, least, 0, &moved);
+    }
+    if (reached && (status >= 0 || moved > 0 || sum > 0))
+        *reached = sum > 0 && status >= 0 && moved == t - sum ? t : sum + moved;
+    d->s = b.s;
+    d->vx = b.vx;
+    d->vz = b.vz;
+    return status;
+}
+
+double slide_energy(const coin_body *d, const coin_params *p)
+{
+    const coin_body b = touching(d, p);
+    return coin_body_energy(&b, p);
+}
+
+int32_t slide_velocity(const coin_body *d, const coin_params *p, double u[2])
+{
+    const coin_body b = touching(d, p);
+    return coin_body_slip(&b, p, u);
+}
+
+int32_t slide_reaction(const coin_body *d, const coin_params *p,
+                       const coin_table *f, const coin_losses *l,
+                       coin_force *out)
+{
+    const coin_table table = with(f, l);
+    const coin_body b = touching(d, p);
+    return coin_body_reaction(&b, p, &table, out);
+}
+
+coin_body slide_at(const coin_state *s, double vX, double vh)
 {
     const double sph = sin(s->phi), cph = cos(s->phi);
-    const coin_slide d = {*s, vX * cph + vh * sph, vh * cph - vX * sph};
+    const coin_body d = {
+        .s = *s, .vx = vX * cph + vh * sph, .vz = vh * cph - vX * sph};
     return d;
 }
 
-coin_slide random_launch(struct random *r, const coin_params *p)
+coin_body random_launch(struct random *r, const coin_params *p)
 {
-    coin_slide d;
+    coin_body d;
     const coin_state s = {
         .theta = random_between(r, -1.4, 1.4),
         .phi = random_between(r, -3, 3),
@@ -27,7 +91,7 @@ coin_slide random_launch(struct random *r, const coin_params *p)
     const double rolls = random_between(r, 0, 1);
     ++r->drawn;
     check_note("seed %llu, launch %u", (unsigned long long)r->seed, r->drawn);
-    check_status(coin_slide_of(&d, &s, p), COIN_OK);
+    check_status(coin_body_from_state(&d, &s, p), COIN_OK);
     if (rolls < 0.5) {
         d.vx = vx;
         d.vz = vz;
@@ -35,7 +99,7 @@ coin_slide random_launch(struct random *r, const coin_params *p)
     return d;
 }
 
-double slides_apart(const coin_slide *a, const coin_slide *b,
+double slides_apart(const coin_body *a, const coin_body *b,
                     const coin_params *p)
 {
     const double v = sqrt(p->gravity * p->radius);
@@ -43,10 +107,10 @@ double slides_apart(const coin_slide *a, const coin_slide *b,
                 fmax(fabs(a->vx - b->vx), fabs(a->vz - b->vz)) / v);
 }
 
-double slip_speed(const coin_slide *d, const coin_params *p)
+double slip_speed(const coin_body *d, const coin_params *p)
 {
     double u[2];
-    check_status(coin_slide_velocity(d, p, u), COIN_OK);
+    check_status(slide_velocity(d, p, u), COIN_OK);
     return hypot(u[0], u[1]);
 }
 
@@ -55,7 +119,7 @@ double slip_speed(const coin_slide *d, const coin_params *p)
  * falls to the mean of both coefficients, but for a tenth of a natural unit at
  * most, so that the motion that rolls tells N.  A half of what that takes. */
 static double least_loss(const coin_params *p, const coin_state *start,
-                         const coin_friction *f, double t)
+                         const coin_table *f, double t)
 {
     enum { LOOKS = 4000 };
     const double mean = (f->mu_static + f->mu_kinetic) / 2;
@@ -83,21 +147,19 @@ static double least_loss(const coin_params *p, const coin_state *start,
                  : 0;
 }
 
-void check_slips(const coin_params *p, const coin_state *s,
-                 const coin_friction *f, double t, double tol)
+void check_slips(const coin_params *p, const coin_state *s, const coin_table *f,
+                 double t, double tol)
 {
-    const coin_friction rough = {INFINITY, 0};
-    coin_slide slips, rolls;
-    check_status(coin_slide_of(&slips, s, p), COIN_OK);
+    const coin_table rough = {.mu_static = INFINITY, .mu_kinetic = 0};
+    coin_body slips, rolls;
+    check_status(coin_body_from_state(&slips, s, p), COIN_OK);
     rolls = slips;
-    const int32_t got = coin_slide_advance(&slips, p, f, NULL, t, tol, NULL);
-    if (got == COIN_ELIFT)
+    const int32_t got = slide(&slips, p, f, NULL, t, tol, NULL);
+    if (got == COIN_LIFTS)
         return;
     check(got >= 0);
-    check_status(coin_slide_advance(&rolls, p, &rough, NULL, t, tol, NULL),
-                 COIN_OK);
-    const double lost =
-        coin_slide_energy(&rolls, p) - coin_slide_energy(&slips, p);
+    check_status(slide(&rolls, p, &rough, NULL, t, tol, NULL), COIN_OK);
+    const double lost = slide_energy(&rolls, p) - slide_energy(&slips, p);
     const double least = least_loss(p, s, f, t);
     check_note("lost %g, at least %g", lost, least);
     check(lost > least);

@@ -24,8 +24,8 @@ using params = coin_params;
 using state = coin_state;
 using force = coin_force;
 using losses = coin_losses;
-using friction = coin_friction;
-using slide = coin_slide;
+using table = coin_table;
+using body = coin_body;
 using orbit = coin_orbit; // 32 KiB
 using vec2 = std::array<double, 2>;
 using vec3 = std::array<double, 3>;
@@ -39,7 +39,7 @@ enum class method : std::int32_t {
 };
 
 // A negative status.  The state is then as before the call; after run(),
-// advance(), settle() and sample() it is the last good one, and what their last
+// advance(), settle(), move() and sample() it is the last good one, and what their last
 // argument points to says how far they came.
 class error : public std::runtime_error
 {
@@ -91,8 +91,8 @@ inline params ring(double mass, double radius, double inner_radius,
     return p;
 }
 
-inline params body(double mass, double radius, double gravity, double inertia_X,
-                   double inertia_Z)
+inline params params_of(double mass, double radius, double gravity,
+                        double inertia_X, double inertia_Z)
 {
     params p;
     check(coin_params_body(&p, mass, radius, gravity, inertia_X, inertia_Z));
@@ -138,15 +138,6 @@ inline std::int32_t advance(state &s, const params &p, double t, double tol,
                             double *reached = nullptr)
 {
     return check(coin_advance(&s, &p, t, tol, reached));
-}
-
-// advance() that stops at the first moment at which one of bits holds; returns
-// those that hold.
-inline std::int32_t advance_until(state &s, const params &p, double t,
-                                  double tol, double mu, std::int32_t bits,
-                                  double *reached = nullptr)
-{
-    return check(coin_advance_until(&s, &p, t, tol, mu, bits, reached));
 }
 
 // count states, steps_per_sample steps apart, the start first.
@@ -431,57 +422,73 @@ inline double time_to_rest(const state &s, const params &p, const losses &l)
                  why < 0 ? why : coin_state_check(&s, &p));
 }
 
-// Returns COIN_RESTS if the coin lies flat by then, else 0.
-inline std::int32_t quasisteady_at(const state &s, const params &p,
-                                   const losses &l, double t, state &out)
-{
-    return check(coin_quasisteady_at(&s, &p, &l, t, &out));
-}
-
-// All terms but soft times one factor, so that the coin rests after time.
+// All terms but soft and flat times one factor, so that the coin rests after time.
 inline losses losses_fit(losses l, const state &s, const params &p, double time)
 {
     check(coin_losses_fit(&l, &s, &p, time));
     return l;
 }
 
-// ----------------------------------------------------------- coins that may
-// slip
-inline slide slide_of(const state &s, const params &p)
+// ------------------------------------------------------------ a real coin
+inline void check(const table &f, const params &p)
 {
-    slide d;
-    check(coin_slide_of(&d, &s, &p));
-    return d;
+    check(coin_table_check(&f, &p));
 }
 
-// l may be null.  Returns 0, it rolls, COIN_SLIPS or COIN_RESTS.
-inline std::int32_t advance(slide &d, const params &p, const friction &f,
-                            const losses *l, double t, double tol,
-                            double *reached = nullptr)
+// A body that rolls.
+inline body body_of(const state &s, const params &p)
 {
-    return check(coin_slide_advance(&d, &p, &f, l, t, tol, reached));
+    body b;
+    check(coin_body_from_state(&b, &s, &p));
+    return b;
 }
 
-inline double energy(const slide &d, const params &p)
+// A body of an engine, in the air or on the table.
+inline body body_of(const params &p, const quaternion &q, const vec3 &omega,
+                    const vec3 &r, const vec3 &v)
 {
-    const std::int32_t why = coin_state_check(&d.s, &p);
-    return check(coin_slide_energy(&d, &p), why < 0 ? why : COIN_ESTATE);
+    body b;
+    check(coin_body_from_motion(&b, &p, q.data(), omega.data(), r.data(),
+                                v.data()));
+    return b;
 }
 
-inline force reaction(const slide &d, const params &p, const friction &f,
-                      const losses *l = nullptr)
+// Returns the mode, 0 if it rolls, and the bits of stop that hold.
+inline std::int32_t move(body &b, const params &p, const table &f, double t,
+                         double tol, std::int32_t stop = 0,
+                         double *reached = nullptr)
+{
+    return check(coin_move(&b, &p, &f, t, tol, stop, reached));
+}
+
+inline double energy(const body &b, const params &p)
+{
+    double u[2];
+    const std::int32_t why = coin_body_slip(&b, &p, u);
+    return check(coin_body_energy(&b, &p), why);
+}
+
+inline force reaction(const body &b, const params &p, const table &f)
 {
     force out;
-    check(coin_slide_reaction(&d, &p, &f, l, &out));
+    check(coin_body_reaction(&b, &p, &f, &out));
     return out;
 }
 
 // The slip velocity, along x and z.
-inline vec2 velocity(const slide &d, const params &p)
+inline vec2 slip(const body &b, const params &p)
 {
     vec2 u;
-    check(coin_slide_velocity(&d, &p, u.data()));
+    check(coin_body_slip(&b, &p, u.data()));
     return u;
+}
+
+// matrix() with the body's own height.
+inline std::array<double, 16> matrix(const body &b, const params &p)
+{
+    std::array<double, 16> m;
+    check(coin_body_matrix(&b, &p, m.data()));
+    return m;
 }
 
 // Throws unless this build computes the pinned bits.

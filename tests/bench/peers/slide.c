@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Coins that slip: coin_slide_advance() beside friction regularised, by RK4 and
+/* Coins that slip: coin_move() beside friction regularised, by RK4 and
  * by CVODE (BDF), and beside time stepping, as CSV.
  *
  * Each rival is run with every delta and step, or tolerance, of a grid; its
@@ -34,7 +34,7 @@ enum { ENDS = 8, ROWS = 4096 };
 struct slide_scene {
     const char *name;
     double b; /* the ring's inner radius */
-    coin_friction f;
+    double mu_static, mu_kinetic;
     double t;
     coin_state s;
     double vX, vh; /* NAN: it rolls */
@@ -42,22 +42,17 @@ struct slide_scene {
 
 static const struct slide_scene scenes[] = {
     /* It slides, curves, and begins to roll. */
-    {"thrown", 0, {0.3, 0.27}, 8, {.theta = 0.2, .wY = 0.3, .wZ = -0.2}, 1, .4},
-    {"tumble", 0, {0.55, 0.5}, 15, {.theta = 1e-3, .wZ = 0.3}, NAN, 0},
+    {"thrown", 0, 0.3, 0.27, 8, {.theta = 0.2, .wY = 0.3, .wZ = -0.2}, 1, .4},
+    {"tumble", 0, 0.55, 0.5, 15, {.theta = 1e-3, .wZ = 0.3}, NAN, 0},
     /* Its slip nearly ends, and does not. */
-    {"ring",
-     0.5,
-     {0.375, 0.375},
-     7,
-     {.theta = .15, .wY = .3, .wZ = 1.25},
-     1,
-     .1},
+    {"ring", 0.5, 0.375, 0.375, 7, {.theta = .15, .wY = .3, .wZ = 1.25}, 1, .1},
 };
 
 static struct {
     const struct slide_scene *scene;
     coin_params p;
-    coin_slide start;
+    coin_table table;
+    coin_body start;
     coin_state truth[ENDS];
     double step_ns; /* of the textbook */
 } at;
@@ -92,9 +87,8 @@ static double located(const struct run *r, int ends)
 {
     double error = 0;
     for (int k = ends ? 0 : ENDS - 1; k < ENDS; ++k) {
-        coin_slide d = at.start;
-        if (coin_slide_advance(&d, &at.p, &at.scene->f, NULL, end_of(k),
-                               r->step, NULL) < 0)
+        coin_body d = at.start;
+        if (coin_move(&d, &at.p, &at.table, end_of(k), r->step, 0, NULL) < 0)
             return INFINITY;
         error = fmax(error, apart(&d.s, &at.truth[k]));
     }
@@ -103,7 +97,7 @@ static double located(const struct run *r, int ends)
 
 static struct sliding rival(double delta, int usual)
 {
-    const coin_friction *f = &at.scene->f;
+    const coin_table *f = &at.table;
     const struct sliding of = {at.p.inertia_X, at.p.inertia_Z, f->mu_static,
                                f->mu_kinetic,  delta,          usual};
     return of;
@@ -314,14 +308,16 @@ static void begin(const struct slide_scene *scene)
 {
     at.scene = scene;
     coin_params_ring(&at.p, 1, 1, scene->b, 1);
-    coin_slide_of(&at.start, &scene->s, &at.p);
+    at.table.mu_static = scene->mu_static;
+    at.table.mu_kinetic = scene->mu_kinetic;
+    coin_body_from_state(&at.start, &scene->s, &at.p);
     if (scene->vX == scene->vX) { /* phi is 0 */
         at.start.vx = scene->vX;
         at.start.vz = scene->vh;
     }
     for (int k = 0; k < ENDS; ++k) {
-        coin_slide d = at.start;
-        coin_slide_advance(&d, &at.p, &scene->f, NULL, end_of(k), 1e-13, NULL);
+        coin_body d = at.start;
+        coin_move(&d, &at.p, &at.table, end_of(k), 1e-12, 0, NULL);
         at.truth[k] = d.s;
     }
 }
@@ -349,7 +345,7 @@ int main(int argc, char **argv)
         time_textbook();
         sweep_located();
         sweep_regularised("regularised RK4", 0);
-        if (scenes[i].f.mu_static == scenes[i].f.mu_kinetic)
+        if (scenes[i].mu_static == scenes[i].mu_kinetic)
             sweep_regularised("usual RK4", 1);
         sweep_bdf();
         sweep_stepping();

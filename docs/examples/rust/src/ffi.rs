@@ -46,20 +46,29 @@ pub struct coin_losses {
     pub gap: f64,
     pub rolling: f64,
     pub spin: f64,
+    pub angular: f64,
     pub soft: f64,
+    pub flat: f64,
+    pub reserved: [f64; 2usize],
 }
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone, PartialEq)]
-pub struct coin_friction {
+pub struct coin_table {
     pub mu_static: f64,
     pub mu_kinetic: f64,
+    pub restitution: f64,
+    pub reserved: [f64; 5usize],
+    pub losses: coin_losses,
 }
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone, PartialEq)]
-pub struct coin_slide {
+pub struct coin_body {
     pub s: coin_state,
+    pub y: f64,
     pub vx: f64,
+    pub vy: f64,
     pub vz: f64,
+    pub reserved: [f64; 4usize],
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone, PartialEq)]
@@ -98,7 +107,6 @@ pub const COIN_EARG: _bindgen_ty_1 = -4;
 pub const COIN_EDOMAIN: _bindgen_ty_1 = -5;
 pub const COIN_EFLAT: _bindgen_ty_1 = -6;
 pub const COIN_EBUILD: _bindgen_ty_1 = -7;
-pub const COIN_ELIFT: _bindgen_ty_1 = -8;
 pub const COIN_ERANGE: _bindgen_ty_1 = -9;
 pub type _bindgen_ty_1 = ::std::os::raw::c_int;
 pub const COIN_SLIPS: _bindgen_ty_2 = 1;
@@ -108,11 +116,14 @@ pub const COIN_NEARLY_FLAT: _bindgen_ty_2 = 8;
 pub type _bindgen_ty_2 = ::std::os::raw::c_uint;
 pub const COIN_RESTS: _bindgen_ty_3 = 16;
 pub type _bindgen_ty_3 = ::std::os::raw::c_uint;
-pub const COIN_RK4: _bindgen_ty_4 = 0;
-pub const COIN_RK8: _bindgen_ty_4 = 1;
-pub const COIN_SYMPLECTIC2: _bindgen_ty_4 = 2;
-pub const COIN_SYMPLECTIC4: _bindgen_ty_4 = 3;
+pub const COIN_ROLLS: _bindgen_ty_4 = 32;
+pub const COIN_TOUCHES: _bindgen_ty_4 = 64;
 pub type _bindgen_ty_4 = ::std::os::raw::c_uint;
+pub const COIN_RK4: _bindgen_ty_5 = 0;
+pub const COIN_RK8: _bindgen_ty_5 = 1;
+pub const COIN_SYMPLECTIC2: _bindgen_ty_5 = 2;
+pub const COIN_SYMPLECTIC4: _bindgen_ty_5 = 3;
+pub type _bindgen_ty_5 = ::std::os::raw::c_uint;
 extern "C" {
     pub fn coin_params_disc(p: *mut coin_params, mass: f64, radius: f64, gravity: f64) -> i32;
 }
@@ -250,17 +261,6 @@ extern "C" {
     pub fn coin_matrix(s: *const coin_state, p: *const coin_params, m: *mut f64) -> i32;
 }
 extern "C" {
-    pub fn coin_advance_until(
-        s: *mut coin_state,
-        p: *const coin_params,
-        t: f64,
-        tol: f64,
-        mu: f64,
-        bits: i32,
-        reached: *mut f64,
-    ) -> i32;
-}
-extern "C" {
     pub fn coin_state_from_landing(
         s: *mut coin_state,
         p: *const coin_params,
@@ -380,15 +380,6 @@ extern "C" {
     ) -> f64;
 }
 extern "C" {
-    pub fn coin_quasisteady_at(
-        s: *const coin_state,
-        p: *const coin_params,
-        l: *const coin_losses,
-        t: f64,
-        out: *mut coin_state,
-    ) -> i32;
-}
-extern "C" {
     pub fn coin_losses_fit(
         l: *mut coin_losses,
         s: *const coin_state,
@@ -397,33 +388,52 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
-    pub fn coin_slide_of(d: *mut coin_slide, s: *const coin_state, p: *const coin_params) -> i32;
+    pub fn coin_table_check(table: *const coin_table, p: *const coin_params) -> i32;
 }
 extern "C" {
-    pub fn coin_slide_advance(
-        d: *mut coin_slide,
+    pub fn coin_body_from_state(
+        b: *mut coin_body,
+        s: *const coin_state,
         p: *const coin_params,
-        f: *const coin_friction,
-        l: *const coin_losses,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_body_from_motion(
+        b: *mut coin_body,
+        p: *const coin_params,
+        q: *const f64,
+        omega: *const f64,
+        r: *const f64,
+        v: *const f64,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_move(
+        b: *mut coin_body,
+        p: *const coin_params,
+        table: *const coin_table,
         t: f64,
         tol: f64,
+        stop: i32,
         reached: *mut f64,
     ) -> i32;
 }
 extern "C" {
-    pub fn coin_slide_energy(d: *const coin_slide, p: *const coin_params) -> f64;
+    pub fn coin_body_energy(b: *const coin_body, p: *const coin_params) -> f64;
 }
 extern "C" {
-    pub fn coin_slide_reaction(
-        d: *const coin_slide,
+    pub fn coin_body_reaction(
+        b: *const coin_body,
         p: *const coin_params,
-        f: *const coin_friction,
-        l: *const coin_losses,
+        table: *const coin_table,
         out: *mut coin_force,
     ) -> i32;
 }
 extern "C" {
-    pub fn coin_slide_velocity(d: *const coin_slide, p: *const coin_params, u: *mut f64) -> i32;
+    pub fn coin_body_slip(b: *const coin_body, p: *const coin_params, u: *mut f64) -> i32;
+}
+extern "C" {
+    pub fn coin_body_matrix(b: *const coin_body, p: *const coin_params, m: *mut f64) -> i32;
 }
 extern "C" {
     pub fn coin_version() -> u32;
@@ -470,18 +480,6 @@ pub struct coinf_force {
     pub normal: f32,
     pub friction: f32,
     pub ratio: f32,
-}
-#[repr(C)]
-#[derive(Debug, Default, Copy, Clone, PartialEq)]
-pub struct coinf_losses {
-    pub damping: f32,
-    pub dry: f32,
-    pub viscous: f32,
-    pub layer: f32,
-    pub gap: f32,
-    pub rolling: f32,
-    pub spin: f32,
-    pub soft: f32,
 }
 extern "C" {
     pub fn coinf_params_disc(p: *mut coinf_params, mass: f32, radius: f32, gravity: f32) -> i32;
@@ -535,19 +533,6 @@ extern "C" {
         dt: f32,
         steps: u64,
         done: *mut u64,
-    ) -> i32;
-}
-extern "C" {
-    pub fn coinf_losses_check(l: *const coinf_losses, p: *const coinf_params) -> i32;
-}
-extern "C" {
-    pub fn coinf_settle(
-        s: *mut coinf_state,
-        p: *const coinf_params,
-        l: *const coinf_losses,
-        t: f32,
-        tol: f32,
-        reached: *mut f32,
     ) -> i32;
 }
 extern "C" {

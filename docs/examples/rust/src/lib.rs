@@ -21,21 +21,21 @@
 #[rustfmt::skip] // as bindgen lays it out
 pub mod ffi;
 
+mod body;
 mod exact;
 mod losses;
 mod motion;
 mod params;
 mod read;
-mod slide;
 mod status;
 mod steady;
 #[cfg(test)]
 mod tests;
 
 pub use ffi::{
-    coin_force as Force, coin_friction as Friction, coin_losses as Losses,
-    coin_orbit as Orbit, coin_params as Params, coin_slide as Slide,
-    coin_state as State,
+    coin_body as Body, coin_force as Force, coin_losses as Losses,
+    coin_orbit as Orbit, coin_params as Params, coin_state as State,
+    coin_table as Table,
 };
 pub use motion::{batch_run, Method};
 pub use status::{Error, Result, Status, Stopped};

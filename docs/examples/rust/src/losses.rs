@@ -10,7 +10,7 @@ impl Losses {
         Ok(())
     }
 
-    /// All terms but `soft` times one factor, so that a coin rests after
+    /// All terms but `soft` and `flat` times one factor, so that a coin rests after
     /// `time`.
     pub fn fit(&self, s: &State, p: &Params, time: f64) -> Result<Losses> {
         let mut fitted = *self;
@@ -51,24 +51,9 @@ impl State {
         checked_to(status, reached)
     }
 
-    /// The time until it lies flat, near a steady motion; infinity if nothing
-    /// stops it.
+    /// The time until it lies flat; infinity if nothing stops it.
     pub fn time_to_rest(&self, p: &Params, l: &Losses) -> Result<f64> {
         let time = unsafe { ffi::coin_time_to_rest(self, p, l) };
         number(time, || l.check(p).and_then(|()| self.state_check(p)))
-    }
-
-    /// The state at a time by the quasi-steady model, and whether it
-    /// [`Status::rests`].
-    pub fn quasisteady_at(
-        &self,
-        p: &Params,
-        l: &Losses,
-        t: f64,
-    ) -> Result<(State, Status)> {
-        let mut out = State::default();
-        let status =
-            unsafe { ffi::coin_quasisteady_at(self, p, l, t, &mut out) };
-        Ok((out, checked(status)?))
     }
 }

@@ -60,24 +60,6 @@ impl State {
         Ok(checked_to(status, reached)?.1)
     }
 
-    /// [`State::advance`] that stops at the first moment at which one of
-    /// `bits` holds, `ffi::COIN_SLIPS` and the like; returns those that hold,
-    /// and the time moved.
-    pub fn advance_until(
-        &mut self,
-        p: &Params,
-        t: f64,
-        tol: f64,
-        mu: f64,
-        bits: i32,
-    ) -> std::result::Result<(Status, f64), Stopped<f64>> {
-        let mut reached = 0.0;
-        let status = unsafe {
-            ffi::coin_advance_until(self, p, t, tol, mu, bits, &mut reached)
-        };
-        checked_to(status, reached)
-    }
-
     /// Fills `path` with states `steps_per_sample` steps apart, this one first;
     /// an error says how many were written.
     pub fn sample(

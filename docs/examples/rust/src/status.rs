@@ -23,8 +23,6 @@ impl Error {
     pub const DOMAIN: Error = Error(ffi::COIN_EDOMAIN);
     /// The coin falls flat.
     pub const FLAT: Error = Error(ffi::COIN_EFLAT);
-    /// A coin that may slip lifts off the table.
-    pub const LIFT: Error = Error(ffi::COIN_ELIFT);
     /// phi, psi, x or z is at the end of its range.
     pub const RANGE: Error = Error(ffi::COIN_ERANGE);
     /// This build does not give the pinned bits.
@@ -99,6 +97,10 @@ impl Status {
     /// cos(theta) < 0.01.
     pub fn nearly_flat(self) -> bool {
         self.has(ffi::COIN_NEARLY_FLAT)
+    }
+    /// A slip has ended, and the coin rolls.
+    pub fn rolls(self) -> bool {
+        self.has(ffi::COIN_ROLLS)
     }
     /// The coin lies flat.
     pub fn rests(self) -> bool {

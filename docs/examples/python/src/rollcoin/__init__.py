@@ -23,7 +23,7 @@ Paramsf of discf(), ringf() or bodyf().
 `lib` has every function of both headers by its own name, as ctypes calls it.
 """
 from . import (_about, _declarations, _exact, _library, _make, _move, _read,
-               _slide, _tables)
+               _real, _tables)
 from ._about import *
 from ._declarations import *
 from ._exact import *
@@ -31,7 +31,7 @@ from ._library import *
 from ._make import *
 from ._move import *
 from ._read import *
-from ._slide import *
+from ._real import *
 from ._tables import *
 
 __version__: str = version()
@@ -43,5 +43,5 @@ __all__ += _library.__all__
 __all__ += _make.__all__
 __all__ += _move.__all__
 __all__ += _read.__all__
-__all__ += _slide.__all__
+__all__ += _real.__all__
 __all__ += _tables.__all__

@@ -6,10 +6,10 @@ from typing import Any, Dict, Tuple
 
 from ._types import INT32, SIZE, UINT32, UINT64, In, Out, Plain
 
-__all__ = ["Params", "State", "Force", "Losses", "Friction", "Slide", "Orbit",
-           "Paramsf", "Statef", "Forcef", "Lossesf", "OK", "EPARAMS", "ESTATE",
-           "ESTEP", "EARG", "EDOMAIN", "EFLAT", "EBUILD", "ELIFT", "ERANGE",
-           "SLIPS", "LIFTS", "COARSE", "NEARLY_FLAT", "RESTS", "RK4", "RK8",
+__all__ = ["Params", "State", "Force", "Losses", "Table", "Body", "Orbit",
+           "Paramsf", "Statef", "Forcef", "OK", "EPARAMS", "ESTATE", "ESTEP",
+           "EARG", "EDOMAIN", "EFLAT", "EBUILD", "ERANGE", "SLIPS", "LIFTS",
+           "COARSE", "NEARLY_FLAT", "RESTS", "ROLLS", "TOUCHES", "RK4", "RK8",
            "SYMPLECTIC2", "SYMPLECTIC4"]
 
 
@@ -80,7 +80,10 @@ class Losses(Plain):
     gap: float
     rolling: float
     spin: float
+    angular: float
     soft: float
+    flat: float
+    reserved: "Array[c_double]"
     _fields_ = [
         ("damping", c_double),
         ("dry", c_double),
@@ -89,31 +92,46 @@ class Losses(Plain):
         ("gap", c_double),
         ("rolling", c_double),
         ("spin", c_double),
+        ("angular", c_double),
         ("soft", c_double),
+        ("flat", c_double),
+        ("reserved", c_double * 2),
     ]
 
 
-class Friction(Plain):
-    """coin_friction."""
+class Table(Plain):
+    """coin_table."""
     __slots__ = ()
     mu_static: float
     mu_kinetic: float
+    restitution: float
+    reserved: "Array[c_double]"
+    losses: Losses
     _fields_ = [
         ("mu_static", c_double),
         ("mu_kinetic", c_double),
+        ("restitution", c_double),
+        ("reserved", c_double * 5),
+        ("losses", Losses),
     ]
 
 
-class Slide(Plain):
-    """coin_slide."""
+class Body(Plain):
+    """coin_body."""
     __slots__ = ()
     s: State
+    y: float
     vx: float
+    vy: float
     vz: float
+    reserved: "Array[c_double]"
     _fields_ = [
         ("s", State),
+        ("y", c_double),
         ("vx", c_double),
+        ("vy", c_double),
         ("vz", c_double),
+        ("reserved", c_double * 4),
     ]
 
 
@@ -215,29 +233,6 @@ class Forcef(Plain):
     ]
 
 
-class Lossesf(Plain):
-    """coinf_losses."""
-    __slots__ = ()
-    damping: float
-    dry: float
-    viscous: float
-    layer: float
-    gap: float
-    rolling: float
-    spin: float
-    soft: float
-    _fields_ = [
-        ("damping", c_float),
-        ("dry", c_float),
-        ("viscous", c_float),
-        ("layer", c_float),
-        ("gap", c_float),
-        ("rolling", c_float),
-        ("spin", c_float),
-        ("soft", c_float),
-    ]
-
-
 OK = 0
 EPARAMS = -1
 ESTATE = -2
@@ -246,13 +241,14 @@ EARG = -4
 EDOMAIN = -5
 EFLAT = -6
 EBUILD = -7
-ELIFT = -8
 ERANGE = -9
 SLIPS = 1
 LIFTS = 2
 COARSE = 4
 NEARLY_FLAT = 8
 RESTS = 16
+ROLLS = 32
+TOUCHES = 64
 RK4 = 0
 RK8 = 1
 SYMPLECTIC2 = 2
@@ -263,13 +259,12 @@ STRUCTS = {
     "coin_state": State,
     "coin_force": Force,
     "coin_losses": Losses,
-    "coin_friction": Friction,
-    "coin_slide": Slide,
+    "coin_table": Table,
+    "coin_body": Body,
     "coin_orbit": Orbit,
     "coinf_params": Paramsf,
     "coinf_state": Statef,
     "coinf_force": Forcef,
-    "coinf_losses": Lossesf,
 }
 
 # Name: (result, {argument: type})
@@ -321,9 +316,6 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
         "dt": c_double, "mu": c_double}),
     "coin_matrix": (c_int32, {"s": In(State), "p": In(Params),
         "m": Out(c_double, 16)}),
-    "coin_advance_until": (c_int32, {"s": Out(State), "p": In(Params),
-        "t": c_double, "tol": c_double, "mu": c_double, "bits": INT32,
-        "reached": Out(c_double)}),
     "coin_state_from_landing": (c_int32, {"s": Out(State), "p": In(Params),
         "q": In(c_double, 4), "omega": In(c_double, 3), "v": In(c_double,
         3), "x": c_double, "z": c_double}),
@@ -363,20 +355,24 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
         "reached": Out(c_double)}),
     "coin_time_to_rest": (c_double, {"s": In(State), "p": In(Params),
         "l": In(Losses)}),
-    "coin_quasisteady_at": (c_int32, {"s": In(State), "p": In(Params),
-        "l": In(Losses), "t": c_double, "out": Out(State)}),
     "coin_losses_fit": (c_int32, {"l": Out(Losses), "s": In(State),
         "p": In(Params), "time": c_double}),
-    "coin_slide_of": (c_int32, {"d": Out(Slide), "s": In(State),
+    "coin_table_check": (c_int32, {"table": In(Table), "p": In(Params)}),
+    "coin_body_from_state": (c_int32, {"b": Out(Body), "s": In(State),
         "p": In(Params)}),
-    "coin_slide_advance": (c_int32, {"d": Out(Slide), "p": In(Params),
-        "f": In(Friction), "l": In(Losses), "t": c_double, "tol": c_double,
+    "coin_body_from_motion": (c_int32, {"b": Out(Body), "p": In(Params),
+        "q": In(c_double, 4), "omega": In(c_double, 3), "r": In(c_double,
+        3), "v": In(c_double, 3)}),
+    "coin_move": (c_int32, {"b": Out(Body), "p": In(Params),
+        "table": In(Table), "t": c_double, "tol": c_double, "stop": INT32,
         "reached": Out(c_double)}),
-    "coin_slide_energy": (c_double, {"d": In(Slide), "p": In(Params)}),
-    "coin_slide_reaction": (c_int32, {"d": In(Slide), "p": In(Params),
-        "f": In(Friction), "l": In(Losses), "out": Out(Force)}),
-    "coin_slide_velocity": (c_int32, {"d": In(Slide), "p": In(Params),
+    "coin_body_energy": (c_double, {"b": In(Body), "p": In(Params)}),
+    "coin_body_reaction": (c_int32, {"b": In(Body), "p": In(Params),
+        "table": In(Table), "out": Out(Force)}),
+    "coin_body_slip": (c_int32, {"b": In(Body), "p": In(Params),
         "u": Out(c_double, 2)}),
+    "coin_body_matrix": (c_int32, {"b": In(Body), "p": In(Params),
+        "m": Out(c_double, 16)}),
     "coin_version": (c_uint32, {}),
     "coin_version_string": (c_char_p, {}),
     "coin_status_string": (c_char_p, {"status": INT32}),
@@ -401,10 +397,6 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "coinf_run": (c_int32, {"s": Out(Statef), "p": In(Paramsf),
         "method": INT32, "dt": c_float, "steps": UINT64,
         "done": Out(c_uint64)}),
-    "coinf_losses_check": (c_int32, {"l": In(Lossesf), "p": In(Paramsf)}),
-    "coinf_settle": (c_int32, {"s": Out(Statef), "p": In(Paramsf),
-        "l": In(Lossesf), "t": c_float, "tol": c_float,
-        "reached": Out(c_float)}),
     "coinf_energy": (c_float, {"s": In(Statef), "p": In(Paramsf)}),
     "coinf_integrals": (c_int32, {"s": In(Statef), "p": In(Paramsf),
         "K": Out(c_float, 2)}),

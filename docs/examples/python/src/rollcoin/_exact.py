@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from ._declarations import Losses, Orbit, Params, State
+from ._declarations import Orbit, Params, State
 from ._library import lib
 from ._tables import Coin, Status, coin, give, times
 
-__all__ = ["orbit", "orbit_at", "quasisteady_at", "steady_at"]
+__all__ = ["orbit", "orbit_at", "steady_at"]
 
 
 def _at(name: str, inputs: Any, t: Any, status: Status) -> Any:
@@ -39,10 +39,3 @@ def orbit_at(o: Orbit, t: Any, *, status: Status = None) -> Any:
     """The state at any time of a motion that orbit() solved.
     coin_orbit_at()"""
     return _at("orbit_at", (o,), t, status)
-
-
-def quasisteady_at(s: Coin, p: Params, losses: Losses, t: Any, *,
-                   status: Status = None) -> Any:
-    """The state at any time t >= 0 of a coin with losses, by the quasi-steady
-    model; after it came to rest, as it lies.  coin_quasisteady_at()"""
-    return _at("quasisteady_at", (coin(s, State), p, losses), t, status)

@@ -19,8 +19,8 @@ class Error(ValueError):
 
     status  the status: ESTATE, ESTEP, ...; str() says it in words
     done    how far a call that moves a coin came: the steps of run(), the
-            states of sample(), the time of advance(), advance_until(),
-            settle() and slide_advance(); None of other calls
+            states of sample(), the time of advance(), settle() and
+            move(); None of other calls
     index   the first row of a table that failed, or None
 
     The state is the last good one: that after `done`, or as it was before the
@@ -63,7 +63,7 @@ def _why_nan(name: str, arguments: Sequence[Any]) -> int:
     each = getattr(lib, "each_" + name, None)
     if each is None:
         lib.coin_params_check(arguments[-1])  # which raises
-        return declared.ESTATE  # of slide_energy()
+        return declared.ESTATE  # of body_energy()
     result, kinds = declared.PROTOTYPES[name]
     status: int = each(1, byref(c_int32()), byref(result()),
                        kinds["s"].from_param(arguments[0]), *arguments[1:])

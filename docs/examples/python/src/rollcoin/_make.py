@@ -7,8 +7,8 @@ from typing import Any, Sequence, Type
 
 from ._declarations import Losses, Params, Paramsf, State, Statef
 from ._library import lib
-from ._tables import (AnyLosses, AnyParams, Coin, Coins, Status, coin, function,
-                     kind_of, read)
+from ._tables import (AnyParams, Coin, Coins, Status, coin, function, kind_of,
+                     read)
 
 __all__ = ["body", "bodyf", "disc", "discf", "losses_check", "losses_fit",
            "params_check", "ring", "ringf", "state_check",
@@ -72,9 +72,9 @@ def params_check(p: AnyParams) -> None:
     function("params_check", kind_of(p))(p)
 
 
-def losses_check(losses: AnyLosses, p: AnyParams) -> None:
+def losses_check(losses: Losses, p: Params) -> None:
     """Raises unless the losses can be computed with.  coin_losses_check()"""
-    function("losses_check", kind_of(p))(losses, p)
+    lib.coin_losses_check(losses, p)
 
 
 # ----------------------------------------------------------------------- states
@@ -171,7 +171,7 @@ def steady_ride(p: Params, speed: float, radius: float) -> State:
 # ----------------------------------------------------------------------- losses
 def losses_fit(losses: Losses, s: Coin, p: Params, time: float) -> Losses:
     """Losses that let the coin rest after a given time: losses times one
-    factor, all terms but soft.  The argument stays as it is.
+    factor, all terms but soft and flat.  The argument stays as it is.
     coin_losses_fit()"""
     fitted = Losses.from_buffer_copy(losses)
     lib.coin_losses_fit(fitted, coin(s, State), p, time)

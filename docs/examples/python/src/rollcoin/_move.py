@@ -9,15 +9,15 @@ from __future__ import annotations
 import operator
 from ctypes import byref, c_int32, c_size_t, c_uint64
 from numbers import Integral
-from typing import Any, NamedTuple, Optional, Tuple
+from typing import Any, NamedTuple, Tuple
 
-from ._declarations import EARG, EPARAMS, OK, Params, State
+from ._declarations import EARG, EPARAMS, OK, Losses, Params, State
 from ._library import Error, lib
-from ._tables import (REAL, AnyLosses, AnyParams, Coin, Coins, Status, Table,
-                     coin, function, is_numpy, kind_of, one, read, table)
+from ._tables import (REAL, AnyParams, Coin, Coins, Status, Table, coin,
+                     function, is_numpy, kind_of, one, read, table)
 
-__all__ = ["SLICE", "Settled", "Until", "advance", "advance_until", "run",
-           "run_batch", "sample", "settle", "step"]
+__all__ = ["SLICE", "Settled", "advance", "run", "run_batch", "sample",
+           "settle", "step"]
 
 SLICE = 1 << 18
 """How many steps run(), run_batch() and sample() do in one call of the library.
@@ -181,36 +181,18 @@ def advance(s: Coins, p: Params, t: float, tol: float = 1e-9, *,
     return _moved("advance", s, (p, t, tol), status)[1]
 
 
-class Until(NamedTuple):
-    """What advance_until() returns."""
-    status: Any
-    """The bits that hold now, or 0; of a table an array."""
-    reached: Any
-    """The time moved by; of a table an array."""
-
-
-def advance_until(s: Coins, p: Params, t: float, mu: float, bits: int,
-                  tol: float = 1e-9, *, status: Status = None) -> Until:
-    """advance() that stops at the first moment at which one of bits holds:
-    SLIPS, LIFTS, NEARLY_FLAT, or several, or-ed.  coin_advance_until()"""
-    return Until(*_moved("advance_until", s, (p, t, tol, mu, bits), status))
-
-
 class Settled(NamedTuple):
-    """What settle() returns."""
+    """What settle() and move() return."""
     status: Status
     """RESTS if the coin lies flat, else 0; of a table an array."""
     reached: Any
     """The time moved by; of a table an array."""
 
 
-def settle(s: Coins, p: AnyParams, losses: AnyLosses, t: float,
-           tol: Optional[float] = None, *, status: Status = None) -> Settled:
+def settle(s: Coins, p: Params, losses: Losses, t: float, tol: float = 1e-9, *,
+           status: Status = None) -> Settled:
     """Moves s, a State, a row or a table, with losses, by any time t >= 0 or
-    until it lies flat; tol is 1e-9 unless given, in floats 1e-4.
-    coin_settle()"""
-    if tol is None:
-        tol = 1e-9 if kind_of(p) is State else 1e-4
+    until it lies flat.  coin_settle()"""
     return Settled(*_moved("settle", s, (p, losses, t, tol), status))
 
 

@@ -12,8 +12,8 @@ from ctypes import Array, c_double, c_float, c_int32, sizeof
 from typing import (TYPE_CHECKING, Any, Iterator, NamedTuple, Optional, Tuple,
                     Type, Union)
 
-from ._declarations import (EARG, EPARAMS, PROTOTYPES, Losses, Lossesf, Params,
-                            Paramsf, State, Statef)
+from ._declarations import (EARG, EPARAMS, PROTOTYPES, Params, Paramsf, State,
+                            Statef)
 from ._library import Error, lib
 from ._types import Out, Plain
 
@@ -29,7 +29,6 @@ FORMAT = {State: ("d", "<d", "=d"), Statef: ("f", "<f", "=f")}
 RAW = (bytearray, mmap.mmap)  # bytes that have no type of their own
 
 AnyParams = Union[Params, Paramsf]
-AnyLosses = Union[Losses, Lossesf]
 Coin = Union[State, Statef, "numpy.void"]
 """One coin: a State, a Statef, or a row of an array of these."""
 Coins = Union[Coin, "numpy.ndarray[Any, Any]", "array.array[float]",

@@ -33,9 +33,6 @@ EACH(each_coin_check, (const coin_state *s, const coin_params *p,
      mu))
 EACH(each_coin_matrix, (const coin_state *s, const coin_params *p, double *m),
      coin_matrix(s + i, p, m + 16 * i))
-EACH(each_coin_advance_until, (coin_state *s, const coin_params *p, double t,
-     double tol, double mu, int32_t bits, double *reached),
-     coin_advance_until(s + i, p, t, tol, mu, bits, reached + i))
 EACH(each_coin_steady_radii, (const coin_state *s, const coin_params *p,
      double *center, double *contact), coin_steady_radii(s + i, p, center + i,
      contact + i))
@@ -60,19 +57,10 @@ EACH(each_coin_settle, (coin_state *s, const coin_params *p,
      coin_settle(s + i, p, l, t, tol, reached + i))
 EACH_NUMBER(coin_time_to_rest, double, (const coin_state *s,
      const coin_params *p, const coin_losses *l), (s + i, p, l))
-EACH(each_coin_quasisteady_at, (const coin_state *s, const coin_params *p,
-     const coin_losses *l, double t, coin_state *out),
-     coin_quasisteady_at(s + i, p, l, t, out + i))
-EACH(times_coin_quasisteady_at, (const coin_state *s, const coin_params *p,
-     const coin_losses *l, const double *t, coin_state *out),
-     coin_quasisteady_at(s, p, l, t[i], out + i))
 EACH(each_coinf_state_check, (const coinf_state *s, const coinf_params *p),
      coinf_state_check(s + i, p))
 EACH(each_coinf_angular_velocity, (const coinf_state *s, float *omega),
      coinf_angular_velocity(s + i, omega + 3 * i))
-EACH(each_coinf_settle, (coinf_state *s, const coinf_params *p,
-     const coinf_losses *l, float t, float tol, float *reached),
-     coinf_settle(s + i, p, l, t, tol, reached + i))
 EACH_NUMBER(coinf_energy, float, (const coinf_state *s, const coinf_params *p),
      (s + i, p))
 EACH(each_coinf_integrals, (const coinf_state *s, const coinf_params *p,

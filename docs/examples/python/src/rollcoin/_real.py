@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: MIT
+"""Real coins, one by one: they roll, slip and come to rest."""
+from __future__ import annotations
+
+from ctypes import byref, c_double
+from typing import Any, Sequence
+
+from ._declarations import Body, Force, Params, State, Table
+from ._library import Error, lib
+from ._move import Settled
+from ._tables import Coin, coin, give
+
+__all__ = ["body_energy", "body_from_motion", "body_from_state", "body_matrix",
+           "body_reaction", "body_slip", "move", "table_check"]
+
+
+def table_check(table: Table, p: Params) -> None:
+    """Raises unless the table can be computed with.  coin_table_check()"""
+    lib.coin_table_check(table, p)
+
+
+def body_from_state(s: Coin, p: Params) -> Body:
+    """A body that rolls.  coin_body_from_state()"""
+    b = Body()
+    lib.coin_body_from_state(b, coin(s, State), p)
+    return b
+
+
+def body_from_motion(p: Params, q: Sequence[float], omega: Sequence[float],
+                     r: Sequence[float], v: Sequence[float]) -> Body:
+    """A body of an engine, in the air or on the table: q is w, x, y, z.
+    coin_body_from_motion()"""
+    b = Body()
+    lib.coin_body_from_motion(b, p, (c_double * 4)(*q), (c_double * 3)(*omega),
+                              (c_double * 3)(*r), (c_double * 3)(*v))
+    return b
+
+
+def move(b: Body, p: Params, table: Table, t: float, tol: float = 1e-9,
+         stop: int = 0) -> Settled:
+    """Moves b by a time t >= 0, or until one of the bits of stop begins to
+    hold; the status is its mode: OK, it rolls, SLIPS, LIFTS or RESTS, and the
+    bits of stop that hold.  coin_move()"""
+    reached = c_double()
+    try:
+        status = lib.coin_move(b, p, table, t, tol, stop, byref(reached))
+    except Error as error:
+        error.done = reached.value
+        raise
+    return Settled(status, reached.value)
+
+
+def body_energy(b: Body, p: Params) -> float:
+    """Kinetic and potential energy.  coin_body_energy()"""
+    energy: float = lib.coin_body_energy(b, p)
+    return energy
+
+
+def body_reaction(b: Body, p: Params, table: Table) -> Force:
+    """The Force of the table, of rolling or of the slip.
+    coin_body_reaction()"""
+    force = Force()
+    lib.coin_body_reaction(b, p, table, force)
+    return force
+
+
+def body_slip(b: Body, p: Params) -> Any:
+    """The slip velocity, along x and z.  coin_body_slip()"""
+    return give("body_slip", State, b, p)
+
+
+def body_matrix(b: Body, p: Params) -> Any:
+    """matrix() with the body's own height.  coin_body_matrix()"""
+    return give("body_matrix", State, b, p)

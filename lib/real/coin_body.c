@@ -1,0 +1,277 @@
+/* SPDX-License-Identifier: MIT */
+/* A coin_body: its checks, and what can be read off it. */
+#include "../motion/pinned.h"
+
+#include "../motion/equations.h"
+#include "../motion/rest.h"
+
+#include "coin_body.h"
+
+/* A body that an engine set this many radii into the table is set on it. */
+#define OVERLAP 0.1
+
+/* The velocity of the centre of a coin that rolls. */
+static void rolling_velocity(double v[3], const coin_state *s, double a)
+{
+    const coin_priv_variables y = coin_priv_variables_of(s);
+    coin_priv_velocity_of(v, a, &y);
+}
+
+void coin_priv_set_rolling(coin_body *b, const coin_priv_body *of)
+{
+    double v[3];
+    rolling_velocity(v, &b->s, of->a);
+    b->y = of->a * coin_priv_sincos(b->s.theta).c;
+    b->vx = v[0];
+    b->vy = v[1];
+    b->vz = v[2];
+}
+
+/* The slip velocity of a body, over the natural one, along e_X and e_h; and the
+ * normal velocity of its lowest point. */
+struct slip {
+    double X, h, y;
+};
+
+static struct slip slip_of(const coin_body *b, const coin_priv_body *of)
+{
+    const coin_priv_variables y = coin_priv_variables_of(&b->s);
+    const double per = 1 / (of->a * sqrt(of->g_a)), turn = of->a * per;
+    const double vX = b->vx * y.cph - b->vz * y.sph;
+    const double vh = b->vx * y.sph + b->vz * y.cph;
+    const struct slip r = {
+        per * vX + turn * y.wZ,
+        per * vh - turn * (y.wX * y.cth),
+        per * b->vy + turn * (y.wX * y.sth),
+    };
+    return r;
+}
+
+int32_t coin_priv_check_coin_body(const coin_body *b, const coin_params *p,
+                                  coin_priv_body *of)
+{
+    if (!b)
+        return COIN_EARG;
+    const int32_t status = coin_priv_check(&b->s, p, of);
+    if (status != COIN_OK)
+        return status;
+    const double a = of->a, far = COIN_PRIV_PLACE_MAX * a;
+    const double fast = COIN_PRIV_RATE_MAX * a * sqrt(of->g_a);
+    const double above = b->y - a * coin_priv_sincos(b->s.theta).c;
+    int good = fabs(b->s.x) <= far && fabs(b->s.z) <= far && b->y <= far &&
+               above >= -COIN_PRIV_TOUCHES * a;
+    good &= fabs(b->vx) <= fast && fabs(b->vy) <= fast && fabs(b->vz) <= fast;
+    for (int i = 0; i < 4; ++i)
+        good &= b->reserved[i] == 0;
+    return good ? COIN_OK : COIN_ESTATE;
+}
+
+int coin_priv_body_mode(const coin_body *b, const coin_priv_body *of,
+                        double u[2])
+{
+    const double a = of->a, w0 = sqrt(of->g_a);
+    const double above = b->y - a * coin_priv_sincos(b->s.theta).c;
+    const struct slip slip = slip_of(b, of);
+    const double speed = sqrt(slip.X * slip.X + slip.h * slip.h);
+    const double turns = (fabs(b->s.wX) + fabs(b->s.wZ)) / w0;
+    u[0] = u[1] = 0;
+    if (above > COIN_PRIV_TOUCHES * a || fabs(slip.y) > COIN_PRIV_SLIP_LEAST)
+        return COIN_PRIV_AIR;
+    if (fabs(b->s.theta) >= COIN_PRIV_LAST_LEAN && b->s.wX == 0 && b->s.wY == 0)
+        return COIN_PRIV_RESTS;
+    if (speed <= COIN_PRIV_SLIP_LEAST + COIN_PRIV_TOUCHES * turns)
+        return 0;
+    u[0] = slip.X;
+    u[1] = slip.h;
+    return COIN_PRIV_SLIPS;
+}
+
+int32_t coin_body_from_state(coin_body *b, const coin_state *s,
+                             const coin_params *p)
+{
+    coin_priv_body of;
+    const int32_t status = b ? coin_priv_check(s, p, &of) : COIN_EARG;
+    if (status != COIN_OK)
+        return status;
+    coin_body made = {*s, 0, 0, 0, 0, {0, 0, 0, 0}};
+    coin_priv_set_rolling(&made, &of);
+    const int32_t good = coin_priv_check_coin_body(&made, p, &of);
+    if (good == COIN_OK)
+        *b = made;
+    return good;
+}
+
+/* The state of a coin whose face is horizontal: psi = 0, and theta is the last
+ * lean before pi/2 with the sign that turns the face up or down. */
+static void lay_flat(coin_state *s, const double q[4])
+{
+    const double w = q[0], x = q[1], y = q[2], z = q[3];
+    const double norm = w * w + x * x + y * y + z * z;
+    const coin_priv_sc ph = {
+        2 * (w * y - x * z) / norm,
+        (w * w + x * x - y * y - z * z) / norm,
+    };
+    s->theta = w * x - y * z > 0 ? COIN_PRIV_LAST_LEAN : -COIN_PRIV_LAST_LEAN;
+    s->phi = coin_priv_angle(ph);
+    s->psi = 0;
+}
+
+/* How far cos theta may be from 0 for a face that counts as horizontal. */
+#define HORIZONTAL (2 * DBL_EPSILON)
+
+/* The state of this motion; *s is the result. */
+static int32_t state_of(coin_state *s, const coin_params *p, const double q[4],
+                        const double omega[3], const double r[3])
+{
+    const int32_t status = coin_state_from_motion(s, p, q, omega, r[0], r[2]);
+    if (status == COIN_OK && fabs(s->theta) < COIN_PRIV_LAST_LEAN - HORIZONTAL)
+        return COIN_OK;
+    if (status != COIN_OK && status != COIN_ESTATE)
+        return status;
+    const double upright[4] = {1, 0, 0, 0};
+    if (status == COIN_ESTATE) { /* is it the lean, or something else? */
+        const int32_t other =
+            coin_state_from_motion(s, p, upright, omega, r[0], r[2]);
+        const double cosine = q[0] * q[0] - q[1] * q[1] + q[2] * q[2] -
+                              q[3] * q[3]; /* e_Y along y, times the norm */
+        const double side = 2 * (q[2] * q[3] - q[0] * q[1]);
+        if (other != COIN_OK || !(fabs(side) > 0) ||
+            !(fabs(cosine) <= 1e-7 * fabs(side)))
+            return COIN_ESTATE;
+    }
+    lay_flat(s, q);
+    const coin_priv_variables y = coin_priv_variables_of(s);
+    double R[9];
+    coin_priv_axes(&y, R);
+    s->x = r[0];
+    s->z = r[2];
+    s->wX = omega[0] * R[0] + omega[1] * R[1] + omega[2] * R[2];
+    s->wY = omega[0] * R[3] + omega[1] * R[4] + omega[2] * R[5];
+    s->wZ = omega[0] * R[6] + omega[1] * R[7] + omega[2] * R[8];
+    return coin_state_check(s, p);
+}
+
+int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
+                              const double q[4], const double omega[3],
+                              const double r[3], const double v[3])
+{
+    coin_body made = {{0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, 0, 0, {0, 0, 0, 0}};
+    coin_priv_body of;
+    if (!b || !p || !q || !omega || !r || !v)
+        return COIN_EARG;
+    if (coin_priv_check_body(&of, p) != COIN_OK)
+        return COIN_EPARAMS;
+    const int32_t status = state_of(&made.s, p, q, omega, r);
+    if (status != COIN_OK)
+        return status;
+    const double touching = of.a * coin_priv_sincos(made.s.theta).c;
+    const double below = touching - r[1];
+    made.y = below > 0 && below <= OVERLAP * of.a ? touching : r[1];
+    made.vx = v[0];
+    made.vy = v[1];
+    made.vz = v[2];
+    const int32_t good = coin_priv_check_coin_body(&made, p, &of);
+    if (good == COIN_OK)
+        *b = made;
+    return good;
+}
+
+double coin_body_energy(const coin_body *b, const coin_params *p)
+{
+    coin_priv_body of;
+    if (!p || coin_priv_check_coin_body(b, p, &of) != COIN_OK)
+        return (double)NAN;
+    const coin_state *s = &b->s;
+    const double v2 = b->vx * b->vx + b->vy * b->vy + b->vz * b->vz;
+    const double turn =
+        of.IX * (s->wX * s->wX + s->wY * s->wY) + of.IZ * s->wZ * s->wZ;
+    return (of.M * v2 + turn) / 2 + of.Mg * b->y; /* (88) */
+}
+
+int32_t coin_body_slip(const coin_body *b, const coin_params *p, double u[2])
+{
+    coin_priv_body of;
+    if (!u)
+        return COIN_EARG;
+    const int32_t status = coin_priv_check_coin_body(b, p, &of);
+    if (status != COIN_OK)
+        return status;
+    const coin_priv_variables y = coin_priv_variables_of(&b->s);
+    const int rests =
+        fabs(b->s.theta) >= COIN_PRIV_LAST_LEAN && b->s.wX == 0 && b->s.wY == 0;
+    const double uX = of.a * y.wZ, uh = -of.a * (y.wX * y.cth);
+    u[0] = b->vx + (rests ? 0 : uX * y.cph + uh * y.sph);
+    u[1] = b->vz + (rests ? 0 : uh * y.cph - uX * y.sph);
+    return COIN_OK;
+}
+
+int32_t coin_body_matrix(const coin_body *b, const coin_params *p, double m[16])
+{
+    coin_priv_body of;
+    if (!m)
+        return COIN_EARG;
+    const int32_t status = coin_priv_check_coin_body(b, p, &of);
+    if (status != COIN_OK)
+        return status;
+    const double y = b->y;
+    (void)coin_matrix(&b->s, p, m);
+    m[13] = y;
+    return COIN_OK;
+}
+
+/* The force on a coin that touches the table, in natural units. */
+static coin_priv_push touching_force(const coin_body *b,
+                                     const coin_priv_body *of,
+                                     const coin_priv_law *l, int mode,
+                                     const double u[2])
+{
+    coin_priv_moving g;
+    g.law = *l;
+    coin_priv_begin(&g, &b->s, of, 0, 1);
+    g.y[COIN_PRIV_UX] = u[0];
+    g.y[COIN_PRIV_UH] = u[1];
+    coin_priv_push F = coin_priv_push_of(g.y, l, mode);
+    if (coin_priv_contact_margin(g.y, l, mode) < 0) {
+        const coin_priv_push none = {0, 0, 0};
+        if (!(coin_priv_weight(g.y, l) > 0))
+            return none; /* it lifts off */
+        if (mode == 0) {
+            const coin_priv_direction n = coin_priv_onset(g.y, l, 0, F);
+            F = coin_priv_slopes(0, g.y, l, COIN_PRIV_SLIPS, n);
+        }
+    }
+    const coin_priv_push r = {F.N / g.y[COIN_PRIV_C], F.X / g.y[COIN_PRIV_C],
+                              F.h / g.y[COIN_PRIV_C]};
+    return r;
+}
+
+int32_t coin_body_reaction(const coin_body *b, const coin_params *p,
+                           const coin_table *table, coin_force *out)
+{
+    coin_priv_body of;
+    coin_priv_law law;
+    double u[2];
+    if (!b || !p || !table || !out)
+        return COIN_EARG;
+    if (coin_priv_check_body(&of, p) != COIN_OK ||
+        coin_priv_table_law(&law, table, &of) != COIN_OK)
+        return COIN_EPARAMS;
+    const int32_t status = coin_priv_check_coin_body(b, p, &of);
+    if (status != COIN_OK)
+        return status;
+    const int mode = coin_priv_body_mode(b, &of, u);
+    coin_priv_push F = {0, 0, 0};
+    if (mode == COIN_PRIV_RESTS)
+        F.N = 1;
+    else if (mode != COIN_PRIV_AIR)
+        F = touching_force(b, &of, &law, mode, u);
+    const coin_priv_sc ph = coin_priv_sincos(b->s.phi);
+    coin_force r;
+    r.R[0] = of.Mg * (F.X * ph.c + F.h * ph.s);
+    r.R[1] = r.normal = of.Mg * F.N;
+    r.R[2] = of.Mg * (F.h * ph.c - F.X * ph.s);
+    r.friction = of.Mg * sqrt(F.X * F.X + F.h * F.h);
+    r.ratio = r.normal > 0 ? r.friction / r.normal : (double)INFINITY;
+    *out = r;
+    return COIN_OK;
+}

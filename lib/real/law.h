@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: MIT */
+/* What a table does to a coin that touches it: its losses and its contact.
+ *
+ * Everything is in natural units, M = a = g = 1.  Slopes of a coin whose
+ * contact rolls along the rim are by Sundman's time, dt = cos(theta) dtau;
+ * those of a coin whose contact is held near flat, d(psi)/dt = 0, are by t. */
+#ifndef ROLLCOIN_LAW_H
+#define ROLLCOIN_LAW_H
+
+#include "../motion/state.h"
+
+#include <math.h>
+
+/* The variables of a step.  uX, uh: the slip velocity along e_X and along e_h =
+ * (sin phi, 0, cos phi).  The first COIN_PRIV_READ are read by the slopes; phi,
+ * psi, x, z and t are what a step adds. */
+enum {
+    COIN_PRIV_WX,
+    COIN_PRIV_WY,
+    COIN_PRIV_WZ,
+    COIN_PRIV_S, /* sin theta */
+    COIN_PRIV_C, /* cos theta */
+    COIN_PRIV_UX,
+    COIN_PRIV_UH,
+    COIN_PRIV_SPH, /* sin phi */
+    COIN_PRIV_CPH,
+    COIN_PRIV_READ,
+    COIN_PRIV_ADDS_PHI = COIN_PRIV_READ,
+    COIN_PRIV_ADDS_PSI,
+    COIN_PRIV_ADDS_X,
+    COIN_PRIV_ADDS_Z,
+    COIN_PRIV_ADDS_T,
+    COIN_PRIV_SIZE
+};
+
+/* The contact of a coin.  A mode is made of these bits; 0 rolls. */
+enum {
+    COIN_PRIV_SLIPS = 1, /* against kinetic friction */
+    COIN_PRIV_HELD = 2,  /* the losses keep d(psi)/dt = 0 */
+    COIN_PRIV_IDLE = 4,  /* the losses do not act: N would be negative */
+    COIN_PRIV_AIR = 8,   /* there is no contact */
+    COIN_PRIV_RESTS = 16 /* flat, and nothing moves */
+};
+
+/* The losses, the friction and the body. */
+typedef struct coin_priv_law {
+    double IX, IZ;
+    double J[2], K[2]; /* I_X + 1 and I_Z + 1 of a coin that rolls; I_X and I_Z
+                          of one that slips */
+    double perJ[2], perK[2]; /* 1/J, 1/K */
+    double damping, dry, viscous, layer, gap, rolling, spin, angular, soft;
+    double flat; /* a coin with a smaller cos theta lies flat */
+    double mu_static, mu_kinetic;
+    int lossy;     /* whether a coefficient of the losses is not 0 */
+    int held_down; /* the contact neither slips nor lifts, as for
+                      coin_settle() */
+} coin_priv_law;
+
+/* The force of the table on a coin, times cos theta unless it is held. */
+typedef struct coin_priv_push {
+    double N, X, h; /* along e_y, e_X, e_h */
+} coin_priv_push;
+
+/* A direction along the table. */
+typedef struct coin_priv_direction {
+    double X, h;
+} coin_priv_direction;
+
+/* losses.c: the law of a coin with these losses and without friction, or
+ * COIN_EPARAMS. */
+int32_t coin_priv_law_of(coin_priv_law *out, const coin_losses *l,
+                         const coin_priv_body *b);
+
+/* table.c: the law of a table, or COIN_EPARAMS. */
+int32_t coin_priv_table_law(coin_priv_law *out, const coin_table *table,
+                            const coin_priv_body *b);
+
+/* u = cos(theta) d(psi)/dt: how fast the contact rolls along the rim. */
+COIN_PRIV_INLINE double coin_priv_roll_speed(const double *y)
+{
+    return y[COIN_PRIV_C] * y[COIN_PRIV_WZ] + y[COIN_PRIV_S] * y[COIN_PRIV_WY];
+}
+
+/* -Q/u of the contour friction. */
+COIN_PRIV_INLINE double coin_priv_grip(const coin_priv_law *l, double u,
+                                       double c)
+{
+    const double solid = l->dry + l->rolling * c, q = 1 / c;
+    const double fluid = l->viscous + l->gap * q;
+    double grip = q * fluid; /* (65) */
+    if (solid > 0)
+        grip += solid / sqrt(u * u + l->soft * l->soft * (c * c)); /* (65) */
+    if (l->layer > 0)
+        grip += q * (l->layer * sqrt(fabs(u) * q)); /* (65) */
+    return grip;
+}
+
+/* What the losses add to the slopes of wX, wY, wZ by tau. */
+typedef struct coin_priv_slowing {
+    double wX, wY, wZ;
+} coin_priv_slowing;
+
+COIN_PRIV_INLINE coin_priv_slowing coin_priv_slowing_of(const coin_priv_law *l,
+                                                        const double *y,
+                                                        int slips)
+{
+    const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
+    const double wZ = y[COIN_PRIV_WZ], s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
+    const double perJ = l->perJ[slips], perK = l->perK[slips];
+    const double u = coin_priv_roll_speed(y);
+    const double Q = -u * coin_priv_grip(l, u, c);
+    const double fade = slips ? 0 : l->damping * fabs(u); /* (66) */
+    const double turn = l->spin * (wY * c - wZ * s) * c;  /* (67) */
+    const double all = l->angular * c;                    /* (95) */
+    const coin_priv_slowing d = {
+        -(fade + all * (l->IX * perJ)) * wX,                 /* (68) */
+        (Q * s - turn * c) * l->perJ[1] - (fade + all) * wY, /* (68) */
+        (Q * c + turn * s) * perK - (fade + all * (l->IZ * perK)) * wZ,
+    };
+    return d;
+}
+
+/* contact.c: the slopes of a coin in this mode, times `pace`, and the force of
+ * the table.  A slip has the direction n.  Without a slip n is not read.  A
+ * null d leaves the slopes out. */
+coin_priv_push coin_priv_slopes(double *d, const double *y,
+                                const coin_priv_law *l, int mode,
+                                coin_priv_direction n);
+
+/* The slopes alone, by the time of the mode: tau, sigma, or t while the contact
+ * is held; or, if in_t, all by t. */
+void coin_priv_rates(double *d, const double *y, const coin_priv_law *l,
+                     int mode, int in_t);
+
+/* The force on a coin that keeps to its mode. */
+coin_priv_push coin_priv_push_of(const double *y, const coin_priv_law *l,
+                                 int mode);
+
+/* The distance of that force from the edge of what the contact can give, over
+ * the size of its terms.  Below 0 a coin that rolls slips or lifts off, and one
+ * that slips lifts off.  A coin with damping cannot slip: below 0 it lifts
+ * off. */
+double coin_priv_contact_margin(const double *y, const coin_priv_law *l,
+                                int mode);
+
+/* Minus the free acceleration of the gap under the contact, times cos theta:
+ * not above 0, the coin lifts off (toss (L1)). */
+double coin_priv_weight(const double *y, const coin_priv_law *l);
+
+/* The direction in which a slip begins where sticking takes the force F. */
+coin_priv_direction coin_priv_onset(const double *y, const coin_priv_law *l,
+                                    int mode, coin_priv_push F);
+
+/* held.c: whether the losses keep d(psi)/dt = 0 until the coin lies flat, or
+ * as long as it stays as near to flat as it is. */
+int coin_priv_is_held(const double *y, const coin_priv_law *l, int mode,
+                      double tol);
+
+#endif

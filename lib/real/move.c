@@ -1,0 +1,415 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "../motion/rest.h"
+
+#include "events.h"
+#include "move.h"
+
+/* The parts of friction's own rate, and of the rates at which the direction and
+ * the speed of a slip change, in the rate by which steps are measured. */
+#define FRICTION 0.3
+#define RELAX 0.24
+
+/* The estimate of a step's error may be ESTIMATE times tol times its time,
+ * since it is of order 8 and the error of order 9.  The time of a step counts
+ * as BRIEF natural units at least. */
+#define ESTIMATE 2.0
+#define BRIEF 0.03
+
+/* Friction is not smooth where the contact turns round, d(psi)/dt = 0.  A step
+ * is planned to cover TURN_ROUND of the way to there, and refused if it turns
+ * out to cover more than TURNED of it. */
+#define TURN_ROUND 0.5
+#define TURNED 0.7
+
+/* A trial runs away if a stage has so many times the rates of the start. */
+#define RUNAWAY 1e6
+
+/* The last step of a call is made in t, where cos theta and a slip's speed
+ * change by less than this part of themselves in it. */
+#define IN_T 0.25
+
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static double lesser(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static double slip_speed(const double *y)
+{
+    const double uX = y[COIN_PRIV_UX], uh = y[COIN_PRIV_UH];
+    return sqrt(uX * uX + uh * uh);
+}
+
+double coin_priv_rate(const double *y, const coin_priv_law *l, int mode)
+{
+    const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
+    const double wZ = y[COIN_PRIV_WZ], cwZ = y[COIN_PRIV_C] * wZ;
+    const double KJ = l->K[0] / l->J[0], s8 = y[COIN_PRIV_S] / 8;
+    if (mode & COIN_PRIV_HELD)
+        return sqrt(1 + wX * wX + wZ * wZ);
+    const double own2 =
+        wX * wX + 1.5 * (wY * wY) + KJ * KJ * (cwZ * cwZ) + y[COIN_PRIV_C];
+    const double rate = sqrt(larger(own2, 3 * KJ * fabs(wY * cwZ)));
+    if (!(mode & COIN_PRIV_SLIPS))
+        return rate;
+    /* A slip frees the lean: the inertia against its changes is I_X + sin^2
+     * theta instead of I_X + 1. */
+    return rate * larger(1, sqrt(1 / (l->IX + s8 * s8)) / 2);
+}
+
+/* The rate in tau at which the losses make the rates decay, (71). */
+double coin_priv_friction_rate(const double *y, const coin_priv_law *l,
+                               int mode)
+{
+    const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
+    const double u = coin_priv_roll_speed(y);
+    if (!l->lossy || mode & (COIN_PRIV_HELD | COIN_PRIV_IDLE))
+        return 0;
+    const double lever = s * s / l->IX + c * c / l->K[mode & COIN_PRIV_SLIPS];
+    return coin_priv_grip(l, u, c) * lever + l->damping * fabs(u) +
+           l->spin * c / l->IX + l->angular * c; /* (71) */
+}
+
+/* The slope of the roll speed. */
+static double roll_slope(const double *y, const double *d)
+{
+    return y[COIN_PRIV_C] * d[COIN_PRIV_WZ] + y[COIN_PRIV_S] * d[COIN_PRIV_WY] +
+           d[COIN_PRIV_C] * y[COIN_PRIV_WZ] + d[COIN_PRIV_S] * y[COIN_PRIV_WY];
+}
+
+/* Whether the contact turns round within a width of soft cos theta, in which
+ * friction is not smooth. */
+static int turns_round(const coin_priv_moving *g)
+{
+    return g->law.dry + g->law.rolling > 0 &&
+           !(g->mode & (COIN_PRIV_HELD | COIN_PRIV_IDLE));
+}
+
+/* The distance of the roll speed from i z, z being that width. */
+static double way(const coin_priv_moving *g)
+{
+    const double u = coin_priv_roll_speed(g->y);
+    const double z = g->law.soft * g->y[COIN_PRIV_C];
+    return sqrt(u * u + z * z);
+}
+
+/* The part of the way to where the contact turns round that the step covers.
+ * Within it u is taken as a parabola: it begins with the slope of u, which is
+ * almost 0 where the contact rolls fastest. */
+static double part_of_way(const coin_priv_moving *g)
+{
+    const coin_priv_dop853 *w = &g->step;
+    const double a = w->h * roll_slope(w->y, w->slope[0]), far = way(g);
+    const double b =
+        coin_priv_roll_speed(w->end) - coin_priv_roll_speed(w->y) - a;
+    return (fabs(a) + sqrt(a * a + 4 * far * fabs(b))) / (2 * far);
+}
+
+/* Whether a step comes to where the contact turns round and a loss without a
+ * width changes there: the torque of damping has a kink, that of layer friction
+ * a power 3/2. */
+static int has_kink(const coin_priv_moving *g)
+{
+    return g->law.damping + g->law.layer > 0 &&
+           !(g->mode & (COIN_PRIV_HELD | COIN_PRIV_IDLE));
+}
+
+/* Such a step ends just before u = 0: within AIM of the way to there, or where
+ * |u| is below AIMED sqrt(tol).  The next one passes over it. */
+#define AIM 0.97
+#define AIMED 0.01
+
+/* Whether the step has passed u = 0 though it began before it. */
+static int passed_kink(const coin_priv_moving *g)
+{
+    const double u0 = coin_priv_roll_speed(g->step.y);
+    const double u1 = coin_priv_roll_speed(g->step.end);
+    const double least = AIMED * sqrt(g->tol);
+    return (u0 < 0) != (u1 < 0) && fabs(u0) > least && fabs(u1) > least;
+}
+
+/* What a step is chosen by: the rate of the motion, and the longest step, in
+ * the time that it is made in. */
+typedef struct plan {
+    double rate, h;
+} plan;
+
+static plan plan_step(const coin_priv_moving *g)
+{
+    const coin_priv_law *l = &g->law;
+    const double *y = g->y, *d = g->step.slope[0];
+    double rate = coin_priv_rate(y, l, g->mode) +
+                  FRICTION * coin_priv_friction_rate(y, l, g->mode);
+    if (g->mode & COIN_PRIV_SLIPS) {
+        const double u = slip_speed(y), s = y[COIN_PRIV_S];
+        const double nX = y[COIN_PRIV_UX] / u, nh = y[COIN_PRIV_UH] / u;
+        const double N = coin_priv_push_of(y, l, g->mode).N;
+        const double across = nh * nh * (1 + 1 / l->IZ) +
+                              nX * nX * (1 + 1 / l->IX) / (1 + s * s / l->IX);
+        const double du = d[COIN_PRIV_UX] * d[COIN_PRIV_UX] +
+                          d[COIN_PRIV_UH] * d[COIN_PRIV_UH];
+        const double slip_rate = sqrt(du) / u;
+        rate =
+            rate * u / (u + 1) + RELAX * (l->mu_kinetic * N * across / (u + 1) +
+                                          slip_rate); /* (87) */
+    }
+    plan r = {rate, g->stride / rate};
+    if (turns_round(g)) {
+        const double du = fabs(roll_slope(y, d)), far = TURN_ROUND * way(g);
+        r.h = r.h * du > far ? far / du : r.h;
+    }
+    if (has_kink(g)) {
+        const double u = coin_priv_roll_speed(y), du = roll_slope(y, d);
+        if (u * du < 0 && fabs(u) > AIMED * sqrt(g->tol))
+            r.h = lesser(r.h, AIM * fabs(u / du));
+    }
+    return r;
+}
+
+/* The largest estimate with which a step is accepted: what tol allows, plus
+ * what rounding may cause. */
+static double allowed(const coin_priv_moving *g)
+{
+    const double *y = g->y;
+    const double size = 1 + fabs(y[COIN_PRIV_WX]) + fabs(y[COIN_PRIV_WY]) +
+                        fabs(y[COIN_PRIV_WZ]) + slip_speed(y);
+    return ESTIMATE * g->tol * larger(g->step.end[COIN_PRIV_ADDS_T], BRIEF) +
+           4 * DBL_EPSILON * size;
+}
+
+/* The stride after a step of the stride `used` with this error. */
+static void next_stride(coin_priv_moving *g, double used, double error,
+                        double most)
+{
+    const double ratio = most / larger(error, 1e-9 * most);
+    double factor = lesser(2, 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio))));
+    factor = error > most ? lesser(factor, TURNED) : factor;
+    const double next = lesser(COIN_PRIV_MOST_STRIDE, used * factor);
+    if (error > most || next > g->stride || used > 0.999 * g->stride)
+        g->stride = next;
+}
+
+/* Whether the time left can be one step in t, of a plan. */
+static int can_end_in_t(const coin_priv_moving *g, const plan *p, double left)
+{
+    const double *y = g->y, *d = g->step.slope[0];
+    const double per =
+        left / d[COIN_PRIV_ADDS_T]; /* its length in the plan's time */
+    const double c = IN_T * y[COIN_PRIV_C];
+    int good = per <= p->h && per * fabs(d[COIN_PRIV_C]) <= c;
+    if (g->mode & COIN_PRIV_SLIPS) {
+        const double du = sqrt(d[COIN_PRIV_UX] * d[COIN_PRIV_UX] +
+                               d[COIN_PRIV_UH] * d[COIN_PRIV_UH]);
+        good = good && per * du <= IN_T * slip_speed(y);
+    }
+    return good;
+}
+
+/* Makes the step of the plan the step to the end of the call, in t. */
+static void end_in_t(coin_priv_moving *g, plan *p, double left)
+{
+    const double per = 1 / g->step.slope[0][COIN_PRIV_ADDS_T];
+    g->step.of.in_t = 1;
+    for (int i = 0; i < COIN_PRIV_SIZE; ++i)
+        g->step.slope[0][i] *= per;
+    p->rate *= per;
+    p->h = left;
+    g->slope_mode = COIN_PRIV_NO_MODE;
+}
+
+/* A step whose error is allowed, not beyond the end of the call.  Returns its
+ * stride, or 0 if no trials are left.  *ends: it ends the call. */
+static double try_steps(coin_priv_moving *g, int *ends)
+{
+    coin_priv_dop853 *const w = &g->step;
+    const double left = coin_priv_time_left(g);
+    double most_h = (double)INFINITY;
+    *ends = 0;
+    while (g->tries > 0) {
+        if (g->slope_mode != g->mode)
+            coin_priv_rates(w->slope[0], g->y, &g->law, g->mode, 0);
+        g->slope_mode = g->mode;
+        w->of.in_t = 0;
+        plan p = plan_step(g);
+        p.h = lesser(p.h, most_h);
+        *ends = can_end_in_t(g, &p, left);
+        if (*ends)
+            end_in_t(g, &p, left);
+        --g->tries;
+        double error = coin_priv_try_step(w, p.h);
+        if (error < (double)INFINITY && turns_round(g) &&
+            part_of_way(g) > TURNED)
+            error = (double)INFINITY;
+        if (error < (double)INFINITY && has_kink(g) && passed_kink(g))
+            error = (double)INFINITY;
+        const double most = allowed(g), used = p.h * p.rate;
+        const int over =
+            error <= most && !*ends && w->end[COIN_PRIV_ADDS_T] > left;
+        if (over) {
+            most_h = 0.9 * p.h * (left / w->end[COIN_PRIV_ADDS_T]);
+            continue;
+        }
+        next_stride(g, used, error, most);
+        if (error <= most)
+            return used;
+    }
+    return 0;
+}
+
+int32_t coin_priv_accept(coin_priv_moving *g, const double *y)
+{
+    coin_priv_sum pose[5];
+    const double most[] = {COIN_PRIV_ANGLE_MAX, COIN_PRIV_ANGLE_MAX,
+                           COIN_PRIV_PLACE_MAX, COIN_PRIV_PLACE_MAX};
+    for (int i = 0; i < 5; ++i) {
+        pose[i] = g->pose[i];
+        coin_priv_add(&pose[i], y[COIN_PRIV_ADDS_PHI + i]);
+        if (i < 4 && !(fabs(g->start[i] + pose[i].sum) <= most[i]))
+            return COIN_ERANGE;
+    }
+    for (int i = COIN_PRIV_WX; i <= COIN_PRIV_WZ; ++i)
+        if (!(fabs(y[i]) <= COIN_PRIV_RATE_MAX))
+            return COIN_ESTEP;
+    for (int i = 0; i < 5; ++i)
+        g->pose[i] = pose[i];
+    for (int i = 0; i < COIN_PRIV_READ; ++i)
+        g->y[i] = y[i];
+    for (int i = COIN_PRIV_READ; i < COIN_PRIV_WIDE; ++i)
+        g->y[i] = 0;
+    coin_priv_normalize_pairs(g->y);
+    g->moved = 1;
+    g->slope_mode = COIN_PRIV_NO_MODE;
+    return COIN_OK;
+}
+
+/* A step, or the part of one up to the first event in it. */
+static int32_t make_step(coin_priv_moving *g)
+{
+    coin_priv_dop853 *const w = &g->step;
+    int ends;
+    for (int i = 0; i < COIN_PRIV_WIDE; ++i)
+        w->y[i] = g->y[i];
+    w->of.mode = g->mode;
+    w->of.most =
+        RUNAWAY * (1 + fabs(g->y[COIN_PRIV_WX]) + fabs(g->y[COIN_PRIV_WY]) +
+                   fabs(g->y[COIN_PRIV_WZ]) + slip_speed(g->y));
+    const double moved = try_steps(g, &ends);
+    if (moved == 0)
+        return COIN_ESTEP;
+    coin_priv_end_slopes(w);
+    double cut[COIN_PRIV_WIDE];
+    const int whole = !coin_priv_first_event(cut, g, moved);
+    const int32_t status = coin_priv_accept(g, whole ? w->end : cut);
+    if (status != COIN_OK)
+        return status;
+    if (whole && ends) {
+        g->pose[4].sum = g->time;
+        g->pose[4].low = 0;
+    }
+    if (whole && !w->of.in_t) { /* the last slopes are the first of the next */
+        for (int i = 0; i < COIN_PRIV_SIZE; ++i)
+            w->slope[0][i] = w->slope[12][i];
+        g->slope_mode = g->mode;
+    }
+    return COIN_OK;
+}
+
+/* Whether the coin is nearer to flat than `flat`.  A call of no time changes
+ * nothing. */
+static int is_flat(const coin_priv_moving *g)
+{
+    return g->time > 0 && g->y[COIN_PRIV_C] < g->law.flat; /* (97) */
+}
+
+/* Lays the coin flat. */
+static void lie_down(coin_priv_moving *g)
+{
+    double *const y = g->y;
+    y[COIN_PRIV_S] = y[COIN_PRIV_S] < 0 ? -1 : 1;
+    y[COIN_PRIV_C] = 0;
+    g->mode = COIN_PRIV_RESTS;
+    g->moved = 1;
+}
+
+/* Begins or ends to hold the contact.  A roll that counts as stopped is left
+ * out. */
+static void hold(coin_priv_moving *g)
+{
+    double *const y = g->y;
+    const int held =
+        coin_priv_is_held(y, &g->law, g->mode & COIN_PRIV_SLIPS, g->tol);
+    if (held == ((g->mode & COIN_PRIV_HELD) != 0))
+        return;
+    g->mode ^= COIN_PRIV_HELD;
+    if (held)
+        y[COIN_PRIV_WY] = -y[COIN_PRIV_WZ] / y[COIN_PRIV_S] * y[COIN_PRIV_C];
+}
+
+/* What the coin does where it is: its mode, or the mode that it changes to. */
+static int next_mode(coin_priv_moving *g)
+{
+    const coin_priv_direction none = {0, 0};
+    const int slips = g->mode | COIN_PRIV_SLIPS;
+    if (g->law.held_down)
+        return g->mode;
+    g->margin = coin_priv_contact_margin(g->y, &g->law, g->mode);
+    if (g->margin >= 0)
+        return g->mode;
+    if (!(coin_priv_weight(g->y, &g->law) > 0))
+        return g->mode | COIN_PRIV_AIR; /* it keeps its slip velocity */
+    if (coin_priv_slopes(0, g->y, &g->law, slips, none).N > 0)
+        return slips;
+    return g->mode | COIN_PRIV_IDLE;
+}
+
+/* The stop bits that hold here. */
+static int32_t holds(const coin_priv_moving *g, int32_t event, int next)
+{
+    int32_t bits = 0;
+    if (next & COIN_PRIV_AIR)
+        bits |= COIN_LIFTS;
+    else if (next & COIN_PRIV_SLIPS)
+        bits |= COIN_SLIPS;
+    else
+        bits |= event;
+    if (g->y[COIN_PRIV_C] < COIN_PRIV_NEARLY)
+        bits |= COIN_NEARLY_FLAT;
+    return g->stop & bits;
+}
+
+int32_t coin_priv_go(coin_priv_moving *g)
+{
+    int32_t event = 0, status = COIN_OK;
+    while (status == COIN_OK) {
+        if (is_flat(g)) {
+            lie_down(g);
+            return COIN_OK;
+        }
+        g->mode &= ~COIN_PRIV_IDLE;
+        hold(g);
+        const int next = next_mode(g);
+        const int32_t found = holds(g, event, next);
+        event = 0;
+        if (next == g->mode)
+            g->waiting = 0;
+        if (next & (COIN_PRIV_AIR | COIN_PRIV_IDLE))
+            g->mode = next;
+        if (found || g->mode & COIN_PRIV_AIR || !(coin_priv_time_left(g) > 0))
+            return found;
+        if (g->tries <= 0)
+            status = COIN_ESTEP;
+        else if (next != g->mode)
+            status = coin_priv_begin_slip(g);
+        else if (coin_priv_end_slip(g))
+            event = COIN_ROLLS;
+        else
+            status = make_step(g);
+    }
+    return status;
+}

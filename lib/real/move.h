@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT */
+/* A coin under way: the machine of modes.
+ *
+ * mode       contact                     steps by  ends where
+ * 0          sticks; rolls along the rim tau       the force leaves the cone:
+ *                                                  SLIPS, AIR or IDLE; the
+ *                                                  losses hold it: HELD
+ * HELD       sticks; psi is held         t         the force leaves the cone:
+ *                                                  SLIPS HELD, AIR or IDLE;
+ *                                                  they no longer do: 0
+ * SLIPS      slides; rolls along the rim sigma     the slip speed is 0: 0; N is
+ *                                                  not above 0: AIR or IDLE;
+ *                                                  the losses hold it
+ * SLIPS HELD slides; psi is held         sigma     as SLIPS, and as HELD
+ * and IDLE   as without; no losses                 after each step
+ * AIR        none                                  the call
+ * RESTS      flat                                  the call
+ *
+ * Each mode but the last two also ends where the time is over, and where cos
+ * theta comes below `flat`: RESTS.  The table is that of docs/design.md. */
+#ifndef ROLLCOIN_MOVE_H
+#define ROLLCOIN_MOVE_H
+
+#include "../step/loop.h"
+
+#include "../motion/rest.h"
+#include "dop853.h"
+
+/* The longest stride.  Friction's own rate is then followed in steps of at most
+ * 4 of its relaxation times (move.c), and that of the direction of a slip in 5;
+ * the method is stable up to 6. */
+#define COIN_PRIV_MOST_STRIDE 1.2
+
+/* COIN_NEARLY_FLAT begins here, so that it also holds where the lean is
+ * rounded. */
+#define COIN_PRIV_NEARLY (COIN_PRIV_NEARLY_FLAT - 8 * DBL_EPSILON)
+
+/* No mode: there are no slopes. */
+#define COIN_PRIV_NO_MODE (-1)
+
+/* The slip speed below which a coin rolls, in natural units, besides the
+ * rounding of the speeds whose difference it is. */
+#define COIN_PRIV_SLIP_LEAST 1e-10
+
+typedef struct coin_priv_moving {
+    coin_priv_law law;
+    double tol;
+    int32_t stop; /* the bits that end the call */
+    int tries;    /* of steps: how many are left */
+
+    int mode;                 /* COIN_PRIV_SLIPS ... */
+    double y[COIN_PRIV_WIDE]; /* the variables */
+    coin_priv_sum pose[5];    /* phi, psi; x, z and t from the start */
+    double start[5];          /* phi, psi, x, z of the start in radii; 0 */
+    double time;              /* of the call */
+    int moved;                /* whether a step has been made */
+
+    double waiting; /* the speed that a slip has gained that waits
+                       to begin: onset.c */
+    double stride;  /* the length of steps, over 1/rate */
+    int slope_mode; /* step.slope[0] are the slopes at y in this
+                       mode */
+    double margin;  /* coin_priv_contact_margin() at y */
+    coin_priv_dop853 step;
+} coin_priv_moving;
+
+/* begin.c: starts a coin that rolls; g->law is set, and g->tries is not. */
+void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
+                     const coin_priv_body *b, double t, double tol);
+
+/* begin.c: the state where the coin has come to. */
+void coin_priv_end(const coin_priv_moving *g, coin_state *s,
+                   const coin_priv_body *b);
+
+/* The time moved. */
+double coin_priv_reached(const coin_priv_moving *g, double t, double w0);
+
+/* Moves until the time is over or the mode becomes AIR or RESTS: COIN_OK, or
+ * stop bits that hold at the end; COIN_ESTEP, COIN_ERANGE. */
+int32_t coin_priv_go(coin_priv_moving *g);
+
+/* onset.c: moves a coin on whose contact leaves the cone of friction, by the
+ * first step of its slip, or of the wait for it: COIN_OK, or as
+ * coin_priv_accept(). */
+int32_t coin_priv_begin_slip(coin_priv_moving *g);
+
+/* onset.c: ends the slip of a coin that slips by a straight line, where that is
+ * accurate; else 0. */
+int coin_priv_end_slip(coin_priv_moving *g);
+
+/* Sets the norm of the two pairs to 1.  A step leaves a difference of the size
+ * of its error. */
+COIN_PRIV_INLINE void coin_priv_normalize_pairs(double *y)
+{
+    const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
+    const double sph = y[COIN_PRIV_SPH], cph = y[COIN_PRIV_CPH];
+    const double th = 1 / sqrt(s * s + c * c);
+    const double ph = 1 / sqrt(sph * sph + cph * cph);
+    y[COIN_PRIV_S] *= th;
+    y[COIN_PRIV_C] *= th;
+    y[COIN_PRIV_SPH] *= ph;
+    y[COIN_PRIV_CPH] *= ph;
+}
+
+/* The stride of the first step of a call: most motions admit it. */
+COIN_PRIV_INLINE double coin_priv_first_stride(double tol)
+{
+    const double first = 4 * sqrt(sqrt(sqrt(tol)));
+    return first < COIN_PRIV_MOST_STRIDE ? first : COIN_PRIV_MOST_STRIDE;
+}
+
+/* The time left of the call. */
+COIN_PRIV_INLINE double coin_priv_time_left(const coin_priv_moving *g)
+{
+    return (g->time - g->pose[4].sum) - g->pose[4].low;
+}
+
+/* Whether a tolerance, and a time t, may be asked for. */
+COIN_PRIV_INLINE int coin_priv_tol_suits(double tol)
+{
+    return tol >= 1e-12 && tol <= 1e-2;
+}
+
+COIN_PRIV_INLINE int coin_priv_time_suits(double t, double w0)
+{
+    return t >= 0 && (t * w0 <= COIN_PRIV_TIME_MAX || t > DBL_MAX);
+}
+
+/* move.c: adds what a step has added, with y[PHI], ... becoming 0: COIN_OK; or
+ * COIN_ERANGE, or COIN_ESTEP if a rate would leave its range, and nothing is
+ * done. */
+int32_t coin_priv_accept(coin_priv_moving *g, const double *y);
+
+/* move.c: the rate of the motion in the time of the mode without a slip, tau
+ * or t. */
+double coin_priv_rate(const double *y, const coin_priv_law *l, int mode);
+
+/* move.c: the rate in tau at which the losses make the rates decay. */
+double coin_priv_friction_rate(const double *y, const coin_priv_law *l,
+                               int mode);
+
+#endif

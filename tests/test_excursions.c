@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+/* coin_move() that stops where a rolling coin slips, against orbits, which take
+ * no steps: a fine search for the largest F/N of a motion. */
+#include "support/check.h"
+#include "support/peaks.h"
+
+#include <math.h>
+
+/* The status of a coin that stops where it slips.  A coin whose force leaves
+ * the cone may lift off instead. */
+static int32_t until_it_slips(const struct motion *m, double mu, double t,
+                              double tol, double *reached)
+{
+    const coin_table f = {.mu_static = mu, .mu_kinetic = fmin(mu, 0.2)};
+    coin_body b;
+    check_status(coin_body_from_state(&b, &m->s, &m->p), COIN_OK);
+    const int32_t status =
+        coin_move(&b, &m->p, &f, t, tol, COIN_SLIPS, reached);
+    return status == COIN_LIFTS ? COIN_SLIPS : status;
+}
+
+static struct motion forward_motion(struct random *r, double *t, double *most,
+                                    double *at)
+{
+    struct motion m;
+    do
+        m = motion_with_peak(r, t, most, at);
+    while (m.side < 0);
+    return m;
+}
+
+static void an_excursion_of_1e_4_of_mu_is_found(void **unused)
+{
+    (void)unused;
+    const double tols[] = {1e-5, 1e-7, 1e-9};
+    const int count = tries_asked(40);
+    struct random r = random_begin(141);
+    for (int i = 0; i < count; ++i) {
+        double t, most, at, reached;
+        const struct motion m = forward_motion(&r, &t, &most, &at);
+        const double tol = tols[i % 3];
+        check_note("coin %d of seed 141, tol %g", i, tol);
+        check_status(until_it_slips(&m, most / (1 + 1e-4), t, tol, &reached) &
+                         COIN_SLIPS,
+                     COIN_SLIPS);
+        check(reached < at + (1e-2 + tol * (1 + t / m.unit)) * m.unit);
+    }
+}
+
+static void friction_that_suffices_is_not_exceeded(void **unused)
+{
+    (void)unused;
+    const int count = tries_asked(40);
+    struct random r = random_begin(142);
+    for (int i = 0; i < count; ++i) {
+        double t, most, at, reached;
+        const struct motion m = forward_motion(&r, &t, &most, &at);
+        check_note("coin %d of seed 142", i);
+        check_status(until_it_slips(&m, most * (1 + 1e-6), t, 1e-10, &reached),
+                     COIN_OK);
+        check(reached == t);
+    }
+}
+
+/* A state that is 1e-6 units earlier does not slip. */
+static void the_moment_is_the_first(void **unused)
+{
+    (void)unused;
+    const int count = tries_asked(40);
+    struct random r = random_begin(143);
+    for (int i = 0; i < count; ++i) {
+        double t, most, at, when;
+        const struct motion m = forward_motion(&r, &t, &most, &at);
+        const double mu = most * 0.98;
+        check_note("coin %d of seed 143", i);
+        check_status(until_it_slips(&m, mu, t, 1e-10, &when) & COIN_SLIPS,
+                     COIN_SLIPS);
+        if (when == 0)
+            continue;
+        check(motion_ratio(&m, when + 1e-6 * m.unit) > mu);
+        double before;
+        check(motion_largest(&m, when - 1e-6 * m.unit, &before) < mu);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(an_excursion_of_1e_4_of_mu_is_found),
+        TEST(friction_that_suffices_is_not_exceeded),
+        TEST(the_moment_is_the_first),
+    };
+    return RUN_TESTS(tests);
+}

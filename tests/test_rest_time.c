@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: MIT */
+/* The time to rest, and losses for a time to rest, of any start. */
+#include "support/check.h"
+#include "support/coins.h"
+#include "support/losses.h"
+#include "support/random.h"
+
+#include <math.h>
+
+static coin_params quarter(void)
+{
+    coin_params p;
+    check_status(coin_params_disc(&p, 0.00567, 0.01213, 9.80665), COIN_OK);
+    return p;
+}
+
+static coin_state random_start(struct random *r)
+{
+    const coin_state s = {.theta = random_between(r, -1.2, 1.2),
+                          .wX = random_between(r, -5, 5),
+                          .wY = random_between(r, -20, 20),
+                          .wZ = random_between(r, -60, 60)};
+    return s;
+}
+
+/* One loss of a thousandth of a natural unit. */
+static coin_losses loss_of(int law, const coin_params *p)
+{
+    const coin_losses natural = one_loss(law, 1e-3);
+    return losses_in(&natural, p->mass, p->radius, natural_time(p));
+}
+
+static void the_time_to_rest_is_that_of_settling(void **unused)
+{
+    (void)unused;
+    const coin_params p = quarter();
+    struct random r = random_begin(811);
+    for (int i = 0; i < 14; ++i) {
+        coin_losses l = loss_of(i % LAWS, &p);
+        coin_state s = random_start(&r);
+        double when = 0, moved;
+        l.flat = i % LAWS == ANGULAR ? 1e-3 : 0;
+        int32_t status;
+        const double told = coin_time_to_rest(&s, &p, &l);
+        check_note("start %d, %s", i, loss_names[i % LAWS]);
+        s.x = 3;
+        s.psi = 5;
+        do { /* a call is bounded */
+            status = coin_settle(&s, &p, &l, INFINITY, 1e-6, &moved);
+            when += moved;
+        } while (status == COIN_ESTEP && moved > 0);
+        check_status(status, COIN_RESTS);
+        check_near(told / when, 1, 1e-3);
+        check(coin_time_to_rest(&s, &p, &l) == 0);
+    }
+}
+
+/* Near flat cos theta falls as exp(-2 k t/3), and the contact rolls by 6/(k
+ * sqrt(flat)) radians: 6e6 of them down to the least `flat`, in some 8e6
+ * steps.  The error of the exponential is of the order of cos theta. */
+static void a_spin_with_angular_damping_decays_exponentially(void **unused)
+{
+    (void)unused;
+    const coin_params p = quarter();
+    const double k = 1e-3, T = natural_time(&p), flat = 1e-3;
+    coin_losses l = {.angular = k / T};
+    coin_state s;
+    check_status(coin_steady_spin(&s, &p, 1.5), COIN_OK);
+    check_million();
+    check(isnan(coin_time_to_rest(&s, &p, &l)));
+    l.flat = flat;
+    const double t = coin_time_to_rest(&s, &p, &l) / T;
+    check_near(k * t / (1.5 * log(cos(1.5) / flat)), 1, 0.5 * cos(1.5));
+}
+
+static void nothing_stops_a_coin_without_losses(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_losses none = {0}, negative = {.dry = -1};
+    const coin_state upright = {.wZ = 1}, falls = {.theta = 0.3};
+    check_near(coin_time_to_rest(&falls, &p, &none), 2.69, 0.01);
+    check(isnan(coin_time_to_rest(&falls, &p, &negative)));
+    check(isnan(coin_time_to_rest(NULL, &p, &none)));
+    check(isnan(coin_time_to_rest(&falls, NULL, &none)));
+    check(isnan(coin_time_to_rest(&falls, &p, NULL)));
+    check_million();
+    check(isinf(coin_time_to_rest(&upright, &p, &none)));
+}
+
+/* From any start, by the laws whose time to rest does not jump. */
+static void fitted_losses_let_a_coin_rest_after_the_time(void **unused)
+{
+    (void)unused;
+    const int laws[] = {VISCOUS, LAYER, GAP, DAMPING};
+    const coin_params p = quarter();
+    const int count = tries_asked(12);
+    struct random r = random_begin(812);
+    for (int i = 0; i < count; ++i) {
+        const coin_losses law = loss_of(laws[i % 4], &p);
+        const coin_state start = random_start(&r);
+        coin_losses l = law;
+        coin_state s = start;
+        double when;
+        check_note("start %d, %s", i, loss_names[laws[i % 4]]);
+        check_status(coin_losses_fit(&l, &s, &p, 4), COIN_OK);
+        check_same(&s, &start, sizeof s);
+        check(l.soft == law.soft && l.flat == law.flat);
+        check_status(coin_settle(&s, &p, &l, INFINITY, 1e-8, &when),
+                     COIN_RESTS);
+        check_near(when, 4, 0.04);
+    }
+}
+
+static void what_cannot_be_fitted_is_left_alone(void **unused)
+{
+    (void)unused;
+    const coin_params p = quarter();
+    const coin_state upright = {.wZ = 1}, leans = {.theta = 0.5, .wY = 3};
+    const coin_losses dry = loss_of(DRY, &p), none = {0}, wrong = {.dry = -1};
+    const struct {
+        coin_losses l;
+        coin_state s;
+        double time;
+        int32_t want;
+    } cases[] = {
+        {dry, upright, 4, COIN_EDOMAIN},   {none, leans, 4, COIN_EDOMAIN},
+        {dry, leans, 0, COIN_EARG},        {dry, leans, NAN, COIN_EARG},
+        {dry, leans, INFINITY, COIN_EARG}, {wrong, leans, 4, COIN_EPARAMS},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        coin_losses l = cases[i].l;
+        check_note("case %zu", i);
+        check_status(coin_losses_fit(&l, &cases[i].s, &p, cases[i].time),
+                     cases[i].want);
+        check_same(&l, &cases[i].l, sizeof l);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(the_time_to_rest_is_that_of_settling),
+        TEST(a_spin_with_angular_damping_decays_exponentially),
+        TEST(nothing_stops_a_coin_without_losses),
+        TEST(fitted_losses_let_a_coin_rest_after_the_time),
+        TEST(what_cannot_be_fitted_is_left_alone),
+    };
+    return RUN_TESTS(tests);
+}
