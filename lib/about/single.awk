@@ -28,7 +28,7 @@ function load(file,    line, n, status)
         return
     while ((status = (getline line < file)) > 0) {
         text[file, ++n] = line
-        if (line ~ /PRIV\(|COIN_PRIV_FLOAT/)
+        if (line ~ /COIN_PRIV_FLOAT/ || renames(line))
             of_a_kind[file] = 1
         if (line ~ /^#ifndef ROLLCOIN_/)
             guarded[file] = 1
@@ -46,6 +46,26 @@ function load(file,    line, n, status)
             if (!(line in guarded) && line in of_a_kind)
                 of_a_kind[file] = 1
         }
+}
+
+# The names that floats have too, from their list.
+function load_names(list,    line, words)
+{
+    while ((getline line < list) > 0)
+        if (line ~ /^#define coin_/) {
+            split(line, words, " ")
+            of_floats[words[2]] = 1
+        }
+    close(list)
+}
+
+# Whether a line has such a name.
+function renames(line,    words, n)
+{
+    for (n = split(line, words, /[^A-Za-z_0-9]+/); n > 0; --n)
+        if (words[n] in of_floats)
+            return 1
+    return 0
 }
 
 # The file that a line of `file` includes: its path from the top folder.
@@ -97,7 +117,7 @@ function write(file,    n, line, begins)
         else if (line !~ /^#include <|SPDX-License-Identifier/) {
             note_macro(file, line)
             if (begins && file in guarded &&
-                line ~ /^([a-z]|PRIV\(|COIN\()/ &&
+                line ~ /^[a-z]/ &&
                 line !~ /^(static|typedef|struct|enum|union)[ \t]/)
                 line = "COIN_PRIV " line
             put(line)
@@ -174,7 +194,6 @@ function note_name_of(line,    words, n, k)
         note_name(words[2])
     }
     # A function, a table, a type: the word before the first of these.
-    gsub(/(PRIV|COIN)\([a-z0-9_]*\)/, "coin_", line)
     if (match(line, /[A-Za-z_0-9]+ ?(\(|\[|=|;| COIN_PRIV_VECTOR)/)) {
         line = substr(line, RSTART, RLENGTH)
         sub(/[^A-Za-z_0-9].*/, "", line)
@@ -302,6 +321,7 @@ function claim_names(    n, line)
 }
 
 BEGIN {
+    load_names("lib/float/floats.h")
     for (k = 1; k < ARGC; ++k)
         load(ARGV[k])
     introduction(version())

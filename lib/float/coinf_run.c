@@ -10,9 +10,9 @@ int32_t coinf_run(coinf_state *s, const coinf_params *p, int32_t method,
     if (status != COIN_OK)
         return status;
     uint64_t n = dt == 0 ? steps : 0;
-    while (n < steps && coinf_priv_step(s, &warnings, &plan))
+    while (n < steps && coin_priv_step(s, &warnings, &plan))
         ++n;
     if (done)
         *done = n;
-    return n < steps ? coinf_priv_refusal(s, plan.a) : warnings;
+    return n < steps ? coin_priv_refusal(s, plan.a) : warnings;
 }

@@ -7,13 +7,13 @@
 #define PINNED UINT64_C(0x2fc5de29fb3956b6)
 
 /* FNV-1a over the bits of a number, low byte first whatever the machine. */
-static uint64_t hashed(uint64_t hash, float number)
+static uint64_t hashed(uint64_t hash, float x)
 {
     union {
         float value;
         uint32_t bits;
     } word;
-    word.value = number;
+    word.value = x;
     for (int byte = 0; byte < 4; ++byte) {
         hash ^= word.bits >> (8 * byte) & 0xff;
         hash *= UINT64_C(0x100000001b3);

@@ -17,8 +17,7 @@ int coinf_priv_finish_step(coinf_state *s, coinf_state *next,
 /* KJ_low, with which KJ + KJ_low is K/(M g a) = (a + I_Z/(M a))/g times GJ.  In
  * a steady motion the terms with KJ and with GJ balance.  An error of the ratio
  * of KJ and GJ makes the heading drift; an error common to both does not. */
-static float balance(const coinf_priv_field *f, const coinf_priv_body *b,
-                     float g)
+static float balance(const coin_priv_field *f, const coin_priv_body *b, float g)
 {
     const float sum = b->a + b->IZ / (b->M * b->a), ratio = sum / g;
     const float ratio_low =
@@ -30,16 +29,16 @@ static float balance(const coinf_priv_field *f, const coinf_priv_body *b,
 int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
                            const coinf_params *p, int32_t method, float dt)
 {
-    coinf_priv_body b;
-    const int32_t status = coinf_priv_method_is_known(method)
-                               ? coinf_priv_check(s, p, &b)
+    coin_priv_body b;
+    const int32_t status = coin_priv_method_is_known(method)
+                               ? coin_priv_check(s, p, &b)
                                : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    if (!coinf_priv_time_holds(dt, &b))
+    if (!coin_priv_time_holds(dt, &b))
         return COIN_ESTEP;
-    const coinf_priv_limits limits = coinf_priv_limits_of(&b, method, dt);
-    plan->f = coinf_priv_field_of(&b, dt);
+    const coin_priv_limits limits = coin_priv_limits_of(&b, method, dt);
+    plan->f = coin_priv_field_of(&b, dt);
     plan->a = b.a;
     plan->g_a = b.g_a;
     plan->w2_max = b.w2_max;
@@ -53,10 +52,10 @@ int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
  * below it, the W of the last stage is above the limit. */
 int coinf_priv_step_from(coinf_state *s, int32_t *warnings,
                          const coinf_priv_plan *plan,
-                         const coinf_priv_variables *y)
+                         const coin_priv_variables *y)
 {
     coinf_priv_slope first, rest;
-    coinf_priv_variables last;
+    coin_priv_variables last;
     coinf_priv_slopes(&first, &rest, &last, plan, y, coinf_priv_slope_at);
     if (!coinf_priv_admit_rate(warnings, plan, &last))
         return 0;
@@ -72,6 +71,6 @@ int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt)
     const int32_t status = coinf_priv_plan_of(&plan, s, p, COIN_RK4, dt);
     if (status != COIN_OK || dt == 0)
         return status;
-    return coinf_priv_step(s, &warnings, &plan) ? warnings
-                                                : coinf_priv_refusal(s, plan.a);
+    return coin_priv_step(s, &warnings, &plan) ? warnings
+                                               : coin_priv_refusal(s, plan.a);
 }

@@ -20,7 +20,7 @@
 /* What the steps of a run share: the equations of motion times dt, and the
  * limits on W^2, Eq. (47), where a step begins and ends. */
 typedef struct coinf_priv_plan {
-    coinf_priv_field f;
+    coin_priv_field f;
     float KJ_low; /* (KJ + KJ_low)/GJ is K/(M g a), in twice a float's digits */
     float a, g_a, w2_max;
     float coarse2, most2; /* coarse2 <= most2 */
@@ -63,32 +63,32 @@ COIN_PRIV_NOINLINE float coinf_priv_residue(float a, float b)
 /* ---------------------------------------------------------------- angles -- */
 
 /* Sine and cosine of an angle and its remainder. */
-COIN_PRIV_NOINLINE coinf_priv_sc coinf_priv_sine_cosine_with_low(float angle,
-                                                                 float low)
+COIN_PRIV_NOINLINE coin_priv_sc coinf_priv_sine_cosine_with_low(float angle,
+                                                                float low)
 {
-    const coinf_priv_sc of = coinf_priv_sine_cosine(angle);
-    const coinf_priv_sc pair = {of.s + of.c * low, of.c - of.s * low};
+    const coin_priv_sc of = coin_priv_sine_cosine(angle);
+    const coin_priv_sc pair = {of.s + of.c * low, of.c - of.s * low};
     return pair;
 }
 
 /* The variables of an angular velocity and of the pairs of lean and heading. */
-COIN_PRIV_INLINE coinf_priv_variables coinf_priv_variables_from(
-    float wX, float wY, float wZ, coinf_priv_sc th, coinf_priv_sc ph)
+COIN_PRIV_INLINE coin_priv_variables coinf_priv_variables_from(
+    float wX, float wY, float wZ, coin_priv_sc th, coin_priv_sc ph)
 {
     const float q = 1 / th.c;
-    const coinf_priv_variables y = {
+    const coin_priv_variables y = {
         wX, wY, wZ, th.s, th.c, q, th.s * q, ph.s, ph.c,
     };
     return y;
 }
 
 /* A state as the equations read it. */
-COIN_PRIV_NOINLINE coinf_priv_variables
+COIN_PRIV_NOINLINE coin_priv_variables
 coinf_priv_variables_with_low(const coinf_state *s)
 {
-    const coinf_priv_sc th =
+    const coin_priv_sc th =
         coinf_priv_sine_cosine_with_low(s->theta, s->low[0]);
-    const coinf_priv_sc ph = coinf_priv_sine_cosine_with_low(s->phi, s->low[1]);
+    const coin_priv_sc ph = coinf_priv_sine_cosine_with_low(s->phi, s->low[1]);
     return coinf_priv_variables_from(s->wX, s->wY, s->wZ, th, ph);
 }
 
@@ -112,7 +112,7 @@ typedef struct coinf_priv_slope {
 
 /* What KJ_low adds to h d(wX)/dt of (14), in KJ wZ wY. */
 COIN_PRIV_INLINE float coinf_priv_fall_low(const coinf_priv_plan *plan,
-                                           const coinf_priv_variables *y)
+                                           const coin_priv_variables *y)
 {
     return -(plan->KJ_low * y->wZ * y->wY);
 }
@@ -120,13 +120,13 @@ COIN_PRIV_INLINE float coinf_priv_fall_low(const coinf_priv_plan *plan,
 /* The slope at a stage.  psi' is computed as wZ + phi' sin theta, so that the
  * remainder of phi' gives that of psi'. */
 COIN_PRIV_INLINE coinf_priv_slope
-coinf_priv_slope_at(const coinf_priv_plan *plan, const coinf_priv_variables *y)
+coinf_priv_slope_at(const coinf_priv_plan *plan, const coin_priv_variables *y)
 {
-    const coinf_priv_field *f = &plan->f;
-    const coinf_priv_variables d = coinf_priv_slopes_at(f, y);
-    const float phi = coinf_priv_pose_slopes(f, y).phi;
+    const coin_priv_field *f = &plan->f;
+    const coin_priv_variables d = coin_priv_slopes_at(f, y);
+    const float phi = coin_priv_pose_slopes(f, y).phi;
     float v[3];
-    coinf_priv_velocity_of(v, f->h * plan->a, y);
+    coin_priv_velocity_of(v, f->h * plan->a, y);
     const coinf_priv_slope of = {
         f->h * y->wX,                /* (17) */
         phi,                         /* (18) */
@@ -144,12 +144,12 @@ coinf_priv_slope_at(const coinf_priv_plan *plan, const coinf_priv_variables *y)
  * pairs are turned by what is added to the angles, and 1/cos theta is computed
  * by a division.  As the start plus a part of a slope, pairs have errors of
  * z^2/2 for a turn z, and 1/cos theta of tan^2 theta z^2. */
-COIN_PRIV_INLINE coinf_priv_variables coinf_priv_stage_along(
-    const coinf_priv_variables *y1, float w, const coinf_priv_slope *of)
+COIN_PRIV_INLINE coin_priv_variables coinf_priv_stage_along(
+    const coin_priv_variables *y1, float w, const coinf_priv_slope *of)
 {
-    const coinf_priv_sc lean = {y1->sth, y1->cth}, heading = {y1->sph, y1->cph};
-    const coinf_priv_sc th = coinf_priv_turned_a_little(lean, w * of->theta);
-    const coinf_priv_sc ph = coinf_priv_turned_a_little(heading, w * of->phi);
+    const coin_priv_sc lean = {y1->sth, y1->cth}, heading = {y1->sph, y1->cph};
+    const coin_priv_sc th = coin_priv_turned_a_little(lean, w * of->theta);
+    const coin_priv_sc ph = coin_priv_turned_a_little(heading, w * of->phi);
     return coinf_priv_variables_from(y1->wX + w * of->wX, y1->wY + w * of->wY,
                                      y1->wZ + w * of->wZ, th, ph);
 }
@@ -174,7 +174,7 @@ COIN_PRIV_INLINE void coinf_priv_gather(coinf_priv_slope *rest, float w,
  * add up. */
 COIN_PRIV_INLINE coinf_priv_slope
 coinf_priv_left_out(const coinf_priv_slope *first, const coinf_priv_plan *plan,
-                    const coinf_priv_variables *y)
+                    const coin_priv_variables *y)
 {
     const float h = plan->f.h, cth = y->cth;
     const float off =
@@ -189,7 +189,7 @@ coinf_priv_left_out(const coinf_priv_slope *first, const coinf_priv_plan *plan,
 
 /* A function for the slope at a stage. */
 typedef coinf_priv_slope coinf_priv_slope_function(
-    const coinf_priv_plan *plan, const coinf_priv_variables *y);
+    const coinf_priv_plan *plan, const coin_priv_variables *y);
 
 /* The classical Runge-Kutta step, as the first slope f1 and the rest of the
  * change, ((f2 - f1) + (f3 - f1))/3 + (f4 - f1)/6.  The rounded weights then
@@ -198,9 +198,9 @@ typedef coinf_priv_slope coinf_priv_slope_function(
  * *last becomes the last stage, which stands for the end of the step. */
 COIN_PRIV_INLINE void coinf_priv_slopes(coinf_priv_slope *first,
                                         coinf_priv_slope *rest,
-                                        coinf_priv_variables *last,
+                                        coin_priv_variables *last,
                                         const coinf_priv_plan *plan,
-                                        const coinf_priv_variables *y1,
+                                        const coin_priv_variables *y1,
                                         coinf_priv_slope_function *slope_at)
 {
     static const float reach[] = {0.5f, 0.5f, 1};
@@ -254,9 +254,9 @@ int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
  * beyond most2 or NaN. */
 COIN_PRIV_INLINE int coinf_priv_admit_rate(int32_t *warnings,
                                            const coinf_priv_plan *plan,
-                                           const coinf_priv_variables *y)
+                                           const coin_priv_variables *y)
 {
-    const float rate2 = coinf_priv_rate2(plan->g_a, y);
+    const float rate2 = coin_priv_rate2(plan->g_a, y);
     if (!(rate2 <= plan->coarse2))
         *warnings = COIN_COARSE;
     return rate2 <= plan->most2;
@@ -267,14 +267,14 @@ COIN_PRIV_INLINE int coinf_priv_admit_rate(int32_t *warnings,
  * untouched if the step is refused. */
 int coinf_priv_step_from(coinf_state *s, int32_t *warnings,
                          const coinf_priv_plan *plan,
-                         const coinf_priv_variables *y);
+                         const coin_priv_variables *y);
 
 /* One step of *s, as coinf_priv_step_from().  Inline, since it would take 24
  * bytes of stack more as a function. */
-COIN_PRIV_INLINE int coinf_priv_step(coinf_state *s, int32_t *warnings,
-                                     const coinf_priv_plan *plan)
+COIN_PRIV_INLINE int coin_priv_step(coinf_state *s, int32_t *warnings,
+                                    const coinf_priv_plan *plan)
 {
-    const coinf_priv_variables y = coinf_priv_variables_with_low(s);
+    const coin_priv_variables y = coinf_priv_variables_with_low(s);
     return coinf_priv_admit_rate(warnings, plan, &y) &&
            coinf_priv_step_from(s, warnings, plan, &y);
 }

@@ -1,27 +1,27 @@
 /* SPDX-License-Identifier: MIT */
 #include "angles.h"
 
-PRIV(sc) PRIV(sincos)(real x)
+coin_priv_sc coin_priv_sincos(number x)
 {
-    return PRIV(sine_cosine)(x);
+    return coin_priv_sine_cosine(x);
 }
 
 /* The series of asin x up to x^5.  Its error, 15/336 x^7, is below 2^-56 x for
  * |x| < SMALL. */
 #define SMALL K(0.0025)
-static real arcsine(real x)
+static number arcsine(number x)
 {
-    const real z = x * x;
+    const number z = x * x;
     return x + x * z * (K(1.0 / 6) + z * K(3.0 / 40));
 }
 
-real PRIV(angle)(PRIV(sc) of)
+number coin_priv_angle(coin_priv_sc of)
 {
     /* The guess takes the arc sine of the sine or of the cosine, whichever is
      * smaller.  Its series errs most where the two are equal, by less than
      * 0.007.  The result is the guess plus the arc sine of sin(angle - guess),
      * whose series then errs by less than 1e-16. */
-    real guess;
+    number guess;
     if (FABS(of.s) < SMALL && of.c > 0)
         return arcsine(of.s);
     if (FABS(of.s) > FABS(of.c))
@@ -31,6 +31,6 @@ real PRIV(angle)(PRIV(sc) of)
         guess = arcsine(of.s);
     else
         guess = (of.s < 0 ? -2 : 2) * COIN_PRIV_HALF_PI - arcsine(of.s);
-    const PRIV(sc) at = PRIV(sincos)(guess);
+    const coin_priv_sc at = coin_priv_sincos(guess);
     return guess + arcsine(of.s * at.c - of.c * at.s);
 }

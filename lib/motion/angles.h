@@ -8,6 +8,8 @@
  * cosine together, if the compiler has such vectors. */
 #if COIN_PRIV_WIDTH && !defined(COIN_PRIV_FLOAT)
 #define COIN_PRIV_PAIR
+#include "vector_names.h"
+
 #include "number.t.h"
 
 #include "angles.t.h"
@@ -24,18 +26,18 @@
 #define COIN_PRIV_TURN_MAX 1.5
 
 /* sine_cosine() as a function, for sources that call it often. */
-PRIV(sc) PRIV(sincos)(real x);
+coin_priv_sc coin_priv_sincos(number x);
 
 /* The angle in [-pi, pi] with this sine and cosine.  Pre: their norm is 1.
  * Accuracy: 2^-52 for angles up to pi/2 (test_sincos); NaN for NaN. */
-real PRIV(angle)(PRIV(sc) of);
+number coin_priv_angle(coin_priv_sc of);
 
 /* sqrt(a^2 + b^2) without overflow or underflow on the way. */
-static inline real PRIV(hypot)(real a, real b)
+static inline number coin_priv_hypot(number a, number b)
 {
-    const real x = FABS(a), y = FABS(b);
-    const real large = x > y ? x : y, small = x > y ? y : x;
-    const real ratio = large > 0 ? small / large : 0;
+    const number x = FABS(a), y = FABS(b);
+    const number large = x > y ? x : y, small = x > y ? y : x;
+    const number ratio = large > 0 ? small / large : 0;
     return large * SQRT(1 + ratio * ratio);
 }
 

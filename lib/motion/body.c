@@ -1,36 +1,36 @@
 /* SPDX-License-Identifier: MIT */
 #include "body.h"
 
-int32_t COIN(params_check)(const COIN(params) * p)
+int32_t coin_params_check(const coin_params *p)
 {
-    PRIV(body) b;
-    return p ? PRIV(check_body)(&b, p) : COIN_EARG;
+    coin_priv_body b;
+    return p ? coin_priv_check_body(&b, p) : COIN_EARG;
 }
 
-int32_t COIN(params_body)(COIN(params) * p, real mass, real radius,
-                          real gravity, real inertia_X, real inertia_Z)
+int32_t coin_params_body(coin_params *p, number mass, number radius,
+                         number gravity, number inertia_X, number inertia_Z)
 {
-    const COIN(params) made = {
+    const coin_params made = {
         mass, radius, gravity, inertia_X, inertia_Z, {0, 0, 0},
     };
-    const int32_t status = p ? COIN(params_check)(&made) : COIN_EARG;
+    const int32_t status = p ? coin_params_check(&made) : COIN_EARG;
     if (status == COIN_OK)
         *p = made;
     return status;
 }
 
-int32_t COIN(params_ring)(COIN(params) * p, real mass, real radius,
-                          real inner_radius, real gravity)
+int32_t coin_params_ring(coin_params *p, number mass, number radius,
+                         number inner_radius, number gravity)
 {
-    const real M = mass, a = radius, b = inner_radius;
-    const real IX = M * (a * a + b * b) / 4; /* (29) */
+    const number M = mass, a = radius, b = inner_radius;
+    const number IX = M * (a * a + b * b) / 4; /* (29) */
     if (p && !(b >= 0 && b <= a))
         return COIN_EPARAMS;
-    return COIN(params_body)(p, M, a, gravity, IX, 2 * IX);
+    return coin_params_body(p, M, a, gravity, IX, 2 * IX);
 }
 
-int32_t COIN(params_disc)(COIN(params) * p, real mass, real radius,
-                          real gravity)
+int32_t coin_params_disc(coin_params *p, number mass, number radius,
+                         number gravity)
 {
-    return COIN(params_ring)(p, mass, radius, 0, gravity);
+    return coin_params_ring(p, mass, radius, 0, gravity);
 }

@@ -8,25 +8,25 @@
 
 /* What the formulas read of a body, in the letters of docs/physics.md:
  * m = M a^2, J = I_X + m, K = I_Z + m. */
-typedef struct PRIV(body) {
-    real M, a, IX, IZ;
-    real m, J, K;
-    real Mg, Mga;
-    real g_a;    /* g/a: 1 over the natural unit of time squared */
-    real KJ, XJ; /* K/J, I_X/J */
-    real GJ;     /* M g a/J */
-    real k1, k2; /* I_Z/I_X, m/K */
-    real w2_max; /* the square of the largest component of omega */
-} PRIV(body);
+typedef struct coin_priv_body {
+    number M, a, IX, IZ;
+    number m, J, K;
+    number Mg, Mga;
+    number g_a;    /* g/a: 1 over the natural unit of time squared */
+    number KJ, XJ; /* K/J, I_X/J */
+    number GJ;     /* M g a/J */
+    number k1, k2; /* I_Z/I_X, m/K */
+    number w2_max; /* the square of the largest component of omega */
+} coin_priv_body;
 
 /* The body of p, which need not be in range. */
-COIN_PRIV_INLINE PRIV(body) PRIV(body_of)(const COIN(params) * p)
+COIN_PRIV_INLINE coin_priv_body coin_priv_body_of(const coin_params *p)
 {
-    const real M = p->mass, a = p->radius, g = p->gravity;
-    const real IX = p->inertia_X, IZ = p->inertia_Z;
-    const real m = M * a * a, J = IX + m, K = IZ + m, Mga = M * g * a;
-    const real g_a = g / a;
-    const PRIV(body) b = {
+    const number M = p->mass, a = p->radius, g = p->gravity;
+    const number IX = p->inertia_X, IZ = p->inertia_Z;
+    const number m = M * a * a, J = IX + m, K = IZ + m, Mga = M * g * a;
+    const number g_a = g / a;
+    const coin_priv_body b = {
         M,       a,       IX,    IZ,
         m,       J,       K,     M * g,
         Mga,     g_a,     K / J, IX / J,
@@ -40,33 +40,34 @@ COIN_PRIV_INLINE PRIV(body) PRIV(body_of)(const COIN(params) * p)
 #define COIN_PRIV_LEAST_RATIO K(1e-3)
 #define COIN_PRIV_MOST_RATIO K(1e3)
 
-COIN_PRIV_INLINE int PRIV(is_ordinary)(real x)
+COIN_PRIV_INLINE int coin_priv_is_ordinary(number x)
 {
     return x >= COIN_PRIV_LEAST && x <= COIN_PRIV_MOST;
 }
 
 /* Whether parameters are in range.  NaN is not. */
-COIN_PRIV_INLINE int PRIV(params_hold)(const COIN(params) * p)
+COIN_PRIV_INLINE int coin_priv_params_hold(const coin_params *p)
 {
-    const real IX = p->inertia_X, IZ = p->inertia_Z;
-    const real m = p->mass * p->radius * p->radius;
-    const whole reserved = PRIV(bits)(p->reserved[0]) |
-                           PRIV(bits)(p->reserved[1]) |
-                           PRIV(bits)(p->reserved[2]);
-    return PRIV(is_ordinary)(p->mass) && PRIV(is_ordinary)(p->radius) &&
-           PRIV(is_ordinary)(p->gravity) && IX >= COIN_PRIV_LEAST_RATIO * m &&
-           IX <= COIN_PRIV_MOST_RATIO * m && IZ >= COIN_PRIV_LEAST_RATIO * IX &&
+    const number IX = p->inertia_X, IZ = p->inertia_Z;
+    const number m = p->mass * p->radius * p->radius;
+    const integer reserved = coin_priv_bits(p->reserved[0]) |
+                             coin_priv_bits(p->reserved[1]) |
+                             coin_priv_bits(p->reserved[2]);
+    return coin_priv_is_ordinary(p->mass) && coin_priv_is_ordinary(p->radius) &&
+           coin_priv_is_ordinary(p->gravity) &&
+           IX >= COIN_PRIV_LEAST_RATIO * m && IX <= COIN_PRIV_MOST_RATIO * m &&
+           IZ >= COIN_PRIV_LEAST_RATIO * IX &&
            IZ <= 2 * (1 + COIN_PRIV_INERTIA_SLACK) * IX &&
            (reserved & COIN_PRIV_ALL_BUT_SIGN) == 0;
 }
 
 /* COIN_OK and *b, or COIN_EPARAMS.  p is not null. */
-COIN_PRIV_INLINE int32_t PRIV(check_body)(PRIV(body) * b,
-                                          const COIN(params) * p)
+COIN_PRIV_INLINE int32_t coin_priv_check_body(coin_priv_body *b,
+                                              const coin_params *p)
 {
-    if (!PRIV(params_hold)(p))
+    if (!coin_priv_params_hold(p))
         return COIN_EPARAMS;
-    *b = PRIV(body_of)(p);
+    *b = coin_priv_body_of(p);
     return COIN_OK;
 }
 

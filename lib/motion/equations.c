@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "equations.h"
 
-PRIV(variables) PRIV(variables_of)(const COIN(state) * s)
+coin_priv_variables coin_priv_variables_of(const coin_state *s)
 {
-    return PRIV(variables_inline)(s);
+    return coin_priv_variables_inline(s);
 }

@@ -7,13 +7,13 @@
 
 /* The variables of a state as a function, for callers that may take a little
  * longer than those of variables_inline(). */
-PRIV(variables) PRIV(variables_of)(const COIN(state) * s);
+coin_priv_variables coin_priv_variables_of(const coin_state *s);
 
 /* Sets the rows of R to e_X, e_Y, e_Z, the axes of the coin, in the coordinates
  * x, y, z of the table. */
-COIN_PRIV_INLINE void PRIV(axes)(const PRIV(variables) * y, real R[9])
+COIN_PRIV_INLINE void coin_priv_axes(const coin_priv_variables *y, number R[9])
 {
-    const real sth = y->sth, cth = y->cth, sph = y->sph, cph = y->cph;
+    const number sth = y->sth, cth = y->cth, sph = y->sph, cph = y->cph;
     /* clang-format off */
     R[0] = cph;       R[1] = 0;    R[2] = -sph;      /* (7) */
     R[3] = sth * sph; R[4] = cth;  R[5] = sth * cph; /* (7) */
@@ -23,16 +23,16 @@ COIN_PRIV_INLINE void PRIV(axes)(const PRIV(variables) * y, real R[9])
 
 /* d/dt of the rates of heading and roll in a drift: a motion with constant wX,
  * in which wY and wZ are functions of theta. */
-typedef struct PRIV(drift_slopes) {
-    real phi, psi;
-} PRIV(drift_slopes);
+typedef struct coin_priv_drift_slopes {
+    number phi, psi;
+} coin_priv_drift_slopes;
 
-COIN_PRIV_INLINE PRIV(drift_slopes)
-    PRIV(drift_slopes_of)(const PRIV(body) * b, const PRIV(variables) * y)
+COIN_PRIV_INLINE coin_priv_drift_slopes
+coin_priv_drift_slopes_of(const coin_priv_body *b, const coin_priv_variables *y)
 {
-    const real wX = y->wX, wY = y->wY, tth = y->tth;
-    const real dwY = wY * tth + b->k1 * y->wZ; /* (15) over wX */
-    const PRIV(drift_slopes) r = {
+    const number wX = y->wX, wY = y->wY, tth = y->tth;
+    const number dwY = wY * tth + b->k1 * y->wZ; /* (15) over wX */
+    const coin_priv_drift_slopes r = {
         wX * y->q * (dwY + wY * tth),
         wX * (b->k2 * wY + dwY * tth + wY * (K(1) + tth * tth)),
     };
@@ -41,11 +41,11 @@ COIN_PRIV_INLINE PRIV(drift_slopes)
 
 /* d/dtheta of d(wX)/dt along a drift.  In a steady motion it is minus the
  * square of the frequency of small oscillations. */
-COIN_PRIV_INLINE real PRIV(fall_slope)(const PRIV(body) * b,
-                                       const PRIV(variables) * y)
+COIN_PRIV_INLINE number coin_priv_fall_slope(const coin_priv_body *b,
+                                             const coin_priv_variables *y)
 {
-    const real wY = y->wY, wZ = y->wZ, tth = y->tth;
-    const real dwY = wY * tth + b->k1 * wZ, dwZ = b->k2 * wY;
+    const number wY = y->wY, wZ = y->wZ, tth = y->tth;
+    const number dwY = wY * tth + b->k1 * wZ, dwZ = b->k2 * wY;
     return b->GJ * y->cth - b->KJ * (dwY * wZ + wY * dwZ) -
            b->XJ * wY * (2 * dwY * tth + wY * (K(1) + tth * tth)); /* (44) */
 }

@@ -19,43 +19,45 @@
 #include "kind.h"
 
 /* The variables that the equations read. */
-typedef struct PRIV(variables) {
-    real wX, wY, wZ;
-    real sth, cth, q, tth; /* sin theta, cos theta, 1/cos theta, tan theta */
-    real sph, cph;         /* sin phi, cos phi: for the path alone */
-} PRIV(variables);
+typedef struct coin_priv_variables {
+    number wX, wY, wZ;
+    number sth, cth, q, tth; /* sin theta, cos theta, 1/cos theta, tan theta */
+    number sph, cph;         /* sin phi, cos phi: for the path alone */
+} coin_priv_variables;
 
 /* The variables that the equations change but never read.  x and z are in
  * radii; t is the time, used in Sundman's form alone. */
-typedef struct PRIV(pose) {
-    real theta, phi, psi, x, z, t;
-} PRIV(pose);
+typedef struct coin_priv_pose {
+    number theta, phi, psi, x, z, t;
+} coin_priv_pose;
 
 /* The coefficients of the equations of motion, times h but for XJ. */
-typedef struct PRIV(field) {
-    real h, GJ, KJ, XJ, k1, k2;
-} PRIV(field);
+typedef struct coin_priv_field {
+    number h, GJ, KJ, XJ, k1, k2;
+} coin_priv_field;
 
 #ifndef COIN_PRIV_ABREAST
 /* The variables of a state, inline in the caller.  The reduction of the lean to
  * |theta| <= pi/4 is left out for a lean that is in this range.  Its sine and
  * cosine are then known sooner, and a step cannot begin without them. */
-COIN_PRIV_INLINE PRIV(variables) PRIV(variables_inline)(const COIN(state) * s)
+COIN_PRIV_INLINE coin_priv_variables
+coin_priv_variables_inline(const coin_state *s)
 {
-    const PRIV(sc) ph = PRIV(sine_cosine)(s->phi);
-    const PRIV(sc) th = FABS(s->theta) <= K(0.5) * COIN_PRIV_HALF_PI
-                            ? PRIV(sine_cosine_reduced)(s->theta, 0)
-                            : PRIV(sine_cosine)(s->theta);
-    const real q = 1 / th.c;
-    const PRIV(variables) y = {
+    const coin_priv_sc ph = coin_priv_sine_cosine(s->phi);
+    const coin_priv_sc th = FABS(s->theta) <= K(0.5) * COIN_PRIV_HALF_PI
+                                ? coin_priv_sine_cosine_reduced(s->theta, 0)
+                                : coin_priv_sine_cosine(s->theta);
+    const number q = 1 / th.c;
+    const coin_priv_variables y = {
         s->wX, s->wY, s->wZ, th.s, th.c, q, q * th.s, ph.s, ph.c,
     };
     return y;
 }
 
-COIN_PRIV_INLINE PRIV(field) PRIV(field_of)(const PRIV(body) * b, real h)
+COIN_PRIV_INLINE coin_priv_field coin_priv_field_of(const coin_priv_body *b,
+                                                    number h)
 {
-    const PRIV(field) f = {
+    const coin_priv_field f = {
         h, h * b->GJ, h * b->KJ, b->XJ, h * b->k1, h * b->k2,
     };
     return f;
@@ -64,8 +66,8 @@ COIN_PRIV_INLINE PRIV(field) PRIV(field_of)(const PRIV(body) * b, real h)
 
 /* Sets *ds and *dc to the derivatives of the sine s and the cosine c of an
  * angle whose derivative is `rate`. */
-COIN_PRIV_INLINE void PRIV(turn_rates)(real *ds, real *dc, real rate, real s,
-                                       real c)
+COIN_PRIV_INLINE void coin_priv_turn_rates(number *ds, number *dc, number rate,
+                                           number s, number c)
 {
 #ifdef COIN_PRIV_TURN_BY_PAIRS
     const coin_pair d = coin_pair_of(rate, rate) * coin_pair_normal(s, c);
@@ -79,16 +81,16 @@ COIN_PRIV_INLINE void PRIV(turn_rates)(real *ds, real *dc, real rate, real s,
 
 /* h d/dt of the variables.  Factors are grouped so that chains of dependent
  * operations are short: a step takes as long as the longest of them. */
-COIN_PRIV_INLINE PRIV(variables)
-    PRIV(slopes_at)(const PRIV(field) * f, const PRIV(variables) * y)
+COIN_PRIV_INLINE coin_priv_variables
+coin_priv_slopes_at(const coin_priv_field *f, const coin_priv_variables *y)
 {
-    const real wX = y->wX, wY = y->wY, wZ = y->wZ;
-    const real sth = y->sth, cth = y->cth, q = y->q;
-    const real hwX = f->h * wX, hwY = f->h * wY;
-    const real hwYtan = hwY * y->tth;
-    const real dph = hwY * q;
-    const real none = {0};
-    PRIV(variables) d;
+    const number wX = y->wX, wY = y->wY, wZ = y->wZ;
+    const number sth = y->sth, cth = y->cth, q = y->q;
+    const number hwX = f->h * wX, hwY = f->h * wY;
+    const number hwYtan = hwY * y->tth;
+    const number dph = hwY * q;
+    const number none = {0};
+    coin_priv_variables d;
     /* clang-format off */
     d.wX = f->GJ * sth - ((f->KJ * wZ) * wY + (f->XJ * wY) * hwYtan); /* (14) */
     d.wY = wX * (hwYtan + f->k1 * wZ);                       /* (15) */
@@ -96,18 +98,19 @@ COIN_PRIV_INLINE PRIV(variables)
     d.q = q * q * (sth * hwX);                               /* (31) */
     d.tth = none; /* q sin theta, no variable of its own */
     /* clang-format on */
-    PRIV(turn_rates)(&d.sth, &d.cth, hwX, sth, cth);       /* (31) */
-    PRIV(turn_rates)(&d.sph, &d.cph, dph, y->sph, y->cph); /* (31) */
+    coin_priv_turn_rates(&d.sth, &d.cth, hwX, sth, cth);       /* (31) */
+    coin_priv_turn_rates(&d.sph, &d.cph, dph, y->sph, y->cph); /* (31) */
     return d;
 }
 
 /* The components along x and z of the velocity of the centre, -wZ e_X + wX e_Z
  * in radii.  wXcth is wX cos theta.  If wXcth and wZ are multiplied by h, the
  * velocity is too. */
-COIN_PRIV_INLINE void PRIV(path_rates)(real *dx, real *dz, real wXcth, real wZ,
-                                       const PRIV(variables) * y)
+COIN_PRIV_INLINE void coin_priv_path_rates(number *dx, number *dz, number wXcth,
+                                           number wZ,
+                                           const coin_priv_variables *y)
 {
-    const real s = y->sph, c = y->cph;
+    const number s = y->sph, c = y->cph;
 #ifdef COIN_PRIV_TURN_BY_PAIRS
     const coin_pair d =
         coin_pair_of(wXcth, wXcth) * coin_pair_of(c, s) -
@@ -122,16 +125,16 @@ COIN_PRIV_INLINE void PRIV(path_rates)(real *dx, real *dz, real wXcth, real wZ,
 
 /* h d/dt of the pose.  The path is that of the centre: the point of contact may
  * move on a circle while the centre rests. */
-COIN_PRIV_INLINE PRIV(pose)
-    PRIV(pose_slopes)(const PRIV(field) * f, const PRIV(variables) * y)
+COIN_PRIV_INLINE coin_priv_pose
+coin_priv_pose_slopes(const coin_priv_field *f, const coin_priv_variables *y)
 {
-    const real hwX = f->h * y->wX, hwY = f->h * y->wY, hwZ = f->h * y->wZ;
-    const real none = {0};
-    PRIV(pose) d;
+    const number hwX = f->h * y->wX, hwY = f->h * y->wY, hwZ = f->h * y->wZ;
+    const number none = {0};
+    coin_priv_pose d;
     d.theta = hwX;              /* (17) */
     d.phi = hwY * y->q;         /* (18) */
     d.psi = hwZ + hwY * y->tth; /* (19) */
-    PRIV(path_rates)(&d.x, &d.z, hwX * y->cth, hwZ, y);
+    coin_priv_path_rates(&d.x, &d.z, hwX * y->cth, hwZ, y);
     d.t = none;
     return d;
 }
@@ -140,15 +143,15 @@ COIN_PRIV_INLINE PRIV(pose)
  * are the rates above times cos theta: cubic polynomials of variables that the
  * energy bounds, regular down to the table.  They do not contain q and tan
  * theta. */
-COIN_PRIV_INLINE PRIV(variables)
-    PRIV(sundman_slopes)(const PRIV(field) * f, const PRIV(variables) * y)
+COIN_PRIV_INLINE coin_priv_variables
+coin_priv_sundman_slopes(const coin_priv_field *f, const coin_priv_variables *y)
 {
-    const real wX = y->wX, wY = y->wY, wZ = y->wZ;
-    const real sth = y->sth, cth = y->cth;
-    const real cwX = cth * wX, cwZ = cth * wZ;
-    const real hwY = f->h * wY, hcwX = f->h * cwX;
-    const real hwYsin = hwY * sth, none = {0};
-    PRIV(variables) d;
+    const number wX = y->wX, wY = y->wY, wZ = y->wZ;
+    const number sth = y->sth, cth = y->cth;
+    const number cwX = cth * wX, cwZ = cth * wZ;
+    const number hwY = f->h * wY, hcwX = f->h * cwX;
+    const number hwYsin = hwY * sth, none = {0};
+    coin_priv_variables d;
     /* clang-format off */
     d.wX = (f->GJ * sth) * cth
          - ((f->KJ * wY) * cwZ + (f->XJ * wY) * hwYsin);     /* (32) */
@@ -157,22 +160,22 @@ COIN_PRIV_INLINE PRIV(variables)
     d.q = none;
     d.tth = none;
     /* clang-format on */
-    PRIV(turn_rates)(&d.sth, &d.cth, hcwX, sth, cth);      /* (32) */
-    PRIV(turn_rates)(&d.sph, &d.cph, hwY, y->sph, y->cph); /* (32) */
+    coin_priv_turn_rates(&d.sth, &d.cth, hcwX, sth, cth);      /* (32) */
+    coin_priv_turn_rates(&d.sph, &d.cph, hwY, y->sph, y->cph); /* (32) */
     return d;
 }
 
 /* h d/dtau of the pose and of the time. */
-COIN_PRIV_INLINE PRIV(pose)
-    PRIV(sundman_pose_slopes)(const PRIV(field) * f, const PRIV(variables) * y)
+COIN_PRIV_INLINE coin_priv_pose coin_priv_sundman_pose_slopes(
+    const coin_priv_field *f, const coin_priv_variables *y)
 {
-    const real hwY = f->h * y->wY, hc = f->h * y->cth;
-    const real hcwZ = hc * y->wZ, none = {0};
-    PRIV(pose) d;
+    const number hwY = f->h * y->wY, hc = f->h * y->cth;
+    const number hcwZ = hc * y->wZ, none = {0};
+    coin_priv_pose d;
     d.theta = none;              /* its sine and cosine are integrated */
     d.phi = hwY;                 /* (32) */
     d.psi = hcwZ + hwY * y->sth; /* (32) */
-    PRIV(path_rates)(&d.x, &d.z, hc * (y->cth * y->wX), hcwZ, y);
+    coin_priv_path_rates(&d.x, &d.z, hc * (y->cth * y->wX), hcwZ, y);
     d.t = hc; /* (32) */
     return d;
 }
@@ -180,13 +183,13 @@ COIN_PRIV_INLINE PRIV(pose)
 /* Normalizes the pairs after a step in tau, and computes q and tth from them.
  * The step leaves e = 1 - s^2 - c^2, of the size of its error.  Three terms of
  * (1 - e)^(-1/2) are taken; the next one, 5/16 e^3, is below rounding. */
-COIN_PRIV_INLINE void PRIV(normalize)(PRIV(variables) * y)
+COIN_PRIV_INLINE void coin_priv_normalize(coin_priv_variables *y)
 {
-    const real q = K(1) / y->cth;
-    const real lean = K(1) - (y->sth * y->sth + y->cth * y->cth);
-    const real turn = K(1) - (y->sph * y->sph + y->cph * y->cph);
-    const real longer = K(0.5) + K(0.375) * lean;
-    const real gain = turn * (K(0.5) + K(0.375) * turn);
+    const number q = K(1) / y->cth;
+    const number lean = K(1) - (y->sth * y->sth + y->cth * y->cth);
+    const number turn = K(1) - (y->sph * y->sph + y->cph * y->cph);
+    const number longer = K(0.5) + K(0.375) * lean;
+    const number gain = turn * (K(0.5) + K(0.375) * turn);
     y->tth = y->sth * q;
     y->sth += (y->sth * lean) * longer;
     y->cth += (y->cth * lean) * longer;
@@ -196,11 +199,10 @@ COIN_PRIV_INLINE void PRIV(normalize)(PRIV(variables) * y)
 }
 
 /* a + w b: the rates and the pair of the lean.  The other members are a's. */
-COIN_PRIV_INLINE PRIV(variables)
-    PRIV(variables_plus)(const PRIV(variables) * a, scalar w,
-                         const PRIV(variables) * b)
+COIN_PRIV_INLINE coin_priv_variables coin_priv_variables_plus(
+    const coin_priv_variables *a, scalar w, const coin_priv_variables *b)
 {
-    PRIV(variables) r = *a;
+    coin_priv_variables r = *a;
     r.wX += w * b->wX;
     r.wY += w * b->wY;
     r.wZ += w * b->wZ;
@@ -210,10 +212,11 @@ COIN_PRIV_INLINE PRIV(variables)
 }
 
 /* a + w b, member by member, but for t: steps in tau add that themselves. */
-COIN_PRIV_INLINE PRIV(pose)
-    PRIV(pose_plus)(const PRIV(pose) * a, scalar w, const PRIV(pose) * b)
+COIN_PRIV_INLINE coin_priv_pose coin_priv_pose_plus(const coin_priv_pose *a,
+                                                    scalar w,
+                                                    const coin_priv_pose *b)
 {
-    const PRIV(pose) r = {
+    const coin_priv_pose r = {
         a->theta + w * b->theta, a->phi + w * b->phi, a->psi + w * b->psi,
         a->x + w * b->x,         a->z + w * b->z,     a->t,
     };
@@ -221,35 +224,36 @@ COIN_PRIV_INLINE PRIV(pose)
 }
 
 /* The velocity of the centre along x, y, z: a (-wZ e_X + wX e_Z). */
-COIN_PRIV_INLINE void PRIV(velocity_of)(real v[3], real a,
-                                        const PRIV(variables) * y)
+COIN_PRIV_INLINE void coin_priv_velocity_of(number v[3], number a,
+                                            const coin_priv_variables *y)
 {
-    real dx, dz;
-    PRIV(path_rates)(&dx, &dz, y->cth * y->wX, y->wZ, y);
+    number dx, dz;
+    coin_priv_path_rates(&dx, &dz, y->cth * y->wX, y->wZ, y);
     v[0] = a * dx;
     v[1] = -a * (y->wX * y->sth); /* (20) */
     v[2] = a * dz;
 }
 
 /* W^2, where W measures how fast the coin turns and falls. */
-COIN_PRIV_INLINE real PRIV(rate2)(real g_a, const PRIV(variables) * y)
+COIN_PRIV_INLINE number coin_priv_rate2(number g_a,
+                                        const coin_priv_variables *y)
 {
-    const real wX = y->wX, wY = y->wY, wZ = y->wZ, q = y->q;
+    const number wX = y->wX, wY = y->wY, wZ = y->wZ, q = y->q;
     return (wX * wX + wY * wY) * (q * q) + (wZ * wZ + g_a * q); /* (47) */
 }
 
 /* Where a step leads: the rates, and what it adds to the pose. */
-typedef struct PRIV(step_end) {
-    real wX, wY, wZ;
-    PRIV(pose) adds;
-} PRIV(step_end);
+typedef struct coin_priv_step_end {
+    number wX, wY, wZ;
+    coin_priv_pose adds;
+} coin_priv_step_end;
 
 /* The variables at the end of a step, where the pairs are known. */
-COIN_PRIV_INLINE PRIV(variables)
-    PRIV(variables_at)(const PRIV(step_end) * end, PRIV(sc) th, PRIV(sc) ph)
+COIN_PRIV_INLINE coin_priv_variables coin_priv_variables_at(
+    const coin_priv_step_end *end, coin_priv_sc th, coin_priv_sc ph)
 {
-    const real q = 1 / th.c;
-    const PRIV(variables) next = {
+    const number q = 1 / th.c;
+    const coin_priv_variables next = {
         end->wX, end->wY, end->wZ, th.s, th.c, q, q * th.s, ph.s, ph.c,
     };
     return next;
@@ -258,10 +262,10 @@ COIN_PRIV_INLINE PRIV(variables)
 /* The same, after a step from *y.  The pairs turn by what the step adds to the
  * angles.  So, to rounding, angles and pairs agree, and a run of n steps equals
  * n runs of one step. */
-COIN_PRIV_INLINE PRIV(variables)
-    PRIV(variables_after)(const PRIV(variables) * y, const PRIV(step_end) * end)
+COIN_PRIV_INLINE coin_priv_variables coin_priv_variables_after(
+    const coin_priv_variables *y, const coin_priv_step_end *end)
 {
-    PRIV(sc) th = {y->sth, y->cth}, ph = {y->sph, y->cph};
-    PRIV(turn_both)(&th, &ph, end->adds.theta, end->adds.phi);
-    return PRIV(variables_at)(end, th, ph);
+    coin_priv_sc th = {y->sth, y->cth}, ph = {y->sph, y->cph};
+    coin_priv_turn_both(&th, &ph, end->adds.theta, end->adds.phi);
+    return coin_priv_variables_at(end, th, ph);
 }

@@ -1,26 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* The template mechanism.
+/* The kinds of number.
  *
- * Code for several kinds of number is written once, for a type `real`.  A
- * source X.c is compiled for doubles as it stands.  If floats need it too, a
- * file coinf_X.c of lib/float defines COIN_PRIV_FLOAT and includes X.c.
+ * Code for several kinds of number is written once, for numbers of type
+ * `number`, with the names that it has for doubles.  Another kind compiles the
+ * same text once more, after names have been defined as macros:
  *
- * A file named *.t.h is a template.  It has no include guard: a source includes
- * it once for each kind that it needs.  A macro, defined before the include and
- * undefined after it, selects the kind:
+ * Floats.  A source X.c has a twin coinf_X.c in lib/float, which includes
+ * float/floats.h and then X.c.  floats.h defines coin_energy as coinf_energy,
+ * and so on: one list of all names that floats have too.
+ *
+ * Vectors.  A file named *.t.h is a template.  It has no include guard: a
+ * source includes it once for each kind that it needs.  A macro, defined before
+ * the include and undefined after it, selects the kind:
  *
  *     none               one number
- *     COIN_PRIV_PAIR     a vector of two numbers
- *     COIN_PRIV_ABREAST  a vector as wide as the processor's
+ *     COIN_PRIV_PAIR     a vector of two numbers: coin_pair_sc, ...
+ *     COIN_PRIV_ABREAST  as wide as the processor's: coin_lanes_sc, ...
  *
- * This file gives these names their meaning for the kind selected:
+ * vector_names.h lists the names that vectors have too, as macros that depend
+ * on COIN_PRIV_NAME.
  *
- *     real          a number, or a vector of numbers
- *     scalar        one number: double or float
- *     whole         an integer, or a vector of integers, as wide as real
- *     K(0.1)        a constant of type scalar
- *     COIN(step)    a public name: coin_step or coinf_step
- *     PRIV(body)    an internal name of this kind of number
+ * This file defines, for the kind selected:
+ *
+ *     number   a number, or a vector of numbers
+ *     scalar   one number: double or float
+ *     integer  an integer, or a vector of integers, as wide as number
+ *     K(0.1)   a constant of type scalar
  *
  * Operations and their order, and so the bits, are the same for all kinds of
  * one width. */
@@ -29,12 +34,11 @@
 #include "vector.h"
 
 #undef K
-#undef COIN
-#undef PRIV
+#undef COIN_PRIV_NAME
 #undef scalar
-#undef real
-#undef whole
-#undef unsigned_whole
+#undef number
+#undef integer
+#undef unsigned_integer
 #undef SQRT
 #undef FABS
 #undef LOG
@@ -42,34 +46,31 @@
 #define K(constant) ((scalar)(constant))
 
 #ifdef COIN_PRIV_FLOAT
-#define COIN(name) coinf_##name
 #define scalar float
 #define SQRT sqrtf
 #define FABS fabsf
 #define LOG logf
-#define PRIV(name) coinf_priv_##name
-#define real float
-#define whole int32_t
-#define unsigned_whole uint32_t
+#define number float
+#define integer int32_t
+#define unsigned_integer uint32_t
 
 #else
-#define COIN(name) coin_##name
 #define scalar double
 #define SQRT sqrt
 #define FABS fabs
 #define LOG log
 #if defined(COIN_PRIV_ABREAST)
-#define PRIV(name) coin_lanes_##name
-#define real coin_lanes
-#define whole coin_lanes_whole
+#define COIN_PRIV_NAME(name) coin_lanes_##name
+#define number coin_lanes
+#define integer coin_lanes_integer
 #elif defined(COIN_PRIV_PAIR)
-#define PRIV(name) coin_pair_##name
-#define real coin_pair
-#define whole coin_pair_whole
+#define COIN_PRIV_NAME(name) coin_pair_##name
+#define number coin_pair
+#define integer coin_pair_integer
 #else
-#define PRIV(name) coin_priv_##name
-#define real double
-#define whole int64_t
-#define unsigned_whole uint64_t
+#define COIN_PRIV_NAME(name) coin_priv_##name
+#define number double
+#define integer int64_t
+#define unsigned_integer uint64_t
 #endif
 #endif

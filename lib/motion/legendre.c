@@ -4,22 +4,22 @@
 /* sum of t_n u^n over n = n0, n0 + 2, ..., t_n0 = 1:
  *     t_{n+2} = t_n (n (n + shift) + kap)/((n + 1)(n + 2))            (34)
  * All terms have one sign: nothing cancels. */
-static real power_series(real kap, real u, real n0, real shift)
+static number power_series(number kap, number u, number n0, number shift)
 {
-    const real u2 = u * u;
-    real term = n0 > 0 ? u : 1, sum = term, low = 0;
-    for (real n = n0; FABS(term) > COIN_PRIV_NEGLIGIBLE * FABS(sum); n += 2) {
+    const number u2 = u * u;
+    number term = n0 > 0 ? u : 1, sum = term, low = 0;
+    for (number n = n0; FABS(term) > COIN_PRIV_NEGLIGIBLE * FABS(sum); n += 2) {
         term *= u2 * ((n * (n + shift) + kap) / ((n + 1) * (n + 2)));
-        const real next = sum + term;
+        const number next = sum + term;
         low += term - (next - sum); /* what the sum rounds off, exactly */
         sum = next;
     }
     return sum + low;
 }
 
-PRIV(central) PRIV(legendre_central)(real kap, real u)
+coin_priv_central coin_priv_legendre_central(number kap, number u)
 {
-    const PRIV(central) c = {
+    const coin_priv_central c = {
         power_series(kap, u, 0, -1),
         power_series(kap, u, 1, -1),
         power_series(kap, u, 0, 1),
@@ -30,16 +30,16 @@ PRIV(central) PRIV(legendre_central)(real kap, real u)
 
 /* R = sum r_n v^n and S = R ln v + sum s_n v^n, with their derivatives times
  * v; s_n is written without a division by kap, which may be small.  (36) */
-PRIV(flat) PRIV(legendre_flat)(real kap, real v, real ln_v)
+coin_priv_flat coin_priv_legendre_flat(number kap, number v, number ln_v)
 {
-    real r = 1, s = 0; /* r_n v^n, s_n v^n */
-    real r_sum = 0, vdR = 0, s_sum = 0, vds_sum = 0;
+    number r = 1, s = 0; /* r_n v^n, s_n v^n */
+    number r_sum = 0, vdR = 0, s_sum = 0, vds_sum = 0;
     /* (n + 1) v^n bounds the terms of every sum, whatever kap. */
-    real power = 1;
-    for (real n = 0; (n + 1) * power > COIN_PRIV_NEGLIGIBLE; ++n) {
+    number power = 1;
+    for (number n = 0; (n + 1) * power > COIN_PRIV_NEGLIGIBLE; ++n) {
         power *= v;
-        const real rho = (n * (n + 1) + kap) / ((n + 1) * (n + 1));
-        const real odd = (2 * n + 1) / ((n + 1) * (n + 1));
+        const number rho = (n * (n + 1) + kap) / ((n + 1) * (n + 1));
+        const number odd = (2 * n + 1) / ((n + 1) * (n + 1));
         s = v * (rho * s + r * (odd - 2 * rho / (n + 1)));
         r = v * (rho * r);
         r_sum += r;
@@ -47,7 +47,7 @@ PRIV(flat) PRIV(legendre_flat)(real kap, real v, real ln_v)
         s_sum += s;
         vds_sum += (n + 1) * s;
     }
-    PRIV(flat) f;
+    coin_priv_flat f;
     f.R = 1 + r_sum;
     f.S = f.R * ln_v + s_sum;
     f.PR = -2 * (1 - v) * vdR;                                  /* (37) */

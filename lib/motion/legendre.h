@@ -12,26 +12,26 @@
 /* Solutions that are even and odd about u = 0: Pe and Po for p, We and Wo for
  * wZ.  p = KY Pe + k1 KZ Po and wZ = KZ We + k2 KY Wo.
  * Pe We - kap Po Wo = 1. */
-typedef struct PRIV(central) {
-    real Pe, Po, We, Wo;
-} PRIV(central);
+typedef struct coin_priv_central {
+    number Pe, Po, We, Wo;
+} coin_priv_central;
 
 /* Solutions about the flat coin: R and S for wZ, PR and PS for k2 p.
  * wZ = al R + be S and k2 p = al PR + be PS.  R PS - S PR = -2. */
-typedef struct PRIV(flat) {
-    real R, S, PR, PS;
-} PRIV(flat);
+typedef struct coin_priv_flat {
+    number R, S, PR, PS;
+} coin_priv_flat;
 
 /* The power series about u = 0.  Pre: |u| <= 0.7.  Accuracy: 1e-15 relative
  * (test_legendre).  Cost: at most 60 terms. */
-PRIV(central) PRIV(legendre_central)(real kap, real u);
+coin_priv_central coin_priv_legendre_central(number kap, number u);
 
 /* The series about the flat coin, v = (1 - |u|)/2 = sin^2(delta/2) with delta =
  * pi/2 - |theta|.  ln_v is ln v plus any constant.  The constant selects the
  * solution S, so that it has to be the same wherever al and be are.
  * Pre: 0 < v <= 1/2.  Accuracy: 1e-15 of the terms, 5e-15 at v = 1/2, down to
  * v = 1e-32 (test_legendre).  Cost: at most 65 terms. */
-PRIV(flat) PRIV(legendre_flat)(real kap, real v, real ln_v);
+coin_priv_flat coin_priv_legendre_flat(number kap, number v, number ln_v);
 
 /* legendre_change() and legendre_shift() lead from the pair at u to that at
  * u + e, by the power series about u, (34).  c2 is 1 - u^2.
@@ -48,24 +48,25 @@ PRIV(flat) PRIV(legendre_flat)(real kap, real v, real ln_v);
 #define COIN_PRIV_OVER4(n)                                                     \
     COIN_PRIV_OVER(n), COIN_PRIV_OVER(n + 1), COIN_PRIV_OVER(n + 2),           \
         COIN_PRIV_OVER(n + 3)
-static const real PRIV(over)[24] = {
+static const number coin_priv_over[24] = {
     COIN_PRIV_OVER4(0),  COIN_PRIV_OVER4(4),  COIN_PRIV_OVER4(8),
     COIN_PRIV_OVER4(12), COIN_PRIV_OVER4(16), COIN_PRIV_OVER4(20),
 };
 
 /* Sets *dp and *dwZ to the changes of p and wZ. */
-COIN_PRIV_INLINE void PRIV(legendre_change)(real *dp, real *dwZ, real p,
-                                            real wZ, real k1, real k2, real u,
-                                            real c2, real e)
+COIN_PRIV_INLINE void coin_priv_legendre_change(number *dp, number *dwZ,
+                                                number p, number wZ, number k1,
+                                                number k2, number u, number c2,
+                                                number e)
 {
-    const real kap = k1 * k2, x = e / c2;
-    const real back1 = 2 * u * x, back2 = e * x;
-    real b0 = wZ, b1 = k2 * p * x; /* a_n e^n of this term and the next */
-    real change = 0, sum = b0;
+    const number kap = k1 * k2, x = e / c2;
+    const number back1 = 2 * u * x, back2 = e * x;
+    number b0 = wZ, b1 = k2 * p * x; /* a_n e^n of this term and the next */
+    number change = 0, sum = b0;
     for (int i = 0; i < COIN_PRIV_SERIES_TERMS; ++i) {
-        const real n = (real)i, next = PRIV(over)[i];
-        const real b2 = back1 * b1 * ((n + 1) * (n + 1) * next) +
-                        back2 * b0 * ((n * (n + 1) + kap) * next);
+        const number n = (number)i, next = coin_priv_over[i];
+        const number b2 = back1 * b1 * ((n + 1) * (n + 1) * next) +
+                          back2 * b0 * ((n * (n + 1) + kap) * next);
         change += b1;
         sum += b1 * ((n + 1) * next);
         b0 = b1;
@@ -76,11 +77,12 @@ COIN_PRIV_INLINE void PRIV(legendre_change)(real *dp, real *dwZ, real p,
 }
 
 /* Adds these changes to *p and *wZ. */
-COIN_PRIV_INLINE void PRIV(legendre_shift)(real *p, real *wZ, real k1, real k2,
-                                           real u, real c2, real e)
+COIN_PRIV_INLINE void coin_priv_legendre_shift(number *p, number *wZ, number k1,
+                                               number k2, number u, number c2,
+                                               number e)
 {
-    real dp, dwZ;
-    PRIV(legendre_change)(&dp, &dwZ, *p, *wZ, k1, k2, u, c2, e);
+    number dp, dwZ;
+    coin_priv_legendre_change(&dp, &dwZ, *p, *wZ, k1, k2, u, c2, e);
     *p += dp;
     *wZ += dwZ;
 }

@@ -17,7 +17,7 @@
 
 /* Whether there is such a method; the functions below require it.  Floats have
  * RK4 alone. */
-COIN_PRIV_INLINE int PRIV(method_is_known)(int32_t method)
+COIN_PRIV_INLINE int coin_priv_method_is_known(int32_t method)
 {
 #ifdef COIN_PRIV_FLOAT
     return method == COIN_RK4;

@@ -8,17 +8,17 @@
 /* Limits of W^2 in a run: COIN_COARSE beyond coarse2, COIN_ESTEP beyond most2,
  * both compared where each step begins and ends.  And what the limit of its
  * path needs: the radius, and where the path starts. */
-typedef struct PRIV(limits) {
-    real g_a, coarse2, most2; /* coarse2 <= most2 */
-    real a, x, z;
-    whole coarse; /* all ones once a step was COIN_COARSE */
-} PRIV(limits);
+typedef struct coin_priv_limits {
+    number g_a, coarse2, most2; /* coarse2 <= most2 */
+    number a, x, z;
+    integer coarse; /* all ones once a step was COIN_COARSE */
+} coin_priv_limits;
 
 #ifndef COIN_PRIV_ABREAST
 /* The limit of |dt| W beyond which a step is COIN_COARSE.  Up to it a step adds
  * errors of at most 5e-4 (RK4), 2e-4 (RK8), 3e-4 and 4e-6 (symplectic2 and 4),
  * in radians, radii and parts of W: docs/limits.md, test_step_law. */
-COIN_PRIV_INLINE real PRIV(coarse_limit)(int32_t method)
+COIN_PRIV_INLINE number coin_priv_coarse_limit(int32_t method)
 {
     return method == COIN_RK4           ? K(0.35)
            : method == COIN_RK8         ? K(1)
@@ -29,7 +29,7 @@ COIN_PRIV_INLINE real PRIV(coarse_limit)(int32_t method)
 /* The limit of |dt| W beyond which a step is refused.  Beyond 1.2 a step of RK4
  * or RK8 may jump over a whole pass near flat.  Up to the limits of the
  * symplectic methods the series of their drift suffices (docs/limits.md). */
-COIN_PRIV_INLINE real PRIV(refusal_limit)(int32_t method)
+COIN_PRIV_INLINE number coin_priv_refusal_limit(int32_t method)
 {
     return method == COIN_RK4 || method == COIN_RK8 ? K(1.2)
            : method == COIN_SYMPLECTIC2             ? K(1)
@@ -39,15 +39,15 @@ COIN_PRIV_INLINE real PRIV(refusal_limit)(int32_t method)
 /* The limits of steps of dt from *s.  All steps are refused if dt is not
  * finite.
  */
-COIN_PRIV_INLINE PRIV(limits)
-    PRIV(limits_of)(const PRIV(body) * b, int32_t method, real dt)
+COIN_PRIV_INLINE coin_priv_limits coin_priv_limits_of(const coin_priv_body *b,
+                                                      int32_t method, number dt)
 {
-    const real most = PRIV(refusal_limit)(method);
-    const real coarse = PRIV(coarse_limit)(method);
-    const real size = FABS(dt);
-    const real kept = size < COIN_PRIV_DT_LEAST ? COIN_PRIV_DT_LEAST : size;
-    const real over = 1 / (kept * kept);
-    const PRIV(limits) limits = {
+    const number most = coin_priv_refusal_limit(method);
+    const number coarse = coin_priv_coarse_limit(method);
+    const number size = FABS(dt);
+    const number kept = size < COIN_PRIV_DT_LEAST ? COIN_PRIV_DT_LEAST : size;
+    const number over = 1 / (kept * kept);
+    const coin_priv_limits limits = {
         b->g_a, coarse * coarse * over, most * most * over, b->a, 0, 0, 0,
     };
     return limits;
@@ -56,12 +56,12 @@ COIN_PRIV_INLINE PRIV(limits)
 
 /* Whether W^2 allows a step from *y.  Notes if the step is COIN_COARSE.  NaN
  * allows none. */
-COIN_PRIV_INLINE whole PRIV(admit_start)(PRIV(limits) * limits,
-                                         const PRIV(variables) * y)
+COIN_PRIV_INLINE integer coin_priv_admit_start(coin_priv_limits *limits,
+                                               const coin_priv_variables *y)
 {
-    const real rate2 = PRIV(rate2)(limits->g_a, y);
-    limits->coarse |= ~PRIV(truth)(rate2 <= limits->coarse2);
-    return PRIV(truth)(rate2 <= limits->most2);
+    const number rate2 = coin_priv_rate2(limits->g_a, y);
+    limits->coarse |= ~coin_priv_truth(rate2 <= limits->coarse2);
+    return coin_priv_truth(rate2 <= limits->most2);
 }
 
 /* Whether a step is made, by what is known where it ends.  It is refused if
@@ -69,25 +69,25 @@ COIN_PRIV_INLINE whole PRIV(admit_start)(PRIV(limits) * limits,
  * heading by more than COIN_PRIV_TURN_MAX.  A step through the table needs no
  * test: if it begins at |dt| W = r, it ends near r/(r - 1), beyond the limit.
  */
-COIN_PRIV_INLINE whole PRIV(admit_step)(PRIV(limits) * limits,
-                                        const PRIV(step_end) * end,
-                                        const PRIV(variables) * next)
+COIN_PRIV_INLINE integer coin_priv_admit_step(coin_priv_limits *limits,
+                                              const coin_priv_step_end *end,
+                                              const coin_priv_variables *next)
 {
-    const real turn = PRIV(magnitude)(end->adds.theta);
-    const real heading = PRIV(magnitude)(end->adds.phi);
-    return PRIV(truth)(turn <= K(COIN_PRIV_TURN_MAX)) &
-           PRIV(truth)(heading <= K(COIN_PRIV_TURN_MAX)) &
-           PRIV(admit_start)(limits, next);
+    const number turn = coin_priv_magnitude(end->adds.theta);
+    const number heading = coin_priv_magnitude(end->adds.phi);
+    return coin_priv_truth(turn <= K(COIN_PRIV_TURN_MAX)) &
+           coin_priv_truth(heading <= K(COIN_PRIV_TURN_MAX)) &
+           coin_priv_admit_start(limits, next);
 }
 
 /* Whether a step is made for every coin.  One that ends with a W within the
  * coarse limit turns lean and heading by at most 1.2 rad, and stays above the
  * table: W is all that is computed then (test_step_law). */
-COIN_PRIV_INLINE int PRIV(admit_each)(PRIV(limits) * limits,
-                                      const PRIV(step_end) * end,
-                                      const PRIV(variables) * next)
+COIN_PRIV_INLINE int coin_priv_admit_each(coin_priv_limits *limits,
+                                          const coin_priv_step_end *end,
+                                          const coin_priv_variables *next)
 {
-    const real rate2 = PRIV(rate2)(limits->g_a, next);
-    return PRIV(every)(rate2 <= limits->coarse2) ||
-           PRIV(every)(PRIV(admit_step)(limits, end, next) != 0);
+    const number rate2 = coin_priv_rate2(limits->g_a, next);
+    return coin_priv_every(rate2 <= limits->coarse2) ||
+           coin_priv_every(coin_priv_admit_step(limits, end, next) != 0);
 }

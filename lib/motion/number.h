@@ -7,13 +7,13 @@
 #include "number.t.h"
 
 /* 0 for infinity and for NaN: a comparison with NaN is false. */
-COIN_PRIV_INLINE int PRIV(is_finite)(real x)
+COIN_PRIV_INLINE int coin_priv_is_finite(number x)
 {
     return FABS(x) <= COIN_PRIV_LARGEST;
 }
 
 /* The larger of two, b where one is NaN. */
-COIN_PRIV_INLINE real PRIV(larger)(real a, real b)
+COIN_PRIV_INLINE number coin_priv_larger(number a, number b)
 {
     return a > b ? a : b;
 }

@@ -5,28 +5,28 @@
 
 /* A truth value is all ones or 0, as a comparison of vectors gives it. */
 #if defined(COIN_PRIV_ABREAST) || defined(COIN_PRIV_PAIR)
-COIN_PRIV_INLINE whole PRIV(truth)(whole comparison)
+COIN_PRIV_INLINE integer coin_priv_truth(integer comparison)
 {
     return comparison;
 }
 
-COIN_PRIV_INLINE whole PRIV(bits)(real x)
+COIN_PRIV_INLINE integer coin_priv_bits(number x)
 {
-    return (whole)x;
+    return (integer)x;
 }
 
-COIN_PRIV_INLINE real PRIV(of_bits)(whole bits)
+COIN_PRIV_INLINE number coin_priv_of_bits(integer bits)
 {
-    return (real)bits;
+    return (number)bits;
 }
 
-COIN_PRIV_INLINE real PRIV(magnitude)(real x)
+COIN_PRIV_INLINE number coin_priv_magnitude(number x)
 {
-    return PRIV(of_bits)(PRIV(bits)(x) & COIN_PRIV_ALL_BUT_SIGN);
+    return coin_priv_of_bits(coin_priv_bits(x) & COIN_PRIV_ALL_BUT_SIGN);
 }
 
 /* Whether a comparison holds for each number. */
-COIN_PRIV_INLINE int PRIV(every)(whole comparison)
+COIN_PRIV_INLINE int coin_priv_every(integer comparison)
 {
     int64_t of_all = -1;
     for (size_t i = 0; i < sizeof comparison / sizeof of_all; ++i)
@@ -35,61 +35,62 @@ COIN_PRIV_INLINE int PRIV(every)(whole comparison)
 }
 
 #else
-COIN_PRIV_INLINE whole PRIV(truth)(int comparison)
+COIN_PRIV_INLINE integer coin_priv_truth(int comparison)
 {
-    return -(whole)comparison;
+    return -(integer)comparison;
 }
 
-COIN_PRIV_INLINE whole PRIV(bits)(real x)
+COIN_PRIV_INLINE integer coin_priv_bits(number x)
 {
     union {
-        real number;
-        whole bits;
+        number value;
+        integer bits;
     } word;
-    word.number = x;
+    word.value = x;
     return word.bits;
 }
 
-COIN_PRIV_INLINE real PRIV(of_bits)(whole bits)
+COIN_PRIV_INLINE number coin_priv_of_bits(integer bits)
 {
     union {
-        real number;
-        whole bits;
+        number value;
+        integer bits;
     } word;
     word.bits = bits;
-    return word.number;
+    return word.value;
 }
 
-COIN_PRIV_INLINE real PRIV(magnitude)(real x)
+COIN_PRIV_INLINE number coin_priv_magnitude(number x)
 {
     return FABS(x);
 }
 
-COIN_PRIV_INLINE int PRIV(every)(int comparison)
+COIN_PRIV_INLINE int coin_priv_every(int comparison)
 {
     return comparison;
 }
 #endif
 
 /* a where mask is all ones, b where it is 0. */
-COIN_PRIV_INLINE real PRIV(choose)(whole mask, real a, real b)
+COIN_PRIV_INLINE number coin_priv_choose(integer mask, number a, number b)
 {
-    return PRIV(of_bits)((mask & PRIV(bits)(a)) | (~mask & PRIV(bits)(b)));
+    return coin_priv_of_bits((mask & coin_priv_bits(a)) |
+                             (~mask & coin_priv_bits(b)));
 }
 
 /* The lesser of two, b where one is NaN. */
 #if defined(COIN_PRIV_ABREAST) && defined(COIN_PRIV_LESSER)
-COIN_PRIV_INLINE real PRIV(lesser)(real a, real b)
+COIN_PRIV_INLINE number coin_priv_lesser(number a, number b)
 {
     return COIN_PRIV_LESSER(a, b);
 }
 #elif defined(COIN_PRIV_ABREAST) || defined(COIN_PRIV_PAIR)
-COIN_PRIV_INLINE real PRIV(lesser)(real a, real b)
+COIN_PRIV_INLINE number coin_priv_lesser(number a, number b)
 {
-    return PRIV(choose)(PRIV(truth)(a < b), a, b);
+    return coin_priv_choose(coin_priv_truth(a < b), a, b);
 }
 #else
-COIN_PRIV_INLINE real PRIV(lesser)(real a, real b)
+COIN_PRIV_INLINE number coin_priv_lesser(number a, number b)
 {
     return a < b ? a : b;
 }

@@ -16,7 +16,7 @@
 #define COIN_PRIV_LAST_LEAN (COIN_PRIV_HALF_PI - COIN_PRIV_EPSILON)
 
 /* Whether a coin lies flat. */
-COIN_PRIV_INLINE int PRIV(lies_flat)(const COIN(state) * s)
+COIN_PRIV_INLINE int coin_priv_lies_flat(const coin_state *s)
 {
     return FABS(s->theta) >= COIN_PRIV_LAST_LEAN && s->wY == 0 &&
            s->wX * s->theta >= 0;

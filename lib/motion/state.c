@@ -1,24 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 #include "state.h"
 
-int32_t PRIV(check)(const COIN(state) * s, const COIN(params) * p,
-                    PRIV(body) * b)
+int32_t coin_priv_check(const coin_state *s, const coin_params *p,
+                        coin_priv_body *b)
 {
-    return PRIV(check_inline)(s, p, b);
+    return coin_priv_check_inline(s, p, b);
 }
 
 /* No step turns phi or psi by 16 rad, or moves the centre by 16 radii. */
-int32_t PRIV(refusal)(const COIN(state) * s, real a)
+int32_t coin_priv_refusal(const coin_state *s, number a)
 {
-    const real last = COIN_PRIV_ANGLE_MAX - 16;
-    const real far = (COIN_PRIV_PLACE_MAX - 16) * a;
+    const number last = COIN_PRIV_ANGLE_MAX - 16;
+    const number far = (COIN_PRIV_PLACE_MAX - 16) * a;
     const int at_edge = FABS(s->phi) > last || FABS(s->psi) > last ||
                         FABS(s->x) > far || FABS(s->z) > far;
     return at_edge ? COIN_ERANGE : COIN_ESTEP;
 }
 
-int32_t COIN(state_check)(const COIN(state) * s, const COIN(params) * p)
+int32_t coin_state_check(const coin_state *s, const coin_params *p)
 {
-    PRIV(body) b;
-    return PRIV(check)(s, p, &b);
+    coin_priv_body b;
+    return coin_priv_check(s, p, &b);
 }

@@ -26,7 +26,7 @@
 #if COIN_PRIV_WIDTH
 #define COIN_PRIV_VECTOR(bytes) __attribute__((vector_size(bytes)))
 typedef double coin_pair COIN_PRIV_VECTOR(16);
-typedef int64_t coin_pair_whole COIN_PRIV_VECTOR(16);
+typedef int64_t coin_pair_integer COIN_PRIV_VECTOR(16);
 COIN_PRIV_INLINE coin_pair coin_pair_of(double a, double b)
 {
     const coin_pair both = {a, b};
@@ -35,11 +35,11 @@ COIN_PRIV_INLINE coin_pair coin_pair_of(double a, double b)
 /* (-s, c): the pair (c, s) after a right angle. */
 COIN_PRIV_INLINE coin_pair coin_pair_normal(double s, double c)
 {
-    const coin_pair_whole sign = {INT64_MIN, 0};
-    return (coin_pair)((coin_pair_whole)coin_pair_of(s, c) ^ sign);
+    const coin_pair_integer sign = {INT64_MIN, 0};
+    return (coin_pair)((coin_pair_integer)coin_pair_of(s, c) ^ sign);
 }
 typedef double coin_lanes COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
-typedef int64_t coin_lanes_whole COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
+typedef int64_t coin_lanes_integer COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
 /* The lesser of two where the processor has an instruction for it. */
 #if defined(__SSE2__) && COIN_PRIV_WIDTH == 16
 #define COIN_PRIV_LESSER(a, b) __builtin_ia32_minpd(a, b)

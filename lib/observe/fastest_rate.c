@@ -2,11 +2,11 @@
 #include "../motion/equations.h"
 #include "../motion/state.h"
 
-real COIN(fastest_rate)(const COIN(state) * s, const COIN(params) * p)
+number coin_fastest_rate(const coin_state *s, const coin_params *p)
 {
-    PRIV(body) b;
-    if (PRIV(check)(s, p, &b) != COIN_OK)
+    coin_priv_body b;
+    if (coin_priv_check(s, p, &b) != COIN_OK)
         return NAN;
-    const PRIV(variables) y = PRIV(variables_of)(s);
-    return SQRT(PRIV(rate2)(b.g_a, &y));
+    const coin_priv_variables y = coin_priv_variables_of(s);
+    return SQRT(coin_priv_rate2(b.g_a, &y));
 }

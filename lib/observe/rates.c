@@ -2,20 +2,19 @@
 #include "../motion/equations.h"
 #include "../motion/state.h"
 
-int32_t COIN(rates)(const COIN(state) * s, const COIN(params) * p,
-                    COIN(state) * out)
+int32_t coin_rates(const coin_state *s, const coin_params *p, coin_state *out)
 {
-    PRIV(body) b;
-    const int32_t status = out ? PRIV(check)(s, p, &b) : COIN_EARG;
+    coin_priv_body b;
+    const int32_t status = out ? coin_priv_check(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    const PRIV(field) field = PRIV(field_of)(&b, 1);
-    const PRIV(variables) y = PRIV(variables_of)(s);
-    const PRIV(variables) d = PRIV(slopes_at)(&field, &y);
-    const PRIV(pose) v = PRIV(pose_slopes)(&field, &y);
-    real path[3];
-    PRIV(velocity_of)(path, b.a, &y);
-    const COIN(state) rates = {
+    const coin_priv_field field = coin_priv_field_of(&b, 1);
+    const coin_priv_variables y = coin_priv_variables_of(s);
+    const coin_priv_variables d = coin_priv_slopes_at(&field, &y);
+    const coin_priv_pose v = coin_priv_pose_slopes(&field, &y);
+    number path[3];
+    coin_priv_velocity_of(path, b.a, &y);
+    const coin_state rates = {
         s->wX,   v.phi, v.psi, path[0],
         path[2], d.wX,  d.wY,  d.wZ COIN_PRIV_NO_LOW,
     };

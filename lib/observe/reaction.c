@@ -3,14 +3,14 @@
 #include "../motion/equations.h"
 #include "../motion/state.h"
 
-int32_t COIN(reaction)(const COIN(state) * s, const COIN(params) * p,
-                       COIN(force) * out)
+int32_t coin_reaction(const coin_state *s, const coin_params *p,
+                      coin_force *out)
 {
-    PRIV(body) b;
-    const int32_t status = out ? PRIV(check_inline)(s, p, &b) : COIN_EARG;
+    coin_priv_body b;
+    const int32_t status = out ? coin_priv_check_inline(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    const PRIV(variables) y = PRIV(variables_inline)(s);
-    *out = PRIV(reaction)(&b, &y);
+    const coin_priv_variables y = coin_priv_variables_inline(s);
+    *out = coin_priv_reaction(&b, &y);
     return COIN_OK;
 }

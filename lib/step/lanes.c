@@ -28,7 +28,7 @@
 #undef COIN_PRIV_ABREAST
 #include "../motion/kind.h"
 
-typedef coin_lanes_whole mask;
+typedef coin_lanes_integer mask;
 
 /* A vector with x in every lane.  A difference: 0 + x would turn -0 into 0. */
 COIN_PRIV_INLINE coin_lanes all(double x)

@@ -5,9 +5,9 @@
 #include "../motion/kind.h"
 
 /* A sum and what its rounding left out. */
-typedef struct PRIV(sum) {
-    real sum, low;
-} PRIV(sum);
+typedef struct coin_priv_sum {
+    number sum, low;
+} coin_priv_sum;
 
 /* A run under way: its variables, its pose at the beginning of a block of
  * steps, and what the steps of the block have added to it.  A steady motion
@@ -18,36 +18,37 @@ typedef struct PRIV(sum) {
  * a steady motion these four change by less than their rounding.  If only one
  * of them kept what rounding leaves out, it would drift.
  *
- * All members are of type real: lanes.c reads them as an array. */
-typedef struct PRIV(progress) {
-    PRIV(variables) y;
-    PRIV(pose) added;
-    PRIV(sum) phi, psi, x, z;
-} PRIV(progress);
+ * All members are of type number: lanes.c reads them as an array. */
+typedef struct coin_priv_progress {
+    coin_priv_variables y;
+    coin_priv_pose added;
+    coin_priv_sum phi, psi, x, z;
+} coin_priv_progress;
 
 /* Adds a part, by Knuth's exact sum. */
-COIN_PRIV_INLINE_UNLESS_SMALL void PRIV(add)(PRIV(sum) * to, real part)
+COIN_PRIV_INLINE_UNLESS_SMALL void coin_priv_add(coin_priv_sum *to, number part)
 {
-    const real y = part + to->low, sum = to->sum + y;
-    const real of_y = sum - to->sum;
+    const number y = part + to->low, sum = to->sum + y;
+    const number of_y = sum - to->sum;
     to->low = (to->sum - (sum - of_y)) + (y - of_y);
     to->sum = sum;
 }
 
 /* A sum with a part that is not in it yet. */
-COIN_PRIV_INLINE real PRIV(total)(PRIV(sum) so_far, real part)
+COIN_PRIV_INLINE number coin_priv_total(coin_priv_sum so_far, number part)
 {
-    PRIV(add)(&so_far, part);
+    coin_priv_add(&so_far, part);
     return so_far.sum;
 }
 
 /* Starts a run where the variables are *y.  Number by number: the wider moves
  * that an assignment of a struct is made of would wait for each other. */
-COIN_PRIV_INLINE void PRIV(progress_begin)(PRIV(progress) * g,
-                                           const PRIV(variables) * y,
-                                           real theta, real phi, real psi)
+COIN_PRIV_INLINE void coin_priv_progress_begin(coin_priv_progress *g,
+                                               const coin_priv_variables *y,
+                                               number theta, number phi,
+                                               number psi)
 {
-    const real none = {0};
+    const number none = {0};
     g->y.wX = y->wX;
     g->y.wY = y->wY;
     g->y.wZ = y->wZ;
@@ -67,10 +68,11 @@ COIN_PRIV_INLINE void PRIV(progress_begin)(PRIV(progress) * g,
 }
 
 /* Sine and cosine of an angle that a sum holds. */
-COIN_PRIV_INLINE_UNLESS_SMALL PRIV(sc) PRIV(angle_pair)(PRIV(sum) angle)
+COIN_PRIV_INLINE_UNLESS_SMALL coin_priv_sc
+coin_priv_angle_pair(coin_priv_sum angle)
 {
-    const PRIV(sc) of = PRIV(sine_cosine)(angle.sum);
-    const PRIV(sc) r = {
+    const coin_priv_sc of = coin_priv_sine_cosine(angle.sum);
+    const coin_priv_sc r = {
         of.s + of.c * angle.low,
         of.c - of.s * angle.low,
     };
@@ -78,34 +80,34 @@ COIN_PRIV_INLINE_UNLESS_SMALL PRIV(sc) PRIV(angle_pair)(PRIV(sum) angle)
 }
 
 /* Adds to the sums what the steps of a block have added. */
-COIN_PRIV_INLINE void PRIV(add_block)(PRIV(progress) * g)
+COIN_PRIV_INLINE void coin_priv_add_block(coin_priv_progress *g)
 {
-    PRIV(pose) *const added = &g->added;
-    const real none = {0};
-    PRIV(add)(&g->phi, added->phi);
-    PRIV(add)(&g->psi, added->psi);
-    PRIV(add)(&g->x, added->x);
-    PRIV(add)(&g->z, added->z);
+    coin_priv_pose *const added = &g->added;
+    const number none = {0};
+    coin_priv_add(&g->phi, added->phi);
+    coin_priv_add(&g->psi, added->psi);
+    coin_priv_add(&g->x, added->x);
+    coin_priv_add(&g->z, added->z);
     added->phi = added->psi = added->x = added->z = none;
 }
 
 /* Ends a block, and takes the pairs anew from the angles. */
-COIN_PRIV_INLINE void PRIV(end_block)(PRIV(progress) * g)
+COIN_PRIV_INLINE void coin_priv_end_block(coin_priv_progress *g)
 {
-    PRIV(add_block)(g);
-    PRIV(variables) *const y = &g->y;
-    const PRIV(sc) at = PRIV(sine_cosine)(g->added.theta);
+    coin_priv_add_block(g);
+    coin_priv_variables *const y = &g->y;
+    const coin_priv_sc at = coin_priv_sine_cosine(g->added.theta);
     /* The rounding of theta is a part 1e-16/cos theta of cos theta: too much
      * near the table.  There the sine and cosine that the steps have turned are
      * kept, which part from theta by their own rounding.  Any limit from 2^-8
      * to 2^-5 is as good.  With 0 the rates spoil, and with 2^-3 the sines part
      * too far (test_progress). */
-    const whole near = PRIV(truth)(y->cth < K(0.0078125));
-    const PRIV(sc) th = {
-        PRIV(choose)(near, y->sth, at.s),
-        PRIV(choose)(near, y->cth, at.c),
+    const integer near = coin_priv_truth(y->cth < K(0.0078125));
+    const coin_priv_sc th = {
+        coin_priv_choose(near, y->sth, at.s),
+        coin_priv_choose(near, y->cth, at.c),
     };
-    const PRIV(sc) ph = PRIV(angle_pair)(g->phi);
+    const coin_priv_sc ph = coin_priv_angle_pair(g->phi);
     y->sth = th.s;
     y->cth = th.c;
     y->q = 1 / th.c;
@@ -115,15 +117,16 @@ COIN_PRIV_INLINE void PRIV(end_block)(PRIV(progress) * g)
 }
 
 /* The pose of a run: its angles, and x, z [L] from where it started. */
-COIN_PRIV_INLINE PRIV(pose) PRIV(pose_of)(const PRIV(progress) * g, real a)
+COIN_PRIV_INLINE coin_priv_pose coin_priv_pose_of(const coin_priv_progress *g,
+                                                  number a)
 {
-    const PRIV(pose) *const added = &g->added;
-    const PRIV(pose) r = {
+    const coin_priv_pose *const added = &g->added;
+    const coin_priv_pose r = {
         added->theta,
-        PRIV(total)(g->phi, added->phi),
-        PRIV(total)(g->psi, added->psi),
-        a * PRIV(total)(g->x, added->x),
-        a * PRIV(total)(g->z, added->z),
+        coin_priv_total(g->phi, added->phi),
+        coin_priv_total(g->psi, added->psi),
+        a * coin_priv_total(g->x, added->x),
+        a * coin_priv_total(g->z, added->z),
         added->t,
     };
     return r;
@@ -131,74 +134,77 @@ COIN_PRIV_INLINE PRIV(pose) PRIV(pose_of)(const PRIV(progress) * g, real a)
 
 /* One step from *y by a method's coefficients: where it leads, and the
  * variables there. */
-typedef void PRIV(step)(PRIV(step_end) * end, PRIV(variables) * next,
-                        const PRIV(variables) * y, const void *coefficients);
+typedef void coin_priv_step(coin_priv_step_end *end, coin_priv_variables *next,
+                            const coin_priv_variables *y,
+                            const void *coefficients);
 
 /* Whether phi, psi, x and z, as they will be reported, are in the range of
  * coin_state_check().  NaN is not. */
-COIN_PRIV_INLINE whole PRIV(pose_holds)(const PRIV(progress) * g,
-                                        const PRIV(limits) * limits,
-                                        const PRIV(pose) * added)
+COIN_PRIV_INLINE integer coin_priv_pose_holds(const coin_priv_progress *g,
+                                              const coin_priv_limits *limits,
+                                              const coin_priv_pose *added)
 {
-    const real a = limits->a, far = COIN_PRIV_PLACE_MAX * a;
-    const real phi = PRIV(total)(g->phi, added->phi);
-    const real psi = PRIV(total)(g->psi, added->psi);
-    const real x = limits->x + a * PRIV(total)(g->x, added->x);
-    const real z = limits->z + a * PRIV(total)(g->z, added->z);
-    return PRIV(truth)(PRIV(magnitude)(phi) <= COIN_PRIV_ANGLE_MAX) &
-           PRIV(truth)(PRIV(magnitude)(psi) <= COIN_PRIV_ANGLE_MAX) &
-           PRIV(truth)(PRIV(magnitude)(x) <= far) &
-           PRIV(truth)(PRIV(magnitude)(z) <= far);
+    const number a = limits->a, far = COIN_PRIV_PLACE_MAX * a;
+    const number phi = coin_priv_total(g->phi, added->phi);
+    const number psi = coin_priv_total(g->psi, added->psi);
+    const number x = limits->x + a * coin_priv_total(g->x, added->x);
+    const number z = limits->z + a * coin_priv_total(g->z, added->z);
+    return coin_priv_truth(coin_priv_magnitude(phi) <= COIN_PRIV_ANGLE_MAX) &
+           coin_priv_truth(coin_priv_magnitude(psi) <= COIN_PRIV_ANGLE_MAX) &
+           coin_priv_truth(coin_priv_magnitude(x) <= far) &
+           coin_priv_truth(coin_priv_magnitude(z) <= far);
 }
 
 /* Whether they stay in that range until a block of steps is done, of which some
  * may be done already. */
-COIN_PRIV_INLINE whole PRIV(block_holds)(const PRIV(progress) * g,
-                                         const PRIV(limits) * limits)
+COIN_PRIV_INLINE integer coin_priv_block_holds(const coin_priv_progress *g,
+                                               const coin_priv_limits *limits)
 {
     const scalar turn = COIN_PRIV_ANGLE_MAX - COIN_PRIV_BLOCK_MOVES;
     const scalar place = COIN_PRIV_PLACE_MAX - COIN_PRIV_BLOCK_MOVES;
-    const real a = limits->a, far = place * a;
-    const real x = limits->x + a * g->x.sum, z = limits->z + a * g->z.sum;
-    return PRIV(truth)(PRIV(magnitude)(g->phi.sum) <= turn) &
-           PRIV(truth)(PRIV(magnitude)(g->psi.sum) <= turn) &
-           PRIV(truth)(PRIV(magnitude)(x) <= far) &
-           PRIV(truth)(PRIV(magnitude)(z) <= far);
+    const number a = limits->a, far = place * a;
+    const number x = limits->x + a * g->x.sum, z = limits->z + a * g->z.sum;
+    return coin_priv_truth(coin_priv_magnitude(g->phi.sum) <= turn) &
+           coin_priv_truth(coin_priv_magnitude(g->psi.sum) <= turn) &
+           coin_priv_truth(coin_priv_magnitude(x) <= far) &
+           coin_priv_truth(coin_priv_magnitude(z) <= far);
 }
 
 /* Up to n more steps of a run that has done *steps, to the end of a block at
  * most.  Ends before a step that is refused, and is then as the last step left
  * it.  Returns for which coins no step was refused.  The loop calls no
  * function: each step would have to spill its registers. */
-COIN_PRIV_INLINE whole PRIV(block)(PRIV(progress) * g, PRIV(limits) * limits,
-                                   uint64_t *steps, uint64_t n,
-                                   PRIV(step) * step, const void *coefficients)
+COIN_PRIV_INLINE integer coin_priv_block(coin_priv_progress *g,
+                                         coin_priv_limits *limits,
+                                         uint64_t *steps, uint64_t n,
+                                         coin_priv_step *step,
+                                         const void *coefficients)
 {
     const uint64_t left = COIN_PRIV_BLOCK - *steps % COIN_PRIV_BLOCK;
-    const int at_edge = !PRIV(every)(PRIV(block_holds)(g, limits) != 0);
+    const int at_edge = !coin_priv_every(coin_priv_block_holds(g, limits) != 0);
     const uint64_t most = at_edge ? 1 : n < left ? n : left;
-    const whole none = {0};
-    PRIV(variables) y = g->y, next;
-    PRIV(pose) added = g->added;
-    PRIV(step_end) end;
+    const integer none = {0};
+    coin_priv_variables y = g->y, next;
+    coin_priv_pose added = g->added;
+    coin_priv_step_end end;
     uint64_t done = 0;
     for (; done < most; ++done) {
         step(&end, &next, &y, coefficients);
-        const int made = PRIV(admit_each)(limits, &end, &next);
-        const PRIV(pose) sum = PRIV(pose_plus)(&added, 1, &end.adds);
+        const int made = coin_priv_admit_each(limits, &end, &next);
+        const coin_priv_pose sum = coin_priv_pose_plus(&added, 1, &end.adds);
         if (COIN_PRIV_RARELY(!made))
             break;
         added = sum;
         y = next;
     }
-    const whole in_range =
-        at_edge ? PRIV(pose_holds)(g, limits, &added) : ~none;
-    if (!PRIV(every)(in_range != 0))
+    const integer in_range =
+        at_edge ? coin_priv_pose_holds(g, limits, &added) : ~none;
+    if (!coin_priv_every(in_range != 0))
         return in_range;
     g->y = y;
     g->added = added;
     *steps += done;
     if (done == left)
-        PRIV(end_block)(g);
-    return done < most ? PRIV(admit_step)(limits, &end, &next) : ~none;
+        coin_priv_end_block(g);
+    return done < most ? coin_priv_admit_step(limits, &end, &next) : ~none;
 }

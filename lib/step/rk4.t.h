@@ -6,18 +6,18 @@
 #include "../motion/kind.h"
 
 /* The coefficients for a step h: times h/2, h and h/6. */
-typedef struct PRIV(rk4_fields) {
-    PRIV(field) half, full, sixth;
-} PRIV(rk4_fields);
+typedef struct coin_priv_rk4_fields {
+    coin_priv_field half, full, sixth;
+} coin_priv_rk4_fields;
 
 #ifndef COIN_PRIV_ABREAST
-COIN_PRIV_INLINE PRIV(rk4_fields)
-    PRIV(rk4_fields_of)(const PRIV(body) * b, real dt)
+COIN_PRIV_INLINE coin_priv_rk4_fields
+coin_priv_rk4_fields_of(const coin_priv_body *b, number dt)
 {
-    const PRIV(rk4_fields) k = {
-        PRIV(field_of)(b, dt / 2),
-        PRIV(field_of)(b, dt),
-        PRIV(field_of)(b, dt / 6),
+    const coin_priv_rk4_fields k = {
+        coin_priv_field_of(b, dt / 2),
+        coin_priv_field_of(b, dt),
+        coin_priv_field_of(b, dt / 6),
     };
     return k;
 }
@@ -27,13 +27,12 @@ COIN_PRIV_INLINE PRIV(rk4_fields)
  * computed by a division, and the pair of the heading is turned.  As the start
  * plus a slope they would have errors of tan^2 theta z^2 and z^3/6 for a turn
  * z, and so would the path. */
-COIN_PRIV_INLINE PRIV(variables)
-    PRIV(stage)(const PRIV(variables) * y1, const PRIV(variables) * d,
-                real turn)
+COIN_PRIV_INLINE coin_priv_variables coin_priv_stage(
+    const coin_priv_variables *y1, const coin_priv_variables *d, number turn)
 {
-    const PRIV(sc) heading = {y1->sph, y1->cph};
-    const PRIV(sc) ph = PRIV(turned_a_little)(heading, turn);
-    PRIV(variables) y = PRIV(variables_plus)(y1, 1, d);
+    const coin_priv_sc heading = {y1->sph, y1->cph};
+    const coin_priv_sc ph = coin_priv_turned_a_little(heading, turn);
+    coin_priv_variables y = coin_priv_variables_plus(y1, 1, d);
     y.sph = ph.s;
     y.cph = ph.c;
     y.q = K(1) / y.cth;
@@ -46,19 +45,21 @@ COIN_PRIV_INLINE PRIV(variables)
  * The next step waits for this pair.  So it is turned in two parts.  `early` is
  * most of the turn: h wX after the first stage.  It needs nothing of the other
  * stages, and the pair can be turned by it during them. */
-COIN_PRIV_INLINE PRIV(sc)
-    PRIV(lean_after)(const PRIV(variables) * y, real early, real turn)
+COIN_PRIV_INLINE coin_priv_sc coin_priv_lean_after(const coin_priv_variables *y,
+                                                   number early, number turn)
 {
-    const PRIV(sc) lean = {y->sth, y->cth};
-    const real late = turn - early;
-    const PRIV(sc) th = PRIV(turned_a_little)(PRIV(turned)(lean, early), late);
-    const real size = PRIV(magnitude)(late);
-    if (COIN_PRIV_RARELY(!PRIV(every)(size <= K(COIN_PRIV_LITTLE_TURN)))) {
-        const whole little = PRIV(truth)(size <= K(COIN_PRIV_LITTLE_TURN));
-        const PRIV(sc) at_once = PRIV(turned)(lean, turn);
-        const PRIV(sc) either = {
-            PRIV(choose)(little, th.s, at_once.s),
-            PRIV(choose)(little, th.c, at_once.c),
+    const coin_priv_sc lean = {y->sth, y->cth};
+    const number late = turn - early;
+    const coin_priv_sc th =
+        coin_priv_turned_a_little(coin_priv_turned(lean, early), late);
+    const number size = coin_priv_magnitude(late);
+    if (COIN_PRIV_RARELY(!coin_priv_every(size <= K(COIN_PRIV_LITTLE_TURN)))) {
+        const integer little =
+            coin_priv_truth(size <= K(COIN_PRIV_LITTLE_TURN));
+        const coin_priv_sc at_once = coin_priv_turned(lean, turn);
+        const coin_priv_sc either = {
+            coin_priv_choose(little, th.s, at_once.s),
+            coin_priv_choose(little, th.c, at_once.c),
         };
         return either;
     }
@@ -70,44 +71,45 @@ COIN_PRIV_INLINE PRIV(sc)
  * The slopes are times h/2, h/2, h and h/6, so that the classical sum is
  * (d1 + 2 d2 + d3)/3 + d4, and nothing but the last addition waits for the last
  * slope. */
-COIN_PRIV_INLINE PRIV(sc)
-    PRIV(rk4_to)(PRIV(step_end) * end, const PRIV(variables) * y1,
-                 const PRIV(rk4_fields) * k)
+COIN_PRIV_INLINE coin_priv_sc coin_priv_rk4_to(coin_priv_step_end *end,
+                                               const coin_priv_variables *y1,
+                                               const coin_priv_rk4_fields *k)
 {
-    PRIV(variables) sum = PRIV(slopes_at)(&k->half, y1), d;
-    PRIV(pose) path = PRIV(pose_slopes)(&k->half, y1), v;
-    PRIV(variables) y = PRIV(stage)(y1, &sum, path.phi);
-    const real early = k->full.h * y.wX;
+    coin_priv_variables sum = coin_priv_slopes_at(&k->half, y1), d;
+    coin_priv_pose path = coin_priv_pose_slopes(&k->half, y1), v;
+    coin_priv_variables y = coin_priv_stage(y1, &sum, path.phi);
+    const number early = k->full.h * y.wX;
 
-    d = PRIV(slopes_at)(&k->half, &y);
-    v = PRIV(pose_slopes)(&k->half, &y);
-    y = PRIV(stage)(y1, &d, v.phi);
-    sum = PRIV(variables_plus)(&sum, 2, &d);
-    path = PRIV(pose_plus)(&path, 2, &v);
+    d = coin_priv_slopes_at(&k->half, &y);
+    v = coin_priv_pose_slopes(&k->half, &y);
+    y = coin_priv_stage(y1, &d, v.phi);
+    sum = coin_priv_variables_plus(&sum, 2, &d);
+    path = coin_priv_pose_plus(&path, 2, &v);
 
-    d = PRIV(slopes_at)(&k->full, &y);
-    v = PRIV(pose_slopes)(&k->full, &y);
-    y = PRIV(stage)(y1, &d, v.phi);
-    sum = PRIV(variables_plus)(&sum, 1, &d);
-    path = PRIV(pose_plus)(&path, 1, &v);
+    d = coin_priv_slopes_at(&k->full, &y);
+    v = coin_priv_pose_slopes(&k->full, &y);
+    y = coin_priv_stage(y1, &d, v.phi);
+    sum = coin_priv_variables_plus(&sum, 1, &d);
+    path = coin_priv_pose_plus(&path, 1, &v);
 
-    d = PRIV(slopes_at)(&k->sixth, &y);
-    v = PRIV(pose_slopes)(&k->sixth, &y);
-    y = PRIV(variables_plus)(y1, K(1.0 / 3), &sum);
+    d = coin_priv_slopes_at(&k->sixth, &y);
+    v = coin_priv_pose_slopes(&k->sixth, &y);
+    y = coin_priv_variables_plus(y1, K(1.0 / 3), &sum);
     end->wX = y.wX + d.wX;
     end->wY = y.wY + d.wY;
     end->wZ = y.wZ + d.wZ;
-    end->adds = PRIV(pose_plus)(&v, K(1.0 / 3), &path);
-    return PRIV(lean_after)(y1, early, end->adds.theta);
+    end->adds = coin_priv_pose_plus(&v, K(1.0 / 3), &path);
+    return coin_priv_lean_after(y1, early, end->adds.theta);
 }
 
-COIN_PRIV_INLINE void PRIV(rk4_step)(PRIV(step_end) * end,
-                                     PRIV(variables) * next,
-                                     const PRIV(variables) * y,
-                                     const void *fields)
+COIN_PRIV_INLINE void coin_priv_rk4_step(coin_priv_step_end *end,
+                                         coin_priv_variables *next,
+                                         const coin_priv_variables *y,
+                                         const void *fields)
 {
-    const PRIV(sc) heading = {y->sph, y->cph};
-    const PRIV(sc) lean =
-        PRIV(rk4_to)(end, y, (const PRIV(rk4_fields) *)fields);
-    *next = PRIV(variables_at)(end, lean, PRIV(turned)(heading, end->adds.phi));
+    const coin_priv_sc heading = {y->sph, y->cph};
+    const coin_priv_sc lean =
+        coin_priv_rk4_to(end, y, (const coin_priv_rk4_fields *)fields);
+    *next = coin_priv_variables_at(end, lean,
+                                   coin_priv_turned(heading, end->adds.phi));
 }

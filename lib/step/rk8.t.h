@@ -16,8 +16,8 @@
 #include "../motion/kind.h"
 
 #ifndef SLOPES
-#define SLOPES PRIV(slopes_at)
-#define POSE_SLOPES PRIV(pose_slopes)
+#define SLOPES coin_priv_slopes_at
+#define POSE_SLOPES coin_priv_pose_slopes
 #define EACH_POSE(F) F(theta) F(phi) F(psi)
 #define OF_THE_MOTION
 #endif
@@ -40,7 +40,7 @@ typedef coin_pair lane;
 #endif
 #endif
 #else
-typedef real lane;
+typedef number lane;
 #define AT(row, k) (row).v[k]
 #define EACH(F) F(0) F(1) F(2) F(3) F(4) F(5) F(6) F(7)
 #endif
@@ -63,7 +63,7 @@ struct row {
 #define OLD(i, m) PAIR(y.w[(m) / 2], (m) % 2 * 2)
 #else
 struct row {
-    lane v[8 * sizeof(real) / sizeof(lane)];
+    lane v[8 * sizeof(number) / sizeof(lane)];
 };
 #define PART(d, m) (d).v[m]
 #define WIDEN(r) (void)0
@@ -72,7 +72,7 @@ struct row {
 #endif
 
 /* The order was found by measurement: the members needed first come first. */
-COIN_PRIV_INLINE struct row row_of(const PRIV(variables) * s)
+COIN_PRIV_INLINE struct row row_of(const coin_priv_variables *s)
 {
     struct row r;
     AT(r, 0) = s->wX;
@@ -87,9 +87,9 @@ COIN_PRIV_INLINE struct row row_of(const PRIV(variables) * s)
     return r;
 }
 
-COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
+COIN_PRIV_INLINE coin_priv_variables variables_of_row(const struct row *r)
 {
-    const PRIV(variables) s = {
+    const coin_priv_variables s = {
         AT(*r, 0),
         AT(*r, 5),
         AT(*r, 1),
@@ -177,11 +177,11 @@ COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
 #define STAGE(i, j)                                                            \
     EACH(ROW##i)                                                               \
     SUM_OLD(j);                                                                \
-    const PRIV(variables) s##i = variables_of_row(&y),                         \
-                          k##i = SLOPES(f, &s##i);                             \
+    const coin_priv_variables s##i = variables_of_row(&y),                     \
+                              k##i = SLOPES(f, &s##i);                         \
     const struct row d##i = row_of(&k##i);                                     \
-    least_cth = PRIV(lesser)(least_cth, s##i.cth)
-#define PATH(i) const PRIV(pose) v##i = POSE_SLOPES(f, &s##i)
+    least_cth = coin_priv_lesser(least_cth, s##i.cth)
+#define PATH(i) const coin_priv_pose v##i = POSE_SLOPES(f, &s##i)
 
 #ifdef ERROR_TO
 #define SUM_E5(m)                                                              \
@@ -197,14 +197,14 @@ COIN_PRIV_INLINE PRIV(variables) variables_of_row(const struct row *r)
  * of its own slopes, and *adds to what the step adds to the pose.  Returns the
  * least cos theta of the stages.  In each row the newest slope is added last,
  * so that the sum of the others does not wait for it. */
-COIN_PRIV_INLINE real rk8_sums(PRIV(variables) * end, PRIV(pose) * adds,
-                               const PRIV(variables) * y1,
-                               const PRIV(field) * f)
+COIN_PRIV_INLINE number rk8_sums(coin_priv_variables *end, coin_priv_pose *adds,
+                                 const coin_priv_variables *y1,
+                                 const coin_priv_field *f)
 {
-    const PRIV(variables) s1 = *y1, k1 = FIRST_SLOPES(f, &s1);
+    const coin_priv_variables s1 = *y1, k1 = FIRST_SLOPES(f, &s1);
     const struct row y0 = row_of(&s1), d1 = row_of(&k1);
     struct row y;
-    real least_cth = s1.cth;
+    number least_cth = s1.cth;
     PATH(1);
     STAGE(2, 3);
     STAGE(3, 4);
@@ -229,8 +229,8 @@ COIN_PRIV_INLINE real rk8_sums(PRIV(variables) * end, PRIV(pose) * adds,
     struct row e5, e3;
     EACH(SUM_E5)
     EACH(SUM_E3)
-    const PRIV(variables) by5 = variables_of_row(&e5);
-    const PRIV(variables) by3 = variables_of_row(&e3);
+    const coin_priv_variables by5 = variables_of_row(&e5);
+    const coin_priv_variables by3 = variables_of_row(&e3);
     ERROR_TO(f, &by5, &by3);
 #endif
     EACH_POSE(SUM_POSE)
@@ -240,16 +240,16 @@ COIN_PRIV_INLINE real rk8_sums(PRIV(variables) * end, PRIV(pose) * adds,
 }
 
 #ifdef OF_THE_MOTION
-COIN_PRIV_INLINE void PRIV(rk8_step)(PRIV(step_end) * end,
-                                     PRIV(variables) * next,
-                                     const PRIV(variables) * y,
-                                     const void *field)
+COIN_PRIV_INLINE void coin_priv_rk8_step(coin_priv_step_end *end,
+                                         coin_priv_variables *next,
+                                         const coin_priv_variables *y,
+                                         const void *field)
 {
-    PRIV(variables) sums;
-    rk8_sums(&sums, &end->adds, y, (const PRIV(field) *)field);
+    coin_priv_variables sums;
+    rk8_sums(&sums, &end->adds, y, (const coin_priv_field *)field);
     end->wX = sums.wX;
     end->wY = sums.wY;
     end->wZ = sums.wZ;
-    *next = PRIV(variables_after)(y, end);
+    *next = coin_priv_variables_after(y, end);
 }
 #endif

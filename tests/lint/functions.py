@@ -14,6 +14,5 @@ def functions(text):
         while first > 0 and re.match(r"\w| +[^ *]", lines[first - 1]):
             first -= 1
         head = " ".join(lines[first:open_at])
-        name = re.search(r"(?:PRIV|COIN)\((\w+)\)\s*\(|(?!PRIV|COIN\()"
-                         r"\b(\w+|operator\W+?)\s*\(", head)
-        yield name[1] or name[2], first + 1, lines.index("}", open_at) + 1
+        name = re.search(r"\b(\w+|operator\W+?)\s*\(", head)
+        yield name[1], first + 1, lines.index("}", open_at) + 1

@@ -1,0 +1,47 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The lists by which floats and vectors get names of their own are complete,
+and hold no name that is not used.
+
+    names.py SRC CC
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+
+def listed(file):
+    """The names that a list renames, as they are after that."""
+    text = file.read_text()
+    pairs = re.findall(r"^#define (coin_\w+) (?:(coinf_\w+)|COIN_PRIV_NAME)",
+                       text, re.M)
+    return {new or old.replace("coin_priv_", "") for old, new in pairs}
+
+
+def words(src, compiler, pattern):
+    """The identifiers that the compiler sees in files of lib/."""
+    found = set()
+    for file in sorted(src.glob(pattern)):
+        text = subprocess.run([compiler, "-E", "-P", f"-I{src}/include", file],
+                              capture_output=True, text=True, check=True).stdout
+        found |= set(re.findall(r"\w+", text))
+    return found
+
+
+def main(src, compiler):
+    floats = words(src, compiler, "lib/float/*.c")
+    for name in sorted(w for w in floats if w.startswith("coin_priv_")):
+        yield f"lib/float/floats.h lacks {name}"
+    for name in sorted(listed(src / "lib/float/floats.h") - floats):
+        yield f"lib/float/floats.h: no float uses {name}"
+    vectors = words(src, compiler, "lib/step/lanes.c")
+    for name in sorted(listed(src / "lib/motion/vector_names.h")):
+        if not {f"coin_lanes_{name}", f"coin_pair_{name}"} & vectors:
+            yield f"lib/motion/vector_names.h: no vector uses {name}"
+
+
+if __name__ == "__main__":
+    errors = list(main(pathlib.Path(sys.argv[1]), sys.argv[2]))
+    print(*errors, sep="\n", end="\n" if errors else "")
+    sys.exit(bool(errors))
