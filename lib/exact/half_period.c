@@ -202,7 +202,7 @@ static int add_next_piece(coin_priv_half_period *h, int from, double side)
                      center = end + side * (back > 0 ? back : step);
         step = fabs(center - end);
         /* Gives up if rounding keeps the step from getting shorter. */
-        if ((back > 0 && !(step < before)) ||
+        if (((back > 0) & !(step < before)) |
             !begin_at(h, &h->now, between, center - end))
             return 0;
         back = reach_about(h, &h->now);

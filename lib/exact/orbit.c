@@ -225,9 +225,9 @@ static void set_path(const coin_priv_half_period *h, double a, double half)
     const double z = dz * ph.c + dx * ph.s, x = dx * ph.c - dz * ph.s;
     const double b = 2 * COIN_PRIV_HALF_PI * (turn[0] + (turn[1] + turn[2]));
     const coin_priv_sc by = coin_priv_sincos(b);
-    const double L = 2 * (x * by.c - z * by.s); /* (58) */
+    const double L = 2 * (x * by.c - z * by.s); /* from (58) */
     const int straight = fabs(b) < STRAIGHT / COIN_PRIV_ANGLE_MAX;
-    f[COIN_PRIV_SWING] = straight ? 0 : L / by.s; /* (58) */
+    f[COIN_PRIV_SWING] = straight ? 0 : L / by.s; /* from (58) */
     f[COIN_PRIV_DRIFT] = straight ? L : 0;
     if (fabs(b) < STRAIGHT) {
         o->center[0] = o->center[1] = (double)NAN;
@@ -236,7 +236,7 @@ static void set_path(const coin_priv_half_period *h, double a, double half)
         o->drift[1] = -L * sA;
         return;
     }
-    const double center = z - x * by.c / by.s; /* (58) */
+    const double center = z - x * by.c / by.s; /* from (58) */
     set_annulus(h, center, half);
     o->radius_min *= a;
     o->radius_max *= a;
@@ -296,7 +296,7 @@ static double conditioning_of(const coin_priv_half_period *h, double half)
     const coin_priv_variables B =
         variables_at(o, last, half - o->private_centers[last]);
     const double w2 = b->XJ * A.wY * A.wY + b->KJ * A.wZ * A.wZ +
-                      2 * b->GJ * A.cth; /* (23) */
+                      2 * b->GJ * A.cth; /* from (23) */
     const double at_A = fabs(acceleration(h, &A));
     const double at_B = fabs(acceleration(h, &B));
     const double s = coin_priv_lesser(coin_priv_larger(at_A, at_B), w2);
@@ -336,7 +336,7 @@ static int is_steady(const coin_priv_half_period *h)
     const double L = coin_priv_fall_slope(&h->b, &y);
     const double dwX = acceleration(h, &y), wX = y.wX;
     const double terms = h->b.GJ * fabs(y.sth) + h->b.KJ * fabs(y.wY * y.wZ) +
-                         h->b.XJ * y.wY * y.wY * fabs(y.tth); /* (14) */
+                         h->b.XJ * y.wY * y.wY * fabs(y.tth); /* from (14) */
     const double least = L < 0 && -L > terms ? -L : terms;
     const double rate = coin_priv_larger(sqrt(fabs(L)), RATE_MIN * sqrt(least));
     const double swing = fabs(wX) * rate + fabs(dwX);
@@ -355,7 +355,8 @@ static void set_steady(const coin_priv_half_period *h, const coin_state *s,
     const double heading = ELEMENT(p[1].row[0], 1) * h->rate;
     const double roll = ELEMENT(p[1].row[1], 0) * h->rate;
     const int drifts = s->wZ != 0 && fabs(heading) <= STRAIGHT * fabs(s->wZ);
-    const double R = s->wZ == 0 || drifts ? 0 : a * s->wZ / heading; /* (43) */
+    const double R =
+        s->wZ == 0 || drifts ? 0 : a * s->wZ / heading; /* from (43) */
     const coin_priv_sc ph = coin_priv_sincos(s->phi);
     coin_orbit *o = h->o;
     const double start[] = {s->theta, s->phi, s->psi, s->z, s->x, s->wY, s->wZ};

@@ -103,12 +103,12 @@ COIN_PRIV_INLINE coin_priv_pair coin_priv_row_at(const double *row, double t)
     return coin_priv_pair_make(E + t * O, O + 2 * (t * (dE + t * dO)));
 }
 
-/* Sets wY and wZ from the rates of heading and roll; (18) and (19). */
+/* Solves (18) and (19) for wY and wZ. */
 COIN_PRIV_INLINE void coin_priv_spin_rates(double *wY, double *wZ, double dphi,
                                            double dpsi, coin_priv_sc th)
 {
-    *wY = dphi * th.c;        /* (18) */
-    *wZ = dpsi - dphi * th.s; /* (19) */
+    *wY = dphi * th.c;        /* from (18) */
+    *wZ = dpsi - dphi * th.s; /* from (19) */
 }
 
 /* The index of the piece that is the rank-th in time.  Pieces are stored in

@@ -10,19 +10,11 @@
 int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
                                coin_priv_body *b, coin_priv_sc *th);
 
-/* lambda^2 of a steady motion that coin_priv_check_steady() has passed. */
-double coin_priv_stability(const coin_state *s, const coin_priv_body *b,
-                           const coin_priv_sc *th);
-
 /* The constant rates of a steady motion: d(phi)/dt, d(psi)/dt, and the centre's
  * speed along its path. */
 typedef struct coin_priv_steady {
     double heading, roll, speed;
 } coin_priv_steady;
-
-coin_priv_steady coin_priv_steady_rates(const coin_state *s,
-                                        const coin_priv_body *b,
-                                        const coin_priv_sc *th);
 
 /* Moves a steady state by any time; it may leave its range. */
 void coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,

@@ -3,15 +3,12 @@
 
 #include "steady.h"
 
-coin_priv_steady coin_priv_steady_rates(const coin_state *s,
-                                        const coin_priv_body *b,
-                                        const coin_priv_sc *th)
+static coin_priv_steady rates_of(const coin_state *s, const coin_priv_body *b)
 {
-    const coin_priv_steady rates = {
-        s->wY / th->c,                   /* (18) */
-        s->wZ + s->wY * (th->s / th->c), /* (19) */
-        b->a * s->wZ,
-    };
+    const coin_priv_variables y = coin_priv_variables_of(s);
+    const coin_priv_field f = coin_priv_field_of(b, 1);
+    const coin_priv_pose v = coin_priv_pose_slopes(&f, &y);
+    const coin_priv_steady rates = {v.phi, v.psi, b->a * s->wZ};
     return rates;
 }
 
@@ -45,7 +42,7 @@ int32_t coin_steady_at(const coin_state *s, const coin_params *p, double t,
         status = coin_priv_time_holds(t, &b) ? status : COIN_ESTEP;
     if (status != COIN_OK)
         return status;
-    const coin_priv_steady rates = coin_priv_steady_rates(s, &b, &th);
+    const coin_priv_steady rates = rates_of(s, &b);
     coin_state at = *s;
     coin_priv_steady_move(&at, &rates, t);
     if (!coin_priv_state_holds(&at, &b))

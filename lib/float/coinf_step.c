@@ -2,9 +2,9 @@
 #include "step.h"
 
 int coinf_priv_finish_step(coinf_state *s, coinf_state *next,
-                           const coinf_priv_plan *plan)
+                           const coinf_priv_stepper *stepper)
 {
-    if (!coinf_priv_holds(next, plan))
+    if (!coinf_priv_holds(next, stepper))
         return 0;
     if (fabsf(next->phi) > 2 * COIN_PRIV_HALF_PI)
         coinf_priv_reduce(&next->phi, &next->low[1]);
@@ -26,8 +26,8 @@ static float balance(const coin_priv_field *f, const coin_priv_body *b, float g)
            (coinf_priv_residue(f->GJ, ratio) + f->GJ * ratio_low);
 }
 
-int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
-                           const coinf_params *p, int32_t method, float dt)
+int32_t coinf_priv_stepper_of(coinf_priv_stepper *stepper, const coinf_state *s,
+                              const coinf_params *p, int32_t method, float dt)
 {
     coin_priv_body b;
     const int32_t status = coin_priv_method_is_known(method)
@@ -38,39 +38,40 @@ int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
     if (!coin_priv_time_holds(dt, &b))
         return COIN_ESTEP;
     const coin_priv_limits limits = coin_priv_limits_of(&b, method, dt);
-    plan->f = coin_priv_field_of(&b, dt);
-    plan->a = b.a;
-    plan->g_a = b.g_a;
-    plan->w2_max = b.w2_max;
-    plan->most2 = limits.most2;
-    plan->coarse2 = limits.coarse2;
-    plan->KJ_low = balance(&plan->f, &b, p->gravity);
+    stepper->f = coin_priv_field_of(&b, dt);
+    stepper->a = b.a;
+    stepper->g_a = b.g_a;
+    stepper->w2_max = b.w2_max;
+    stepper->most2 = limits.most2;
+    stepper->coarse2 = limits.coarse2;
+    stepper->KJ_low = balance(&stepper->f, &b, p->gravity);
     return COIN_OK;
 }
 
 /* The cos theta of the stages is not checked: where that of one is near 0 or
  * below it, the W of the last stage is above the limit. */
 int coinf_priv_step_from(coinf_state *s, int32_t *warnings,
-                         const coinf_priv_plan *plan,
+                         const coinf_priv_stepper *stepper,
                          const coin_priv_variables *y)
 {
     coinf_priv_slope first, rest;
     coin_priv_variables last;
-    coinf_priv_slopes(&first, &rest, &last, plan, y, coinf_priv_slope_at);
-    if (!coinf_priv_admit_rate(warnings, plan, &last))
+    coinf_priv_slopes(&first, &rest, &last, stepper, y, coinf_priv_slope_at);
+    if (!coinf_priv_admit_rate(warnings, stepper, &last))
         return 0;
     coinf_state next = *s;
     coinf_priv_add_change(&next, &first, &rest);
-    return coinf_priv_finish_step(s, &next, plan);
+    return coinf_priv_finish_step(s, &next, stepper);
 }
 
 int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt)
 {
-    coinf_priv_plan plan;
+    coinf_priv_stepper stepper;
     int32_t warnings = COIN_OK;
-    const int32_t status = coinf_priv_plan_of(&plan, s, p, COIN_RK4, dt);
+    const int32_t status = coinf_priv_stepper_of(&stepper, s, p, COIN_RK4, dt);
     if (status != COIN_OK || dt == 0)
         return status;
-    return coin_priv_step(s, &warnings, &plan) ? warnings
-                                               : coin_priv_refusal(s, plan.a);
+    return coin_priv_step(s, &warnings, &stepper)
+               ? warnings
+               : coin_priv_refusal(s, stepper.a);
 }

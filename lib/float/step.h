@@ -19,12 +19,12 @@
 
 /* What the steps of a run share: the equations of motion times dt, and the
  * limits on W^2, Eq. (47), where a step begins and ends. */
-typedef struct coinf_priv_plan {
+typedef struct coinf_priv_stepper {
     coin_priv_field f;
     float KJ_low; /* (KJ + KJ_low)/GJ is K/(M g a), in twice a float's digits */
     float a, g_a, w2_max;
     float coarse2, most2; /* coarse2 <= most2 */
-} coinf_priv_plan;
+} coinf_priv_stepper;
 
 /* ------------------------------------------------------ compensated sums -- */
 
@@ -41,7 +41,7 @@ COIN_PRIV_INLINE void coinf_priv_add_parts(float *sum, float *low, float part,
 
 /* A float as two of 12 bits. */
 typedef struct coinf_priv_halves {
-    float high, low;
+    float upper, lower;
 } coinf_priv_halves;
 
 COIN_PRIV_INLINE coinf_priv_halves coinf_priv_halves_of(float a)
@@ -56,8 +56,8 @@ COIN_PRIV_NOINLINE float coinf_priv_residue(float a, float b)
 {
     const coinf_priv_halves x = coinf_priv_halves_of(a),
                             y = coinf_priv_halves_of(b);
-    const float off = x.high * y.high - a * b;
-    return ((off + x.high * y.low) + x.low * y.high) + x.low * y.low;
+    const float off = x.upper * y.upper - a * b;
+    return ((off + x.upper * y.lower) + x.lower * y.upper) + x.lower * y.lower;
 }
 
 /* ---------------------------------------------------------------- angles -- */
@@ -66,8 +66,8 @@ COIN_PRIV_NOINLINE float coinf_priv_residue(float a, float b)
 COIN_PRIV_NOINLINE coin_priv_sc coinf_priv_sine_cosine_with_low(float angle,
                                                                 float low)
 {
-    const coin_priv_sc of = coin_priv_sine_cosine(angle);
-    const coin_priv_sc pair = {of.s + of.c * low, of.c - of.s * low};
+    const coin_priv_sc near = coin_priv_sine_cosine(angle);
+    const coin_priv_sc pair = {near.s + near.c * low, near.c - near.s * low};
     return pair;
 }
 
@@ -111,33 +111,28 @@ typedef struct coinf_priv_slope {
 } coinf_priv_slope;
 
 /* What KJ_low adds to h d(wX)/dt of (14), in KJ wZ wY. */
-COIN_PRIV_INLINE float coinf_priv_fall_low(const coinf_priv_plan *plan,
+COIN_PRIV_INLINE float coinf_priv_fall_low(const coinf_priv_stepper *stepper,
                                            const coin_priv_variables *y)
 {
-    return -(plan->KJ_low * y->wZ * y->wY);
+    return -(stepper->KJ_low * y->wZ * y->wY);
 }
 
 /* The slope at a stage.  psi' is computed as wZ + phi' sin theta, so that the
  * remainder of phi' gives that of psi'. */
-COIN_PRIV_INLINE coinf_priv_slope
-coinf_priv_slope_at(const coinf_priv_plan *plan, const coin_priv_variables *y)
+COIN_PRIV_INLINE coinf_priv_slope coinf_priv_slope_at(
+    const coinf_priv_stepper *stepper, const coin_priv_variables *y)
 {
-    const coin_priv_field *f = &plan->f;
+    const coin_priv_field *f = &stepper->f;
     const coin_priv_variables d = coin_priv_slopes_at(f, y);
     const float phi = coin_priv_pose_slopes(f, y).phi;
     float v[3];
-    coin_priv_velocity_of(v, f->h * plan->a, y);
-    const coinf_priv_slope of = {
-        f->h * y->wX,                /* (17) */
-        phi,                         /* (18) */
-        f->h * y->wZ + phi * y->sth, /* (19) */
-        v[0],
-        v[2],
-        d.wX,
-        d.wY,
-        d.wZ,
+    coin_priv_velocity_of(v, f->h * stepper->a, y);
+    const coinf_priv_slope slope = {
+        f->h * y->wX, phi,  f->h * y->wZ + phi * y->sth, /* (19) */
+        v[0],         v[2], d.wX,
+        d.wY,         d.wZ,
     };
-    return of;
+    return slope;
 }
 
 /* A stage: the start plus a part w of a slope.  It is the textbook's stage: the
@@ -145,42 +140,44 @@ coinf_priv_slope_at(const coinf_priv_plan *plan, const coin_priv_variables *y)
  * by a division.  As the start plus a part of a slope, pairs have errors of
  * z^2/2 for a turn z, and 1/cos theta of tan^2 theta z^2. */
 COIN_PRIV_INLINE coin_priv_variables coinf_priv_stage_along(
-    const coin_priv_variables *y1, float w, const coinf_priv_slope *of)
+    const coin_priv_variables *y1, float w, const coinf_priv_slope *slope)
 {
     const coin_priv_sc lean = {y1->sth, y1->cth}, heading = {y1->sph, y1->cph};
-    const coin_priv_sc th = coin_priv_turned_a_little(lean, w * of->theta);
-    const coin_priv_sc ph = coin_priv_turned_a_little(heading, w * of->phi);
-    return coinf_priv_variables_from(y1->wX + w * of->wX, y1->wY + w * of->wY,
-                                     y1->wZ + w * of->wZ, th, ph);
+    const coin_priv_sc th = coin_priv_turned_a_little(lean, w * slope->theta);
+    const coin_priv_sc ph = coin_priv_turned_a_little(heading, w * slope->phi);
+    return coinf_priv_variables_from(y1->wX + w * slope->wX,
+                                     y1->wY + w * slope->wY,
+                                     y1->wZ + w * slope->wZ, th, ph);
 }
 
 /* rest + w (of - first). */
 COIN_PRIV_INLINE void coinf_priv_gather(coinf_priv_slope *rest, float w,
-                                        const coinf_priv_slope *of,
+                                        const coinf_priv_slope *slope,
                                         const coinf_priv_slope *first)
 {
-    rest->theta += w * (of->theta - first->theta);
-    rest->phi += w * (of->phi - first->phi);
-    rest->psi += w * (of->psi - first->psi);
-    rest->x += w * (of->x - first->x);
-    rest->z += w * (of->z - first->z);
-    rest->wX += w * (of->wX - first->wX);
-    rest->wY += w * (of->wY - first->wY);
-    rest->wZ += w * (of->wZ - first->wZ);
+    rest->theta += w * (slope->theta - first->theta);
+    rest->phi += w * (slope->phi - first->phi);
+    rest->psi += w * (slope->psi - first->psi);
+    rest->x += w * (slope->x - first->x);
+    rest->z += w * (slope->z - first->z);
+    rest->wX += w * (slope->wX - first->wX);
+    rest->wY += w * (slope->wY - first->wY);
+    rest->wZ += w * (slope->wZ - first->wZ);
 }
 
 /* What the rounding of the first slope left out.  It is computed only for those
  * parts that are the same in each step of a steady motion: their errors would
  * add up. */
-COIN_PRIV_INLINE coinf_priv_slope
-coinf_priv_left_out(const coinf_priv_slope *first, const coinf_priv_plan *plan,
-                    const coin_priv_variables *y)
+COIN_PRIV_INLINE coinf_priv_slope coinf_priv_left_out(
+    const coinf_priv_slope *first, const coinf_priv_stepper *stepper,
+    const coin_priv_variables *y)
 {
-    const float h = plan->f.h, cth = y->cth;
+    const float h = stepper->f.h, cth = y->cth;
     const float off =
         coinf_priv_residue(h, y->wY) - coinf_priv_residue(first->phi, cth);
-    const float phi = y->q * ((h * y->wY - first->phi * cth) + off); /* (18) */
-    const float fall = coinf_priv_fall_low(plan, y);
+    const float phi =
+        y->q * ((h * y->wY - first->phi * cth) + off); /* from (18) */
+    const float fall = coinf_priv_fall_low(stepper, y);
     const coinf_priv_slope low = {
         0, phi, phi * y->sth, 0, 0, fall, 0, 0,
     };
@@ -189,7 +186,7 @@ coinf_priv_left_out(const coinf_priv_slope *first, const coinf_priv_plan *plan,
 
 /* A function for the slope at a stage. */
 typedef coinf_priv_slope coinf_priv_slope_function(
-    const coinf_priv_plan *plan, const coin_priv_variables *y);
+    const coinf_priv_stepper *stepper, const coin_priv_variables *y);
 
 /* The classical Runge-Kutta step, as the first slope f1 and the rest of the
  * change, ((f2 - f1) + (f3 - f1))/3 + (f4 - f1)/6.  The rounded weights then
@@ -199,18 +196,18 @@ typedef coinf_priv_slope coinf_priv_slope_function(
 COIN_PRIV_INLINE void coinf_priv_slopes(coinf_priv_slope *first,
                                         coinf_priv_slope *rest,
                                         coin_priv_variables *last,
-                                        const coinf_priv_plan *plan,
+                                        const coinf_priv_stepper *stepper,
                                         const coin_priv_variables *y1,
                                         coinf_priv_slope_function *slope_at)
 {
     static const float reach[] = {0.5f, 0.5f, 1};
     static const float weight[] = {1.0f / 3, 1.0f / 3, 1.0f / 6};
-    coinf_priv_slope of = *first = slope_at(plan, y1);
-    *rest = coinf_priv_left_out(first, plan, y1);
+    coinf_priv_slope slope = *first = slope_at(stepper, y1);
+    *rest = coinf_priv_left_out(first, stepper, y1);
     for (int i = 0; i < 3; ++i) {
-        *last = coinf_priv_stage_along(y1, reach[i], &of);
-        of = slope_at(plan, last);
-        coinf_priv_gather(rest, weight[i], &of, first);
+        *last = coinf_priv_stage_along(y1, reach[i], &slope);
+        slope = slope_at(stepper, last);
+        coinf_priv_gather(rest, weight[i], &slope, first);
     }
 }
 
@@ -232,56 +229,57 @@ COIN_PRIV_INLINE void coinf_priv_add_change(coinf_state *s,
 /* Whether a step may end here; not if a number is NaN.  Whole turns have not
  * been subtracted yet. */
 COIN_PRIV_INLINE int coinf_priv_holds(const coinf_state *s,
-                                      const coinf_priv_plan *plan)
+                                      const coinf_priv_stepper *stepper)
 {
     const float wX = s->wX, wY = s->wY, wZ = s->wZ;
-    const float far = COIN_PRIV_PLACE_MAX * plan->a;
-    return fabsf(s->theta) < COIN_PRIV_HALF_PI &&
-           fabsf(s->phi) <= COIN_PRIV_ANGLE_MAX + 16 &&
-           fabsf(s->psi) <= COIN_PRIV_ANGLE_MAX + 16 && fabsf(s->x) <= far &&
-           fabsf(s->z) <= far && wX * wX + wY * wY + wZ * wZ <= plan->most2 &&
-           wX * wX <= plan->w2_max && wY * wY <= plan->w2_max &&
-           wZ * wZ <= plan->w2_max;
+    const float far = COIN_PRIV_PLACE_MAX * stepper->a;
+    return (fabsf(s->theta) < COIN_PRIV_HALF_PI) &
+           (fabsf(s->phi) <= COIN_PRIV_ANGLE_MAX + 16) &
+           (fabsf(s->psi) <= COIN_PRIV_ANGLE_MAX + 16) & (fabsf(s->x) <= far) &
+           (fabsf(s->z) <= far) &
+           (wX * wX + wY * wY + wZ * wZ <= stepper->most2) &
+           (wX * wX <= stepper->w2_max) & (wY * wY <= stepper->w2_max) &
+           (wZ * wZ <= stepper->w2_max);
 }
 
 /* ----------------------------------------------------------------- steps -- */
 
 /* Checks everything, then computes what the steps share. */
-int32_t coinf_priv_plan_of(coinf_priv_plan *plan, const coinf_state *s,
-                           const coinf_params *p, int32_t method, float dt);
+int32_t coinf_priv_stepper_of(coinf_priv_stepper *stepper, const coinf_state *s,
+                              const coinf_params *p, int32_t method, float dt);
 
 /* Notes COIN_COARSE if W^2 is beyond coarse2.  Returns 0, a refusal, if it is
  * beyond most2 or NaN. */
 COIN_PRIV_INLINE int coinf_priv_admit_rate(int32_t *warnings,
-                                           const coinf_priv_plan *plan,
+                                           const coinf_priv_stepper *stepper,
                                            const coin_priv_variables *y)
 {
-    const float rate2 = coin_priv_rate2(plan->g_a, y);
-    if (!(rate2 <= plan->coarse2))
+    const float rate2 = coin_priv_rate2(stepper->g_a, y);
+    if (!(rate2 <= stepper->coarse2))
         *warnings = COIN_COARSE;
-    return rate2 <= plan->most2;
+    return rate2 <= stepper->most2;
 }
 
 /* One step of *s from its variables *y, the W of which is admitted.  *warnings
  * becomes COIN_COARSE if the step was coarse.  Returns 0 and leaves *s
  * untouched if the step is refused. */
 int coinf_priv_step_from(coinf_state *s, int32_t *warnings,
-                         const coinf_priv_plan *plan,
+                         const coinf_priv_stepper *stepper,
                          const coin_priv_variables *y);
 
 /* One step of *s, as coinf_priv_step_from().  Inline, since it would take 24
  * bytes of stack more as a function. */
 COIN_PRIV_INLINE int coin_priv_step(coinf_state *s, int32_t *warnings,
-                                    const coinf_priv_plan *plan)
+                                    const coinf_priv_stepper *stepper)
 {
     const coin_priv_variables y = coinf_priv_variables_with_low(s);
-    return coinf_priv_admit_rate(warnings, plan, &y) &&
-           coinf_priv_step_from(s, warnings, plan, &y);
+    return coinf_priv_admit_rate(warnings, stepper, &y) &&
+           coinf_priv_step_from(s, warnings, stepper, &y);
 }
 
 /* Ends a step.  If *next is a sound state, *s becomes *next, with heading and
  * roll brought within half a turn.  Else returns 0 and leaves *s untouched. */
 int coinf_priv_finish_step(coinf_state *s, coinf_state *next,
-                           const coinf_priv_plan *plan);
+                           const coinf_priv_stepper *stepper);
 
 #endif

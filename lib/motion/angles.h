@@ -30,7 +30,7 @@ coin_priv_sc coin_priv_sincos(number x);
 
 /* The angle in [-pi, pi] with this sine and cosine.  Pre: their norm is 1.
  * Accuracy: 2^-52 for angles up to pi/2 (test_sincos); NaN for NaN. */
-number coin_priv_angle(coin_priv_sc of);
+number coin_priv_angle(coin_priv_sc pair);
 
 /* sqrt(a^2 + b^2) without overflow or underflow on the way. */
 static inline number coin_priv_hypot(number a, number b)

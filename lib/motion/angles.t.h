@@ -65,8 +65,8 @@ COIN_PRIV_INLINE coin_priv_sc coin_priv_sine_cosine(number x)
 
 /* What turning an angle by d, |d| <= pi/2, adds to its sine and cosine, by
  * sin d = 2 sin(d/2) cos(d/2) and 1 - cos d = 2 sin(d/2)^2. */
-COIN_PRIV_INLINE_UNLESS_SMALL coin_priv_sc coin_priv_turn_adds(coin_priv_sc of,
-                                                               number d)
+COIN_PRIV_INLINE_UNLESS_SMALL coin_priv_sc
+coin_priv_turn_adds(coin_priv_sc pair, number d)
 {
     const number half = K(0.5) * d, z = half * half;
     const coin_priv_sc p = coin_priv_polynomials(z);
@@ -74,8 +74,8 @@ COIN_PRIV_INLINE_UNLESS_SMALL coin_priv_sc coin_priv_turn_adds(coin_priv_sc of,
     const number versine = K(0.5) * s2 * s2;
     const number sine = s2 + s2 * (z * z * p.c - K(0.5) * z);
     const coin_priv_sc r = {
-        of.c * sine - of.s * versine,
-        -(of.s * sine + of.c * versine),
+        pair.c * sine - pair.s * versine,
+        -(pair.s * sine + pair.c * versine),
     };
     return r;
 }
@@ -83,23 +83,23 @@ COIN_PRIV_INLINE_UNLESS_SMALL coin_priv_sc coin_priv_turn_adds(coin_priv_sc of,
 /* The sine and cosine of an angle after it is turned by d, |d| <= pi/2.
  * Accuracy: 2 u of the pair's norm for |d| <= 1/2, 3 u for |d| <= 1, 5 u up to
  * pi/2, where u is half of COIN_PRIV_EPSILON (test_angles). */
-COIN_PRIV_INLINE coin_priv_sc coin_priv_turned(coin_priv_sc of, number d)
+COIN_PRIV_INLINE coin_priv_sc coin_priv_turned(coin_priv_sc pair, number d)
 {
-    const coin_priv_sc by = coin_priv_turn_adds(of, d);
-    const coin_priv_sc r = {of.s + by.s, of.c + by.c};
+    const coin_priv_sc by = coin_priv_turn_adds(pair, d);
+    const coin_priv_sc r = {pair.s + by.s, pair.c + by.c};
     return r;
 }
 
 /* The same for |d| <= COIN_PRIV_LITTLE_TURN, in half of the time. */
-COIN_PRIV_INLINE coin_priv_sc coin_priv_turned_a_little(coin_priv_sc of,
+COIN_PRIV_INLINE coin_priv_sc coin_priv_turned_a_little(coin_priv_sc pair,
                                                         number d)
 {
     const number z = d * d;
     const number sine = d - (d * z) * (K(1.0 / 6) - z * K(1.0 / 120));
     const number versine = z * (K(0.5) - z * K(1.0 / 24));
     const coin_priv_sc r = {
-        of.s + (of.c * sine - of.s * versine),
-        of.c - (of.s * sine + of.c * versine),
+        pair.s + (pair.c * sine - pair.s * versine),
+        pair.c - (pair.s * sine + pair.c * versine),
     };
     return r;
 }

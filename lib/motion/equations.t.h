@@ -230,7 +230,7 @@ COIN_PRIV_INLINE void coin_priv_velocity_of(number v[3], number a,
     number dx, dz;
     coin_priv_path_rates(&dx, &dz, y->cth * y->wX, y->wZ, y);
     v[0] = a * dx;
-    v[1] = -a * (y->wX * y->sth); /* (20) */
+    v[1] = -a * (y->wX * y->sth); /* y = a cos theta */
     v[2] = a * dz;
 }
 

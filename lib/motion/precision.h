@@ -130,13 +130,13 @@ static inline int coinf_priv_low_holds(const float low[8])
 
 /* The coefficients of (sin(x)/x - 1)/z, z = x^2, and of (cos(x) - 1 + z/2)/z^2
  * for |x| <= pi/4: Taylor's to x^17 and x^16, whose next terms are 1e-19. */
-#define COIN_PRIV_SINE_AND_COSINE(of)                                          \
-    of(-1.0 / 6, 1.0 / 24), of(1.0 / 120, -1.0 / 720),                         \
-        of(-1.0 / 5040, 1.0 / 40320), of(1.0 / 362880, -1.0 / 3628800),        \
-        of(-1.0 / 39916800, 1.0 / 479001600),                                  \
-        of(1.0 / 6227020800.0, -1.0 / 87178291200.0),                          \
-        of(-1.0 / 1307674368000.0, 1.0 / 20922789888000.0),                    \
-        of(1.0 / 355687428096000.0, 0.0)
+#define COIN_PRIV_SINE_AND_COSINE(make)                                        \
+    make(-1.0 / 6, 1.0 / 24), make(1.0 / 120, -1.0 / 720),                     \
+        make(-1.0 / 5040, 1.0 / 40320), make(1.0 / 362880, -1.0 / 3628800),    \
+        make(-1.0 / 39916800, 1.0 / 479001600),                                \
+        make(1.0 / 6227020800.0, -1.0 / 87178291200.0),                        \
+        make(-1.0 / 1307674368000.0, 1.0 / 20922789888000.0),                  \
+        make(1.0 / 355687428096000.0, 0.0)
 #define COIN_PRIV_FIRST(sine, cosine) (sine)
 #define COIN_PRIV_SECOND(sine, cosine) (cosine)
 #define COIN_PRIV_EVALUATE(z, ...) COIN_PRIV_POLYNOMIAL(z, __VA_ARGS__)

@@ -64,7 +64,7 @@ int32_t coin_angular_velocity(const coin_state *s, number omega[3])
     number w[3];
     int good = 1;
     for (int i = 0; i < 3; ++i) {
-        w[i] = s->wX * R[i] + s->wY * R[3 + i] + s->wZ * R[6 + i]; /* (7) */
+        w[i] = s->wX * R[i] + s->wY * R[3 + i] + s->wZ * R[6 + i];
         good &= w[i] - w[i] == 0;
     }
     if (!good)
@@ -124,7 +124,7 @@ static number angle_of(number s, number c)
     return angle == -2 * COIN_PRIV_HALF_PI ? -angle : angle;
 }
 
-/* The angles of a rotation, by Eq. (30).  With C2, S2 the cosine and sine of
+/* The angles of a rotation, from Eq. (30).  With C2, S2 the cosine and sine of
  * theta/2, A is C2 + S2 times the cosine and sine of (phi - psi)/2, and B is C2
  * - S2 times those of (phi + psi)/2.  Both keep their accuracy where the coin
  * is nearly flat and phi, psi lose theirs.  NaN if q is 0 or not finite. */
@@ -134,9 +134,9 @@ static void angles_of(coin_state *s, const number q[4])
     const number Bc = q[0] - q[1], Bs = q[2] + q[3];
     const number A = coin_priv_hypot(As, Ac), B = coin_priv_hypot(Bs, Bc);
     const number sine = 2 * (q[0] * q[1] - q[2] * q[3]);
-    s->theta = angle_of(sine, A * B);                        /* (30) */
-    s->phi = angle_of(Bs * Ac + Bc * As, Bc * Ac - Bs * As); /* (30) */
-    s->psi = angle_of(Bs * Ac - Bc * As, Bc * Ac + Bs * As); /* (30) */
+    s->theta = angle_of(sine, A * B);
+    s->phi = angle_of(Bs * Ac + Bc * As, Bc * Ac - Bs * As);
+    s->psi = angle_of(Bs * Ac - Bc * As, Bc * Ac + Bs * As);
 }
 
 int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
@@ -156,9 +156,9 @@ int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
     number R[9];
     const coin_priv_variables f = coin_priv_variables_of(&made);
     coin_priv_axes(&f, R);
-    made.wX = omega[0] * R[0] + omega[1] * R[1] + omega[2] * R[2]; /* (7) */
-    made.wY = omega[0] * R[3] + omega[1] * R[4] + omega[2] * R[5]; /* (7) */
-    made.wZ = omega[0] * R[6] + omega[1] * R[7] + omega[2] * R[8]; /* (7) */
+    made.wX = omega[0] * R[0] + omega[1] * R[1] + omega[2] * R[2];
+    made.wY = omega[0] * R[3] + omega[1] * R[4] + omega[2] * R[5];
+    made.wZ = omega[0] * R[6] + omega[1] * R[7] + omega[2] * R[8];
     const int32_t status = coin_priv_check(&made, p, &b);
     if (status == COIN_OK)
         *s = made;

@@ -363,16 +363,16 @@ int coin_priv_extrapolate_within(coin_priv_run *r, double tau, double *error)
     const double unit = tau / 120;
     const lanes none = {0}, one = none + 1;
     const struct problem p = problem_of(&r->g.y, &r->b, unit);
-    struct columns of[GROUPS];
+    struct columns columns[GROUPS];
     struct variables slope = {none, none, none, none, none, none, none};
     coin_priv_variables to;
     coin_priv_pose adds;
     add_slope(&slope, &p, &p.start, &one);
-    start_columns(of, &slope);
-    all_substeps(of, &p);
-    add_totals(&to, &adds, &r->g.y, of, &r->b, unit);
+    start_columns(columns, &slope);
+    all_substeps(columns, &p);
+    add_totals(&to, &adds, &r->g.y, columns, &r->b, unit);
     const double most = *error;
-    *error = to.cth > 0 ? error_of(of) : 1;
+    *error = to.cth > 0 ? error_of(columns) : 1;
     return to.cth > 0 && *error <= most &&
            coin_priv_sundman_accept(r, &to, &adds);
 }

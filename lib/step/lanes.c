@@ -84,23 +84,23 @@ COIN_PRIV_INLINE coin_lanes member(const coin_state *const *from, int i)
  * lane a coin stands upright at rest: a step that is too long for it is too
  * long for every coin. */
 COIN_PRIV_INLINE void gather(struct group *c, coin_state *s, size_t left,
-                             const struct shared *of)
+                             const struct shared *shared)
 {
     static const coin_state standing = {0, 0, 0, 0, 0, 0, 0, 0};
     const coin_state *from[COIN_PRIV_LANES];
     c->size = 0;
     for (size_t k = 0; k < COIN_PRIV_LANES; ++k) {
-        const int runs = k < left && coin_priv_state_holds(&s[k], of->b);
+        const int runs = k < left && coin_priv_state_holds(&s[k], shared->b);
         c->coin[k] = runs ? &s[k] : NULL;
         from[k] = runs ? &s[k] : &standing;
         c->status[k] = COIN_ESTATE;
         c->size += runs;
     }
     const coin_lanes_limits limits = {
-        all(of->limits.g_a),
-        all(of->limits.coarse2),
-        all(of->limits.most2),
-        all(of->b->a),
+        all(shared->limits.g_a),
+        all(shared->limits.coarse2),
+        all(shared->limits.most2),
+        all(shared->b->a),
         member(from, X),
         member(from, Z),
         {0},
@@ -127,7 +127,7 @@ COIN_PRIV_INLINE void gather(struct group *c, coin_state *s, size_t left,
 
 /* The coin of lane k completes its run by itself, from where it is, and leaves
  * its lane empty. */
-static void leave(struct group *c, int k, const struct shared *of)
+static void leave(struct group *c, int k, const struct shared *shared)
 {
     enum { NUMBERS = sizeof(coin_priv_progress) / sizeof(double) };
     const coin_priv_variables upright = {0, 0, 0, 0, 1, 1, 0, 0, 1};
@@ -135,16 +135,17 @@ static void leave(struct group *c, int k, const struct shared *of)
     coin_state *const s = c->coin[k];
     coin_priv_run r;
     coin_priv_copy_state(&r.start, s);
-    r.b = *of->b;
-    r.limits = of->limits;
+    r.b = *shared->b;
+    r.limits = shared->limits;
     r.limits.x = s->x;
     r.limits.z = s->z;
     r.limits.coarse = c->limits.coarse[k];
-    r.dt = of->dt;
+    r.dt = shared->dt;
     r.steps = c->steps;
     for (int i = 0; i < NUMBERS; ++i)
         ((double *)&r.g)[i] = lanes[i][k];
-    c->status[k] = coin_priv_run_to_end(&r, of->method, of->steps, s, NULL);
+    c->status[k] =
+        coin_priv_run_to_end(&r, shared->method, shared->steps, s, NULL);
     coin_priv_progress_begin(&r.g, &upright, 0, 0, 0);
     for (int i = 0; i < NUMBERS; ++i)
         lanes[i][k] = ((const double *)&r.g)[i];
@@ -154,28 +155,28 @@ static void leave(struct group *c, int k, const struct shared *of)
 }
 
 /* The coins leave whose lanes are 0 in `stay`. */
-static void keep(struct group *c, mask stay, const struct shared *of)
+static void keep(struct group *c, mask stay, const struct shared *shared)
 {
     for (int k = 0; k < COIN_PRIV_LANES; ++k)
         if (c->coin[k] && !stay[k])
-            leave(c, k, of);
+            leave(c, k, shared);
 }
 
 /* Writes the states at the end.  A coin with a rate out of range, or whose lean
  * is rounded to flat, leaves instead. */
-static void store(struct group *c, const struct shared *of)
+static void store(struct group *c, const struct shared *shared)
 {
-    const coin_lanes_pose to = coin_lanes_pose_of(&c->g, all(of->b->a));
+    const coin_lanes_pose to = coin_lanes_pose_of(&c->g, all(shared->b->a));
     const coin_lanes s[8] = {
         to.theta,           to.phi,    to.psi,    c->limits.x + to.x,
         c->limits.z + to.z, c->g.y.wX, c->g.y.wY, c->g.y.wZ,
     };
     keep(c,
          (coin_lanes_magnitude(s[THETA]) < COIN_PRIV_HALF_PI) &
-             (s[WX] * s[WX] <= of->b->w2_max) &
-             (s[WY] * s[WY] <= of->b->w2_max) &
-             (s[WZ] * s[WZ] <= of->b->w2_max),
-         of);
+             (s[WX] * s[WX] <= shared->b->w2_max) &
+             (s[WY] * s[WY] <= shared->b->w2_max) &
+             (s[WZ] * s[WZ] <= shared->b->w2_max),
+         shared);
     for (int k = 0; k < COIN_PRIV_LANES; ++k)
         if (c->coin[k]) {
             for (int i = 0; i < 8; ++i)
@@ -186,44 +187,45 @@ static void store(struct group *c, const struct shared *of)
 
 /* Steps side by side until all are done, or too few coins are left.  A coin
  * leaves before a step that is refused for it. */
-COIN_PRIV_INLINE void run_group(struct group *c, const struct shared *of,
+COIN_PRIV_INLINE void run_group(struct group *c, const struct shared *shared,
                                 coin_lanes_step *step, const void *coefficients)
 {
     const mask none = {0};
-    keep(c, coin_lanes_admit_start(&c->limits, &c->g.y), of);
-    while (c->size >= ENOUGH && c->steps < of->steps)
+    keep(c, coin_lanes_admit_start(&c->limits, &c->g.y), shared);
+    while (c->size >= ENOUGH && c->steps < shared->steps)
         keep(c,
              coin_lanes_block(&c->g, &c->limits, &c->steps,
-                              of->steps - c->steps, step, coefficients),
-             of);
+                              shared->steps - c->steps, step, coefficients),
+             shared);
     if (c->size >= ENOUGH)
-        store(c, of);
+        store(c, shared);
     else
-        keep(c, none, of);
+        keep(c, none, shared);
 }
 
 /* The same by a method. */
-typedef void run_of_group(struct group *c, const struct shared *of,
+typedef void run_of_group(struct group *c, const struct shared *shared,
                           const void *coefficients);
 
-static void rk4(struct group *c, const struct shared *of, const void *fields)
+static void rk4(struct group *c, const struct shared *shared,
+                const void *fields)
 {
-    run_group(c, of, coin_lanes_rk4_step, fields);
+    run_group(c, shared, coin_lanes_rk4_step, fields);
 }
 
-static void rk8(struct group *c, const struct shared *of, const void *field)
+static void rk8(struct group *c, const struct shared *shared, const void *field)
 {
-    run_group(c, of, coin_lanes_rk8_step, field);
+    run_group(c, shared, coin_lanes_rk8_step, field);
 }
 
-static void run(coin_priv_batch *batch, const struct shared *of,
+static void run(coin_priv_batch *batch, const struct shared *shared,
                 run_of_group *by_method, const void *coefficients)
 {
     struct group c;
     for (size_t i = 0; i < batch->count; i += COIN_PRIV_LANES) {
         const size_t left = batch->count - i;
-        gather(&c, &batch->s[i], left, of);
-        by_method(&c, of, coefficients);
+        gather(&c, &batch->s[i], left, shared);
+        by_method(&c, shared, coefficients);
         for (size_t k = 0; k < COIN_PRIV_LANES && k < left; ++k)
             coin_priv_note(batch, i + k, c.status[k]);
     }
@@ -232,7 +234,7 @@ static void run(coin_priv_batch *batch, const struct shared *of,
 int coin_priv_run_abreast(coin_priv_batch *batch, const coin_priv_body *b,
                           int32_t method, double dt, uint64_t steps)
 {
-    const struct shared of = {
+    const struct shared shared = {
         b, coin_priv_limits_of(b, method, dt), dt, steps, method,
     };
     const coin_lanes_rk4_fields k = {
@@ -241,9 +243,9 @@ int coin_priv_run_abreast(coin_priv_batch *batch, const coin_priv_body *b,
         field_of(b, dt / 6),
     };
     if (method == COIN_RK4)
-        run(batch, &of, rk4, &k);
+        run(batch, &shared, rk4, &k);
     else if (method == COIN_RK8)
-        run(batch, &of, rk8, &k.full);
+        run(batch, &shared, rk8, &k.full);
     else
         return 0;
     return 1;

@@ -71,10 +71,10 @@ COIN_PRIV_INLINE void coin_priv_progress_begin(coin_priv_progress *g,
 COIN_PRIV_INLINE_UNLESS_SMALL coin_priv_sc
 coin_priv_angle_pair(coin_priv_sum angle)
 {
-    const coin_priv_sc of = coin_priv_sine_cosine(angle.sum);
+    const coin_priv_sc pair = coin_priv_sine_cosine(angle.sum);
     const coin_priv_sc r = {
-        of.s + of.c * angle.low,
-        of.c - of.s * angle.low,
+        pair.s + pair.c * angle.low,
+        pair.c - pair.s * angle.low,
     };
     return r;
 }

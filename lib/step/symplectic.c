@@ -90,7 +90,7 @@ COIN_PRIV_NOINLINE void drift(struct substep *c, const struct split *k,
                               double h)
 {
     const coin_priv_variables y0 = c->y;
-    const double turn = h * y0.wX; /* (17) */
+    const double turn = h * y0.wX; /* wX is constant */
     coin_priv_variables *const y = &c->y;
     const coin_priv_sc lean = {y0.sth, y0.cth}, heading = {y0.sph, y0.cph};
     const coin_priv_sc by = coin_priv_turn_adds(lean, turn);

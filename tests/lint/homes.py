@@ -3,9 +3,10 @@
 """Each equation has one home: one function of lib/ computes it.
 
 A statement that computes an equation of docs/physics.md ends with its number,
-/* (14) */; of a function that does nothing else, the comment above it does.  A
-function that writes an equation in another form stands below, with the test
-that holds its answers against another route.
+/* (14) */; of a function that does nothing else, the comment above it does.
+/* from (14) */ is a consequence: solved for another variable, or a part.  A
+function that writes an equation in another form stands below, with the reason
+and the test that holds its answers against another route.
 
     homes.py SRC
 """
@@ -16,26 +17,20 @@ import sys
 from functions import functions
 
 OTHER_FORMS = {
-    "equations.h drift_slopes_of": "test_drift",
-    "equations.t.h path_rates": "test_run",
-    "equations.t.h sundman_pose_slopes": "test_sundman",
-    "extrapolation.c add_slope": "test_extrapolation",
-    "orbit.c conditioning_of": "test_orbit",
-    "orbit.c is_steady": "test_orbit",
-    "orbit.c set_steady": "test_orbit",
-    "orbit.h coin_priv_spin_rates": "test_orbit_at",
-    "orbit_at.c set_place": "test_orbit_at",
-    "pose.c angles_of": "test_pose",
-    "pose.c coin_angular_velocity": "test_pose",
-    "pose.c coin_state_from_motion": "test_pose",
-    "series.c coin_priv_series_expand_path": "test_series",
-    "series.c lean_power": "test_series",
-    "stability.c coin_priv_stability": "test_stability",
-    "steady_at.c coin_priv_steady_rates": "test_steady_at",
-    "step.h coinf_priv_left_out": "test_float_run",
-    "step.h coinf_priv_slope_at": "test_float_run",
-    "symplectic.c drift": "test_symplectic",
-    "symplectic.c modified_kick": "test_symplectic",
+    "equations.h coin_priv_drift_slopes_of": ("test_drift",
+        "a drift holds wX, by which (15) is divided"),
+    "equations.t.h coin_priv_sundman_pose_slopes": ("test_sundman",
+        "the second half of (32), for the pose and the time"),
+    "extrapolation.c add_slope": ("test_extrapolation",
+        "adds (32) to a sum, in vectors, and without the pose"),
+    "series.c lean_power": ("test_series",
+        "one power of a power series of the motion"),
+    "series.c coin_priv_series_expand_path": ("test_series",
+        "the same, for the path"),
+    "step.h coinf_priv_slope_at": ("test_float_run",
+        "has the remainder of phi' give that of psi'"),
+    "symplectic.c modified_kick": ("test_symplectic",
+        "(50) has two kicks"),
 }
 
 
@@ -49,7 +44,7 @@ def tags(file):
         if above:
             yield name, int(above[1])
         for line in lines[first - 1:last]:
-            tag = re.search(r"\S.*/\*([^*]*)\*/$", line)
+            tag = re.search(r"\S.*/\*((?:(?!from)[^*])*)\*/$", line)
             for number in re.findall(r"\((\d+)\)", tag[1] if tag else ""):
                 yield name, int(number)
 
@@ -76,7 +71,7 @@ def problems(src):
     shared = set().union(*(f for f in found.values() if len(f) > 1))
     for function in sorted(set(OTHER_FORMS) - shared):
         yield f"{function}: computes no equation of another function"
-    for test in sorted(set(OTHER_FORMS.values())):
+    for test in sorted({test for test, _ in OTHER_FORMS.values()}):
         if not (src / f"tests/{test}.c").exists():
             yield f"there is no tests/{test}.c"
     print(f"{len(found)} equations, {len(OTHER_FORMS)} functions with a form of "
