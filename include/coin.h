@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file coin.h
- * librollcoin: the motion of a coin that rolls without slipping on a table.
+ * librollcoin: the motion of a coin, a disc or a ring, on a table.
  *
  * This header is the whole public API and its reference documentation.
  * Equation numbers, such as Eq. (14), are those of docs/physics.md; make
@@ -13,32 +13,23 @@
  * about the axis.  The pose is a rotation by psi about z, then by theta about
  * x, then by phi about y, all about the fixed axes of the table.
  *
- * UNITS. Angles are in radians; everything else is in any consistent set of
- * units.  Dimensions stand in brackets: [M] mass, [L] length, [T] time, [1]
- * none.  A natural unit of time is sqrt(radius/gravity): 35 ms for a US
- * quarter.
+ * UNITS. Angles are in radians, everything else in any consistent units.
+ * Dimensions stand in brackets: [M] mass, [L] length, [T] time, [1] none.  A
+ * natural unit of time is sqrt(radius/gravity): 35 ms for a US quarter.
  *
- * ARGUMENTS come in one order: the object acted on, the parameters, scalars,
- * then outputs.  Every pointer must be valid and not null, except where a
- * line says "may be null".  An output may be the same object as an input of
- * the same type.  Unless a line says otherwise, p are parameters that
- * coin_params_check() accepts, s is a state that coin_state_check() accepts,
- * l are losses that coin_losses_check() accepts, table is a table that
- * coin_table_check() accepts, b is a body that coin_move() accepts, out is the
- * result, and method is one of COIN_RK4, COIN_RK8, COIN_SYMPLECTIC2 and
- * COIN_SYMPLECTIC4.
+ * ARGUMENTS come in one order: the object acted on, the parameters p, the table
+ * or losses, scalars, outputs.  A pointer is not null unless a line says "may
+ * be null".  An output may be the same object as an input of the same type.
  *
  * STATUS. Most functions return an int32_t: 0 is COIN_OK; a positive value
- * means done; a negative value is an error.  A positive value is a set of
- * bits: warnings, or the mode of a body.  After an error every output and the
- * state are unchanged, unless the function says otherwise.  A function that
- * moves a state by many steps may stop before the end, and says where it
- * stopped.  Where several errors apply, the first of COIN_EARG, COIN_EPARAMS,
- * COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned. Functions that return a
- * double return NaN on bad input. "The usual errors" below are COIN_EARG for a
- * null pointer, COIN_EPARAMS as coin_params_check() and COIN_ESTATE as
- * coin_state_check().  A function without p does not return COIN_EPARAMS, and
- * accepts any finite x, z and angular velocity.
+ * means done, with bits that are warnings or the mode of a body; a negative
+ * value is an error, after which every output and the state are unchanged,
+ * unless the function says otherwise.  Of several errors the first of
+ * COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned.
+ * Functions that return a double return NaN on bad input.  "The usual errors"
+ * are COIN_EARG for a null pointer, COIN_EPARAMS as coin_params_check() and
+ * COIN_ESTATE as coin_state_check().  A function without p accepts any finite
+ * x, z and angular velocity.
  *
  * RANGES. What no coin and no wheel is, is refused:
  *   mass, radius, gravity      1e-15 to 1e15 each, in the units of the caller
@@ -47,11 +38,11 @@
  *   wX, wY, wZ                 up to 1e6 sqrt(g/a) each
  *   vx, vy, vz of a body       up to 1e6 sqrt(g a) each
  *   theta                      below pi/2
- *   phi, psi                   up to 2^31 rad: the rounding of a larger angle
- *                              is a visible turn
+ *   phi, psi                   up to 2^31 rad
  *   x, z; y of a body          up to 1e9 a
  *   losses, in natural units   0, or 1e-12 to 1e3 each; flat 0, or 1e-12 to
- * 1e-2 dt, t                      up to 1e15 natural units; coin_settle() and
+ *                              1e-2
+ *   dt, t                      up to 1e15 natural units; coin_settle() and
  *                              coin_move() also +infinity
  *   tol                        1e-13 to 1e-2; coin_settle() and coin_move()
  *                              from 1e-12
@@ -59,46 +50,30 @@
  * function overflows, and all bounds hold.  A state that a function returns is
  * in range: COIN_ERANGE where phi, psi, x or z would leave it.
  *
- * COST. A textbook step is a step of classical Runge-Kutta for the eight
- * variables that calls the sine of libm in every stage: 1,901 instructions,
- * some 0.12 us.  The next table has the instructions of a call, checks of the
- * arguments included, by gcc -O2 on x86-64 for a US quarter (callgrind):
- *   40-100    coin_params_ functions, coin_critical_roll(), _spin()
- *   130-190   coin_state_check(), coin_losses_check()
- *   220-310   coin_energy(), _center(), _axes(), _check()
- *   320-440   coin_reaction(), _rates(), _fastest_rate(), _velocity(),
- *             _contact(), _angular_velocity(), _quaternion(),
- *             coin_steady_roll(), _upright_spin(), _radii(), coin_stability()
- *   520-670   coin_matrix(), coin_steady_spin(), _circle(), _at()
- *   780-1,300 coin_losses_power(), _rates(), _reaction()
- *   1,200     coin_state_from_motion(); 1,600 coin_state_from_landing()
- *   380-6,800 coin_integrals(): 1,800 at a lean of 0.3, most from 0.8 on
+ * COST. In instructions, checks included, by gcc -O2 on x86-64 (make natural):
+ *   40-190     coin_params_, coin_critical_ and _check() functions
+ *   220-440    observables, coin_check(), coin_steady_roll(), _upright_spin(),
+ *              _radii(), coin_stability()
+ *   520-1,300  coin_matrix(), other coin_steady_ and coin_losses_ functions,
+ *              coin_state_from_motion()
+ *   380-6,800  coin_integrals()
+ * A textbook step, classical Runge-Kutta that computes a sine and a cosine of
+ * each angle in every stage, takes 1,496 instructions.
  *
  * PROMISES. No allocation, no global state, no output, no errno: every function
  * is reentrant and bounded in time and stack.  What moves a state gives the
  * same bits wherever doubles are those of IEEE 754 (see coin_selftest()).
- *
- * A STATE THAT IS RETURNED means to the next call what the returned status
- * says.  So many short calls move a coin as one long call does.  A call with
+ * A state that is returned means to the next call what the returned status
+ * says: many short calls move a coin as one long call does, and a call with
  * t = 0 repeats the mode (test_state_out).
- *
- * FLOATING POINT.  No function changes the rounding mode or the traps.  A call
- * raises neither division by zero nor invalid nor overflow, unless it returns
- * COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_ERANGE or NaN.  So
- * these exceptions may be trapped (test_traps, test_float_traps, make fuzz).
- * This is promised for rates, velocities and losses that are 0 or from 1e-40 to
- * 1e40 of their natural units, in which M = a = g = 1; in floats from 1e-6 to
- * 1e6.
- * coin_batch_run() does not promise it if a coin of the batch is refused.
- * Inexact and underflow may be raised.
- * clang keeps this promise only with -ffp-exception-behavior=maytrap, which the
- * Makefile passes: without it clang may evaluate an expression that a branch
- * then discards.
+ * No function changes the rounding mode or the traps.  None raises division by
+ * zero, invalid or overflow, unless it returns an error or NaN, or a coin of a
+ * batch is refused, for rates, velocities and losses that are 0 or at least
+ * 1e-40, in floats 1e-6, of their natural units (docs/embedding.md).
  *
  * ACCURACY. "u" is 2^-53 = 1.1e-16.  "8 u of the terms" bounds an error by 8 u
- * times the sum of the absolute values of the formula's terms.  The bound takes
- * the double theta as exact.  Bounds hold as long as none of the terms, and no
- * product in them, is below the normal doubles (2e-308). */
+ * times the sum of the absolute values of the formula's terms, for the double
+ * theta as it is, where no term is below the normal doubles (2e-308). */
 #ifndef ROLLCOIN_COIN_H
 #define ROLLCOIN_COIN_H
 
@@ -162,104 +137,15 @@ typedef struct coin_force {
                           if N <= 0 */
 } coin_force;
 
-/** What slows a coin and brings it to rest.  Each member but soft and flat is
- * the coefficient of one law of resistance; they add up, and 0 stands for none.
- * Each is 0, or from 1e-12 to 1e3 in natural units, in which M = a = g = 1.
- * Initialise by member names.  Eq. (64)-(69), (95). */
-typedef struct coin_losses {
-    double damping; /**< alpha: a torque alpha |d(psi)/dt| times the angular
-                         momentum; of a coin that rolls [1] */
-    double dry;     /**< contour friction: a torque against the rolling of the
-                         contact along the rim, independent of its rate
-                         [M L^2/T^2] */
-    double viscous; /**< the same, proportional to that rate [M L^2/T] */
-    double layer;   /**< the same, proportional to the power 3/2 of that rate:
-                         the boundary layer of the air [M L^2/T^(1/2)] */
-    double gap;     /**< the same, proportional to that rate over cos(theta):
-                         the air in the gap below the coin [M L^2/T] */
-    double rolling; /**< the rolling moment of physics engines: as dry, times
-                         cos(theta) [M L^2/T^2] */
-    double spin;    /**< pivoting friction: a torque proportional to the turn
-                         about the vertical [M L^2/T] */
-    double angular; /**< what engines call angular damping: the torque
-                         -angular (I_X wX, I_X wY, I_Z wZ) [1/T] */
-    double soft;    /**< the rate of roll below which dry and rolling fade
-                         [1/T].  0 stands for sqrt(g/a)/1024 */
-    double flat;    /**< a coin whose cos(theta) comes below this lies flat: 0,
-                         or 1e-12 to 1e-2.  0 stands for 1e-6 [rad] */
-    double reserved[2]; /**< must be 0 */
-} coin_losses;
-
-/** What the table does to a real coin.  Initialise by member names. */
-typedef struct coin_table {
-    double mu_static;   /**< Coulomb's friction of a contact that does not slip;
-                             >= mu_kinetic, may be +infinity [1] */
-    double mu_kinetic;  /**< and of one that slips; from 0 to the bound of
-                             Painleve, Eq. (86) [1] */
-    double restitution; /**< of an impact, 0 to 1 [1] */
-    double reserved[5]; /**< must be 0 */
-    coin_losses losses; /**< damping is 0 unless mu_static is +infinity */
-} coin_table;
-
-/** A real coin: it may slip and lift off.  y and the velocity of the centre are
- * explicit.  Whether it touches the table, rolls or slips is read off them: see
- * coin_move(). */
-typedef struct coin_body {
-    coin_state s; /**< where it is and how it turns */
-    double y;     /**< height of the centre [L] */
-    double vx;    /**< velocity of the centre [L/T] */
-    double vy;
-    double vz;
-    double reserved[4]; /**< must be 0 */
-} coin_body;
-
-/** A motion that coin_orbit_init() solves once, so that coin_orbit_at() gives
- * its state at any time.  It holds half a period of theta, in pieces that are
- * polynomials of time: 32 KiB.  It has no pointers, so that it may be copied,
- * stored, and shared between threads and processes.  Only the library that made
- * it can read it: a library of another version, or on a machine of another byte
- * order, returns COIN_EARG for it. */
-typedef struct coin_orbit {
-    double period;             /**< of theta; 0 if the motion is steady [T] */
-    double heading_per_period; /**< what phi gains in it [rad] */
-    double roll_per_period;    /**< what psi gains in it [rad] */
-    double theta_min;          /**< the turning points of the lean [rad] */
-    double theta_max;
-    double center[2];  /**< x, z of the centre of the annulus that the path
-                            of the centre of mass fills; NaN if it drifts
-                            [L] */
-    double radius_min; /**< of the annulus; NaN if it drifts [L] */
-    double radius_max;
-    double drift[2];          /**< x, z of the displacement per period, if
-                                   heading_per_period is a multiple of 2 pi to
-                                   rounding, and else 0 [L] */
-    double conditioning;      /**< how much a period amplifies rounding, >= 1:
-                                   1 + (J/2) |dT/dE| s^2/w.  Here T is the
-                                   period and w^2 = 2 E/J; s is the larger
-                                   |d(wX)/dt| of the two turning points, at
-                                   most w^2 [1] */
-    double reserved[26];      /**< 0: for members of later versions */
-    double private_frame[32]; /**< from here on for the library only */
-    double private_edges[48];
-    double private_centers[42];
-    double private_terms[3780];
-    double private_spare[156]; /**< 0 */
-} coin_orbit;
-
 /** Status: 0, or negative = error.  Numbers never change meaning. */
 enum {
     COIN_OK = 0,       /**< done */
     COIN_EPARAMS = -1, /**< parameters out of range: coin_params_check();
                             or losses or friction out of range */
     COIN_ESTATE = -2,  /**< state out of range: coin_state_check() */
-    COIN_ESTEP = -3,   /**< a step or a time that is out of range, negative
-                            where losses or slips forbid that, or too long.  A
-                            step is too long if |dt| W is beyond the method's
-                            limit, if the step would cross the table, or if it
-                            turns lean or heading by more than 1.5 rad: shorten
-                            dt, or call coin_advance().  A time is too long if
-                            the steps of one call do not suffice: call again,
-                            or ask for less */
+    COIN_ESTEP = -3,   /**< a step or a time out of range, negative where losses
+                            or slips forbid that, or too long: coin_run(); or
+                            the steps of one call do not suffice: call again */
     COIN_EARG = -4,    /**< null pointer, unknown method, branch or bit, bad
                             tolerance, mu of a check < 0 */
     COIN_EDOMAIN = -5, /**< no such steady motion; or the state is not steady;
@@ -268,33 +154,26 @@ enum {
     COIN_EBUILD = -7,  /**< this build does not give the pinned bits:
                             coin_selftest() */
     COIN_ERANGE = -9   /**< phi, psi, x or z would leave its range: subtract
-                             whole turns, or measure from another place.  Steps
-                             return it for any step that is refused within 16
-                             rad or radii of the end */
+                            whole turns, or measure from another place.  Also
+                            any step refused within 16 rad or radii of its end
+                            */
 };
 
-/** Status: positive = done, with these warning bits. */
+/** Status: positive = done, with these bits. */
 enum {
-    COIN_SLIPS = 1,      /**< N > 0 and F > mu N: a real coin slips */
-    COIN_LIFTS = 2,      /**< N <= 0: a real coin lifts off */
-    COIN_COARSE = 4,     /**< |dt| W is beyond the method's limit of full
-                              accuracy: 0.35 for COIN_RK4, 1 for COIN_RK8, 0.08
-                              and 0.16 for the symplectic methods.  W, Eq. (47),
-                              is sqrt((wX^2 + wY^2)/cos^2 theta + wZ^2 +
-                              g/(a cos theta)) */
-    COIN_NEARLY_FLAT = 8 /**< cos(theta) < 0.01 */
-};
-
-/** Status: positive, and no warning: never combined with the bits above. */
-enum {
-    COIN_RESTS = 16 /**< done: the coin lies flat */
-};
-
-/** Events that coin_move() may be ended by, besides COIN_SLIPS, COIN_LIFTS and
- * COIN_NEARLY_FLAT. */
-enum {
-    COIN_ROLLS = 32,  /**< a slip or a flight has ended, and the coin rolls */
-    COIN_TOUCHES = 64 /**< it comes down on the table */
+    COIN_SLIPS = 1,       /**< F > mu N > 0: a real coin slips */
+    COIN_LIFTS = 2,       /**< N <= 0: a real coin lifts off; of a body: it is
+                               off the table */
+    COIN_COARSE = 4,      /**< |dt| W is beyond the method's limit of full
+                               accuracy: 0.35 for COIN_RK4, 1 for COIN_RK8, 0.08
+                               and 0.16 for the symplectic methods.  W is
+                               coin_fastest_rate() */
+    COIN_NEARLY_FLAT = 8, /**< cos(theta) < 0.01 */
+    COIN_RESTS = 16,      /**< the coin lies flat and stays */
+    COIN_ROLLS = 32,      /**< event of coin_move(): a slip or a flight has
+                               ended, and the coin rolls */
+    COIN_TOUCHES = 64     /**< event of coin_move(): it comes down on the table
+                           */
 };
 
 /** Methods of integration. */
@@ -304,6 +183,127 @@ enum {
     COIN_SYMPLECTIC2 = 2, /**< kick-drift-kick with the exact drift, order 2 */
     COIN_SYMPLECTIC4 = 3  /**< Chin 4A with the exact drift, order 4 */
 };
+
+/* ------------------------------------------------------------- stepping -- */
+
+/** One step of classical Runge-Kutta, order 4: coin_run(s, p, COIN_RK4, dt, 1,
+ * null), with the same bits.  Eq. (14)-(20).
+ *
+ * A US quarter, leaning 0.3 rad, for one second:
+ * @code
+ * coin_params p;
+ * coin_state s = {0.3, 0, 0, 0, 0, 0, 5, 40};
+ * coin_params_disc(&p, 0.00567, 0.01213, 9.80665);
+ * for (int i = 0; i < 1000; ++i)
+ *     if (coin_step(&s, &p, 1e-3) < 0)
+ *         return 1;
+ * @endcode
+ * @param[in,out] s  the state
+ * @param dt         the step; < 0 runs backward [T]
+ * @return COIN_OK, COIN_COARSE, or an error as coin_run(), after which *s is
+ *         unchanged.
+ * Accuracy: that of a step of COIN_RK4 by coin_run().
+ * Cost: 1,005 instructions, where a further step of coin_run() takes 581, a
+ *         textbook step 1,901 (COST, above); at most 832 bytes of stack on a
+ *         Cortex-M4F (make firmware). */
+COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
+
+/** Moves a coin by a number of fixed steps.  A run of n steps equals n runs of
+ * one step but for rounding, so that a long run may be cut into several.
+ * @param[in,out] s   the state
+ * @param method      COIN_RK4, ...: coin_method_name()
+ * @param dt          the step; < 0 runs backward [T]
+ * @param steps       how many; 0 changes nothing
+ * @param[out] done   how many were done; may be null
+ * @return COIN_OK; COIN_COARSE: all done, but a step began or ended with
+ *         |dt| W beyond the method's limit of full accuracy; the usual errors
+ *         and COIN_EARG for an unknown method, with *done untouched;
+ *         COIN_ESTEP if dt is out of range (*done untouched), or if a step is
+ *         refused: s is then the state after the *done steps before it.
+ *         COIN_ERANGE: the same, where phi, psi, x or z is at the end of its
+ *         range.  COIN_ESTEP also where a rate ends out of range: s is
+ *         untouched and *done is 0.
+ * A step is refused if |dt| W is beyond 1.2 (COIN_SYMPLECTIC2: 1,
+ * COIN_SYMPLECTIC4: 1.4) where it begins or ends; if it would lead through the
+ * table or out of range; or if it turns lean or heading by more than 1.5 rad.
+ * The symplectic methods also refuse a coarse step whose drift is beyond the
+ * reach of Eq. (34).
+ * Accuracy: a step adds at most 0.1 (|dt| W)^5 radians and radii by COIN_RK4,
+ *         2e-4 (|dt| W)^9 by COIN_RK8, 0.6 (|dt| W)^3 by COIN_SYMPLECTIC2 and
+ *         0.04 (|dt| W)^5 by COIN_SYMPLECTIC4, and as much, relative to W, in
+ *         the rates, before the motion's own amplification, if I_X <= M a^2/2.
+ *         Rounding adds 4 u a step, 4 u/cos(theta) by the symplectic methods,
+ *         and at the end 16 u of the pose (docs/limits.md).  Each cut adds at
+ *         most 8 u/cos(theta), and 8 u of phi, psi, x and z (test_cuts).
+ * Cost: per call the checks and four sines and cosines, and these again per 64
+ *         steps; the symplectic methods take two more for each drift. */
+COIN_API int32_t coin_run(coin_state *s, const coin_params *p, int32_t method,
+                          double dt, uint64_t steps, uint64_t *done);
+
+/** A trajectory in one call: out[k] is the state after k * steps_per_sample
+ * steps, out[0] = *start.  The samples lie on one uninterrupted run: out[k]
+ * has the bits of one coin_run() from *start, however often it is sampled.
+ * @param start             where to begin; may be an element of out
+ * @param dt                the step, as coin_run() [T]
+ * @param steps_per_sample  steps between two samples
+ * @param count             how many samples out holds; 0 changes nothing
+ * @param[out] out          [count] states
+ * @param[out] done         how many samples were written; may be null
+ * @return as coin_run(); if a step is refused, out[0 .. *done-1] hold the
+ *         samples before it, and the rest are untouched.
+ * Cost: that of coin_run(); 300 instructions more for each sample. */
+COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
+                             int32_t method, double dt,
+                             uint64_t steps_per_sample, size_t count,
+                             coin_state *out, size_t *done);
+
+/** coin_run() for many coins of one body, side by side in the processor's
+ * vectors.  Each coin gets the bits that coin_run() gives it.
+ * @param[in,out] s    [count] states
+ * @param count        how many; 0 is OK
+ * @param method       any; COIN_RK4 and COIN_RK8 use vectors
+ * @param dt,steps     the step [T] and how many, as coin_run()
+ * @param[out] status  [count] what coin_run() returns for each; may be null
+ * @return COIN_EARG, COIN_EPARAMS: nothing was touched.  Else the status of the
+ *         first coin that failed, or all warnings together.  A coin that failed
+ *         is where its last good step left it, and the others go on.
+ * Cost: docs/accuracy.md.  A coin that comes near flat, or whose steps are
+ *         coarse, goes on by itself from there, at the cost of coin_run().
+ *         Coins that are alike gain most. */
+COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
+                                const coin_params *p, int32_t method, double dt,
+                                uint64_t steps, int32_t *status);
+
+/** Moves a coin by any time to a stated accuracy, however near to flat it
+ * passes.  The steps are of order 14, by extrapolation, in Sundman's time,
+ * Eq. (32), with an estimate of their error.  The last is in t, Eq. (54).
+ * @param[in,out] s  the state
+ * @param t          the time, of either sign [T]
+ * @param tol        1e-13 to 1e-2: the error that the steps may add per natural
+ *                   unit of time, in radians and radii, before the motion's
+ *                   own amplification [1]
+ * @param[out] reached  the time moved: t, if no error is returned; may be null
+ * @return COIN_OK; the usual errors; COIN_EARG also for tol out of range.
+ *         COIN_ESTEP: t is out of range, and s and *reached are untouched; or a
+ *         rate ends out of range, s is untouched and *reached is 0; or 2^20
+ *         steps were not enough, s is the state at *reached, and another call
+ *         goes on from there.  COIN_ERANGE: phi, psi, x or z would leave its
+ *         range, and s is the state at *reached.
+ *         COIN_EFLAT: the coin falls flat, nearer than 1e-30 rad.  s is then
+ *         the last state before the impact that a double can hold, and *reached
+ *         the time of the impact.  A coin at rest, as coin_settle() leaves it,
+ *         counts as fallen: for t >= 0 *reached is 0.
+ * Accuracy: within 2 tol (1 + n) after n natural units (docs/limits.md), plus
+ *         rounding, about 1e-15 per unit; a call that begins d from flat has a
+ *         relative error of u/d in cos(theta), which the double theta holds.
+ * Cost: a step costs 1.3 times one of COIN_RK8; about one step per radian that
+ *         the coin turns by, more as 1/tol^(1/14); a pass at d from flat costs
+ *         as ln(1/d) natural units.  At most 2^20 steps, some 0.2 s. */
+COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
+                              double tol, double *reached);
+
+/** A method's name, "rk4" for COIN_RK4; null if there is no such method. */
+COIN_API const char *coin_method_name(int32_t method);
 
 /* ----------------------------------------------------------- parameters -- */
 
@@ -375,150 +375,6 @@ COIN_API int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
  * Accuracy: 8 u of the terms (test_pose). */
 COIN_API int32_t coin_angular_velocity(const coin_state *s, double omega[3]);
 
-/* ------------------------------------------------------------- stepping -- */
-
-/** One classical Runge-Kutta step of order 4: coin_run(s, p, COIN_RK4, dt, 1,
- * null), with the same bits.  Eq. (14)-(20).
- *
- * A US quarter, leaning 0.3 rad, for one second:
- * @code
- * coin_params p;
- * coin_state s = {0.3, 0, 0, 0, 0, 0, 5, 40};
- * coin_params_disc(&p, 0.00567, 0.01213, 9.80665);
- * for (int i = 0; i < 1000; ++i)
- *     if (coin_step(&s, &p, 1e-3) < 0)
- *         return 1;
- * @endcode
- * @param[in,out] s  the state
- * @param dt         the step; < 0 runs backward [T]
- * @return as coin_run(): COIN_OK, COIN_COARSE, or an error, after which *s is
- *         unchanged.
- * Accuracy: that of a step of COIN_RK4 by coin_run().
- * Cost: 1,005 instructions, where a further step of coin_run() takes 581, a
- *         textbook step 1,901 (COST, above).  Most of the 432 between check
- *         the arguments and compute sines and cosines, which coin_run() does
- *         once for many steps.  It needs at most 800 bytes of stack on a
- *         Cortex-M4F (make firmware). */
-COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
-
-/** Moves a coin by a number of fixed steps.
- * @param[in,out] s   the state
- * @param method      COIN_RK4, ...: coin_method_name()
- * @param dt          the step; < 0 runs backward [T]
- * @param steps       how many; 0 changes nothing
- * @param[out] done   how many were done; may be null
- * @return COIN_OK; COIN_COARSE: all done, but a step began or ended with
- *         |dt| W beyond the method's limit of full accuracy; the usual errors
- *         and COIN_EARG for an unknown method, with *done untouched;
- *         COIN_ESTEP if dt is out of range (*done untouched), or if a step is
- *         refused: s is then the state after the *done steps before it.
- *         COIN_ERANGE: the same, where phi, psi, x or z is at the end of its
- *         range.  COIN_ESTEP also where a rate ends out of range: s is
- *         untouched and *done is 0.
- * A step is refused if |dt| W is beyond 1.2 (COIN_SYMPLECTIC2: 1,
- * COIN_SYMPLECTIC4: 1.4) where it begins or ends; if it would lead through the
- * table or out of range; or if it turns lean or heading by more than 1.5 rad.
- * The symplectic methods also refuse a coarse step if its drift is beyond the
- * reach of the series of Eq. (34).
- *
- * In a step the method integrates theta, phi and psi from their rates.
- *
- * A run of n steps equals n runs of one step but for rounding.  So a caller may
- * divide a long run into several calls, and stop between them.  Each further
- * call changes the result by at most 8 u/cos(theta) in radians, radii and
- * natural units of rate, and by 8 u of phi, psi, x and z.  This is before the
- * motion's own amplification.  It holds for steps that are not coarse, with
- * COIN_RK4 for |dt| W up to 0.2 (test_cuts).
- * coin_sample() reports states on the way and keeps the bits of one
- * uninterrupted run.
- * Accuracy: a step adds at most 0.1 (|dt| W)^5 radians and radii by COIN_RK4,
- *         2e-4 (|dt| W)^9 by COIN_RK8, 0.6 (|dt| W)^3 by COIN_SYMPLECTIC2 and
- *         0.04 (|dt| W)^5 by COIN_SYMPLECTIC4, and as much, relative to W, in
- *         the rates.  This is before the motion's own amplification, and for
- *         bodies whose mass lies within the rim: I_X <= M a^2/2.  Rounding adds
- *         4 u a step, 4 u/cos(theta) by the symplectic methods, and at the end
- *         16 u of the pose (docs/limits.md).  As a rule errors are far smaller
- *         (docs/guide.md).
- * Cost: per call the checks and four sines and cosines; per 64 steps as many
- *         sines and cosines again; the symplectic methods take two more for
- *         each drift.  A step has no loop whose length depends on data, and no
- *         branch but the check of its limits. */
-COIN_API int32_t coin_run(coin_state *s, const coin_params *p, int32_t method,
-                          double dt, uint64_t steps, uint64_t *done);
-
-/** A trajectory in one call: out[k] is the state after k * steps_per_sample
- * steps, out[0] = *start.  The samples lie on one uninterrupted run: out[k]
- * has the bits of one coin_run() from *start, however often it is sampled.
- * @param start             where to begin; may be an element of out
- * @param dt                the step, as coin_run() [T]
- * @param steps_per_sample  steps between two samples
- * @param count             how many samples out holds; 0 changes nothing
- * @param[out] out          [count] states
- * @param[out] done         how many samples were written; may be null
- * @return as coin_run(); if a step is refused, out[0 .. *done-1] hold the
- *         samples before it, and the rest are untouched.
- * Cost: that of coin_run(); 300 instructions more for each sample. */
-COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
-                             int32_t method, double dt,
-                             uint64_t steps_per_sample, size_t count,
-                             coin_state *out, size_t *done);
-
-/** coin_run() for many coins of one body, side by side in the processor's
- * vectors.  Each coin gets the bits that coin_run() gives it.
- * @param[in,out] s    [count] states
- * @param count        how many; 0 is OK
- * @param method       any; COIN_RK4 and COIN_RK8 use vectors
- * @param dt,steps     the step [T] and how many, as coin_run()
- * @param[out] status  [count] what coin_run() returns for each; may be null
- * @return COIN_EARG, COIN_EPARAMS: nothing was touched.  Else the status of the
- *         first coin that failed, or all warnings together.  A coin that failed
- *         is where its last good step left it, and the others go on.
- * Cost: docs/accuracy.md.  A coin that comes near flat, or whose steps are
- *         coarse, goes on by itself from there, at the cost of coin_run().
- *         Coins that are alike gain most. */
-COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
-                                const coin_params *p, int32_t method, double dt,
-                                uint64_t steps, int32_t *status);
-
-/** Moves a coin by any time to a stated accuracy, however near to flat it
- * passes.  The steps are of order 14, by extrapolation, in Sundman's time,
- * Eq. (32), and their length is chosen by an estimate of their error.  The last
- * step is in t, Eq. (54).
- * @param[in,out] s  the state
- * @param t          the time, of either sign [T]
- * @param tol        1e-13 to 1e-2: the error that the steps may add per natural
- *                   unit of time, in radians and radii, before the motion's
- *                   own amplification [1]
- * @param[out] reached  the time moved: t, if no error is returned; may be null
- * @return COIN_OK; the usual errors; COIN_EARG also for tol out of range.
- *         COIN_ESTEP: t is out of range, and s and *reached are untouched; or a
- *         rate ends out of range, s is untouched and *reached is 0; or 2^20
- *         steps were not enough, s is the state at *reached, and another call
- *         goes on from there.  COIN_ERANGE: phi, psi, x or z would leave its
- *         range, and s is the state at *reached.
- *         COIN_EFLAT: the coin falls flat, nearer than 1e-30 rad.  s is then
- *         the last state before the impact that a double can hold, and *reached
- *         the time of the impact.  A coin at rest, as coin_settle() leaves it,
- *         counts as fallen: for t >= 0 *reached is 0.
- * Accuracy: within 2 tol (1 + n), with n as for coin_settle() (docs/limits.md);
- *         below tol per unit for 99 of 100 random coins over 4 units, at each
- *         tolerance (docs/accuracy.md).  Rounding adds about
- *         1e-15 per unit.  Near flat the double theta cannot hold cos(theta)
- *         exactly: a call that begins at a distance d from flat has a relative
- *         error of u/d in it.  Within a call no such error arises.
- * Cost: proportional to |t|, and to 1/tol^(1/14).  A step costs 1.3 times one
- *         of COIN_RK8.  A pass at a distance d from flat adds the cost of
- *         ln(1/d) natural units.  Low bounces near flat contain many such
- *         passes.
- *         A coin that turns fast needs about one step per radian.  A call takes
- *         at most 2^20 steps, some 0.2 s: as a rule enough for 160,000 natural
- *         units at the smallest tol. */
-COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
-                              double tol, double *reached);
-
-/** A method's name, "rk4" for COIN_RK4; null if there is no such method. */
-COIN_API const char *coin_method_name(int32_t method);
-
 /* ---------------------------------------------------------- observables -- */
 
 /** The energy [M L^2/T^2], constant along every motion.  Eq. (23).
@@ -586,6 +442,18 @@ COIN_API int32_t coin_axes(const coin_state *s, double R[9]);
  * @return COIN_OK; COIN_EARG; COIN_ESTATE.  Accuracy: 4 u (test_pose). */
 COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
 
+/** The pose as one matrix, as a renderer loads it: body to table, the roll
+ * included.  Eq. (90).
+ * @param[out] m  [16] by columns, as OpenGL, Vulkan and three.js have them: the
+ *                body's three axes and its centre of mass, each with x, y, z
+ *                of the table and then 0, 0, 0, 1.  Element (row, column) is
+ *                m[4 * column + row] [1], the centre [L]
+ * @return COIN_OK; the usual errors.
+ * Accuracy: 8 u in the axes, 4 u in the centre's y; its x and z are those of
+ * the state (test_matrix). */
+COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
+                             double m[16]);
+
 /** How fast the coin turns and falls now: the W of Eq. (47),
  * sqrt((wX^2 + wY^2)/cos^2 theta + wZ^2 + gravity/(radius cos theta)).  The
  * error of a step of dt depends on |dt| W: COIN_COARSE, and the tables of
@@ -610,41 +478,6 @@ COIN_API double coin_fastest_rate(const coin_state *s, const coin_params *p);
  * Cost: 0.8 of that of coin_reaction(). */
 COIN_API int32_t coin_check(const coin_state *s, const coin_params *p,
                             int32_t method, double dt, double mu);
-
-/* ---------------------------------------------------- games and engines -- */
-
-/** The pose as one matrix, as a renderer loads it: body to table, the roll
- * included.  Eq. (90).
- * @param[out] m  [16] by columns, as OpenGL, Vulkan and three.js have them: the
- *                body's three axes and its centre of mass, each with x, y, z
- *                of the table and then 0, 0, 0, 1.  Element (row, column) is
- *                m[4 * column + row] [1], the centre [L]
- * @return COIN_OK; the usual errors.
- * Accuracy: 8 u in the axes, 4 u in the centre's y; its x and z are those of
- * the state (test_matrix). */
-COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
-                             double m[16]);
-
-/** The rolling motion of a coin that an engine has dropped on the table.  The
- * impact neither slips nor bounces, so that it keeps the angular momentum about
- * the point of contact.  Eq. (91).  A coin that rolls already stays as it is.
- * @param[out] s  the state; -pi < phi, psi <= pi
- * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
- * @param omega   [3] angular velocity in the table frame before the impact
- *                [1/T]
- * @param v       [3] velocity of the centre of mass before the impact.  It may
- *                point away from the table: the angular momentum is kept then
- *                too [L/T]
- * @param x,z     the centre of mass [L]
- * @return COIN_OK; the usual errors: COIN_ESTATE as coin_state_from_motion(),
- *         and if the rates would be out of range.
- * Accuracy: that of coin_state_from_motion() in the angles; 16 u of the terms
- *         in the rates, with the computed angles taken as exact
- *         (test_landing). */
-COIN_API int32_t coin_state_from_landing(coin_state *s, const coin_params *p,
-                                         const double q[4],
-                                         const double omega[3],
-                                         const double v[3], double x, double z);
 
 /* -------------------------------------------------------- steady motion -- */
 
@@ -744,8 +577,6 @@ COIN_API double coin_critical_roll(const coin_params *p);
  * Accuracy: 8 u (make adversary). */
 COIN_API double coin_critical_spin(const coin_params *p);
 
-/* ---------------------------------------------- motion without stepping -- */
-
 /** A steady motion at any time, in closed form: nothing is stepped.  Eq. (56).
  * @param s         a steady state.  It may violate (39) by up to 1e-9; the
  *                  effect of that on the motion is left out, and wX of *out
@@ -761,65 +592,103 @@ COIN_API double coin_critical_spin(const coin_params *p);
 COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
                                 double t, coin_state *out);
 
+/* ---------------------------------------------- motion without stepping -- */
+
+/** A motion that coin_orbit_init() has solved: half a period of theta, in
+ * polynomials of time, 32 KiB.  It has no pointers, so that it may be copied,
+ * stored and shared.  A library of another version, or on a machine of another
+ * byte order, returns COIN_EARG for it. */
+typedef struct coin_orbit {
+    double period;             /**< of theta; 0 if the motion is steady [T] */
+    double heading_per_period; /**< what phi gains in it [rad] */
+    double roll_per_period;    /**< what psi gains in it [rad] */
+    double theta_min;          /**< the turning points of the lean [rad] */
+    double theta_max;
+    double center[2];  /**< x, z of the centre of the annulus that the path
+                            of the centre of mass fills; NaN if it drifts
+                            [L] */
+    double radius_min; /**< of the annulus; NaN if it drifts [L] */
+    double radius_max;
+    double drift[2];          /**< x, z of the displacement per period, if
+                                   heading_per_period is a multiple of 2 pi to
+                                   rounding, and else 0 [L] */
+    double conditioning;      /**< how much a period amplifies rounding, >= 1:
+                                   1 + (J/2) |dT/dE| s^2/w.  Here T is the
+                                   period and w^2 = 2 E/J; s is the larger
+                                   |d(wX)/dt| of the two turning points, at
+                                   most w^2 [1] */
+    double reserved[26];      /**< 0: for members of later versions */
+    double private_frame[32]; /**< from here on for the library only */
+    double private_edges[48];
+    double private_centers[42];
+    double private_terms[3780];
+    double private_spare[156]; /**< 0 */
+} coin_orbit;
+
 /** Solves a motion for all times: half a period of theta, between its turning
  * points, by power series.  The rest follows by symmetry about the turning
  * points and by the period.  Eq. (55), (57).
  * @param[out] o  the orbit
  * @return COIN_OK; the usual errors; COIN_EDOMAIN if the motion has no
  *         well-defined period: it is an unstable steady motion that is not
- *         exactly upright; or it is so close to a separatrix that conditioning
- *         is 1e12 or more; or the pieces of an orbit do not suffice, since it
- *         comes too close to flat, or takes too long from one turning point to
- *         the next.  The latter is so next to critical motions, and for bodies
- *         whose I_Z is far below I_X.  Of random motions of rings that stay at
- *         least 1e-6 rad from flat, fewer than 1 in 100 are refused; more are
- *         refused of those that start about 1e-6 rad from flat and come as
- *         close on the other side.  All motions that come closer than 1e-9 rad
- *         are refused.
- * A stable steady motion is an orbit too, of period 0.  An unstable one is an
- * orbit only if it is exactly upright: rounding would take any other away from
- * the steady motion.
+ *         exactly upright; conditioning is 1e12 or more, next to a separatrix;
+ *         or the pieces of an orbit do not suffice, as it comes too close to
+ *         flat or takes too long between turning points (docs/limits.md).
+ * A stable steady motion is an orbit of period 0.
  * Accuracy: period, heading and roll per period to 1e-15 times conditioning,
- *         relative to the larger of them and 1, for motions that are far from
- *         steady ones (test_orbit).  Always: after a period the lean and the
- *         rates are those of *s, and heading and roll have gained what is
- *         stated, to the accuracy of coin_orbit_at() (make adversary).  The
- *         less theta swings, the less does this tell of its period: next to a
- *         steady motion 2 pi/sqrt(-lambda^2) is better, by coin_stability().
+ *         relative to the larger of them and 1, far from steady motions
+ *         (test_orbit); next to one the period is better had by
+ *         coin_stability() (docs/limits.md).
  * Cost: docs/models.md; some 46 KiB of stack. */
 COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
                                  const coin_params *p);
 
 /** The state at any time, forward or backward, without stepping.
- * @param o         as coin_orbit_init() of the same version left it: an orbit
- *                  carries a tag of its version.  Other contents do no harm,
- *                  and most are detected
+ * @param o         as coin_orbit_init() of the same version left it.  Other
+ *                  contents do no harm, and most are detected
  * @param t         the time since the state that the orbit was made from [T]
  * @param[out] out  the state
  * @return COIN_OK; COIN_EARG, also for contents that are seen not to be an
  *         orbit; COIN_ESTEP if t is 2^31 periods or more, or, of a steady
  *         motion, out of range; COIN_ERANGE if phi, psi, x or z leaves its
  *         range.
- * Accuracy: the sum of these terms.  In theta, phi and psi 1e-14 rad; 1e-15
- *         times conditioning for each period since the start; and
- *         4 u W (|t| + period), as from a rounding of t, where W is the fastest
- *         rate of the motion, Eq. (47), which is large in a pass close to flat.
- *         In x and z, in radii, (1 + radius_max/radius) times that sum, with
- *         the distance from the start for radius_max if the path drifts.  If
- *         heading_per_period is nearly a multiple of 2 pi, off by b, then the
- *         lesser of sum/b and W |t| (theta_max - theta_min) is added.  In the
- *         rates W times that sum (test_orbit_edges).  In all members 4 u of the
- *         state, amplified as the motion amplifies an error in the lean or a
- *         rate: next to an unstable steady motion the error of heading and roll
- *         may be a thousand times 1e-15 conditioning.  The orbit of a steady
- *         motion also leaves out what coin_steady_at() leaves out: in the lean
- *         16 u of the larger of |lambda^2| and the terms of (39), over
- *         |lambda^2|.  Its effect on heading and roll grows with time (make
- *         adversary).
+ * Accuracy: in theta, phi and psi 1e-14 rad + 1e-15 conditioning for each
+ *         period + 4 u W (|t| + period), W the fastest rate of the motion; in
+ *         x and z, in radii, (1 + radius_max/radius) times that; in the rates W
+ *         times that (test_orbit_edges).  docs/limits.md has the terms that
+ *         paths which hardly turn and unstable neighbours add.
  * Cost: 0.5 to 0.7 textbook steps, whatever t is (docs/models.md). */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
 
-/* ----------------------------------------------------------- real coins -- */
+/* --------------------------------------------------------------- losses -- */
+
+/** What slows a coin and brings it to rest.  Each member but soft and flat is
+ * the coefficient of one law of resistance; they add up, and 0 stands for none.
+ * Each is 0, or from 1e-12 to 1e3 in natural units, in which M = a = g = 1.
+ * Initialise by member names.  Eq. (64)-(69), (95). */
+typedef struct coin_losses {
+    double damping; /**< alpha: a torque alpha |d(psi)/dt| times the angular
+                         momentum; of a coin that rolls [1] */
+    double dry;     /**< contour friction: a torque against the rolling of the
+                         contact along the rim, independent of its rate
+                         [M L^2/T^2] */
+    double viscous; /**< the same, proportional to that rate [M L^2/T] */
+    double layer;   /**< the same, proportional to the power 3/2 of that rate:
+                         the boundary layer of the air [M L^2/T^(1/2)] */
+    double gap;     /**< the same, proportional to that rate over cos(theta):
+                         the air in the gap below the coin [M L^2/T] */
+    double rolling; /**< the rolling moment of physics engines: as dry, times
+                         cos(theta) [M L^2/T^2] */
+    double spin;    /**< pivoting friction: a torque proportional to the turn
+                         about the vertical [M L^2/T] */
+    double angular; /**< what engines call angular damping: the torque
+                         -angular (I_X wX, I_X wY, I_Z wZ) [1/T] */
+    double soft;    /**< the rate of roll below which dry and rolling fade
+                         [1/T].  0 stands for sqrt(g/a)/1024 */
+    double flat;    /**< a coin whose cos(theta) comes below this lies flat: 0,
+                         or 1e-12 to 1e-2.  0 stands for 1e-6 [rad] */
+    double reserved[2]; /**< must be 0 */
+} coin_losses;
 
 /** Whether losses can be computed with.
  * @param l  any losses
@@ -914,6 +783,31 @@ COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
  * Cost: that of 5 to 100 settlings of that time, at most some 0.1 s. */
 COIN_API int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
                                  const coin_params *p, double time);
+
+/* ---------------------------------------------------------- a real coin -- */
+
+/** What the table does to a real coin.  Initialise by member names. */
+typedef struct coin_table {
+    double mu_static;   /**< Coulomb's friction of a contact that does not slip;
+                             >= mu_kinetic, may be +infinity [1] */
+    double mu_kinetic;  /**< and of one that slips; from 0 to the bound of
+                             Painleve, Eq. (86) [1] */
+    double restitution; /**< of an impact, 0 to 1 [1] */
+    double reserved[5]; /**< must be 0 */
+    coin_losses losses; /**< damping is 0 unless mu_static is +infinity */
+} coin_table;
+
+/** A real coin: it may slip and lift off.  y and the velocity of the centre are
+ * explicit.  Whether it touches the table, rolls or slips is read off them: see
+ * coin_move(). */
+typedef struct coin_body {
+    coin_state s; /**< where it is and how it turns */
+    double y;     /**< height of the centre [L] */
+    double vx;    /**< velocity of the centre [L/T] */
+    double vy;
+    double vz;
+    double reserved[4]; /**< must be 0 */
+} coin_body;
 
 /** Whether a table can be computed with.
  * @param table  any table
@@ -1029,6 +923,27 @@ COIN_API int32_t coin_body_slip(const coin_body *b, const coin_params *p,
  * @return as coin_matrix(). */
 COIN_API int32_t coin_body_matrix(const coin_body *b, const coin_params *p,
                                   double m[16]);
+
+/** The rolling motion of a coin that an engine has dropped on the table.  The
+ * impact neither slips nor bounces, so that it keeps the angular momentum about
+ * the point of contact.  Eq. (91).  A coin that rolls already stays as it is.
+ * @param[out] s  the state; -pi < phi, psi <= pi
+ * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
+ * @param omega   [3] angular velocity in the table frame before the impact
+ *                [1/T]
+ * @param v       [3] velocity of the centre of mass before the impact.  It may
+ *                point away from the table: the angular momentum is kept then
+ *                too [L/T]
+ * @param x,z     the centre of mass [L]
+ * @return COIN_OK; the usual errors: COIN_ESTATE as coin_state_from_motion(),
+ *         and if the rates would be out of range.
+ * Accuracy: that of coin_state_from_motion() in the angles; 16 u of the terms
+ *         in the rates, with the computed angles taken as exact
+ *         (test_landing). */
+COIN_API int32_t coin_state_from_landing(coin_state *s, const coin_params *p,
+                                         const double q[4],
+                                         const double omega[3],
+                                         const double v[3], double x, double z);
 
 /* ------------------------------------------------ version and self-test -- */
 

@@ -36,69 +36,6 @@ pub struct coin_force {
     pub friction: f64,
     pub ratio: f64,
 }
-#[repr(C)]
-#[derive(Debug, Default, Copy, Clone, PartialEq)]
-pub struct coin_losses {
-    pub damping: f64,
-    pub dry: f64,
-    pub viscous: f64,
-    pub layer: f64,
-    pub gap: f64,
-    pub rolling: f64,
-    pub spin: f64,
-    pub angular: f64,
-    pub soft: f64,
-    pub flat: f64,
-    pub reserved: [f64; 2usize],
-}
-#[repr(C)]
-#[derive(Debug, Default, Copy, Clone, PartialEq)]
-pub struct coin_table {
-    pub mu_static: f64,
-    pub mu_kinetic: f64,
-    pub restitution: f64,
-    pub reserved: [f64; 5usize],
-    pub losses: coin_losses,
-}
-#[repr(C)]
-#[derive(Debug, Default, Copy, Clone, PartialEq)]
-pub struct coin_body {
-    pub s: coin_state,
-    pub y: f64,
-    pub vx: f64,
-    pub vy: f64,
-    pub vz: f64,
-    pub reserved: [f64; 4usize],
-}
-#[repr(C)]
-#[derive(Debug, Copy, Clone, PartialEq)]
-pub struct coin_orbit {
-    pub period: f64,
-    pub heading_per_period: f64,
-    pub roll_per_period: f64,
-    pub theta_min: f64,
-    pub theta_max: f64,
-    pub center: [f64; 2usize],
-    pub radius_min: f64,
-    pub radius_max: f64,
-    pub drift: [f64; 2usize],
-    pub conditioning: f64,
-    pub reserved: [f64; 26usize],
-    pub private_frame: [f64; 32usize],
-    pub private_edges: [f64; 48usize],
-    pub private_centers: [f64; 42usize],
-    pub private_terms: [f64; 3780usize],
-    pub private_spare: [f64; 156usize],
-}
-impl Default for coin_orbit {
-    fn default() -> Self {
-        let mut s = ::std::mem::MaybeUninit::<Self>::uninit();
-        unsafe {
-            ::std::ptr::write_bytes(s.as_mut_ptr(), 0, 1);
-            s.assume_init()
-        }
-    }
-}
 pub const COIN_OK: _bindgen_ty_1 = 0;
 pub const COIN_EPARAMS: _bindgen_ty_1 = -1;
 pub const COIN_ESTATE: _bindgen_ty_1 = -2;
@@ -113,58 +50,15 @@ pub const COIN_SLIPS: _bindgen_ty_2 = 1;
 pub const COIN_LIFTS: _bindgen_ty_2 = 2;
 pub const COIN_COARSE: _bindgen_ty_2 = 4;
 pub const COIN_NEARLY_FLAT: _bindgen_ty_2 = 8;
+pub const COIN_RESTS: _bindgen_ty_2 = 16;
+pub const COIN_ROLLS: _bindgen_ty_2 = 32;
+pub const COIN_TOUCHES: _bindgen_ty_2 = 64;
 pub type _bindgen_ty_2 = ::std::os::raw::c_uint;
-pub const COIN_RESTS: _bindgen_ty_3 = 16;
+pub const COIN_RK4: _bindgen_ty_3 = 0;
+pub const COIN_RK8: _bindgen_ty_3 = 1;
+pub const COIN_SYMPLECTIC2: _bindgen_ty_3 = 2;
+pub const COIN_SYMPLECTIC4: _bindgen_ty_3 = 3;
 pub type _bindgen_ty_3 = ::std::os::raw::c_uint;
-pub const COIN_ROLLS: _bindgen_ty_4 = 32;
-pub const COIN_TOUCHES: _bindgen_ty_4 = 64;
-pub type _bindgen_ty_4 = ::std::os::raw::c_uint;
-pub const COIN_RK4: _bindgen_ty_5 = 0;
-pub const COIN_RK8: _bindgen_ty_5 = 1;
-pub const COIN_SYMPLECTIC2: _bindgen_ty_5 = 2;
-pub const COIN_SYMPLECTIC4: _bindgen_ty_5 = 3;
-pub type _bindgen_ty_5 = ::std::os::raw::c_uint;
-extern "C" {
-    pub fn coin_params_disc(p: *mut coin_params, mass: f64, radius: f64, gravity: f64) -> i32;
-}
-extern "C" {
-    pub fn coin_params_ring(
-        p: *mut coin_params,
-        mass: f64,
-        radius: f64,
-        inner_radius: f64,
-        gravity: f64,
-    ) -> i32;
-}
-extern "C" {
-    pub fn coin_params_body(
-        p: *mut coin_params,
-        mass: f64,
-        radius: f64,
-        gravity: f64,
-        inertia_X: f64,
-        inertia_Z: f64,
-    ) -> i32;
-}
-extern "C" {
-    pub fn coin_params_check(p: *const coin_params) -> i32;
-}
-extern "C" {
-    pub fn coin_state_check(s: *const coin_state, p: *const coin_params) -> i32;
-}
-extern "C" {
-    pub fn coin_state_from_motion(
-        s: *mut coin_state,
-        p: *const coin_params,
-        q: *const f64,
-        omega: *const f64,
-        x: f64,
-        z: f64,
-    ) -> i32;
-}
-extern "C" {
-    pub fn coin_angular_velocity(s: *const coin_state, omega: *mut f64) -> i32;
-}
 extern "C" {
     pub fn coin_step(s: *mut coin_state, p: *const coin_params, dt: f64) -> i32;
 }
@@ -214,6 +108,47 @@ extern "C" {
     pub fn coin_method_name(method: i32) -> *const ::std::os::raw::c_char;
 }
 extern "C" {
+    pub fn coin_params_disc(p: *mut coin_params, mass: f64, radius: f64, gravity: f64) -> i32;
+}
+extern "C" {
+    pub fn coin_params_ring(
+        p: *mut coin_params,
+        mass: f64,
+        radius: f64,
+        inner_radius: f64,
+        gravity: f64,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_params_body(
+        p: *mut coin_params,
+        mass: f64,
+        radius: f64,
+        gravity: f64,
+        inertia_X: f64,
+        inertia_Z: f64,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_params_check(p: *const coin_params) -> i32;
+}
+extern "C" {
+    pub fn coin_state_check(s: *const coin_state, p: *const coin_params) -> i32;
+}
+extern "C" {
+    pub fn coin_state_from_motion(
+        s: *mut coin_state,
+        p: *const coin_params,
+        q: *const f64,
+        omega: *const f64,
+        x: f64,
+        z: f64,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_angular_velocity(s: *const coin_state, omega: *mut f64) -> i32;
+}
+extern "C" {
     pub fn coin_energy(s: *const coin_state, p: *const coin_params) -> f64;
 }
 extern "C" {
@@ -246,6 +181,9 @@ extern "C" {
     pub fn coin_quaternion(s: *const coin_state, q: *mut f64) -> i32;
 }
 extern "C" {
+    pub fn coin_matrix(s: *const coin_state, p: *const coin_params, m: *mut f64) -> i32;
+}
+extern "C" {
     pub fn coin_fastest_rate(s: *const coin_state, p: *const coin_params) -> f64;
 }
 extern "C" {
@@ -255,20 +193,6 @@ extern "C" {
         method: i32,
         dt: f64,
         mu: f64,
-    ) -> i32;
-}
-extern "C" {
-    pub fn coin_matrix(s: *const coin_state, p: *const coin_params, m: *mut f64) -> i32;
-}
-extern "C" {
-    pub fn coin_state_from_landing(
-        s: *mut coin_state,
-        p: *const coin_params,
-        q: *const f64,
-        omega: *const f64,
-        v: *const f64,
-        x: f64,
-        z: f64,
     ) -> i32;
 }
 extern "C" {
@@ -330,11 +254,55 @@ extern "C" {
         out: *mut coin_state,
     ) -> i32;
 }
+#[repr(C)]
+#[derive(Debug, Copy, Clone, PartialEq)]
+pub struct coin_orbit {
+    pub period: f64,
+    pub heading_per_period: f64,
+    pub roll_per_period: f64,
+    pub theta_min: f64,
+    pub theta_max: f64,
+    pub center: [f64; 2usize],
+    pub radius_min: f64,
+    pub radius_max: f64,
+    pub drift: [f64; 2usize],
+    pub conditioning: f64,
+    pub reserved: [f64; 26usize],
+    pub private_frame: [f64; 32usize],
+    pub private_edges: [f64; 48usize],
+    pub private_centers: [f64; 42usize],
+    pub private_terms: [f64; 3780usize],
+    pub private_spare: [f64; 156usize],
+}
+impl Default for coin_orbit {
+    fn default() -> Self {
+        let mut s = ::std::mem::MaybeUninit::<Self>::uninit();
+        unsafe {
+            ::std::ptr::write_bytes(s.as_mut_ptr(), 0, 1);
+            s.assume_init()
+        }
+    }
+}
 extern "C" {
     pub fn coin_orbit_init(o: *mut coin_orbit, s: *const coin_state, p: *const coin_params) -> i32;
 }
 extern "C" {
     pub fn coin_orbit_at(o: *const coin_orbit, t: f64, out: *mut coin_state) -> i32;
+}
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone, PartialEq)]
+pub struct coin_losses {
+    pub damping: f64,
+    pub dry: f64,
+    pub viscous: f64,
+    pub layer: f64,
+    pub gap: f64,
+    pub rolling: f64,
+    pub spin: f64,
+    pub angular: f64,
+    pub soft: f64,
+    pub flat: f64,
+    pub reserved: [f64; 2usize],
 }
 extern "C" {
     pub fn coin_losses_check(l: *const coin_losses, p: *const coin_params) -> i32;
@@ -387,6 +355,25 @@ extern "C" {
         time: f64,
     ) -> i32;
 }
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone, PartialEq)]
+pub struct coin_table {
+    pub mu_static: f64,
+    pub mu_kinetic: f64,
+    pub restitution: f64,
+    pub reserved: [f64; 5usize],
+    pub losses: coin_losses,
+}
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone, PartialEq)]
+pub struct coin_body {
+    pub s: coin_state,
+    pub y: f64,
+    pub vx: f64,
+    pub vy: f64,
+    pub vz: f64,
+    pub reserved: [f64; 4usize],
+}
 extern "C" {
     pub fn coin_table_check(table: *const coin_table, p: *const coin_params) -> i32;
 }
@@ -434,6 +421,17 @@ extern "C" {
 }
 extern "C" {
     pub fn coin_body_matrix(b: *const coin_body, p: *const coin_params, m: *mut f64) -> i32;
+}
+extern "C" {
+    pub fn coin_state_from_landing(
+        s: *mut coin_state,
+        p: *const coin_params,
+        q: *const f64,
+        omega: *const f64,
+        v: *const f64,
+        x: f64,
+        z: f64,
+    ) -> i32;
 }
 extern "C" {
     pub fn coin_version() -> u32;

@@ -6,7 +6,7 @@ from typing import Any, Dict, Tuple
 
 from ._types import INT32, SIZE, UINT32, UINT64, In, Out, Plain
 
-__all__ = ["Params", "State", "Force", "Losses", "Table", "Body", "Orbit",
+__all__ = ["Params", "State", "Force", "Orbit", "Losses", "Table", "Body",
            "Paramsf", "Statef", "Forcef", "OK", "EPARAMS", "ESTATE", "ESTEP",
            "EARG", "EDOMAIN", "EFLAT", "EBUILD", "ERANGE", "SLIPS", "LIFTS",
            "COARSE", "NEARLY_FLAT", "RESTS", "ROLLS", "TOUCHES", "RK4", "RK8",
@@ -67,6 +67,45 @@ class Force(Plain):
         ("normal", c_double),
         ("friction", c_double),
         ("ratio", c_double),
+    ]
+
+
+class Orbit(Plain):
+    """coin_orbit."""
+    __slots__ = ()
+    period: float
+    heading_per_period: float
+    roll_per_period: float
+    theta_min: float
+    theta_max: float
+    center: "Array[c_double]"
+    radius_min: float
+    radius_max: float
+    drift: "Array[c_double]"
+    conditioning: float
+    reserved: "Array[c_double]"
+    private_frame: "Array[c_double]"
+    private_edges: "Array[c_double]"
+    private_centers: "Array[c_double]"
+    private_terms: "Array[c_double]"
+    private_spare: "Array[c_double]"
+    _fields_ = [
+        ("period", c_double),
+        ("heading_per_period", c_double),
+        ("roll_per_period", c_double),
+        ("theta_min", c_double),
+        ("theta_max", c_double),
+        ("center", c_double * 2),
+        ("radius_min", c_double),
+        ("radius_max", c_double),
+        ("drift", c_double * 2),
+        ("conditioning", c_double),
+        ("reserved", c_double * 26),
+        ("private_frame", c_double * 32),
+        ("private_edges", c_double * 48),
+        ("private_centers", c_double * 42),
+        ("private_terms", c_double * 3780),
+        ("private_spare", c_double * 156),
     ]
 
 
@@ -132,45 +171,6 @@ class Body(Plain):
         ("vy", c_double),
         ("vz", c_double),
         ("reserved", c_double * 4),
-    ]
-
-
-class Orbit(Plain):
-    """coin_orbit."""
-    __slots__ = ()
-    period: float
-    heading_per_period: float
-    roll_per_period: float
-    theta_min: float
-    theta_max: float
-    center: "Array[c_double]"
-    radius_min: float
-    radius_max: float
-    drift: "Array[c_double]"
-    conditioning: float
-    reserved: "Array[c_double]"
-    private_frame: "Array[c_double]"
-    private_edges: "Array[c_double]"
-    private_centers: "Array[c_double]"
-    private_terms: "Array[c_double]"
-    private_spare: "Array[c_double]"
-    _fields_ = [
-        ("period", c_double),
-        ("heading_per_period", c_double),
-        ("roll_per_period", c_double),
-        ("theta_min", c_double),
-        ("theta_max", c_double),
-        ("center", c_double * 2),
-        ("radius_min", c_double),
-        ("radius_max", c_double),
-        ("drift", c_double * 2),
-        ("conditioning", c_double),
-        ("reserved", c_double * 26),
-        ("private_frame", c_double * 32),
-        ("private_edges", c_double * 48),
-        ("private_centers", c_double * 42),
-        ("private_terms", c_double * 3780),
-        ("private_spare", c_double * 156),
     ]
 
 
@@ -258,10 +258,10 @@ STRUCTS = {
     "coin_params": Params,
     "coin_state": State,
     "coin_force": Force,
+    "coin_orbit": Orbit,
     "coin_losses": Losses,
     "coin_table": Table,
     "coin_body": Body,
-    "coin_orbit": Orbit,
     "coinf_params": Paramsf,
     "coinf_state": Statef,
     "coinf_force": Forcef,
@@ -269,6 +269,18 @@ STRUCTS = {
 
 # Name: (result, {argument: type})
 PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
+    "coin_step": (c_int32, {"s": Out(State), "p": In(Params), "dt": c_double}),
+    "coin_run": (c_int32, {"s": Out(State), "p": In(Params), "method": INT32,
+        "dt": c_double, "steps": UINT64, "done": Out(c_uint64)}),
+    "coin_sample": (c_int32, {"start": In(State), "p": In(Params),
+        "method": INT32, "dt": c_double, "steps_per_sample": UINT64,
+        "count": SIZE, "out": Out(State, 0), "done": Out(c_size_t, 0)}),
+    "coin_batch_run": (c_int32, {"s": Out(State, 0), "count": SIZE,
+        "p": In(Params), "method": INT32, "dt": c_double, "steps": UINT64,
+        "status": Out(c_int32, 0)}),
+    "coin_advance": (c_int32, {"s": Out(State), "p": In(Params), "t": c_double,
+        "tol": c_double, "reached": Out(c_double)}),
+    "coin_method_name": (c_char_p, {"method": INT32}),
     "coin_params_disc": (c_int32, {"p": Out(Params), "mass": c_double,
         "radius": c_double, "gravity": c_double}),
     "coin_params_ring": (c_int32, {"p": Out(Params), "mass": c_double,
@@ -284,18 +296,6 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
         "z": c_double}),
     "coin_angular_velocity": (c_int32, {"s": In(State), "omega": Out(c_double,
         3)}),
-    "coin_step": (c_int32, {"s": Out(State), "p": In(Params), "dt": c_double}),
-    "coin_run": (c_int32, {"s": Out(State), "p": In(Params), "method": INT32,
-        "dt": c_double, "steps": UINT64, "done": Out(c_uint64)}),
-    "coin_sample": (c_int32, {"start": In(State), "p": In(Params),
-        "method": INT32, "dt": c_double, "steps_per_sample": UINT64,
-        "count": SIZE, "out": Out(State, 0), "done": Out(c_size_t, 0)}),
-    "coin_batch_run": (c_int32, {"s": Out(State, 0), "count": SIZE,
-        "p": In(Params), "method": INT32, "dt": c_double, "steps": UINT64,
-        "status": Out(c_int32, 0)}),
-    "coin_advance": (c_int32, {"s": Out(State), "p": In(Params), "t": c_double,
-        "tol": c_double, "reached": Out(c_double)}),
-    "coin_method_name": (c_char_p, {"method": INT32}),
     "coin_energy": (c_double, {"s": In(State), "p": In(Params)}),
     "coin_integrals": (c_int32, {"s": In(State), "p": In(Params),
         "K": Out(c_double, 2)}),
@@ -311,14 +311,11 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
         "r": Out(c_double, 3), "v": Out(c_double, 3)}),
     "coin_axes": (c_int32, {"s": In(State), "R": Out(c_double, 9)}),
     "coin_quaternion": (c_int32, {"s": In(State), "q": Out(c_double, 4)}),
+    "coin_matrix": (c_int32, {"s": In(State), "p": In(Params),
+        "m": Out(c_double, 16)}),
     "coin_fastest_rate": (c_double, {"s": In(State), "p": In(Params)}),
     "coin_check": (c_int32, {"s": In(State), "p": In(Params), "method": INT32,
         "dt": c_double, "mu": c_double}),
-    "coin_matrix": (c_int32, {"s": In(State), "p": In(Params),
-        "m": Out(c_double, 16)}),
-    "coin_state_from_landing": (c_int32, {"s": Out(State), "p": In(Params),
-        "q": In(c_double, 4), "omega": In(c_double, 3), "v": In(c_double,
-        3), "x": c_double, "z": c_double}),
     "coin_steady_roll": (c_int32, {"s": Out(State), "p": In(Params),
         "wZ": c_double}),
     "coin_steady_spin": (c_int32, {"s": Out(State), "p": In(Params),
@@ -373,6 +370,9 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
         "u": Out(c_double, 2)}),
     "coin_body_matrix": (c_int32, {"b": In(Body), "p": In(Params),
         "m": Out(c_double, 16)}),
+    "coin_state_from_landing": (c_int32, {"s": Out(State), "p": In(Params),
+        "q": In(c_double, 4), "omega": In(c_double, 3), "v": In(c_double,
+        3), "x": c_double, "z": c_double}),
     "coin_version": (c_uint32, {}),
     "coin_version_string": (c_char_p, {}),
     "coin_status_string": (c_char_p, {"status": INT32}),

@@ -2,12 +2,12 @@
 /* The functions of coin.h and coinf.h that read or move a coin, for each of a
  * table; and those that give a state at a time, for a table of times: by
  * `make bindings-update`. */
+EACH(each_coin_advance, (coin_state *s, const coin_params *p, double t,
+     double tol, double *reached), coin_advance(s + i, p, t, tol, reached + i))
 EACH(each_coin_state_check, (const coin_state *s, const coin_params *p),
      coin_state_check(s + i, p))
 EACH(each_coin_angular_velocity, (const coin_state *s, double *omega),
      coin_angular_velocity(s + i, omega + 3 * i))
-EACH(each_coin_advance, (coin_state *s, const coin_params *p, double t,
-     double tol, double *reached), coin_advance(s + i, p, t, tol, reached + i))
 EACH_NUMBER(coin_energy, double, (const coin_state *s, const coin_params *p),
      (s + i, p))
 EACH(each_coin_integrals, (const coin_state *s, const coin_params *p,
@@ -26,13 +26,13 @@ EACH(each_coin_axes, (const coin_state *s, double *R), coin_axes(s + i,
      R + 9 * i))
 EACH(each_coin_quaternion, (const coin_state *s, double *q),
      coin_quaternion(s + i, q + 4 * i))
+EACH(each_coin_matrix, (const coin_state *s, const coin_params *p, double *m),
+     coin_matrix(s + i, p, m + 16 * i))
 EACH_NUMBER(coin_fastest_rate, double, (const coin_state *s,
      const coin_params *p), (s + i, p))
 EACH(each_coin_check, (const coin_state *s, const coin_params *p,
      int32_t method, double dt, double mu), coin_check(s + i, p, method, dt,
      mu))
-EACH(each_coin_matrix, (const coin_state *s, const coin_params *p, double *m),
-     coin_matrix(s + i, p, m + 16 * i))
 EACH(each_coin_steady_radii, (const coin_state *s, const coin_params *p,
      double *center, double *contact), coin_steady_radii(s + i, p, center + i,
      contact + i))
