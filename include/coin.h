@@ -203,7 +203,7 @@ enum {
  * @return COIN_OK, COIN_COARSE, or an error as coin_run(), after which *s is
  *         unchanged.
  * Accuracy: that of a step of COIN_RK4 by coin_run().
- * Cost: 1,005 instructions, where a further step of coin_run() takes 581, a
+ * Cost: 1,005 instructions, where a further step of coin_run() takes 596, a
  *         textbook step 1,901 (COST, above); at most 832 bytes of stack on a
  *         Cortex-M4F (make firmware). */
 COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
