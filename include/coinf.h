@@ -24,8 +24,7 @@
  *   wX, wY, wZ                 up to 1000 sqrt(g/a) each
  *   phi, psi                   up to 4096 rad
  *   x, z                       up to 1e6 a
- *   dt, t                      up to 1e6 natural units
- *   tol                        1e-6 to 1e-2
+ *   dt                         up to 1e6 natural units
  *   |q|^2 of a rotation        1e-8 to 1e8
  *
  * METHOD is COIN_RK4, the only one here.  It is an argument so that a call
@@ -116,7 +115,7 @@ COIN_API int32_t coinf_angular_velocity(const coinf_state *s, float omega[3]);
  * @return as coin_step(), but the limits are checked at the last stage instead
  *         of the end of the step, and a step may turn lean and heading by more
  *         than 1.5 rad.
- * Cost: on a Cortex-M4F 1,280 instructions, a quarter of them for the checks;
+ * Cost: on a Cortex-M4F 1,323 instructions, a quarter of them for the checks;
  *         coinf_run() does those once (docs/guide.md). */
 COIN_API int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt);
 

@@ -124,6 +124,9 @@ static void every_body_that_returns_is_what_its_status_says(void **unused)
         for (int k = 0; k < 40 && (status & ~COIN_SLIPS) == 0; ++k) {
             double at[3], v[3], u[2];
             status = coin_move(&b, &p, &f, dt, random_ten(&r, -9, -2), 0, NULL);
+            if (status == COIN_ESTEP) /* near flat; it is as sound as any */
+                break;
+            check(status >= 0);
             ++said[status];
             check_status(coin_center(&b.s, &p, at), COIN_OK);
             check_status(coin_velocity(&b.s, &p, v), COIN_OK);

@@ -104,13 +104,14 @@ static void a_call_that_ends_just_before_a_slip_is_accurate(void **unused)
 /* A slip that begins slowly: mu_kinetic is hardly below mu_static.  A coin that
  * would roll on to the end of the call errs by up to 50 tol.  What is allowed
  * is tol for the beginning of the slip, and tol (1 + t) for the motion. */
+/* As coin.h says of coin_move(): 98 of 100. */
 static void a_call_that_ends_as_a_slip_begins_is_accurate(void **unused)
 {
     (void)unused;
     const coin_table f = {.mu_static = 0.3, .mu_kinetic = 0.2999};
     const int count = tries_asked(3);
     struct random r = random_begin(190);
-    int found = 0;
+    int found = 0, all = 0, above = 0;
     while (found < count) {
         const coin_params p = ring(random_between(&r, 0, 1));
         const coin_state s = random_state(&r, &p, 1.2);
@@ -126,11 +127,14 @@ static void a_call_that_ends_as_a_slip_begins_is_accurate(void **unused)
             for (double tol = 1e-2; tol > 1e-7; tol /= 10) {
                 check_note("late by %g, tol %g", late, tol);
                 check_status(slid_on(&rough, &d, &p, &f, NULL, t, tol), want);
-                check(want == COIN_LIFTS ||
-                      slides_apart(&rough, &fine, &p) < tol * (2 + t));
+                ++all;
+                above += want != COIN_LIFTS &&
+                         !(slides_apart(&rough, &fine, &p) < tol * (2 + t));
             }
         }
     }
+    check_note("%d of %d above tol (2 + t)", above, all);
+    check(above * 50 <= all);
 }
 
 /* The part of a step up to a slip has a larger estimate of its error here than

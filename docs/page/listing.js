@@ -10,7 +10,8 @@ function listing() {
   const kinds = { far: m.swings > 0, lossy: isLossy(), ideal: !isLossy(), steps: !m.swings && !isLossy(),
     race: listsRace() };
   const steps = racer(1)[RACE.steps], name = METHODS[m.method];
-  const parts = { pose: list(0, 5), rates: list(5, 8), body: list(8, 12), losses: list(12, 22), now: n(m.now),
+  const parts = { pose: list(0, 5), rates: list(5, 8), body: list(8, 12),
+    losses: list(12, 22) + ", {0, 0}", now: n(m.now),
     far: n(farAhead() + m.now), method: name, METHOD: name.toUpperCase(), dt: n(m.dt), steps: n(steps),
     rest: n(m.now - steps * m.dt) };
   return $("program").textContent.trimStart().split("\n").map(line => /^(?:(\w+)\|)?(.*)$/.exec(line))

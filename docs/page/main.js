@@ -158,7 +158,8 @@ function change(parts, restart = true) {
 const rate = name => [() => m[name] * unit(), x => ({ [name]: x / unit() }), () => short(m[name], 4)];
 const duration = (name, text) => [() => Math.log10(m[name] / unit()), x => ({ [name]: 10 ** x * unit() }), text];
 const UNITS_OF_TIME = { viscous: 1, layer: 1.5, gap: 1, spin: 1 };
-const lossUnit = name => name === "damping" ? 1 : name === "angular" ? 1 / unit() : weight() * m.radius * unit() ** (UNITS_OF_TIME[name] || 0);
+const torqueUnit = name => weight() * m.radius * unit() ** (UNITS_OF_TIME[name] || 0);
+const lossUnit = name => ({ damping: 1, angular: 1 / unit() })[name] || torqueUnit(name);
 const law = () => LOSSES.find(name => m[name] > 0) || $("law").value;
 const losses = (name, x) => ({ ...Object.fromEntries(LOSSES.map(other => [other, 0])), [name]: x * lossUnit(name) });
 const loss = () => m[law()] / lossUnit(law());

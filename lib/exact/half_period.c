@@ -202,8 +202,8 @@ static int add_next_piece(coin_priv_half_period *h, int from, double side)
                      center = end + side * (back > 0 ? back : step);
         step = fabs(center - end);
         /* Gives up if rounding keeps the step from getting shorter. */
-        if (((back > 0) & !(step < before)) |
-            !begin_at(h, &h->now, between, center - end))
+        const int stuck = (back > 0) & (step >= before);
+        if (stuck | (begin_at(h, &h->now, between, center - end) == 0))
             return 0;
         back = reach_about(h, &h->now);
     }

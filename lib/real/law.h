@@ -144,7 +144,7 @@ double coin_priv_contact_margin(const double *y, const coin_priv_law *l,
                                 int mode);
 
 /* Minus the free acceleration of the gap under the contact, times cos theta:
- * not above 0, the coin lifts off (toss (L1)). */
+ * not above 0, the coin lifts off (96). */
 double coin_priv_weight(const double *y, const coin_priv_law *l);
 
 /* The direction in which a slip begins where sticking takes the force F. */

@@ -32,13 +32,13 @@
 #define COIN_PRIV_START 7.0
 #define COIN_PRIV_LONGEST 2.4
 
-/* One step of RK8 in t ends a call where rem^2 (W^2 + TURN w^2) is at most the
- * square of LAST_RK8 tol^(1/8), and of LAST_MOST; w is the rate of lean and
- * heading, powers of which are in each derivative of high order.  It is a step
- * of RK4 where |rem| W is at most LAST_RK4 tol^(1/4).  Of 100,000 steps of
- * either 999 of 1000 erred by less than 0.6 tol for each radian of |rem| W, and
- * the worst by 1.3 tol.  None led through the table where the first number was
- * below 2.9^2. */
+/* One step of RK8 in t ends a call where rem^2 (W^2 + TURN_WEIGHT w^2) is at
+ * most the square of LAST_RK8 tol^(1/8), and of LAST_MOST; w is the rate of
+ * lean and heading, powers of which are in each derivative of high order.  It
+ * is a step of RK4 where |rem| W is at most LAST_RK4 tol^(1/4).  Of 100,000
+ * steps of either 999 of 1000 erred by less than 0.6 tol for each radian of
+ * |rem| W, and the worst by 1.3 tol.  None led through the table where the
+ * first number was below 2.9^2. */
 #define COIN_PRIV_LAST_RK8 5.5
 #define COIN_PRIV_LAST_MOST 2.0
 #define COIN_PRIV_TURN_WEIGHT 10.0
@@ -48,8 +48,8 @@
 typedef struct coin_priv_lengths {
     double tol;
     double stride; /* the longest */
-    double rk8;    /* the root of the most rem^2 (W^2 + TURN w^2) of RK8 */
-    double rk4;    /* the most |rem| W of RK4 */
+    double rk8; /* the root of the most rem^2 (W^2 + TURN_WEIGHT w^2) of RK8 */
+    double rk4; /* the most |rem| W of RK4 */
 } coin_priv_lengths;
 
 /* The steps in tau of a call.  A stride is a tau times the rate. */

@@ -5,6 +5,7 @@ import math
 from forms import PI, near
 
 E0, QUARTER0 = 0.1, PI/6
+FLAT = 1e-6                       # where a coin lies down, by default (97)
 UNIT = math.sqrt(0.01213/9.80665)
 # Of each law: its size for the disc; a and b of a e^b = what is left of the
 # time, over 1/size; c and d of Q = size c e^d near flat, where psi' is 2/sqrt(e).
@@ -26,13 +27,16 @@ def stops(law, size):
 def ends(law, rows):
     """The angle at each time left: the law leaves out e^2, and in time the last
     fall, which from an angle e takes about sqrt(e).  Rolling, whose swing grows,
-    rests 1.2 units later, as the table of models.md says."""
+    rests up to 1.2 units later.  All lie down where e is FLAT."""
     size, a, b, *_ = LAWS[law]
+    early = a*FLAT**b/size
     near(f"{law}, start", rows[0][2], E0, 1e-5*E0)
     for _, left, e, _, rate in rows:
         if law == "rolling" and e < E0/100:
             break                                        # it rattles, (76)
-        want = (left*size/a)**(1/b)
+        if e < 1.1*FLAT:
+            break                                        # it lies down
+        want = ((left + early)*size/a)**(1/b)
         off = E0**2 + 2*math.sqrt(stops(law, size))/left/b
         if law == "rolling":
             off += 2*1.2/left
