@@ -134,7 +134,7 @@ static double first_zero(event *of, coin_priv_moving *g)
         if (k > 1 && p[k - 2].at >= 0 && p[k - 1].at >= 0 &&
             find_dip(&dip, of, g, &p[k - 2]))
             return locate(of, g, p[dip.x < p[k - 1].x ? k - 2 : k - 1], dip);
-        if (k > 0 && p[k].at < 0)
+        if (k > 0 && p[k - 1].at >= 0 && p[k].at < 0)
             return locate(of, g, p[k - 1], p[k]);
     }
     return 2;

@@ -28,8 +28,8 @@ set label 1 "gap, 1/3" at graph 1.01, first 0.06 left tc rgb hue[4]
 set label 2 "layer, 4/9" at graph 1.01, first 0.0195 left tc rgb hue[3]
 set label 3 "viscous, 1/2" at graph 1.01, first 0.0072 left tc rgb hue[2]
 set label 4 "dry, 2/3" at graph 1.01, first 0.002 left tc rgb hue[1]
-set label 5 "damping, 2" at 1.9e-3,1e-6 right tc rgb hue[6]
-set label 6 "rolling, 2: it rattles" at 1.2e-3,5e-5 left tc rgb hue[5]
+set label 6 "rolling and damping, 2:" at 1.2e-3,1.6e-4 left tc rgb hue[5]
+set label 7 "they lie down at 1e-6 rad" at 1.2e-3,7e-5 left tc rgb "#606060"
 set samples 2
 plot for [k=1:6] x**power[k] with lines lw 1 lc rgb "#A0A0A0", \
     for [k=1:6] file index k-1 using ($2/rest[k]):($3/e0) with points \
