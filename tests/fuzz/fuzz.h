@@ -99,11 +99,12 @@ struct function {
 #define NUMBER 0, 0, 0, NULL, 1
 
 /* What a row calls, its arguments in a[], and the row. */
-#define CALL(name, arguments)                                                  \
+#define CALL(name, arguments) CALL_AS(name, name, arguments)
+#define CALL_AS(name, function, arguments)                                     \
     static double do_##name(const union argument *a)                           \
     {                                                                          \
         (void)a;                                                               \
-        return (double)name arguments;                                         \
+        return (double)function arguments;                                     \
     }
 #define ROW(name, signature, ...)                                              \
     {                                                                          \

@@ -10,8 +10,34 @@ CALL(coin_losses_power, (a[0].p, a[1].p, a[2].p))
 CALL(coin_losses_rates, (a[0].p, a[1].p, a[2].p, a[3].p))
 CALL(coin_losses_reaction, (a[0].p, a[1].p, a[2].p, a[3].p))
 CALL(coin_settle, (a[0].p, a[1].p, a[2].p, a[3].d, a[4].d, a[5].p))
-CALL(coin_time_to_rest, (a[0].p, a[1].p, a[2].p))
-CALL(coin_losses_fit, (a[0].p, a[1].p, a[2].p, a[3].d))
+
+/* Whether a coin of sound arguments comes to rest soon.  Others take seconds.
+ */
+static int is_brief(const coin_state *s, const coin_params *p,
+                    const coin_losses *l)
+{
+    if (!s || !p || !l || coin_state_check(s, p) != COIN_OK ||
+        coin_losses_check(l, p) != COIN_OK)
+        return 1;
+    const double T = p->mass * p->gravity * p->radius;
+    const double w2 = p->gravity / p->radius;
+    return l->dry > 0.02 * T && l->dry < T &&
+           s->wX * s->wX + s->wY * s->wY + s->wZ * s->wZ < 100 * w2;
+}
+
+static double time_to_rest(const coin_state *s, const coin_params *p,
+                           const coin_losses *l)
+{
+    return is_brief(s, p, l) ? coin_time_to_rest(s, p, l) : (double)NAN;
+}
+
+static int32_t losses_fit(coin_losses *l, const coin_state *s,
+                          const coin_params *p, double time)
+{
+    return is_brief(s, p, l) ? coin_losses_fit(l, s, p, time) : COIN_EDOMAIN;
+}
+CALL_AS(coin_time_to_rest, time_to_rest, (a[0].p, a[1].p, a[2].p))
+CALL_AS(coin_losses_fit, losses_fit, (a[0].p, a[1].p, a[2].p, a[3].d))
 
 static void judge_power(const struct outcome *o)
 {
