@@ -189,7 +189,7 @@ WITH_LOSSES(coin_settle,
             coin_settle(copy(&c->s), &c->p, &l, less_time(c), 1e-6, NULL))
 /* What settles a coin to rest, once or up to a hundred times: in one case of
  * 64. */
-#define NOW_AND_THEN(c, call) ((c)->number % 64 ? COIN_OK : (call))
+#define NOW_AND_THEN(c, call) ((c)->index % 64 ? COIN_OK : (call))
 
 WITH_LOSSES(coin_time_to_rest,
             NOW_AND_THEN(c, isnan(coin_time_to_rest(&c->s, &c->p, &l))

@@ -44,7 +44,7 @@ int32_t coin_selftest(void)
     static const double dt[] = {0.05, 0.01, 1.0 / 480};
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
     for (int i = 0; i < 3; ++i) {
-        coin_params p;
+        coin_params p = {0, 0, 0, 0, 0, {0, 0, 0}};
         coin_params_ring(&p, body[i][0], body[i][1], body[i][2], body[i][3]);
         for (int32_t m = 0; coin_method_name(m); ++m) {
             coin_state s = start[i];

@@ -248,7 +248,8 @@ static double try_steps(coin_priv_moving *g, int *ends)
             error = (double)INFINITY;
         if (error < (double)INFINITY && has_kink(g) && passed_kink(g))
             error = (double)INFINITY;
-        const double most = allowed(g), used = p.h * p.rate;
+        const double most = error < (double)INFINITY ? allowed(g) : g->tol;
+        const double used = p.h * p.rate;
         const int over =
             error <= most && !*ends && w->end[COIN_PRIV_ADDS_T] > left;
         if (over) {

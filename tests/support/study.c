@@ -143,11 +143,11 @@ static coin_state draw_state(struct random *r, const coin_params *unit,
     }
 }
 
-struct study_run study_draw(uint64_t seed, uint64_t number, double most_steps,
+struct study_run study_draw(uint64_t seed, uint64_t which, double most_steps,
                             double most_turn)
 {
     struct random r = random_begin(seed);
-    r.state += number * 0xd1342543de82ef95; /* any odd number */
+    r.state += which * 0xd1342543de82ef95; /* any odd which */
     struct study_run run = {.p = draw_body(&r)};
     const double m = run.p.mass * run.p.radius * run.p.radius;
     const double T = natural_time(&run.p), a = run.p.radius;

@@ -34,10 +34,10 @@ struct study_run {
     uint64_t steps;
 };
 
-/* The run of this number.  |dt| is between 1e-6 and 10 natural units.  A run
+/* One of the runs.  |dt| is between 1e-6 and 10 natural units.  A run
  * has at most most_steps steps, and turns the coin by at most most_turn
  * radians. */
-struct study_run study_draw(uint64_t seed, uint64_t number, double most_steps,
+struct study_run study_draw(uint64_t seed, uint64_t which, double most_steps,
                             double most_turn);
 
 #endif

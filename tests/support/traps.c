@@ -97,7 +97,7 @@ static size_t cases(struct trap_case *c)
         c[n].s = random_state(&r, &q, i % 2 ? 1.57 : 1);
     }
     for (size_t i = 0; i < n; ++i) {
-        c[i].number = i;
+        c[i].index = i;
         c[i].fp = floats_params(&c[i].p);
         c[i].fs = floats_state(&c[i].s);
         c[i].fdt = (float)c[i].dt;

@@ -8,7 +8,7 @@
 
 /* What a function is called with, and the nearest floats of it. */
 struct trap_case {
-    size_t number; /* of this case, from 0 */
+    size_t index; /* of this case, from 0 */
     coin_params p;
     coin_state s;
     double dt, t; /* a step, and a longer time */
