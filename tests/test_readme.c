@@ -102,19 +102,50 @@ static void run_program(char output[TEXT])
     check(pclose(in) == 0);
 }
 
+/* The end of a program that prints the pose of s, and what reads it. */
+#define PRINT_STATE                                                            \
+    "\nprintf(\"%.17g %.17g %.17g %.17g %.17g\\n\","                           \
+    " s.theta, s.phi, s.psi, s.x, s.z);\nreturn 0;\n}\n"
+
+static void read_state(const char *output, coin_state *s)
+{
+    check(sscanf(output, "%lf %lf %lf %lf %lf", &s->theta, &s->phi, &s->psi,
+                 &s->x, &s->z) == 5);
+}
+
 static void the_readme_s_program_prints_what_the_readme_shows(void **unused)
 {
     (void)unused;
     static char text[TEXT], output[TEXT];
     char *end;
     read_text("README.md", text);
-    const char *program = between(text, "```c\n", "```", &end);
+    const char *program =
+        between(strstr(text, "## Ten lines"), "```c\n", "```", &end);
     const char *shown = between(end, "```", "```", &end);
     compile("", program, "");
     run_program(output);
     check_note("the program printed\n%s\nwhere README.md has\n%s", output,
                shown);
     check(strcmp(output, shown) == 0);
+}
+
+static void the_readme_s_first_lines_move_the_quarter_by_a_second(void **unused)
+{
+    (void)unused;
+    static char text[TEXT], output[TEXT];
+    static struct scene quarter;
+    coin_state s;
+    char *end;
+    read_text("README.md", text);
+    const char *lines = between(text, "#include <coin.h>\n", "```", &end);
+    compile("#include <coin.h>\n#include <stdio.h>\nint main(void)\n{\n", lines,
+            PRINT_STATE);
+    run_program(output);
+    read_state(output, &s);
+    scene_load(&quarter, "quarter");
+    check(scene_at(&quarter, 6, "t") == 1);
+    /* What coin.h states, 8 tol (1 + n): the second has 28.4 natural units. */
+    check_within(scene_error(&quarter, 6, &s), 0, 8e-9 * 29.4);
 }
 
 /* After the 8 s that it asks for. */
@@ -170,11 +201,9 @@ static void the_header_s_example_rolls_the_quarter(void **unused)
     char *code = between(text, "@code", "@endcode", &end);
     uncomment(code);
     compile("#include <coin.h>\n#include <stdio.h>\nint main(void)\n{\n", code,
-            "\nprintf(\"%.17g %.17g %.17g %.17g %.17g\\n\","
-            " s.theta, s.phi, s.psi, s.x, s.z);\nreturn 0;\n}\n");
+            PRINT_STATE);
     run_program(output);
-    check(sscanf(output, "%lf %lf %lf %lf %lf", &s.theta, &s.phi, &s.psi, &s.x,
-                 &s.z) == 5);
+    read_state(output, &s);
     scene_load(&quarter, "quarter");
     check(scene_at(&quarter, 6, "t") == 1);
     /* 5e-4 with 120 steps: 1e-7 with 1000. */
@@ -199,6 +228,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(the_readme_s_program_prints_what_the_readme_shows),
+        TEST(the_readme_s_first_lines_move_the_quarter_by_a_second),
         TEST(the_guide_s_coin_comes_to_rest_as_it_shows),
         TEST(the_guide_s_thrown_coin_rolls_as_it_shows),
         TEST(the_header_s_example_rolls_the_quarter),

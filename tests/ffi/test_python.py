@@ -100,12 +100,14 @@ class Package(unittest.TestCase):
         self.assertRaises(ValueError, rc.method_name, 99)
         self.assertEqual(rc.status_string(rc.EFLAT), "the coin falls flat")
 
-    def test_the_readme_shows_a_program(self):
-        text = (PYTHON / "README.md").read_text()
-        program = re.search(r"```python\n(.*?)```", text, re.S).group(1)
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(program, {})
-        self.assertEqual(len(printed.getvalue().splitlines()), 2)
+    def test_the_readmes_show_programs(self):
+        for readme, lines in ((PYTHON / "README.md", 2),
+                              (PYTHON / "../../../README.md", 1)):
+            program = re.search(r"```python\n(.*?)```", readme.read_text(),
+                                re.S).group(1)
+            with contextlib.redirect_stdout(io.StringIO()) as printed:
+                exec(program, {})
+            self.assertEqual(len(printed.getvalue().splitlines()), lines)
 
 
 class Structs(unittest.TestCase):

@@ -47,10 +47,6 @@ def abreast(build):
     return figure(BATCH, build + " rk4", "abreast, ns")
 
 
-def share(build):
-    return abreast(build) / figure(BATCH, build + " rk4", "alone, ns")
-
-
 def count(board, *calls):
     return sum(figure(COUNT, board, call) for call in calls)
 
@@ -118,21 +114,15 @@ def slides(scene):
 
 # A page, what stands there with its figures as groups, and what they are.
 QUOTES = (
-    ("README.md", r"\| (\d+) with RK4, (\d+) with RK8",
-     further("rk4"), further("rk8")),
-    ("README.md", r"takes (\d+) \| \d+ with RK4",
+    ("README.md", r"`coin_step` takes (\d+) instructions; .*? takes (\d+)\.",
+     figure(CALLS, "coin_step", "instructions"),
      figure(CALLS, "textbook RK4 step", "instructions")),
-    ("README.md", r"\| ([\d.]+) of the time, (\d+) instructions",
-     figure(CALLS, "coin_step", "portable, textbook steps"),
-     figure(CALLS, "coin_step", "instructions")),
     ("docs/guide.md", r"`coin_step` takes ([\d,]+) from C",
      figure(CALLS, "coin_step", "instructions")),
     ("include/coin.h", r"Cost: ([\d,]+) instructions, where a further step of "
      r"coin_run\(\) takes (\d+), a \* textbook step ([\d,]+)",
      figure(CALLS, "coin_step", "instructions"), further("rk4"),
      figure(CALLS, "textbook RK4 step", "instructions")),
-    ("README.md", r"\| (\S+) after 1 s \| its scene",
-     *quarter("coin_step", 120)),
     ("docs/guide.md", r"per call a coin costs ([\d.]+) of a",
      figure(CALLS, "coin_batch_run of one step per coin of 64",
             "portable, textbook steps")),
@@ -143,16 +133,13 @@ QUOTES = (
      *quarter("coin_step", 1000)),
     ("docs/accuracy.md", r"per frame \| (\S+) after a second of a quarter",
      *quarter("one step of RK8", 60)),
-    ("README.md", r"\| ([\d.]+), compiled for AVX2 ([\d.]+)",
-     share("portable"), share("native")),
     ("docs/guide.md", r"takes (\d+) ns with the two",
      abreast("portable")),
     ("docs/guide.md", r"([\d.]+) ns with the four", abreast("native")),
-    ("README.md", r"\| (\d+) of ([\d,]+); ([\d,]+) of them were too long",
-     figure(RUNS, "all", "wrong and silent"), figure(RUNS, "all", "runs"),
-     figure(RUNS, "all", "nothing stated")),
-    ("README.md", r"Cortex-M4F \| (\d+) instructions, (\d+) bytes",
-     count("m4f", "coinf_step"), figure(STACK, "m4f", "coinf_step")),
+    ("README.md", r"Of ([\d,]+) random runs of this library \[(\d+) exceeded",
+     figure(RUNS, "all", "runs"), figure(RUNS, "all", "wrong and silent")),
+    ("README.md", r"(\d+) bytes of stack on a Cortex-M4F",
+     figure(STACK, "m4f", "coinf_step")),
     ("docs/accuracy.md", r"(\d\.\d)e13 steps",
      longrun("symplectic2", "0.05", "1e+07", "energy, rms") /
      drift("0.05") / 0.05 / 1e13),
