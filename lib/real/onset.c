@@ -12,13 +12,12 @@
  *
  * The steps of a slip are as short as its speed is small, so that one that
  * hardly accelerates would take many to grow.  It waits: such steps follow one
- * another, in which its speed counts as 0, until it has gained SEED.  One that
- * accelerates by QUICK of its friction begins with any speed but rounding,
- * LEAST. */
+ * another, in which its speed counts as 0, until it has gained
+ * COIN_PRIV_SLIP_LEAST.  One that accelerates by QUICK of its friction begins
+ * with any speed but rounding, LEAST. */
 #define WAIT 1
 #define BRIEF 1e-9
 #define STABLE 0.5
-#define SEED 2e-10
 #define QUICK 0.5
 #define LEAST 1e-14
 
@@ -81,7 +80,8 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     for (int i = 0; i < COIN_PRIV_SIZE; ++i)
         y[i] = g->y[i] + h / 2 * (a.slopes[i] + b.slopes[i]);
     const double u = g->waiting + h / 2 * (a.du + b.du);
-    const int slips = u > SEED || (u > LEAST && b.du > QUICK * b.friction);
+    const int slips =
+        u > COIN_PRIV_SLIP_LEAST || (u > LEAST && b.du > QUICK * b.friction);
     g->waiting = slips ? 0 : u;
     y[COIN_PRIV_UX] = slips ? u * b.n.X : 0;
     y[COIN_PRIV_UH] = slips ? u * b.n.h : 0;

@@ -30,9 +30,9 @@ template <class R> struct asked {
         return of.at(at.IX, at.IZ, at.J, at.K, at.s, at.c, at.wX, at.wY, at.wZ);
     }
 
-    void hold(double output, const terms<R> &truth)
+    void hold(double output, const terms<R> &truth, int units = 16)
     {
-        v.hold(R(output), truth.value, 16 * (u * truth.size + least));
+        v.hold(R(output), truth.value, units * (u * truth.size + least));
     }
 };
 
@@ -42,7 +42,7 @@ template <class R> double power(const scene &s, double)
     const double P = coin_losses_power(&q.y, &q.p, &q.l);
     if (P != P)
         return NO_CLAIM;
-    q.hold(P, q.slowed().power);
+    q.hold(P, q.slowed().power, 24);
     return q.v.worst;
 }
 
@@ -257,7 +257,7 @@ void falls(scene *s, const double *g)
 void add_losses(std::vector<row> *rows)
 {
     const row made[] = {
-        LOSSES(power, "coin_losses_power", "16 u of the terms", 1, some_losses),
+        LOSSES(power, "coin_losses_power", "24 u of the terms", 1, some_losses),
         LOSSES(rates, "coin_losses_rates", "16 u of the terms", 1, some_losses),
         LOSSES(reaction, "coin_losses_reaction", "16 u of the terms", 1,
                some_losses),

@@ -15,13 +15,14 @@ inline void set_on_table(coin_body *b, const coin_params &p)
     b->vy = -p.radius * std::sin(b->s.theta) * b->s.wX;
 }
 
-/* Whether that is so of a returned body, to the rounding of two cosines. */
+/* Whether that is so of a returned body, to the rounding of two cosines; and of
+ * two sines and four products. */
 inline bool is_on_table(const coin_body &b, const coin_params &p)
 {
     coin_body on = b;
     set_on_table(&on, p);
     return std::fabs(on.y - b.y) <= 0x1p-52 * p.radius &&
-           std::fabs(on.vy - b.vy) <= 0x1p-51 * std::fabs(on.vy);
+           std::fabs(on.vy - b.vy) <= 0x1p-50 * std::fabs(on.vy);
 }
 
 /* A scene's velocity of the centre, in parts of sqrt(g a), and its friction;

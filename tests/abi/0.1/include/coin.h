@@ -700,7 +700,7 @@ COIN_API int32_t coin_losses_check(const coin_losses *l, const coin_params *p);
 /** The power that the losses take: -d(energy)/dt.  Eq. (69).
  * @return P >= 0 [M L^2/T^3]; NaN on the usual errors, coin_losses_check(),
  *         and where it would overflow.
- * Accuracy: 16 u of the terms (test_losses). */
+ * Accuracy: 24 u of the terms (test_losses). */
 COIN_API double coin_losses_power(const coin_state *s, const coin_params *p,
                                   const coin_losses *l);
 
