@@ -15,7 +15,7 @@ static int32_t until_it_slips(const struct motion *m, double mu, double t,
     coin_body b;
     check_status(coin_body_from_state(&b, &m->s, &m->p), COIN_OK);
     const int32_t status =
-        coin_move(&b, &m->p, &f, t, tol, COIN_SLIPS, reached);
+        coin_move(&b, &m->p, &f, t, tol, COIN_SLIPS | COIN_LIFTS, reached);
     return status == COIN_LIFTS ? COIN_SLIPS : status;
 }
 

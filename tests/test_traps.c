@@ -86,18 +86,6 @@ static int32_t call_coin_state_from_motion(const struct trap_case *c)
     return coin_state_from_motion(&out, &c->p, q, omega, c->s.x, c->s.z);
 }
 
-/* With a velocity that need not be that of rolling. */
-static int32_t call_coin_state_from_landing(const struct trap_case *c)
-{
-    double q[4], omega[3], at[3];
-    if (coin_quaternion(&c->s, q) != COIN_OK ||
-        coin_angular_velocity(&c->s, omega) != COIN_OK ||
-        coin_velocity(&c->s, &c->p, at) != COIN_OK)
-        return COIN_ESTATE;
-    return coin_state_from_landing(&out, &c->p, q, omega,
-                                   c->mu > 0 ? at : omega, c->s.x, c->s.z);
-}
-
 /* ------------------------------------------------------------------- movers */
 static int32_t call_coin_step(const struct trap_case *c)
 {
@@ -298,7 +286,6 @@ static const struct trap_function all[] = {
     ROW(coin_params_check),
     ROW(coin_state_check),
     ROW(coin_state_from_motion),
-    ROW(coin_state_from_landing),
     ROW(coin_angular_velocity),
     ROW(coin_step),
     ROW(coin_run_rk4),

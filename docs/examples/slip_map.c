@@ -63,11 +63,12 @@ static fate fate_of(const coin_state *start, const coin_params *p)
     coin_body b;
 
     coin_body_from_state(&b, start, p);
-    int32_t status = coin_move(&b, p, &TABLE, TIME, TOL, COIN_SLIPS, NULL);
+    int32_t status =
+        coin_move(&b, p, &TABLE, TIME, TOL, COIN_SLIPS | COIN_LIFTS, NULL);
     if (status == COIN_OK || status == COIN_RESTS)
         return ROLLS;
     if (status == COIN_SLIPS)
-        status = coin_move(&b, p, &TABLE, TIME, TOL, 0, NULL);
+        status = coin_move(&b, p, &TABLE, TIME, TOL, COIN_LIFTS, NULL);
     if (status < 0) {
         fprintf(stderr, "%s\n", coin_status_string(status));
         exit(EXIT_FAILURE);

@@ -56,7 +56,8 @@ static int32_t slide(motion *m, const options *o)
     for (uint64_t k = 0; k <= kept && m->end >= 0; ++k) {
         const double goal = (double)(k * o->steps / kept) * o->dt;
         double moved = 0;
-        m->end = coin_move(&d, &m->params, &f, goal - t, SLIDE_TOL, 0, &moved);
+        m->end = coin_move(&d, &m->params, &f, goal - t, SLIDE_TOL, COIN_LIFTS,
+                           &moved);
         if (m->end < 0)
             return m->end;
         t += moved;

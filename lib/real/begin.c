@@ -28,7 +28,7 @@ void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
     g->step.of.law = &g->law;
     g->tol = tol;
     g->time = t * w0;
-    g->stop = 0;
+    g->stop = g->event = 0;
     g->mode = g->moved = 0;
     g->slope_mode = COIN_PRIV_NO_MODE;
     g->margin = g->waiting = 0;

@@ -5,6 +5,8 @@
 #include "../motion/equations.h"
 #include "../motion/rest.h"
 
+#include "../air/air.h"
+
 #include "coin_body.h"
 
 /* A body that an engine set this many radii into the table is set on it. */
@@ -47,6 +49,17 @@ static struct slip slip_of(const coin_body *b, const coin_priv_body *of)
     return r;
 }
 
+int coin_priv_members_hold(const coin_body *b, const coin_priv_body *of)
+{
+    const double a = of->a, far = COIN_PRIV_PLACE_MAX * a;
+    const double fast = COIN_PRIV_RATE_MAX * a * sqrt(of->g_a);
+    int good = coin_priv_state_holds(&b->s, of) && fabs(b->y) <= far;
+    good &= fabs(b->vx) <= fast && fabs(b->vy) <= fast && fabs(b->vz) <= fast;
+    for (int i = 0; i < 4; ++i)
+        good &= b->reserved[i] == 0;
+    return good;
+}
+
 int32_t coin_priv_check_coin_body(const coin_body *b, const coin_params *p,
                                   coin_priv_body *of)
 {
@@ -55,15 +68,18 @@ int32_t coin_priv_check_coin_body(const coin_body *b, const coin_params *p,
     const int32_t status = coin_priv_check(&b->s, p, of);
     if (status != COIN_OK)
         return status;
-    const double a = of->a, far = COIN_PRIV_PLACE_MAX * a;
-    const double fast = COIN_PRIV_RATE_MAX * a * sqrt(of->g_a);
-    const double above = b->y - a * coin_priv_sincos(b->s.theta).c;
-    int good = fabs(b->s.x) <= far && fabs(b->s.z) <= far && b->y <= far &&
-               above >= -COIN_PRIV_TOUCHES * a;
-    good &= fabs(b->vx) <= fast && fabs(b->vy) <= fast && fabs(b->vz) <= fast;
-    for (int i = 0; i < 4; ++i)
-        good &= b->reserved[i] == 0;
+    const double lowest = of->a * coin_priv_sincos(b->s.theta).c;
+    const int good = coin_priv_members_hold(b, of) &&
+                     b->y - lowest >= -COIN_PRIV_TOUCHES * of->a;
     return good ? COIN_OK : COIN_ESTATE;
+}
+
+/* Whether a coin that lies flat has stopped. */
+static int rests(const coin_body *b, const coin_priv_body *of)
+{
+    const double w0 = sqrt(of->g_a), v0 = of->a * w0;
+    const double v = sqrt(b->vx * b->vx + b->vz * b->vz);
+    return v / v0 + fabs(b->s.wZ) / w0 <= COIN_PRIV_SLIP_LEAST;
 }
 
 int coin_priv_body_mode(const coin_body *b, const coin_priv_body *of,
@@ -71,14 +87,16 @@ int coin_priv_body_mode(const coin_body *b, const coin_priv_body *of,
 {
     const double a = of->a, w0 = sqrt(of->g_a);
     const double above = b->y - a * coin_priv_sincos(b->s.theta).c;
+    u[0] = u[1] = 0;
+    if (above > COIN_PRIV_TOUCHES * a)
+        return COIN_PRIV_AIR;
     const struct slip slip = slip_of(b, of);
     const double speed = sqrt(slip.X * slip.X + slip.h * slip.h);
     const double turns = (fabs(b->s.wX) + fabs(b->s.wZ)) / w0;
-    u[0] = u[1] = 0;
-    if (above > COIN_PRIV_TOUCHES * a || fabs(slip.y) > COIN_PRIV_SLIP_LEAST)
+    if (fabs(slip.y) > COIN_PRIV_SLIP_LEAST)
         return COIN_PRIV_AIR;
     if (fabs(b->s.theta) >= COIN_PRIV_LAST_LEAN && b->s.wX == 0 && b->s.wY == 0)
-        return COIN_PRIV_RESTS;
+        return rests(b, of) ? COIN_PRIV_RESTS : COIN_PRIV_LIES;
     if (speed <= COIN_PRIV_SLIP_LEAST + COIN_PRIV_TOUCHES * turns)
         return 0;
     u[0] = slip.X;
@@ -197,11 +215,11 @@ int32_t coin_body_slip(const coin_body *b, const coin_params *p, double u[2])
     if (status != COIN_OK)
         return status;
     const coin_priv_variables y = coin_priv_variables_of(&b->s);
-    const int rests =
+    const int lies =
         fabs(b->s.theta) >= COIN_PRIV_LAST_LEAN && b->s.wX == 0 && b->s.wY == 0;
     const double uX = of.a * y.wZ, uh = -of.a * (y.wX * y.cth);
-    u[0] = b->vx + (rests ? 0 : uX * y.cph + uh * y.sph);
-    u[1] = b->vz + (rests ? 0 : uh * y.cph - uX * y.sph);
+    u[0] = b->vx + (lies ? 0 : uX * y.cph + uh * y.sph);
+    u[1] = b->vz + (lies ? 0 : uh * y.cph - uX * y.sph);
     return COIN_OK;
 }
 
@@ -245,6 +263,25 @@ static coin_priv_push touching_force(const coin_body *b,
     return r;
 }
 
+/* The force on a coin that slides on its face. */
+static coin_priv_push sliding_force(const coin_body *b,
+                                    const coin_priv_body *of,
+                                    const coin_priv_law *l)
+{
+    const double a = of->a, v0 = a * sqrt(of->g_a);
+    const double v = sqrt(b->vx * b->vx + b->vz * b->vz);
+    const double w = fabs(b->s.wZ) * a;
+    const coin_priv_sc ph = coin_priv_sincos(b->s.phi);
+    const double drag = coin_priv_flat_drag(l->IZ, v / v0, w / v0);
+    const double per = v > 0 ? l->mu_kinetic * drag / v : 0;
+    const coin_priv_push r = {
+        1,
+        -per * (b->vx * ph.c - b->vz * ph.s),
+        -per * (b->vx * ph.s + b->vz * ph.c),
+    };
+    return r;
+}
+
 int32_t coin_body_reaction(const coin_body *b, const coin_params *p,
                            const coin_table *table, coin_force *out)
 {
@@ -263,6 +300,8 @@ int32_t coin_body_reaction(const coin_body *b, const coin_params *p,
     coin_priv_push F = {0, 0, 0};
     if (mode == COIN_PRIV_RESTS)
         F.N = 1;
+    else if (mode == COIN_PRIV_LIES)
+        F = sliding_force(b, &of, &law);
     else if (mode != COIN_PRIV_AIR)
         F = touching_force(b, &of, &law, mode, u);
     const coin_priv_sc ph = coin_priv_sincos(b->s.phi);

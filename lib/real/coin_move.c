@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "coin_body.h"
+#include "thrown.h"
 
 /* The most trials of steps of a call.  Where a trial takes longest, in a slip
  * with losses near flat, it takes as long as 14 textbook steps. */
@@ -11,92 +11,90 @@
 #define STOPS                                                                  \
     (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_ROLLS | COIN_TOUCHES)
 
-/* Sets *b to where the coin has come to; height and velocity are what the mode
- * says. */
-static void end_body(coin_body *b, const coin_priv_moving *g,
-                     const coin_priv_body *of)
+/* Sets w->b to the body in natural units. */
+static void to_natural(coin_priv_thrown *w, const coin_body *b,
+                       const coin_priv_body *of)
 {
-    const double uX = g->y[COIN_PRIV_UX], uh = g->y[COIN_PRIV_UH];
-    coin_priv_end(g, &b->s, of);
-    if (g->mode & COIN_PRIV_RESTS)
-        b->s.wX = b->s.wY = b->s.wZ = 0;
-    coin_priv_set_rolling(b, of);
-    if (g->mode & COIN_PRIV_SLIPS) {
-        const coin_priv_sc ph = coin_priv_sincos(b->s.phi);
-        const double v0 = of->a * sqrt(of->g_a);
-        b->vx += v0 * (uX * ph.c + uh * ph.s);
-        b->vz += v0 * (uh * ph.c - uX * ph.s);
-    }
-    if (g->mode & COIN_PRIV_RESTS)
-        b->vx = b->vy = b->vz = 0;
+    const double per_a = 1 / of->a, per_w = 1 / sqrt(of->g_a);
+    const double per_v = per_a * per_w;
+    const coin_params p = {1, 1, 1, of->IX / of->m, of->IZ / of->m, {0, 0, 0}};
+    coin_body *const n = &w->b;
+    w->of = coin_priv_body_of(&p);
+    *n = *b;
+    n->s.x *= per_a;
+    n->s.z *= per_a;
+    n->s.wX *= per_w;
+    n->s.wY *= per_w;
+    n->s.wZ *= per_w;
+    n->y *= per_a;
+    n->vx *= per_v;
+    n->vy *= per_v;
+    n->vz *= per_v;
 }
 
-/* The status of a mode. */
-static int32_t status_of(int mode)
+/* Sets *b to the body w->b.  Where it touches, height and velocity are what the
+ * mode says of the other members. */
+static void from_natural(coin_body *b, const coin_priv_thrown *w,
+                         const coin_priv_body *of, int32_t status)
 {
-    if (mode & COIN_PRIV_RESTS)
-        return COIN_RESTS;
+    const double a = of->a, w0 = sqrt(of->g_a), v0 = a * w0;
+    double u[2];
+    const int mode = status > 0 && status & COIN_LIFTS
+                         ? COIN_PRIV_AIR
+                         : coin_priv_body_mode(&w->b, &w->of, u);
+    coin_body to = w->b;
+    to.s.x *= a;
+    to.s.z *= a;
+    to.s.wX *= w0;
+    to.s.wY *= w0;
+    to.s.wZ *= w0;
+    if (!(mode & COIN_PRIV_AIR))
+        coin_priv_set_rolling(&to, of);
+    else
+        to.y *= a;
     if (mode & COIN_PRIV_AIR)
-        return COIN_LIFTS;
-    if (mode & COIN_PRIV_SLIPS)
-        return COIN_SLIPS;
-    return COIN_OK;
-}
-
-/* Moves a body that touches the table and may be computed with. */
-static int32_t move(coin_body *b, coin_priv_moving *g, const coin_priv_body *of,
-                    double t, double *reached)
-{
-    const int32_t status = coin_priv_go(g);
-    *reached = coin_priv_reached(g, t, sqrt(of->g_a));
-    if (g->moved) {
-        double u[2];
-        end_body(b, g, of);
-        /* a slip too slow to be told from rolling is none */
-        if (g->mode & COIN_PRIV_SLIPS && !coin_priv_body_mode(b, of, u)) {
-            coin_priv_set_rolling(b, of);
-            g->mode &= ~COIN_PRIV_SLIPS;
-        }
+        to.vy *= v0;
+    if (mode) {
+        to.vx = w->b.vx * v0;
+        to.vz = w->b.vz * v0;
     }
-    return status < 0 ? status : status_of(g->mode) | status;
+    if (mode & COIN_PRIV_RESTS)
+        to.s.wZ = to.vx = to.vy = to.vz = 0;
+    *b = to;
 }
 
 int32_t coin_move(coin_body *b, const coin_params *p, const coin_table *table,
                   double t, double tol, int32_t stop, double *reached)
 {
     coin_priv_body of;
-    coin_priv_moving g;
-    double u[2], moved = 0;
+    coin_priv_thrown w;
+    double u[2];
     if (!b || !p || !table || !coin_priv_tol_suits(tol) || (stop & ~STOPS))
         return COIN_EARG;
     if (coin_priv_check_body(&of, p) != COIN_OK ||
-        coin_priv_table_law(&g.law, table, &of) != COIN_OK)
+        coin_priv_table_law(&w.g.law, table, &of) != COIN_OK)
         return COIN_EPARAMS;
     int32_t status = coin_priv_check_coin_body(b, p, &of);
     if (status != COIN_OK)
         return status;
-    const int mode = coin_priv_body_mode(b, &of, u);
-    if (g.law.damping > 0 && (mode == COIN_PRIV_SLIPS || mode == COIN_PRIV_AIR))
+    if (w.g.law.damping > 0 &&
+        coin_priv_body_mode(b, &of, u) & (COIN_PRIV_SLIPS | COIN_PRIV_AIR))
         return COIN_EPARAMS;
     if (!coin_priv_time_suits(t, sqrt(of.g_a)))
         return COIN_ESTEP;
-    coin_priv_begin(&g, &b->s, &of, t, tol);
-    g.mode = mode;
-    g.y[COIN_PRIV_UX] = u[0];
-    g.y[COIN_PRIV_UH] = u[1];
-    g.stop = stop;
-    g.tries = TRIES;
-    if (mode == COIN_PRIV_RESTS) {
-        g.moved = t > 0;
-        if (g.moved)
-            end_body(b, &g, &of);
-        status = COIN_RESTS;
-    } else if (mode == COIN_PRIV_AIR) { /* flight begins here */
-        status = COIN_LIFTS;
-    } else {
-        status = move(b, &g, &of, t, &moved);
-    }
+    to_natural(&w, b, &of);
+    w.restitution = table->restitution;
+    w.time = t * sqrt(of.g_a);
+    w.tol = tol;
+    w.moved.sum = w.moved.low = 0;
+    w.stop = stop;
+    w.event = w.changed = 0;
+    w.g.tries = TRIES;
+    status = coin_priv_go_on(&w);
+    const double moved = (w.moved.sum + w.moved.low) / sqrt(of.g_a);
+    if (w.changed)
+        from_natural(b, &w, &of, status);
     if (reached)
-        *reached = moved;
+        *reached = w.moved.sum == w.time || moved > t ? t : moved;
     return status;
 }

@@ -190,6 +190,26 @@ double coin_priv_weight(const double *y, const coin_priv_law *l)
     return c * (1 - c * (wX * wX)) + s * (wY * up); /* (96) */
 }
 
+int coin_priv_leaves(const double *y, const coin_priv_law *l, int mode)
+{
+    const coin_priv_direction none = {0, 0};
+    const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
+    const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C], k1 = l->IZ / l->IX;
+    const double weight = coin_priv_weight(y, l);
+    double d[COIN_PRIV_SIZE];
+    if (weight > 0)
+        return 0;
+    mode |= COIN_PRIV_SLIPS | COIN_PRIV_IDLE;
+    (void)coin_priv_slopes(d, y, l, mode, none);
+    const double ds = d[COIN_PRIV_S], dc = d[COIN_PRIV_C];
+    const double swY = ds * wY + s * d[COIN_PRIV_WY];
+    const double cwZ = dc * y[COIN_PRIV_WZ] + c * d[COIN_PRIV_WZ];
+    const double up = k1 * c * y[COIN_PRIV_WZ] + s * wY;
+    const double slope = dc - 2 * c * wX * (dc * wX + c * d[COIN_PRIV_WX]) +
+                         swY * up + s * wY * (k1 * cwZ + swY);
+    return !(-weight * d[COIN_PRIV_ADDS_T] < slope * coin_priv_blind(y));
+}
+
 double coin_priv_contact_margin(const double *y, const coin_priv_law *l,
                                 int mode)
 {

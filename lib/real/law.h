@@ -35,11 +35,12 @@ enum {
 
 /* The contact of a coin.  A mode is made of these bits; 0 rolls. */
 enum {
-    COIN_PRIV_SLIPS = 1, /* against kinetic friction */
-    COIN_PRIV_HELD = 2,  /* the losses keep d(psi)/dt = 0 */
-    COIN_PRIV_IDLE = 4,  /* the losses do not act: N would be negative */
-    COIN_PRIV_AIR = 8,   /* there is no contact */
-    COIN_PRIV_RESTS = 16 /* flat, and nothing moves */
+    COIN_PRIV_SLIPS = 1,  /* against kinetic friction */
+    COIN_PRIV_HELD = 2,   /* the losses keep d(psi)/dt = 0 */
+    COIN_PRIV_IDLE = 4,   /* the losses do not act: N would be negative */
+    COIN_PRIV_AIR = 8,    /* there is no contact */
+    COIN_PRIV_RESTS = 16, /* flat, and nothing moves */
+    COIN_PRIV_LIES = 32   /* flat, and slides on its face */
 };
 
 /* The losses, the friction and the body. */
@@ -146,6 +147,18 @@ double coin_priv_contact_margin(const double *y, const coin_priv_law *l,
 /* Minus the free acceleration of the gap under the contact, times cos theta:
  * not above 0, the coin lifts off (96). */
 double coin_priv_weight(const double *y, const coin_priv_law *l);
+
+/* The time in which no lift-off is looked at.  A coin that would fall back
+ * within it does not lift off: what takes it up then are losses, which do not
+ * act in the air. */
+COIN_PRIV_INLINE double coin_priv_blind(const double *y)
+{
+    return 1e-4 / (1 + fabs(y[COIN_PRIV_WX]) + fabs(y[COIN_PRIV_WY]) +
+                   fabs(y[COIN_PRIV_WZ]));
+}
+
+/* Whether a coin on which the table can only pull lifts off. */
+int coin_priv_leaves(const double *y, const coin_priv_law *l, int mode);
 
 /* The direction in which a slip begins where sticking takes the force F. */
 coin_priv_direction coin_priv_onset(const double *y, const coin_priv_law *l,

@@ -328,10 +328,11 @@ static int is_flat(const coin_priv_moving *g)
     return g->time > 0 && g->y[COIN_PRIV_C] < g->law.flat; /* (97) */
 }
 
-/* Lays the coin flat. */
+/* Lays the coin flat.  The centre keeps its velocity along the table. */
 static void lie_down(coin_priv_moving *g)
 {
     double *const y = g->y;
+    y[COIN_PRIV_UH] += y[COIN_PRIV_C] * y[COIN_PRIV_WX];
     y[COIN_PRIV_S] = y[COIN_PRIV_S] < 0 ? -1 : 1;
     y[COIN_PRIV_C] = 0;
     g->mode = COIN_PRIV_RESTS;
@@ -362,7 +363,7 @@ static int next_mode(coin_priv_moving *g)
     g->margin = coin_priv_contact_margin(g->y, &g->law, g->mode);
     if (g->margin >= 0)
         return g->mode;
-    if (!(coin_priv_weight(g->y, &g->law) > 0))
+    if (coin_priv_leaves(g->y, &g->law, g->mode))
         return g->mode | COIN_PRIV_AIR; /* it keeps its slip velocity */
     if (coin_priv_slopes(0, g->y, &g->law, slips, none).N > 0)
         return slips;
@@ -370,15 +371,15 @@ static int next_mode(coin_priv_moving *g)
 }
 
 /* The stop bits that hold here. */
-static int32_t holds(const coin_priv_moving *g, int32_t event, int next)
+static int32_t holds(const coin_priv_moving *g, int next)
 {
-    int32_t bits = 0;
+    int32_t bits = g->event & COIN_TOUCHES;
     if (next & COIN_PRIV_AIR)
         bits |= COIN_LIFTS;
     else if (next & COIN_PRIV_SLIPS)
         bits |= COIN_SLIPS;
     else
-        bits |= event;
+        bits |= g->event;
     if (g->y[COIN_PRIV_C] < COIN_PRIV_NEARLY)
         bits |= COIN_NEARLY_FLAT;
     return g->stop & bits;
@@ -386,7 +387,7 @@ static int32_t holds(const coin_priv_moving *g, int32_t event, int next)
 
 int32_t coin_priv_go(coin_priv_moving *g)
 {
-    int32_t event = 0, status = COIN_OK;
+    int32_t status = COIN_OK;
     while (status == COIN_OK) {
         if (is_flat(g)) {
             lie_down(g);
@@ -395,8 +396,8 @@ int32_t coin_priv_go(coin_priv_moving *g)
         g->mode &= ~COIN_PRIV_IDLE;
         hold(g);
         const int next = next_mode(g);
-        const int32_t found = holds(g, event, next);
-        event = 0;
+        const int32_t found = holds(g, next);
+        g->event = 0;
         if (next == g->mode)
             g->waiting = 0;
         if (next & (COIN_PRIV_AIR | COIN_PRIV_IDLE))
@@ -408,7 +409,7 @@ int32_t coin_priv_go(coin_priv_moving *g)
         else if (next != g->mode)
             status = coin_priv_begin_slip(g);
         else if (coin_priv_end_slip(g))
-            event = COIN_ROLLS;
+            g->event = COIN_ROLLS;
         else
             status = make_step(g);
     }

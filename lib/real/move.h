@@ -13,11 +13,15 @@
  *                                                  the losses hold it
  * SLIPS HELD slides; psi is held         sigma     as SLIPS, and as HELD
  * and IDLE   as without; no losses                 after each step
- * AIR        none                                  the call
+ * AIR        none                        none      the rim touches: an impact,
+ *                                                  then any mode but RESTS
+ * LIES       slides on its face          sliding   it stops: RESTS
  * RESTS      flat                                  the call
  *
- * Each mode but the last two also ends where the time is over, and where cos
- * theta comes below `flat`: RESTS.  The table is that of docs/design.md. */
+ * Each mode but the last three also ends where cos theta comes below `flat`:
+ * LIES or RESTS; and each where the time is over.  coin_priv_go() makes those
+ * above AIR, and coin_priv_go_on() all.  The table is that of docs/design.md.
+ */
 #ifndef ROLLCOIN_MOVE_H
 #define ROLLCOIN_MOVE_H
 
@@ -45,8 +49,9 @@
 typedef struct coin_priv_moving {
     coin_priv_law law;
     double tol;
-    int32_t stop; /* the bits that end the call */
-    int tries;    /* of steps: how many are left */
+    int32_t stop;  /* the bits that end the call */
+    int32_t event; /* COIN_ROLLS or COIN_TOUCHES, where they begin here */
+    int tries;     /* of steps: how many are left */
 
     int mode;                 /* COIN_PRIV_SLIPS ... */
     double y[COIN_PRIV_WIDE]; /* the variables */

@@ -39,7 +39,6 @@ struct doubles {
     using real = double;
     static constexpr double u = 0x1p-53, least = DBL_TRUE_MIN, normal = DBL_MIN;
     TWINS(coin);
-    static constexpr auto from_landing = coin_state_from_landing;
     static double low(const state &, int)
     {
         return 0;

@@ -56,7 +56,7 @@ int32_t by_settle(calls *c, double t)
 
 int32_t by_move(calls *c, double t)
 {
-    return coin_move(&c->at, &c->p, &c->f, t, c->tol, 0, nullptr);
+    return coin_move(&c->at, &c->p, &c->f, t, c->tol, COIN_LIFTS, nullptr);
 }
 
 /* The slip of a body that rolls, in parts of what rounding may leave; broken if

@@ -247,8 +247,8 @@ template <class R> double lifts(const scene &s, double enough)
         return NO_CLAIM;
     coin_body d = q.d;
     double reached;
-    if (q.advance(&d, double(truth.took) / w * 1.01, tol, 0, &reached) !=
-        COIN_LIFTS)
+    if (q.advance(&d, double(truth.took) / w * 1.01, tol, COIN_LIFTS,
+                  &reached) != COIN_LIFTS)
         return BROKEN;
     const double ratio =
         double(magnitude(R(reached) * truth.w - truth.took) / bound);

@@ -285,39 +285,6 @@ template <class T, class R> double from_motion(const scene &s, double)
     return a.v.worst;
 }
 
-/* The angular velocity of the scene, and a velocity that has nothing to do with
- * it; judged for the angles that come out. */
-template <class T, class R> double from_landing(const scene &s, double)
-{
-    using real = typename T::real;
-    asked<T, R> a(s);
-    const real q[] = {real(s.q[0]), real(s.q[1]), real(s.q[2]), real(s.q[3])};
-    const real w[] = {real(s.wX), real(s.wY), real(s.wZ)};
-    const real v[] = {a.p.radius * w[2], -a.p.radius * w[0], a.p.radius * w[1]};
-    typename T::state y;
-    if (T::from_landing(&y, &a.p, q, w, v, a.y.x, a.y.z) != COIN_OK ||
-        !a.is_normal())
-        return NO_CLAIM;
-    const moment<R> at(a.p, y);
-    R e[9];
-    frame_of(at, e);
-    terms<R> want[3];
-    for (int i = 0; i < 3; ++i) {
-        want[0].add(at.IX / at.J * w[i] * e[i]);
-        want[0].add(at.m / at.J / at.a * v[i] * e[6 + i]); /* (91) */
-        want[1].add(w[i] * e[3 + i]);
-        want[2].add(at.IZ / at.K * w[i] * e[6 + i]);
-        want[2].add(-at.k2 / at.a * v[i] * e[i]); /* (91) */
-        want[0].size += magnitude(w[i] * e[i]) * at.m / at.J;
-        want[2].size += magnitude(w[i] * e[6 + i]) * at.k2;
-    }
-    a.hold(y.wX, want[0], 16);
-    a.hold(y.wY, want[1], 16);
-    a.hold(y.wZ, want[2], 16);
-    a.v.equal(y.x == a.y.x && y.z == a.y.z);
-    return a.v.worst;
-}
-
 /* ---------------------------------------------------------------- check() */
 
 /* A part off 1 by 1e-17 to 1, from a number of scene::q. */
@@ -424,8 +391,5 @@ void add_observables(std::vector<row> *rows)
     ROW("angular_velocity", "8 u of the terms", angular_velocity, NO_EDGE);
     ROW("state_from_motion", "8 u; over cos theta in phi and psi", from_motion,
         ROTATION);
-    rows->push_back({"coin_state_from_landing", "16 u of the terms", 1, false,
-                     near_a_rotation, from_landing<doubles, long double>,
-                     from_landing<doubles, quad>});
     ROW("check", "8 u of the terms of each threshold", check, THRESHOLDS);
 }

@@ -52,8 +52,8 @@ struct asked {
             f.losses = losses_of(of);
         }
     }
-    int32_t advance(coin_body *at, double t, double tol, int32_t stop = 0,
-                    double *reached = nullptr) const
+    int32_t advance(coin_body *at, double t, double tol,
+                    int32_t stop = COIN_LIFTS, double *reached = nullptr) const
     {
         return coin_move(at, &p, &f, t, tol, stop, reached);
     }

@@ -280,16 +280,13 @@ class Results(unittest.TestCase):
             self.assertAlmostEqual(getattr(back, member), getattr(s, member),
                                    12)
 
-    def test_games_get_a_matrix_a_landing_and_the_first_slip(self):
+    def test_games_get_a_matrix_and_the_first_slip(self):
         p, s = quarter()
         m = numpy.reshape(rc.matrix(s, p), (4, 4)).T
         self.assertTrue(same(m[:3, 3], rc.center(s, p)))
         self.assertAlmostEqual(numpy.linalg.det(m), 1, 14)
         self.assertEqual(rc.matrix(random_table(5), p).shape, (5, 16))
         self.assertEqual(len(rc.matrix(*quarterf()[::-1])), 16)
-        landed = rc.state_from_landing(
-            p, rc.quaternion(s), rc.angular_velocity(s), rc.velocity(s, p))
-        self.assertAlmostEqual(landed.wZ, s.wZ, 4)
         most = rc.reaction(s, p).ratio
         rc.advance(s, p, 0.05)  # half a period of the lean
         mu = (most + rc.reaction(s, p).ratio) / 2
@@ -371,7 +368,8 @@ class Results(unittest.TestCase):
         self.assertEqual(rc.move(b, p, table, 1), (0, 1))
         air = rc.body_from_motion(p, [1, 0, 0, 0], [0, 0, 0], [0, 1, 0],
                                   [0, 0, 0])
-        self.assertEqual(rc.move(air, p, table, 1), (rc.LIFTS, 0))
+        self.assertEqual(rc.move(air, p, table, 0.1), (rc.LIFTS, 0.1))
+        self.assertEqual(rc.move(air, p, table, 1), (0, 1))
         b.s.theta = 2
         with self.assertRaises(rc.Error) as caught:
             rc.body_energy(b, p)

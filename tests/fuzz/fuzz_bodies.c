@@ -12,8 +12,6 @@ CALL(coin_params_body, (a[0].p, a[1].d, a[2].d, a[3].d, a[4].d, a[5].d))
 CALL(coin_params_check, (a[0].p))
 CALL(coin_state_check, (a[0].p, a[1].p))
 CALL(coin_state_from_motion, (a[0].p, a[1].p, a[2].p, a[3].p, a[4].d, a[5].d))
-CALL(coin_state_from_landing,
-     (a[0].p, a[1].p, a[2].p, a[3].p, a[4].p, a[5].d, a[6].d))
 
 /* Texts count as done if there is one. */
 static double text(const char *t)
@@ -67,11 +65,6 @@ static void judge_from_motion(const struct outcome *o)
     judge_made(o, 4, 5);
 }
 
-static void judge_from_landing(const struct outcome *o)
-{
-    judge_made(o, 5, 6);
-}
-
 #define MAKES (BIT(COIN_EARG) | BIT(COIN_EPARAMS))
 
 const struct function fuzz_functions[] = {
@@ -85,7 +78,6 @@ const struct function fuzz_functions[] = {
     ROW(coin_params_check, "p", MAKES, 0, PLAIN),
     ROW(coin_state_check, "sp", USUAL, 0, PLAIN),
     ROW(coin_state_from_motion, "Opqwdd", USUAL, 0, 0, judge_from_motion, 0),
-    ROW(coin_state_from_landing, "Opqwwdd", USUAL, 0, 0, judge_from_landing, 0),
     ROW(coin_method_name, "i", BIT(COIN_EARG), 0, 0, judge_method, 0),
 };
 

@@ -57,7 +57,8 @@ static void judge_move(const struct outcome *o)
 }
 
 #define MODES                                                                  \
-    (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_RESTS | COIN_ROLLS)
+    (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_RESTS | COIN_ROLLS |    \
+     COIN_TOUCHES)
 
 const struct function fuzz_functions[] = {
     ROW(coin_table_check, "%p", BIT(COIN_EARG) | BIT(COIN_EPARAMS), 0, PLAIN),

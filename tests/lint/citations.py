@@ -24,7 +24,7 @@ def cited_equations(text):
     argument in "f(2)"."""
     numbers = set()
     for first, last in re.findall(
-            r"(?<![\w\]])\((\d{1,2})\)(?:\s*-\s*\((\d{1,2})\))?", text):
+            r"(?<![\w\]])\((\d{1,3})\)(?:\s*-\s*\((\d{1,3})\))?", text):
         numbers.update(range(int(first), int(last or first) + 1))
     return numbers
 

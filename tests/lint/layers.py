@@ -16,8 +16,8 @@ import sys
 FLOORS = [
     {"about": {"motion"}},
     {"float": {"motion", "observe"}},
-    {"exact": {"motion", "step"}, "real": {"motion", "step"}},
-    {"step": {"motion"}, "observe": {"motion"}},
+    {"exact": {"motion", "step"}, "real": {"air", "motion", "step"}},
+    {"air": {"motion"}, "step": {"motion"}, "observe": {"motion"}},
     {"motion": set()},
 ]
 SEES = {room: seen for floor in FLOORS for room, seen in floor.items()}

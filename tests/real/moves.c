@@ -36,7 +36,7 @@ static void launches(int n, double share)
         for (int k = 0; k < 20 && (status == COIN_OK || status == COIN_SLIPS);
              ++k) {
             coin_force force;
-            status = coin_move(&d, &p, &f, 1, 1e-9, 0, &reached);
+            status = coin_move(&d, &p, &f, 1, 1e-9, COIN_LIFTS, &reached);
             rise = fmax(rise, coin_body_energy(&d, &p) - E);
             E = coin_body_energy(&d, &p);
             coin_body_reaction(&d, &p, &f, &force);

@@ -9,9 +9,9 @@ static uint64_t hash_body(uint64_t h, const coin_body *b)
     return hash_doubles(hash_state(h, &b->s), &b->y, 4);
 }
 
-/* By coin_move(), thrown from *s without rolling, with losses and without; unit
- * is the natural unit of time.  Every other call is loose, and the last goes on
- * to where the coin rests, or 20 units. */
+/* By coin_move(), thrown from *s, along the table without losses and off it
+ * with them; unit is the natural unit of time.  Every other call is loose, and
+ * the last goes on to where the coin rests, or 20 units. */
 static uint64_t hash_move(const coin_state *s, const coin_params *p,
                           double unit)
 {
@@ -28,7 +28,9 @@ static uint64_t hash_move(const coin_state *s, const coin_params *p,
         table.losses.viscous = lossy * torque * unit;
         table.losses.angular = lossy / (1024 * unit);
         h = hash_status(h, coin_body_from_state(&b, s, p));
+        table.restitution = 0.5;
         b.vx += p->radius / unit / 2;
+        b.vy += 2 * lossy * p->radius / unit;
         for (i = 1; i <= 11; ++i) {
             double reached = 0;
             h = hash_status(h, coin_move(&b, p, &table,

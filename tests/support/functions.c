@@ -27,10 +27,6 @@ static int32_t from_motion(void *const a[])
 {
     return coin_state_from_motion(a[0], a[1], a[2], a[3], 1, 2);
 }
-static int32_t from_landing(void *const a[])
-{
-    return coin_state_from_landing(a[0], a[1], a[2], a[3], a[4], 1, 2);
-}
 static int32_t angular_velocity(void *const a[])
 {
     return coin_angular_velocity(a[0], a[1]);
@@ -193,7 +189,6 @@ const struct function functions[] = {
     {"coin_params_check", "p", params_check},
     {"coin_state_check", "sp", state_check},
     {"coin_state_from_motion", "opdd", from_motion},
-    {"coin_state_from_landing", "opddd", from_landing},
     {"coin_angular_velocity", "so", angular_velocity},
     {"coin_step", "Sp", step},
     {"coin_run", "Spn", run},

@@ -35,10 +35,10 @@ int32_t slide(coin_body *d, const coin_params *p, const coin_table *f,
     const double least = tol > 0 && tol < 1e-12 ? 1e-12 : tol;
     coin_body b = touching(d, p);
     double moved = 0, sum = 0;
-    int32_t status = coin_move(&b, p, &table, t, least, 0, &moved);
+    int32_t status = coin_move(&b, p, &table, t, least, COIN_LIFTS, &moved);
     for (int i = 0; i < 200 && status == COIN_ESTEP && moved > 0; ++i) {
         sum += moved; /* a call is bounded, and the next goes on */
-        status = coin_move(&b, p, &table, t - sum, least, 0, &moved);
+        status = coin_move(&b, p, &table, t - sum, least, COIN_LIFTS, &moved);
     }
     if (reached && (status >= 0 || moved > 0 || sum > 0))
         *reached = sum > 0 && status >= 0 && moved == t - sum ? t : sum + moved;

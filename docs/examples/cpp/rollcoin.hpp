@@ -186,16 +186,6 @@ inline state from_motion(const params &p, const quaternion &q,
     return s;
 }
 
-// How a coin that an engine holds rolls on once it touches the table.
-inline state from_landing(const params &p, const quaternion &q,
-                          const vec3 &omega, const vec3 &v, double x, double z)
-{
-    state s;
-    check(coin_state_from_landing(&s, &p, q.data(), omega.data(), v.data(), x,
-                                  z));
-    return s;
-}
-
 inline vec3 angular_velocity(const state &s)
 {
     vec3 omega;

@@ -423,17 +423,6 @@ extern "C" {
     pub fn coin_body_matrix(b: *const coin_body, p: *const coin_params, m: *mut f64) -> i32;
 }
 extern "C" {
-    pub fn coin_state_from_landing(
-        s: *mut coin_state,
-        p: *const coin_params,
-        q: *const f64,
-        omega: *const f64,
-        v: *const f64,
-        x: f64,
-        z: f64,
-    ) -> i32;
-}
-extern "C" {
     pub fn coin_version() -> u32;
 }
 extern "C" {

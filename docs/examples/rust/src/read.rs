@@ -24,22 +24,6 @@ impl State {
         })
     }
 
-    /// How a coin that an engine holds rolls on once it touches the table:
-    /// [`State::from_motion`], and `v` is the velocity of its centre.
-    pub fn from_landing(
-        p: &Params,
-        q: [f64; 4],
-        omega: [f64; 3],
-        v: [f64; 3],
-        x: f64,
-        z: f64,
-    ) -> Result<State> {
-        let (q, omega, v) = (q.as_ptr(), omega.as_ptr(), v.as_ptr());
-        filled(|s| unsafe {
-            ffi::coin_state_from_landing(s, p, q, omega, v, x, z)
-        })
-    }
-
     /// What a renderer loads: 16 numbers, by columns.
     pub fn matrix(&self, p: &Params) -> Result<[f64; 16]> {
         filled(|m: &mut [f64; 16]| unsafe {

@@ -840,14 +840,16 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
                                        const double q[4], const double omega[3],
                                        const double r[3], const double v[3]);
 
-/** Moves a real coin by any time: it rolls, slips, and comes to rest.
+/** Moves a real coin by any time: it flies, bounces, slips, rolls, and comes to
+ * rest.
  *
  * TOUCHING. A body touches the table if y is a cos(theta) within 16 u a, and
  * the normal speed of its lowest point, vy + a sin(theta) wX, is at most 1e-10
  * sqrt(g a); else it is in the air.  It rolls if besides its slip speed is at
- * most 1e-10 sqrt(g a) + 16 u a (|wX| + |wZ|).  It rests if |theta| is the last
- * lean before pi/2 and wX = wY = 0: whatever else moves is given up.  Each
- * returned body satisfies this as the status says.
+ * most 1e-10 sqrt(g a) + 16 u a (|wX| + |wZ|).  It lies flat if |theta| is the
+ * last lean before pi/2 and wX = wY = 0: it slides on its face, COIN_SLIPS,
+ * until nothing moves, COIN_RESTS.  Each returned body satisfies this as the
+ * status says.
  *
  * A quarter that is thrown along the table, until it rolls:
  * @code
@@ -877,26 +879,45 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  * @param[out] reached  the time moved: t, or less if the call ended early; may
  *                   be null
  * @return the mode at the end, or-ed with the bits of stop that hold there: 0,
- *         it rolls; COIN_SLIPS; COIN_LIFTS, it is in the air or lifts off;
- *         COIN_RESTS.  The usual errors; COIN_EARG also for tol or stop;
- *         COIN_EPARAMS also as coin_table_check(), or for damping and a body
- *         that slips or flies; COIN_ESTATE also for a body below the table or
- *         out of range; COIN_ESTEP: t is negative, NaN or beyond 1e15 natural
- *         units; or 11,000 trials of steps were not enough, or a rate
- *         would leave its range, and b is the body at *reached; COIN_ERANGE:
- *         phi, psi, x or z would leave its range, and b is the body at
- *         *reached.
- * A slip begins where F exceeds mu_static N, Eq. (84), or where rolling would
- * need a pull, and ends where its speed comes to 0.  The coin lifts off where
- * N <= 0 and the free acceleration of its lowest point is upward, Eq. (96).  A
- * body in the air stays there: the call returns COIN_LIFTS.
+ *         it rolls; COIN_SLIPS, its contact or its face slides; COIN_LIFTS, it
+ *         is in the air, lifts off, or hits the table now; COIN_RESTS.  The
+ *         usual errors; COIN_EARG also for tol or stop; COIN_EPARAMS also as
+ *         coin_table_check(), or for damping and a body that slips or flies;
+ *         COIN_ESTATE also for a body below the table or out of range;
+ *         COIN_ESTEP: t is negative, NaN or beyond 1e15 natural units; or
+ *         11,000 trials of steps were not enough, or a rate would leave its
+ *         range, and b is the body at *reached; COIN_ERANGE: phi, psi or the
+ *         position would leave its range, and b is the body at *reached.
+ *
+ * SLIP. It begins where F exceeds mu_static N, Eq. (84), or where rolling would
+ * need a pull, and ends where its speed comes to 0.
+ *
+ * AIR. The coin lifts off where N <= 0 and the free acceleration of its lowest
+ * point is upward, Eq. (96).  Then it is a free symmetric top, Eq. (99), and no
+ * step is made.  phi and psi come to lie in [-pi, pi].  Where the face passes
+ * the horizontal both jump by pi, and wX, wY change their signs.  The +Z side,
+ * heads, is up where theta < 0.  A coin with damping is not moved in the air:
+ * COIN_LIFTS.
+ *
+ * IMPACT. By the restitution and the two coefficients of friction of the table,
+ * Eq. (108); a coin that hits it at less than 1e-4 sqrt(g a) does not bounce,
+ * Eq. (114).  COIN_TOUCHES ends a call before the impact, which the next call
+ * with t > 0 makes.
+ *
+ * FLAT. It slides by mu_kinetic under a uniform pressure, Eq. (109), whatever
+ * mu_static is; losses do not act.  wZ is the turn of its face.
+ *
  * Accuracy: of 100 random launches, 98 err by less than tol (1 + n) after n
- *         natural units (test_slide).  An excursion of F/N above mu_static by
- *         1e-4 of it is found.  Many short calls give the motion of one long
- *         call to a few tol.
+ *         natural units (test_slide).  A flight errs by 1e-15 for each radian
+ *         that it turns by (test_flight), a touch is located to 1e-15 over its
+ *         normal speed (test_touch), an impact gains no energy (test_impact).
+ *         An excursion of F/N above mu_static by 1e-4 of it is found.  Many
+ *         short calls give the motion of one long call to a few tol, as long as
+ *         the motion does not amplify that: bounces do (test_toss).
  * Cost: per natural unit of time some 10 textbook steps at 1e-6, 17 while it
- *         slips, half as much again at 1e-9; most near flat.  A call takes at
- *         most 11,000 trials of steps, some 20 ms. */
+ *         slips, half as much again at 1e-9; most near flat.  Two for a call in
+ *         the air, four if it bounces.  A call takes at most 11,000 trials of
+ *         steps, some 20 ms. */
 COIN_API int32_t coin_move(coin_body *b, const coin_params *p,
                            const coin_table *table, double t, double tol,
                            int32_t stop, double *reached);
@@ -926,27 +947,6 @@ COIN_API int32_t coin_body_slip(const coin_body *b, const coin_params *p,
  * @return as coin_matrix(). */
 COIN_API int32_t coin_body_matrix(const coin_body *b, const coin_params *p,
                                   double m[16]);
-
-/** The rolling motion of a coin that an engine has dropped on the table.  The
- * impact neither slips nor bounces, so that it keeps the angular momentum about
- * the point of contact.  Eq. (91).  A coin that rolls already stays as it is.
- * @param[out] s  the state; -pi < phi, psi <= pi
- * @param q       [4] w, x, y, z: rotation body to table, any norm [1]
- * @param omega   [3] angular velocity in the table frame before the impact
- *                [1/T]
- * @param v       [3] velocity of the centre of mass before the impact.  It may
- *                point away from the table: the angular momentum is kept then
- *                too [L/T]
- * @param x,z     the centre of mass [L]
- * @return COIN_OK; the usual errors: COIN_ESTATE as coin_state_from_motion(),
- *         and if the rates would be out of range.
- * Accuracy: that of coin_state_from_motion() in the angles; 16 u of the terms
- *         in the rates, with the computed angles taken as exact
- *         (test_landing). */
-COIN_API int32_t coin_state_from_landing(coin_state *s, const coin_params *p,
-                                         const double q[4],
-                                         const double omega[3],
-                                         const double v[3], double x, double z);
 
 /* ------------------------------------------------ version and self-test -- */
 

@@ -12,7 +12,7 @@ from ._tables import (AnyParams, Coin, Coins, Status, coin, function, kind_of,
 
 __all__ = ["body", "bodyf", "disc", "discf", "losses_check", "losses_fit",
            "params_check", "ring", "ringf", "state_check",
-           "state_from_landing", "state_from_motion", "steady_circle",
+           "state_from_motion", "steady_circle",
            "steady_ride", "steady_roll", "steady_spin", "steady_turn",
            "steady_upright_spin"]
 
@@ -105,19 +105,6 @@ def state_from_motion(p: AnyParams, q: Sequence[float],
     s = kind()
     function("state_from_motion", kind)(s, p, vector(q, 4, real),
                                         vector(omega, 3, real), x, z)
-    return s
-
-
-def state_from_landing(p: Params, q: Sequence[float],
-                       omega: Sequence[float], v: Sequence[float],
-                       x: float = 0, z: float = 0) -> State:
-    """The State in which a body of an engine rolls on once it touches the
-    table, if the contact neither slips nor bounces: as state_from_motion(),
-    and v is the velocity of its centre.  coin_state_from_landing()"""
-    s = State()
-    lib.coin_state_from_landing(
-        s, p, vector(q, 4, c_double), vector(omega, 3, c_double),
-        vector(v, 3, c_double), x, z)
     return s
 
 

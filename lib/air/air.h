@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+/* A coin off the table, at the moment it hits it, and flat on it.
+ *
+ * Everything is in natural units, M = a = g = 1: coin_body too, and I_X and I_Z
+ * are those over M a^2. */
+#ifndef ROLLCOIN_AIR_H
+#define ROLLCOIN_AIR_H
+
+#include "../motion/state.h"
+
+/* A flight from a body: a free symmetric top, which turns about its axis at the
+ * rate sigma while the axis turns about k. */
+typedef struct coin_priv_flight {
+    double X[3], n[3]; /* e_X and e_Z at the start */
+    double k[3], rate; /* of the precession; k is a unit vector */
+    double sigma;      /* the rate about e_Z besides it */
+    double x, y, z;    /* the centre, and its velocity */
+    double vx, vy, vz;
+} coin_priv_flight;
+
+void coin_priv_flight_of(coin_priv_flight *f, const coin_body *b, double IX,
+                         double IZ);
+
+/* Moves the body that the flight begins with by t.  phi and psi come to lie in
+ * [-pi, pi], to rounding.  Pre: rate t and sigma t are at most half of
+ * COIN_PRIV_ANGLE_MAX.
+ * Accuracy: 1e-15 (1 + (rate + |sigma|) t) (test_flight). */
+void coin_priv_fly(coin_body *b, const coin_priv_flight *f, double t);
+
+/* What a search for a touch comes to. */
+typedef struct coin_priv_touch {
+    double t;    /* of the touch; else there is none up to here */
+    int touches; /* whether it touches */
+    int looks;   /* how often the gap has been computed */
+} coin_priv_touch;
+
+/* The first touch within t.  leaves: the lowest point of the rim is on the
+ * table and moves up.  A search that is long ends before t. */
+coin_priv_touch coin_priv_first_touch(const coin_priv_flight *f, double t,
+                                      int leaves);
+
+/* The velocity of the lowest point of the rim, upward. */
+double coin_priv_rim_speed(const coin_body *b);
+
+/* What the table does to a coin that hits it. */
+typedef struct coin_priv_bounce {
+    double restitution, mu_static, mu_kinetic;
+} coin_priv_bounce;
+
+/* The impact of a body that touches and whose lowest point moves down. */
+void coin_priv_impact(coin_body *b, double IX, double IZ,
+                      const coin_priv_bounce *law);
+
+/* Moves a body that lies flat, by t or until it stops or the search for its
+ * path is long.  Returns the time moved. */
+double coin_priv_slide_flat(coin_body *b, double IZ, double mu, double t);
+
+/* The friction on a coin whose centre slides at v and whose face turns at w,
+ * over mu M g: 0 to 1. */
+double coin_priv_flat_drag(double IZ, double v, double w);
+
+#endif

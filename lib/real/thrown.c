@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: MIT */
+#include "../motion/pinned.h"
+
+#include "../air/air.h"
+
+#include "thrown.h"
+
+/* No status: the way goes on. */
+#define UNDER_WAY (1 << 20)
+
+/* An impact at a smaller speed does not bounce, (114).  A coin nearer to flat
+ * than `flat` lies down at it. */
+#define PLASTIC 1e-4
+
+/* Flights are made in parts that turn by at most this. */
+#define MOST_TURN (COIN_PRIV_ANGLE_MAX / 2)
+
+/* So many looks at the gap count as a trial of a step. */
+#define LOOKS 16
+
+static double time_left(const coin_priv_thrown *w)
+{
+    return (w->time - w->moved.sum) - w->moved.low;
+}
+
+/* Adds a time that has been moved, at most `left`. */
+static void spend(coin_priv_thrown *w, double t, double left)
+{
+    w->changed = 1;
+    if (t < left) {
+        coin_priv_add(&w->moved, t);
+    } else {
+        w->moved.sum = w->time;
+        w->moved.low = 0;
+    }
+}
+
+/* Takes another body, unless one of its members is out of range. */
+static int32_t take(coin_priv_thrown *w, const coin_body *to)
+{
+    const double far = COIN_PRIV_PLACE_MAX;
+    if (!(fabs(to->s.x) <= far && fabs(to->s.z) <= far && to->y <= far &&
+          fabs(to->s.psi) <= COIN_PRIV_ANGLE_MAX))
+        return COIN_ERANGE;
+    if (!coin_priv_members_hold(to, &w->of))
+        return COIN_ESTEP;
+    w->b = *to;
+    w->changed = 1;
+    return UNDER_WAY;
+}
+
+/* The height at which a coin of this lean touches. */
+static double touching(const coin_body *b)
+{
+    return coin_priv_sincos(b->s.theta).c;
+}
+
+/* Flies for a time.  The coin comes down on the table if `touches`, or if
+ * rounding took it there. */
+static int32_t fly_for(coin_priv_thrown *w, const coin_priv_flight *f, double t,
+                       int touches)
+{
+    const double left = time_left(w);
+    const double rise = t < f->vy ? t : f->vy;
+    coin_body to = w->b;
+    if (rise > 0 && f->y + rise * (f->vy - rise / 2) > COIN_PRIV_PLACE_MAX)
+        return COIN_ERANGE;
+    coin_priv_fly(&to, f, t);
+    const double lowest = touching(&to);
+    if (touches || to.y < lowest) {
+        to.y = lowest;
+        w->event = COIN_TOUCHES;
+    }
+    const int32_t status = take(w, &to);
+    if (status != UNDER_WAY)
+        return status;
+    spend(w, t, left);
+    return t < left || to.y - lowest <= COIN_PRIV_TOUCHES ? UNDER_WAY
+                                                          : COIN_LIFTS;
+}
+
+/* Flies to the next touch. */
+static int32_t fly(coin_priv_thrown *w, int leaves)
+{
+    coin_priv_flight f;
+    coin_priv_flight_of(&f, &w->b, w->of.IX, w->of.IZ);
+    const double left = time_left(w);
+    const double most = MOST_TURN / (1 + f.rate + fabs(f.sigma));
+    const coin_priv_touch to =
+        coin_priv_first_touch(&f, left < most ? left : most, leaves);
+    w->g.tries -= to.looks / LOOKS;
+    return fly_for(w, &f, to.t, to.touches);
+}
+
+/* Leaves the table with no normal speed.  The gap is looked at after a time:
+ * until then it is rounding.  A touch that this misses is less than 1e-12
+ * deep. */
+static int32_t lift_off(coin_priv_thrown *w)
+{
+    const double left = time_left(w), t = coin_priv_blind(w->g.y);
+    coin_priv_flight f;
+    if (--w->g.tries <= 0)
+        return COIN_ESTEP;
+    coin_priv_flight_of(&f, &w->b, w->of.IX, w->of.IZ);
+    return fly_for(w, &f, t < left ? t : left, 0);
+}
+
+static void lie_down(coin_body *b)
+{
+    b->s.theta = copysign(COIN_PRIV_LAST_LEAN, b->s.theta);
+    b->s.wX = b->s.wY = b->vy = 0;
+    b->y = touching(b);
+}
+
+/* The impact that is due. */
+static int32_t hit(coin_priv_thrown *w)
+{
+    const coin_priv_law *const l = &w->g.law;
+    const int slow = coin_priv_rim_speed(&w->b) > -PLASTIC; /* (114) */
+    const coin_priv_bounce law = {
+        slow ? 0 : w->restitution,
+        l->mu_static,
+        l->mu_kinetic,
+    };
+    coin_body to = w->b;
+    if (slow && touching(&to) < l->flat)
+        lie_down(&to); /* (115) */
+    else
+        coin_priv_impact(&to, w->of.IX, w->of.IZ, &law);
+    w->event = COIN_ROLLS;
+    return take(w, &to);
+}
+
+static int32_t in_air(coin_priv_thrown *w)
+{
+    const int32_t bits = w->stop & (COIN_LIFTS | (w->event & COIN_TOUCHES));
+    w->event = 0;
+    if (bits || !(time_left(w) > 0))
+        return COIN_LIFTS | bits;
+    if (--w->g.tries <= 0)
+        return COIN_ESTEP;
+    const coin_priv_sc th = coin_priv_sincos(w->b.s.theta);
+    const int low = w->b.y - th.c <= COIN_PRIV_TOUCHES;
+    return low && w->b.vy + w->b.s.wX * th.s < 0 ? hit(w) : fly(w, low);
+}
+
+static int32_t on_face(coin_priv_thrown *w)
+{
+    const double left = time_left(w);
+    const int32_t holds =
+        COIN_SLIPS | COIN_NEARLY_FLAT | (w->event & COIN_TOUCHES);
+    w->event = 0;
+    if (w->stop & holds || !(left > 0))
+        return COIN_SLIPS | (w->stop & holds);
+    if (--w->g.tries <= 0)
+        return COIN_ESTEP;
+    coin_body to = w->b;
+    const double t =
+        coin_priv_slide_flat(&to, w->of.IZ, w->g.law.mu_kinetic, left);
+    const int32_t status = take(w, &to);
+    if (status == UNDER_WAY)
+        spend(w, t, left);
+    return status;
+}
+
+/* Sets *b to where the contact has come to. */
+static void end_contact(coin_priv_thrown *w)
+{
+    coin_body *const b = &w->b;
+    const coin_priv_moving *const g = &w->g;
+    const double uX = g->y[COIN_PRIV_UX], uh = g->y[COIN_PRIV_UH];
+    coin_priv_end(g, &b->s, &w->of);
+    if (g->mode & COIN_PRIV_RESTS)
+        b->s.wX = b->s.wY = 0;
+    coin_priv_set_rolling(b, &w->of);
+    if (g->mode & (COIN_PRIV_SLIPS | COIN_PRIV_RESTS)) {
+        const coin_priv_sc ph = coin_priv_sincos(b->s.phi);
+        b->vx += uX * ph.c + uh * ph.s;
+        b->vz += uh * ph.c - uX * ph.s;
+    }
+}
+
+static int32_t in_contact(coin_priv_thrown *w, int mode, const double u[2])
+{
+    coin_priv_moving *const g = &w->g;
+    const double left = time_left(w);
+    double none[2];
+    coin_priv_begin(g, &w->b.s, &w->of, left, w->tol);
+    g->mode = mode;
+    g->y[COIN_PRIV_UX] = u[0];
+    g->y[COIN_PRIV_UH] = u[1];
+    g->stop = w->stop;
+    g->event = w->event;
+    w->event = 0;
+    const int32_t status = coin_priv_go(g);
+    if (g->moved) {
+        const double after = coin_priv_time_left(g);
+        end_contact(w);
+        spend(w, after > 0 ? g->pose[4].sum + g->pose[4].low : left, left);
+    }
+    if (status < 0)
+        return status;
+    if (g->mode & COIN_PRIV_RESTS)
+        return UNDER_WAY;
+    if (g->mode & COIN_PRIV_AIR) {
+        /* a coin with damping is not moved in the air */
+        const int ends = status || !(time_left(w) > 0) || g->law.damping > 0;
+        return ends ? COIN_LIFTS | status : lift_off(w);
+    }
+    if (!(g->mode & COIN_PRIV_SLIPS))
+        return status;
+    if (coin_priv_body_mode(&w->b, &w->of, none) & COIN_PRIV_SLIPS)
+        return COIN_SLIPS | status;
+    coin_priv_set_rolling(&w->b, &w->of); /* a slip too slow to be told */
+    return status;
+}
+
+/* One mode. */
+static int32_t stage(coin_priv_thrown *w)
+{
+    double u[2];
+    const int mode = coin_priv_body_mode(&w->b, &w->of, u);
+    if (mode & COIN_PRIV_AIR)
+        return in_air(w);
+    if (mode & COIN_PRIV_RESTS)
+        return COIN_RESTS;
+    return mode & COIN_PRIV_LIES ? on_face(w) : in_contact(w, mode, u);
+}
+
+int32_t coin_priv_go_on(coin_priv_thrown *w)
+{
+    int32_t status;
+    do
+        status = stage(w);
+    while (status == UNDER_WAY);
+    return status;
+}

@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: MIT */
+/* A coin that lies flat and slides, against an integration of friction over its
+ * face. */
+#include "support/check.h"
+#include "support/thrown.h"
+
+#include <air.h>
+
+#include <math.h>
+
+#define LAST_LEAN (1.5707963267948966 - 2.220446049250313e-16)
+
+/* The error of time, path, speed and turn in their units: S/mu, S^2/mu, S. */
+#define EXACT 1e-10
+
+static coin_body flat(double v, double heading, double w)
+{
+    const coin_body b = {.s = {.theta = LAST_LEAN, .wZ = w},
+                         .y = cos(LAST_LEAN),
+                         .vx = v * cos(heading),
+                         .vz = v * sin(heading)};
+    return b;
+}
+
+static void a_slide_is_that_of_friction_all_over_the_face(void **unused)
+{
+    (void)unused;
+    static struct table t;
+    table_load(&t, "toss/flat_slides.csv");
+    for (size_t i = 0; i < t.rows; ++i) {
+        const double IZ = table_at(&t, i, "I_Z"), mu = table_at(&t, i, "mu");
+        const double v = table_at(&t, i, "v0"), w = table_at(&t, i, "w0");
+        const double S = v + w, time = table_at(&t, i, "time");
+        coin_body whole = flat(v, 0, w), half = whole;
+        check_note("row %zu", i);
+        const double when = coin_priv_slide_flat(&whole, IZ, mu, INFINITY);
+        check_near(when, time, EXACT * S / mu);
+        check(whole.vx == 0 && whole.s.wZ == 0);
+        check_near(whole.s.x, table_at(&t, i, "distance"), EXACT * S * S / mu);
+        check_near(whole.s.psi, table_at(&t, i, "turn"), EXACT * S * S / mu);
+        check(coin_priv_slide_flat(&half, IZ, mu, time / 2) == time / 2);
+        check_near(half.vx, table_at(&t, i, "v_half"), EXACT * S);
+        check_near(half.s.wZ, table_at(&t, i, "w_half"), EXACT * S);
+        check_near(half.s.x, table_at(&t, i, "distance_half"),
+                   EXACT * S * S / mu);
+        check_near(half.s.psi, table_at(&t, i, "turn_half"),
+                   EXACT * S * S / mu);
+    }
+}
+
+/* Path v^2/(2 mu), turn 3/8 w^2/mu of a disc and w^2/(2 mu) of a hoop. */
+static void a_pure_slide_and_a_pure_turn_stay_pure(void **unused)
+{
+    (void)unused;
+    const double mu = 0.3;
+    coin_body b = flat(2, 0, 0);
+    check_near(coin_priv_slide_flat(&b, 0.5, mu, INFINITY), 2 / mu, 16 * U * 7);
+    check_near(b.s.x, 2 / mu, 16 * U * 7);
+    check(b.s.psi == 0 && b.s.z == 0);
+    b = flat(0, 0, -2);
+    check_near(coin_priv_slide_flat(&b, 0.5, mu, INFINITY), 0.75 * 2 / mu,
+               16 * U * 5);
+    check_near(b.s.psi, -0.75 * 2 / mu, 16 * U * 5);
+    check(b.s.x == 0 && b.s.z == 0);
+    b = flat(0, 0, 2);
+    check_near(coin_priv_slide_flat(&b, 1, mu, INFINITY), 2 / mu, 16 * U * 7);
+}
+
+static double energy(const coin_body *b, double IZ)
+{
+    return (b->vx * b->vx + b->vz * b->vz + IZ * (b->s.wZ * b->s.wZ)) / 2;
+}
+
+/* Rings of any width; v/w from 1e-6 to 1e6. */
+static void slides_in_parts_end_together_and_never_gain(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(851);
+    const int count = tries_asked(200);
+    for (int i = 0; i < count; ++i) {
+        const double b = 1 - pow(10, random_between(&r, -8, 0));
+        const double IZ =
+            i % 3 ? (1 + b * b) / 2 : random_between(&r, 0.1, 0.5);
+        const double mu = random_between(&r, 0.1, 1);
+        const double v = pow(10, random_between(&r, -3, 3));
+        const double w = pow(10, random_between(&r, -3, 3)), S = v + w;
+        const coin_body start = flat(v, random_between(&r, 0, 6), -w);
+        coin_body whole = start, parts = start;
+        const double when = coin_priv_slide_flat(&whole, IZ, mu, INFINITY);
+        double t = 0;
+        check_note("seed 851, slide %d", i);
+        for (int k = 0; k < 50 && (parts.vx != 0 || parts.s.wZ != 0); ++k) {
+            const double E = energy(&parts, IZ);
+            t += coin_priv_slide_flat(&parts, IZ, mu, when / 20);
+            check(energy(&parts, IZ) <= E * (1 + 4 * U));
+        }
+        check((whole.vx == 0) == (whole.s.wZ == 0));
+        check(parts.vx == 0 && parts.vz == 0 && parts.s.wZ == 0);
+        check_near(t, when, 1e-8 * S / mu);
+        check_near(hypot(parts.s.x - whole.s.x, parts.s.z - whole.s.z), 0,
+                   1e-8 * S * S / mu);
+        check_near(parts.s.psi, whole.s.psi, 1e-8 * S * S / mu);
+    }
+}
+
+static void without_friction_it_goes_on(void **unused)
+{
+    (void)unused;
+    coin_body b = flat(2, 0, 3);
+    check(coin_priv_slide_flat(&b, 0.5, 0, 5) == 5);
+    check(b.s.x == 10 && b.s.psi == 15 && b.vx == 2 && b.s.wZ == 3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(a_slide_is_that_of_friction_all_over_the_face),
+        TEST(a_pure_slide_and_a_pure_turn_stay_pure),
+        TEST(slides_in_parts_end_together_and_never_gain),
+        TEST(without_friction_it_goes_on),
+    };
+    return RUN_TESTS(tests);
+}

@@ -1,0 +1,552 @@
+/* SPDX-License-Identifier: MIT */
+/* From the hand to rest: coin_move() of a coin that flies, bounces, slips,
+ * rolls and slides on its face. */
+#include "support/check.h"
+#include "support/thrown.h"
+
+#include <errno.h>
+#include <fenv.h>
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#define LAST_LEAN (1.5707963267948966 - 2.220446049250313e-16)
+
+/* ------------------------------------------------------------- reference */
+static coin_table table_in_row(const struct table *t, size_t i)
+{
+    coin_table f;
+    memset(&f, 0, sizeof f);
+    f.mu_static = table_at(t, i, "mu_static");
+    f.mu_kinetic = table_at(t, i, "mu_kinetic");
+    f.restitution = table_at(t, i, "e");
+    return f;
+}
+
+/* Three bounces amplify rounding some thousand times: measured 1e-12 at most,
+ * and a factor 8. */
+#define OF_THREE 1e-11
+
+static void three_bounces_are_those_of_newton_and_euler(void **unused)
+{
+    (void)unused;
+    static struct table t;
+    table_load(&t, "toss/tosses.csv");
+    for (size_t i = 0; i < t.rows; ++i) {
+        const coin_params p =
+            thrown_params(table_at(&t, i, "I_X"), table_at(&t, i, "I_Z"));
+        const coin_table f = table_in_row(&t, i);
+        const coin_body want = body_in_row(&t, i, "1");
+        const double end = table_at(&t, i, "t_end");
+        coin_body one = body_in_row(&t, i, ""), many = one, stops = one;
+        double moved, sum = 0;
+        check_note("row %zu", i);
+        check_status(coin_move(&one, &p, &f, end, 1e-9, 0, &moved), COIN_LIFTS);
+        check(moved == end);
+        check_near(bodies_apart(&one, &want), 0, OF_THREE);
+        for (int k = 0; k < 100; ++k)
+            check_status(coin_move(&many, &p, &f, end / 100, 1e-2, 0, NULL),
+                         COIN_LIFTS);
+        check_near(bodies_apart(&many, &want), 0, OF_THREE);
+        for (int k = 0; k < 3; ++k) {
+            static const char *const names[] = {"t1", "t2", "t3"};
+            const int32_t stop = COIN_TOUCHES;
+            check_status(coin_move(&stops, &p, &f, end, 1e-9, stop, &moved),
+                         COIN_LIFTS | COIN_TOUCHES);
+            sum += moved;
+            check_near(sum, table_at(&t, i, names[k]), OF_THREE);
+        }
+        check_status(coin_move(&stops, &p, &f, end - sum, 1e-9, 0, NULL),
+                     COIN_LIFTS);
+        check_near(bodies_apart(&stops, &want), 0, 8 * OF_THREE);
+    }
+}
+
+/* ------------------------------------------------------------ all the way */
+struct end {
+    coin_body b;
+    double t;
+    int32_t status;
+};
+
+/* Calls of dt until one says neither that the coin moves on nor that the steps
+ * did not suffice. */
+static struct end in_calls(const coin_body *b, const coin_params *p,
+                           const coin_table *f, double dt, double tol)
+{
+    struct end r = {*b, 0, COIN_OK};
+    double moved, E = coin_body_energy(b, p);
+    const double top = E;
+    do {
+        r.status = coin_move(&r.b, p, f, dt, tol, 0, &moved);
+        r.t += moved;
+        const double now = coin_body_energy(&r.b, p);
+        check(now <= E + tol * top);
+        E = now;
+        check(gap(&r.b) >= -32 * U);
+        check(r.t < 1e6);
+    } while ((r.status >= 0 && r.status != COIN_RESTS) ||
+             r.status == COIN_ESTEP);
+    return r;
+}
+
+static void a_toss_ends_at_rest(void **unused)
+{
+    (void)unused;
+    const int count = tries_asked(60);
+    struct random r = random_begin(861);
+    for (int i = 0; i < count; ++i) {
+        const coin_params p = random_body(&r);
+        const coin_table f = random_table(&r, &p);
+        const coin_body b = random_throw(&r, 50, 60);
+        check_note("seed 861, toss %d", i);
+        const struct end end =
+            in_calls(&b, &p, &f, i % 2 ? INFINITY : 0.5, 1e-6);
+        check_status(end.status, COIN_RESTS);
+        check(fabs(end.b.s.theta) >= LAST_LEAN - DBL_EPSILON);
+        check(end.b.vx == 0 && end.b.vy == 0 && end.b.vz == 0);
+        check(end.b.s.wX == 0 && end.b.s.wY == 0 && end.b.s.wZ == 0);
+    }
+}
+
+static double places_apart(const coin_body *a, const coin_body *b)
+{
+    return hypot(a->s.x - b->s.x, a->s.z - b->s.z);
+}
+
+/* Where a start that is changed by 1e-9 ends within 1e-6. */
+static void frames_of_a_60th_end_where_one_call_does(void **unused)
+{
+    (void)unused;
+    const coin_params quarter = thrown_params(0.25, 0.5);
+    const double frame = 1.0 / 60 / sqrt(0.01213 / 9.80665);
+    const int count = tries_asked(40);
+    struct random r = random_begin(862);
+    int calm = 0, far = 0;
+    for (int i = 0; i < count; ++i) {
+        coin_table f = random_table(&r, &quarter);
+        f.restitution *= 0.5;
+        const coin_body b = random_throw(&r, 2, 4);
+        coin_body nudged = b;
+        nudged.vy += 1e-9;
+        check_note("seed 862, toss %d", i);
+        const struct end one = in_calls(&b, &quarter, &f, INFINITY, 1e-9);
+        const struct end other =
+            in_calls(&nudged, &quarter, &f, INFINITY, 1e-9);
+        if (!(places_apart(&one.b, &other.b) < 1e-6))
+            continue;
+        ++calm;
+        const struct end rough = in_calls(&b, &quarter, &f, INFINITY, 1e-6);
+        const struct end frames = in_calls(&b, &quarter, &f, frame, 1e-6);
+        check(one.b.s.theta == rough.b.s.theta);
+        check(one.b.s.theta == frames.b.s.theta);
+        /* tol, times how the motion amplifies the nudge, along its way */
+        const double most =
+            1e-4 + 1e-6 * (1 + one.t) * (places_apart(&one.b, &other.b) / 1e-9);
+        const double r1 = places_apart(&one.b, &rough.b);
+        const double r2 = places_apart(&one.b, &frames.b);
+        check_within(r1, 0, most);
+        check_within(r2, 0, most);
+        far += (r1 > 1e-4) + (r2 > 1e-4);
+    }
+    check(calm > count / 4);
+    check(far <= calm / 10);
+}
+
+/* ------------------------------------------------------------- symmetries */
+/* A body in the mirror plane z = 0, which turns theta, phi, wX, wY and z. */
+static coin_body mirrored(coin_body b)
+{
+    b.s.theta = -b.s.theta;
+    b.s.phi = -b.s.phi;
+    b.s.z = -b.s.z;
+    b.s.wX = -b.s.wX;
+    b.s.wY = -b.s.wY;
+    b.vz = -b.vz;
+    return b;
+}
+
+static coin_body headed(coin_body b, double by)
+{
+    const double s = sin(by), c = cos(by), x = b.s.x, vx = b.vx;
+    b.s.phi += by;
+    b.s.x = c * x + s * b.s.z;
+    b.s.z = c * b.s.z - s * x;
+    b.vx = c * vx + s * b.vz;
+    b.vz = c * b.vz - s * vx;
+    return b;
+}
+
+/* In units in which a mass, a length and a time are 1. */
+static coin_body in_units(coin_body b, double a, double w)
+{
+    double *const v[] = {&b.vx, &b.vy, &b.vz};
+    double *const rates[] = {&b.s.wX, &b.s.wY, &b.s.wZ};
+    b.s.x *= a;
+    b.s.z *= a;
+    b.y *= a;
+    for (int i = 0; i < 3; ++i) {
+        *v[i] *= a * w;
+        *rates[i] *= w;
+    }
+    return b;
+}
+
+/* Some bounces, and a slip. */
+#define WAY 8
+
+static void mirror_heading_and_units_change_nothing(void **unused)
+{
+    (void)unused;
+    const int count = tries_asked(100);
+    struct random r = random_begin(863);
+    int same = 0;
+    for (int i = 0; i < count; ++i) {
+        const coin_params p = random_body(&r);
+        const double mass = 3.7, a = 0.021, g = 9.7, w = sqrt(g / a);
+        coin_table f = random_table(&r, &p), scaled;
+        const double turn = random_between(&r, -3, 3);
+        const coin_body b = random_throw(&r, 3, 6);
+        coin_body plain = b, near = b, sees = mirrored(b);
+        coin_body turns = headed(b, turn), units = in_units(b, a, w);
+        coin_params q;
+        memset(&f.losses, 0, sizeof f.losses);
+        scaled = f;
+        near.vy *= 1 + 1e-13;
+        check_status(coin_params_body(&q, mass, a, g,
+                                      p.inertia_X * mass * a * a,
+                                      p.inertia_Z * mass * a * a),
+                     COIN_OK);
+        const int32_t want = coin_move(&plain, &p, &f, WAY, 1e-9, 0, NULL);
+        coin_move(&near, &p, &f, WAY, 1e-9, 0, NULL);
+        const double amplified = bodies_apart(&plain, &near);
+        if (!(amplified < 1e-8))
+            continue;
+        ++same;
+        check_note("seed 863, toss %d", i);
+        check_status(coin_move(&sees, &p, &f, WAY, 1e-9, 0, NULL), want);
+        check_status(coin_move(&turns, &p, &f, WAY, 1e-9, 0, NULL), want);
+        check_status(coin_move(&units, &q, &scaled, WAY / w, 1e-9, 0, NULL),
+                     want);
+        const double most = 1e-11 + 1000 * amplified;
+        sees = mirrored(sees);
+        turns = headed(turns, -turn);
+        units = in_units(units, 1 / a, 1 / w);
+        check_near(bodies_apart(&sees, &plain), 0, most);
+        check_near(bodies_apart(&turns, &plain), 0, most);
+        check_near(bodies_apart(&units, &plain), 0, most);
+    }
+    check(same > count / 2);
+}
+
+/* ---------------------------------------------------------------- bouncing */
+/* Upright, with the spin of a wheel that rolls at its speed: it bounces until
+ * sqrt(2 H) (1 + e)/(1 - e), and rolls on.  The last bounces are left out. */
+static void a_wheel_that_drops_bounces_and_rolls(void **unused)
+{
+    (void)unused;
+    const coin_params p = thrown_params(0.25, 0.5);
+    for (double e = 0; e < 0.85; e += 0.2) {
+        const coin_table f = {
+            .mu_static = 0.5, .mu_kinetic = 0.4, .restitution = e};
+        const coin_body start = {.s = {.wZ = 2}, .y = 1 + 0.5, .vx = -2};
+        const double stands = (1 + e) / (1 - e);
+        coin_body b = start;
+        double moved;
+        check_note("e %g", e);
+        check_status(coin_move(&b, &p, &f, 100, 1e-9, COIN_ROLLS, &moved),
+                     COIN_OK | COIN_ROLLS);
+        check_within(moved, stands - 2e-4 * e / (1 - e) - 1e-12,
+                     stands + 1e-12);
+        check(b.y == 1 && b.vy == 0 && b.s.wZ == 2 && b.vx == -2);
+        check_near(b.s.x, -2 * moved, 1e-13);
+    }
+}
+
+/* A disc dropped flat but for 0.02 rad: when it lies, by another program, in
+ * which a split of its calls moves it by 1e-3. */
+static void clattering_ends(void **unused)
+{
+    (void)unused;
+    const double e[] = {0, 0.2, 0.5, 0.7, 0.8, 0.9};
+    const double lies[] = {1.4318, 1.4975, 2.3640, 3.1654, 3.6246, 16.603};
+    const coin_params p = thrown_params(0.25, 0.5);
+    for (int i = 0; i < 6; ++i) {
+        const coin_table f = {.mu_static = 0.33,
+                              .mu_kinetic = 0.3,
+                              .restitution = e[i],
+                              .losses = {.flat = 1e-5}};
+        coin_body b = {.s = {.theta = 1.5707963267948966 - 0.02}};
+        b.y = 1 + cos(b.s.theta);
+        double t = 0;
+        check_note("e %g", e[i]);
+        for (; fabs(b.s.theta) < LAST_LEAN && t < 20; t += 1e-3)
+            check(coin_move(&b, &p, &f, 1e-3, 1e-9, 0, NULL) >= 0);
+        check_near(t, lies[i], 1e-3 + 1e-3 * lies[i]);
+    }
+}
+
+static void an_impact_that_is_due_is_made_by_the_next_call(void **unused)
+{
+    (void)unused;
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {
+        .mu_static = 0.5, .mu_kinetic = 0.4, .restitution = 0.5};
+    coin_body b = {.s = {.theta = 0.3, .wX = 1}, .y = 3};
+    double moved;
+    check_status(coin_move(&b, &p, &f, 9, 1e-9, COIN_TOUCHES, &moved),
+                 COIN_LIFTS | COIN_TOUCHES);
+    check(b.y == cos(b.s.theta));
+    const double down = b.vy + b.s.wX * sin(b.s.theta);
+    check(down < -0.5);
+    const coin_body due = b;
+    check_status(coin_move(&b, &p, &f, 0, 1e-9, COIN_TOUCHES, &moved),
+                 COIN_LIFTS);
+    check_same(&b, &due, sizeof b);
+    check_status(coin_move(&b, &p, &f, 1e-9, 1e-9, COIN_TOUCHES, &moved),
+                 COIN_LIFTS);
+    check_near(b.vy + b.s.wX * sin(b.s.theta), -0.5 * down, 1e-8);
+}
+
+/* -------------------------------------------------------------- on its face */
+static void a_coin_that_lies_slides_and_rests(void **unused)
+{
+    (void)unused;
+    static struct table t;
+    table_load(&t, "toss/flat_slides.csv");
+    for (size_t i = 0; i < t.rows; ++i) {
+        const double a = 0.013, g = 9.81, w = sqrt(g / a), M = 0.006;
+        const double mu = table_at(&t, i, "mu"), v0 = table_at(&t, i, "v0");
+        const double w0 = table_at(&t, i, "w0"), S = v0 + fabs(w0);
+        const double time = table_at(&t, i, "time") / w;
+        const double m = M * a * a, side = i % 2 ? 1 : -1;
+        const coin_table f = {.mu_static = INFINITY, .mu_kinetic = mu};
+        coin_params p;
+        double when, u[2];
+        coin_force force;
+        check_note("row %zu", i);
+        check_status(coin_params_body(&p, M, a, g, table_at(&t, i, "I_X") * m,
+                                      table_at(&t, i, "I_Z") * m),
+                     COIN_OK);
+        coin_body b = {.s = {.theta = side * LAST_LEAN, .phi = 1, .wZ = w0 * w},
+                       .vz = v0 * a * w};
+        b.y = a * cos(b.s.theta);
+        check_status(coin_body_slip(&b, &p, u), COIN_OK);
+        check(u[0] == 0 && u[1] == b.vz);
+        check_status(coin_body_reaction(&b, &p, &f, &force), COIN_OK);
+        check(force.normal == M * g);
+        check_near(force.R[0], 0, 8 * U * M * g);
+        check((force.R[2] < 0) == (v0 > 0));
+        check_within(force.ratio, 0, mu * (1 + 8 * U));
+        check_status(coin_move(&b, &p, &f, time / 3, 1e-6, 0, NULL),
+                     COIN_SLIPS);
+        check_status(coin_move(&b, &p, &f, time / 6, 1e-6, 0, NULL),
+                     COIN_SLIPS);
+        check_near(b.vz, table_at(&t, i, "v_half") * a * w, 1e-8 * S * a * w);
+        check_near(b.s.wZ, table_at(&t, i, "w_half") * w, 1e-8 * S * w);
+        check(b.s.phi == 1 && b.s.wX == 0 && b.s.wY == 0 && b.vy == 0);
+        check_status(coin_move(&b, &p, &f, INFINITY, 1e-6, 0, &when),
+                     COIN_RESTS);
+        check_near(when, time / 2, 1e-8 * S / mu / w);
+        check_near(b.s.z, table_at(&t, i, "distance") * a,
+                   1e-8 * S * S / mu * a);
+        check_near(b.s.psi, table_at(&t, i, "turn"), 1e-8 * S * S / mu);
+    }
+}
+
+/* On ice nothing slows the centre while the coin falls over in contact; and a
+ * coin that comes down flat does not stick by its rim where no slip begins. */
+static void a_coin_that_lies_down_keeps_its_way_along_the_table(void **unused)
+{
+    (void)unused;
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
+    const coin_table rough = {.mu_static = INFINITY, .mu_kinetic = 0.3};
+    coin_body falls = {.s = {.theta = 1.5}, .vx = 1};
+    coin_body lands = {.s = {.theta = LAST_LEAN - 1e-8}, .vx = 1, .vy = -1e-6};
+    falls.y = cos(falls.s.theta);
+    lands.y = cos(lands.s.theta) + 1e-9;
+    check_status(coin_move(&falls, &p, &ice, 2, 1e-9, 0, NULL), COIN_SLIPS);
+    check(falls.s.theta == LAST_LEAN);
+    check_near(falls.vx, 1, 1e-9);
+    check_status(coin_move(&lands, &p, &rough, 0.01, 1e-9, 0, NULL),
+                 COIN_SLIPS);
+    check(lands.s.theta == LAST_LEAN);
+    check_near(lands.vx, 1 - 0.01 * rough.mu_kinetic, 1e-4);
+}
+
+static void flat_bits_of_stop_hold_while_it_lies(void **unused)
+{
+    (void)unused;
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.mu_static = 0.4, .mu_kinetic = 0.3};
+    const coin_body b = {
+        .s = {.theta = LAST_LEAN}, .y = cos(LAST_LEAN), .vx = 1};
+    const int32_t bits[] = {COIN_SLIPS, COIN_NEARLY_FLAT};
+    for (int i = 0; i < 2; ++i) {
+        coin_body at = b;
+        double moved = 1;
+        check_status(coin_move(&at, &p, &f, 1, 1e-6, bits[i], &moved),
+                     COIN_SLIPS | bits[i]);
+        check(moved == 0);
+        check_same(&at, &b, sizeof b);
+    }
+    coin_body on = b;
+    const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
+    check_status(coin_move(&on, &p, &ice, 1e9 - 1, 1e-6, 0, NULL), COIN_SLIPS);
+    check(on.s.x == 1e9 - 1 && on.vx == 1);
+    check_status(coin_move(&on, &p, &ice, INFINITY, 1e-6, 0, NULL),
+                 COIN_ERANGE);
+    check(on.s.x == 1e9 - 1);
+}
+
+/* ----------------------------------------------------------------- lift-off */
+static void a_coin_with_damping_ends_the_call_where_it_lifts_off(void **unused)
+{
+    (void)unused;
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {
+        .mu_static = INFINITY, .mu_kinetic = 0.3, .losses = {.damping = 0.01}};
+    const coin_state s = {.theta = 0.2, .wX = 3};
+    coin_body b;
+    double moved = 1;
+    check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+    const coin_body start = b;
+    check_status(coin_move(&b, &p, &f, 1, 1e-9, 0, &moved), COIN_LIFTS);
+    check(moved == 0);
+    check_same(&b, &start, sizeof b);
+}
+
+/* What losses alone would lift stays in contact: no coin hops. */
+static void no_coin_chatters(void **unused)
+{
+    (void)unused;
+    const int count = tries_asked(100);
+    struct random r = random_begin(864);
+    long lifts = 0;
+    for (int i = 0; i < count; ++i) {
+        const coin_params p = random_body(&r);
+        coin_table f = random_table(&r, &p);
+        coin_body b = random_throw(&r, 1, 40);
+        f.restitution = 0;
+        if (i % 2)
+            f.mu_static = INFINITY;
+        double t = 0, moved, unit = 0;
+        int hops = 0;
+        int32_t status = COIN_OK;
+        check_note("seed 864, toss %d", i);
+        while (t < 20 && status != COIN_RESTS) {
+            const int flies = status == COIN_LIFTS;
+            status = coin_move(&b, &p, &f, 0.5, 1e-6,
+                               flies ? COIN_TOUCHES : COIN_LIFTS, &moved);
+            check(status >= 0 || status == COIN_ESTEP);
+            status = status & COIN_LIFTS ? COIN_LIFTS : status;
+            t += moved;
+            hops += !flies && status == COIN_LIFTS;
+            lifts += !flies && status == COIN_LIFTS;
+            if (t > unit + 1) {
+                unit = t;
+                hops = 0;
+            }
+            check(hops <= 10);
+        }
+    }
+    check(lifts > 0);
+}
+
+/* ------------------------------------------------------------------- ranges */
+static void a_flight_out_of_the_ranges_keeps_its_progress(void **unused)
+{
+    (void)unused;
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.4};
+    const coin_body starts[] = {
+        {.s = {.theta = 0.3}, .y = 2, .vy = 1e6},
+        {.s = {.theta = 0.3, .x = 1e9 - 1}, .y = 2, .vx = 1e6},
+    };
+    for (int i = 0; i < 2; ++i) {
+        coin_body b = starts[i];
+        double moved = 1;
+        check_note("start %d", i);
+        check_status(coin_move(&b, &p, &f, INFINITY, 1e-6, 0, &moved),
+                     COIN_ERANGE);
+        check(moved == 0);
+        check_same(&b, &starts[i], sizeof b);
+    }
+}
+
+static void a_fast_spin_lands_as_exactly_as_a_slow_one(void **unused)
+{
+    (void)unused;
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.4};
+    coin_body b = {.s = {.theta = 0.3, .wZ = 1e6, .wY = 1e5}, .y = 1e6};
+    double moved;
+    check_status(coin_move(&b, &p, &f, INFINITY, 1e-6, COIN_TOUCHES, &moved),
+                 COIN_LIFTS | COIN_TOUCHES);
+    check_near(moved, sqrt(2e6), 1e-3);
+    check(b.y == cos(b.s.theta));
+}
+
+/* Any body and table, heights to 1e8 radii, spins to 1e6; some lie flat in the
+ * air. */
+static void any_throw_is_silent_and_its_body_is_accepted(void **unused)
+{
+    (void)unused;
+    const int count = tries_asked(3000);
+    struct random r = random_begin(865);
+    int seen[COIN_RESTS + 1] = {0};
+    for (int i = 0; i < count; ++i) {
+        const double IX = pow(10, random_between(&r, -3, 3) * 0.999);
+        const coin_params p =
+            thrown_params(IX, IX * pow(10, random_between(&r, -2.99, 0.3)));
+        coin_table f = random_table(&r, &p);
+        coin_body b = random_throw(&r, pow(10, random_between(&r, -9, 8)),
+                                   pow(10, random_between(&r, -9, 5.9)));
+        const double t = pow(10, random_between(&r, -9, 1));
+        if (i % 5 == 0)
+            b.s.theta = copysign(LAST_LEAN, b.s.theta);
+        if (i % 7 == 0)
+            b.s.wX = b.s.wY = b.s.wZ = 0;
+        if (i % 3 == 0)
+            f.mu_static = INFINITY;
+        if (i % 11 == 0)
+            f.mu_kinetic = f.mu_static = 0;
+        if (i % 2)
+            memset(&f.losses, 0, sizeof f.losses);
+        check_note("seed 865, throw %d", i);
+        feclearexcept(FE_ALL_EXCEPT);
+        errno = 0;
+        for (int k = 0; k < 4; ++k) {
+            const int32_t status = coin_move(&b, &p, &f, t, 1e-4, 0, NULL);
+            check(status >= 0 || status == COIN_ESTEP || status == COIN_ERANGE);
+            ++seen[status < 0 ? 0 : status];
+            check(coin_body_energy(&b, &p) >= 0);
+        }
+        check(!fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW));
+        check(errno == 0);
+    }
+    check(seen[COIN_LIFTS] > count && seen[COIN_SLIPS] > count / 20);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(three_bounces_are_those_of_newton_and_euler),
+        TEST(a_toss_ends_at_rest),
+        TEST(frames_of_a_60th_end_where_one_call_does),
+        TEST(mirror_heading_and_units_change_nothing),
+        TEST(a_wheel_that_drops_bounces_and_rolls),
+        TEST(clattering_ends),
+        TEST(an_impact_that_is_due_is_made_by_the_next_call),
+        TEST(a_coin_that_lies_slides_and_rests),
+        TEST(a_coin_that_lies_down_keeps_its_way_along_the_table),
+        TEST(flat_bits_of_stop_hold_while_it_lies),
+        TEST(a_coin_with_damping_ends_the_call_where_it_lifts_off),
+        TEST(no_coin_chatters),
+        TEST(a_flight_out_of_the_ranges_keeps_its_progress),
+        TEST(any_throw_is_silent_and_its_body_is_accepted),
+        TEST(a_fast_spin_lands_as_exactly_as_a_slow_one),
+    };
+    return RUN_TESTS(tests);
+}

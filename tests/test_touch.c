@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT */
+/* The first touch of a flight, against Newton and Euler, and against a scan of
+ * the gap that turns e_Z about the axis of the precession by the C library. */
+#include "support/check.h"
+#include "support/thrown.h"
+
+#include <air.h>
+
+#include <math.h>
+
+static void a_touch_is_that_of_newton_and_euler(void **unused)
+{
+    (void)unused;
+    static struct table t;
+    table_load(&t, "toss/touches.csv");
+    for (size_t i = 0; i < t.rows; ++i) {
+        coin_body b = body_in_row(&t, i, "");
+        const coin_body want = body_in_row(&t, i, "1");
+        const double when = table_at(&t, i, "t_touch");
+        const double speed = table_at(&t, i, "u_y");
+        coin_priv_flight f;
+        coin_priv_flight_of(&f, &b, table_at(&t, i, "I_X"),
+                            table_at(&t, i, "I_Z"));
+        const coin_priv_touch at = coin_priv_first_touch(&f, 40, gap(&b) < U);
+        const double most = 8 * U * (1 + when) * (3 + f.rate);
+        check_note("row %zu", i);
+        check(at.touches && at.looks <= 8);
+        check_near(at.t, when, most / fmin(1, fabs(speed)));
+        coin_priv_fly(&b, &f, at.t);
+        check_near(coin_priv_rim_speed(&b), speed, 8 * most * (1 + f.rate));
+        check_near(bodies_apart(&b, &want), 0, 8 * most * (1 + f.rate));
+        const coin_priv_touch none =
+            coin_priv_first_touch(&f, at.t * (1 - 1e-9), gap(&want) < U);
+        check(!none.touches);
+    }
+}
+
+/* How high the lowest point is after t. */
+static double gap_after(const coin_priv_flight *f, double t)
+{
+    const double a = f->rate * t, s = sin(a), c = cos(a);
+    double along = 0, h[3];
+    for (int i = 0; i < 3; ++i)
+        along += f->k[i] * f->n[i];
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        h[i] = c * f->n[i] + (1 - c) * along * f->k[i] +
+               s * (f->k[j] * f->n[k] - f->k[k] * f->n[j]);
+    }
+    return f->y + t * f->vy - t * t / 2 - hypot(h[0], h[2]);
+}
+
+/* Where the centre may be low enough: from the time at which it falls below
+ * 1, or all the time. */
+static double from(const coin_priv_flight *f)
+{
+    const double above = f->y - 1;
+    return above > 0 ? f->vy + sqrt(f->vy * f->vy + 2 * above) : 0;
+}
+
+/* A flight from any height up to 1e6 radii, spins up to 100; half of them from
+ * just above the table. */
+static coin_priv_flight any_flight(struct random *r)
+{
+    const coin_params p = random_body(r);
+    const double high = pow(10, random_between(r, -6, 6));
+    coin_body b = random_throw(r, high, pow(10, random_between(r, -3, 2)));
+    coin_priv_flight f;
+    if (random_between(r, 0, 1) < 0.5) {
+        b.y = cos(b.s.theta) + pow(10, random_between(r, -12, 0));
+        b.vy /= 10;
+    }
+    coin_priv_flight_of(&f, &b, p.inertia_X, p.inertia_Z);
+    return f;
+}
+
+/* The rounding of the gap. */
+static double noise(const coin_priv_flight *f, double t)
+{
+    return 16 * U * (1 + fabs(f->y) + t * (fabs(f->vy) + t) + f->rate * t);
+}
+
+static void no_touch_is_missed(void **unused)
+{
+    (void)unused;
+    enum { SCANNED = 200 };
+    struct random r = random_begin(831);
+    const int count = tries_asked(20000);
+    long looks = 0;
+    for (int i = 0; i < count; ++i) {
+        const coin_priv_flight f = any_flight(&r);
+        const double end = f.vy + sqrt(f.vy * f.vy + 2 * f.y);
+        coin_priv_touch at = {0, 0, 0};
+        at = coin_priv_first_touch(&f, end, 0);
+        check_note("seed 831, flight %d", i);
+        check(at.touches);
+        looks += at.looks;
+        const double none = noise(&f, at.t);
+        check_near(gap_after(&f, at.t), 0, none);
+        const double start = fmax(from(&f), at.t - 60 / (1 + f.rate));
+        for (int k = 0; k < SCANNED; ++k) {
+            const double t = start + (at.t - start) * k / SCANNED;
+            check(gap_after(&f, t) > -none);
+        }
+    }
+    check(looks < 12L * count);
+}
+
+/* How deep a dip may be that is passed over. */
+#define PASSED_OVER 1e-14
+
+/* A flight that leaves the table, however slowly, comes back later. */
+static void a_start_on_the_table_is_no_touch(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(832);
+    for (int i = 0; i < 5000; ++i) {
+        const coin_params p = random_body(&r);
+        coin_body b = random_throw(&r, 0, 20);
+        const double speed = pow(10, random_between(&r, -9, 0));
+        b.y = cos(b.s.theta);
+        b.vy = speed - b.s.wX * sin(b.s.theta);
+        coin_priv_flight f;
+        coin_priv_flight_of(&f, &b, p.inertia_X, p.inertia_Z);
+        const coin_priv_touch at = coin_priv_first_touch(&f, 40, 1);
+        check_note("seed 832, flight %d, speed %g", i, speed);
+        const double none = noise(&f, at.t);
+        check(!at.touches || at.t > 0);
+        for (int k = 1; k < 50; ++k)
+            check(gap_after(&f, at.t * k / 50) > -none - PASSED_OVER);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(a_touch_is_that_of_newton_and_euler),
+        TEST(no_touch_is_missed),
+        TEST(a_start_on_the_table_is_no_touch),
+    };
+    return RUN_TESTS(tests);
+}
