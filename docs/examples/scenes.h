@@ -62,6 +62,9 @@ static const scene SCENES[] = {
      "A ring with the start of generic takes a wider circle"},
     {"hoop", &HOOP, {0.2, 0, 0, 0, 0, -0.3, -0.5, 0.9}, 0.02, 60,
      "A hoop draws a flower on the table"},
+    {"rosette", &QUARTER, {0.6, 0, 0, 0, -0.031196545458305875, 0,
+      20.5578897295768, 20.160842194583619}, 1e-3, 2.3190176257309107,
+     "A US quarter rolls a rosette that closes after seven swings"},
 };
 /* clang-format on */
 

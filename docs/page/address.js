@@ -4,8 +4,9 @@
 
 const LIMITS = { // of the numbers that the library does not judge
   span: [1e-9, 1e9], dt: [1e-9, 1e9], swings: [0, 1e9], now: [0, 1e9], speed: [1e-9, 1e6],
-  az: [-1e3, 1e3], el: [0.05, 1.55], zoom: [0.05, 50], mu: [0, 1e6],
+  az: [-1e3, 1e3], el: [0.05, 1.55], zoom: [0.05, 50], mu: [0, Infinity], bounce: [0, 1],
 };
+const FIRST = "rosette"; // the scene of an address that names none
 const NUMBER = /^[+-]?(\d{1,30}(\.\d{0,30})?|\.\d{1,30})(e[+-]?\d{1,3})?$/i;
 
 const CHOICES = { // of a word, kept as its index
@@ -14,11 +15,12 @@ const CHOICES = { // of a word, kept as its index
 
 // Puts one part of the address into a state, or says why not.
 function readPart(state, name, text) {
-  const limited = Object.hasOwn(LIMITS, name), x = NUMBER.test(text) ? Number(text) : NaN;
+  const limited = Object.hasOwn(LIMITS, name);
+  const x = NUMBER.test(text) ? Number(text) : name === "mu" && text === "inf" ? Infinity : NaN;
   const choices = Object.hasOwn(CHOICES, name) && CHOICES[name]();
   if (choices && !choices.includes(text)) return "it is one of " + choices.join(", ");
   if (!choices && !limited && !ASKED.includes(name)) return "nothing has that name";
-  if (!choices && !Number.isFinite(x)) return "that is not a number";
+  if (!choices && Number.isNaN(x) || x === Infinity && name !== "mu") return "that is not a number";
   if (limited && (x < LIMITS[name][0] || x > LIMITS[name][1]))
     return "it must lie between " + LIMITS[name].join(" and ");
   state[name] = choices ? choices.indexOf(text) : x;
@@ -30,7 +32,7 @@ function readAddress(hash) {
   const complaints = hash.length > 3000 ? ["it is longer than 3000 characters"] : [], seen = new Set();
   const parts = complaints.length ? [] : hash.replace(/^#/, "").split("&").filter(Boolean);
   const scene = (parts.find(p => p.startsWith("scene=")) || "").slice(6);
-  const state = defaultsOf(Math.max(sceneNames().indexOf(scene), 0));
+  const state = defaultsOf(sceneNames().indexOf(sceneNames().includes(scene) ? scene : FIRST));
   for (const part of parts) {
     const [, name, text] = /^([^=]*)=?(.*)$/s.exec(part);
     const why = seen.has(name) ? "it is there twice" : readPart(state, name, text);
@@ -45,7 +47,8 @@ function readAddress(hash) {
 
 function addressOf(state) {
   const usual = defaultsOf(state.scene), parts = ["scene=" + sceneNames()[state.scene]];
-  const written = (name, x) => Object.hasOwn(CHOICES, name) ? CHOICES[name]()[x] : Object.is(x, -0) ? "-0" : x;
+  const written = (name, x) => Object.hasOwn(CHOICES, name) ? CHOICES[name]()[x]
+    : Object.is(x, -0) ? "-0" : x === Infinity ? "inf" : x;
   for (const name of new Set([...ASKED, ...Object.keys(LIMITS), ...Object.keys(CHOICES)]))
     if (!Object.is(state[name], usual[name])) parts.push(name + "=" + written(name, state[name]));
   return "#" + parts.join("&");

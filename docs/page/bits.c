@@ -24,8 +24,8 @@ static uint64_t hashed(uint64_t hash, const void *numbers, size_t count)
     return hash;
 }
 
-/* A scene by every method, by coin_advance(), by its orbit and with a loss:
- * the hash of all that comes out. */
+/* A scene by every method, by coin_advance(), by its orbit, with a loss, and as
+ * a real coin: the hash of all that comes out. */
 static uint64_t hash_of(int32_t scene_index)
 {
     const scene *k = &SCENES[scene_index];
@@ -35,8 +35,8 @@ static uint64_t hash_of(int32_t scene_index)
     page_scene(scene_index);
     page_take();
     for (int32_t m = 0; coin_method_name(m); ++m) {
-        coin_state s = page.taken.start;
-        coin_run(&s, &page.body, m, k->dt, (uint64_t)steps, NULL);
+        coin_state s = k->start;
+        coin_run(&s, &page.params, m, k->dt, (uint64_t)steps, NULL);
         hash = hashed(hash, &s, 8);
     }
     for (int far = 0; far < 3; ++far)
@@ -45,11 +45,14 @@ static uint64_t hash_of(int32_t scene_index)
     page_asked()->losses.dry =
         1e-2 * page.taken.mass * page.taken.gravity * page.taken.radius;
     page_take();
-    const double rest = page_time_to_rest();
-    hash = rest > 0 ? hashed(hash, &rest, 1) : hash;
     if (page_at(0, k->duration) >= 0)
         hash = hashed(hash, &page.now, sizeof page.now / sizeof(double));
-    return hash;
+    page_asked()->mu = 0.1;
+    page_take();
+    page_trail(0);
+    page_trail_on(k->duration, 2000);
+    return hashed(hash, &page.knots[page.count - 1],
+                  sizeof page.now / sizeof(double));
 }
 
 /* The hash of scene k, as 16 characters.  The start is then another one. */

@@ -27,13 +27,13 @@ const selfTest = () => lib.page_selftest() === 0 && $("hashes").textContent.trim
   sceneNames().map((name, k) => name + " " + words(lib.page_hash(k))).join("\n");
 
 // ----------------------------------------------------- layouts, see page.c --
-const ASKED = ("theta phi psi x z wX wY wZ mass radius inner gravity " +
-  "damping dry viscous layer gap rolling spin angular soft flat reserved0 reserved1 mu").split(" ");
-const START = ASKED.slice(0, 8), LOSSES = ASKED.slice(12, 20);
+const ASKED = ("theta phi psi x z wX wY wZ y vx vy vz mass radius inner gravity " +
+  "damping dry viscous layer gap rolling spin angular soft flat reserved0 reserved1 mu bounce").split(" ");
+const START = ASKED.slice(0, 12), LOSSES = ASKED.slice(16, 24);
 const METHODS = ["rk4", "rk8", "symplectic2", "symplectic4"];
 const COIN = { slips: 1, lifts: 2, coarse: 4, flat: 8, rests: 16, through: -100 };
-const MOMENT = 19, RACER = 22; // doubles in each
-const AT = { t: 0, theta: 1, wX: 6, cx: 9, cz: 10, R: 11, normal: 14, ratio: 16, energy: 17, bits: 18 };
+const MOMENT = 27, RACER = 22; // doubles in each
+const AT = { t: 0, theta: 1, wX: 6, y: 9, cx: 17, cz: 18, R: 19, normal: 22, ratio: 24, energy: 25, bits: 26 };
 const RACE = { steps: 10, status: 11, pose: 12, energy: 13, shown: 14 };
 
 // ------------------------------------------------------ what the page holds --
@@ -42,15 +42,18 @@ const RACE = { steps: 10, status: 11, pose: 12, energy: 13, shown: 14 };
 let m;
 
 // What follows: the end of the time axis; whether the trail grows on; its knots;
-// a circle about the path, in radii; the present and the status of its call.
-const motion = { end: 0, more: false, count: 0, knots: null, center: [0, 0], reach: 1, moment: null, status: 0,
-  restsAt: NaN, flat: false };
+// a circle about the path and its height, in radii; the present and the status of
+// its call; when the coin rests.
+const motion = { end: 0, more: false, count: 0, knots: null, center: [0, 0], reach: 1, height: 1, moment: null,
+  status: 0, restsAt: NaN, flat: false };
 
 const unit = () => Math.sqrt(m.radius / m.gravity); // of natural time
 const weight = () => m.mass * m.gravity;
 const isLossy = () => LOSSES.some(name => m[name] > 0);
+const isReal = () => m.mu < Infinity; // it slips, flies and bounces; else it rolls, whatever that needs
+const isTossed = () => m.y > 0;
 const knot = (k, what) => motion.knots[k * MOMENT + what];
-const racing = () => m.race === 1 && !isLossy();
+const racing = () => m.race === 1 && !isLossy() && !isReal();
 const racer = which => doubles(lib.page_racers() + 8 * RACER * which, RACER);
 
 function defaultsOf(scene) {
@@ -83,8 +86,9 @@ function g17(x) {
 function short(x, digits = 3) {
   if (!Number.isFinite(x)) return x > 0 ? "∞" : "–";
   const size = Math.abs(x);
-  if (size !== 0 && (size >= 1e6 || size < 1e-3)) return power(x, digits - 1);
-  return x.toFixed(clamp(digits - Math.ceil(Math.log10(size || 1)), 0, digits)).replace("-", "−");
+  if (size < 1e-12) return "0"; // rounding
+  if (size >= 1e6 || size < 1e-3) return power(x, digits - 1);
+  return x.toFixed(clamp(digits - Math.ceil(Math.log10(size)), 0, digits)).replace("-", "−");
 }
 
 const raised = e => [...String(e)].map(c => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("");

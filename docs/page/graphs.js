@@ -12,6 +12,7 @@ function runRaces() {
 
 const degrees = x => x * 180 / Math.PI;
 const racerColor = which => which ? COLORS.method : COLORS.textbook;
+const racerName = which => which ? METHODS[m.method] + ", fixed step" : "textbook RK4";
 // Curves are lists of points, along the trail some 2000 at most, or of both racers.
 const some = k => Math.min(k * Math.ceil(motion.count / 2000), motion.count - 1);
 const curve = (x, y) =>
@@ -30,16 +31,16 @@ const GRAPHS = {
   lean: { shade: true, curves: () => [curve(column(AT.t), column(AT.theta, degrees))],
     y: () => around0(AT.theta, 0.5, degrees),
     now: s => [m.now, degrees(s[AT.theta])], say: s => short(degrees(s[AT.theta]), 4) + "°" },
-  force: { shade: true, y: () => [0, clamp(1.1 * extremes(AT.ratio)[1], 1.35 * m.mu, Math.max(3 * m.mu, 0.5)) || 1],
-    curves: () => [[[[0, m.mu], [motion.end, m.mu]], COLORS.good],
-      curve(column(AT.t), column(AT.ratio, r => Math.min(r, 1e9)))],
-    now: s => [m.now, s[AT.ratio]], say: s => short(s[AT.ratio], 4) },
+  force: { shade: true, y: () => [0, isReal() ? 1.35 * m.mu || 1 : clamp(1.1 * extremes(AT.ratio)[1], 0.1, 2)],
+    curves: () => [...(isReal() ? [[[[0, m.mu], [motion.end, m.mu]], COLORS.good]] : []),
+      curve(column(AT.t), k => flies(knot(k, AT.bits)) ? NaN : Math.min(knot(k, AT.ratio), 1e9))],
+    now: s => [m.now, s[AT.ratio]], say: s => flies(s[AT.bits]) ? "in the air" : short(s[AT.ratio], 4) },
   phase: { curves: () => [curve(column(AT.theta, degrees), column(AT.wX))],
     x: () => around0(AT.theta, 0.5, degrees), y: () => around0(AT.wX, 0.02 / unit()),
     now: s => [degrees(s[AT.theta]), s[AT.wX]], say: s => short(s[AT.wX], 4) },
   error: { y: () => [-16, 2], tick: y => "10" + raised(y),
     curves: () => raceCurves(1, e => Math.log10(Math.max(e, 1e-16))),
-    say: () => !racing() ? "no race" : races.tooMany ? "too many steps"
+    say: () => races.tooMany ? "too many steps"
       : [0, 1].map(k => racer(k)[RACE.status] < 0 ? "out" : short(racer(k)[RACE.pose], 2)).join(", ") },
   energy: {
     curves: () => [curve(column(AT.t), column(AT.energy, e => e / knot(0, AT.energy))), ...raceCurves(3, e => e)],
@@ -75,7 +76,7 @@ function drawGraph(g) {
     stroke(c, polyline(points.filter(([, y]) => Number.isFinite(y)).map(([x, y]) => [g.X(x), g.Y(y)])), color, 1.6);
 }
 
-// Bands where a real coin would slip or lift off.
+// Bands where the coin slips or is in the air, or an ideal one would lift off.
 function shade(c, g, high) {
   for (let k = 1; k < motion.count;) {
     const color = knotColor(knot(k, AT.bits)), x = g.X(knot(k - 1, AT.t));

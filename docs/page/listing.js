@@ -6,12 +6,15 @@ const listsRace = () => racing() && !m.swings && racer(1)[RACE.status] >= 0;
 // The program of page.html: lines of a kind that is there, and numbers put in.
 function listing() {
   const n = x => Object.is(x, -0) ? "-0.0" : String(x);
+  const frames = isReal() ? lib.page_before(m.now) : 0, from = isReal() ? knot(frames, AT.t) : 0;
   const list = (from, to) => ASKED.slice(from, to).map(k => n(m[k])).join(", ");
-  const kinds = { far: m.swings > 0, lossy: isLossy(), ideal: !isLossy(), steps: !m.swings && !isLossy(),
-    race: listsRace() };
+  const held = !isReal() && isLossy(), ideal = !isReal() && !isLossy();
+  const kinds = { far: m.swings > 0, held, ideal, real: isReal(), thrown: isTossed(), begun: isReal() && !isTossed(),
+    state: !isReal(), lossy: isLossy(), steps: ideal && !m.swings, race: listsRace() };
   const steps = racer(1)[RACE.steps], name = METHODS[m.method];
-  const parts = { pose: list(0, 5), rates: list(5, 8), body: list(8, 12),
-    losses: list(12, 22) + ", {0, 0}", now: n(m.now),
+  const parts = { pose: list(0, 5), rates: list(5, 8), flight: list(8, 12), body: list(12, 16),
+    losses: list(16, 26) + ", {0, 0}", table: `${n(m.mu)}, ${n(m.mu)}, ${n(m.bounce)}`, now: n(m.now),
+    frames, frame: n(lib.page_frame()), left: n(m.now - from),
     far: n(farAhead() + m.now), method: name, METHOD: name.toUpperCase(), dt: n(m.dt), steps: n(steps),
     rest: n(m.now - steps * m.dt) };
   return $("program").textContent.trimStart().split("\n").map(line => /^(?:(\w+)\|)?(.*)$/.exec(line))

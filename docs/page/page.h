@@ -14,30 +14,35 @@
 
 enum { KNOTS = 60000 };
 
-/* What the page chooses. */
+/* What the page chooses.  y = 0: the coin begins by rolling, and vx, vy, vz are
+ * not used.  mu is infinite for the ideal coin, which rolls whatever it needs;
+ * any other is a real one, which slips, flies and bounces. */
 typedef struct inputs {
     coin_state start;
+    double y, vx, vy, vz;
     double mass, radius, inner_radius, gravity;
     coin_losses losses;
-    double mu;
+    double mu, restitution;
 } inputs;
 
 /* A moment of the motion, and what is observed there. */
 typedef struct moment {
     double t;
-    coin_state state;
-    double contact[2]; /* x, z */
+    coin_body body;
+    double contact[2]; /* x, z of the lowest point */
     double R[3], normal, friction, ratio;
     double energy;
-    double bits; /* of coin_check() */
+    double bits; /* of coin_move() and coin_check() */
 } moment;
 
 /* The motion on the page: what the library took, its body and its orbit, the
  * present, and the trail. */
 extern struct motion {
     inputs taken;
-    coin_params body;
-    int lossy;
+    coin_params params;
+    coin_table table;
+    coin_body start;
+    int lossy, real; /* whether it loses energy; whether mu is finite */
     coin_orbit orbit;
     int32_t orbit_status;
     moment now, knots[KNOTS];
@@ -49,6 +54,7 @@ inputs *page_asked(void);
 void page_scene(int32_t k);
 int32_t page_take(void);
 int32_t page_at(double base, double t);
-double page_time_to_rest(void);
+void page_trail(double base);
+int32_t page_trail_on(double end, int32_t count);
 
 #endif

@@ -31,7 +31,7 @@ static int32_t textbook_run(coin_state *s, double dt, double steps,
 {
     for (*done = 0; (double)*done < steps; ++*done) {
         coin_state next = *s;
-        textbook_step(&next, &page.body, dt);
+        textbook_step(&next, &page.params, dt);
         if (!(fabs(next.theta) < acos(0)))
             return THROUGH;
         *s = next;
@@ -44,7 +44,7 @@ static int32_t steps_of(const racer *r, coin_state *s, double dt, double steps,
 {
     if (r->method == TEXTBOOK)
         return textbook_run(s, dt, steps, done);
-    return coin_run(s, &page.body, r->method, dt, (uint64_t)steps, done);
+    return coin_run(s, &page.params, r->method, dt, (uint64_t)steps, done);
 }
 
 static double pose_error(const coin_state *a, const coin_state *b)
@@ -70,7 +70,7 @@ int32_t PAGE(page_race)(int32_t which, int32_t method, double dt, int32_t knot,
         --steps;
     if (fresh || r->age != page.age || r->dt != dt || r->method != method ||
         r->steps > steps) {
-        const coin_state *s = &page.knots[0].state;
+        const coin_state *s = &page.knots[0].body.s;
         const racer begin = {*s, method, page.age, dt, 0, 0, 0, 0, *s};
         *r = begin;
     }
@@ -88,9 +88,9 @@ int32_t PAGE(page_race)(int32_t which, int32_t method, double dt, int32_t knot,
         if (status != COIN_OK && r->status >= 0)
             r->status = status;
     }
-    r->pose_error = pose_error(&r->shown, &truth->state);
+    r->pose_error = pose_error(&r->shown, &truth->body.s);
     r->energy_error =
-        coin_energy(&r->shown, &page.body) / page.knots[0].energy - 1;
+        coin_energy(&r->shown, &page.params) / page.knots[0].energy - 1;
     return (int32_t)r->status;
 }
 

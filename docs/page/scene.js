@@ -4,8 +4,7 @@
 const COLORS = {}; // by name, from style.css
 function readColors() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ("ink muted faint panel table grid path warn good lift textbook method face back rim " +
-    "notch mark").split(" "))
+  for (const name of "ink muted faint panel table grid path warn good lift textbook method".split(" "))
     COLORS[name] = style.getPropertyValue("--" + name).trim();
 }
 
@@ -63,10 +62,10 @@ const area = (c, camera, outlines, color) =>
   fill(c, outlines.reduce((path, points) => trace(path, camera, points, true), new Path2D()), color);
 
 // ------------------------------------------------------- the table, the trail --
-const tableRadius = () => 1.1 * motion.reach + 1.3;
+const tableRadius = () => Math.max(motion.reach + 0.8, 0.6 * motion.height, 2.4);
 
 function drawTable(c, camera) {
-  const [x, z] = motion.center, R = tableRadius(), grid = new Path2D();
+  const [x, z] = motion.center, R = 1.25 * tableRadius(), grid = new Path2D();
   const step = [0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500].find(s => R / s < 9) || R / 5;
   area(c, camera, [around(96, u => [x + R * Math.cos(u), 0, z + R * Math.sin(u)])], COLORS.table);
   for (let k = -9; k <= 9; ++k) {
@@ -83,68 +82,101 @@ const knotColor = bits => bits & COIN.lifts ? COLORS.lift : bits & COIN.slips ? 
 const contact = s => [s[AT.cx] / m.radius, 0, s[AT.cz] / m.radius];
 const contactAt = k => [knot(k, AT.cx) / m.radius, 0, knot(k, AT.cz) / m.radius];
 
-// The contact's path between two knots, a color for each stretch; `clear` is how
-// opaque, in hexadecimal.
+const flies = bits => isReal() && (bits & COIN.lifts) !== 0;
+const pathAt = k => flies(knot(k, AT.bits))
+  ? [AT.theta + 3, AT.y, AT.theta + 4].map(what => knot(k, what) / m.radius) : contactAt(k);
+
+// The path between two knots, a colour for each stretch: of the contact, in the
+// air of the centre.  It has a gap where the contact leaps, as in a bounce.  Where
+// the coin slips it leaves a broad mark.  `clear` is how opaque, in hexadecimal.
 function drawPath(c, camera, first, last, width, clear) {
   for (let k = first; k < last;) {
-    const color = knotColor(knot(k, AT.bits)), points = [contactAt(k)];
-    do points.push(contactAt(++k)); while (k < last && knotColor(knot(k, AT.bits)) === color);
-    line(c, camera, points, color + clear, width);
+    const bits = knot(k, AT.bits), points = [pathAt(k)];
+    while (++k <= last) {
+      const step = sum(pathAt(k), -1, points.at(-1));
+      if (flies(knot(k, AT.bits)) !== flies(bits) || dot(step, step) > 0.25) break;
+      points.push(pathAt(k));
+      if (knotColor(knot(k, AT.bits)) !== knotColor(bits)) break;
+    }
+    c.setLineDash(flies(bits) ? [1, 5] : []);
+    line(c, camera, points, knotColor(bits) + clear, bits & COIN.slips ? 2.2 * width : width);
   }
+  c.setLineDash([]);
 }
 
-// The whole path faint, and what is behind the coin.
+// The whole path faint, but not what a tossed coin is yet to do; and what is
+// behind the coin.
 function drawTrail(c, camera, width) {
   const now = lib.page_before(m.now), first = Math.max(0, now - SHOWN), s = motion.moment;
-  c.lineJoin = "round";
-  drawPath(c, camera, first, Math.min(motion.count - 1, now + SHOWN), 1, "50");
+  c.lineJoin = c.lineCap = "round";
+  if (!isTossed()) drawPath(c, camera, first, Math.min(motion.count - 1, now + SHOWN), 1, "50");
   drawPath(c, camera, first, now, width, "");
-  line(c, camera, [contactAt(now), contact(s)], knotColor(s[AT.bits]), width);
+  if (!isReal()) line(c, camera, [contactAt(now), contact(s)], knotColor(s[AT.bits]), width);
 }
 
 // ------------------------------------------------------------------- the coin --
-const THICK = 0.04; // half of it: the library's coin has none
+const THICK = 0.06; // half of it: the library's coin has none
+const LIGHT = [-0.42, 0.85, 0.32]; // where it comes from, as in README's animation
 const hole = () => Math.min(m.inner / m.radius, 0.94);
 
-// Points of a coin from its pose, which begins at a place of an array: at a
-// radius, an angle from e_X, and a height above the middle of the coin.
-function coinFrom(s, at) {
+// Points of a coin from its pose, which begins at a place of an array, and its
+// height: at a radius, an angle from e_X, and a height above the middle of the coin.
+function coinFrom(s, at, y = Math.cos(s[at])) {
   const [theta, phi, psi] = s.subarray(at, at + 3);
   const st = Math.sin(theta), ct = Math.cos(theta), sp = Math.sin(phi), cp = Math.cos(phi);
   const X = [cp, 0, -sp], Y = [st * sp, ct, st * cp], Z = [ct * sp, -st, ct * cp];
-  const center = [s[at + 3] / m.radius, ct + THICK * Math.abs(st), s[at + 4] / m.radius];
+  const center = [s[at + 3] / m.radius, y + THICK * Math.abs(st), s[at + 4] / m.radius];
   const point = (r, u, h) => sum(sum(sum(center, r * Math.cos(u), X), r * Math.sin(u), Y), h, Z);
   return { center, Z, psi, point, ring: (r, h) => around(64, u => point(r, u + psi, h)) };
 }
 
 const withHole = ring => m.inner > 0 ? [ring(1), ring(hole())] : [ring(1)];
 
-const drawShadow = (c, camera, coin) => area(c, camera,
-  withHole(r => coin.ring(r, 0).map(([x, y, z]) => [x + 0.28 * y, 0, z - 0.2 * y])), "#00000034");
+const drawShadow = (c, camera, coin) => area(c, camera, withHole(r => coin.ring(r, 0).map(([x, y, z]) =>
+  [x - y * LIGHT[0] / LIGHT[1], 0, z - y * LIGHT[2] / LIGHT[1]])), "#10182038");
 
-// The edge, in notches that turn with the coin: those that look this way are
-// the second half.
+// The edge: copper, milled.  Those of its pieces that look this way are the
+// second half.
 function drawEdge(c, camera, coin) {
   const front = coin.ring(1, THICK), back = coin.ring(1, -THICK), n = front.length;
   const facing = k => dot(sum(front[k], -1, coin.center), sum(camera.eye, -1, front[k])) > 0;
-  for (const k of [...front.keys()].sort((p, q) => facing(p) - facing(q)))
-    area(c, camera, [[front[k], front[(k + 1) % n], back[(k + 1) % n], back[k]]], k % 2 ? COLORS.rim : COLORS.notch);
+  for (const k of [...front.keys()].sort((p, q) => facing(p) - facing(q))) {
+    const lit = clamp(0.5 + 0.55 * dot(sum(front[k], -1, coin.center), LIGHT), 0, 1), groove = k % 2 ? 1 : 0.86;
+    const color = [93 + 145 * lit, 70 + 138 * lit, 54 + 126 * lit].map(v => Math.round(v * groove));
+    area(c, camera, [[front[k], front[(k + 1) % n], back[(k + 1) % n], back[k]]], `rgb(${color})`);
+  }
 }
 
+// What is embossed on a face, as outlines in radii: a star on heads (+Z), a wheel
+// on tails.
+const at = (r, u) => [r * Math.cos(u), r * Math.sin(u)];
+const circle = r => around(40, u => at(r, u));
+const STAR = around(10, u => at(Math.round(5 * u / Math.PI) % 2 ? 0.21 : 0.55, u));
+const spoke = u => [[-0.05, -0.05], [0.45, -0.05], [0.45, 0.05], [-0.05, 0.05]]
+  .map(([x, y]) => [x * Math.cos(u) - y * Math.sin(u), x * Math.sin(u) + y * Math.cos(u)]);
+const RELIEF = { heads: [[STAR]], tails: [[circle(0.55), circle(0.43)], ...around(6, u => [spoke(u)])] };
+
+// A face as the light falls on it: metal, a raised rim, relief, and the dot that
+// shows how it turns.
 function drawFace(c, camera, coin, side) {
-  const h = side * THICK, ring = r => coin.ring(r, h), width = clamp(camera.scale / 60, 0.6, 2);
-  const light = dot(coin.Z, [-0.5, 0.75, 0.43]) * side;
-  area(c, camera, withHole(ring), side > 0 ? COLORS.face : COLORS.back);
-  area(c, camera, withHole(ring), `rgba(${light > 0 ? "255, 255, 255" : "0, 0, 0"}, ${0.25 * Math.abs(light)})`);
-  withHole(ring).forEach(points => line(c, camera, points, COLORS.rim, width, true));
-  const middle = m.inner > 0 ? (1 + hole()) / 2 : 0.6, size = Math.min(0.14, 0.42 * (1 - hole()));
-  const spot = coin.point(middle, coin.psi, h), a = sum(coin.point(middle + size, coin.psi, h), -1, spot);
-  const b = sum(coin.point(middle, coin.psi + size / middle, h), -1, spot);
+  const h = side * THICK, ring = r => coin.ring(r, h), width = clamp(camera.scale / 60, 0.6, 2.2);
+  const normal = coin.Z.map(v => v * side), toEye = sum(camera.eye, -1, coin.center);
+  const half = sum(LIGHT, 1 / Math.hypot(...toEye), toEye);
+  const light = 0.62 + 0.42 * Math.max(0, dot(normal, LIGHT));
+  const shine = 90 * (Math.max(0, dot(normal, half)) / Math.hypot(...half)) ** 24;
+  const metal = (...rgb) => `rgb(${rgb.map(v => Math.round(clamp(v * light + shine, 0, 255)))})`;
+  const dark = metal(120, 131, 142);
+  const emboss = (outlines, color) => area(c, camera, outlines.map(points =>
+    points.map(([x, y]) => coin.point(Math.hypot(x, y), Math.atan2(y, x) + coin.psi, h))), color);
+  area(c, camera, withHole(ring), metal(221, 226, 231));
   if (m.inner === 0) {
-    line(c, camera, ring(0.86), COLORS.rim, width, true);
-    line(c, camera, [coin.point(0.38, coin.psi, h), coin.point(-0.72, coin.psi, h)], COLORS.mark, 1.6 * width);
+    area(c, camera, [ring(0.88)], metal(198, 205, 212));
+    line(c, camera, ring(0.88), dark, 0.7 * width, true);
+    RELIEF[side > 0 ? "heads" : "tails"].forEach(outlines => emboss(outlines, dark));
   }
-  area(c, camera, [around(24, u => sum(sum(spot, Math.cos(u), a), Math.sin(u), b))], COLORS.mark);
+  const middle = m.inner > 0 ? (1 + hole()) / 2 : 0.72, size = Math.min(0.085, 0.42 * (1 - hole()));
+  emboss([circle(size).map(([x, y]) => [x + middle, y])], "#d55e00");
+  withHole(ring).forEach(points => line(c, camera, points, dark, 0.6 * width, true));
 }
 
 function drawCoin(c, camera, coin) {
@@ -161,14 +193,25 @@ function drawGhost(c, camera, which) {
   area(c, camera, withHole(r => coin.ring(r, 0)), color + "24");
   withHole(r => coin.ring(r, 0)).forEach(points => line(c, camera, points, color, 2, true));
   line(c, camera, [coin.point(hole(), coin.psi, 0), coin.point(1, coin.psi, 0)], color, 2);
+  nameCoin(c, camera, coin, racerName(which), color, which ? "right" : "left");
 }
 
-// The reaction, 1.3 radii long when it is the weight and 2 at most, and the cone
-// that friction allows it.
+// Its name right of a coin, or left of it, within the picture.
+function nameCoin(c, camera, coin, name, color, side) {
+  const [x, y] = camera.to(coin.center), off = 1.2 * camera.scale, edge = $("stage").clientWidth - 4;
+  Object.assign(c, { font: "600 13px system-ui, sans-serif", fillStyle: color, strokeStyle: COLORS.table,
+    lineWidth: 4 });
+  const wide = c.measureText(name).width, left = side === "right" ? x + off : x - off - wide;
+  for (const draw of ["strokeText", "fillText"]) c[draw](name, clamp(left, 4, edge - wide), y + 4);
+}
+
+// The reaction, 2.2 radii long when it is the weight and 3 at most, and the cone
+// that friction allows it.  The coin hides what is behind it.
 function drawForce(c, camera) {
   const s = motion.moment, from = contact(s), R = [...s.subarray(AT.R, AT.R + 3)], color = knotColor(s[AT.bits]);
-  const scale = Math.min(1.3 / weight(), 2 / Math.hypot(...R)), height = s[AT.normal] * scale;
-  if (height > 0 && m.mu > 0 && m.mu < 10) {
+  const scale = Math.min(2.2 / weight(), 3 / Math.hypot(...R)), height = s[AT.normal] * scale;
+  if (s[AT.bits] & COIN.rests || !R.some(x => x)) return;
+  if (height > 0 && m.mu > 0 && isReal()) {
     const rim = around(48, u => sum(from, height, [m.mu * Math.cos(u), 1, m.mu * Math.sin(u)]));
     const tip = camera.to(from), slope = ([x, y]) => (x - tip[0]) / (tip[1] - y || 1);
     const sides = rim.map(camera.to).sort((p, q) => slope(p) - slope(q));
@@ -183,34 +226,35 @@ function drawForce(c, camera) {
 }
 
 // ------------------------------------------------------------------ the stage --
-const stage = { coinAt: [0, 0], coinSize: 0 };
+const stage = { coinAt: [0, 0], coinSize: 0, camera: null };
+const LEAST = 56; // pixels, the radius of a coin in the middle of the picture
 
 function drawWorld(c, camera, coin) {
   drawTable(c, camera);
   drawShadow(c, camera, coin);
   drawTrail(c, camera, 2.2);
+  drawForce(c, camera);
   if (racing() && !races.tooMany) [0, 1].forEach(which => drawGhost(c, camera, which));
   drawCoin(c, camera, coin);
-  drawForce(c, camera);
+  if (racing()) nameCoin(c, camera, coin, "coin_advance", COLORS.path, "right");
+}
+
+// Sees the whole path, unless the coin would be too small: then it looks between
+// the middle of the path and the coin, so that the coin stays in the picture.
+function stageCamera(w, h, coin) {
+  const [x, z] = motion.center, middle = [x, 0.5, z], size = 1.34 * h, zoom = m.zoom;
+  const fit = 0.15 + Math.max(2.7 * h / w, Math.cos(m.el) + 2.5 * Math.sin(m.el));
+  const whole = fit * tableRadius(), distance = Math.min(whole, size / LEAST) / zoom;
+  const follow = Math.max(0, 1 - 0.95 * distance / whole);
+  const target = sum(middle, follow, sum(coin.center, -1, middle));
+  target[1] = Math.max(target[1], 0.65 * coin.center[1]);
+  return cameraAt(target, distance, w / 2, 0.5 * h, size);
 }
 
 function drawStage() {
-  const { c, w, h } = cleared($("stage")), coin = coinFrom(motion.moment, AT.theta);
-  const fit = 0.15 + Math.max(2.5 * h / w, Math.cos(m.el) + 2.5 * Math.sin(m.el)), [x, z] = motion.center;
-  const middle = [x, 0.3, z], target = sum(middle, Math.max(0, 1 - 1 / m.zoom), sum(coin.center, -1, middle));
-  const camera = cameraAt(target, fit * tableRadius() / m.zoom, w / 2, 0.48 * h, 1.15 * h);
+  const { c, w, h } = cleared($("stage")), s = motion.moment;
+  const coin = coinFrom(s, AT.theta, s[AT.y] / m.radius), camera = stageCamera(w, h, coin);
   drawWorld(c, camera, coin);
-  Object.assign(stage, { coinAt: camera.to(coin.center), coinSize: 1.15 * h / camera.view(coin.center)[2] });
-  if (stage.coinSize < 36) drawInset(c, w, coin);
-}
-
-// A close look at a coin that is small, from the same direction.
-function drawInset(c, w, coin) {
-  const r = clamp(w * 0.11, 56, 92), x = w - r - 12, y = r + 12, circle = disc(x, y, r);
-  fill(c, circle, COLORS.panel);
-  c.save();
-  c.clip(circle);
-  drawWorld(c, cameraAt([coin.center[0], 0.6, coin.center[2]], 6, x, y, 2.9 * r), coin);
-  c.restore();
-  stroke(c, circle, COLORS.faint, 1.5);
+  Object.assign(stage, { camera, coinAt: camera.to(coin.center),
+    coinSize: 1.34 * h / camera.view(coin.center)[2] });
 }

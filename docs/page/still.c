@@ -22,7 +22,7 @@ static void draw_coin(const coin_state *s, double radius)
 
 int main(void)
 {
-    const scene *k = &SCENES[0];
+    const scene *k = &SCENES[SCENE_COUNT - 1]; /* the rosette */
     const body *b = k->body;
     coin_params p;
     coin_state s[POINTS + 1];
