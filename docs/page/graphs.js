@@ -12,7 +12,7 @@ function runRaces() {
 
 const degrees = x => x * 180 / Math.PI;
 const racerColor = which => which ? COLORS.method : COLORS.textbook;
-const racerName = which => which ? METHODS[m.method] + ", fixed step" : "textbook RK4";
+const racerName = which => which ? METHODS[m.method] + ", fixed step" : m.swings ? "RK4" : "A textbook's RK4";
 // Curves are lists of points, along the trail some 2000 at most, or of both racers.
 const some = k => Math.min(k * Math.ceil(motion.count / 2000), motion.count - 1);
 const curve = (x, y) =>

@@ -60,13 +60,26 @@ function frame(time) {
   if (playing) m.now = clamp(m.now + direction * slow * m.speed * passed, 0, motion.more ? 1e99 : motion.end);
   motion.status = playing && motion.count > 1500 ? lib.page_near(m.now) : lib.page_at(farAhead(), m.now);
   motion.moment = doubles(lib.page_now(), MOMENT);
+  if (m.swings) goFar();
   if (racing() && !races.tooMany)
     [0, 1].forEach(k => lib.page_race(k, k ? m.method : -1, m.dt, -1, playing ? 0 : 1));
   drawStage();
   Object.values(GRAPHS).forEach(markGraph);
   showTime(time);
   if (playing && !motion.more && m.now === (direction > 0 ? motion.end : 0)) atTheEnd();
-  if (playing || motion.more) wake();
+  if (playing || motion.more || m.swings && !far.there) wake();
+}
+
+// An RK4 on the way to the same swing, some milliseconds in each frame,
+// and on from there.
+const far = { steps: 0, there: false };
+function goFar() {
+  const begun = performance.now(), dt = 0.1 * unit();
+  do {
+    far.steps = lib.page_far(farAhead(), dt, 2e4);
+    far.there = far.steps >= farAhead() / dt;
+  } while (!far.there && performance.now() - begun < 8);
+  if (far.there) lib.page_race(0, 0, dt, -1, 0);
 }
 
 // A coin that lies flat stays there; another begins again.
@@ -121,12 +134,20 @@ function racerWords(which) {
 }
 
 function showRace() {
-  const out = [0, 1].some(which => racerStatus(which) < 0);
-  $("racers").hidden = !racing() || races.tooMany;
-  if ($("racers").hidden) return;
-  const words = [racerWords(0), racerWords(1), out ? "gets through" : "chooses its steps"];
-  words.forEach((text, which) => { $("racer" + which).textContent = text; });
-  $("racename").textContent = racerName(1);
+  const out = [0, 1].some(which => racerStatus(which) < 0), ours = out ? "gets through" : "chooses its steps";
+  $("racers").hidden = !m.swings && (!racing() || races.tooMany);
+  $("fixed").hidden = m.swings > 0;
+  const words = m.swings ? farWords()
+    : [racerName(0), racerWords(0), racerName(1), racerWords(1), "coin_advance", ours];
+  $("racers").querySelectorAll("b, span").forEach((e, k) => { e.textContent = words[k]; });
+}
+
+function farWords() {
+  const n = m.swings.toLocaleString("en"), at = Math.floor(far.steps * 0.1 * unit() / swing()).toLocaleString("en");
+  const r = racer(0), off = `off by ${short(r[RACE.pose], 2)} rad, the energy by ${short(100 * r[RACE.energy], 2)} %`;
+  const error = short(lib.page_orbit_error(farAhead() + motion.end, m.swings), 2);
+  return ["RK4, steps of 0.1 √(a/g)", far.there ? off : `at swing ${at} of ${n}`, "", "", "coin_orbit_at",
+    `is there without a step, off by at most ${error}`];
 }
 
 // Sign, word and reason change together, the word not more often than can be read.

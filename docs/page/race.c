@@ -19,6 +19,14 @@ typedef struct racer {
 } racer;
 
 static racer racers[RACERS];
+
+/* A coin of RK4 on its way to where the trail begins. */
+static struct {
+    coin_state state;
+    int32_t age; /* of the trail */
+    double steps;
+} far;
+
 static double looks[LOOKS + 1][5];
 
 racer *PAGE(page_racers)(void)
@@ -47,6 +55,28 @@ static int32_t steps_of(const racer *r, coin_state *s, double dt, double steps,
     return coin_run(s, &page.params, r->method, dt, (uint64_t)steps, done);
 }
 
+/* Takes that coin up to count steps further, from the start of the motion until
+ * base, where the trail begins.  Returns how many it has taken; it is there
+ * once that is at least base / dt. */
+double PAGE(page_far)(double base, double dt, double count)
+{
+    const double whole = floor(base / dt);
+    uint64_t done = 0;
+
+    if (far.age != page.age) {
+        far.state = page.start.s;
+        far.age = page.age;
+        far.steps = 0;
+    } else if (far.steps < whole)
+        coin_run(&far.state, &page.params, COIN_RK4, dt,
+                 (uint64_t)fmin(count, whole - far.steps), &done);
+    else if (far.steps == whole)
+        coin_run(&far.state, &page.params, COIN_RK4, base - whole * dt, 1,
+                 &done);
+    far.steps += (double)done;
+    return far.steps;
+}
+
 static double pose_error(const coin_state *a, const coin_state *b)
 {
     const double angles =
@@ -70,7 +100,8 @@ int32_t PAGE(page_race)(int32_t which, int32_t method, double dt, int32_t knot,
         --steps;
     if (fresh || r->age != page.age || r->dt != dt || r->method != method ||
         r->steps > steps) {
-        const coin_state *s = &page.knots[0].body.s;
+        const int on = far.age == page.age && which == 0;
+        const coin_state *s = on ? &far.state : &page.knots[0].body.s;
         const racer begin = {*s, method, page.age, dt, 0, 0, 0, 0, *s};
         *r = begin;
     }

@@ -227,7 +227,8 @@ function drawForce(c, camera) {
 
 // ------------------------------------------------------------------ the stage --
 const stage = { coinAt: [0, 0], coinSize: 0, camera: null };
-const LEAST = 56; // pixels, the radius of a coin in the middle of the picture
+// The radius of a coin in the middle of the picture, in pixels.
+const least = h => Math.min(56, 0.15 * h);
 
 function drawWorld(c, camera, coin) {
   drawTable(c, camera);
@@ -235,8 +236,10 @@ function drawWorld(c, camera, coin) {
   drawTrail(c, camera, 2.2);
   drawForce(c, camera);
   if (racing() && !races.tooMany) [0, 1].forEach(which => drawGhost(c, camera, which));
+  if (m.swings && far.there) drawGhost(c, camera, 0);
   drawCoin(c, camera, coin);
-  if (racing()) nameCoin(c, camera, coin, "coin_advance", COLORS.path, "right");
+  if (racing() || m.swings)
+    nameCoin(c, camera, coin, m.swings ? "coin_orbit_at" : "coin_advance", COLORS.path, "right");
 }
 
 // Sees the whole path, unless the coin would be too small: then it looks between
@@ -244,7 +247,7 @@ function drawWorld(c, camera, coin) {
 function stageCamera(w, h, coin) {
   const [x, z] = motion.center, middle = [x, 0.5, z], size = 1.34 * h, zoom = m.zoom;
   const fit = 0.15 + Math.max(2.7 * h / w, Math.cos(m.el) + 2.5 * Math.sin(m.el));
-  const whole = fit * tableRadius(), distance = Math.min(whole, size / LEAST) / zoom;
+  const whole = fit * tableRadius(), distance = Math.min(whole, size / least(h)) / zoom;
   const follow = Math.max(0, 1 - 0.95 * distance / whole);
   const target = sum(middle, follow, sum(coin.center, -1, middle));
   target[1] = Math.max(target[1], 0.65 * coin.center[1]);

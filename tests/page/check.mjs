@@ -364,6 +364,12 @@ async function races() {
 }
 
 async function far() {
+  await visit("scene=generic&swings=1000&play=0&now=1");
+  await b.until("far.there");
+  await frame();
+  const words = await text("racers");
+  claim("an RK4 is off by then", /^RK4, steps of 0\.1 √\(a\/g\)\s+off by \d\.\d rad, the energy by −.* %/.test(words), words);
+  claim("and the orbit is not", /coin_orbit_at\s+is there without a step, off by at most \d/.test(words), words);
   await visit("scene=generic&play=0&now=1");
   await see("$('million').click()");
   await frame();
