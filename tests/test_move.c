@@ -5,6 +5,7 @@
 #include "support/methods.h"
 #include "support/slides.h"
 
+#include <fenv.h>
 #include <math.h>
 
 static const double q0[4] = {1, 0, 0, 0}, zero3[3] = {0, 0, 0};
@@ -210,8 +211,10 @@ static void a_horizontal_face_is_accepted(void **unused)
         coin_body b;
         double R[9], omega[3];
         check_note("face %d", i);
+        feclearexcept(FE_ALL_EXCEPT);
         check_status(coin_body_from_motion(&b, &p, faces[i], spin, up, zero3),
                      COIN_OK);
+        check(!fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW));
         check(fabs(b.s.theta) >= 1.5707963267948963 && b.s.psi == 0);
         check(b.y == 2);
         check_status(coin_axes(&b.s, R), COIN_OK);
@@ -480,6 +483,20 @@ static void a_bad_time_tolerance_or_stop_is_refused(void **unused)
     check(moved == 7);
 }
 
+/* Nothing changes its slip. */
+static void a_slide_without_friction_is_silent(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
+    coin_body b = {.s = {.wZ = 1e-4}, .y = 1, .vx = 0.5};
+    feclearexcept(FE_ALL_EXCEPT);
+    check_status(coin_move(&b, &p, &ice, 6, 1e-6, 0, NULL), COIN_SLIPS);
+    check(!fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW));
+    check(b.vx == 0.5 && b.s.wZ == 1e-4);
+    check_near(b.s.x, 3, 1e-14);
+}
+
 static void damping_is_for_coins_that_roll(void **unused)
 {
     (void)unused;
@@ -573,6 +590,7 @@ int main(void)
         TEST(a_bad_table_is_refused),
         TEST(a_bad_body_is_refused_and_not_touched),
         TEST(a_bad_time_tolerance_or_stop_is_refused),
+        TEST(a_slide_without_friction_is_silent),
         TEST(damping_is_for_coins_that_roll),
         TEST(friction_beyond_the_bound_of_painleve_is_refused),
         TEST(at_the_end_of_a_range_the_progress_is_kept),

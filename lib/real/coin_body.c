@@ -137,26 +137,20 @@ static void lay_flat(coin_state *s, const double q[4])
 /* How far cos theta may be from 0 for a face that counts as horizontal. */
 #define HORIZONTAL (2 * DBL_EPSILON)
 
+static int is_horizontal(const double q[4])
+{
+    const double A = coin_priv_hypot(q[2] - q[3], q[0] + q[1]);
+    const double B = coin_priv_hypot(q[2] + q[3], q[0] - q[1]);
+    const double size2 = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    return coin_priv_is_ordinary(size2) && A * B <= HORIZONTAL * size2;
+}
+
 /* The state of this motion; *s is the result. */
 static int32_t state_of(coin_state *s, const coin_params *p, const double q[4],
                         const double omega[3], const double r[3])
 {
-    const int32_t status = coin_state_from_motion(s, p, q, omega, r[0], r[2]);
-    if (status == COIN_OK && fabs(s->theta) < COIN_PRIV_LAST_LEAN - HORIZONTAL)
-        return COIN_OK;
-    if (status != COIN_OK && status != COIN_ESTATE)
-        return status;
-    const double upright[4] = {1, 0, 0, 0};
-    if (status == COIN_ESTATE) { /* is it the lean, or something else? */
-        const int32_t other =
-            coin_state_from_motion(s, p, upright, omega, r[0], r[2]);
-        const double cosine = q[0] * q[0] - q[1] * q[1] + q[2] * q[2] -
-                              q[3] * q[3]; /* e_Y along y, times the norm */
-        const double side = 2 * (q[2] * q[3] - q[0] * q[1]);
-        if (other != COIN_OK || !(fabs(side) > 0) ||
-            !(fabs(cosine) <= 1e-7 * fabs(side)))
-            return COIN_ESTATE;
-    }
+    if (!is_horizontal(q))
+        return coin_state_from_motion(s, p, q, omega, r[0], r[2]);
     lay_flat(s, q);
     const coin_priv_variables y = coin_priv_variables_of(s);
     double R[9];

@@ -183,18 +183,16 @@ void coin_priv_end_slopes(coin_priv_dop853 *w)
     coin_priv_rates(w->slope[12], w->end, w->of.law, w->of.mode, w->of.in_t);
 }
 
-/* Sets a coefficient of the polynomial to a row of D; to 0 if a stage failed,
- * which leaves a cubic. */
-COIN_PRIV_INLINE void set_dense(coin_priv_dop853 *w, const double *row, int r,
-                                int good)
+/* Sets a coefficient of the polynomial to a row of D. */
+COIN_PRIV_INLINE void set_dense(coin_priv_dop853 *w, const double *row, int r)
 {
     lanes sums[ALL];
     sum_row(sums, w, row, D_OF, 12, ALL);
     for (int i = 0; i < ALL; ++i)
-        store(&w->dense[r][i * LANES], (good ? w->h : 0) * sums[i]);
+        store(&w->dense[r][i * LANES], w->h * sums[i]);
 }
 
-/* Computes the polynomial. */
+/* Computes the polynomial: a cubic if a stage fails. */
 static void make_dense(coin_priv_dop853 *w)
 {
     const double h = w->h;
@@ -210,10 +208,16 @@ static void make_dense(coin_priv_dop853 *w)
         store(&w->dense[1][i], first - dy);
         store(&w->dense[2][i], 2 * dy - (first + last));
     }
-    set_dense(w, D4, 3, good);
-    set_dense(w, D5, 4, good);
-    set_dense(w, D6, 5, good);
-    set_dense(w, D7, 6, good);
+    if (good) {
+        set_dense(w, D4, 3);
+        set_dense(w, D5, 4);
+        set_dense(w, D6, 5);
+        set_dense(w, D7, 6);
+        return;
+    }
+    for (int r = 3; r < COIN_PRIV_DENSE; ++r)
+        for (int i = 0; i < COIN_PRIV_WIDE; ++i)
+            w->dense[r][i] = 0;
 }
 
 void coin_priv_within(double *to, coin_priv_dop853 *w, double x)

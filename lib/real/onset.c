@@ -109,6 +109,8 @@ int coin_priv_end_slip(coin_priv_moving *g)
                           y[COIN_PRIV_UH] * y[COIN_PRIV_UH]);
     const double nX = y[COIN_PRIV_UX] / u, nh = y[COIN_PRIV_UH] / u;
     const double grows = nX * d[COIN_PRIV_UX] + nh * d[COIN_PRIV_UH];
+    if (!(grows < 0))
+        return 0;
     const double aside = fabs(nX * d[COIN_PRIV_UH] - nh * d[COIN_PRIV_UX]);
     const double part = lesser(STRAIGHT * sqrt(g->tol), MOST_STRAIGHT);
     const double h = u / -grows, scale = u / (u + 1);
@@ -119,7 +121,7 @@ int coin_priv_end_slip(coin_priv_moving *g)
     const int is_straight = aside <= part * -grows;
     const int is_least =
         u < COIN_PRIV_SLIP_LEAST && aside * u <= -grows * COIN_PRIV_SLIP_LEAST;
-    if (!(grows < 0 && is_short && (is_straight || is_least) &&
+    if (!(is_short && (is_straight || is_least) &&
           h * d[COIN_PRIV_ADDS_T] <= left))
         return 0;
     for (int i = 0; i < COIN_PRIV_WIDE; ++i)

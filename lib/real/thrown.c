@@ -203,7 +203,7 @@ static int32_t in_contact(coin_priv_thrown *w, int mode, const double u[2])
     if (g->mode & COIN_PRIV_RESTS)
         return UNDER_WAY;
     if (g->mode & COIN_PRIV_AIR) {
-        /* a coin with damping is not moved in the air */
+        /* damping is for coins that roll */
         const int ends = status || !(time_left(w) > 0) || g->law.damping > 0;
         return ends ? COIN_LIFTS | status : lift_off(w);
     }

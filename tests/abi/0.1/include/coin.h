@@ -896,8 +896,8 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  * point is upward, Eq. (96).  Then it is a free symmetric top, Eq. (99), and no
  * step is made.  phi and psi come to lie in [-pi, pi].  Where the face passes
  * the horizontal both jump by pi, and wX, wY change their signs.  The +Z side,
- * heads, is up where theta < 0.  A coin with damping is not moved in the air:
- * COIN_LIFTS.
+ * heads, is up where theta < 0.  A call with damping ends where the coin lifts
+ * off.
  *
  * IMPACT. By the restitution and the two coefficients of friction of the table,
  * Eq. (108); a coin that hits it at less than 1e-4 sqrt(g a) does not bounce,
