@@ -2,6 +2,7 @@
 /* Real coins. */
 #include "fuzz.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -27,8 +28,24 @@ static void no_energy_is_gained(const struct outcome *o)
     demand(after - before <= error * (before + Mga));
 }
 
-/* In two calls it goes where it goes in one, to tol and what the motion makes
- * of it: at least, the second begins as what the first returned. */
+/* A body is what its status says.  The normal speed of a coin that touches is
+ * that of its lean, of one that comes down it is downward. */
+static void it_is_what_it_says(const coin_body *d, const coin_params *p,
+                               int32_t mode)
+{
+    const double a = p->radius, v = sqrt(p->gravity * a), u = DBL_EPSILON / 2;
+    const double above = d->y - a * cos(d->s.theta);
+    const double speed = a * d->s.wX * sin(d->s.theta), size = fabs(speed) + v;
+    demand(above >= -20 * u * a);
+    if (mode & COIN_TOUCHES && mode & COIN_LIFTS)
+        demand(above <= 20 * u * a && d->vy + speed <= 1e-10 * size);
+    if (mode & COIN_LIFTS)
+        return;
+    demand(above <= 20 * u * a);
+    if (!(mode & COIN_RESTS))
+        demand(fabs(d->vy + speed) <= 8 * u * size);
+}
+
 static void judge_move(const struct outcome *o)
 {
     const double t = o->given[3].d;
@@ -44,9 +61,11 @@ static void judge_move(const struct outcome *o)
     demand(reached >= 0 && reached <= t &&
            coin_state_check(&d->s, &o->world->p) == COIN_OK);
     const int32_t mode = (int32_t)o->result;
+    if (mode >= 0 && reached > 0)
+        it_is_what_it_says(d, &o->world->p, mode);
     if (mode >= 0 && !(mode & (COIN_RESTS | COIN_LIFTS | stop)))
         demand(reached == t);
-    if (mode == COIN_RESTS && t > 0)
+    if (mode == COIN_RESTS && reached > 0)
         demand(d->s.wX == 0 && d->s.wY == 0 && d->s.wZ == 0 && d->vx == 0 &&
                d->vy == 0 && d->vz == 0 && fabs(d->s.theta) > 1.57);
     if (mode == COIN_OK && t > 0) {

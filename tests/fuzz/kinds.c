@@ -93,21 +93,34 @@ static void take_losses(struct bytes *b, const struct world *w, void *to)
         memset(to, 0, sizeof x);
 }
 
-/* Rolls, slips or flies; now and then it lies flat, or is none. */
+/* Lies on either face, and slides or turns. */
+static void lay_down(coin_body *d, const struct world *w)
+{
+    d->s.theta = copysign(nextafter(asin(1), 0), d->s.theta);
+    d->s.wX = d->s.wY = d->vy = 0;
+    d->y = w->p.radius * cos(d->s.theta);
+}
+
+/* Rolls, slips, lies flat, or flies up to a hundred radii high; now and then it
+ * is none. */
 static void take_body(struct bytes *b, const struct world *w, void *to)
 {
     const double v = sqrt(w->p.gravity * w->p.radius);
     const uint8_t how = take_byte(b);
     coin_body d = {w->s, 0, 0, 0, 0, {0, 0, 0, 0}};
-    if (coin_body_from_state(&d, &w->s, &w->p) == COIN_OK && how < 128) {
+    if (coin_body_from_state(&d, &w->s, &w->p) == COIN_OK && how % 2) {
         d.vx += perhaps(b, v * take_part(b));
         d.vz += perhaps(b, v * take_part(b));
     }
-    if (how % 16 == 3)
-        d.y += perhaps(b, w->p.radius * take_part(b));
+    if (how % 16 >= 10) {
+        d.y += ldexp(fabs(take_part(b)), 7 - take_byte(b) % 32) * w->p.radius;
+        d.vy = take_rate(b, v);
+    }
     if (how % 16 == 5)
         d.vy += perhaps(b, v * take_part(b));
-    if (how % 64 == 7)
+    if (how % 16 == 7)
+        lay_down(&d, w);
+    if (how % 64 == 9)
         d.reserved[how / 64] = take_number(b);
     memcpy(to, &d, sizeof d);
 }
@@ -229,13 +242,16 @@ static void take_i(struct bytes *b, const struct world *w, void *to)
         a->i = (int32_t)(0x01010101u * take_byte(b));
 }
 
-/* Warning bits: some that can be waited for, or anything. */
+/* Bits of stop, or anything. */
+#define STOP_BITS                                                              \
+    (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_ROLLS | COIN_TOUCHES)
+
 static void take_bits(struct bytes *b, const struct world *w, void *to)
 {
     union argument *const a = to;
     const uint8_t how = take_byte(b);
     (void)w;
-    a->i = how < 224 ? how & 11 : (int32_t)(0x01010101u * take_byte(b));
+    a->i = how < 224 ? how & STOP_BITS : (int32_t)(0x01010101u * take_byte(b));
 }
 
 static void take_branch(struct bytes *b, const struct world *w, void *to)
