@@ -17,6 +17,7 @@
 
 /* A ring of a smaller width counts as a hoop, in 1 - b^2/a^2. */
 #define THIN 1e-5
+#define ROUNDING 1e-15
 
 /* A speed below this part of the other is none. */
 #define NONE 1e-17
@@ -270,14 +271,14 @@ static void move_by(coin_body *b, double v, double path, double turn)
 double coin_priv_slide_flat(coin_body *b, double IZ, double mu, double t)
 {
     const double v = speed_of(b), w = fabs(b->s.wZ), S = v + w;
-    const double thin = 1 - hole(IZ), rounding = 1e-15 / thin;
+    const double width = 1 - hole(IZ);
     struct slide m = {IZ, TOL, {v / S, w / S, 0, 0, 0}};
     if (mu == 0) {
         move_by(b, v, v * t, w * t);
         return t;
     }
-    if (thin >= THIN && rounding > TOL)
-        m.tol = rounding;
+    if (width >= THIN && width * TOL < ROUNDING)
+        m.tol = ROUNDING / width; /* drag_of() divides by it */
     const double end = t * mu / S;
     slide_on(&m, end);
     move_by(b, v, m.y[PATH] * (S * S / mu), m.y[TURN] * (S * S / mu));
