@@ -212,6 +212,7 @@ int main(int argc, char **argv)
     add_slides(&rows);
     add_slide_events(&rows);
     add_calls(&rows);
+    add_thrown(&rows);
     if (argc >= 6 && !std::strcmp(argv[1], "search"))
         return search_all(rows, argc, argv);
     if (argc == 3 && !std::strcmp(argv[1], "replay"))

@@ -38,6 +38,7 @@ void add_losses(std::vector<row> *rows);
 void add_slides(std::vector<row> *rows);
 void add_slide_events(std::vector<row> *rows);
 void add_calls(std::vector<row> *rows);
+void add_thrown(std::vector<row> *rows);
 
 /* Keeps the worst of several outputs. */
 template <class R> struct verdict {
