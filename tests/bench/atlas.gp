@@ -9,8 +9,9 @@ array method[10] = ["rk4", "rk8", "symplectic2", "symplectic4", \
     "odeint rkf78", "odeint dopri5"]
 array outcome[6] = ["right", "place wrong, energy right", "energy lost", \
     "energy gained", "through the table, or no number", "refused"]
-array shade[6] = ["#009E73", "#F0E442", "#56B4E9", "#D55E00", "#000000", \
-    "#F0F0F0"]
+# Each stands out from a light and from a dark ground: scheme.py leaves it.
+array shade[6] = ["#009E73", "#F0E442", "#56B4E9", "#D55E00", "#E0447C", \
+    "#8C9AA8"]
 
 # Of each family: what it is, what is across, the ends of that, the least step,
 # and places to be marked: across, or steps.
@@ -66,7 +67,6 @@ do for [f=1:6] {
         set format y (slot == 0 ? "10^{%T}" : "")
         set ylabel (slot > 0 ? "" : row ? "tolerance" : \
             "step [natural units]") offset 1.2,0
-        set xlabel (row || m > 4 ? across[f] : "") offset 0,0.7 font ",11"
         set title method[m] noenhanced offset 0,-0.8 font ",11" \
             textcolor rgb (m < 5 || m == 7 ? "#000000" : "#606060")
         unset arrow
@@ -86,6 +86,8 @@ do for [f=1:6] {
         # The first panel draws what belongs to all.
         if (m == 1) {
             set label title[f] at screen 0.075,0.965 font ",14"
+            set label across[f] at screen 0.361,0.035 center font ",12"
+            set label across[f] at screen 0.809,0.485 center font ",12"
             do for [k=1:7] {
                 y = 0.43 - k * 0.042
                 set object k rectangle from screen 0.69,y-0.014 \
@@ -97,17 +99,11 @@ do for [f=1:6] {
             set object 8 rectangle from screen 0.69,y-0.014 \
                 to screen 0.725,y+0.014 fillcolor rgb "#FFFFFF" \
                 fillstyle transparent pattern 5 noborder
-            set object 9 rectangle from screen 0.69,0.164 \
-                to screen 0.725,0.192 fillcolor rgb "#909090" \
-                fillstyle transparent pattern 2 noborder
         }
         file = from."/atlas_".family."_".system("echo '".method[m]. \
             "' | tr ' ' _").".dat"
         plot for [k=1:6] file index k-1 with filledcurves closed \
                  fillcolor rgb shade[k] fillstyle solid 1 noborder, \
-             file index 5 with filledcurves closed \
-                 fillcolor rgb "#909090" fillstyle transparent pattern 2 \
-                 noborder, \
              file index 6 with filledcurves closed \
                  fillcolor rgb "#FFFFFF" fillstyle transparent pattern 5 \
                  noborder

@@ -114,4 +114,5 @@ for drawing in map(pathlib.Path, sys.argv[1:]):
     if "Produced by GNUPLOT" in drawn:
         drawing.write_text(slim(drawn))
     elif "Matplotlib" in drawn:
-        drawing.write_text(re.sub(r"(\d\.\d)\d+", r"\1", drawn))
+        # Of places, not of what a text says.
+        drawing.write_text(re.sub(r"(\d\.\d)\d+(?![\d<])", r"\1", drawn))

@@ -58,6 +58,11 @@ def sheet(text):
                       rf"""["'](#\w+|{"|".join(NAMES)})["']""", text)
     rules = "".join(f'[{what}="{colour}"]{{{what}:{dark(colour)}}}\n'
                     for what, colour in sorted(set(used)))
+    if "Matplotlib" in text:
+        used = re.findall(r"(fill|stroke): (#\w+)", text)
+        rules += "text{fill:" + dark("black") + "}\n" + "".join(
+            f'[style*="{what}: {colour}"]{{{what}:{dark(colour)}!important}}\n'
+            for what, colour in sorted(set(used)))
     return ('<style id="scheme">\n@media (prefers-color-scheme:dark){\n'
             f"{rules}}}\n</style>\n")
 

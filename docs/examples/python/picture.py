@@ -34,4 +34,5 @@ axes["lean"].plot(seconds, numpy.degrees(path["theta"]))
 axes["lean"].set(ylabel="lean, degrees")
 axes["ratio"].plot(seconds, ratio)
 axes["ratio"].set(xlabel="s", ylabel="F/N")
-figure.savefig(sys.argv[1], metadata={"Date": None})
+figure.savefig(sys.argv[1], metadata={
+    "Date": None, "Title": "Path, lean and friction of a quarter"})
