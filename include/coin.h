@@ -173,8 +173,8 @@ enum {
     COIN_RESTS = 16,      /**< the coin lies flat and stays */
     COIN_ROLLS = 32,      /**< event of coin_move(): a slip or a flight has
                                ended, and the coin rolls */
-    COIN_TOUCHES = 64     /**< event of coin_move(): it comes down on the table;
-                               no call lets it fly yet */
+    COIN_TOUCHES = 64     /**< event of coin_move(): it comes down on the table
+                           */
 };
 
 /** Methods of integration. */
@@ -793,8 +793,7 @@ typedef struct coin_table {
                              >= mu_kinetic, may be +infinity [1] */
     double mu_kinetic;  /**< and of one that slips; from 0 to the bound of
                              Painleve, Eq. (86) [1] */
-    double restitution; /**< of an impact, 0 to 1; no call makes an impact yet
-                             [1] */
+    double restitution; /**< of an impact, 0 to 1 [1] */
     double reserved[5]; /**< must be 0 */
     coin_losses losses; /**< damping is 0 unless mu_static is +infinity */
 } coin_table;

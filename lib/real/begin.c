@@ -29,7 +29,7 @@ void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
     g->tol = tol;
     g->time = t * w0;
     g->stop = g->event = 0;
-    g->mode = g->moved = 0;
+    g->mode = g->changed = 0;
     g->slope_mode = COIN_PRIV_NO_MODE;
     g->margin = g->waiting = 0;
     g->stride = coin_priv_first_stride(tol);
@@ -39,7 +39,7 @@ void coin_priv_end(const coin_priv_moving *g, coin_state *s,
                    const coin_priv_body *b)
 {
     const double w0 = sqrt(b->g_a);
-    if (!g->moved)
+    if (!g->changed)
         return;
     double pose[4];
     for (int i = 0; i < 4; ++i)

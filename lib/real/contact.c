@@ -281,10 +281,10 @@ coin_priv_direction coin_priv_onset(const double *y, const coin_priv_law *l,
             x0 = x1;
             at0 = at1;
         }
-        const double moved = fabs(x - x1);
+        const double change = fabs(x - x1);
         x1 = x;
         at1 = at;
-        if (moved <= DBL_EPSILON || at == 0)
+        if (change <= DBL_EPSILON || at == 0)
             break;
     }
     return direction_at(&sector, x1);

@@ -152,8 +152,8 @@ static int stays_above(const coin_priv_dop853 *w, double limit)
 
 /* Whether the force surely stays within the cone of friction: it may dip
  * between the ends by an eighth of its second derivative, which is taken to be
- * at most 2 moved^2. */
-static int stays_within(const coin_priv_moving *g, double moved)
+ * at most 2 stride^2. */
+static int stays_within(const coin_priv_moving *g, double stride)
 {
     const coin_priv_dop853 *w = &g->step;
     if (g->law.held_down)
@@ -161,10 +161,10 @@ static int stays_within(const coin_priv_moving *g, double moved)
     const double m0 = g->margin;
     const double m1 = coin_priv_contact_margin(w->end, &g->law, g->mode);
     const double least = m0 < m1 ? m0 : m1;
-    return least > 4 * fabs(m1 - m0) + 0.25 * moved * moved;
+    return least > 4 * fabs(m1 - m0) + 0.25 * stride * stride;
 }
 
-int coin_priv_first_event(double *cut, coin_priv_moving *g, double moved)
+int coin_priv_first_event(double *cut, coin_priv_moving *g, double stride)
 {
     double x = 2;
     if (!stays_above(&g->step, g->law.flat))
@@ -174,7 +174,7 @@ int coin_priv_first_event(double *cut, coin_priv_moving *g, double moved)
         const double at = first_zero(above_nearly_flat, g);
         x = at < x ? at : x;
     }
-    if (!stays_within(g, moved)) {
+    if (!stays_within(g, stride)) {
         const double at = first_zero(within_cone, g);
         x = at < x ? at : x;
     }

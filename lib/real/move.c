@@ -284,7 +284,7 @@ int32_t coin_priv_accept(coin_priv_moving *g, const double *y)
     for (int i = COIN_PRIV_READ; i < COIN_PRIV_WIDE; ++i)
         g->y[i] = 0;
     coin_priv_normalize_pairs(g->y);
-    g->moved = 1;
+    g->changed = 1;
     g->slope_mode = COIN_PRIV_NO_MODE;
     return COIN_OK;
 }
@@ -300,12 +300,12 @@ static int32_t make_step(coin_priv_moving *g)
     w->of.most =
         RUNAWAY * (1 + fabs(g->y[COIN_PRIV_WX]) + fabs(g->y[COIN_PRIV_WY]) +
                    fabs(g->y[COIN_PRIV_WZ]) + slip_speed(g->y));
-    const double moved = try_steps(g, &ends);
-    if (moved == 0)
+    const double stride = try_steps(g, &ends);
+    if (stride == 0)
         return COIN_ESTEP;
     coin_priv_end_slopes(w);
     double cut[COIN_PRIV_WIDE];
-    const int whole = !coin_priv_first_event(cut, g, moved);
+    const int whole = !coin_priv_first_event(cut, g, stride);
     const int32_t status = coin_priv_accept(g, whole ? w->end : cut);
     if (status != COIN_OK)
         return status;
@@ -336,7 +336,7 @@ static void lie_down(coin_priv_moving *g)
     y[COIN_PRIV_S] = y[COIN_PRIV_S] < 0 ? -1 : 1;
     y[COIN_PRIV_C] = 0;
     g->mode = COIN_PRIV_RESTS;
-    g->moved = 1;
+    g->changed = 1;
 }
 
 /* Begins or ends to hold the contact.  A roll that counts as stopped is left

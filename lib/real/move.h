@@ -58,7 +58,7 @@ typedef struct coin_priv_moving {
     coin_priv_sum pose[5];    /* phi, psi; x, z and t from the start */
     double start[5];          /* phi, psi, x, z of the start in radii; 0 */
     double time;              /* of the call */
-    int moved;                /* whether a step has been made */
+    int changed;              /* whether a step has been made */
 
     double waiting; /* the speed that a slip has gained that waits
                        to begin: onset.c */

@@ -193,7 +193,7 @@ static int32_t in_contact(coin_priv_thrown *w, int mode, const double u[2])
     g->event = w->event;
     w->event = 0;
     const int32_t status = coin_priv_go(g);
-    if (g->moved) {
+    if (g->changed) {
         const double after = coin_priv_time_left(g);
         end_contact(w);
         spend(w, after > 0 ? g->pose[4].sum + g->pose[4].low : left, left);
