@@ -453,6 +453,40 @@ static void a_bad_body_is_refused_and_not_touched(void **unused)
         check(isnan(coin_body_energy(&bodies[i], &p)));
     }
     check(moved == 7);
+    check(isnan(coin_body_energy(&good, NULL)));
+    check(isnan(coin_body_energy(NULL, &p)));
+}
+
+/* At the last lean a coin lies flat only if it does not turn over. */
+static void the_last_lean_alone_is_not_flat(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const double last = nextafter(asin(1), 0);
+    const coin_state states[] = {
+        {.theta = last}, {.theta = last, .wX = 1e-3}, {.theta = last, .wY = 1}};
+    for (int i = 0; i < 3; ++i) {
+        coin_body b = rolling(&p, &states[i]);
+        double u[2];
+        b.vx = 0.5;
+        check_note("state %d", i);
+        check_status(mode(&b, &p), COIN_SLIPS);
+        check_status(coin_body_slip(&b, &p, u), COIN_OK);
+        check_near(u[0], 0.5, 1e-15);
+    }
+}
+
+/* The velocity of the centre is that of two rates. */
+static void a_state_that_rolls_too_fast_for_a_body_is_refused(void **unused)
+{
+    (void)unused;
+    const coin_params p = disc();
+    const coin_state s = {.phi = 2.4, .wX = 9e5, .wZ = 9e5};
+    coin_body b = {.y = 7};
+    const coin_body before = b;
+    check_status(coin_state_check(&s, &p), COIN_OK);
+    check_status(coin_body_from_state(&b, &s, &p), COIN_ESTATE);
+    check_same(&b, &before, sizeof b);
 }
 
 static void a_bad_time_tolerance_or_stop_is_refused(void **unused)
@@ -589,6 +623,8 @@ int main(void)
         TEST(in_the_air_there_is_no_force),
         TEST(a_bad_table_is_refused),
         TEST(a_bad_body_is_refused_and_not_touched),
+        TEST(the_last_lean_alone_is_not_flat),
+        TEST(a_state_that_rolls_too_fast_for_a_body_is_refused),
         TEST(a_bad_time_tolerance_or_stop_is_refused),
         TEST(a_slide_without_friction_is_silent),
         TEST(damping_is_for_coins_that_roll),

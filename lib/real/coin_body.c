@@ -74,6 +74,12 @@ int32_t coin_priv_check_coin_body(const coin_body *b, const coin_params *p,
     return good ? COIN_OK : COIN_ESTATE;
 }
 
+static int lies_flat(const coin_body *b)
+{
+    return fabs(b->s.theta) >= COIN_PRIV_LAST_LEAN && b->s.wX == 0 &&
+           b->s.wY == 0;
+}
+
 /* Whether a coin that lies flat has stopped. */
 static int rests(const coin_body *b, const coin_priv_body *of)
 {
@@ -95,7 +101,7 @@ int coin_priv_body_mode(const coin_body *b, const coin_priv_body *of,
     const double turns = (fabs(b->s.wX) + fabs(b->s.wZ)) / w0;
     if (fabs(slip.y) > COIN_PRIV_SLIP_LEAST)
         return COIN_PRIV_AIR;
-    if (fabs(b->s.theta) >= COIN_PRIV_LAST_LEAN && b->s.wX == 0 && b->s.wY == 0)
+    if (lies_flat(b))
         return rests(b, of) ? COIN_PRIV_RESTS : COIN_PRIV_LIES;
     if (speed <= COIN_PRIV_SLIP_LEAST + COIN_PRIV_TOUCHES * turns)
         return 0;
@@ -209,8 +215,7 @@ int32_t coin_body_slip(const coin_body *b, const coin_params *p, double u[2])
     if (status != COIN_OK)
         return status;
     const coin_priv_variables y = coin_priv_variables_of(&b->s);
-    const int lies =
-        fabs(b->s.theta) >= COIN_PRIV_LAST_LEAN && b->s.wX == 0 && b->s.wY == 0;
+    const int lies = lies_flat(b);
     const double uX = of.a * y.wZ, uh = -of.a * (y.wX * y.cth);
     u[0] = b->vx + (lies ? 0 : uX * y.cph + uh * y.sph);
     u[1] = b->vz + (lies ? 0 : uh * y.cph - uX * y.sph);
