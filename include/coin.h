@@ -294,7 +294,7 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  *         the last state before the impact that a double can hold, and *reached
  *         the time of the impact.  A coin at rest, as coin_settle() leaves it,
  *         counts as fallen: for t >= 0 *reached is 0.
- * Accuracy: within 8 tol (1 + n) after n natural units (docs/limits.md), plus
+ * Accuracy: within 2 tol (1 + n) after n natural units (docs/limits.md), plus
  *         rounding, about 1e-15 per unit; a call that begins d from flat has a
  *         relative error of u/d in cos(theta), which the double theta holds.
  * Cost: a step costs 1.3 times one of COIN_RK8; about one step per radian that

@@ -13,23 +13,23 @@
 #define COIN_PRIV_STEPS_MAX (UINT64_C(1) << 20)
 
 /* A step in tau is made if its stride times E, the estimate of its error, is at
- * most ACCEPTED tol.  The error is E stride^2/80 in the median of 16,000 steps
- * and below E stride^2/14 in 999 of 1000, so that a step adds 0.3 tol per
- * stride.  In a stride a coin turns by about a radian or moves by a radius.  So
- * the sum is as the law of coin.h says.  The stride after it is chosen for
- * ACCEPTED/AIMED tol.  With ACCEPTED 8, steps are 3 % fewer, and three times as
- * many coins err by more than tol per unit; with 2, 5 % more.  With AIMED 8 or
- * 32 steps are 1 % more. */
+ * most ACCEPTED tol.  The error is E stride^2/100 in the median of 90,000
+ * steps and below E stride^2/7 in 999 of 1000, so that a step adds at most
+ * 0.6 tol per stride.  In a stride a coin turns by about a radian or moves by a
+ * radius.  So the sum is as the law of coin.h says.  The stride after it is
+ * chosen for ACCEPTED/AIMED tol.  With ACCEPTED 8, steps are 3 % fewer, and
+ * three times as many coins err by more than tol per unit; with 2, 5 % more.
+ * With AIMED 8 or 32 steps are 1 % more. */
 #define COIN_PRIV_ACCEPTED 4.0
 #define COIN_PRIV_AIMED 16.0
 
 /* No stride is longer than START tol^(1/14), nor than LONGEST, beyond which the
  * estimate is none.  The first of a call is START tol^(1/14)/(1 + 3 u^2)^(1/2),
  * if lean and heading turn at u times the rate of sundman.h.  Of random coins
- * one in seven repeats it at 1e-6, and one in two at 1e-12.  With START 6 and
- * 8, calls of one unit take 2 % fewer and 2 % more steps, and long ones of even
- * motions 3 % more and 2 % fewer. */
-#define COIN_PRIV_START 7.0
+ * one in seven repeats it at 1e-6, and two in five at 1e-12.  With START 6.5
+ * calls of one unit take 4 % fewer steps at most, and long ones 2 % more; with
+ * 8.5 short calls take 4 % more at most, and long ones no fewer. */
+#define COIN_PRIV_START 7.5
 #define COIN_PRIV_LONGEST 2.4
 
 /* One step of RK8 in t ends a call where rem^2 (W^2 + TURN_WEIGHT w^2) is at

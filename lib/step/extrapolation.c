@@ -293,12 +293,15 @@ COIN_PRIV_INLINE void add_totals(coin_priv_variables *to, coin_priv_pose *adds,
 }
 
 /* The largest difference of order 12 from order 14, of the sines and cosines
- * and of psi: angles all.  1 if that is more, or is not a number, and at least
- * a rounding.  With all twelve sums the estimate would be no better. */
-COIN_PRIV_INLINE double error_of(const struct columns *c)
+ * and of psi: angles all.  That of cos theta is a part of it; q is its inverse.
+ * The height of a low bounce decides when the coin next comes close to flat,
+ * and there it moves the faster, the lower the bounce.  1 if the largest is
+ * more, or is not a number, and at least a rounding.  With all twelve sums the
+ * estimate would be no better. */
+COIN_PRIV_INLINE double error_of(const struct columns *c, double q)
 {
     const double e[] = {
-        total_sth(c, weight_of_error), total_cth(c, weight_of_error),
+        total_sth(c, weight_of_error), total_cth(c, weight_of_error) * q,
         total_sph(c, weight_of_error), total_cph(c, weight_of_error),
         total_psi(c, weight_of_error),
     };
@@ -372,7 +375,7 @@ int coin_priv_extrapolate_within(coin_priv_run *r, double tau, double *error)
     all_substeps(columns, &p);
     add_totals(&to, &adds, &r->g.y, columns, &r->b, unit);
     const double most = *error;
-    *error = to.cth > 0 ? error_of(columns) : 1;
+    *error = to.cth > 0 ? error_of(columns, to.q) : 1;
     return to.cth > 0 && *error <= most &&
            coin_priv_sundman_accept(r, &to, &adds);
 }

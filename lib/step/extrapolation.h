@@ -5,11 +5,11 @@
 #include "run.h"
 
 /* One step of order 14 in tau, unless the estimate of its error is above
- * *error; *error becomes that estimate, an angle, and at most 1 rad: through
- * the table too.  Adds the time of the step to r->g.added.t.  Returns whether
- * the step was made.  If not, or if phi or psi would leave their range, *r is
- * untouched.  The step does not set added.theta: until coin_priv_read_lean() is
- * called, only sin and cos theta are right. */
+ * *error; *error becomes that estimate, an angle or a part of cos theta, and at
+ * most 1: through the table too.  Adds the time of the step to r->g.added.t.
+ * Returns whether the step was made.  If not, or if phi or psi would leave
+ * their range, *r is untouched.  The step does not set added.theta: until
+ * coin_priv_read_lean() is called, only sin and cos theta are right. */
 int coin_priv_extrapolate_within(coin_priv_run *r, double tau, double *error);
 
 /* The same whatever the error, if it is below 1 rad. */

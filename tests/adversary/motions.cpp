@@ -37,7 +37,7 @@ template <class R> double advance(const scene &s, double enough)
     const R turned = natural * root(2 * truth.energy());
     if (!truth.follow(t))
         return NO_CLAIM;
-    const R bound = 8 * R(s.tol) * (1 + turned) + R(1e-15) * natural +
+    const R bound = 2 * R(s.tol) * (1 + turned) + R(1e-15) * natural +
                     16 * R(doubles::u) * truth.largest_of_pose();
     const double ratio =
         ratio_of(double(pose_apart(truth, end)), double(bound));
@@ -300,7 +300,7 @@ void for_long(scene *s, const double *g)
 void add_motions(std::vector<row> *rows)
 {
     const row made[] = {
-        MOTION(advance, "coin_advance", "8 tol a radius of speed + rounding", 5,
+        MOTION(advance, "coin_advance", "2 tol a radius of speed + rounding", 5,
                horizon),
         MOTION(until, "coin_move_until", "F/N over mu by 1e-4 of mu", 2,
                until_it_slips),
