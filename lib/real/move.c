@@ -30,16 +30,6 @@
  * change by less than this part of themselves in it. */
 #define IN_T 0.25
 
-static double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
-static double lesser(double a, double b)
-{
-    return a < b ? a : b;
-}
-
 static double slip_speed(const double *y)
 {
     const double uX = y[COIN_PRIV_UX], uh = y[COIN_PRIV_UH];
@@ -55,12 +45,12 @@ double coin_priv_rate(const double *y, const coin_priv_law *l, int mode)
         return sqrt(1 + wX * wX + wZ * wZ);
     const double own2 =
         wX * wX + 1.5 * (wY * wY) + KJ * KJ * (cwZ * cwZ) + y[COIN_PRIV_C];
-    const double rate = sqrt(larger(own2, 3 * KJ * fabs(wY * cwZ)));
+    const double rate = sqrt(coin_priv_larger(own2, 3 * KJ * fabs(wY * cwZ)));
     if (!(mode & COIN_PRIV_SLIPS))
         return rate;
     /* A slip frees the lean: the inertia against its changes is I_X + sin^2
      * theta instead of I_X + 1. */
-    return rate * larger(1, sqrt(1 / (l->IX + s8 * s8)) / 2);
+    return rate * coin_priv_larger(1, sqrt(1 / (l->IX + s8 * s8)) / 2);
 }
 
 /* The rate in tau at which the losses make the rates decay, (71). */
@@ -167,7 +157,7 @@ static plan plan_step(const coin_priv_moving *g)
     if (has_kink(g)) {
         const double u = coin_priv_roll_speed(y), du = roll_slope(y, d);
         if (u * du < 0 && fabs(u) > AIMED * sqrt(g->tol))
-            r.h = lesser(r.h, AIM * fabs(u / du));
+            r.h = coin_priv_lesser(r.h, AIM * fabs(u / du));
     }
     return r;
 }
@@ -179,7 +169,8 @@ static double allowed(const coin_priv_moving *g)
     const double *y = g->y;
     const double size = 1 + fabs(y[COIN_PRIV_WX]) + fabs(y[COIN_PRIV_WY]) +
                         fabs(y[COIN_PRIV_WZ]) + slip_speed(y);
-    return ESTIMATE * g->tol * larger(g->step.end[COIN_PRIV_ADDS_T], BRIEF) +
+    return ESTIMATE * g->tol *
+               coin_priv_larger(g->step.end[COIN_PRIV_ADDS_T], BRIEF) +
            4 * DBL_EPSILON * size;
 }
 
@@ -187,10 +178,10 @@ static double allowed(const coin_priv_moving *g)
 static void next_stride(coin_priv_moving *g, double used, double error,
                         double most)
 {
-    const double ratio = most / larger(error, 1e-9 * most);
-    double factor = lesser(2, 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio))));
-    factor = error > most ? lesser(factor, TURNED) : factor;
-    const double next = lesser(COIN_PRIV_MOST_STRIDE, used * factor);
+    const double ratio = most / coin_priv_larger(error, 1e-9 * most);
+    double factor = coin_priv_lesser(2, 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio))));
+    factor = error > most ? coin_priv_lesser(factor, TURNED) : factor;
+    const double next = coin_priv_lesser(COIN_PRIV_MOST_STRIDE, used * factor);
     if (error > most || next > g->stride || used > 0.999 * g->stride)
         g->stride = next;
 }
@@ -237,7 +228,7 @@ static double try_steps(coin_priv_moving *g, int *ends)
         g->slope_mode = g->mode;
         w->of.in_t = 0;
         plan p = plan_step(g);
-        p.h = lesser(p.h, most_h);
+        p.h = coin_priv_lesser(p.h, most_h);
         *ends = can_end_in_t(g, &p, left);
         if (*ends)
             end_in_t(g, &p, left);

@@ -27,11 +27,6 @@
 #define STRAIGHT 0.25
 #define MOST_STRAIGHT 0.003
 
-static double lesser(double a, double b)
-{
-    return a < b ? a : b;
-}
-
 /* How a slip begins: its direction, its slopes, and that of its speed. */
 struct onset {
     coin_priv_direction n;
@@ -66,7 +61,7 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     if (a.du > 0) {
         const double of_error =
             (sqrt(g->tol * a.friction / a.du) + BRIEF) / rate;
-        h = a.du * of_error > 10 * LEAST ? lesser(h, of_error) : h;
+        h = a.du * of_error > 10 * LEAST ? coin_priv_lesser(h, of_error) : h;
     }
     h = h * loss > STABLE ? STABLE / loss : h;
     const double fall = -a.slopes[COIN_PRIV_C] / g->y[COIN_PRIV_C];
@@ -112,7 +107,8 @@ int coin_priv_end_slip(coin_priv_moving *g)
     if (!(grows < 0))
         return 0;
     const double aside = fabs(nX * d[COIN_PRIV_UH] - nh * d[COIN_PRIV_UX]);
-    const double part = lesser(STRAIGHT * sqrt(g->tol), MOST_STRAIGHT);
+    const double part =
+        coin_priv_lesser(STRAIGHT * sqrt(g->tol), MOST_STRAIGHT);
     const double h = u / -grows, scale = u / (u + 1);
     const double left = coin_priv_time_left(g);
     const double rate = coin_priv_rate(y, &g->law, g->mode) +
