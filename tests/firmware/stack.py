@@ -13,10 +13,6 @@ NODE = re.compile(r'node: { title: "([^"]*)" label: "[^"]*?'
                   r'(?:\\n(\d+) bytes \(([\w,]+)\))?"')
 EDGE = re.compile(r'edge: { sourcename: "([^"]*)" targetname: "([^"]*)"')
 
-# Who calls through a pointer, and what that may point at: in floats, as no
-# entry of the tables in doubles does.
-INDIRECT = {r"\bmidpoints$|^coinf_priv_gbs$": r"/coinf_hold\.c:slopes$"}
-
 LABEL = re.compile(r"^([0-9a-f]+) <(.*)>:$")
 CODE = re.compile(r"^ *([0-9a-f]+):\t(\S+)(?:\t(.*?))?(?:\s[@;#]\s.*)?$")
 TARGET = re.compile(r"\b([0-9a-f]+) <")
@@ -146,12 +142,7 @@ def deepest(functions, program, name, path=()):
         return program.depth(name), (name,)
     size, calls = functions[name]
     if "__indirect_call" in calls:
-        targets = [t for n, t in INDIRECT.items() if re.search(n, name)]
-        if not targets:
-            raise SystemExit(f"stack: {name} calls through a pointer")
-        calls = calls - {"__indirect_call"} | {
-            n for n in functions if re.search(targets[0], n)
-            and n.rsplit(":")[-1] in program.address}
+        raise SystemExit(f"stack: {name} calls through a pointer")
     below = [deepest(functions, program, c, path + (name,)) for c in calls]
     most, way = max(below, default=(0, ()))
     return size + most, (name.rsplit(":")[-1],) + way

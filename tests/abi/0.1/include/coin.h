@@ -51,11 +51,11 @@
  * in range: COIN_ERANGE where phi, psi, x or z would leave it.
  *
  * COST. In instructions, checks included, by gcc -O2 on x86-64 (make natural):
- *   40-190     coin_params_, coin_critical_ and _check() functions
- *   220-440    observables, coin_check(), coin_steady_roll(), _upright_spin(),
- *              _radii(), coin_stability()
- *   520-1,300  coin_matrix(), other coin_steady_ and coin_losses_ functions,
- *              coin_state_from_motion()
+ *   40-190     coin_params_ and coin_critical_ functions
+ *   220-440    observables, coin_check(), coin_state_check(),
+ *              coin_steady_roll(), _upright_spin(), _radii(), coin_stability()
+ *   430-1,300  coin_matrix(), other coin_steady_ functions, coin_losses_ ones
+ *              but _fit(), coin_table_check(), coin_state_from_motion()
  *   380-6,800  coin_integrals()
  * A textbook step, classical Runge-Kutta that calls the sine, cosine and
  * tangent of libm in every stage, takes 1,901 instructions.
