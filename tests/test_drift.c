@@ -152,6 +152,16 @@ static struct pair carried(struct pair at, quad k1, quad k2, quad u, quad v)
     return end;
 }
 
+/* The pair at u + e, of which that at u is given. */
+static void shift(double *p, double *wZ, double k1, double k2, double u,
+                  double c2, double e)
+{
+    double dp, dwZ;
+    coin_priv_legendre_change(&dp, &dwZ, *p, *wZ, k1, k2, u, c2, e);
+    *p += dp;
+    *wZ += dwZ;
+}
+
 /* How far the drift's series is from that, over so much of 1 - u^2, in u of the
  * terms of the change, with the last sum's rounding taken off. */
 static double series_error(struct random *r, double reach)
@@ -166,7 +176,7 @@ static double series_error(struct random *r, double reach)
     const double p_terms = fabs(k1 * e) * (fabs(wZ) + fabs(k2 * p * e / c2));
     const double w_terms =
         fabs(e / c2) * (fabs(k2 * p) + fabs(e * k1 * k2 * wZ));
-    coin_priv_legendre_shift(&p, &wZ, k1, k2, u, c2, e);
+    shift(&p, &wZ, k1, k2, u, c2, e);
     check_note("k1 = %.17g, k2 = %.17g, u = %.17g, e = %.17g", k1, k2, u, e);
     const double p_off = fabs((double)(p - want.p)) - U * fabs(p);
     const double w_off = fabs((double)(wZ - want.wZ)) - U * fabs(wZ);
@@ -204,8 +214,8 @@ static void carry_a_row(const struct table *t, size_t row)
     for (double next; u < end; u = next, ++shifts) {
         const double c2 = fma(-u, u, 1);
         next = fmin(u + COIN_PRIV_SERIES_REACH * c2 / (1 + u), end);
-        coin_priv_legendre_shift(&p, &wZ, k1, k2, u, c2, next - u);
-        coin_priv_legendre_shift(&q, &vZ, k1, k2, u, c2, next - u);
+        shift(&p, &wZ, k1, k2, u, c2, next - u);
+        shift(&q, &vZ, k1, k2, u, c2, next - u);
     }
     /* 2 u in each shift, and 4 u for k2 and the table. */
     const double bound = (2 * shifts + 4) * U;

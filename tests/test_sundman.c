@@ -15,7 +15,6 @@ struct forms {
     struct parts size;
     double h, cth;
     coin_priv_variables time, sundman;
-    coin_priv_pose time_path, sundman_path;
 };
 
 static struct forms random_forms(struct random *r)
@@ -32,8 +31,6 @@ static struct forms random_forms(struct random *r)
     const coin_priv_variables y = coin_priv_variables_of(&s);
     f.time = coin_priv_slopes_at(&field, &y);
     f.sundman = coin_priv_sundman_slopes(&field, &y);
-    f.time_path = coin_priv_pose_slopes(&field, &y);
-    f.sundman_path = coin_priv_sundman_pose_slopes(&field, &y);
     return f;
 }
 
@@ -57,26 +54,6 @@ static void the_equations_are_those_in_time_times_cos_theta(void **unused)
         check_near(b->cth, f.cth * a->cth, bound * k->wX * k->sth);
         check_near(b->sph, f.cth * a->sph, bound * k->wY / k->cth);
         check_near(b->cph, f.cth * a->cph, bound * k->wY / k->cth);
-    }
-}
-
-static void the_path_is_that_in_time_times_cos_theta(void **unused)
-{
-    (void)unused;
-    struct random r = random_begin(49);
-    for (int i = 0; i < 1000; ++i) {
-        const struct forms f = random_forms(&r);
-        const struct parts *k = &f.size;
-        const double bound = BOUND * f.h * f.cth;
-        const double dpsi = k->wZ + k->wY * k->tth;
-        const coin_priv_pose *a = &f.time_path, *b = &f.sundman_path;
-        check_near(b->phi, f.cth * a->phi, bound * k->wY / k->cth);
-        check_near(b->psi, f.cth * a->psi, bound * dpsi);
-        const double speed = k->wZ + k->wX * k->cth;
-        check_near(b->x, f.cth * a->x, bound * speed);
-        check_near(b->z, f.cth * a->z, bound * speed);
-        check_near(b->t, f.cth * f.h, bound);
-        check(a->t == 0); /* there the steps count the time */
     }
 }
 
@@ -138,7 +115,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(the_equations_are_those_in_time_times_cos_theta),
-        TEST(the_path_is_that_in_time_times_cos_theta),
         TEST(pairs_get_the_length_1),
         TEST(a_heavy_rim_that_turns_fast_comes_to_the_end),
     };

@@ -71,7 +71,6 @@
 #define coin_priv_legendre_central coinf_priv_legendre_central
 #define coin_priv_legendre_change coinf_priv_legendre_change
 #define coin_priv_legendre_flat coinf_priv_legendre_flat
-#define coin_priv_legendre_shift coinf_priv_legendre_shift
 #define coin_priv_lesser coinf_priv_lesser
 #define coin_priv_lies_flat coinf_priv_lies_flat
 #define coin_priv_limits coinf_priv_limits
@@ -100,7 +99,6 @@
 #define coin_priv_state_within coinf_priv_state_within
 #define coin_priv_step coinf_priv_step
 #define coin_priv_step_end coinf_priv_step_end
-#define coin_priv_sundman_pose_slopes coinf_priv_sundman_pose_slopes
 #define coin_priv_sundman_slopes coinf_priv_sundman_slopes
 #define coin_priv_time_holds coinf_priv_time_holds
 #define coin_priv_truth coinf_priv_truth

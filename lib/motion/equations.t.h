@@ -165,21 +165,6 @@ coin_priv_sundman_slopes(const coin_priv_field *f, const coin_priv_variables *y)
     return d;
 }
 
-/* h d/dtau of the pose and of the time. */
-COIN_PRIV_INLINE coin_priv_pose coin_priv_sundman_pose_slopes(
-    const coin_priv_field *f, const coin_priv_variables *y)
-{
-    const number hwY = f->h * y->wY, hc = f->h * y->cth;
-    const number hcwZ = hc * y->wZ, none = {0};
-    coin_priv_pose d;
-    d.theta = none;              /* its sine and cosine are integrated */
-    d.phi = hwY;                 /* (32) */
-    d.psi = hcwZ + hwY * y->sth; /* (32) */
-    coin_priv_path_rates(&d.x, &d.z, hc * (y->cth * y->wX), hcwZ, y);
-    d.t = hc; /* (32) */
-    return d;
-}
-
 /* Normalizes the pairs after a step in tau, and computes q and tth from them.
  * The step leaves e = 1 - s^2 - c^2, of the size of its error.  Three terms of
  * (1 - e)^(-1/2) are taken; the next one, 5/16 e^3, is below rounding. */

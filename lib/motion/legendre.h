@@ -33,8 +33,8 @@ coin_priv_central coin_priv_legendre_central(number kap, number u);
  * v = 1e-32 (test_legendre).  Cost: at most 65 terms. */
 coin_priv_flat coin_priv_legendre_flat(number kap, number v, number ln_v);
 
-/* legendre_change() and legendre_shift() lead from the pair at u to that at
- * u + e, by the power series about u, (34).  c2 is 1 - u^2.
+/* legendre_change() leads from the pair at u to that at u + e, by the power
+ * series about u, (34).  c2 is 1 - u^2.
  * Pre: |e| (1 + |u|) <= COIN_PRIV_SERIES_REACH c2.  Each term of the series is
  * then at most 0.18 of the one before.
  * Accuracy: 6 units of rounding of the terms of the change (test_drift).
@@ -74,17 +74,6 @@ COIN_PRIV_INLINE void coin_priv_legendre_change(number *dp, number *dwZ,
     }
     *dp = k1 * e * sum;
     *dwZ = change;
-}
-
-/* Adds these changes to *p and *wZ. */
-COIN_PRIV_INLINE void coin_priv_legendre_shift(number *p, number *wZ, number k1,
-                                               number k2, number u, number c2,
-                                               number e)
-{
-    number dp, dwZ;
-    coin_priv_legendre_change(&dp, &dwZ, *p, *wZ, k1, k2, u, c2, e);
-    *p += dp;
-    *wZ += dwZ;
 }
 
 #endif

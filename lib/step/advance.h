@@ -146,7 +146,7 @@ COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r,
         pace->tau = coin_priv_next_tau(r, pace->stride * unit, before);
         const double stride = fabs(pace->tau) / unit;
         error = most = COIN_PRIV_ACCEPTED * lengths->tol / stride;
-        made = coin_priv_extrapolate_within(r, pace->tau, &error);
+        made = coin_priv_extrapolate(r, pace->tau, &error);
         /* With the 14th root of an accepted step's, more would be refused. */
         const double root = coin_priv_root28(most / (COIN_PRIV_AIMED * error));
         const double by = error > most ? root * root : root;

@@ -361,7 +361,7 @@ COIN_PRIV_INLINE void start_columns(struct columns *columns,
 #endif
 }
 
-int coin_priv_extrapolate_within(coin_priv_run *r, double tau, double *error)
+int coin_priv_extrapolate(coin_priv_run *r, double tau, double *error)
 {
     const double unit = tau / 120;
     const lanes none = {0}, one = none + 1;

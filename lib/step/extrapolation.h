@@ -10,13 +10,6 @@
  * Returns whether the step was made.  If not, or if phi or psi would leave
  * their range, *r is untouched.  The step does not set added.theta: until
  * coin_priv_read_lean() is called, only sin and cos theta are right. */
-int coin_priv_extrapolate_within(coin_priv_run *r, double tau, double *error);
-
-/* The same whatever the error, if it is below 1 rad. */
-COIN_PRIV_INLINE int coin_priv_extrapolate(coin_priv_run *r, double tau)
-{
-    double error = 1;
-    return coin_priv_extrapolate_within(r, tau, &error);
-}
+int coin_priv_extrapolate(coin_priv_run *r, double tau, double *error);
 
 #endif

@@ -111,8 +111,10 @@ static double step_alone(double tare)
     coin_priv_check(&s, &disc, &r.b);
     coin_priv_run_unlimited(&r, &s);
     const double begin = clock_ns();
-    for (int i = 0; i < 64; ++i)
-        coin_priv_extrapolate(&r, 1e-3);
+    for (int i = 0; i < 64; ++i) {
+        double error = 1;
+        coin_priv_extrapolate(&r, 1e-3, &error);
+    }
     return (clock_ns() - begin - tare) / 64;
 }
 

@@ -30,8 +30,10 @@ static coin_state extrapolate(uint64_t n)
     coin_priv_run r;
     coin_priv_check(&generic, &disc, &r.b);
     coin_priv_run_unlimited(&r, &generic);
-    for (; n > 0; --n)
-        coin_priv_extrapolate(&r, 0.05);
+    for (; n > 0; --n) {
+        double error = 1;
+        coin_priv_extrapolate(&r, 0.05, &error);
+    }
     coin_priv_read_lean(&r.g);
     return coin_priv_run_state(&r);
 }

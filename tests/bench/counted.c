@@ -14,7 +14,7 @@ enum { SLOPES = 1 + 15 + 11 + 9 + 7 + 5 + 3 + 1 };
 static int step(coin_priv_run *r, double tau, double *error)
 {
     workprec_slopes += SLOPES;
-    return coin_priv_extrapolate_within(r, tau, error);
+    return coin_priv_extrapolate(r, tau, error);
 }
 
 static void landing4(coin_priv_run *r, uint64_t n)
@@ -29,7 +29,7 @@ static void landing8(coin_priv_run *r, uint64_t n)
     coin_priv_rk8(r, n);
 }
 
-#define coin_priv_extrapolate_within step
+#define coin_priv_extrapolate step
 #define coin_priv_rk4 landing4
 #define coin_priv_rk8 landing8
 #define coin_advance counted_advance

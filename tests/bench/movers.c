@@ -36,9 +36,11 @@ mover mover_at(enum mover_kind kind, const coin_state *s, const coin_params *p,
  * that one sees of the phase. */
 static int go_sundman(mover *m, unsigned long n)
 {
-    for (; n > 0; --n)
-        if (!coin_priv_extrapolate(&m->run, m->h))
+    for (; n > 0; --n) {
+        double error = 1;
+        if (!coin_priv_extrapolate(&m->run, m->h, &error))
             return 1;
+    }
     m->t += m->run.g.added.t;
     m->run.g.added.t = 0;
     coin_priv_read_lean(&m->run.g);

@@ -32,7 +32,7 @@ def parts(path):
             elif line.startswith("summary: "):
                 total = int(line.split()[1])
             elif line.startswith("cfn="):
-                is_step = line.strip() == "cfn=coin_priv_extrapolate_within"
+                is_step = line.strip() == "cfn=coin_priv_extrapolate"
             elif line.startswith("calls=") and is_step:
                 steps += int(line[6:].split()[0])
             elif line.startswith("part: ") and label:

@@ -19,8 +19,6 @@ from functions import functions
 OTHER_FORMS = {
     "equations.h coin_priv_drift_slopes_of": ("test_drift",
         "a drift holds wX, by which (15) is divided"),
-    "equations.t.h coin_priv_sundman_pose_slopes": ("test_sundman",
-        "the second half of (32), for the pose and the time"),
     "extrapolation.c add_slope": ("test_extrapolation",
         "adds (32) to a sum, in vectors, and without the pose"),
     "series.c lean_power": ("test_series",

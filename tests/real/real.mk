@@ -34,7 +34,7 @@ $(REAL_OUT)/moves: $(SRC)/tests/real/moves.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT
 
 # The functions that tuning counts.
 TUNED = coin_priv_try_step coin_priv_within coin_priv_rates \
-        coin_priv_extrapolate_within
+        coin_priv_extrapolate
 
 .PHONY: tuning
 tuning: $(REAL_OUT)/tuning ## what the tuned numbers of lib/ trade: calls and errors (5 minutes)

@@ -50,7 +50,7 @@ COUNT(SLOPES, void, , coin_priv_rates,
       (double *d, const double *y, const struct coin_priv_law *l, int mode,
        int in_t),
       (d, y, l, mode, in_t))
-COUNT(EXTRAPOLATE, int, return, coin_priv_extrapolate_within,
+COUNT(EXTRAPOLATE, int, return, coin_priv_extrapolate,
       (coin_priv_run * r, double tau, double *error), (r, tau, error))
 
 /* ----------------------------------------------------------------- reports */

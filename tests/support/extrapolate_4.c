@@ -4,5 +4,5 @@
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 #define LANES 4
-#define coin_priv_extrapolate_within extrapolate_4
+#define coin_priv_extrapolate extrapolate_4
 #include "extrapolation.c"

@@ -3,8 +3,21 @@
 
 #include "sundman.h"
 
+/* h d/dtau of the pose and of the time. */
+static coin_priv_pose pose_slopes(const coin_priv_field *f,
+                                  const coin_priv_variables *y)
+{
+    const double hwY = f->h * y->wY, hc = f->h * y->cth, hcwZ = hc * y->wZ;
+    coin_priv_pose d = {0};
+    d.phi = hwY;
+    d.psi = hcwZ + hwY * y->sth;
+    coin_priv_path_rates(&d.x, &d.z, hc * (y->cth * y->wX), hcwZ, y);
+    d.t = hc;
+    return d;
+}
+
 #define SLOPES coin_priv_sundman_slopes
-#define POSE_SLOPES coin_priv_sundman_pose_slopes
+#define POSE_SLOPES pose_slopes
 #define EACH_POSE(F) F(phi) F(psi) F(x) F(z) F(t)
 #include "rk8.t.h"
 
