@@ -139,25 +139,15 @@ static int stage(coin_priv_dop853 *w, const double *row, const stages of,
     return 1;
 }
 
-/* The stages of a step, and those of its polynomial: the row of the tableau,
- * and the stages whose slopes its `count` coefficients multiply. */
-static const struct row {
-    const double *row;
-    const unsigned char *of;
-    int count;
-} OF_STEP[] = {{A2, EARLY, 1}, {A3, EARLY, 2}, {A4, A4_OF, 2}, {A5, A5_OF, 3},
-               {A6, A_OF, 3},  {A7, A_OF, 4},  {A8, A_OF, 5},  {A9, A_OF, 6},
-               {A10, A_OF, 7}, {A11, A_OF, 8}, {A12, A_OF, 9}},
-  OF_DENSE[] = {{A14, A14_OF, 8}, {A15, A15_OF, 8}, {A16, A16_OF, 8}};
-
-/* `count` stages, the first of them number `first`; 0 if one of them fails. */
-static int make_stages(coin_priv_dop853 *w, const struct row *rows, int first,
-                       int count)
+/* Stages 2 to 12; 0 if one of them fails. */
+static int all_stages(coin_priv_dop853 *w)
 {
-    int good = 1;
-    for (int i = 0; i < count && good; ++i)
-        good = stage(w, rows[i].row, rows[i].of, rows[i].count, first + i);
-    return good;
+    return stage(w, A2, EARLY, 1, 1) && stage(w, A3, EARLY, 2, 2) &&
+           stage(w, A4, A4_OF, 2, 3) && stage(w, A5, A5_OF, 3, 4) &&
+           stage(w, A6, A_OF, 3, 5) && stage(w, A7, A_OF, 4, 6) &&
+           stage(w, A8, A_OF, 5, 7) && stage(w, A9, A_OF, 6, 8) &&
+           stage(w, A10, A_OF, 7, 9) && stage(w, A11, A_OF, 8, 10) &&
+           stage(w, A12, A_OF, 9, 11);
 }
 
 double coin_priv_try_step(coin_priv_dop853 *w, double h)
@@ -165,7 +155,7 @@ double coin_priv_try_step(coin_priv_dop853 *w, double h)
     double by5 = 0, by3 = 0, off5[COIN_PRIV_WIDE], off3[COIN_PRIV_WIDE];
     w->h = h;
     w->has_dense = 0;
-    if (!make_stages(w, OF_STEP, 1, 11))
+    if (!all_stages(w))
         return (double)INFINITY;
     lanes by[ALL], e5[READ], e3[READ];
     sum_row(by, w, B, B_OF, 8, ALL);
@@ -206,7 +196,9 @@ COIN_PRIV_INLINE void set_dense(coin_priv_dop853 *w, const double *row, int r)
 static void make_dense(coin_priv_dop853 *w)
 {
     const double h = w->h;
-    const int good = make_stages(w, OF_DENSE, 13, 3);
+    const int good = stage(w, A14, A14_OF, 8, 13) &&
+                     stage(w, A15, A15_OF, 8, 14) &&
+                     stage(w, A16, A16_OF, 8, 15);
     w->has_dense = 1;
     for (int i = 0; i < ALL * LANES; i += LANES) {
         const lanes dy = load(&w->end[i]) - load(&w->y[i]);
