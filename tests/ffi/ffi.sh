@@ -140,7 +140,7 @@ same()
     name=$1
     shift
     "$@" >"$work/found.txt" && cmp "$work/quarter.txt" "$work/found.txt" ||
-        { differs "$name rolls another quarter"; return; }
+        { differs "$name prints something else"; return; }
     echo "same numbers  $name"
 }
 $CXX -std=c++17 -I"$SRC/include" "$examples/cpp/quarter.cpp" \
@@ -158,6 +158,11 @@ same "Rust, by cargo" env ROLLCOIN_LIB="$OUT" RUSTC="$RUSTC" \
         --extern rollcoin=librollcoin.rlib -o quarter-rs
 )
 same "Rust, by rustc" "$work/quarter-rs"
+"$python" "$examples/python/toss.py" 100 >"$work/quarter.txt"
+grep -q ' of 100 show heads' "$work/quarter.txt" || differs "toss.py"
+same "Rust, tosses as Python's" env ROLLCOIN_LIB="$OUT" RUSTC="$RUSTC" \
+    CARGO_TARGET_DIR="$work/cargo" "$CARGO" run --offline -q \
+    --manifest-path "$work/rust/Cargo.toml" --example toss 100
 
 # ----------------------------------------------------------------- the guide's
 # Each of these programs is shown whole in guide.md.

@@ -126,11 +126,13 @@ def first(arguments):
 
 
 def over_coins(arguments):
-    """Of a function that reads a coin, or moves one by a time."""
+    """Of a function that reads a coin, or moves one or a body by a time."""
     name, kind = first(arguments)
-    return (name == "s" and kind.pointers == 1
-            and not any(k.name == "size_t" for k in arguments.values())
-            and (kind.const or "reached" in arguments))
+    if kind is None or kind.pointers != 1:
+        return False
+    return "reached" in arguments or (
+        name == "s" and kind.const
+        and not any(k.name == "size_t" for k in arguments.values()))
 
 
 def over_times(arguments):

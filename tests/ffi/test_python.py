@@ -375,6 +375,30 @@ class Results(unittest.TestCase):
             rc.body_energy(b, p)
         self.assertEqual(caught.exception.status, rc.ESTATE)
 
+    def test_a_table_of_bodies_moves_as_one_by_one(self):
+        p, _ = quarter()
+        table = rc.Table(mu_static=0.5, mu_kinetic=0.4, restitution=0.6)
+        bodies = numpy.zeros((2, 3), rc.Body)
+        bodies["y"] = 0.1
+        bodies["s"]["wX"] = numpy.arange(6).reshape(2, 3)
+        wanted = [rc.Body.from_buffer_copy(b) for b in bodies.reshape(-1)]
+        status, reached = rc.move(bodies, p, table, 0.3)
+        for i, b in enumerate(wanted):
+            one = rc.move(b, p, table, 0.3)
+            self.assertEqual(one, (status.flat[i], reached.flat[i]))
+            self.assertTrue(same(numpy.frombuffer(b, rc.Body)[0],
+                                 bodies.reshape(-1)[i]))
+        bodies["y"][1, 1] = -1
+        with self.assertRaises(rc.Error) as caught:
+            rc.move(bodies, p, table, 0.3)
+        self.assertEqual(caught.exception.index, 4)
+        rc.move(bodies, p, table, 0.3, status=status)
+        self.assertEqual(status[1, 1], rc.ESTATE)
+        with self.assertRaises(TypeError):
+            rc.move(numpy.zeros(2, rc.State), p, table, 0.3)
+        with self.assertRaises(ValueError):
+            rc.move(bodies[:, ::2], p, table, 0.3)
+
     def test_floats_are_called_by_the_same_names(self):
         p, s = quarterf()
         pd, sd = quarter()

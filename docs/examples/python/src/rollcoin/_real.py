@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""Real coins, one by one: they roll, slip and come to rest."""
+"""Real coins: they fly, bounce, slip, roll and come to rest."""
 from __future__ import annotations
 
 from ctypes import byref, c_double
-from typing import Any, Sequence
+from typing import TYPE_CHECKING, Any, Sequence, Union
 
 from ._declarations import Body, Force, Params, State, Table
 from ._library import Error, lib
 from ._move import Settled
-from ._tables import Coin, coin, give
+from ._tables import Coin, Status, coin, give, move_bodies
+
+if TYPE_CHECKING:
+    import numpy
+
+Bodies = Union[Body, "numpy.ndarray[Any, Any]"]
 
 __all__ = ["body_energy", "body_from_motion", "body_from_state", "body_matrix",
            "body_reaction", "body_slip", "move", "table_check"]
@@ -36,18 +41,23 @@ def body_from_motion(p: Params, q: Sequence[float], omega: Sequence[float],
     return b
 
 
-def move(b: Body, p: Params, table: Table, t: float, tol: float = 1e-9,
-         stop: int = 0) -> Settled:
-    """Moves b by a time t >= 0, or until one of the bits of stop begins to
-    hold; the status is its mode: OK, it rolls, SLIPS, LIFTS or RESTS, and the
-    bits of stop that hold.  coin_move()"""
+def move(b: Bodies, p: Params, table: Table, t: float, tol: float = 1e-9,
+         stop: int = 0, *, status: Status = None) -> Settled:
+    """Moves b, a Body or an array of numpy of dtype Body, by a time t >= 0, or
+    until one of the bits of stop begins to hold; the status is its mode: OK, it
+    rolls, SLIPS, LIFTS or RESTS, and the bits of stop that hold.
+    coin_move()"""
+    if not isinstance(b, Body):
+        return Settled(*move_bodies(b, (p, table, t, tol, stop), status))
+    if status is not None:
+        raise TypeError("status is for tables")
     reached = c_double()
     try:
-        status = lib.coin_move(b, p, table, t, tol, stop, byref(reached))
+        said = lib.coin_move(b, p, table, t, tol, stop, byref(reached))
     except Error as error:
         error.done = reached.value
         raise
-    return Settled(status, reached.value)
+    return Settled(said, reached.value)
 
 
 def body_energy(b: Body, p: Params) -> float:

@@ -12,8 +12,8 @@ from ctypes import Array, c_double, c_float, c_int32, sizeof
 from typing import (TYPE_CHECKING, Any, Iterator, NamedTuple, Optional, Tuple,
                     Type, Union)
 
-from ._declarations import (EARG, EPARAMS, PROTOTYPES, Params, Paramsf, State,
-                            Statef)
+from ._declarations import (EARG, EPARAMS, PROTOTYPES, Body, Params, Paramsf,
+                            State, Statef)
 from ._library import Error, lib
 from ._types import Out, Plain
 
@@ -259,6 +259,24 @@ def read(name: str, s: Any, *inputs: Any, status: Any = None,
     size = sizeof(coins.kind)
     return _rows_of(full, "each_", coins.shape, status, lambda first: (
         coins.address + first * size, *inputs), 0 if write else math.nan)
+
+
+def move_bodies(bodies: Any, inputs: Tuple[Any, ...],
+                status: Any) -> Tuple[Any, Any]:
+    """coin_move() of each body of an array; the statuses and the times."""
+    import numpy
+    if not (is_numpy(bodies) and bodies.dtype == numpy.dtype(Body)):
+        raise TypeError(f"{type(bodies).__name__} where a Body or an array of "
+                        "dtype Body belongs")
+    if not bodies.flags.carray:
+        raise ValueError("an array to be moved must be writable and lie in one "
+                         "piece")
+    said = _statuses(status, bodies.shape)
+    reached = _rows_of("coin_move", "each_", bodies.shape, said, lambda first: (
+        bodies.ctypes.data + first * sizeof(Body), *inputs), 0)
+    if status is None and (said < 0).any():
+        _raise_first(said.reshape(-1))
+    return said, reached
 
 
 def times(name: str, t: Any, *inputs: Any, status: Any = None) -> Any:

@@ -57,6 +57,9 @@ EACH(each_coin_settle, (coin_state *s, const coin_params *p,
      coin_settle(s + i, p, l, t, tol, reached + i))
 EACH_NUMBER(coin_time_to_rest, double, (const coin_state *s,
      const coin_params *p, const coin_losses *l), (s + i, p, l))
+EACH(each_coin_move, (coin_body *b, const coin_params *p,
+     const coin_table *table, double t, double tol, int32_t stop,
+     double *reached), coin_move(b + i, p, table, t, tol, stop, reached + i))
 EACH(each_coinf_state_check, (const coinf_state *s, const coinf_params *p),
      coinf_state_check(s + i, p))
 EACH(each_coinf_angular_velocity, (const coinf_state *s, float *omega),
