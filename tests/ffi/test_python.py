@@ -615,7 +615,7 @@ class Tables(unittest.TestCase):
             table = numpy.zeros(4, rc.State)
             table["theta"] = [0.3, 0.1, 2, 0.3]
             table["wZ"] = [0, 40, 0, 40]
-            table["psi"][1] = 2.0**31 - 1
+            table["psi"][1] = 2.0**31 - 4
             alone, raising = table.copy(), table.copy()
             status = numpy.zeros(4, numpy.int32)
             said = call(table, p, *rest, status=status)
