@@ -109,6 +109,14 @@ class Package(unittest.TestCase):
                 exec(program, {})
             self.assertEqual(len(printed.getvalue().splitlines()), lines)
 
+    def test_the_answer_that_fits_losses_prints_what_it_shows(self):
+        page = (PYTHON / "../../answers.md").read_text()
+        program, shown = re.search(r"```python\n(.*?)```\n\n```\n(.*?)```",
+                                   page, re.S).groups()
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exec(program, {})
+        self.assertEqual(printed.getvalue(), shown)
+
 
 class Structs(unittest.TestCase):
     def test_an_unknown_member_is_refused(self):

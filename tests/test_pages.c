@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* docs/games.md shows what docs/examples/game.c and engine.h are, and what the
- * program prints. */
+/* The programs of two pages print what the pages show.  docs/games.md shows
+ * parts of docs/examples/game.c and engine.h, docs/answers.md whole programs.
+ */
 #define _POSIX_C_SOURCE 200809L
 
 #include "support/check.h"
@@ -46,7 +47,34 @@ static char *block(char **text, const char *mark)
     return start;
 }
 
-static void each_function_shown_is_the_program_s(void **unused)
+/* Compiles a program, without optimising: that is faster; and compares what it
+ * prints. */
+static void check_prints(const char *program, const char *shown)
+{
+    static char output[TEXT];
+    char command[2048], folder[] = "/tmp/test_pages.XXXXXX";
+    check(mkdtemp(folder) != NULL);
+    snprintf(command, sizeof command, "%s/program.c", folder);
+    FILE *out = fopen(command, "w");
+    check(out != NULL);
+    fputs(program, out);
+    fclose(out);
+    snprintf(command, sizeof command,
+             "cd %s && %s -O0 -std=c99 -Wall -Wextra -Wpedantic -Werror "
+             "-I%s/include -I%s/docs/examples -o program program.c %s -lm && "
+             "./program && rm -r %s",
+             folder, TEST_CC, TEST_ROOT, TEST_ROOT, TEST_LIB, folder);
+    fflush(NULL);
+    FILE *in = popen(command, "r");
+    check(in != NULL);
+    output[fread(output, 1, TEXT - 1, in)] = 0;
+    check_note("%s\n%s\nprinted\n%s", command, program, output);
+    check(pclose(in) == 0);
+    check(shown != NULL);
+    check(strcmp(output, shown) == 0);
+}
+
+static void each_part_shown_is_the_game_s(void **unused)
 {
     (void)unused;
     static char page[TEXT], program[TEXT], engine[TEXT];
@@ -62,30 +90,26 @@ static void each_function_shown_is_the_program_s(void **unused)
     check(shown >= 6);
 }
 
-static void it_prints_what_the_page_shows(void **unused)
+static void the_game_prints_what_the_page_shows(void **unused)
 {
     (void)unused;
-    static char page[TEXT], output[TEXT];
-    char *at = page, command[2048], program[] = "/tmp/test_games.XXXXXX";
-    const int file = mkstemp(program);
-    check(file >= 0);
-    fclose(fdopen(file, "w"));
-    snprintf(command, sizeof command,
-             "%s -std=c99 -Wall -Wextra -Wpedantic -Werror -I%s/include -o %s "
-             "%s/docs/examples/game.c %s -lm && %s",
-             TEST_CC, TEST_ROOT, program, TEST_ROOT, TEST_LIB, program);
-    fflush(NULL);
-    FILE *in = popen(command, "r");
-    check(in != NULL);
-    output[fread(output, 1, TEXT - 1, in)] = 0;
-    check_note("%s printed\n%s", command, output);
-    check(pclose(in) == 0);
-    remove(program);
+    static char page[TEXT], program[TEXT];
+    char *at = page;
+    read_text("docs/examples/game.c", program);
     read_text("docs/games.md", page);
-    const char *shown = block(&at, "It prints\n\n```\n");
-    check(shown != NULL);
-    check_note("game.c printed\n%s", output);
-    check(strcmp(output, shown) == 0);
+    check_prints(program, block(&at, "It prints\n\n```\n"));
+}
+
+static void each_answer_s_program_prints_what_the_page_shows(void **unused)
+{
+    (void)unused;
+    static char page[TEXT];
+    char *at = page;
+    int programs = 0;
+    read_text("docs/answers.md", page);
+    for (const char *code; (code = block(&at, "\n```c\n")) != NULL; ++programs)
+        check_prints(code, block(&at, "\n```\n"));
+    check(programs >= 7);
 }
 
 static void the_check_of_a_coin_at_rest_says_more_than_that(void **unused)
@@ -103,8 +127,9 @@ static void the_check_of_a_coin_at_rest_says_more_than_that(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(each_function_shown_is_the_program_s),
-        TEST(it_prints_what_the_page_shows),
+        TEST(each_part_shown_is_the_game_s),
+        TEST(the_game_prints_what_the_page_shows),
+        TEST(each_answer_s_program_prints_what_the_page_shows),
         TEST(the_check_of_a_coin_at_rest_says_more_than_that),
     };
     return RUN_TESTS(tests);
