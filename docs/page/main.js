@@ -364,13 +364,13 @@ function letGo(vx, vy) {
 function listenToStage(canvas) {
   const fingers = new Map(), gap = (p, q) => Math.hypot(p.x - q.x, p.y - q.y);
   const spread = () => gap(...fingers.values());
+  const isCoin = (x, y) => Math.hypot(x - stage.coinAt[0], y - stage.coinAt[1]) < Math.max(stage.coinSize, 22);
   let grabbed = false, carried = false, resume = false;
   canvas.addEventListener("pointerdown", e => {
-    const [x, y] = stage.coinAt;
     $("hint").hidden = true;
     canvas.setPointerCapture(e.pointerId);
     fingers.set(e.pointerId, { x: e.clientX, y: e.clientY, time: e.timeStamp, vx: 0, vy: 0 });
-    grabbed = fingers.size === 1 && Math.hypot(e.offsetX - x, e.offsetY - y) < Math.max(stage.coinSize, 22);
+    grabbed = fingers.size === 1 && isCoin(e.offsetX, e.offsetY);
     carried = false;
     if (!grabbed) return;
     resume = playing;
@@ -395,6 +395,10 @@ function listenToStage(canvas) {
       else if (grabbed && resume) play(true);
       grabbed = false;
     });
+  canvas.addEventListener("touchstart", e => { // else a finger on the coin would scroll the page
+    const { left, top } = canvas.getBoundingClientRect(), { clientX, clientY } = e.touches[0];
+    if (e.touches.length > 1 || isCoin(clientX - left, clientY - top)) e.preventDefault();
+  }, { passive: false });
   canvas.addEventListener("wheel", e => { e.preventDefault(); zoom(Math.exp(e.deltaY / -700)); }, { passive: false });
 }
 

@@ -62,10 +62,16 @@ const area = (c, camera, outlines, color) =>
   fill(c, outlines.reduce((path, points) => trace(path, camera, points, true), new Path2D()), color);
 
 // ------------------------------------------------------- the table, the trail --
-const tableRadius = () => Math.max(motion.reach + 0.8, 0.6 * motion.height, 2.4);
+// What of the table is seen: a circle in radii.  It follows the path as that grows.
+const view = { x: 0, z: 0, R: 1 };
+function follow() {
+  const [x, z] = motion.center, R = Math.max(motion.reach + 0.8, 0.6 * motion.height, 2.4);
+  const part = playing ? 0.1 : 1;
+  for (const [name, value] of Object.entries({ x, z, R })) view[name] += part * (value - view[name]);
+}
 
 function drawTable(c, camera) {
-  const [x, z] = motion.center, R = 1.25 * tableRadius(), grid = new Path2D();
+  const { x, z } = view, R = 1.25 * view.R, grid = new Path2D();
   const step = [0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500].find(s => R / s < 9) || R / 5;
   area(c, camera, [around(96, u => [x + R * Math.cos(u), 0, z + R * Math.sin(u)])], COLORS.table);
   for (let k = -9; k <= 9; ++k) {
@@ -245,17 +251,18 @@ function drawWorld(c, camera, coin) {
 // Sees the whole path, unless the coin would be too small: then it looks between
 // the middle of the path and the coin, so that the coin stays in the picture.
 function stageCamera(w, h, coin) {
-  const [x, z] = motion.center, middle = [x, 0.5, z], size = 1.34 * h, zoom = m.zoom;
+  const middle = [view.x, 0.5, view.z], size = 1.34 * h;
   const fit = 0.15 + Math.max(2.7 * h / w, Math.cos(m.el) + 2.5 * Math.sin(m.el));
-  const whole = fit * tableRadius(), distance = Math.min(whole, size / least(h)) / zoom;
-  const follow = Math.max(0, 1 - 0.95 * distance / whole);
-  const target = sum(middle, follow, sum(coin.center, -1, middle));
+  const whole = fit * view.R, distance = Math.min(whole, size / least(h)) / m.zoom;
+  const part = Math.max(0, 1 - 0.95 * distance / whole);
+  const target = sum(middle, part, sum(coin.center, -1, middle));
   target[1] = Math.max(target[1], 0.65 * coin.center[1]);
   return cameraAt(target, distance, w / 2, 0.5 * h, size);
 }
 
 function drawStage() {
   const { c, w, h } = cleared($("stage")), s = motion.moment;
+  follow();
   const coin = coinFrom(s, AT.theta, s[AT.y] / m.radius), camera = stageCamera(w, h, coin);
   drawWorld(c, camera, coin);
   Object.assign(stage, { camera, coinAt: camera.to(coin.center),
