@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// main.js: time, controls and what they say.
+// main.js: time and controls.
 
 let playing = false, direction = 1, slow = 1, scheduled = true, lastFrame = 0, verdictSince = 0, keeping;
 const tosses = { Heads: 0, Tails: 0, counted: true };
@@ -94,102 +94,6 @@ function atTheEnd() {
 
 const faceUp = () => motion.moment[AT.theta] < 0 ? "Heads" : "Tails";
 
-// ------------------------------------------------------------- what is said --
-const say = text => { $("message").textContent = text; };
-
-// Shows what the page says of a kind, with numbers where it has <b>.
-function tell(id, kind, ...numbers) {
-  for (const part of $(id).children) part.hidden = part.className !== kind;
-  $(id).querySelectorAll(`.${kind} b`).forEach((b, k) => { b.textContent = numbers[k]; });
-}
-
-// The kind of the present, in a word, and why.
-function verdict() {
-  const s = motion.moment, bits = s[AT.bits], needs = "needs μ " + short(s[AT.ratio]);
-  if (m.now >= motion.restsAt)
-    return ["rests", isTossed() ? faceUp() : "At rest", "after " + timeText(motion.restsAt)];
-  if (motion.flat && m.now >= motion.end) return ["rests", "Lies flat", "after " + timeText(motion.end)];
-  if (motion.status < 0) return ["lifts", "Cannot be computed", statusWords(motion.status)];
-  if (racing()) return raceVerdict();
-  if (isReal() && bits & COIN.lifts) return ["lifts", "Flies", `${short(s[AT.y] / m.radius, 2)} radii high`];
-  if (isReal() && bits & COIN.slips) return ["slips", "Slips", `it would need more than μ ${short(m.mu)}`];
-  if (isReal()) return ["rolls", "Rolls", `${needs}, has ${short(m.mu)}`];
-  if (bits & COIN.lifts)
-    return ["lifts", "Is held down", `a real coin would lift off: N = ${short(s[AT.normal] / weight())} Mg`];
-  return ["rolls", "Rolls", "a real coin " + needs];
-}
-
-const racerStatus = which => racer(which)[RACE.status];
-const raceVerdict = () => [0, 1].some(which => racerStatus(which) < 0)
-  ? ["rolls", "coin_advance gets through", "where a fixed step does not"]
-  : ["rolls", "All three go on", "from the same start, until a step is too long"];
-
-// What a racer comes to: it went through the table, it refused, or it errs.
-function racerWords(which) {
-  const r = racer(which), status = r[RACE.status], at = timeText(r[RACE.steps] * m.dt);
-  if (status === COIN.through) return `went through the table at ${at}`;
-  if (status < 0) return `refused at ${at}: the step would be wrong`;
-  const off = r[RACE.pose] < 1e-12 ? "less than 10⁻¹²" : short(r[RACE.pose], 2);
-  return `off by ${off}${status === COIN.coarse ? ", and warns: coarse" : ""}`;
-}
-
-function showRace() {
-  const out = [0, 1].some(which => racerStatus(which) < 0), ours = out ? "gets through" : "chooses its steps";
-  $("racers").hidden = !m.swings && (!racing() || races.tooMany);
-  $("fixed").hidden = m.swings > 0;
-  const words = m.swings ? farWords()
-    : [racerName(0), racerWords(0), racerName(1), racerWords(1), "coin_advance", ours];
-  $("racers").querySelectorAll("b, span").forEach((e, k) => { e.textContent = words[k]; });
-}
-
-function farWords() {
-  const n = m.swings.toLocaleString("en"), at = Math.floor(far.steps * 0.1 * unit() / swing()).toLocaleString("en");
-  const r = racer(0), off = `off by ${short(r[RACE.pose], 2)} rad, the energy by ${short(100 * r[RACE.energy], 2)} %`;
-  const error = short(lib.page_orbit_error(farAhead() + motion.end, m.swings), 2);
-  return ["RK4, steps of 0.1 √(a/g)", far.there ? off : `at swing ${at} of ${n}`, "", "", "coin_orbit_at",
-    `is there without a step, off by at most ${error}`];
-}
-
-// Sign, word and reason change together, the word not more often than can be read.
-function showTime(time) {
-  const [kind, word, why] = verdict(), clock = timeText(m.now, 4), same = $("verdict").textContent === word;
-  if (same) $("why").textContent = why;
-  else if (!playing || time - verdictSince > 400) {
-    $("light").dataset.kind = kind;
-    $("verdict").textContent = word;
-    $("why").textContent = why;
-    verdictSince = time;
-  }
-  $("scrub").value = motion.end ? m.now / motion.end : 0;
-  $("scrub").setAttribute("aria-valuetext", clock);
-  const far = m.swings ? m.swings.toLocaleString("en") + " swings + " : "";
-  $("clock").textContent = `${far}${clock} of ${short(motion.end)}`;
-  showRace();
-  if (!playing) [$("listing").textContent, $("digits").textContent] = [listing(), digits()];
-}
-
-// One sentence on what is seen.
-function story() {
-  const usual = defaultsOf(m.scene), own = ASKED.slice(0, 16).some(name => m[name] !== usual[name]);
-  if (isTossed()) return "A tossed coin flies, bounces, slips, rolls and lies down";
-  if (racing()) return "Three methods move one coin from the same start";
-  if (m.swings) return `The same coin ${m.swings.toLocaleString("en")} swings later, without a step on the way`;
-  if (isLossy()) return "Losses slow the coin until it lies flat";
-  return own ? "A coin from a start of your own" : sceneWord(m.scene, 1);
-}
-
-// What changes with the start only.
-function describe() {
-  const orbit = lib.page_orbit();
-  const rest = motion.restsAt > 0 ? "rests" : motion.more ? "moves" : "never";
-  $("story").textContent = story() + ".";
-  document.body.dataset.race = racing();
-  tell("resttext", rest, timeText(motion.restsAt, 4));
-  tell("fartext", isLossy() || isReal() ? "lossy" : !orbit ? "none" : m.swings ? "far" : "orbit",
-    m.swings ? short(lib.page_orbit_error(farAhead() + motion.end, m.swings), 2) : timeText(swing(), 4));
-  tell("racetext", isLossy() || isReal() ? "lossy" : races.tooMany ? "many" : "equal");
-}
-
 // ------------------------------------------------------------------- controls --
 function play(on) {
   const end = direction > 0 ? motion.end : 0;
@@ -254,24 +158,6 @@ function showControls() {
 // What the library has in its block of inputs, as parts of m.
 const asked = names => Object.fromEntries(names.map(name =>
   [name, doubles(lib.page_asked(), ASKED.length)[ASKED.indexOf(name)]]));
-
-// A toss as by a thumb, to a height of some radii: the coin spins about a diameter
-// as it rises.
-function toss() {
-  const any = (low, high) => low + (high - low) * Math.random(), rate = 1 / unit(), speed = m.radius * rate;
-  fly({ theta: any(0.9, 1.4), phi: any(-3, 3), psi: any(-3, 3), x: 0, z: 0,
-    wX: any(2, 4) * rate, wY: any(-1, 1) * rate, wZ: any(-1, 1) * rate, y: 2 * m.radius,
-    vx: any(-0.5, 0.5) * speed, vy: any(2.5, 3.5) * speed, vz: any(-0.5, 0.5) * speed });
-}
-
-// Lets a real coin go.
-function fly(parts) {
-  tosses.counted = false;
-  direction = 1;
-  change({ ...parts, mu: isReal() ? m.mu : 0.3, race: 0, speed: 4 * unit(),
-    ...(isLossy() ? {} : losses("dry", 0.01)) });
-  play(true);
-}
 
 const startHere = () => { lib.page_at(farAhead(), m.now); lib.page_start_here(0); change(asked(START)); };
 
@@ -339,69 +225,7 @@ function onKey(e) {
   e.preventDefault();
 }
 
-// ------------------------------------------------------------------- pointers --
-const look = (az, el) => { m.az -= az; m.el = clamp(m.el + el, 0.08, 1.5); go(m.now); };
-const zoom = f => { m.zoom = clamp(m.zoom * f, 0.3, 12); go(m.now); };
-
-// Carries the coin over the table by so many pixels, at rest and turning as it did.
-function carry(dx, dy) {
-  const radii = 1 / stage.coinSize, along = dx * radii * m.radius;
-  change({ mu: isReal() ? m.mu : 0.3, race: 0, x: m.x + along * Math.cos(m.az), z: m.z - along * Math.sin(m.az),
-    y: Math.max((isTossed() ? m.y : m.radius * Math.cos(m.theta)) - dy * radii * m.radius,
-      m.radius * Math.cos(m.theta)), vx: 0, vy: 0, vz: 0 });
-}
-
-// Lets it go with the speed of the pointer [pixels in a second], as the page shows
-// time; it spins the faster the faster it goes.
-function letGo(vx, vy) {
-  const speed = m.radius / stage.coinSize * Math.max(1 / (4 * unit()), 1), across = vx * speed, up = -vy * speed;
-  const most = 4 * m.radius / unit(), part = Math.min(1, most / Math.hypot(across, up));
-  fly({ vx: part * across * Math.cos(m.az), vz: -part * across * Math.sin(m.az), vy: part * up,
-    wX: m.wX + 0.8 * part * up / m.radius });
-}
-
-// Drag the table to look from elsewhere; drag the coin and let it go to throw it.
-function listenToStage(canvas) {
-  const fingers = new Map(), gap = (p, q) => Math.hypot(p.x - q.x, p.y - q.y);
-  const spread = () => gap(...fingers.values());
-  const isCoin = (x, y) => Math.hypot(x - stage.coinAt[0], y - stage.coinAt[1]) < Math.max(stage.coinSize, 22);
-  let grabbed = false, carried = false, resume = false;
-  canvas.addEventListener("pointerdown", e => {
-    $("hint").hidden = true;
-    canvas.setPointerCapture(e.pointerId);
-    fingers.set(e.pointerId, { x: e.clientX, y: e.clientY, time: e.timeStamp, vx: 0, vy: 0 });
-    grabbed = fingers.size === 1 && isCoin(e.offsetX, e.offsetY);
-    carried = false;
-    if (!grabbed) return;
-    resume = playing;
-    play(false);
-    startHere();
-  });
-  canvas.addEventListener("pointermove", e => {
-    const finger = fingers.get(e.pointerId), before = fingers.size === 2 && spread();
-    if (!finger) return;
-    const dx = e.clientX - finger.x, dy = e.clientY - finger.y, passed = Math.max(e.timeStamp - finger.time, 1) / 1e3;
-    Object.assign(finger, { x: e.clientX, y: e.clientY, time: e.timeStamp,
-      vx: (finger.vx + dx / passed) / 2, vy: (finger.vy + dy / passed) / 2 });
-    if (before) { zoom(spread() / before); look(0, 0.004 * dy); }
-    else if (grabbed) { carry(dx, dy); carried = true; }
-    else look(0.008 * dx, 0.006 * dy);
-  });
-  for (const kind of ["pointerup", "pointercancel"])
-    canvas.addEventListener(kind, e => {
-      const { vx, vy, time } = fingers.get(e.pointerId) || {}, still = !(e.timeStamp - time < 80);
-      fingers.delete(e.pointerId);
-      if (grabbed && carried) letGo(still ? 0 : vx, still ? 0 : vy);
-      else if (grabbed && resume) play(true);
-      grabbed = false;
-    });
-  canvas.addEventListener("touchstart", e => { // else a finger on the coin would scroll the page
-    const { left, top } = canvas.getBoundingClientRect(), { clientX, clientY } = e.touches[0];
-    if (e.touches.length > 1 || isCoin(clientX - left, clientY - top)) e.preventDefault();
-  }, { passive: false });
-  canvas.addEventListener("wheel", e => { e.preventDefault(); zoom(Math.exp(e.deltaY / -700)); }, { passive: false });
-}
-
+// ------------------------------------------------------------------- listening --
 function listen() {
   const on = (id, kind, act) => $(id).addEventListener(kind, e => act(e.target.value, e));
   for (const [id, act] of Object.entries(ACTIONS)) on(id, "click", () => act());

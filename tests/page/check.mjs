@@ -30,7 +30,7 @@ async function says(what, id, pattern) {
 async function visit(hash) {
   await see(`new Promise(done => {
     addEventListener("hashchange", done, { once: true });
-    setTimeout(done, 200);
+    setTimeout(done, 1000);
     location.hash = ${JSON.stringify(hash)};
   }).then(() => true)`);
   await frame();
@@ -442,7 +442,7 @@ async function browser() {
 
 try {
   await bits();
-  sources(["core.js", "address.js", "scene.js", "graphs.js", "listing.js", "main.js"]);
+  sources(["core.js", "address.js", "scene.js", "graphs.js", "listing.js", "words.js", "hand.js", "main.js"]);
   budgets();
   await browser();
 } finally {

@@ -37,7 +37,7 @@ export function sources(scripts) {
 }
 
 // -------------------------------------------------------------- the budgets --
-const BYTES = 220e3, LINES = 800, COLUMNS = 120;
+const BYTES = 220e3, LINES = 850, COLUMNS = 120;
 
 export function budgets() {
   const script = html.slice(html.lastIndexOf("<script>") + 9, html.lastIndexOf("</script>")).split("\n");

@@ -12,7 +12,7 @@
 PAGE      := $(SRC)/docs/page
 PAGE_OUT  := $(O)/page
 PAGE_HTML := $(PAGE)/index.html
-PAGE_JS   := $(foreach f,core address scene graphs listing main,$(PAGE)/$f.js)
+PAGE_JS   := $(foreach f,core address scene graphs listing words hand main,$(PAGE)/$f.js)
 
 # The objects of the library for doubles, as WebAssembly.  What the page does
 # not call is left out by the linker.
