@@ -13,7 +13,7 @@ function listing() {
     state: !isReal(), lossy: isLossy(), steps: ideal && !m.swings, race: listsRace() };
   const steps = racer(1)[RACE.steps], name = METHODS[m.method];
   const parts = { pose: list(0, 5), rates: list(5, 8), flight: list(8, 12), body: list(12, 16),
-    losses: list(16, 26) + ", {0, 0}", table: `${n(m.mu)}, ${n(m.mu)}, ${n(m.bounce)}`, now: n(m.now),
+    losses: list(16, 26) + ", {0, 0}", table: `${n(m.mu)}, ${n(0.9 * m.mu)}, ${n(m.bounce)}`, now: n(m.now),
     frames, frame: n(lib.page_frame()), left: n(m.now - from),
     far: n(farAhead() + m.now), method: name, METHOD: name.toUpperCase(), dt: n(m.dt), steps: n(steps),
     rest: n(m.now - steps * m.dt) };

@@ -32,8 +32,11 @@ function rebuild(before) {
 // Computes more of the trail, for some milliseconds, and what hangs on it.
 function extendTrail() {
   const begun = performance.now(), lossy = isLossy();
-  while (motion.more && performance.now() - begun < 8)
-    motion.more = lib.page_trail_on(lossy ? 1e12 * unit() : m.span, 100) === 0;
+  while (motion.more && performance.now() - begun < 8) {
+    const status = lib.page_trail_on(lossy ? 1e12 * unit() : m.span, 100);
+    motion.more = status === 0;
+    if (status < 0) say("It goes no further: " + statusWords(status) + ".");
+  }
   const count = motion.count = lib.page_knot_count();
   motion.knots = doubles(lib.page_knots(), MOMENT * count);
   const last = knot(count - 1, AT.t);
@@ -261,6 +264,7 @@ function load(hash) {
   if (complaints.length) say("Parts of the address were not used: " + complaints.join("; ") + ".");
   showControls();
   play(m.play && !matchMedia("(prefers-reduced-motion: reduce)").matches);
+  write();
 }
 
 function begin() {

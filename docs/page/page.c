@@ -18,6 +18,10 @@
 #define TOLERANCE 1e-12
 #define TOLERANCE_REAL 1e-6
 
+/* The kinetic friction, as a part of the static one; the listing has the same.
+ */
+#define SLIPPING 0.9
+
 /* The longest time between two knots of the trail, in natural units: the graphs
  * draw straight lines between them. */
 #define LONGEST 0.06
@@ -117,7 +121,7 @@ static int32_t begun(coin_body *b, const coin_params *p,
 int32_t PAGE(page_take)(void)
 {
     const coin_table table = {
-        asked.mu, asked.mu, asked.restitution, {0}, asked.losses};
+        asked.mu, SLIPPING * asked.mu, asked.restitution, {0}, asked.losses};
     coin_params p;
     coin_body b;
     int32_t status = coin_params_ring(&p, asked.mass, asked.radius,

@@ -18,7 +18,7 @@ function verdict() {
   if (motion.status < 0) return ["lifts", "Cannot be computed", statusWords(motion.status)];
   if (racing()) return raceVerdict();
   if (isReal() && bits & COIN.lifts) return ["lifts", "Flies", `${short(s[AT.y] / m.radius, 2)} radii high`];
-  if (isReal() && bits & COIN.slips) return ["slips", "Slips", `it would need more than μ ${short(m.mu)}`];
+  if (isReal() && bits & COIN.slips) return ["slips", "Slips", `rolling would need more than μ ${short(m.mu)}`];
   if (isReal()) return ["rolls", "Rolls", `${needs}, has ${short(m.mu)}`];
   if (bits & COIN.lifts)
     return ["lifts", "Is held down", `a real coin would lift off: N = ${short(s[AT.normal] / weight())} Mg`];
@@ -80,6 +80,7 @@ function story() {
   if (isTossed()) return "A tossed coin flies, bounces, slips, rolls and lies down";
   if (racing()) return "Three methods move one coin from the same start";
   if (m.swings) return `The same coin ${m.swings.toLocaleString("en")} swings later, without a step on the way`;
+  if (isReal()) return "A real coin slips where the friction of the table does not hold it";
   if (isLossy()) return "Losses slow the coin until it lies flat";
   return own ? "A coin from a start of your own" : sceneWord(m.scene, 1);
 }

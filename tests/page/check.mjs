@@ -159,6 +159,7 @@ async function toss() {
   const before = await text("tosses");
   await see("{ m.now = motion.end - m.speed / 30; wake(); }");
   await b.until("!playing");
+  await frame();
   const face = await see("motion.moment[AT.theta] < 0 ? 'Heads' : 'Tails'");
   await says("at rest a face is up", "verdict", new RegExp(`^${face}$`));
   claim("the toss is counted", await text("tosses") !== before &&
@@ -273,8 +274,8 @@ async function addresses() {
     const shown = await text("digits");
     await visit("scene=hoop");
     await visit(written);
-    const again = await see("JSON.stringify(m)");
-    claim(`and written again it is the same: ${hash}`, again === state && await text("digits") === shown, written);
+    const again = await see("JSON.stringify(m)"), then = await text("digits");
+    claim(`and written again it is the same: ${hash}`, again === state && then === shown, written);
     for (const part of hash.split("&").filter(p => !p.startsWith("scene=")))
       claim(`it holds ${part}`, written.includes(part), written);
   }
@@ -332,7 +333,7 @@ async function verdicts() {
   };
   await expect("scene=quarter&play=0", /^Rolls: a real coin needs μ 0\.19\d$/);
   await expect("scene=quarter&play=0&mu=0.3", /^Rolls: needs μ 0\.19\d, has 0\.300$/);
-  await expect("scene=quarter&play=0&mu=0.1&now=0.1", /^Slips: it would need more than μ 0\.100$/);
+  await expect("scene=quarter&play=0&mu=0.1&now=0.1", /^Slips: rolling would need more than μ 0\.100$/);
   await expect("scene=nearflat&play=0&now=2.3205", /^Is held down: a real coin would lift off: N = −/);
   await expect("scene=quarter&play=0&y=0.1&now=0.01&mu=0.3", /^Flies: 8\.2 radii high$/);
   await expect("scene=spin&play=0&dry=0.01&now=500", /^At rest: after [\d.]+ √\(a\/g\)$/);
