@@ -199,16 +199,17 @@ function drawGhost(c, camera, which) {
   area(c, camera, withHole(r => coin.ring(r, 0)), color + "24");
   withHole(r => coin.ring(r, 0)).forEach(points => line(c, camera, points, color, 2, true));
   line(c, camera, [coin.point(hole(), coin.psi, 0), coin.point(1, coin.psi, 0)], color, 2);
-  nameCoin(c, camera, coin, racerName(which), color, which ? "right" : "left");
+  nameCoin(c, camera, coin, racerName(which), color, which ? "right" : "left", which ? 20 : 4);
 }
 
-// Its name right of a coin, or left of it, within the picture.
-function nameCoin(c, camera, coin, name, color, side) {
+// Its name right of a coin, or left of it, so many pixels below its centre and
+// within the picture.
+function nameCoin(c, camera, coin, name, color, side, below = 4) {
   const [x, y] = camera.to(coin.center), off = 1.2 * camera.scale, edge = $("stage").clientWidth - 4;
   Object.assign(c, { font: "600 13px system-ui, sans-serif", fillStyle: color, strokeStyle: COLORS.table,
     lineWidth: 4 });
   const wide = c.measureText(name).width, left = side === "right" ? x + off : x - off - wide;
-  for (const draw of ["strokeText", "fillText"]) c[draw](name, clamp(left, 4, edge - wide), y + 4);
+  for (const draw of ["strokeText", "fillText"]) c[draw](name, clamp(left, 4, edge - wide), y + below);
 }
 
 // The reaction, 2.2 radii long when it is the weight and 3 at most, and the cone
