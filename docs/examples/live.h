@@ -12,6 +12,13 @@ static void live_stop(int number)
     _exit(write(1, "\033[m\033[?25h\n", 10) < 0 ? 1 : 128 + number);
 }
 
+static void centre_of(const motion *m, size_t k, double r[3])
+{
+    coin_center(&m->at[k].state, &m->params, r);
+    if (m->slides)
+        r[1] = m->at[k].y;
+}
+
 /* How far down a point is, seen from the front at a slant. */
 static double live_down(const double r[3])
 {
@@ -24,7 +31,7 @@ static void live_fit(svg_panel *v, const motion *m)
 
     for (size_t k = 0; k < m->count; ++k) {
         double r[3];
-        coin_center(&m->at[k].state, &m->params, r);
+        centre_of(m, k, r);
         v->left = fmin(v->left, r[0] - a);
         v->right = fmax(v->right, r[0] + a);
         v->top = fmin(v->top, live_down(r) - a);
@@ -51,13 +58,14 @@ static void live_draw(const motion *m, size_t now, const svg_panel *v)
 
     for (size_t k = 0; k <= now; ++k) {
         coin_contact(&m->at[k].state, &m->params, r, R);
-        live_dot(dots, v, r, 0);
+        if (!flies(m, k))
+            live_dot(dots, v, r, 0);
     }
     coin_axes(s, R);
     for (int k = 0; k < 420; ++k) {
         const double t = k < 360 ? k / DEGREES : s->psi;
         const double a = m->params.radius * (k < 360 ? 1 : (k - 360) / 60.0);
-        coin_center(s, &m->params, r);
+        centre_of(m, now, r);
         for (int i = 0; i < 3; ++i)
             r[i] += a * (cos(t) * R[i] + sin(t) * R[3 + i]);
         live_dot(dots, v, r, 256);

@@ -17,6 +17,13 @@
 
 enum { RUN, DONE, USAGE_ERROR }; /* what options_parse() says */
 
+/* A coin that is thrown: what it moves by beyond rolling, along its plane and
+ * upward; how high it starts; the dry friction, over weight times radius. */
+typedef struct throwing {
+    scene scene;
+    double faster, up, high, dry;
+} throwing;
+
 typedef struct options {
     const scene *scene;
     int32_t method;
@@ -24,7 +31,7 @@ typedef struct options {
     double mu;
     const char *out;
     int live, slips;
-    double thrown; /* faster than it rolls, along its plane */
+    const struct throwing *thrown; /* or null */
     uint64_t steps;
 } options;
 
@@ -42,33 +49,50 @@ static int complain(const char *format, ...)
 
 /* -------------------------------------------------------------- options -- */
 
-/* A coin that is thrown: what it moves by beyond rolling, at the start. */
-static const struct {
-    scene scene;
-    double faster;
-} THROWN = {{"throw",
-             &QUARTER,
-             {0.1, 0, 0, 0, 0, 0, 2, 200},
-             1e-3,
-             0.6,
-             "A US quarter, thrown with a backward spin, slips and comes back"},
-            3.1};
+static const throwing THROWN[] = {
+    {{"throw",
+      &QUARTER,
+      {0.1, 0, 0, 0, 0, 0, 2, 200},
+      1e-3,
+      0.6,
+      "A US quarter, thrown with a backward spin, slips and comes back"},
+     3.1,
+     0,
+     0,
+     0},
+    {{"toss",
+      &QUARTER,
+      {1.2, 0, 0, 0, 0, 60, 4, 0},
+      1e-3,
+      2,
+      "A US quarter is tossed: it flies, bounces, rolls and lies"},
+     0.15,
+     0.9,
+     0.06,
+     5e-3},
+};
+
+enum { THROWN_COUNT = sizeof THROWN / sizeof THROWN[0] };
 
 static int set_scene(options *o, const char *text)
 {
     for (size_t k = 0; k < SCENE_COUNT; ++k)
         if (strcmp(text, SCENES[k].name) == 0) {
             o->scene = &SCENES[k];
+            o->thrown = NULL;
             return RUN;
         }
-    if (strcmp(text, THROWN.scene.name) == 0) {
-        o->scene = &THROWN.scene;
-        return RUN;
-    }
+    for (size_t k = 0; k < THROWN_COUNT; ++k)
+        if (strcmp(text, THROWN[k].scene.name) == 0) {
+            o->thrown = &THROWN[k];
+            o->scene = &THROWN[k].scene;
+            return RUN;
+        }
     complain("no scene '%s'; the scenes are:", text);
     for (size_t k = 0; k < SCENE_COUNT; ++k)
         fprintf(stderr, "  %s\n", SCENES[k].name);
-    fprintf(stderr, "  %s\n", THROWN.scene.name);
+    for (size_t k = 0; k < THROWN_COUNT; ++k)
+        fprintf(stderr, "  %s\n", THROWN[k].scene.name);
     return USAGE_ERROR;
 }
 
@@ -155,7 +179,7 @@ static int print_help(void)
     for (size_t k = 0; k < OPTION_COUNT; ++k)
         printf("  %-10s %-7s %s\n", OPTIONS[k].name, OPTIONS[k].value,
                OPTIONS[k].help);
-    puts("  --slip             let it slip where mu does not hold it\n"
+    puts("  --slip             let it slip and fly where mu does not hold it\n"
          "  --live             play it in the terminal instead\n"
          "  --list             the scenes and the methods\n"
          "  --help             this text");
@@ -169,7 +193,8 @@ static int print_list(void)
     puts("scenes:");
     for (size_t k = 0; k < SCENE_COUNT; ++k)
         printf("  %-10s %s\n", SCENES[k].name, SCENES[k].story);
-    printf("  %-10s %s\n", THROWN.scene.name, THROWN.scene.story);
+    for (size_t k = 0; k < THROWN_COUNT; ++k)
+        printf("  %-10s %s\n", THROWN[k].scene.name, THROWN[k].scene.story);
     puts("methods:");
     for (int32_t m = 0; (name = coin_method_name(m)) != NULL; ++m)
         printf("  %s\n", name);
@@ -194,10 +219,8 @@ static int complete(options *o)
         o->dt = o->scene->dt;
     if (o->duration == 0)
         o->duration = o->scene->duration;
-    if (o->scene == &THROWN.scene) {
+    if (o->thrown)
         o->slips = 1;
-        o->thrown = THROWN.faster;
-    }
 
     const double steps = floor(o->duration / o->dt + 0.5);
     if (steps < 1)
@@ -215,7 +238,8 @@ static int complete(options *o)
  * it was wrong, which stderr then explains. */
 static int options_parse(options *o, char **arguments)
 {
-    const options defaults = {SCENES, COIN_RK4, 0, 0, 0.3, "build", 0, 0, 0, 0};
+    const options defaults = {SCENES,  COIN_RK4, 0, 0,    0.3,
+                              "build", 0,        0, NULL, 0};
 
     *o = defaults;
     for (char **a = arguments; *a != NULL; ++a) {

@@ -17,19 +17,19 @@
 enum { MOMENTS = 10000 };
 
 /* One state of many on the way; bits are the warnings of coin_check(), or what
- * a slide does.  Only a slide has a velocity of its own. */
+ * a slide does.  Only a slide has a height and a velocity of its own. */
 typedef struct moment {
     double t;
     coin_state state;
     int32_t bits;
-    double vx, vz;
+    double y, vx, vy, vz;
 } moment;
 
 /* What the drawings are made from; MOMENTS + 1 states at most. */
 typedef struct motion {
     const scene *scene;
     coin_params params;
-    int slides;  /* it slips where friction does not hold it */
+    int slides;  /* it slips and flies where friction does not hold it */
     int32_t end; /* of a slide */
     size_t count;
     moment at[MOMENTS + 1];
@@ -38,6 +38,11 @@ typedef struct motion {
 /* --------------------------------------------------------- on the table -- */
 
 enum { CENTER, CONTACT };
+
+static int flies(const motion *m, size_t k)
+{
+    return m->slides && (m->at[k].bits & COIN_LIFTS);
+}
 
 /* A point of the coin on the table, x and z. */
 static void table_point(const motion *m, size_t k, int which, double xz[2])
@@ -79,6 +84,13 @@ static void draw_track(FILE *f, const svg_panel *v, const motion *m, int which,
 
     svg_curve_begin(&c, f, color, width);
     for (size_t k = 0; k < m->count; ++k) {
+        if (which == CONTACT && flies(m, k)) {
+            svg_curve_end(&c);
+            svg_curve_begin(&c, f, color, width);
+            while (k + 1 < m->count && flies(m, k + 1))
+                ++k;
+            continue;
+        }
         table_point(m, k, which, p);
         svg_curve_point(&c, svg_x(v, p[0]), svg_y(v, p[1]));
     }
@@ -235,7 +247,9 @@ static void draw_lean(FILE *f, double x, double y, double width, double height,
         draw_lean_where(f, &v, m, unreal, SVG_PURPLE, 8);
         svg_line(f, v.x, y + 34, v.x + 20, y + 34, SVG_PURPLE, 8);
         svg_text(f, v.x + 26, y + 38.5, "start", 13,
-                 m->slides ? "it slips" : "a real coin would slip or lift off");
+                 !m->slides ? "a real coin would slip or lift off"
+                 : any_warning(m, COIN_LIFTS) ? "it slips or flies"
+                                              : "it slips");
     }
     draw_lean_where(f, &v, m, 0, SVG_BLUE, 2.4);
     snprintf(text, sizeof text, "time (%s)", m->scene->body->in->time);

@@ -5,7 +5,7 @@
  *
  * roll() and print_row() are what a program of your own would do; the rest is
  * the command line (options.h), a choice of coins (scenes.h), a coin that may
- * slip (thrown.h) and drawings (pictures.h, svg.h, live.h). */
+ * slip and fly (thrown.h) and drawings (pictures.h, svg.h, live.h). */
 #define _POSIX_C_SOURCE 200809L /* for live.h */
 #include "options.h"
 #include "pictures.h"
@@ -55,7 +55,7 @@ static int32_t roll(motion *m, const options *o)
         if (check < 0)
             return check;
         at = goal;
-        const moment now = {(double)at * o->dt, s, status | check, 0, 0};
+        const moment now = {(double)at * o->dt, s, status | check, 0, 0, 0, 0};
         m->at[m->count++] = now;
     }
     return COIN_OK;

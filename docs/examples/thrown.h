@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* thrown.h: a coin that may slip, in the demo: how it moves, and what is
- * printed. */
+/* thrown.h: a coin that may slip and fly, in the demo: how it moves, and what
+ * is printed. */
 #ifndef EXAMPLE_THROWN_H
 #define EXAMPLE_THROWN_H
 
@@ -18,8 +18,13 @@
  * a kinetic coefficient beyond 1.118 for a disc. */
 static coin_table table_of(const options *o)
 {
-    const coin_table f = {.mu_static = o->mu,
-                          .mu_kinetic = fmin(0.9 * o->mu, 1)};
+    const body *b = o->scene->body;
+    coin_table f = {.mu_static = o->mu,
+                    .mu_kinetic = fmin(0.9 * o->mu, 1),
+                    .restitution = 0.5};
+
+    if (o->thrown)
+        f.losses.dry = o->thrown->dry * b->mass * b->gravity * b->radius;
     return f;
 }
 
@@ -30,20 +35,25 @@ static int32_t throw_it(coin_body *d, const motion *m, const options *o)
     const coin_state *s = &m->scene->start;
     const int32_t status = coin_body_from_state(d, s, &m->params);
 
-    d->vx += o->thrown * cos(s->phi);
-    d->vz -= o->thrown * sin(s->phi);
+    if (o->thrown) {
+        d->vx += o->thrown->faster * cos(s->phi);
+        d->vz -= o->thrown->faster * sin(s->phi);
+        d->vy += o->thrown->up;
+        d->y += o->thrown->high;
+    }
     return status;
 }
 
 static void keep(motion *m, double t, const coin_body *d, int32_t status)
 {
-    const moment now = {t, d->s, status > 0 ? status : 0, d->vx, d->vz};
+    const moment now = {t,     d->s, status > 0 ? status : 0, d->y, d->vx,
+                        d->vy, d->vz};
 
     m->at[m->count++] = now;
 }
 
 /* Moves the coin and keeps up to MOMENTS + 1 states, evenly spread, or until it
- * lifts off or lies flat, which m->end tells.  On an error the motion holds
+ * lies flat, which m->end tells.  On an error the motion holds
  * what came before it. */
 static int32_t slide(motion *m, const options *o)
 {
@@ -56,13 +66,12 @@ static int32_t slide(motion *m, const options *o)
     for (uint64_t k = 0; k <= kept && m->end >= 0; ++k) {
         const double goal = (double)(k * o->steps / kept) * o->dt;
         double moved = 0;
-        m->end = coin_move(&d, &m->params, &f, goal - t, SLIDE_TOL, COIN_LIFTS,
-                           &moved);
+        m->end = coin_move(&d, &m->params, &f, goal - t, SLIDE_TOL, 0, &moved);
         if (m->end < 0)
             return m->end;
         t += moved;
         keep(m, t, &d, m->end);
-        if (m->end == COIN_RESTS || m->end == COIN_LIFTS)
+        if (m->end == COIN_RESTS)
             return COIN_OK;
     }
     return m->end < 0 ? m->end : COIN_OK;
@@ -81,7 +90,9 @@ static coin_body body_at(const motion *m, size_t k)
     coin_body d;
 
     coin_body_from_state(&d, &m->at[k].state, &m->params);
+    d.y = m->at[k].y;
     d.vx = m->at[k].vx;
+    d.vy = m->at[k].vy;
     d.vz = m->at[k].vz;
     return d;
 }
@@ -99,8 +110,8 @@ static void print_slide_heading(const options *o)
 {
     const coin_table f = table_of(o);
 
-    printf("coin_move at %g, mu %g, and %g where it slips\n\n", SLIDE_TOL,
-           f.mu_static, f.mu_kinetic);
+    printf("coin_move at %g, mu %g, and %g where it slips, restitution %g\n\n",
+           SLIDE_TOL, f.mu_static, f.mu_kinetic, f.restitution);
 }
 
 static void print_slide_columns(const motion *m)
@@ -116,8 +127,8 @@ static void print_slide_columns(const motion *m)
 
 static const char *mode_of(const motion *m, size_t k)
 {
-    if (k + 1 == m->count && m->end == COIN_LIFTS)
-        return "lifts off";
+    if (flies(m, k))
+        return "flies";
     if (m->at[k].bits == COIN_RESTS)
         return "lies flat";
     return m->at[k].bits == COIN_SLIPS ? "slips" : "rolls";
@@ -131,7 +142,8 @@ static void print_slide_row(const motion *m, const options *o, size_t k)
     coin_force R = {{0, 0, 0}, 0, 0, 0};
     double u[2] = {0, 0};
 
-    coin_body_slip(&d, &m->params, u);
+    if (!flies(m, k))
+        coin_body_slip(&d, &m->params, u);
     coin_body_reaction(&d, &m->params, &f, &R);
     printf("%9.3f %7.2f %8.1f %8.2f %8.2f ", m->at[k].t, d.s.theta * DEGREES,
            d.s.phi * DEGREES, plain(d.s.x * shown), plain(d.s.z * shown));
@@ -156,7 +168,7 @@ static void print_slide_summary(const motion *m)
     }
     if (changes > MOST)
         printf("and so on: %lu changes\n", (unsigned long)changes);
-    printf("friction took   %.1f %% of the energy\n",
+    printf("it lost         %.1f %% of its energy\n",
            plain(100 * (1 - energy_left(m, m->count - 1))));
 }
 

@@ -224,6 +224,16 @@ stops_slipping()
 }
 claim "a thrown quarter slips until friction has used that up" stops_slipping
 claim "the drawing shows where" grep -q ">it slips<" out/throw.svg
+# Before it lands its centre is a free point and its energy stays.
+tosses()
+{
+    exits 0 --scene toss --mu 0.3 --out out && awk '
+        / flies$/ && $1 < 0.14 {off += $6 != "1.0000"; n++}
+        / lies flat$/ {rests = 1}
+        END {exit !(n >= 2 && off == 0 && rests)}' stdout
+}
+claim "a tossed quarter flies, and lies flat in the end" tosses
+claim "the drawing shows where" grep -q ">it slips or flies<" out/toss.svg
 # The columns that both tables have.
 poses() { rows | cut -c 1-44; }
 keeps_rolling()
@@ -236,9 +246,12 @@ claim "with enough friction --slip changes nothing" keeps_rolling
 word='  slips$'
 claim "a quarter slips with --slip and mu 0.15" says --slip --mu 0.15
 claim "and may have any grip" never_says --slip --mu inf
-word='  lifts off$'
-claim "a coin that lifts off ends there" \
-    says --slip --scene generic --mu 0.25
+lands_again()
+{
+    exits 0 --slip --scene generic --mu 0.25 --out out &&
+        rows | tail -1 | grep -q '^ *45\.000 '
+}
+claim "a coin that lifts off goes on" lands_again
 
 # --------------------------------------------------------------- refusals
 claim "a step through the table fails, and says so" \
