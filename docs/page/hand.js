@@ -2,11 +2,12 @@
 // hand.js: the coin tossed, carried and let go, and the view turned.
 
 // A toss as by a thumb, to a height of some radii: the coin spins about a diameter
-// as it rises.
+// as it rises.  Either face is up as often as the other.
 function toss() {
   const any = (low, high) => low + (high - low) * Math.random(), rate = 1 / unit(), speed = m.radius * rate;
-  fly({ theta: any(0.9, 1.4), phi: any(-3, 3), psi: any(-3, 3), x: 0, z: 0,
-    wX: any(2, 4) * rate, wY: any(-1, 1) * rate, wZ: any(-1, 1) * rate, y: 2 * m.radius,
+  const side = Math.random() < 0.5 ? 1 : -1;
+  fly({ theta: side * any(0.9, 1.4), phi: any(-3, 3), psi: any(-3, 3), x: 0, z: 0,
+    wX: side * any(2, 4) * rate, wY: any(-1, 1) * rate, wZ: any(-1, 1) * rate, y: 2 * m.radius,
     vx: any(-0.5, 0.5) * speed, vy: any(2.5, 3.5) * speed, vz: any(-0.5, 0.5) * speed });
 }
 
