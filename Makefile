@@ -318,7 +318,7 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 # tier begins with those before it.  .ci/run runs the first three.
 GATES_commit  := check format-check lint-quick
 GATES_push    := header-check examples demo-check float-check installcheck \
-                 consumers hwcaps lanes abi pictures-check page-check \
+                 consumers hwcaps lanes abi pictures-check page-check js-check \
                  bindings distcheck lint sanitize coverage
 GATES_merge   := adversary bound debian-check tsan abi-seeds bindings-seeds \
                  sweeps endurance fuzz windows msan repro valgrind \

@@ -3,6 +3,8 @@
 # docs/page/index.html, the page that rolls a coin: included by the Makefile.
 #
 #   make page         builds it from docs/page: one file, the library within
+#   make js           build/js/rollcoin.wasm, for docs/examples/js
+#   make js-check     its example prints what a C program prints
 #   make page-check   it gives this computer's bits, works in a browser, and
 #                     its C listing prints its digits
 #
@@ -26,7 +28,7 @@ PAGE_C    := $(foreach f,page race bits,$(PAGE)/$f.c) \
 PAGE_FROM := $(filter-out $(SRC)/lib/float/%,$(SOURCES)) $(PAGE_C)
 PAGE_OBJ  := $(patsubst %.c,$(PAGE_OUT)/%.o,$(notdir $(PAGE_FROM)))
 
-.PHONY: page page-check
+.PHONY: page page-check js js-check
 page: $(PAGE_OUT)/index.html ## docs/page/index.html, a coin to play with
 	cp $< $(PAGE_HTML)
 
@@ -74,3 +76,25 @@ $(PAGE_OUT):
 page-check: $(PAGE_OUT)/hashes.txt $(PAGE_OUT)/still.svg $(LIB_A) ## the page has this computer's bits and works in a browser
 	timeout 300 node $(SRC)/tests/page/check.mjs $(SRC) $(PAGE_OUT) '$(CC)' \
 	    $(LIB_A)
+
+# Every function of coin.h, and where the memory begins that no data takes.
+JS       = $(SRC)/docs/examples/js
+JS_WASM := $(O)/js/rollcoin.wasm
+JS_NAMES = __heap_base $(shell sed -n 's/^ *\(coin_[a-z_]*\);/\1/p' \
+               $(SRC)/lib/about/rollcoin.map)
+
+js: $(JS_WASM) ## the library as WebAssembly, for docs/examples/js
+
+$(JS_WASM): $(filter-out $(patsubst %.c,$(PAGE_OUT)/%.o,$(notdir $(PAGE_C))),\
+              $(PAGE_OBJ))
+	mkdir -p $(@D)
+	clang --target=wasm32-wasi $(PAGE_LINK) $(JS_NAMES:%=-Wl,--export=%) \
+	    -Wl,--initial-memory=4194304 -o $@ $^ -lm
+
+$(O)/js/toss: $(SRC)/tests/page/toss.c $(LIB_A)
+	mkdir -p $(@D)
+	$(CC_USER) -std=c99 -I$(SRC)/include -o $@ $^ -lm
+
+js-check: $(JS_WASM) $(O)/js/toss ## docs/examples/js tosses a coin as C does
+	node $(JS)/toss.mjs $(JS_WASM) >$(O)/js/said
+	$(O)/js/toss | diff - $(O)/js/said
