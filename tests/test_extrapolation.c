@@ -157,6 +157,34 @@ static void low_bounces_have_one_estimate(void **unused)
     }
 }
 
+/* A low bounce is right to this part of its height, where the estimate of cos
+ * theta alone is 0 by chance too. */
+static void the_height_of_low_bounces_is_a_part_of_the_estimate(void **unused)
+{
+    (void)unused;
+    struct random r = random_begin(93);
+    double most = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const double d = pow(10, random_between(&r, -6, -3));
+        const coin_params p = ring(random_between(&r, 0, 1));
+        const coin_state s = {
+            .theta = COIN_PRIV_HALF_PI - d,
+            .wX = random_between(&r, -2, 2) * sqrt(d),
+        };
+        const double stride = random_between(&r, 1.4, 2.2);
+        coin_priv_run one = begun(&s, &p), exact = one;
+        const double tau = coin_priv_sundman_tau(&one.b, &one.g.y, stride);
+        double error = 1;
+        if (!coin_priv_extrapolate(&one, tau, &error))
+            continue;
+        for (int k = 0; k < 8; ++k)
+            check(extrapolate(&exact, tau / 8));
+        const double off = fabs(one.g.y.cth / exact.g.y.cth - 1) - 64 * U;
+        most = fmax(most, off / (error * stride * stride));
+    }
+    check_within(most, 0.1, 1);
+}
+
 static void a_step_beyond_the_error_allowed_is_not_made(void **unused)
 {
     (void)unused;
@@ -257,6 +285,7 @@ int main(void)
         TEST(the_estimate_is_as_the_thirteenth_power),
         TEST(the_error_is_a_part_of_the_estimate),
         TEST(low_bounces_have_one_estimate),
+        TEST(the_height_of_low_bounces_is_a_part_of_the_estimate),
         TEST(a_step_beyond_the_error_allowed_is_not_made),
         TEST(it_ends_where_steps_of_another_method_do),
         TEST(any_number_of_lanes_gives_the_same_bits),

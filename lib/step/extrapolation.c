@@ -295,18 +295,20 @@ COIN_PRIV_INLINE void add_totals(coin_priv_variables *to, coin_priv_pose *adds,
 /* The largest difference of order 12 from order 14, of the sines and cosines
  * and of psi: angles all.  That of cos theta is a part of it; q is its inverse.
  * The height of a low bounce decides when the coin next comes close to flat,
- * and there it moves the faster, the lower the bounce.  1 if the largest is
- * more, or is not a number, and at least a rounding.  With all twelve sums the
- * estimate would be no better. */
+ * and there it moves the faster, the lower the bounce.  Next to flat the others
+ * are small, and that of cos theta may be 0 by chance.  So wX is asked too:
+ * what it would turn in the time of the step.  1 if the largest is more, or is
+ * not a number, and at least a rounding.  With all twelve sums the estimate
+ * would be no better. */
 COIN_PRIV_INLINE double error_of(const struct columns *c, double q)
 {
     const double e[] = {
         total_sth(c, weight_of_error), total_cth(c, weight_of_error) * q,
         total_sph(c, weight_of_error), total_cph(c, weight_of_error),
-        total_psi(c, weight_of_error),
+        total_psi(c, weight_of_error), 120 * total_X(c, weight_of_error),
     };
     double most = DBL_EPSILON;
-    for (int i = 0; i < 5; ++i)
+    for (int i = 0; i < 6; ++i)
         most = coin_priv_larger(fabs(e[i]), most);
     return coin_priv_lesser(most, 1);
 }
