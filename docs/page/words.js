@@ -71,7 +71,8 @@ function showTime(time) {
   const far = m.swings ? m.swings.toLocaleString("en") + " swings + " : "";
   $("clock").textContent = `${far}${clock} of ${short(motion.end)}`;
   showRace();
-  if (!playing) [$("listing").textContent, $("digits").textContent] = [listing(), digits()];
+  if (!playing || !$("listing").textContent)
+    [$("listing").textContent, $("digits").textContent] = [listing(), digits()];
 }
 
 // One sentence on what is seen.

@@ -439,6 +439,8 @@ async function browser() {
   await quiet("in the dark");
   await b.open(address("#scene=quarter"), DESKTOP);
   claim("else it plays", await see("playing") === true);
+  await frame();
+  claim("with a program to read", /coin_advance/.test(await text("listing")));
 }
 
 try {
