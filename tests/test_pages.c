@@ -62,7 +62,7 @@ static void check_prints(const char *program, const char *shown)
     snprintf(command, sizeof command,
              "cd %s && %s -O0 -std=c99 -Wall -Wextra -Wpedantic -Werror "
              "-I%s/include -I%s/docs/examples -o program program.c %s -lm && "
-             "./program && rm -r %s",
+             "timeout 20 ./program && rm -r %s",
              folder, TEST_CC, TEST_ROOT, TEST_ROOT, TEST_LIB, folder);
     fflush(NULL);
     FILE *in = popen(command, "r");
