@@ -32,8 +32,8 @@ void coin_priv_flight_of(coin_priv_flight *f, const coin_body *b, double IX,
 }
 
 /* A vector of the coin after half the turn `half` of the precession. */
-static void turn(double to[3], const double v[3], const double k[3],
-                 coin_priv_sc half)
+static void turn_by(double to[3], const double v[3], const double k[3],
+                    coin_priv_sc half)
 {
     const double S = 2 * half.s * half.c, C = 2 * half.s * half.s;
     const double along = coin_priv_dot(k, v);
@@ -64,8 +64,8 @@ void coin_priv_fly(coin_body *b, const coin_priv_flight *f, double t)
     coin_state *const s = &b->s;
     const coin_priv_sc half = coin_priv_sincos(f->rate * t / 2);
     double X[3], n[3];
-    turn(X, f->X, f->k, half);
-    turn(n, f->n, f->k, half);
+    turn_by(X, f->X, f->k, half);
+    turn_by(n, f->n, f->k, half);
     /* Where the face is horizontal any heading is as good: d follows it. */
     const double level = coin_priv_hypot(n[0], n[2]);
     const coin_priv_sc ph =
