@@ -1,14 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* The programs of two pages print what the pages show.  docs/games.md shows
- * parts of docs/examples/game.c and engine.h, docs/answers.md whole programs.
- */
+/* The programs that README.md, coin.h and the pages of docs/ show: they compile
+ * without a warning, link against the static library and print what is shown.
+ * docs/games.md shows parts of docs/examples/game.c and engine.h. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "support/check.h"
+#include "support/scene.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #ifndef TEST_LIB
 #error "the Makefile says where the static library is: -DTEST_LIB"
@@ -17,8 +20,11 @@
 #error "the Makefile says how to compile: -DTEST_CC"
 #endif
 
-enum { TEXT = 1 << 15 };
+enum { TEXT = 1 << 17 };
 
+static char folder[] = "/tmp/test_pages.XXXXXX";
+
+/* ---------------------------------------------------------------- the texts */
 static void read_text(const char *name, char text[TEXT])
 {
     char path[512];
@@ -30,6 +36,21 @@ static void read_text(const char *name, char text[TEXT])
     fclose(in);
     check(n > 0 && n < TEXT - 1);
     text[n] = 0;
+}
+
+/* Cuts what lies between two marks, from the line after the first; returns
+ * where the second ends. */
+static char *between(char *text, const char *from, const char *to, char **end)
+{
+    char *start = strstr(text, from);
+    check_note("no %s", from);
+    check(start != NULL);
+    start = strchr(start, '\n') + 1;
+    *end = strstr(start, to);
+    check(*end != NULL);
+    **end = 0;
+    *end += strlen(to);
+    return start;
 }
 
 /* Cuts the next block between a line of that mark and one of ```; null if there
@@ -47,31 +68,169 @@ static char *block(char **text, const char *mark)
     return start;
 }
 
-/* Compiles a program, without optimising: that is faster; and compares what it
- * prints. */
-static void check_prints(const char *program, const char *shown)
+/* Takes the " *" off the lines of a comment. */
+static void uncomment(char *text)
 {
-    static char output[TEXT];
-    char command[2048], folder[] = "/tmp/test_pages.XXXXXX";
-    check(mkdtemp(folder) != NULL);
+    char *out = text;
+    for (const char *in = text; *in;) {
+        if (strncmp(in, " *", 2) == 0)
+            in += 2;
+        while (*in && *in != '\n')
+            *out++ = *in++;
+        if (*in)
+            *out++ = *in++;
+    }
+    *out = 0;
+}
+
+/* -------------------------------------------------------------- the programs
+ */
+static int shell(const char *command)
+{
+    fflush(NULL);
+    return system(command);
+}
+
+/* Without optimising: that is faster. */
+static void compile(const char *before, const char *code, const char *after)
+{
+    char command[2048];
     snprintf(command, sizeof command, "%s/program.c", folder);
     FILE *out = fopen(command, "w");
     check(out != NULL);
-    fputs(program, out);
+    fprintf(out, "%s%s%s", before, code, after);
     fclose(out);
     snprintf(command, sizeof command,
-             "cd %s && %s -O0 -std=c99 -Wall -Wextra -Wpedantic -Werror "
-             "-I%s/include -I%s/docs/examples -o program program.c %s -lm && "
-             "timeout 20 ./program && rm -r %s",
-             folder, TEST_CC, TEST_ROOT, TEST_ROOT, TEST_LIB, folder);
-    fflush(NULL);
+             "%s -O0 -std=c99 -Wall -Wextra -Wpedantic -Werror -I%s/include "
+             "-I%s/docs/examples -o %s/program %s/program.c %s -lm",
+             TEST_CC, TEST_ROOT, TEST_ROOT, folder, folder, TEST_LIB);
+    check_note("%s", command);
+    check(shell(command) == 0);
+}
+
+static void run_program(char output[TEXT])
+{
+    char command[512];
+    snprintf(command, sizeof command, "timeout 20 %s/program", folder);
     FILE *in = popen(command, "r");
     check(in != NULL);
     output[fread(output, 1, TEXT - 1, in)] = 0;
-    check_note("%s\n%s\nprinted\n%s", command, program, output);
+    check_note("%s printed \"%s\"", command, output);
     check(pclose(in) == 0);
-    check(shown != NULL);
+}
+
+static void check_prints(const char *program, const char *shown)
+{
+    static char output[TEXT];
+    check(program != NULL && shown != NULL);
+    compile("", program, "");
+    run_program(output);
+    check_note("%s\nprinted\n%s\nwhere the page has\n%s", program, output,
+               shown);
     check(strcmp(output, shown) == 0);
+}
+
+/* The end of a program that prints the pose of s, and what reads it. */
+#define PRINT_STATE                                                            \
+    "\nprintf(\"%.17g %.17g %.17g %.17g %.17g\\n\","                           \
+    " s.theta, s.phi, s.psi, s.x, s.z);\nreturn 0;\n}\n"
+
+static void read_state(const char *output, coin_state *s)
+{
+    check(sscanf(output, "%lf %lf %lf %lf %lf", &s->theta, &s->phi, &s->psi,
+                 &s->x, &s->z) == 5);
+}
+
+static void the_readme_s_program_prints_what_the_readme_shows(void **unused)
+{
+    (void)unused;
+    static char text[TEXT];
+    char *end;
+    read_text("README.md", text);
+    const char *program =
+        between(strstr(text, "## Ten lines"), "```c\n", "```", &end);
+    check_prints(program, between(end, "```", "```", &end));
+}
+
+static void the_readme_s_first_lines_move_the_quarter_by_a_second(void **unused)
+{
+    (void)unused;
+    static char text[TEXT], output[TEXT];
+    static struct scene quarter;
+    coin_state s;
+    char *end;
+    read_text("README.md", text);
+    const char *lines = between(text, "#include <coin.h>\n", "```", &end);
+    compile("#include <coin.h>\n#include <stdio.h>\nint main(void)\n{\n", lines,
+            PRINT_STATE);
+    run_program(output);
+    read_state(output, &s);
+    scene_load(&quarter, "quarter");
+    check(scene_at(&quarter, 6, "t") == 1);
+    /* What coin.h states, 2 tol (1 + n): the second has 28.4 natural units. */
+    check_within(scene_error(&quarter, 6, &s), 0, 2e-9 * 29.4);
+}
+
+/* After the 8 s that it asks for. */
+static void the_guide_s_coin_comes_to_rest_as_it_shows(void **unused)
+{
+    (void)unused;
+    static char text[TEXT], program[TEXT], output[TEXT];
+    char *end;
+    double when;
+    read_text("docs/examples/stop.c", program);
+    read_text("docs/guide.md", text);
+    check(strstr(text, strstr(program, "#include")) != NULL);
+    const char *shown =
+        between(strstr(text, "int main(void)\n{\n    coin_losses"), "```text",
+                "```", &end);
+    compile("", program, "");
+    run_program(output);
+    check(strcmp(output, shown) == 0);
+    check(sscanf(output, "flat after %lf s", &when) == 1);
+    check(fabs(when - 8) < 0.01);
+}
+
+/* An upright coin rolls after v0/(3 mu g), at 2 v0/3; the calls take 1e-4 s. */
+static void the_guide_s_thrown_coin_rolls_as_it_shows(void **unused)
+{
+    (void)unused;
+    static char text[TEXT], program[TEXT], output[TEXT];
+    char *end;
+    double when, speed;
+    read_text("docs/examples/thrown.c", program);
+    read_text("docs/guide.md", text);
+    char *listing = strstr(text, strstr(program, "#include"));
+    check(listing != NULL);
+    const char *shown = between(listing, "```text", "```", &end);
+    compile("", program, "");
+    run_program(output);
+    check(strcmp(output, shown) == 0);
+    check(sscanf(output, "rolls after %lf s, at %lf", &when, &speed) == 2);
+    const double rolls = 0.5 / (3 * 0.3 * 9.80665);
+    check_within(when, rolls, rolls + 1e-4);
+    check(fabs(speed - 0.5 * 2 / 3) < 5e-4);
+}
+
+/* 1000 steps in the quarter's first second. */
+static void the_header_s_example_rolls_the_quarter(void **unused)
+{
+    (void)unused;
+    static char text[TEXT], output[TEXT];
+    static struct scene quarter;
+    coin_state s;
+    char *end;
+    read_text("include/coin.h", text);
+    char *code = between(text, "@code", "@endcode", &end);
+    uncomment(code);
+    compile("#include <coin.h>\n#include <stdio.h>\nint main(void)\n{\n", code,
+            PRINT_STATE);
+    run_program(output);
+    read_state(output, &s);
+    scene_load(&quarter, "quarter");
+    check(scene_at(&quarter, 6, "t") == 1);
+    /* 5e-4 with 120 steps: 1e-7 with 1000. */
+    check_within(scene_error(&quarter, 6, &s), 1e-8, 1e-6);
 }
 
 static void each_part_shown_is_the_game_s(void **unused)
@@ -124,13 +283,33 @@ static void the_check_of_a_coin_at_rest_says_more_than_that(void **unused)
                  COIN_SLIPS | COIN_NEARLY_FLAT);
 }
 
+static int make_folder(void **unused)
+{
+    (void)unused;
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+static int remove_folder(void **unused)
+{
+    (void)unused;
+    char command[64];
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    return shell(command);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        TEST(the_readme_s_program_prints_what_the_readme_shows),
+        TEST(the_readme_s_first_lines_move_the_quarter_by_a_second),
+        TEST(the_guide_s_coin_comes_to_rest_as_it_shows),
+        TEST(the_guide_s_thrown_coin_rolls_as_it_shows),
+        TEST(the_header_s_example_rolls_the_quarter),
         TEST(each_part_shown_is_the_game_s),
         TEST(the_game_prints_what_the_page_shows),
         TEST(each_answer_s_program_prints_what_the_page_shows),
         TEST(the_check_of_a_coin_at_rest_says_more_than_that),
     };
-    return RUN_TESTS(tests);
+    return cmocka_run_group_tests_name(__FILE__, tests, make_folder,
+                                       remove_folder);
 }
