@@ -11,15 +11,19 @@
 
 #include "air.h"
 
-/* The error of a step; what is left where the rest is braked steadily. */
+/* The error that a step may make. */
 #define TOL 1e-12
+
+/* When so little of v + w is left, the rest is braked as if steadily. */
 #define LEFT 1e-12
 
-/* A ring of a smaller width counts as a hoop, in 1 - b^2/a^2. */
+/* A ring whose 1 - b^2/a^2 is less is computed as a hoop: (112) would divide two
+ * small differences. */
 #define THIN 1e-5
 #define ROUNDING 1e-15
 
-/* A speed below this part of the other is none. */
+/* Of the speed of the centre and that of the rim, one that is less than this
+ * part of the other counts as 0. */
 #define NONE 1e-17
 
 /* The most steps of a call. */

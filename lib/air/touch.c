@@ -18,7 +18,7 @@
  * over 1 + rate: a dip that it passes over is less than 1e-14 deep. */
 #define LEAST 1e-7
 
-/* A search that has looked so often ends. */
+/* A search ends after so many looks at the gap. */
 #define MOST_LOOKS 256
 
 /* What G and its bounds are computed from. */
@@ -100,8 +100,9 @@ static double safe(const struct arc *r, const struct look *at)
     return longer > least ? longer : least;
 }
 
-/* Goes on from the time found->t to `end`, in a part of the flight in which y
- * <= top.  *found is the touch, or up to where there is none. */
+/* Searches for the first touch from the time found->t to `end`, where the centre
+ * is low enough for one: y <= top.  Sets *found to the touch; or, if there is
+ * none, found->t to the time up to which none was found. */
 static void search(coin_priv_touch *found, const struct arc *r, double end,
                    int leaves)
 {

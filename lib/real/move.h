@@ -1,27 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A coin under way: the machine of modes.
- *
- * mode       contact                     steps by  ends where
- * 0          sticks; rolls along the rim tau       the force leaves the cone:
- *                                                  SLIPS, AIR or IDLE; the
- *                                                  losses hold it: HELD
- * HELD       sticks; psi is held         t         the force leaves the cone:
- *                                                  SLIPS HELD, AIR or IDLE;
- *                                                  they no longer do: 0
- * SLIPS      slides; rolls along the rim sigma     the slip speed is 0: 0; N is
- *                                                  not above 0: AIR or IDLE;
- *                                                  the losses hold it
- * SLIPS HELD slides; psi is held         sigma     as SLIPS, and as HELD
- * and IDLE   as without; no losses                 after each step
- * AIR        none                        none      the rim touches: an impact,
- *                                                  then any mode but RESTS
- * LIES       slides on its face          sliding   it stops: RESTS
- * RESTS      flat                                  the call
- *
- * Each mode but the last three also ends where cos theta comes below `flat`:
- * LIES or RESTS; and each where the time is over.  coin_priv_go() makes those
- * above AIR, and coin_priv_go_on() all.  The table is that of docs/design.md.
- */
+/* A coin on the table, on its way through the modes of law.h.  docs/design.md,
+ * "The modes of a coin", says what each mode computes and what ends it. */
 #ifndef ROLLCOIN_MOVE_H
 #define ROLLCOIN_MOVE_H
 
