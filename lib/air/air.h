@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A coin in the air, at an impact, and sliding flat on the table.
  *
- * All is in natural units, in which M = a = g = 1.  A coin_body is given in them,
- * and IX, IZ are I_X/(M a^2), I_Z/(M a^2). */
+ * All is in natural units, in which M = a = g = 1.  A coin_body is given in
+ * them, and IX, IZ are I_X/(M a^2), I_Z/(M a^2). */
 #ifndef ROLLCOIN_AIR_H
 #define ROLLCOIN_AIR_H
 

@@ -17,8 +17,8 @@
 /* When so little of v + w is left, the rest is braked as if steadily. */
 #define LEFT 1e-12
 
-/* A ring whose 1 - b^2/a^2 is less is computed as a hoop: (112) would divide two
- * small differences. */
+/* A ring whose 1 - b^2/a^2 is less is computed as a hoop: (112) would divide
+ * one small difference by another. */
 #define THIN 1e-5
 #define ROUNDING 1e-15
 

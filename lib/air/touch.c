@@ -100,9 +100,9 @@ static double safe(const struct arc *r, const struct look *at)
     return longer > least ? longer : least;
 }
 
-/* Searches for the first touch from the time found->t to `end`, where the centre
- * is low enough for one: y <= top.  Sets *found to the touch; or, if there is
- * none, found->t to the time up to which none was found. */
+/* Searches for the first touch from the time found->t to `end`, where the
+ * centre is low enough for one: y <= top.  Sets *found to the touch; or, if
+ * there is none, found->t to the time up to which none was found. */
 static void search(coin_priv_touch *found, const struct arc *r, double end,
                    int leaves)
 {
