@@ -110,6 +110,19 @@ static void the_estimate_is_as_the_thirteenth_power(void **unused)
     check_within(sum / TRIED, 12.4, 13.6);
 }
 
+/* A step of one run, and 8 steps of an eighth of it of another from the same
+ * start; 0 if the step is refused. */
+static int step_beside_eighths(coin_priv_run *one, coin_priv_run *exact,
+                               double stride, double *error)
+{
+    const double tau = coin_priv_sundman_tau(&one->b, &one->g.y, stride);
+    if (!coin_priv_extrapolate(one, tau, error))
+        return 0;
+    for (int k = 0; k < 8; ++k)
+        check(extrapolate(exact, tau / 8));
+    return 1;
+}
+
 /* As COIN_PRIV_ACCEPTED says, by 8 steps for one. */
 static void the_error_is_a_part_of_the_estimate(void **unused)
 {
@@ -123,12 +136,9 @@ static void the_error_is_a_part_of_the_estimate(void **unused)
         const coin_state s = random_state(&r, &p, 1.5);
         const double stride = random_between(&r, 1, 2.4);
         coin_priv_run one = begun(&s, &p), exact = one;
-        const double tau = coin_priv_sundman_tau(&one.b, &one.g.y, stride);
         double error = 1;
-        if (!coin_priv_extrapolate(&one, tau, &error))
+        if (!step_beside_eighths(&one, &exact, stride, &error))
             continue;
-        for (int k = 0; k < 8; ++k)
-            check(extrapolate(&exact, tau / 8));
         const double off = apart(&one.g, &exact.g) - 64 * U;
         const double part = off / (error * stride * stride);
         above += part > 1.0 / 100;
@@ -173,12 +183,9 @@ static void the_height_of_low_bounces_is_a_part_of_the_estimate(void **unused)
         };
         const double stride = random_between(&r, 1.4, 2.2);
         coin_priv_run one = begun(&s, &p), exact = one;
-        const double tau = coin_priv_sundman_tau(&one.b, &one.g.y, stride);
         double error = 1;
-        if (!coin_priv_extrapolate(&one, tau, &error))
+        if (!step_beside_eighths(&one, &exact, stride, &error))
             continue;
-        for (int k = 0; k < 8; ++k)
-            check(extrapolate(&exact, tau / 8));
         const double off = fabs(one.g.y.cth / exact.g.y.cth - 1) - 64 * U;
         most = fmax(most, off / (error * stride * stride));
     }
