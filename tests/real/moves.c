@@ -57,32 +57,33 @@ static void launches(int n, double share)
 }
 
 /* ------------------------------------------------------------------- rolls */
+/* Frames of 1/60 s of a US quarter that rolls. */
 static void cost(void)
 {
-    const coin_state start = {.theta = 0.1, .wY = 0.05, .wZ = 1.2};
-    const double T = 1000;
+    const coin_state start = {.theta = 0.3, .wY = 5, .wZ = 40};
+    const coin_table f = {.mu_static = 0.6, .mu_kinetic = 0.5};
+    enum { FRAMES = 60, TRIED = 400 };
     coin_params p;
-    coin_params_disc(&p, 1, 1, 1);
-    for (double tol = 1e-2; tol > 0.5e-12; tol /= 100)
-        for (int mu = 0; mu < 2; ++mu) {
-            const coin_table f = {.mu_static = mu ? 0.3 : INFINITY,
-                                  .mu_kinetic = 0.25};
-            double rolls = INFINITY, slides = INFINITY;
-            for (int k = 0; k < 9; ++k) {
-                coin_state s = start;
-                coin_body d;
-                coin_body_from_state(&d, &start, &p);
-                const double t0 = seconds();
-                coin_advance(&s, &p, T, tol, NULL);
-                const double t1 = seconds();
-                coin_move(&d, &p, &f, T, tol, 0, NULL);
-                const double t2 = seconds();
-                rolls = fmin(rolls, t1 - t0);
-                slides = fmin(slides, t2 - t1);
-            }
-            printf("tol %.0e, mu_static %g: %.2f times coin_advance()\n", tol,
-                   f.mu_static, slides / rolls);
+    coin_params_disc(&p, 0.00567, 0.01213, 9.80665);
+    for (double tol = 1e-3; tol > 0.5e-9; tol /= 1000) {
+        double rolls = INFINITY, moves = INFINITY;
+        for (int k = 0; k < TRIED; ++k) {
+            coin_state s = start;
+            coin_body d;
+            coin_body_from_state(&d, &start, &p);
+            const double t0 = seconds();
+            for (int i = 0; i < FRAMES; ++i)
+                coin_advance(&s, &p, 1.0 / 60, tol, NULL);
+            const double t1 = seconds();
+            for (int i = 0; i < FRAMES; ++i)
+                coin_move(&d, &p, &f, 1.0 / 60, tol, 0, NULL);
+            const double t2 = seconds();
+            rolls = fmin(rolls, t1 - t0);
+            moves = fmin(moves, t2 - t1);
         }
+        printf("a frame at %.0e: %.2f us, %.1f times coin_advance()\n", tol,
+               1e6 * moves / FRAMES, moves / rolls);
+    }
 }
 
 int main(int argc, char **argv)
