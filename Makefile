@@ -257,7 +257,7 @@ need-cmocka:
 
 # ------------------------------------------------------- gates of their own kind
 # bench.mk and the like: each is told by the variables above.
-include $(wildcard $(SRC)/tests/*/*.mk)
+include $(wildcard $(SRC)/tests/*/*.mk $(SRC)/tests/studies/*/*.mk)
 
 # ----------------------------------------------------------- tarball, packaging
 # In a git tree a release holds the tracked files, in an unpacked release those
@@ -393,7 +393,7 @@ repro-update: ## accept the hashes of this library as the pinned ones
 	+$(GATE) sh $(SRC)/tests/repro/hash.sh update
 
 # -------------------------------------------------------------- format, helpers
-C_FILES = $(foreach d,include lib/* tests tests/* docs/examples \
+C_FILES = $(foreach d,include lib/* tests tests/* tests/studies/* docs/examples \
             docs/examples/* docs/page,\
             $(wildcard $(SRC)/$d/*.[ch]))
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* tests/bench/movers.c, which every chart of steps rests on. */
+/* tests/studies/bench/movers.c, which every chart of steps rests on. */
 #include "support/check.h"
 #include "support/methods.h"
 
-#include "bench/movers.c"
-#include "bench/textbook.c"
+#include "studies/bench/movers.c"
+#include "studies/bench/textbook.c"
 
 /* A call that ends and one that begins round the angles, below 16 here, by a
  * few u. */

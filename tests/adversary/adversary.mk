@@ -5,7 +5,7 @@
 #   make adversary                      the gate: a minute on two cores, the
 #                                       same work each time
 #   make adversary EVALUATIONS=1000000  two hours on two cores, by hand
-#   make adversary-update               renews tests/bench/results and the table
+#   make adversary-update               renews tests/studies/bench/results and the table
 #                                       of docs/limits.md from the last search;
 #                                       the cases stay in build/adversary
 #   make adversary-replay               the cases found before, in seconds

@@ -22,8 +22,8 @@ run "names of floats and vectors" python3 "$here/names.py" "$SRC" "$CC"
 run "homes of equations" python3 "$here/homes.py" "$SRC"
 run "mutants' texts" python3 "$SRC/tests/mutants/mutants.py" "$SRC"
 run "citations" python3 "$here/citations.py" "$SRC"
-run "tables of measurements" python3 "$SRC/tests/bench/summary.py" \
-    "$SRC/tests/bench/results" "$SRC/docs/accuracy.md" "$SRC/docs/limits.md" --check
+run "tables of measurements" python3 "$SRC/tests/studies/bench/summary.py" \
+    "$SRC/tests/studies/bench/results" "$SRC/docs/accuracy.md" "$SRC/docs/limits.md" --check
 run "quotes of tables" python3 "$here/quotes.py" "$SRC"
 run "text" sh "$here/text.sh"
 run "public symbols" sh "$here/symbols.sh"

@@ -98,7 +98,7 @@ def orbits(column):
 def slide(scene, method, error=1e-3):
     """The least cost of an error, in textbook steps."""
     rows = [line.split(",") for line in
-            (ROOT / "tests/bench/results/slides.csv").read_text().split("\n")
+            (ROOT / "tests/studies/bench/results/slides.csv").read_text().split("\n")
             if line.startswith(f"{scene},{method},")]
     return min((float(r[5]) for r in rows if float(r[4]) <= error),
                default=float("inf"))

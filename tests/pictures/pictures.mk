@@ -27,7 +27,7 @@ pictures: $(PICTURES:%=$(PICTURES_OUT)/%.csv) $(DRAWN) need-gnuplot ## compute a
 	cp $(KEPT:%=$(PICTURES_OUT)/%.csv) $(SRC)/docs/figures/data
 	cp $(DRAWN) $(SRC)/docs/figures
 	for f in $(PICTURES); do gnuplot -e "from='$(PICTURES_OUT)'" \
-	    -e "style='$(SRC)/tests/bench/style.gpi'" \
+	    -e "style='$(SRC)/tests/studies/bench/style.gpi'" \
 	    -e "to='$(SRC)/docs/figures'" $(PICTURES_SRC)/$$f.gp || exit 1; done
 	$(SLIM)
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* coin_advance() of these sources beside that of an older revision, linked in
- * with every name prefixed by old_ (tests/bench/against.sh).
+ * with every name prefixed by old_ (tests/studies/bench/against.sh).
  *     against scenes        ratios at equal errors on the chart's scenes
  *     against coins         ratios at equal tol over 300 random coins
  *     against frames        short calls beside the textbook's step

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Measures the tables on steps in guide.md and design.md.
 
-usage:  python3 tests/bench/guide_steps.py build/librollcoin.so [SEED]
+usage:  python3 tests/studies/bench/guide_steps.py build/librollcoin.so [SEED]
         (after `make`; standard Python only; about a minute)
 
 A row of the first tables holds one |dt| W, with W of Eq. (47) at its largest

@@ -195,7 +195,7 @@ static void map(const family *f, const solver *v)
     fflush(stdout);
 }
 
-/* For tests/bench/atlas_check.py.  No motion depends on the mass. */
+/* For tests/studies/bench/atlas_check.py.  No motion depends on the mass. */
 static void references(const family *f)
 {
     for (int i = 0; i < SCENES; ++i) {

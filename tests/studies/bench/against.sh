@@ -5,7 +5,7 @@
 # Needs the git history, and objcopy.  Works in build/against.
 set -eu
 revision=$1 build=$2
-src=$(cd "$(dirname "$0")/../.." && pwd)
+src=$(cd "$(dirname "$0")/../../.." && pwd)
 work=$src/build/against/$build
 flags="-O2 -ffp-contract=off -fno-tree-vectorize"
 test "$build" = portable || flags="$flags -march=native"
@@ -34,8 +34,8 @@ done
 # shellcheck disable=SC2086
 gcc -std=c11 $flags -D_POSIX_C_SOURCE=200809L -I"$src/include" \
     -DBENCH_DATA="\"$src/tests/reference\"" -o "$work/against" \
-    "$src/tests/bench/against.c" "$src/tests/bench/scene.c" \
-    "$src/tests/bench/textbook.c" "$work/new"/*.o "$work/old.o" -lm
+    "$src/tests/studies/bench/against.c" "$src/tests/studies/bench/scene.c" \
+    "$src/tests/studies/bench/textbook.c" "$work/new"/*.o "$work/old.o" -lm
 for what in ${3:-scenes coins frames until moves}; do
     "$work/against" $what
 done

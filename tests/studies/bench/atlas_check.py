@@ -11,7 +11,7 @@ Needs python3-mpmath; python3-gmpy2 makes it faster.
 import pathlib
 import sys
 
-sys.path.append(str(pathlib.Path(__file__).parents[1] / "reference"))
+sys.path.append(str(pathlib.Path(__file__).parents[2] / "reference"))
 import make_reference
 
 DIGITS, ORDER = 30, 36

@@ -9,7 +9,7 @@
  * Fails if a figure is not what docs/models.md says. */
 #include "laws.h"
 
-#include "bench/textbook.h"
+#include "studies/bench/textbook.h"
 #include "support/losses.h"
 
 #include <math.h>

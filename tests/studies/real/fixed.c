@@ -5,7 +5,7 @@
  *
  * Fixed steps know no rest: they end when the coin has gone through the table,
  * gained energy or is no number. */
-#include "bench/textbook.h"
+#include "studies/bench/textbook.h"
 
 #include <coin.h>
 

@@ -41,13 +41,13 @@ static void count(struct counts *c, enum study_outcome outcome,
         c->blind += m->finished && m->energy <= fine;
 }
 
-static void tell(const struct study_run *r, uint64_t seed, uint64_t number,
+static void tell(const struct study_run *r, uint64_t seed, uint64_t run,
                  const struct study_measure *m)
 {
     fprintf(stderr,
             "silent: seed %" PRIu64 " run %" PRIu64 ", %s, %s: error %.3g, "
             "sum %.3g, amplified %.3g, rounding %.3g, energy %.3g\n",
-            seed, number, study_methods[r->method], study_families[r->family],
+            seed, run, study_methods[r->method], study_families[r->family],
             m->error, m->sum, m->amplified, m->rounding, m->energy);
 }
 

@@ -33,4 +33,4 @@ static void landing8(coin_priv_run *r, uint64_t n)
 #define coin_priv_rk4 landing4
 #define coin_priv_rk8 landing8
 #define coin_advance counted_advance
-#include "../../lib/step/advance.c"
+#include "../../../lib/step/advance.c"

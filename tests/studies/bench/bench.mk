@@ -4,11 +4,11 @@
 # WARN, MAPS, PINNED and PYTHON it uses.
 #
 #   make bench      measure, and print what came out    (ten minutes)
-#   make charts     the same and the atlas, then renew tests/bench/results, the
+#   make charts     the same and the atlas, then renew tests/studies/bench/results, the
 #                   pictures and the tables of docs/accuracy.md, docs/limits.md
 #                   (twelve minutes)
 #   make results    all that results-check looks at          (an hour)
-#   make figures    pictures and tables from tests/bench/results as they are
+#   make figures    pictures and tables from tests/studies/bench/results as they are
 #   make atlas      the maps of docs/limits.md, not timed   (three minutes)
 #   make natural    the calls of a frame loop                (one minute)
 #   make batch      many coins at once                       (one minute)
@@ -19,7 +19,7 @@
 # Library, textbook and peers are built twice, alike: portable and native.  A
 # busy machine shows: wait for a quiet one, and run nothing beside.
 
-BENCH_SRC := $(SRC)/tests/bench
+BENCH_SRC := $(SRC)/tests/studies/bench
 RESULTS   := $(BENCH_SRC)/results
 BENCH_OUT  = $(O)/bench
 BUILDS    := portable native

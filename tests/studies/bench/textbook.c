@@ -9,7 +9,7 @@ void textbook_rates(double d[8], const coin_params *p, const double y[8])
     const double M = p->mass, a = p->radius, g = p->gravity;
     const double IX = p->inertia_X, IZ = p->inertia_Z, m = M * a * a;
     const double wX = y[5], wY = y[6], wZ = y[7];
-    const double s = sin(y[0]), c = cos(y[0]), t = tan(y[0]);
+    const double s = sin(y[0]), c = cos(y[0]), t = s / c;
     const double sph = sin(y[1]), cph = cos(y[1]);
     d[0] = wX;
     d[1] = wY / c;

@@ -3,12 +3,12 @@
 # Whether a wrong answer ever comes without a word: included by the Makefile.
 #
 #   make silent     1.05 million random runs and what became of them; renews
-#                   tests/bench/results and the tables of docs/limits.md
+#                   tests/studies/bench/results and the tables of docs/limits.md
 #   make endurance  1e9 steps against closed forms
 #
 # The seeds by which claims and limits were set are not those that judge.
 
-LIMITS_SRC := $(SRC)/tests/limits
+LIMITS_SRC := $(SRC)/tests/studies/limits
 LIMITS_OUT  = $(O)/limits
 STEPS_RUNS  = 3001 300000
 JUDGE_RUNS  = 20261125 1050000

@@ -7,8 +7,8 @@
 
 #include <coin.h>
 
-#include "../../lib/step/extrapolation.h"
-#include "../../lib/step/sundman.h"
+#include "../../../lib/step/extrapolation.h"
+#include "../../../lib/step/sundman.h"
 
 arithmetic operations;
 

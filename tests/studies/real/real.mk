@@ -11,10 +11,10 @@ real-study: $(REAL_OUT)/study ## coins to rest: launches, and the time by calls 
 	$< calls
 
 real-cost: $(REAL_OUT)/study ## instructions to rest, in textbook steps
-	STUDY=$(abspath $<) sh $(SRC)/tests/real/cost.sh
+	STUDY=$(abspath $<) sh $(SRC)/tests/studies/real/cost.sh
 
-$(REAL_OUT)/%: $(SRC)/tests/real/%.c $(SRC)/tests/real/laws.h \
-               $(SRC)/tests/bench/textbook.c $(SRC)/tests/support/losses.c \
+$(REAL_OUT)/%: $(SRC)/tests/studies/real/%.c $(SRC)/tests/studies/real/laws.h \
+               $(SRC)/tests/studies/bench/textbook.c $(SRC)/tests/support/losses.c \
                $(LIB_A) | $(REAL_OUT)
 	$(CC_TEST) $(CMOCKA) -I$(SRC)/tests $(LDFLAGS) -o $@ \
 	    $(filter %.c,$^) $(filter-out $(O)/tests/support/losses.o,\
@@ -28,7 +28,7 @@ move-study: $(REAL_OUT)/moves ## coins that slip: launches, and the cost while t
 	$< launches $(LAUNCHES) 1
 	$< cost
 
-$(REAL_OUT)/moves: $(SRC)/tests/real/moves.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
+$(REAL_OUT)/moves: $(SRC)/tests/studies/real/moves.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
 	$(CC_TEST) $(CMOCKA) -D_POSIX_C_SOURCE=200809L -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) \
 	    $(TEST_EXTRA) $(LIB_A) $(CMOCKA_LIBS) -lm
 
@@ -40,7 +40,7 @@ TUNED = coin_priv_try_step coin_priv_within coin_priv_rates \
 tuning: $(REAL_OUT)/tuning ## what the tuned numbers of lib/ trade: calls and errors (5 minutes)
 	$< 500
 
-$(REAL_OUT)/tuning: $(SRC)/tests/real/tuning.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
+$(REAL_OUT)/tuning: $(SRC)/tests/studies/real/tuning.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
 	$(CC_TEST) $(CMOCKA) -I$(SRC)/tests -I$(SRC)/lib $(LDFLAGS) \
 	    $(TUNED:%=-Wl,--wrap=%) -o $@ $(filter %.c,$^) $(TEST_EXTRA) $(LIB_A) \
 	    $(CMOCKA_LIBS) -lm
@@ -52,14 +52,14 @@ $(REAL_OUT):
 # costs need valgrind.
 .PHONY: real-fixed
 real-fixed: $(REAL_OUT)/fixed $(REAL_OUT)/study need-gnuplot ## errors and costs to rest, beside fixed steps
-	FIXED=$< STUDY=$(REAL_OUT)/study sh $(SRC)/tests/real/fixed.sh \
+	FIXED=$< STUDY=$(REAL_OUT)/study sh $(SRC)/tests/studies/real/fixed.sh \
 	    >$(REAL_OUT)/settle.csv
 	cp $(REAL_OUT)/settle.csv $(SRC)/docs/figures/data
 	gnuplot -e "from='$(REAL_OUT)'" -e "to='$(SRC)/docs/figures'" \
-	    -e "style='$(SRC)/tests/bench/style.gpi'" $(SRC)/tests/real/settle.gp
+	    -e "style='$(SRC)/tests/studies/bench/style.gpi'" $(SRC)/tests/studies/real/settle.gp
 	$(SLIM)
 
-$(REAL_OUT)/fixed: $(SRC)/tests/real/fixed.c $(SRC)/tests/bench/textbook.c \
+$(REAL_OUT)/fixed: $(SRC)/tests/studies/real/fixed.c $(SRC)/tests/studies/bench/textbook.c \
                    $(LIB_A) | $(REAL_OUT)
 	$(CC_TEST) -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) $(LIB_A) -lm
 
