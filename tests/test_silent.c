@@ -2,7 +2,7 @@
 /* No run is wrong without a status that says so: random runs by every method,
  * each compared with what docs/limits.md states.  `make silent` takes a
  * million. */
-#include "limits/judge.h"
+#include "studies/limits/judge.h"
 
 /* Seed of none of the runs by which claims and limits were set. */
 #define SEED 2026
