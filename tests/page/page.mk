@@ -5,11 +5,12 @@
 #   make page         builds it from docs/page: one file, the library within
 #   make js           build/js/rollcoin.wasm, for docs/examples/js
 #   make js-check     its example prints what a C program prints
-#   make page-check   it gives this computer's bits, works in a browser, and
-#                     its C listing prints its digits
+#   make page-check   it gives this computer's bits, works in Chromium and
+#                     Firefox, and its C listing prints its digits
 #
 # The first needs clang, lld and wasi-libc, as `make cross` does, and binaryen
-# and zopfli; the second node and chromium.
+# and zopfli; the last node, npm, chromium and firefox-esr: npm installs what
+# drives the browsers, and axe-core, in build/page/npm.
 
 PAGE      := $(SRC)/docs/page
 PAGE_OUT  := $(O)/page
@@ -73,9 +74,16 @@ $(PAGE_OUT)/index.html: $(PAGE)/page.html $(PAGE)/style.css $(PAGE_JS) \
 $(PAGE_OUT):
 	mkdir -p $@
 
-page-check: $(PAGE_OUT)/hashes.txt $(PAGE_OUT)/still.svg $(LIB_A) ## the page has this computer's bits and works in a browser
-	timeout 300 node $(SRC)/tests/page/check.mjs $(SRC) $(PAGE_OUT) '$(CC)' \
-	    $(LIB_A)
+PAGE_NPM := $(PAGE_OUT)/npm/node_modules/.package-lock.json
+$(PAGE_NPM): $(addprefix $(SRC)/tests/page/,package.json package-lock.json)
+	mkdir -p $(PAGE_OUT)/npm
+	cp $^ $(PAGE_OUT)/npm
+	cd $(PAGE_OUT)/npm && \
+	    npm ci --silent --ignore-scripts --no-audit --no-fund
+
+page-check: $(PAGE_OUT)/hashes.txt $(PAGE_OUT)/still.svg $(LIB_A) $(PAGE_NPM) ## the page has this computer's bits and works in browsers
+	timeout 300 node $(SRC)/tests/page/check.mjs $(SRC) \
+	    $(abspath $(PAGE_OUT)) '$(CC)' $(LIB_A)
 
 # Every function of coin.h, and where the memory begins that no data takes.
 JS       = $(SRC)/docs/examples/js
