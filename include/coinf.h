@@ -16,7 +16,7 @@
  * ERROR. Over 20 natural units of time, by coinf_step() with any dt from 1e-3
  * to 2e-2 units, the pose is within 4e-6 radians and radii of the exact motion
  * in each scene of tests/reference that amplifies errors less than 100 times
- * (test_float).  Plain floats err by 1e-4 to 1e-3 there.
+ * (test_float).
  *
  * RANGES are those of coin.h but for these:
  *   mass, radius, gravity      1e-8 to 1e8 each
@@ -27,8 +27,7 @@
  *   dt                         up to 1e6 natural units
  *   |q|^2 of a rotation        1e-8 to 1e8
  *
- * METHOD is COIN_RK4, the only one here.  It is an argument so that a call
- * reads as that of coin.h.
+ * METHOD is COIN_RK4, the only one here; any other is COIN_EARG.
  */
 #ifndef ROLLCOIN_COINF_H
 #define ROLLCOIN_COINF_H
@@ -69,10 +68,9 @@ typedef struct coinf_state {
 /** The force of the table on the coin, as coin_force. */
 typedef struct coinf_force {
     float R[3];     /**< in the table frame x, y, z [M L/T^2] */
-    float normal;   /**< N = R_y; <= 0 means a real coin would lift off */
+    float normal;   /**< N = R_y */
     float friction; /**< F = sqrt(R_x^2 + R_z^2) */
-    float ratio;    /**< F/N, the friction coefficient needed [1]; +infinity
-                         if N <= 0 */
+    float ratio;    /**< F/N [1]; +infinity if N <= 0 */
 } coinf_force;
 
 /* ----------------------------------------------------------- parameters -- */
@@ -110,8 +108,7 @@ COIN_API int32_t coinf_angular_velocity(const coinf_state *s, float omega[3]);
 
 /* ------------------------------------------------------------- stepping -- */
 
-/** One classical Runge-Kutta step of order 4: what a loop at a fixed rate
- * calls each time.
+/** One step: what a loop at a fixed rate calls each time.
  * @return as coin_step(), but the limits are checked at the last stage instead
  *         of the end of the step, and a step may turn lean and heading by more
  *         than 1.5 rad.
@@ -119,8 +116,7 @@ COIN_API int32_t coinf_angular_velocity(const coinf_state *s, float omega[3]);
  *         coinf_run() does those once (docs/guide.md). */
 COIN_API int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt);
 
-/** As coin_run().  A run of n steps is n runs of one step, to the bit.
- * @param method  COIN_RK4; any other is COIN_EARG */
+/** As coin_run().  A run of n steps is n runs of one step, to the bit. */
 COIN_API int32_t coinf_run(coinf_state *s, const coinf_params *p,
                            int32_t method, float dt, uint64_t steps,
                            uint64_t *done);
@@ -160,21 +156,18 @@ COIN_API int32_t coinf_axes(const coinf_state *s, float R[9]);
 /** As coin_quaternion(). */
 COIN_API int32_t coinf_quaternion(const coinf_state *s, float q[4]);
 
+/** As coin_matrix(). */
+COIN_API int32_t coinf_matrix(const coinf_state *s, const coinf_params *p,
+                              float m[16]);
+
 /** As coin_fastest_rate(). */
 COIN_API float coinf_fastest_rate(const coinf_state *s, const coinf_params *p);
 
 /* ------------------------------------------------------------- validity -- */
 
-/** As coin_check().
- * @param method  COIN_RK4; any other is COIN_EARG */
+/** As coin_check(). */
 COIN_API int32_t coinf_check(const coinf_state *s, const coinf_params *p,
                              int32_t method, float dt, float mu);
-
-/* ---------------------------------------------------- games and engines -- */
-
-/** As coin_matrix(). */
-COIN_API int32_t coinf_matrix(const coinf_state *s, const coinf_params *p,
-                              float m[16]);
 
 /* ------------------------------------------------------------ self-test -- */
 

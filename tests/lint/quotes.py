@@ -120,9 +120,8 @@ QUOTES = (
     ("docs/guide.md", r"`coin_step` takes ([\d,]+) from C",
      figure(CALLS, "coin_step", "instructions")),
     ("include/coin.h", r"Cost: ([\d,]+) instructions, where a further step of "
-     r"coin_run\(\) takes (\d+), a \* textbook step ([\d,]+)",
-     figure(CALLS, "coin_step", "instructions"), further("rk4"),
-     figure(CALLS, "textbook RK4 step", "instructions")),
+     r"coin_run\(\) takes (\d+);",
+     figure(CALLS, "coin_step", "instructions"), further("rk4")),
     ("docs/guide.md", r"per call a coin costs ([\d.]+) of a",
      figure(CALLS, "coin_batch_run of one step per coin of 64",
             "portable, textbook steps")),

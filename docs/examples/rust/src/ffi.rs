@@ -560,6 +560,9 @@ extern "C" {
     pub fn coinf_quaternion(s: *const coinf_state, q: *mut f32) -> i32;
 }
 extern "C" {
+    pub fn coinf_matrix(s: *const coinf_state, p: *const coinf_params, m: *mut f32) -> i32;
+}
+extern "C" {
     pub fn coinf_fastest_rate(s: *const coinf_state, p: *const coinf_params) -> f32;
 }
 extern "C" {
@@ -570,9 +573,6 @@ extern "C" {
         dt: f32,
         mu: f32,
     ) -> i32;
-}
-extern "C" {
-    pub fn coinf_matrix(s: *const coinf_state, p: *const coinf_params, m: *mut f32) -> i32;
 }
 extern "C" {
     pub fn coinf_selftest() -> i32;

@@ -409,10 +409,10 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
         "r": Out(c_float, 3), "v": Out(c_float, 3)}),
     "coinf_axes": (c_int32, {"s": In(Statef), "R": Out(c_float, 9)}),
     "coinf_quaternion": (c_int32, {"s": In(Statef), "q": Out(c_float, 4)}),
+    "coinf_matrix": (c_int32, {"s": In(Statef), "p": In(Paramsf),
+        "m": Out(c_float, 16)}),
     "coinf_fastest_rate": (c_float, {"s": In(Statef), "p": In(Paramsf)}),
     "coinf_check": (c_int32, {"s": In(Statef), "p": In(Paramsf),
         "method": INT32, "dt": c_float, "mu": c_float}),
-    "coinf_matrix": (c_int32, {"s": In(Statef), "p": In(Paramsf),
-        "m": Out(c_float, 16)}),
     "coinf_selftest": (c_int32, {}),
 }

@@ -82,9 +82,9 @@ EACH(each_coinf_axes, (const coinf_state *s, float *R), coinf_axes(s + i,
      R + 9 * i))
 EACH(each_coinf_quaternion, (const coinf_state *s, float *q),
      coinf_quaternion(s + i, q + 4 * i))
+EACH(each_coinf_matrix, (const coinf_state *s, const coinf_params *p, float *m),
+     coinf_matrix(s + i, p, m + 16 * i))
 EACH_NUMBER(coinf_fastest_rate, float, (const coinf_state *s,
      const coinf_params *p), (s + i, p))
 EACH(each_coinf_check, (const coinf_state *s, const coinf_params *p,
      int32_t method, float dt, float mu), coinf_check(s + i, p, method, dt, mu))
-EACH(each_coinf_matrix, (const coinf_state *s, const coinf_params *p, float *m),
-     coinf_matrix(s + i, p, m + 16 * i))
