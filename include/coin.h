@@ -79,7 +79,7 @@
 #include <stdint.h>
 
 #define COIN_VERSION_MAJOR 0
-#define COIN_VERSION_MINOR 1
+#define COIN_VERSION_MINOR 9
 #define COIN_VERSION_PATCH 0
 
 /* Define COIN_API (empty, or to your own linkage) before including this file
@@ -777,7 +777,7 @@ COIN_API int32_t coin_body_matrix(const coin_body *b, const coin_params *p,
 /** The library's version, 0xMMmmpp, to compare with COIN_VERSION_ macros. */
 COIN_API uint32_t coin_version(void);
 
-/** The same as text, "0.1.0". */
+/** The same as text, "0.9.0". */
 COIN_API const char *coin_version_string(void);
 
 /** What a status means, in English, without a full stop; never null. */

@@ -47,7 +47,7 @@ pub fn version() -> u32 {
     unsafe { ffi::coin_version() }
 }
 
-/// The same as text, "0.1.0".
+/// The same as text, "0.9.0".
 pub fn version_string() -> &'static str {
     let text = unsafe { CStr::from_ptr(ffi::coin_version_string()) };
     text.to_str().unwrap_or_default()
