@@ -551,7 +551,7 @@ typedef struct coin_orbit {
  * Accuracy: period, heading and roll per period to 1e-15 times conditioning,
  *         relative to the larger of them and 1 (test_orbit); next to a steady
  *         motion the period is better had by coin_stability().
- * Cost: docs/models.md; some 46 KiB of stack. */
+ * Cost: some 100 textbook steps, near flat up to 500; 46 KiB of stack. */
 COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
                                  const coin_params *p);
 
@@ -566,7 +566,7 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         period + 4 u W (|t| + period), W the fastest rate of the motion; in
  *         x and z, in radii, (1 + radius_max/radius) times that; in the rates W
  *         times that (test_orbit_edges, docs/limits.md).
- * Cost: 0.5 to 0.7 textbook steps, whatever t is (docs/models.md). */
+ * Cost: 0.5 to 0.7 textbook steps, whatever t is (docs/choosing.md). */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
 
 /* --------------------------------------------------------------- losses -- */

@@ -65,7 +65,7 @@ def rest(blocks):
     turns = []
     for (law, (_, a, b, *_)), block in zip(LAWS.items(), blocks[6:]):
         near("quarter, angle", block[0][2], QUARTER0, 1e-4*QUARTER0)
-        # Rolling, the worst of models.md: 2.4e-3 at 1e-3; here it is 4.8e-3,
+        # Rolling, the worst law: 2.4e-3 at 1e-3; here it is 4.8e-3,
         # and the error is as its power 0.8.
         near("quarter, time", block[0][1], 8, 8*2.4e-3*4.8**0.8)
         # (42): wY^2 = sin/IX, and psi' = wY tan.

@@ -6,7 +6,7 @@
  *                          counted: 0 Euler's disk, 1 a quarter; in one call if
  *                          FPS is 0
  *     study textbook N     N textbook steps, to be counted
- * Fails if a figure is not what docs/models.md says. */
+ * Fails if a figure is not what docs/limits.md says. */
 #include "laws.h"
 
 #include "studies/bench/textbook.h"
