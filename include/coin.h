@@ -651,7 +651,7 @@ COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
  * @param time       > 0 [T]
  * @return COIN_OK: the coin rests after `time` within 1 %; COIN_EARG also for
  *         time not in range; COIN_EDOMAIN if no such factor was found by
- *         100,000 trials of steps (docs/models.md).
+ *         100,000 trials of steps (docs/choosing.md).
  * Cost: that of 5 to 100 settlings of that time, at most some 0.1 s. */
 COIN_API int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
                                  const coin_params *p, double time);
