@@ -55,23 +55,25 @@ static void the_angle_goes_by_the_exponents_of_the_laws(void **unused)
 
 /* -------------------------------------------------------------- the same path
  */
+static double turn(const coin_state *s)
+{
+    return s->wY * cos(s->theta) - s->wZ * sin(s->theta);
+}
+
 /* Where the turn about the vertical changes its sign, as an angle from flat. */
 static double turns_back_at(const coin_losses *l, double e0)
 {
     const coin_params p = disc();
-    const coin_state start = slow_spin(&p, l, e0);
-    double early = 0, late = coin_time_to_rest(&start, &p, l);
-    coin_state s;
+    coin_state s = slow_spin(&p, l, e0);
+    double step = coin_time_to_rest(&s, &p, l);
     for (int i = 0; i < 20; ++i) {
-        const double middle = (early + late) / 2;
-        s = start;
-        check_status(coin_settle(&s, &p, l, middle, 1e-6, NULL), COIN_OK);
-        const double turn = s.wY * cos(s.theta) - s.wZ * sin(s.theta);
-        *(turn > 0 ? &early : &late) = middle;
+        coin_state next = s;
+        step /= 2;
+        check_status(coin_settle(&next, &p, l, step, 1e-8, NULL), COIN_OK);
+        if (turn(&next) > 0)
+            s = next;
     }
-    s = start;
-    check_status(coin_settle(&s, &p, l, early, 1e-8, NULL), COIN_OK);
-    check_near(s.wY * cos(s.theta) - s.wZ * sin(s.theta), 0, 2e-4);
+    check_near(turn(&s), 0, 2e-4);
     return HALF_PI - s.theta;
 }
 

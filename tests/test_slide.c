@@ -326,7 +326,7 @@ static void of_random_launches_98_of_100_err_by_less_than_tol(void **unused)
 {
     (void)unused;
     const double tols[] = {1e-6, 1e-9, 1e-11}, t = 4;
-    const int count = tries_asked(60);
+    const int count = tries_asked(25);
     for (int kind = 0; kind < 3; ++kind) {
         struct random r = random_begin(173 + (uint64_t)kind);
         int within[3] = {0};

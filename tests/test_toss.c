@@ -93,7 +93,7 @@ static struct end in_calls(const coin_body *b, const coin_params *p,
 static void a_toss_ends_at_rest(void **unused)
 {
     (void)unused;
-    const int count = tries_asked(60);
+    const int count = tries_asked(30);
     struct random r = random_begin(861);
     for (int i = 0; i < count; ++i) {
         const coin_params p = random_body(&r);
@@ -120,7 +120,7 @@ static void frames_of_a_60th_end_where_one_call_does(void **unused)
     (void)unused;
     const coin_params quarter = thrown_params(0.25, 0.5);
     const double frame = 1.0 / 60 / sqrt(0.01213 / 9.80665);
-    const int count = tries_asked(40);
+    const int count = tries_asked(20);
     struct random r = random_begin(862);
     int calm = 0, far = 0;
     for (int i = 0; i < count; ++i) {
@@ -493,7 +493,7 @@ static void a_fast_spin_lands_as_exactly_as_a_slow_one(void **unused)
 static void any_throw_is_silent_and_its_body_is_accepted(void **unused)
 {
     (void)unused;
-    const int count = tries_asked(3000);
+    const int count = tries_asked(1000);
     struct random r = random_begin(865);
     int seen[COIN_RESTS + 1] = {0};
     for (int i = 0; i < count; ++i) {

@@ -29,7 +29,7 @@ int check_begin(void **unused);
  * valgrind: its reference values would not be accurate enough. */
 void check_long_double(void);
 
-/* Skips a test of a million steps if ROLLCOIN_SHORT is set. */
+/* Skips a test of a million steps unless ROLLCOIN_LONG is set. */
 void check_million(void);
 
 #define TEST(function) cmocka_unit_test_setup(function, check_begin)

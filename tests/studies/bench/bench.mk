@@ -97,7 +97,7 @@ $(BENCH_OUT)/native/fused_%: $(BENCH_SRC)/peers/%.cpp $(NEEDED_native) | need-pe
 .PHONY: build-bench need-peers need-charts need-bits results-check bench \
         charts results figures longrun costs batch atlas atlas-check orbits natural \
         slides
-build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%))
+build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%)) ## the benchmarks compile
 
 # A peer that is missing would make our curve look better than it is.
 need-peers:
