@@ -160,12 +160,13 @@ static int truth(uint64_t seed, uint64_t runs)
         const struct study_measure m = study_measure(&r, &none);
         if (!m.finished)
             continue;
+        const double t = r.dt * (double)r.steps;
         printf("%a,%a,%a,%a,%a,%a", r.p.mass, r.p.radius, r.p.gravity,
-               r.p.inertia_X, r.p.inertia_Z, r.dt * (double)r.steps);
+               r.p.inertia_X, r.p.inertia_Z, t);
         print_state(&r.s);
         print_state(&m.truth);
-        printf(",%s,%g,%g\n", study_families[r.family], m.amplified,
-               m.rounding);
+        printf(",%s,%g,%g\n", study_families[r.family],
+               amplification(&r.s, &r.p, t, m.rounding), m.rounding);
     }
     return 0;
 }
