@@ -400,16 +400,16 @@ COIN_API int32_t coin_matrix(const coin_state *s, const coin_params *p,
 
 /** How fast the coin turns and falls now: the W of Eq. (47) [1/T],
  * sqrt((wX^2 + wY^2)/cos^2 theta + wZ^2 + gravity/(radius cos theta)).  The
- * error of a step of dt depends on |dt| W: COIN_COARSE, and the tables of
- * docs/guide.md.  Near flat W grows within one swing, so take it each frame, or
- * use coin_advance().
+ * error of a step of dt depends on |dt| W: docs/choosing.md, COIN_COARSE.
+ * Near flat W grows within one swing, so take it each frame, or use
+ * coin_advance().
  * Accuracy: 8 u (make adversary). */
 COIN_API double coin_fastest_rate(const coin_state *s, const coin_params *p);
 
 /* ------------------------------------------------------------- validity -- */
 
 /** Whether the rolling model holds for this state, and whether a step is fine
- * enough for it.  docs/guide.md says what to do about each bit.
+ * enough for it.
  * @param dt  the step in question [T]
  * @param mu  the friction coefficient, >= 0, may be +infinity [1]
  * @return the bits COIN_SLIPS, COIN_LIFTS, COIN_COARSE, COIN_NEARLY_FLAT;

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* The limit of full accuracy of COIN_RK4, docs/guide.md. */
+/* The limit of full accuracy of COIN_RK4, coin.h. */
 #define RK4_COARSE 0.35
 
 static int32_t bits(const coin_state *s, const coin_params *p, double dt,

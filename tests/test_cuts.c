@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One motion in one call or in many, and forward and back: the tables of
- * docs/guide.md, "Backward in time" and "One run or many". */
+/* One motion in one call or in many, and forward and back. */
 #include "support/check.h"
 #include "support/coins.h"
 #include "support/methods.h"
@@ -11,10 +10,10 @@
 
 #include <math.h>
 
-/* In natural units, as in the tables of docs/guide.md. */
+/* In natural units. */
 #define SPAN 4.0
 
-/* A random motion of the family of those tables, and how fast it gets. */
+/* A random motion of any ring, and how fast it gets. */
 struct motion {
     coin_params p;
     coin_state start;
@@ -53,7 +52,7 @@ static double advance_returns(const struct motion *m, double tol)
     return states_apart(&s, &m->start, &m->p) / SPAN;
 }
 
-/* A row of the table in the guide.  Another hundred coins move a median by less
+/* What came out for 1000 motions.  Another hundred coins move a median by less
  * than a factor of 2, nine tenths by less than 4; the worst of them is chance.
  */
 struct row {

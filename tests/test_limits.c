@@ -11,7 +11,7 @@
 
 #define HALF_PI 1.5707963267948966
 
-/* What docs/guide.md says of each method: the |dt| W beyond which a step is
+/* What coin.h says of each method: the |dt| W beyond which a step is
  * coarse, and beyond which it is refused. */
 static const struct limits {
     double coarse, most;
@@ -138,7 +138,7 @@ static void steps_too_large_are_refused_before_the_motion_is_nonsense(
     }
 }
 
-/* Where W never changes, each limit is where the guide says, to rounding. */
+/* Where W never changes, each limit is where coin.h says, to rounding. */
 static void every_method_warns_and_refuses_at_its_limits(void **unused)
 {
     (void)unused;
@@ -334,7 +334,7 @@ static void a_step_over_a_pass_is_refused(void **unused)
 }
 
 /* One step per video frame: of RK4 it is allowed and said to be coarse, and it
- * is wrong by what the guide says; of RK8 it is neither. */
+ * is wrong by some 8e-3; of RK8 it is neither. */
 static void a_quarter_may_take_a_step_per_frame(void **unused)
 {
     (void)unused;

@@ -171,47 +171,6 @@ static void the_readme_s_first_lines_move_the_quarter_by_a_second(void **unused)
     check_within(scene_error(&quarter, 6, &s), 0, 2e-9 * 29.4);
 }
 
-/* After the 8 s that it asks for. */
-static void the_guide_s_coin_comes_to_rest_as_it_shows(void **unused)
-{
-    (void)unused;
-    static char text[TEXT], program[TEXT], output[TEXT];
-    char *end;
-    double when;
-    read_text("docs/examples/stop.c", program);
-    read_text("docs/guide.md", text);
-    check(strstr(text, strstr(program, "#include")) != NULL);
-    const char *shown =
-        between(strstr(text, "int main(void)\n{\n    coin_losses"), "```text",
-                "```", &end);
-    compile("", program, "");
-    run_program(output);
-    check(strcmp(output, shown) == 0);
-    check(sscanf(output, "flat after %lf s", &when) == 1);
-    check(fabs(when - 8) < 0.01);
-}
-
-/* An upright coin rolls after v0/(3 mu g), at 2 v0/3; the calls take 1e-4 s. */
-static void the_guide_s_thrown_coin_rolls_as_it_shows(void **unused)
-{
-    (void)unused;
-    static char text[TEXT], program[TEXT], output[TEXT];
-    char *end;
-    double when, speed;
-    read_text("docs/examples/thrown.c", program);
-    read_text("docs/guide.md", text);
-    char *listing = strstr(text, strstr(program, "#include"));
-    check(listing != NULL);
-    const char *shown = between(listing, "```text", "```", &end);
-    compile("", program, "");
-    run_program(output);
-    check(strcmp(output, shown) == 0);
-    check(sscanf(output, "rolls after %lf s, at %lf", &when, &speed) == 2);
-    const double rolls = 0.5 / (3 * 0.3 * 9.80665);
-    check_within(when, rolls, rolls + 1e-4);
-    check(fabs(speed - 0.5 * 2 / 3) < 5e-4);
-}
-
 /* 1000 steps in the quarter's first second. */
 static void the_header_s_example_rolls_the_quarter(void **unused)
 {
@@ -302,8 +261,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(the_readme_s_program_prints_what_the_readme_shows),
         TEST(the_readme_s_first_lines_move_the_quarter_by_a_second),
-        TEST(the_guide_s_coin_comes_to_rest_as_it_shows),
-        TEST(the_guide_s_thrown_coin_rolls_as_it_shows),
         TEST(the_header_s_example_rolls_the_quarter),
         TEST(each_part_shown_is_the_game_s),
         TEST(the_game_prints_what_the_page_shows),

@@ -83,7 +83,7 @@ static double error_at_a_tenth(struct random *r)
     return fmax(fabs(coarse.theta - fine.theta), fabs(coarse.phi - fine.phi));
 }
 
-/* About what README.md and docs/guide.md say of other random motions. */
+/* About what docs/choosing.md says of other random motions. */
 static void the_error_per_unit_of_time_is_as_documented(void **unused)
 {
     (void)unused;

@@ -150,8 +150,8 @@ END {
     print ".SH FILES"
     print ".TP"
     print ".I " escape(docs)
-    print "the guide, the physics with the numbered equations, figures of"
-    print "accuracy and cost, and what an ABI of this library promises"
+    print "a first hour, the physics with the numbered equations, figures of"
+    print "accuracy and cost, and what compiled programs may rely on"
     print ".SH SEE ALSO"
     print ".BR pkg\\-config (1)"
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # What programs that are already compiled rest on: included by the Makefile.
-# docs/abi.md says what the baselines are.
+# docs/contributing.md says what the baselines are.
 
 # Debian's packages are seen by its own Python only.
 DEBIAN_PYTHON ?= /usr/bin/python3

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Compares headers and shared library with the baselines of this soname, in
 # tests/abi/SOVERSION: every difference is a failure, an addition too, until
-# `make abi-update` has accepted it.  docs/abi.md explains each part.
+# `make abi-update` has accepted it.  docs/contributing.md explains each part.
 #     abi.sh [update | release]
 # From `make abi`: CC SRC OUT VERSION SOVERSION PYTHON.  LIBRARY and INCLUDE may
 # name others than the ones just built.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Whether structs have only grown as docs/abi.md allows.
+"""Whether structs have only grown as docs/installing.md allows.
 
     layout.py OLD NEW [only]    two lists, as header.py makes them
 

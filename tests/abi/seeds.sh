@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Breaks the ABI in many ways, in a copy of the sources: abi.sh must see each,
-# in all the ways that are named here.  What docs/abi.md allows must pass.
+# in all the ways that are named here.  What docs/installing.md allows must pass.
 # From `make abi-seeds`: MAKE CC SRC OUT VERSION SOVERSION PYTHON.
 set -eu
 work=$OUT/abi-seeds

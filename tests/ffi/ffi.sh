@@ -164,25 +164,5 @@ same "Rust, tosses as Python's" env ROLLCOIN_LIB="$OUT" RUSTC="$RUSTC" \
     CARGO_TARGET_DIR="$work/cargo" "$CARGO" run --offline -q \
     --manifest-path "$work/rust/Cargo.toml" --example toss 100
 
-# ----------------------------------------------------------------- the guide's
-# Each of these programs is shown whole in guide.md.
-"$PYTHON" - "$SRC/docs/guide.md" "$examples" <<'END' || differs "the guide"
-import pathlib
-import re
-import sys
-
-guide, examples = map(pathlib.Path, sys.argv[1:])
-text = guide.read_text()
-for name in ("quarter.c", "stop.c", "thrown.c", "cpp/quarter.cpp",
-             "python/quarter.py", "rust/examples/quarter.rs"):
-    program = (examples / name).read_text()
-    # What follows the head of comments.
-    code = re.sub(r'\A(?:#!.*\n|# .*\n|//.*\n|/\*(?s:.*?)\*/\n|"""(?s:.*?)"""\n)+',
-                  "", program).lstrip("\n")
-    if code not in text:
-        sys.exit(f"guide.md does not show {name} as it is")
-print("guide.md shows the programs as they are")
-END
-
 test -z "$failed" || die "differ:${failed#;}"
 echo "bindings: as coin.h says"

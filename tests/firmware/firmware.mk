@@ -212,7 +212,7 @@ fw_figures  = $(PYTHON) $(FW)/figures.py $1 $(FW_OUT) $(SRC)/docs/embedding.md \
 firmware: $(BOARDS:%=$(FW_OUT)/%/same) $(BOARDS:%=$(FW_OUT)/%/as-host)
 firmware: $(FW_OUT)/m0/late.txt $(call fw_needs,$(BOARDS)) ## equal hashes without an operating system
 	$(call fw_figures,firmware,$(BOARDS))
-	+$(GATE) sh $(FW)/guide.sh
+	+$(GATE) sh $(FW)/page.sh
 
 firmware-update: $(call fw_needs,$(BOARDS)) ## write docs/embedding.md's tables
 	$(call fw_figures,firmware,$(BOARDS)) --update

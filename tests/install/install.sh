@@ -82,10 +82,10 @@ wrapper_is_found()
 }
 
 # A plugin takes the static library in, which is position-independent, and
-# exports none of its symbols: docs/abi.md has the flag.
+# exports none of its symbols: docs/installing.md has the flag.
 plugin_hides()
 {
-    flag=$(grep -o -- '-Wl,--exclude-libs,[a-z.]*' "$SRC/docs/abi.md" | head -1)
+    flag=$(grep -o -- '-Wl,--exclude-libs,[a-z.]*' "$SRC/docs/installing.md" | head -1)
     echo '#include <coin.h>
         int plugin(void); int plugin(void) { return coin_selftest(); }' |
         $CC -I"$SRC/include" -fPIC -shared -Wl,-z,text -Wl,-z,defs "$flag" \

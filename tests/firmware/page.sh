@@ -1,19 +1,19 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What docs/guide.md says of firmware: the function that it shows is that of the
+# What docs/embedding.md says of firmware: the function that it shows is that of the
 # example, and its commands, run as they stand in a copy of the sources, print
 # what it says that they print.
 # From `make firmware`: MAKE SRC OUT.
 set -eu
-work=$OUT/firmware/guide
+work=$OUT/firmware/page
 rm -rf "$work"
 mkdir -p "$work/docs/examples"
 cp -r "$SRC/Makefile" "$SRC/LICENSE" "$SRC/include" "$SRC/lib" \
     "$SRC/pkgconfig" "$work"
 cp -r "$SRC/docs/examples/firmware" "$work/docs/examples"
 
-# part FROM TO: those lines of the guide.
-part() { sed -n "/$1/,/$2/p" "$SRC/docs/guide.md"; }
+# part FROM TO: those lines of the page.
+part() { sed -n "/$1/,/$2/p" "$SRC/docs/embedding.md"; }
 
 part '^static int32_t one_round' '^}' >"$work/shown"
 sed -n '/^static int32_t one_round/,/^}/p' "$SRC/docs/examples/firmware/watchdog.c" |
@@ -28,4 +28,4 @@ unset MAKEFLAGS # of the make that runs this
 (cd "$work" && timeout 120 sh -e commands) >"$work/out" 2>&1 ||
     { tail -5 "$work/out"; exit 1; }
 tail -3 "$work/out" | cmp - "$work/says"
-echo "the guide's firmware runs"
+echo "the page's firmware runs"
