@@ -127,8 +127,8 @@ typedef struct coin_state {
 /** The force of the table on the coin. */
 typedef struct coin_force {
     double R[3];     /**< in the table frame x, y, z [M L/T^2] */
-    double normal;   /**< N = R_y */
-    double friction; /**< F = sqrt(R_x^2 + R_z^2) */
+    double normal;   /**< N = R_y [M L/T^2] */
+    double friction; /**< F = sqrt(R_x^2 + R_z^2) [M L/T^2] */
     double ratio;    /**< F/N [1]; +infinity if N <= 0 */
 } coin_force;
 

@@ -68,8 +68,8 @@ typedef struct coinf_state {
 /** The force of the table on the coin, as coin_force. */
 typedef struct coinf_force {
     float R[3];     /**< in the table frame x, y, z [M L/T^2] */
-    float normal;   /**< N = R_y */
-    float friction; /**< F = sqrt(R_x^2 + R_z^2) */
+    float normal;   /**< N = R_y [M L/T^2] */
+    float friction; /**< F = sqrt(R_x^2 + R_z^2) [M L/T^2] */
     float ratio;    /**< F/N [1]; +infinity if N <= 0 */
 } coinf_force;
 

@@ -38,7 +38,7 @@ class Type:
 @dataclasses.dataclass
 class Header:
     structs: dict    # name -> {member: Type}
-    constants: list  # names
+    enums: list      # of lists of names
     functions: dict  # name -> (Type of the result, {argument: Type})
     text: dict       # name of a function -> its prototype, arguments unnamed
 
@@ -95,7 +95,7 @@ def read(include):
     for node in tree.ext:
         kind = node.type
         if isinstance(kind, c_ast.Enum):
-            header.constants += [e.name for e in kind.values.enumerators]
+            header.enums.append([e.name for e in kind.values.enumerators])
         elif not OURS.match(node.name or ""):
             pass
         elif isinstance(kind, c_ast.FuncDecl):
@@ -106,7 +106,7 @@ def read(include):
             header.structs[node.name] = {
                 member.name: type_of(member.type)
                 for member in kind.type.decls}
-    if not (header.structs and header.constants and header.functions):
+    if not (header.structs and header.enums and header.functions):
         raise ValueError(f"{include}: nothing found")
     return header
 
@@ -128,7 +128,8 @@ def compiled(include, prints):
 def constants(include):
     """{name: value}, by the compiler."""
     lines = compiled(include, [f'printf("{name} %d\\n", (int){name});'
-                               for name in read(include).constants])
+                               for names in read(include).enums
+                               for name in names])
     return {name: int(value) for name, value in map(str.split, lines)}
 
 
@@ -143,6 +144,29 @@ def layout(include):
                 f"offsetof({struct}, {member}), "
                 f"sizeof((({struct} *)0)->{member}));")
     return compiled(include, prints)
+
+
+def comments(include):
+    """{struct: (what its comment says, {member: what its own says})}; as
+    "enums" what those of constants say."""
+    found = {}
+    for file in sorted(pathlib.Path(include).glob("*.h")):
+        for head, body, name in re.findall(
+                r"/\*\*((?:(?!\*/).)*)\*/\s*typedef struct \w+ \{(.*?)\n\}"
+                r" (\w+);", file.read_text(), re.S):
+            found[name] = (plain(head), {
+                member: plain(said) for member, said in re.findall(
+                    r"(\w+)(?:\[\d+\])?;(?:\s*/\*\*<(.*?)\*/)?", body, re.S)})
+        found["enums"] = found.get("enums", {}) | {
+            name: plain(said) for name, said in re.findall(
+                r"(COIN_\w+) = -?\d+,?\s*/\*\*<(.*?)\*/", file.read_text(),
+                re.S)}
+    return found
+
+
+def plain(comment):
+    """Its words on one line."""
+    return " ".join(re.sub(r"^ *\* ?", "", comment, flags=re.M).split())
 
 
 def macros(include):

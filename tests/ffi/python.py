@@ -12,6 +12,7 @@ import importlib
 import pathlib
 import re
 import sys
+import textwrap
 import types
 
 import header
@@ -22,11 +23,22 @@ WHOLE = {"int32_t": "INT32", "uint32_t": "UINT32", "uint64_t": "UINT64",
          "size_t": "SIZE"}
 PREFIX = re.compile(r"coin(f?)_")
 
+# By the first constant of an enum: the class, its kind and what it is.
+ENUMS = {"COIN_OK": ("Status", "IntEnum", "Error.status, and OK."),
+         "COIN_SLIPS": ("Bits", "IntFlag",
+                        "What a call that succeeded says of the coin."),
+         "COIN_RK4": ("Method", "IntEnum", "Methods of integration.")}
+
+# Functions that are not called as in C without the prefix.
+RENAMED = {"params_disc": "disc", "params_ring": "ring", "params_body": "body",
+           "batch_run": "run_batch", "orbit_init": "orbit"}
+
 HEAD = '''\
 # SPDX-License-Identifier: MIT
 """What coin.h and coinf.h declare: by `make bindings-update`."""
 from ctypes import (Array, c_char_p, c_double, c_float, c_int32, c_size_t,
                     c_uint32, c_uint64)
+from enum import IntEnum, IntFlag
 from typing import Any, Dict, Tuple
 
 from ._types import INT32, SIZE, UINT32, UINT64, In, Out, Plain
@@ -79,17 +91,81 @@ def wrapped(text, indent, columns=79):
     return lines
 
 
+def in_python(text):
+    """A comment of coin.h with the names of Python."""
+    text = re.sub(r"\bcoin_(\w+)\(\)",
+                  lambda f: RENAMED.get(f[1], f[1]) + "()", text)
+    text = re.sub(r"\bcoinf?_[a-z]+\b", lambda f: python_name(f[0]), text)
+    return re.sub(r"\bCOIN_| _(?=[a-z]+\(\))",
+                  lambda f: f[0].strip("COIN_"), text)
+
+
+SI = {"M": "kg", "L": "m", "T": "s"}
+
+
+def in_si(member, text):
+    """A comment with its dimensions [L/T] as units [m/s]."""
+    def units(found):
+        if member[0] == "w" and found[0] == "[1/T]":
+            return "[rad/s]"
+        return re.sub("[MLT]", lambda f: SI[f[0]], found[0])
+    return re.sub(r"\[[MLT1/^()0-9 ]+\]", units, text)
+
+
+def docstring(head, said, tail):
+    """Of a class: what it is, and what each member is.  A member without a
+    comment has that of the one before."""
+    def filled(text, first="    ", later="    "):
+        return textwrap.fill(in_python(text), 79, initial_indent=first,
+                             subsequent_indent=later)
+    wide = max(map(len, said)) + 2
+    yield filled(head, '    """')
+    yield ""
+    last = ""
+    for member, text in said.items():
+        last = in_si(member, text) or last
+        yield filled(last, f"    {member:{wide}}", " " * (4 + wide))
+    if tail:
+        yield f"\n    {tail}"
+    yield '    """'
+
+
+def enums(include, found):
+    said = header.comments(include)["enums"]
+    values = header.constants(include)
+    for names in found.enums:
+        kind, base, head = ENUMS[names[0]]
+        yield f"\nclass {kind}({base}):"
+        yield from docstring(head, {name.removeprefix("COIN_"): said[name]
+                                    for name in names}, "")
+        yield from (f"    {name.removeprefix('COIN_')} = {values[name]}"
+                    for name in names)
+        yield ""
+    yield ""
+    for names in found.enums:
+        for name in names:
+            short = name.removeprefix("COIN_")
+            yield f"{short} = {ENUMS[names[0]][0]}.{short}"
+
+
 def declarations(include):
     found = header.read(include)
-    constants = header.constants(include)
+    said = header.comments(include)
     names = [*map(python_name, found.structs),
-             *(name.removeprefix("COIN_") for name in constants)]
+             *(kind for kind, _, _ in ENUMS.values()),
+             *(name.removeprefix("COIN_") for some in found.enums
+               for name in some)]
     listed = ", ".join(f'"{name}"' for name in names)
     yield from wrapped(f"__all__ = [{listed}]", 11, 79)
     yield ""
     for name, members in found.structs.items():
         yield f"\nclass {python_name(name)}(Plain):"
-        yield f'    """{name}."""'
+        head, of_members = said[name]
+        shown = {m: text for m, text in of_members.items()
+                 if not m.startswith("private_")}
+        yield from docstring(
+            head, shown, f"{name}, in SI units; any others that are "
+            "consistent do as well.")
         yield "    __slots__ = ()"
         yield from (f"    {m}: {annotation(kind)}"
                     for m, kind in members.items())
@@ -98,8 +174,7 @@ def declarations(include):
                     for m, kind in members.items())
         yield "    ]\n"
     yield ""
-    for name, value in constants.items():
-        yield f"{name.removeprefix('COIN_')} = {value}"
+    yield from enums(include, found)
     yield "\nSTRUCTS = {"
     yield from (f'    "{name}": {python_name(name)},'
                 for name in found.structs)
@@ -198,8 +273,7 @@ def layout(package):
     rollcoin.__path__ = [package]
     sys.modules["rollcoin"] = rollcoin
     declared_there = importlib.import_module("rollcoin._declarations")
-    for kind in declared_there.Plain.__subclasses__():
-        name = kind.__doc__.rstrip(".")
+    for name, kind in declared_there.STRUCTS.items():
         yield f"{name} size {ctypes.sizeof(kind)}"
         for field, _ in kind._fields_:
             place = getattr(kind, field)

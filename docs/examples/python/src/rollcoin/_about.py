@@ -2,7 +2,7 @@
 """Versions, names, and whether this build computes the pinned bits."""
 from __future__ import annotations
 
-from ._library import lib
+from ._library import lib, text_of
 
 __all__ = ["method_name", "selftest", "selftestf",
            "status_string", "version"]
@@ -16,8 +16,7 @@ def version() -> str:
 
 def status_string(status: int) -> str:
     """What a status means.  coin_status_string()"""
-    text: str = lib.coin_status_string(status).decode()
-    return text
+    return text_of(status)
 
 
 def method_name(method: int) -> str:

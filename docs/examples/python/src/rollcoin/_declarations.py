@@ -2,19 +2,30 @@
 """What coin.h and coinf.h declare: by `make bindings-update`."""
 from ctypes import (Array, c_char_p, c_double, c_float, c_int32, c_size_t,
                     c_uint32, c_uint64)
+from enum import IntEnum, IntFlag
 from typing import Any, Dict, Tuple
 
 from ._types import INT32, SIZE, UINT32, UINT64, In, Out, Plain
 
 __all__ = ["Params", "State", "Force", "Orbit", "Losses", "Table", "Body",
-           "Paramsf", "Statef", "Forcef", "OK", "EPARAMS", "ESTATE", "ESTEP",
-           "EARG", "EDOMAIN", "EFLAT", "EBUILD", "ERANGE", "SLIPS", "LIFTS",
-           "COARSE", "NEARLY_FLAT", "RESTS", "ROLLS", "TOUCHES", "RK4", "RK8",
-           "SYMPLECTIC2", "SYMPLECTIC4"]
+           "Paramsf", "Statef", "Forcef", "Status", "Bits", "Method", "OK",
+           "EPARAMS", "ESTATE", "ESTEP", "EARG", "EDOMAIN", "EFLAT", "EBUILD",
+           "ERANGE", "SLIPS", "LIFTS", "COARSE", "NEARLY_FLAT", "RESTS",
+           "ROLLS", "TOUCHES", "RK4", "RK8", "SYMPLECTIC2", "SYMPLECTIC4"]
 
 
 class Params(Plain):
-    """coin_params."""
+    """A thin axisymmetric body: disc(), ring(), body().
+
+    mass       M [kg]
+    radius     a, of the rim that rolls [m]
+    gravity    g [m/s^2]
+    inertia_X  I_X = I_Y, about a diameter [kg m^2]
+    inertia_Z  I_Z, about the axis [kg m^2]
+    reserved   must be 0
+
+    coin_params, in SI units; any others that are consistent do as well.
+    """
     __slots__ = ()
     mass: float
     radius: float
@@ -33,7 +44,21 @@ class Params(Plain):
 
 
 class State(Plain):
-    """coin_state."""
+    """Where a coin is and how it turns: its angular velocity along the coin's
+    frame. Rolling determines the velocity of the centre, Eq. (20), and its
+    height is y = radius cos(theta).
+
+    theta  lean, -pi/2 < theta < pi/2 [rad]
+    phi    heading, |phi| <= 2^31 [rad]
+    psi    roll, |psi| <= 2^31 [rad]
+    x      of the centre [m]
+    z      of the centre [m]
+    wX     omega_X = d(theta)/dt [rad/s]
+    wY     omega_Y [rad/s]
+    wZ     omega_Z [rad/s]
+
+    coin_state, in SI units; any others that are consistent do as well.
+    """
     __slots__ = ()
     theta: float
     phi: float
@@ -56,7 +81,15 @@ class State(Plain):
 
 
 class Force(Plain):
-    """coin_force."""
+    """The force of the table on the coin.
+
+    R         in the table frame x, y, z [kg m/s^2]
+    normal    N = R_y [kg m/s^2]
+    friction  F = sqrt(R_x^2 + R_z^2) [kg m/s^2]
+    ratio     F/N [1]; +infinity if N <= 0
+
+    coin_force, in SI units; any others that are consistent do as well.
+    """
     __slots__ = ()
     R: "Array[c_double]"
     normal: float
@@ -71,7 +104,26 @@ class Force(Plain):
 
 
 class Orbit(Plain):
-    """coin_orbit."""
+    """A motion that orbit() has solved. It has no pointers, so that it may be
+    copied, stored and shared; a library of another version, or on a machine of
+    another byte order, returns EARG for it.
+
+    period              of theta; 0 if the motion is steady [s]
+    heading_per_period  what phi gains in it [rad]
+    roll_per_period     what psi gains in it [rad]
+    theta_min           the turning points of the lean [rad]
+    theta_max           the turning points of the lean [rad]
+    center              x, z of the centre of the annulus that the path fills;
+                        NaN if it drifts [m]
+    radius_min          of the annulus; NaN if it drifts [m]
+    radius_max          of the annulus; NaN if it drifts [m]
+    drift               x, z of the displacement per period, if
+                        heading_per_period is k 2 pi; else 0 [m]
+    conditioning        growth of rounding in a period, >= 1 [1]
+    reserved            0: for members of later versions
+
+    coin_orbit, in SI units; any others that are consistent do as well.
+    """
     __slots__ = ()
     period: float
     heading_per_period: float
@@ -110,7 +162,32 @@ class Orbit(Plain):
 
 
 class Losses(Plain):
-    """coin_losses."""
+    """What slows a coin and brings it to rest. Each member but soft and flat
+    is the coefficient of one law of resistance; they add up, and 0 stands for
+    none. Initialise by member names. Eq. (64)-(69), (95).
+
+    damping   a torque damping |d(psi)/dt| times the angular momentum; of a
+              coin that rolls [1]
+    dry       a torque against the rolling of the contact along the rim,
+              independent of its rate [kg m^2/s^2]
+    viscous   the same, proportional to that rate [kg m^2/s]
+    layer     the same, to its power 3/2: the boundary layer of the air [kg
+              m^2/s^(1/2)]
+    gap       the same, to the rate over cos(theta): the air in the gap below
+              the coin [kg m^2/s]
+    rolling   dry times cos(theta): the rolling moment of engines [kg m^2/s^2]
+    spin      pivoting friction: a torque proportional to the turn about the
+              vertical [kg m^2/s]
+    angular   the angular damping of engines: the torque -angular (I_X wX, I_X
+              wY, I_Z wZ) [1/s]
+    soft      the rate of roll below which dry and rolling fade; 0 stands for
+              sqrt(g/a)/1024 [1/s]
+    flat      a coin whose cos(theta) comes below this lies flat; 0 stands for
+              1e-6 [rad]
+    reserved  must be 0
+
+    coin_losses, in SI units; any others that are consistent do as well.
+    """
     __slots__ = ()
     damping: float
     dry: float
@@ -139,7 +216,17 @@ class Losses(Plain):
 
 
 class Table(Plain):
-    """coin_table."""
+    """What the table does to a real coin. Initialise by member names.
+
+    mu_static    of Coulomb's friction, before the contact slips; mu_kinetic to
+                 +infinity [1]
+    mu_kinetic   while it slips; 0 to the bound of Painleve, Eq. (86) [1]
+    restitution  of an impact, 0 to 1 [1]
+    reserved     must be 0
+    losses       damping is 0 unless mu_static is +infinity
+
+    coin_table, in SI units; any others that are consistent do as well.
+    """
     __slots__ = ()
     mu_static: float
     mu_kinetic: float
@@ -156,7 +243,18 @@ class Table(Plain):
 
 
 class Body(Plain):
-    """coin_body."""
+    """A real coin. Whether it touches the table, rolls or slips is read off
+    its height and velocities: move().
+
+    s         where it is and how it turns
+    y         height of the centre [m]
+    vx        velocity of the centre [m/s]
+    vy        velocity of the centre [m/s]
+    vz        velocity of the centre [m/s]
+    reserved  must be 0
+
+    coin_body, in SI units; any others that are consistent do as well.
+    """
     __slots__ = ()
     s: State
     y: float
@@ -175,7 +273,17 @@ class Body(Plain):
 
 
 class Paramsf(Plain):
-    """coinf_params."""
+    """A thin axisymmetric body, as Params.
+
+    mass       M [kg]
+    radius     a, of the rim that rolls [m]
+    gravity    g [m/s^2]
+    inertia_X  I_X = I_Y, about a diameter [kg m^2]
+    inertia_Z  I_Z, about the axis [kg m^2]
+    reserved   must be 0
+
+    coinf_params, in SI units; any others that are consistent do as well.
+    """
     __slots__ = ()
     mass: float
     radius: float
@@ -194,7 +302,21 @@ class Paramsf(Plain):
 
 
 class Statef(Plain):
-    """coinf_state."""
+    """Where a coin is and how it turns, as State.
+
+    theta  lean, -pi/2 < theta < pi/2 [rad]
+    phi    heading, |phi| <= 4096 [rad]
+    psi    roll, |psi| <= 4096 [rad]
+    x      of the centre [m]
+    z      of the centre [m]
+    wX     omega_X = d(theta)/dt [rad/s]
+    wY     omega_Y [rad/s]
+    wZ     omega_Z [rad/s]
+    low    the rounding errors of the members above, in their order: 0 at the
+           start. Where you set a member, set its low to 0
+
+    coinf_state, in SI units; any others that are consistent do as well.
+    """
     __slots__ = ()
     theta: float
     phi: float
@@ -219,7 +341,15 @@ class Statef(Plain):
 
 
 class Forcef(Plain):
-    """coinf_force."""
+    """The force of the table on the coin, as Force.
+
+    R         in the table frame x, y, z [kg m/s^2]
+    normal    N = R_y [kg m/s^2]
+    friction  F = sqrt(R_x^2 + R_z^2) [kg m/s^2]
+    ratio     F/N [1]; +infinity if N <= 0
+
+    coinf_force, in SI units; any others that are consistent do as well.
+    """
     __slots__ = ()
     R: "Array[c_float]"
     normal: float
@@ -233,26 +363,88 @@ class Forcef(Plain):
     ]
 
 
-OK = 0
-EPARAMS = -1
-ESTATE = -2
-ESTEP = -3
-EARG = -4
-EDOMAIN = -5
-EFLAT = -6
-EBUILD = -7
-ERANGE = -9
-SLIPS = 1
-LIFTS = 2
-COARSE = 4
-NEARLY_FLAT = 8
-RESTS = 16
-ROLLS = 32
-TOUCHES = 64
-RK4 = 0
-RK8 = 1
-SYMPLECTIC2 = 2
-SYMPLECTIC4 = 3
+
+class Status(IntEnum):
+    """Error.status, and OK.
+
+    OK       done
+    EPARAMS  parameters, losses or a table out of range
+    ESTATE   a state or a body out of range
+    ESTEP    a step or a time out of range, or beyond a method; or the steps of
+             one call do not suffice: call again
+    EARG     null pointer, unknown method, branch or bit, tol
+    EDOMAIN  no such steady motion, period or losses
+    EFLAT    the coin falls flat within the time asked
+    EBUILD   not the pinned bits: selftest()
+    ERANGE   phi, psi, x or z would leave its range, or a step is refused
+             within 16 rad or radii of its end
+    """
+    OK = 0
+    EPARAMS = -1
+    ESTATE = -2
+    ESTEP = -3
+    EARG = -4
+    EDOMAIN = -5
+    EFLAT = -6
+    EBUILD = -7
+    ERANGE = -9
+
+
+class Bits(IntFlag):
+    """What a call that succeeded says of the coin.
+
+    SLIPS        F > mu N > 0: a real coin slips
+    LIFTS        N <= 0; of a body: it is off the table
+    COARSE       |dt| fastest_rate() is above 0.35 (RK4), 1 (RK8), 0.08, 0.16
+                 (symplectic methods)
+    NEARLY_FLAT  cos(theta) < 0.01
+    RESTS        the coin lies flat and stays
+    ROLLS        a slip or a flight has ended, and the coin rolls
+    TOUCHES      the coin comes down on the table
+    """
+    SLIPS = 1
+    LIFTS = 2
+    COARSE = 4
+    NEARLY_FLAT = 8
+    RESTS = 16
+    ROLLS = 32
+    TOUCHES = 64
+
+
+class Method(IntEnum):
+    """Methods of integration.
+
+    RK4          classical Runge-Kutta, order 4
+    RK8          Dormand-Prince, 12 stages, order 8
+    SYMPLECTIC2  kick-drift-kick with the exact drift, order 2
+    SYMPLECTIC4  Chin 4A with the exact drift, order 4
+    """
+    RK4 = 0
+    RK8 = 1
+    SYMPLECTIC2 = 2
+    SYMPLECTIC4 = 3
+
+
+OK = Status.OK
+EPARAMS = Status.EPARAMS
+ESTATE = Status.ESTATE
+ESTEP = Status.ESTEP
+EARG = Status.EARG
+EDOMAIN = Status.EDOMAIN
+EFLAT = Status.EFLAT
+EBUILD = Status.EBUILD
+ERANGE = Status.ERANGE
+SLIPS = Bits.SLIPS
+LIFTS = Bits.LIFTS
+COARSE = Bits.COARSE
+NEARLY_FLAT = Bits.NEARLY_FLAT
+RESTS = Bits.RESTS
+ROLLS = Bits.ROLLS
+TOUCHES = Bits.TOUCHES
+RK4 = Method.RK4
+RK8 = Method.RK8
+SYMPLECTIC2 = Method.SYMPLECTIC2
+SYMPLECTIC4 = Method.SYMPLECTIC4
 
 STRUCTS = {
     "coin_params": Params,

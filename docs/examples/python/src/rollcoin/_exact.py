@@ -9,12 +9,12 @@ from typing import Any
 
 from ._declarations import Orbit, Params, State
 from ._library import lib
-from ._tables import Coin, Status, coin, give, times
+from ._tables import Coin, Statuses, coin, give, times
 
 __all__ = ["orbit", "orbit_at", "steady_at"]
 
 
-def _at(name: str, inputs: Any, t: Any, status: Status) -> Any:
+def _at(name: str, inputs: Any, t: Any, status: Statuses) -> Any:
     if hasattr(t, "__len__"):
         return times(name, t, *inputs, status=status)
     if status is not None:
@@ -22,7 +22,7 @@ def _at(name: str, inputs: Any, t: Any, status: Status) -> Any:
     return give(name, State, *inputs, t)
 
 
-def steady_at(s: Coin, p: Params, t: Any, *, status: Status = None) -> Any:
+def steady_at(s: Coin, p: Params, t: Any, *, status: Statuses = None) -> Any:
     """The state of a steady motion at any time.  coin_steady_at()"""
     return _at("steady_at", (coin(s, State), p), t, status)
 
@@ -35,7 +35,7 @@ def orbit(s: Coin, p: Params) -> Orbit:
     return o
 
 
-def orbit_at(o: Orbit, t: Any, *, status: Status = None) -> Any:
+def orbit_at(o: Orbit, t: Any, *, status: Statuses = None) -> Any:
     """The state at any time of a motion that orbit() solved.
     coin_orbit_at()"""
     return _at("orbit_at", (o,), t, status)

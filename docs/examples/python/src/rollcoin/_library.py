@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import pathlib
+import re
 from ctypes import (byref, c_char_p, c_double, c_float, c_int32, c_size_t,
                     c_void_p)
 from typing import Any, Optional, Sequence
@@ -17,7 +18,8 @@ __all__ = ["Error", "lib"]
 class Error(ValueError):
     """A negative status of the library.
 
-    status  the status: ESTATE, ESTEP, ...; str() says it in words
+    status  the Status: ESTATE, ESTEP, ...; str() says it in words, and what
+            was out of range
     done    how far a call that moves a coin came: the steps of run(), the
             states of sample(), the time of advance(), settle() and
             move(); None of other calls
@@ -27,31 +29,65 @@ class Error(ValueError):
     call.  The rows of a table that did not fail are moved all the same.
     """
 
-    status: int
+    status: declared.Status
     done: Optional[float]
     index: Optional[int]
 
     def __init__(self, status: int, done: Optional[float] = None,
-                 index: Optional[int] = None) -> None:
-        super().__init__(status, done, index)
-        self.status = status
+                 index: Optional[int] = None, given: str = "") -> None:
+        super().__init__(status, done, index, given)
+        self.status = declared.Status(status)
         self.done = done
         self.index = index
 
     def __str__(self) -> str:
-        text: str = lib.coin_status_string(self.status).decode()
-        return text if self.index is None else f"row {self.index}: {text}"
+        row = "" if self.index is None else f"row {self.index}: "
+        given = self.args[3] and ": " + self.args[3]
+        return f"{row}{text_of(self.status)}{given}"
+
+
+def text_of(status: int) -> str:
+    """What a status means, with the names of Python."""
+    text: str = lib.coin_status_string(status).decode()
+    return re.sub(r"\bcoin_(?=\w+\()", "", text)
+
+
+BITS = [declared.Bits(bits) for bits in range(128)]
+
+BLAMED = {declared.ESTATE: (declared.State, declared.Statef, declared.Body),
+          declared.EPARAMS: (declared.Params, declared.Paramsf,
+                             declared.Losses, declared.Table)}
+
+
+def _given(status: int, name: str, arguments: Sequence[Any]) -> str:
+    """The structs that a status is about, those with a NaN if there are; or
+    else the numbers that were given."""
+    kinds = declared.PROTOTYPES[name][1]
+    targets = {argument: getattr(value, "_obj", value)
+               for argument, value in zip(kinds, arguments)}
+    shown = [repr(target) for argument, target in targets.items()
+             if isinstance(target, BLAMED.get(declared.Status(status), ()))
+             and (status != declared.EPARAMS
+                  or not isinstance(kinds[argument], Out))]
+    return ", ".join(
+        [text for text in shown if "=nan" in text] or shown or
+        [f"{argument} = {target}"
+         for argument, target in targets.items()
+         if isinstance(target, (int, float))])
 
 
 def _no_error(status: int, function: Any, arguments: Sequence[Any]) -> int:
     if status < 0:
-        raise Error(status)
-    return status
+        name = function.__name__
+        raise Error(status, given=_given(status, name, arguments))
+    return BITS[status]
 
 
 def _no_nan(number: float, function: Any, arguments: Sequence[Any]) -> float:
     if number != number:
-        raise Error(_why_nan(function.__name__, arguments))
+        name = function.__name__
+        status = _why_nan(name, arguments)
+        raise Error(status, given=_given(status, name, arguments))
     return number
 
 
@@ -70,6 +106,25 @@ def _why_nan(name: str, arguments: Sequence[Any]) -> int:
     return status
 
 
+def _named(function: Any, names: Sequence[str]) -> Any:
+    """A function whose complaints about an argument give its name."""
+    def call(*arguments: Any) -> Any:
+        try:
+            return function(*arguments)
+        except ctypes.ArgumentError as error:
+            text = str(error)
+        number, kind, why = re.findall(
+            r"^argument (\d+): .*?(Type|Value|Overflow)Error\W*? (.*)",
+            text)[0]
+        why = why.replace("wrong type", "a number belongs there")
+        argument = names[int(number) - 1]
+        raise (TypeError if kind == "Type" else ValueError)(
+            f"{argument}: {why}")
+    call.__name__ = function.__name__
+    call.argtypes = function.argtypes  # type: ignore[attr-defined]
+    return call
+
+
 def _declare(library: ctypes.CDLL) -> None:
     for name, (result, arguments) in declared.PROTOTYPES.items():
         function = getattr(library, name)
@@ -79,6 +134,9 @@ def _declare(library: ctypes.CDLL) -> None:
             function.errcheck = _no_error
         elif result in (c_double, c_float):
             function.errcheck = _no_nan
+        setattr(library, name, _named(function, [
+            {"l": "losses"}.get(argument, argument)
+            for argument in arguments]))
         for prefix in ("each_", "times_"):
             if hasattr(library, prefix + name):
                 _declare_table(library, prefix, name)

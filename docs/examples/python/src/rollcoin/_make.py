@@ -7,7 +7,7 @@ from typing import Any, Sequence, Type
 
 from ._declarations import Losses, Params, Paramsf, State, Statef
 from ._library import lib
-from ._tables import (AnyParams, Coin, Coins, Status, coin, function, kind_of,
+from ._tables import (AnyParams, Coin, Coins, Statuses, coin, function, kind_of,
                      read)
 
 __all__ = ["body", "bodyf", "disc", "discf", "losses_check", "losses_fit",
@@ -78,18 +78,18 @@ def losses_check(losses: Losses, p: Params) -> None:
 
 
 # ----------------------------------------------------------------------- states
-def state_check(s: Coins, p: AnyParams, *, status: Status = None) -> Any:
+def state_check(s: Coins, p: AnyParams, *, status: Statuses = None) -> Any:
     """Raises unless the state can be computed with.  Of a table, with status,
     an array of int32, nothing is raised: status says which.
     coin_state_check()"""
     return read("state_check", s, p, status=status)
 
 
-def vector(numbers: Sequence[float], length: int,
+def vector(name: str, numbers: Sequence[float], length: int,
            real: Type[Any] = c_double) -> "Array[Any]":
     """So many numbers, no more and no fewer, as an array of ctypes."""
     if len(numbers) != length:
-        raise ValueError(f"{len(numbers)} numbers where {length} belong")
+        raise ValueError(f"{name}: {len(numbers)} numbers where {length} belong")
     found: Array[Any] = (real * length)(*numbers)
     return found
 
@@ -103,8 +103,8 @@ def state_from_motion(p: AnyParams, q: Sequence[float],
     kind = kind_of(p)
     real = c_float if kind is Statef else c_double
     s = kind()
-    function("state_from_motion", kind)(s, p, vector(q, 4, real),
-                                        vector(omega, 3, real), x, z)
+    function("state_from_motion", kind)(
+        s, p, vector("q", q, 4, real), vector("omega", omega, 3, real), x, z)
     return s
 
 

@@ -11,9 +11,9 @@ from ctypes import byref, c_int32, c_size_t, c_uint64
 from numbers import Integral
 from typing import Any, NamedTuple, Tuple
 
-from ._declarations import EARG, EPARAMS, OK, Losses, Params, State
+from ._declarations import EARG, EPARAMS, Bits, Losses, Params, State
 from ._library import Error, lib
-from ._tables import (REAL, AnyParams, Coin, Coins, Status, Table, coin,
+from ._tables import (REAL, AnyParams, Coin, Coins, Statuses, Table, coin,
                      function, is_numpy, kind_of, one, read, table)
 
 __all__ = ["SLICE", "Settled", "advance", "run", "run_batch", "sample",
@@ -33,15 +33,15 @@ def _whole(number: Any) -> int:
     return value
 
 
-def step(s: Coin, p: AnyParams, dt: float) -> int:
+def step(s: Coin, p: AnyParams, dt: float) -> Bits:
     """Moves s by one step of classical Runge-Kutta; returns COARSE or 0.
     coin_step()"""
-    status: int = function("step", kind_of(p))(coin(s, kind_of(p), True), p,
+    status: Bits = function("step", kind_of(p))(coin(s, kind_of(p), True), p,
                                                dt)
     return status
 
 
-def run(s: Coin, p: AnyParams, method: int, dt: float, steps: int) -> int:
+def run(s: Coin, p: AnyParams, method: int, dt: float, steps: int) -> Bits:
     """Moves s, a State or a row of a table, by steps of dt; returns COARSE or
     0.
 
@@ -53,7 +53,7 @@ def run(s: Coin, p: AnyParams, method: int, dt: float, steps: int) -> int:
     kind = kind_of(p)
     call = function("run", kind)
     target = coin(s, kind, True)
-    status = OK
+    status = Bits(0)
     done = 0
     left = _whole(steps)
     while True:
@@ -73,10 +73,10 @@ def run(s: Coin, p: AnyParams, method: int, dt: float, steps: int) -> int:
 def sample(start: Coin, p: Params, method: int, dt: float,
            steps_per_sample: int, out: Any) -> Any:
     """Fills out, a number of states or a table, with states steps_per_sample
-    steps apart, the start first; returns it, of a number as an array of State
-    of ctypes.  Not more than SLICE steps lie on one uninterrupted run.
-    coin_sample()"""
-    path = (State * _whole(out))() if isinstance(out, Integral) else out
+    steps apart, the start first; returns it, of a number as an array of numpy
+    of dtype State, or of ctypes where numpy is not installed.  Not more than
+    SLICE steps lie on one uninterrupted run.  coin_sample()"""
+    path = _states(_whole(out)) if isinstance(out, Integral) else out
     coins = table(path, State, write=True)
     apart = _whole(steps_per_sample)
     first = coin(start, State)
@@ -85,6 +85,14 @@ def sample(start: Coin, p: Params, method: int, dt: float,
     else:
         _sample_near(first, p, method, dt, apart, coins)
     return path
+
+
+def _states(count: int) -> Any:
+    try:
+        import numpy
+    except ImportError:
+        return (State * count)()
+    return numpy.zeros(count, State)
 
 
 def _sample_near(start: State, p: Params, method: int, dt: float, apart: int,
@@ -174,7 +182,7 @@ def _no_argument(call: Any, *arguments: Any) -> None:
 
 # ------------------------------------------------------------ any time, to rest
 def advance(s: Coins, p: Params, t: float, tol: float = 1e-9, *,
-            status: Status = None) -> Any:
+            status: Statuses = None) -> Any:
     """Moves s, a State, a row or a table, by any time t to an accuracy;
     returns the time moved, of a table an array.  With status= that of a coin
     that falls flat is the time of its fall.  coin_advance()"""
@@ -183,21 +191,21 @@ def advance(s: Coins, p: Params, t: float, tol: float = 1e-9, *,
 
 class Settled(NamedTuple):
     """What settle() and move() return."""
-    status: Status
+    status: Statuses
     """RESTS if the coin lies flat, else 0; of a table an array."""
     reached: Any
     """The time moved by; of a table an array."""
 
 
 def settle(s: Coins, p: Params, losses: Losses, t: float, tol: float = 1e-9, *,
-           status: Status = None) -> Settled:
+           status: Statuses = None) -> Settled:
     """Moves s, a State, a row or a table, with losses, by any time t >= 0 or
     until it lies flat.  coin_settle()"""
     return Settled(*_moved("settle", s, (p, losses, t, tol), status))
 
 
 def _moved(name: str, s: Coins, inputs: Tuple[Any, ...],
-           status: Status) -> Tuple[Any, Any]:
+           status: Statuses) -> Tuple[Any, Any]:
     kind = kind_of(inputs[0])
     target = one(s, kind, write=True)
     if target is None:
@@ -214,7 +222,7 @@ def _moved(name: str, s: Coins, inputs: Tuple[Any, ...],
 
 
 def _moved_table(name: str, s: Coins, inputs: Tuple[Any, ...],
-                 status: Status) -> Tuple[Any, Any]:
+                 status: Statuses) -> Tuple[Any, Any]:
     import numpy
     where = table(s, kind_of(inputs[0]), write=True)
     said = (numpy.empty(where.shape, numpy.int32) if status is None

@@ -34,7 +34,7 @@ Coin = Union[State, Statef, "numpy.void"]
 Coins = Union[Coin, "numpy.ndarray[Any, Any]", "array.array[float]",
               "Array[Any]", bytearray, memoryview, mmap.mmap]
 """A coin, or a table of them: table() says which."""
-Status = Optional["numpy.ndarray[Any, Any]"]
+Statuses = Optional["numpy.ndarray[Any, Any]"]
 """Where the status of each row belongs: an array of int32."""
 
 
@@ -66,17 +66,19 @@ def is_numpy(value: Any, kind: str = "ndarray") -> bool:
 
 def one(value: Any, kind: Optional[Type[Any]] = None,
         write: bool = False) -> Optional[Any]:
-    """The State or Statef that value is, or whose memory it is; None if it is
-    no single coin."""
-    if isinstance(value, (State, Statef)):
+    """The State, Statef or Body that value is, or whose memory it is; None if
+    it is no single coin."""
+    if isinstance(value, (State, Statef, Body)):
         found: Any = value
     elif is_numpy(value, "void"):
         found = _record(value, write)
     else:
         return None
     if kind is not None and not isinstance(found, kind):
+        hint = {(State, Body): ": body_from_state() makes one",
+                (Body, State): ": its .s is one"}
         raise TypeError(f"a {type(found).__name__} where a {kind.__name__} "
-                        "belongs")
+                        f"belongs{hint.get((type(found), kind), '')}")
     return found
 
 
@@ -84,14 +86,14 @@ def coin(value: Any, kind: Type[Any], write: bool = False) -> Any:
     """one(), where a table is of no use."""
     found = one(value, kind, write)
     if found is None:
-        raise TypeError(f"{type(value).__name__} where one {kind.__name__} "
+        raise TypeError(f"{type(value).__name__} where a {kind.__name__} "
                         "belongs")
     return found
 
 
 def _record(value: Any, write: bool) -> Any:
     numpy = sys.modules["numpy"]
-    for kind in (State, Statef):
+    for kind in (State, Statef, Body):
         if value.dtype == numpy.dtype(kind):
             if not write:
                 return kind.from_buffer_copy(value)
@@ -114,8 +116,11 @@ def table(value: Any, kind: Optional[Type[Any]] = None,
     """Coins in a buffer: of numpy of dtype State, or float64 whose last axis
     is 8 long, or flat; of array.array("d"), of ctypes, a bytearray, a mapped
     file.  Statef and float32, 16 long, likewise.  In place, without a copy,
-    unless it is only read and does not lie in one piece."""
-    found = _ndarray(value, write) if is_numpy(value) else _buffer(
+    unless it is only read: then a list of coins or of rows of 8 numbers will
+    do, and other numbers that float64 holds."""
+    if isinstance(value, (list, tuple)):
+        value = _listed(value, write)
+    found = _ndarray(value, kind, write) if is_numpy(value) else _buffer(
         value, kind or State, write)
     if kind is not None and found.kind is not kind:
         raise TypeError(f"a table of {found.kind.__name__} where one of "
@@ -123,14 +128,22 @@ def table(value: Any, kind: Optional[Type[Any]] = None,
     return found
 
 
-def _ndarray(array: Any, write: bool) -> Table:
+def _listed(value: Any, write: bool) -> Any:
+    import numpy
+    if write:
+        raise TypeError("a list is not moved in place: numpy.stack() makes a "
+                        "table of it, of dtype State")
+    return numpy.stack(value)
+
+
+def _ndarray(array: Any, wanted: Optional[Type[Any]], write: bool) -> Table:
     numpy = sys.modules["numpy"]
     if isinstance(array, numpy.ma.MaskedArray):
         raise TypeError("a masked array: its mask would be lost")
     for kind, real in REAL.items():
         if array.dtype == numpy.dtype(kind):
             shape = array.shape
-        elif array.dtype == numpy.dtype(real):
+        elif array.dtype == numpy.dtype(real) and wanted in (kind, None):
             shape = _rows(array.shape, sizeof(kind) // sizeof(real))
         else:
             continue
@@ -141,8 +154,13 @@ def _ndarray(array: Any, write: bool) -> Table:
         if not straight:
             array = numpy.require(array, requirements=["C", "A"])
         return Table(kind, shape, array.ctypes.data, array)
-    raise TypeError(f"an array of dtype {array.dtype}: neither State nor "
-                    "float64")
+    if wanted is State and numpy.can_cast(array.dtype, numpy.float64):
+        if not write:
+            return _ndarray(array.astype(numpy.float64), wanted, write)
+        raise TypeError(f"an array of {array.dtype} is not moved in place: "
+                        "move array.astype(numpy.float64)")
+    raise TypeError(f"an array of dtype {array.dtype}: neither "
+                    f"{(wanted or State).__name__} nor float64")
 
 
 def _rows(shape: Tuple[int, ...], columns: int) -> Tuple[int, ...]:
@@ -211,7 +229,7 @@ def kind_of(p: Any) -> Type[Any]:
         return State
     if isinstance(p, Paramsf):
         return Statef
-    raise TypeError(f"{type(p).__name__} where Params belong")
+    raise TypeError(f"p: {type(p).__name__} where Params belong")
 
 
 def function(name: str, kind: Type[Any]) -> Any:
@@ -266,8 +284,9 @@ def move_bodies(bodies: Any, inputs: Tuple[Any, ...],
     """coin_move() of each body of an array; the statuses and the times."""
     import numpy
     if not (is_numpy(bodies) and bodies.dtype == numpy.dtype(Body)):
-        raise TypeError(f"{type(bodies).__name__} where a Body or an array of "
-                        "dtype Body belongs")
+        raise TypeError(f"b: {type(bodies).__name__} where a Body or an array "
+                        "of dtype Body belongs: numpy.stack() makes one of a "
+                        "list of bodies")
     if not bodies.flags.carray:
         raise ValueError("an array to be moved must be writable and lie in one "
                          "piece")

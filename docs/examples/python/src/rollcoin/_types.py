@@ -93,7 +93,8 @@ class In:
         if (isinstance(target, Array) and target._type_ is self.kind
                 and len(target) >= self.length):
             return target
-        raise TypeError(f"{type(target).__name__} where {self.length} "
+        count = self.length if self.length > 1 else "a"
+        raise TypeError(f"{type(target).__name__} where {count} "
                         f"{self.kind.__name__} belongs")
 
 
