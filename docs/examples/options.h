@@ -29,7 +29,7 @@ typedef struct options {
     int32_t method;
     double dt, duration; /* 0: as the scene has it */
     double mu;
-    const char *out;
+    const char *out, *csv; /* csv may be null */
     int live, slips;
     const struct throwing *thrown; /* or null */
     uint64_t steps;
@@ -152,6 +152,12 @@ static int set_out(options *o, const char *text)
     return RUN;
 }
 
+static int set_csv(options *o, const char *text)
+{
+    o->csv = text;
+    return RUN;
+}
+
 static const struct {
     const char *name, *value, *help;
     int (*set)(options *o, const char *text);
@@ -165,6 +171,8 @@ static const struct {
     {"--mu", "NUMBER", "coefficient of friction of coin on table (0.3)",
      set_mu},
     {"--out", "FOLDER", "where the drawings go (build)", set_out},
+    {"--csv", "FILE", "where the moments go, as a table in all digits",
+     set_csv},
 };
 
 enum { OPTION_COUNT = sizeof OPTIONS / sizeof OPTIONS[0] };
@@ -238,8 +246,8 @@ static int complete(options *o)
  * it was wrong, which stderr then explains. */
 static int options_parse(options *o, char **arguments)
 {
-    const options defaults = {SCENES,  COIN_RK4, 0, 0,    0.3,
-                              "build", 0,        0, NULL, 0};
+    const options defaults = {SCENES, COIN_RK4, 0, 0,    0.3, "build",
+                              NULL,   0,        0, NULL, 0};
 
     *o = defaults;
     for (char **a = arguments; *a != NULL; ++a) {

@@ -151,11 +151,11 @@ static void print_row(const motion *m, size_t k)
     coin_force R = {{0, 0, 0}, 0, 0, 0};
 
     coin_reaction(s, &m->params, &R);
-    printf("%9.3f %7.2f %8.1f ", m->at[k].t, s->theta * DEGREES,
-           s->phi * DEGREES);
-    printf("%8.2f %8.2f ", plain(s->x * shown), plain(s->z * shown));
-    printf("%8.0e %7.3f %7.3f  ", energy_error(m, k), R.normal / weight,
-           R.ratio);
+    printf("%9.3f %7.2f %8.1f ", m->at[k].t, plain(s->theta * DEGREES, 2),
+           plain(s->phi * DEGREES, 1));
+    printf("%8.2f %8.2f ", plain(s->x * shown, 2), plain(s->z * shown, 2));
+    printf("%8.0e %7.3f %7.3f  ", energy_error(m, k),
+           plain(R.normal / weight, 3), R.ratio);
     print_validity(m->at[k].bits);
     printf("\n");
 }
@@ -176,7 +176,8 @@ static void print_summary(const motion *m, double mu)
     const summary y = summarize(m);
     const units *in = m->scene->body->in;
 
-    printf("\nlean            %.2f to %.2f degrees\n", y.lean_min, y.lean_max);
+    printf("\nlean            %.2f to %.2f degrees\n", plain(y.lean_min, 2),
+           plain(y.lean_max, 2));
     printf("track           %.2f %s\n", y.rolled * in->shown, in->length);
     printf("energy error    %.0e at most\n", y.energy_error);
     printf("N/(Mg)          %.3f at least\n", y.normal_min);
@@ -201,9 +202,9 @@ static void print_rest_row(const motion *m, const coin_losses *l,
     coin_state rates = {0};
 
     coin_losses_rates(s, &m->params, l, &rates);
-    printf("%9.2f %7.2f %8.2f %8.2f %8.3f\n", t, s->theta * DEGREES,
-           (s->psi - from->psi) * DEGREES / 360, rates.psi * DEGREES / 360,
-           coin_energy(s, &m->params) / E);
+    printf("%9.2f %7.2f %8.2f %8.2f %8.3f\n", t, plain(s->theta * DEGREES, 2),
+           plain((s->psi - from->psi) * DEGREES / 360, 2),
+           plain(rates.psi * DEGREES / 360, 2), coin_energy(s, &m->params) / E);
 }
 
 /* The coin goes on, slowed by friction, until it lies flat. */
@@ -285,6 +286,46 @@ static int draw(const motion *m, const char *folder)
     return EXIT_SUCCESS;
 }
 
+/* ------------------------------------------------------------------ csv -- */
+
+static void write_row(FILE *f, const motion *m, const options *o, size_t k)
+{
+    const coin_params *p = &m->params;
+    const coin_table table = table_of(o);
+    const coin_state *s = &m->at[k].state;
+    coin_body b = {0};
+    coin_force R = {{0, 0, 0}, 0, 0, 0};
+
+    if (m->slides) {
+        b = body_at(m, k);
+        coin_body_reaction(&b, p, &table, &R);
+    } else {
+        coin_body_from_state(&b, s, p);
+        coin_reaction(s, p, &R);
+    }
+    fprintf(f, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,", m->at[k].t, s->theta,
+            s->phi, s->psi, s->x, s->z);
+    fprintf(f, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,", s->wX, s->wY, s->wZ, b.y,
+            R.normal, R.ratio);
+    fprintf(f, "%.17g,%ld\n", coin_body_energy(&b, p), (long)m->at[k].bits);
+}
+
+/* The columns that the page saves too, but those of the contact. */
+static int write_csv(const motion *m, const options *o)
+{
+    FILE *f = fopen(o->csv, "w");
+
+    if (f == NULL)
+        return fail(o->csv, strerror(errno));
+    fputs("t,theta,phi,psi,x,z,wX,wY,wZ,y,N,ratio,energy,bits\n", f);
+    for (size_t k = 0; k < m->count; ++k)
+        write_row(f, m, o, k);
+    const int bad = ferror(f);
+    if (fclose(f) != 0 || bad)
+        return fail(o->csv, strerror(errno));
+    return EXIT_SUCCESS;
+}
+
 /* What stands above the picture of --live. */
 static void print_live(const motion *m, const options *o, size_t k)
 {
@@ -308,6 +349,8 @@ static int run(const options *o)
         print_motion(&m, o);
     else if (m.count > 0)
         live(&m, o, print_live);
+    if (o->csv && write_csv(&m, o) != EXIT_SUCCESS)
+        return EXIT_FAILURE;
     if (status >= 0)
         return o->live ? EXIT_SUCCESS : draw(&m, o->out);
     fflush(stdout);

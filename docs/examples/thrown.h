@@ -79,10 +79,10 @@ static int32_t slide(motion *m, const options *o)
 
 /* ------------------------------------------------------------- printing -- */
 
-/* Zero if two decimals would show it as 0.00 or -0.00. */
-static double plain(double x)
+/* Zero if so many decimals would show it as -0.00. */
+static double plain(double x, int decimals)
 {
-    return fabs(x) < 0.005 ? 0 : x;
+    return fabs(x) < 0.5 * pow(10, -decimals) ? 0 : x;
 }
 
 static coin_body body_at(const motion *m, size_t k)
@@ -145,10 +145,11 @@ static void print_slide_row(const motion *m, const options *o, size_t k)
     if (!flies(m, k))
         coin_body_slip(&d, &m->params, u);
     coin_body_reaction(&d, &m->params, &f, &R);
-    printf("%9.3f %7.2f %8.1f %8.2f %8.2f ", m->at[k].t, d.s.theta * DEGREES,
-           d.s.phi * DEGREES, plain(d.s.x * shown), plain(d.s.z * shown));
+    printf("%9.3f %7.2f %8.1f %8.2f %8.2f ", m->at[k].t,
+           plain(d.s.theta * DEGREES, 2), plain(d.s.phi * DEGREES, 1),
+           plain(d.s.x * shown, 2), plain(d.s.z * shown, 2));
     printf("%8.4f %7.3f %8.2f  %s\n", energy_left(m, k),
-           R.normal / (m->params.mass * m->params.gravity),
+           plain(R.normal / (m->params.mass * m->params.gravity), 3),
            hypot(u[0], u[1]) * shown, mode_of(m, k));
 }
 
@@ -169,7 +170,7 @@ static void print_slide_summary(const motion *m)
     if (changes > MOST)
         printf("and so on: %lu changes\n", (unsigned long)changes);
     printf("it lost         %.1f %% of its energy\n",
-           plain(100 * (1 - energy_left(m, m->count - 1))));
+           plain(100 * (1 - energy_left(m, m->count - 1)), 1));
 }
 
 #endif

@@ -153,10 +153,12 @@ claim "steps of 10 ms lose energy" energy_error 0[456] 0.01
 claim "steps of 1 ms lose 10^5 times less" energy_error '\(09\|1[01]\)' 0.001
 
 # ------------------------------------------------------- scenes and methods
-# draws SCENE METHOD: pictures that are XML, without a number that is none.
+# draws SCENE METHOD: pictures that are XML, without a number that is none, and
+# a table without -0.00.
 draws()
 {
     exits 0 --scene "$1" --method "$2" --out out || return
+    grep -e ' -0\.0*\( \|$\)' stdout && return 1
     "$python" - "out/$1.svg" "out/$1_path.svg" "out/$1_lean.svg" <<'END'
 import re
 import sys
@@ -253,6 +255,31 @@ lands_again()
 }
 claim "a coin that lifts off goes on" lands_again
 
+# -------------------------------------------------------------------- csv
+# writes_csv ROWS OPTION...: so many rows of 14 numbers; the last has the time,
+# the lean and the N/(Mg) of the table's last row.
+writes_csv()
+{
+    count=$1
+    shift
+    exits 0 --out out --csv out/run.csv "$@" || return
+    rows | tail -n 1 >last
+    awk -F, -v count="$count" -v weight=0.0556037055 '
+        FNR == NR { split($0, want, " "); next }
+        { bad += NF != 14 }
+        FNR > 1 { for (k = 1; k <= 14; ++k) bad += $k != $k + 0 }
+        { t = $1; lean = $2 * 45 / atan2(1, 1); normal = $11 / weight }
+        END { off = (lean - want[2]) ^ 2 > 0.0051 ^ 2 ||
+                    (normal - want[7]) ^ 2 > 0.00051 ^ 2 ||
+                    (t - want[1]) ^ 2 > 1e-20
+              exit bad || off || FNR != count + 1 }' last out/run.csv
+}
+claim "--csv writes every moment" writes_csv 1501
+claim "of a coin that slips too" writes_csv 601 --scene throw
+claim "a file that cannot be written fails" \
+    refuses 1 "none/run.csv: No such" --csv none/run.csv --out out
+claim "nor one on a full disk" refuses 1 "No space" --csv /dev/full --out out
+
 # --------------------------------------------------------------- refusals
 claim "a step through the table fails, and says so" \
     refuses 1 "smaller --dt" --scene nearflat --dt 0.2 --out out
@@ -274,7 +301,7 @@ claim "an unknown option" refuses 2 "no option '--speed'" --speed 3
 claim "a word that is no option" refuses 2 "no option 'quarter'" quarter
 claim "an unknown scene lists the scenes" refuses 2 "^  nearflat$" --scene dime
 claim "an unknown method lists the methods" refuses 2 "^  rk4$" --method rk5
-for option in --scene --method --dt --duration --mu --out; do
+for option in --scene --method --dt --duration --mu --out --csv; do
     claim "$option alone" refuses 2 "$option needs a value" $option
 done
 for number in 0 -1 nan inf 1e999 1e-3s ''; do
@@ -296,7 +323,7 @@ claim "--live plays a circle, stops when told, and wants a terminal" \
 
 # ------------------------------------------------------------------- the rest
 claim "--help explains itself" exits 0 --help
-claim "it names every option" test "$(grep -c -e ' --' stdout)" -eq 10
+claim "it names every option" test "$(grep -c -e ' --' stdout)" -eq 11
 claim "a folder's name may be odd" exits 0 --out "an odd %s name"
 claim "its pictures are there" test -s "an odd %s name/quarter_path.svg"
 claim "a run of one step is drawn" exits 0 --duration 0.001 --out out
