@@ -13,9 +13,8 @@ static const coin_state generic = {
     .theta = 0.5, .wX = 0.1, .wY = 0.8, .wZ = 1.2};
 
 /* --------------------------------------------------------- the reference */
-static void at_every_time_of_every_scene_the_error_is_below_tol(void **unused)
+TEST(at_every_time_of_every_scene_the_error_is_below_tol)
 {
-    (void)unused;
     const double tols[] = {1e-2, 1e-5, 1e-8, 1e-11, 1e-13};
     for (int i = 0; i < SCENES; ++i) {
         scene_load(&scene, scene_names[i]);
@@ -32,9 +31,8 @@ static void at_every_time_of_every_scene_the_error_is_below_tol(void **unused)
 
 /* After five units it is a tenth to a thousandth of what tol allows: the rest
  * is for motions whose estimates are worse. */
-static void the_error_is_proportional_to_tol(void **unused)
+TEST(the_error_is_proportional_to_tol)
 {
-    (void)unused;
     const char *const names[] = {"generic", "ring"};
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
         scene_load(&scene, names[i]);
@@ -48,9 +46,8 @@ static void the_error_is_proportional_to_tol(void **unused)
 
 /* The best that double precision has: docs/accuracy.md.  Which of the finest
  * tolerances rounds luckiest is chance, so the best of four is held to it. */
-static void near_tol_1e_13_only_rounding_is_left_after_100_units(void **unused)
+TEST(near_tol_1e_13_only_rounding_is_left_after_100_units)
 {
-    (void)unused;
     for (int i = 0; i < SCENES; ++i) {
         scene_load(&scene, scene_names[i]);
         const size_t last = scene_row(&scene, INFINITY);
@@ -77,9 +74,8 @@ static coin_state start_of(const struct table *t, size_t row)
 
 /* The limit holds for three of four.  In the others, most of which pass near
  * flat, the error is up to four times as much. */
-static void only_rounding_is_left_in_100_random_motions_too(void **unused)
+TEST(only_rounding_is_left_in_100_random_motions_too)
 {
-    (void)unused;
     struct table t;
     int met = 0;
     table_load(&t, "random.csv");
@@ -99,9 +95,8 @@ static void only_rounding_is_left_in_100_random_motions_too(void **unused)
 }
 
 /* The header's claim, on other states than it was made from. */
-static void of_random_motions_hardly_one_errs_by_more_than_tol(void **unused)
+TEST(of_random_motions_hardly_one_errs_by_more_than_tol)
 {
-    (void)unused;
     const double tols[] = {1e-2, 1e-4, 1e-7, 1e-10};
     const int count = tries_asked(100);
     for (int k = 0; k < 4; ++k) {
@@ -125,9 +120,8 @@ static void of_random_motions_hardly_one_errs_by_more_than_tol(void **unused)
 /* I_Z far below I_X: wZ hardly turns the lean, but wY wZ speeds it up at once.
  * The motions pass near flat, and amplify; what is left of the error is judged
  * beside what a change of the start by 1e-9 grows to. */
-static void bodies_far_from_a_disc_are_right_too(void **unused)
+TEST(bodies_far_from_a_disc_are_right_too)
 {
-    (void)unused;
     const coin_params p = {1, 1, 1, 0.25, 2.5e-4, {0, 0, 0}};
     struct random r = random_begin(89);
     for (int i = 0; i < 30; ++i) {
@@ -154,9 +148,8 @@ static void bodies_far_from_a_disc_are_right_too(void **unused)
 }
 
 /* -------------------------------------------------------------- any time */
-static void a_time_of_0_changes_nothing(void **unused)
+TEST(a_time_of_0_changes_nothing)
 {
-    (void)unused;
     const coin_params p = ring(0);
     const double none[] = {0, -0.0};
     for (int i = 0; i < 2; ++i) {
@@ -170,9 +163,8 @@ static void a_time_of_0_changes_nothing(void **unused)
 }
 
 /* So short that the state moves by its rates alone, or not at all. */
-static void the_shortest_times_move_by_the_rates(void **unused)
+TEST(the_shortest_times_move_by_the_rates)
 {
-    (void)unused;
     const coin_params p = ring(0);
     coin_state d;
     check_status(coin_rates(&generic, &p, &d), COIN_OK);
@@ -198,9 +190,8 @@ static void the_shortest_times_move_by_the_rates(void **unused)
         }
 }
 
-static void a_call_backward_in_time_returns_to_the_start(void **unused)
+TEST(a_call_backward_in_time_returns_to_the_start)
 {
-    (void)unused;
     for (int i = 0; i < SCENES; ++i) {
         scene_load(&scene, scene_names[i]);
         const coin_params *p = &scene.params;
@@ -226,9 +217,8 @@ static coin_state scaled(const coin_state *s, double length, double time)
     return r;
 }
 
-static void in_units_a_power_of_two_apart_every_bit_is_the_same(void **unused)
+TEST(in_units_a_power_of_two_apart_every_bit_is_the_same)
 {
-    (void)unused;
     struct random r = random_begin(82);
     for (int i = 0; i < 50; ++i) {
         const double L = ldexp(1, (int)random_between(&r, -20, 20));
@@ -244,9 +234,8 @@ static void in_units_a_power_of_two_apart_every_bit_is_the_same(void **unused)
     }
 }
 
-static void mirrored_or_backward_every_bit_is_the_same(void **unused)
+TEST(mirrored_or_backward_every_bit_is_the_same)
 {
-    (void)unused;
     struct random r = random_begin(83);
     for (int i = 0; i < 50; ++i) {
         const coin_params p = ring(0.5);
@@ -270,9 +259,8 @@ static void mirrored_or_backward_every_bit_is_the_same(void **unused)
 
 /* -------------------------------------------------------------- statuses */
 /* Spinning upright by 10, 100 before the end of the range of phi. */
-static void a_heading_out_of_range_ends_the_call(void **unused)
+TEST(a_heading_out_of_range_ends_the_call)
 {
-    (void)unused;
     const coin_params p = ring(0);
     const coin_state start = {.phi = 0x1p31 - 100, .wY = 10};
     for (double tol = 1e-12; tol < 1e-1; tol *= 1e5) {
@@ -297,9 +285,8 @@ static void a_heading_out_of_range_ends_the_call(void **unused)
 
 /* Spinning upright each step but the first few is as long as any: 2.4 over the
  * rate of coin_priv_sundman_tau(). */
-static void a_call_takes_2_20_steps_and_the_next_goes_on(void **unused)
+TEST(a_call_takes_2_20_steps_and_the_next_goes_on)
 {
-    (void)unused;
     check_million();
     const coin_params p = ring(0);
     const double tol = 1e-2, wY = 1e4,
@@ -315,9 +302,8 @@ static void a_call_takes_2_20_steps_and_the_next_goes_on(void **unused)
     check_near(s.phi, wY * way * 1.00001, tol * way);
 }
 
-static void the_usual_errors_touch_nothing(void **unused)
+TEST(the_usual_errors_touch_nothing)
 {
-    (void)unused;
     const coin_params good = ring(0);
     coin_params bad = good;
     bad.radius = -1;
@@ -357,45 +343,20 @@ static void the_usual_errors_touch_nothing(void **unused)
     check_status(coin_advance(NULL, &good, 1, 1e-6, NULL), COIN_EARG);
 }
 
-static void both_ends_of_tol_are_in(void **unused)
+TEST(both_ends_of_tol_are_in)
 {
-    (void)unused;
     const coin_params p = ring(0);
     coin_state s = generic;
     check_status(coin_advance(&s, &p, 1, 1e-13, NULL), COIN_OK);
     check_status(coin_advance(&s, &p, 1, 1e-2, NULL), COIN_OK);
 }
 
-static void no_time_moves_no_coin_however_fast_it_falls(void **unused)
+TEST(no_time_moves_no_coin_however_fast_it_falls)
 {
-    (void)unused;
     coin_params p;
     const coin_state before = {.theta = 0x1.921fb54442d17p+0, .wY = 1};
     coin_state s = before;
     check_status(coin_params_disc(&p, 1, 1, 1e15), COIN_OK);
     check_status(coin_advance(&s, &p, 0, 1e-9, NULL), COIN_OK);
     check_same(&s, &before, sizeof s);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(at_every_time_of_every_scene_the_error_is_below_tol),
-        TEST(the_error_is_proportional_to_tol),
-        TEST(near_tol_1e_13_only_rounding_is_left_after_100_units),
-        TEST(only_rounding_is_left_in_100_random_motions_too),
-        TEST(of_random_motions_hardly_one_errs_by_more_than_tol),
-        TEST(bodies_far_from_a_disc_are_right_too),
-        TEST(a_time_of_0_changes_nothing),
-        TEST(the_shortest_times_move_by_the_rates),
-        TEST(a_call_backward_in_time_returns_to_the_start),
-        TEST(in_units_a_power_of_two_apart_every_bit_is_the_same),
-        TEST(mirrored_or_backward_every_bit_is_the_same),
-        TEST(a_heading_out_of_range_ends_the_call),
-        TEST(a_call_takes_2_20_steps_and_the_next_goes_on),
-        TEST(the_usual_errors_touch_nothing),
-        TEST(both_ends_of_tol_are_in),
-        TEST(no_time_moves_no_coin_however_fast_it_falls),
-    };
-    return RUN_TESTS(tests);
 }

@@ -36,9 +36,8 @@ static double off_by(coin_priv_sc got, coin_priv_sc from, double d)
 }
 
 /* In u of the norm: what lib/motion/angles.t.h states. */
-static void a_pair_is_turned_to_a_few_u(void **unused)
+TEST(a_pair_is_turned_to_a_few_u)
 {
-    (void)unused;
     check_long_double();
     const struct {
         double most, least_seen, bound;
@@ -59,10 +58,8 @@ static void a_pair_is_turned_to_a_few_u(void **unused)
 
 /* The first term left out, d^6/720, is 0.6 u where its range ends, and 37 u at
  * twice as much. */
-static void a_little_turn_is_as_good_up_to_its_limit_and_not_beyond(
-    void **unused)
+TEST(a_little_turn_is_as_good_up_to_its_limit_and_not_beyond)
 {
-    (void)unused;
     check_long_double();
     struct random r = random_begin(302);
     const double limit = COIN_PRIV_LITTLE_TURN;
@@ -80,9 +77,8 @@ static void a_little_turn_is_as_good_up_to_its_limit_and_not_beyond(
 }
 
 /* Backward is forward mirrored, and 0 is no turn, to the bit. */
-static void turns_are_odd_and_a_turn_of_0_changes_nothing(void **unused)
+TEST(turns_are_odd_and_a_turn_of_0_changes_nothing)
 {
-    (void)unused;
     struct random r = random_begin(303);
     for (int i = 0; i < 10000; ++i) {
         const coin_priv_sc from = pair_of(random_between(&r, -3.15, 3.15));
@@ -128,9 +124,8 @@ static double any_angle(struct random *r, int i)
     return side * 0x1p31 * pow(10, random_between(r, -25, 0));
 }
 
-static void pairs_and_lanes_have_the_bits_of_one_double(void **unused)
+TEST(pairs_and_lanes_have_the_bits_of_one_double)
 {
-    (void)unused;
     struct random r = random_begin(304);
     for (int i = 0; i < 50000; ++i) {
         const double x = any_angle(&r, i), d = random_between(&r, -1.5, 1.5);
@@ -151,9 +146,8 @@ static void pairs_and_lanes_have_the_bits_of_one_double(void **unused)
 #endif
 
 /* Out of line and inline, and two turned at once. */
-static void every_form_of_one_double_has_the_same_bits(void **unused)
+TEST(every_form_of_one_double_has_the_same_bits)
 {
-    (void)unused;
     struct random r = random_begin(305);
     for (int i = 0; i < 20000; ++i) {
         const double x = random_between(&r, -10, 10);
@@ -168,18 +162,4 @@ static void every_form_of_one_double_has_the_same_bits(void **unused)
         check_same(&c, &want_c, sizeof c);
         check_same(&f, &want_f, sizeof f);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_pair_is_turned_to_a_few_u),
-        TEST(a_little_turn_is_as_good_up_to_its_limit_and_not_beyond),
-        TEST(turns_are_odd_and_a_turn_of_0_changes_nothing),
-#if COIN_PRIV_WIDTH
-        TEST(pairs_and_lanes_have_the_bits_of_one_double),
-#endif
-        TEST(every_form_of_one_double_has_the_same_bits),
-    };
-    return RUN_TESTS(tests);
 }

@@ -99,9 +99,8 @@ static int changed(const struct arguments *a, const struct arguments *b,
 
 /* The table's own check: each call succeeds, writes what it is said to write
  * and nothing else. */
-static void good_arguments_are_accepted_and_outputs_written(void **unused)
+TEST(good_arguments_are_accepted_and_outputs_written)
 {
-    (void)unused;
     for (size_t k = 0; k < function_count; ++k) {
         const struct function *f = &functions[k];
         struct arguments a = arguments_for(f, &good_state, &good_params);
@@ -118,9 +117,8 @@ static void good_arguments_are_accepted_and_outputs_written(void **unused)
     }
 }
 
-static void only_progress_may_be_null(void **unused)
+TEST(only_progress_may_be_null)
 {
-    (void)unused;
     coin_params bad_params = good_params;
     coin_state bad_state = good_state;
     bad_params.mass = NAN;
@@ -157,9 +155,8 @@ static const struct {
     {"mass 1e16", {1e16, 1, 1, 2.5e15, 5e15, {0, 0, 0}}},
 };
 
-static void bad_parameters_are_refused_by_all(void **unused)
+TEST(bad_parameters_are_refused_by_all)
 {
-    (void)unused;
     size_t tried = 0;
     coin_state bad_state = good_state;
     bad_state.phi = NAN;
@@ -203,9 +200,8 @@ static const struct {
     {"wZ 1e308", {0, 1, 2, 3, 4, 0, 0, 1e308}, 1},
 };
 
-static void bad_states_are_refused_by_all(void **unused)
+TEST(bad_states_are_refused_by_all)
 {
-    (void)unused;
     size_t tried = 0;
     for (size_t k = 0; k < function_count; ++k) {
         const struct function *f = &functions[k];
@@ -224,9 +220,8 @@ static void bad_states_are_refused_by_all(void **unused)
     check(tried > 200);
 }
 
-static void numbers_are_nan_where_a_status_would_be_an_error(void **unused)
+TEST(numbers_are_nan_where_a_status_would_be_an_error)
 {
-    (void)unused;
     check(isnan(coin_energy(NULL, &good_params)));
     check(isnan(coin_energy(&good_state, NULL)));
     check(isnan(coin_fastest_rate(NULL, &good_params)));
@@ -250,9 +245,8 @@ static void numbers_are_nan_where_a_status_would_be_an_error(void **unused)
 
 /* ----------------------------------------------------------- the environment
  */
-static void nothing_changes_errno_or_the_rounding_mode(void **unused)
+TEST(nothing_changes_errno_or_the_rounding_mode)
 {
-    (void)unused;
     const int modes[] = {FE_TONEAREST, FE_UPWARD};
     for (size_t k = 0; k < function_count; ++k)
         for (size_t m = 0; m < 2; ++m) {
@@ -271,9 +265,8 @@ static void nothing_changes_errno_or_the_rounding_mode(void **unused)
 }
 
 /* Near flat and at the edge of the range, where libm might set errno. */
-static void errno_is_unchanged_at_the_edge_of_the_range(void **unused)
+TEST(errno_is_unchanged_at_the_edge_of_the_range)
 {
-    (void)unused;
     const coin_state edge = {
         1.5707963267948963, 0x1p31, -0x1p31, 0, 0, 1e5, 1e5, 1e5};
     const double flat[4] = {1, 1, 0, 0}, omega[3] = {0, 0, 0};
@@ -292,27 +285,11 @@ static void errno_is_unchanged_at_the_edge_of_the_range(void **unused)
 }
 
 /* An output may be the input of the same type. */
-static void rates_may_overwrite_their_state(void **unused)
+TEST(rates_may_overwrite_their_state)
 {
-    (void)unused;
     const coin_state s = {0.5, 1, 2, 3, 4, 5, 6, 7};
     coin_state want, both = s;
     check_status(coin_rates(&s, &good_params, &want), COIN_OK);
     check_status(coin_rates(&both, &good_params, &both), COIN_OK);
     check_same(&both, &want, sizeof want);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(good_arguments_are_accepted_and_outputs_written),
-        TEST(only_progress_may_be_null),
-        TEST(bad_parameters_are_refused_by_all),
-        TEST(bad_states_are_refused_by_all),
-        TEST(numbers_are_nan_where_a_status_would_be_an_error),
-        TEST(nothing_changes_errno_or_the_rounding_mode),
-        TEST(errno_is_unchanged_at_the_edge_of_the_range),
-        TEST(rates_may_overwrite_their_state),
-    };
-    return RUN_TESTS(tests);
 }

@@ -66,9 +66,8 @@ static void fill(struct trial *t, struct random *r)
     }
 }
 
-static void each_coin_goes_as_it_would_alone(void **unused)
+TEST(each_coin_goes_as_it_would_alone)
 {
-    (void)unused;
     struct random r = random_begin(41);
     int failed = 0, warned = 0, well = 0;
     for (int32_t method = 0; method < METHODS; ++method) {
@@ -94,9 +93,8 @@ static void each_coin_goes_as_it_would_alone(void **unused)
     check(failed > 50 && warned > 50 && well > 50);
 }
 
-static void the_runge_kutta_methods_have_lanes_where_vectors_are(void **unused)
+TEST(the_runge_kutta_methods_have_lanes_where_vectors_are)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_priv_body b;
     b = coin_priv_body_of(&p);
@@ -109,9 +107,8 @@ static void the_runge_kutta_methods_have_lanes_where_vectors_are(void **unused)
 
 /* The first error is that of the lowest index, though a coin that is no state
  * is found out before one that fails on its way. */
-static void the_status_is_that_of_the_first_coin_that_failed(void **unused)
+TEST(the_status_is_that_of_the_first_coin_that_failed)
 {
-    (void)unused;
     struct trial t = {.p = disc(), .count = MOST};
     for (size_t i = 0; i < MOST; ++i)
         t.s[i] = (coin_state){.theta = 0.3, .wY = 0.5, .wZ = 1.2};
@@ -127,9 +124,8 @@ static void the_status_is_that_of_the_first_coin_that_failed(void **unused)
 
 /* Each member in turn out of range, each coin in turn; the others go well.  The
  * step leads a heading or roll just beyond its range back into it. */
-static void a_coin_that_is_no_state_leaves_the_others_alone(void **unused)
+TEST(a_coin_that_is_no_state_leaves_the_others_alone)
 {
-    (void)unused;
     static const double wrong[][2] = {
         {5, -7},
         {-0x1.0000000000001p31, 0x1.0000000000001p31},
@@ -156,9 +152,8 @@ static void a_coin_that_is_no_state_leaves_the_others_alone(void **unused)
     }
 }
 
-static void the_longest_and_the_shortest_steps_are_as_alone(void **unused)
+TEST(the_longest_and_the_shortest_steps_are_as_alone)
 {
-    (void)unused;
     for (int i = 0; i < 4; ++i) {
         struct trial t = {.p = disc(), .count = MOST};
         for (size_t k = 0; k < MOST; ++k)
@@ -169,9 +164,8 @@ static void the_longest_and_the_shortest_steps_are_as_alone(void **unused)
 }
 
 /* A step so short that its products are 0, of either sign. */
-static void a_zero_keeps_its_sign_as_alone(void **unused)
+TEST(a_zero_keeps_its_sign_as_alone)
 {
-    (void)unused;
     for (int i = 0; i < 16; ++i) {
         struct trial t = {.p = disc(), .count = MOST};
         const double dt = i & 1 ? -0x1p-1074 : 0x1p-1074;
@@ -185,9 +179,8 @@ static void a_zero_keeps_its_sign_as_alone(void **unused)
     }
 }
 
-static void a_place_out_of_range_is_not_reached_in_a_lane(void **unused)
+TEST(a_place_out_of_range_is_not_reached_in_a_lane)
 {
-    (void)unused;
     for (int i = 0; i < 4 * 50; ++i) {
         struct trial t = {.count = MOST};
         const uint64_t steps = (uint64_t)(i / 4 * 2);
@@ -204,9 +197,8 @@ static void a_place_out_of_range_is_not_reached_in_a_lane(void **unused)
 
 /* Single steps as long as they may be of rings that roll fast, whose lean turns
  * by more than its first stages tell. */
-static void a_lean_that_turns_late_in_a_step_goes_as_alone(void **unused)
+TEST(a_lean_that_turns_late_in_a_step_goes_as_alone)
 {
-    (void)unused;
     struct trial t = {.p = disc(), .count = MOST};
     check_status(coin_params_ring(&t.p, 1, 1, 1, 1), COIN_OK);
     for (int i = 0; i < 32; ++i) {
@@ -223,9 +215,8 @@ static void a_lean_that_turns_late_in_a_step_goes_as_alone(void **unused)
 
 /* A spin that nods rolls to and fro: it ends where its roll first leaves the
  * range, though it would be back in it later. */
-static void a_roll_that_leaves_its_range_for_a_while_ends_the_run(void **unused)
+TEST(a_roll_that_leaves_its_range_for_a_while_ends_the_run)
 {
-    (void)unused;
     int ended = 0;
     for (int i = 0; i < 80; ++i) {
         struct trial t = {.p = disc(), .count = MOST};
@@ -240,9 +231,8 @@ static void a_roll_that_leaves_its_range_for_a_while_ends_the_run(void **unused)
     check(ended > 30 && ended < 50);
 }
 
-static void a_time_of_0_and_0_steps_change_nothing(void **unused)
+TEST(a_time_of_0_and_0_steps_change_nothing)
 {
-    (void)unused;
     struct trial t = {.p = disc(), .count = MOST};
     for (size_t i = 0; i < MOST; ++i)
         t.s[i] =
@@ -259,9 +249,8 @@ static void a_time_of_0_and_0_steps_change_nothing(void **unused)
 
 /* A batch ends with its last coin: 1e9 steps of coins that fall after 270, and
  * of one that is no state, would take minutes. */
-static void a_batch_ends_where_its_last_coin_does(void **unused)
+TEST(a_batch_ends_where_its_last_coin_does)
 {
-    (void)unused;
     for (int32_t method = 0; method < METHODS; ++method)
         for (size_t count = 1; count <= MOST; ++count) {
             struct trial t = {.p = disc(), .count = count};
@@ -276,9 +265,8 @@ static void a_batch_ends_where_its_last_coin_does(void **unused)
         }
 }
 
-static void bad_arguments_touch_nothing(void **unused)
+TEST(bad_arguments_touch_nothing)
 {
-    (void)unused;
     struct trial t = {.p = disc(), .count = 3};
     for (size_t i = 0; i < t.count; ++i)
         t.s[i] = (coin_state){.theta = 0.3, .wY = 0.5};
@@ -299,23 +287,4 @@ static void bad_arguments_touch_nothing(void **unused)
         COIN_ESTEP);
     check_same(t.s, before.s, sizeof t.s);
     check_status(t.status[2], COIN_ESTEP);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(each_coin_goes_as_it_would_alone),
-        TEST(the_runge_kutta_methods_have_lanes_where_vectors_are),
-        TEST(the_status_is_that_of_the_first_coin_that_failed),
-        TEST(a_coin_that_is_no_state_leaves_the_others_alone),
-        TEST(the_longest_and_the_shortest_steps_are_as_alone),
-        TEST(a_zero_keeps_its_sign_as_alone),
-        TEST(a_place_out_of_range_is_not_reached_in_a_lane),
-        TEST(a_lean_that_turns_late_in_a_step_goes_as_alone),
-        TEST(a_roll_that_leaves_its_range_for_a_while_ends_the_run),
-        TEST(a_batch_ends_where_its_last_coin_does),
-        TEST(a_time_of_0_and_0_steps_change_nothing),
-        TEST(bad_arguments_touch_nothing),
-    };
-    return RUN_TESTS(tests);
 }

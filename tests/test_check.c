@@ -14,9 +14,8 @@ static int32_t bits(const coin_state *s, const coin_params *p, double dt,
     return coin_check(s, p, COIN_RK4, dt, mu);
 }
 
-static void a_coin_slips_beyond_its_friction_coefficient(void **unused)
+TEST(a_coin_slips_beyond_its_friction_coefficient)
 {
-    (void)unused;
     struct random r = random_begin(30);
     unsigned pressed = 0;
     for (int i = 0; i < 300; ++i) {
@@ -35,9 +34,8 @@ static void a_coin_slips_beyond_its_friction_coefficient(void **unused)
     check_within(pressed, 50, 299);
 }
 
-static void a_coin_that_rolls_straight_needs_no_friction(void **unused)
+TEST(a_coin_that_rolls_straight_needs_no_friction)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_state s;
     check_status(coin_steady_roll(&s, &p, 5), COIN_OK);
@@ -70,9 +68,8 @@ static int32_t bits_fallen(double c, double k, double mu)
 
 /* Eq. (52): N < 0 just for |3c - 1| < sqrt(1 - 3k).  For the disc that is from
  * 60 degrees to 80.4059. */
-static void a_falling_coin_lifts_off_where_the_normal_force_ends(void **unused)
+TEST(a_falling_coin_lifts_off_where_the_normal_force_ends)
 {
-    (void)unused;
     for (int i = 1; i <= 16; ++i) {
         const double k = i / 48.0 - 1e-4, root = sqrt(1 - 3 * k);
         const double first = (1 + root) / 3, last = (1 - root) / 3;
@@ -93,9 +90,8 @@ static void a_falling_coin_lifts_off_where_the_normal_force_ends(void **unused)
 }
 
 /* N is least at c = 1/3, and 0 there for I_X = M a^2/3. */
-static void a_heavy_rim_never_lifts_off_in_such_a_fall(void **unused)
+TEST(a_heavy_rim_never_lifts_off_in_such_a_fall)
 {
-    (void)unused;
     const double third = 1.0 / 3;
     check_status(bits_fallen(third, third - 1e-12, INFINITY), COIN_LIFTS);
     for (double k = third + 1e-12; k < 8; k = 1.5 * k)
@@ -106,9 +102,8 @@ static void a_heavy_rim_never_lifts_off_in_such_a_fall(void **unused)
 
 /* The friction it needs has a peak before it reverses at cos theta = 2/3, and
  * no bound where it lifts off: docs/physics.md, "Where rolling fails". */
-static void a_falling_coin_slips_before_the_peak_of_its_friction(void **unused)
+TEST(a_falling_coin_slips_before_the_peak_of_its_friction)
 {
-    (void)unused;
     const struct {
         double k, degrees, mu;
     } peaks[] = {
@@ -156,9 +151,8 @@ static struct stretch stretch_of(int32_t bit, double mu)
 }
 
 /* By the motion itself; samples lie 0.01 degrees apart. */
-static void a_run_of_a_fall_slips_and_lifts_off_there_too(void **unused)
+TEST(a_run_of_a_fall_slips_and_lifts_off_there_too)
 {
-    (void)unused;
     const struct stretch lifts = stretch_of(COIN_LIFTS, INFINITY);
     check_within(lifts.from, 60, 60.011);
     check_within(lifts.to, 80.395, 80.406);
@@ -171,9 +165,8 @@ static void a_run_of_a_fall_slips_and_lifts_off_there_too(void **unused)
 }
 
 /* Any body: upright N = M g - M a wX^2, whatever wY and wZ; wX = 1.5 does. */
-static void upright_every_coin_lifts_off_that_leans_fast_enough(void **unused)
+TEST(upright_every_coin_lifts_off_that_leans_fast_enough)
 {
-    (void)unused;
     struct random r = random_begin(32);
     for (int i = 0; i < 300; ++i) {
         const coin_params p = random_coin(&r);
@@ -192,10 +185,8 @@ static void upright_every_coin_lifts_off_that_leans_fast_enough(void **unused)
 }
 
 /* Eq. (53): N = M g in all of them, so that only friction counts. */
-static void a_steady_motion_never_lifts_off_and_slips_below_its_mu(
-    void **unused)
+TEST(a_steady_motion_never_lifts_off_and_slips_below_its_mu)
 {
-    (void)unused;
     struct random r = random_begin(33);
     for (int i = 0; i < 400; ++i) {
         const coin_params p = random_coin(&r);
@@ -216,9 +207,8 @@ static void a_steady_motion_never_lifts_off_and_slips_below_its_mu(
 }
 
 /* ---------------------------------------------------------- the other bits */
-static void a_step_is_coarse_beyond_the_method_s_limit(void **unused)
+TEST(a_step_is_coarse_beyond_the_method_s_limit)
 {
-    (void)unused;
     struct random r = random_begin(31);
     for (int i = 0; i < 300; ++i) {
         const coin_params p = random_coin(&r);
@@ -241,9 +231,8 @@ static void a_step_is_coarse_beyond_the_method_s_limit(void **unused)
 
 /* With a step so short that the state hardly moves, a run warns exactly if
  * the check does. */
-static void a_step_is_coarse_exactly_where_the_check_says_so(void **unused)
+TEST(a_step_is_coarse_exactly_where_the_check_says_so)
 {
-    (void)unused;
     coin_params p = disc();
     for (int i = -1; i <= 1; i += 2) {
         coin_state s;
@@ -255,9 +244,8 @@ static void a_step_is_coarse_exactly_where_the_check_says_so(void **unused)
     }
 }
 
-static void a_coin_is_nearly_flat_below_a_cosine_of_0_01(void **unused)
+TEST(a_coin_is_nearly_flat_below_a_cosine_of_0_01)
 {
-    (void)unused;
     const coin_params p = disc();
     for (int side = -1; side <= 1; side += 2) {
         const coin_state low = {
@@ -269,9 +257,8 @@ static void a_coin_is_nearly_flat_below_a_cosine_of_0_01(void **unused)
     }
 }
 
-static void warnings_come_together(void **unused)
+TEST(warnings_come_together)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state pressed = {1.565, 0, 0, 0, 0, 0, 0.5, 0.5};
     const coin_state lifted = {1.565, 0, 0, 0, 0, 0, 0.5, -40};
@@ -280,9 +267,8 @@ static void warnings_come_together(void **unused)
     check_status(bits(&lifted, &p, 1, 0.1), COIN_LIFTS | both);
 }
 
-static void bad_arguments_are_refused_in_order(void **unused)
+TEST(bad_arguments_are_refused_in_order)
 {
-    (void)unused;
     const coin_params good = disc();
     coin_params bad = good;
     bad.radius = 0;
@@ -312,24 +298,4 @@ static void bad_arguments_are_refused_in_order(void **unused)
                                 cases[i].dt, cases[i].mu),
                      cases[i].want);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_coin_slips_beyond_its_friction_coefficient),
-        TEST(a_coin_that_rolls_straight_needs_no_friction),
-        TEST(a_falling_coin_lifts_off_where_the_normal_force_ends),
-        TEST(a_heavy_rim_never_lifts_off_in_such_a_fall),
-        TEST(a_falling_coin_slips_before_the_peak_of_its_friction),
-        TEST(a_run_of_a_fall_slips_and_lifts_off_there_too),
-        TEST(upright_every_coin_lifts_off_that_leans_fast_enough),
-        TEST(a_steady_motion_never_lifts_off_and_slips_below_its_mu),
-        TEST(a_step_is_coarse_beyond_the_method_s_limit),
-        TEST(a_step_is_coarse_exactly_where_the_check_says_so),
-        TEST(a_coin_is_nearly_flat_below_a_cosine_of_0_01),
-        TEST(warnings_come_together),
-        TEST(bad_arguments_are_refused_in_order),
-    };
-    return RUN_TESTS(tests);
 }

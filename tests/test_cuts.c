@@ -83,9 +83,8 @@ static void check_row(const struct row *row)
     check_within(got.nine_tenths / row->nine_tenths, 0.25, 4);
 }
 
-static void backward_by_steps_it_returns_as_the_guide_says(void **unused)
+TEST(backward_by_steps_it_returns_as_the_guide_says)
 {
-    (void)unused;
     const struct row rows[] = {
         {COIN_RK4, 0.1, 5e-8, 4e-7},
         {COIN_RK4, 0.35, 3e-5, 2e-4},
@@ -98,9 +97,8 @@ static void backward_by_steps_it_returns_as_the_guide_says(void **unused)
         check_row(&rows[i]);
 }
 
-static void backward_by_advance_it_returns_as_the_guide_says(void **unused)
+TEST(backward_by_advance_it_returns_as_the_guide_says)
 {
-    (void)unused;
     const struct row rows[] = {
         {METHODS, 1e-6, 3e-8, 1e-7},
         {METHODS, 1e-9, 2e-11, 7e-11},
@@ -218,9 +216,8 @@ static struct spread cut_spread(int32_t method, double dtW, double least,
 
 /* 8 u: what the angles, their sines and cosines and the centre lose where a
  * call ends.  That it is not nothing shows that there is something to lose. */
-static void steps_in_many_calls_are_those_in_one(void **unused)
+TEST(steps_in_many_calls_are_those_in_one)
 {
-    (void)unused;
     for (int32_t method = 0; method < METHODS; ++method) {
         const double limit = coin_priv_coarse_limit(method);
         const struct spread off = cut_spread(method, limit, 0.1, 0);
@@ -231,32 +228,18 @@ static void steps_in_many_calls_are_those_in_one(void **unused)
 
 /* A new call chooses its steps anew: that is rounding only where the error of
  * the steps is. */
-static void advance_in_many_calls_is_advance_in_one(void **unused)
+TEST(advance_in_many_calls_is_advance_in_one)
 {
-    (void)unused;
     const struct spread off = cut_spread(METHODS, 0.1, 0.1, 1e-13);
     check_within(off.median, 0.02, 2);
     check_within(off.worst, 0, 8);
 }
 
 /* Then it changes by more than rounding, and by less than tol. */
-static void coarser_tolerances_are_kept_in_many_calls_too(void **unused)
+TEST(coarser_tolerances_are_kept_in_many_calls_too)
 {
-    (void)unused;
     for (double tol = 1e-10; tol < 1e-1; tol *= 1e4) {
         const struct spread off = cut_spread(METHODS, 0.1, 0.1, tol);
         check_within(off.worst, 8, tol / U);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(backward_by_steps_it_returns_as_the_guide_says),
-        TEST(backward_by_advance_it_returns_as_the_guide_says),
-        TEST(steps_in_many_calls_are_those_in_one),
-        TEST(advance_in_many_calls_is_advance_in_one),
-        TEST(coarser_tolerances_are_kept_in_many_calls_too),
-    };
-    return RUN_TESTS(tests);
 }

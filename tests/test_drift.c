@@ -44,9 +44,8 @@ static double reach_used(const coin_state *at, const coin_priv_body *b,
 }
 
 /* On the way up, so that the first drift is the longest. */
-static void a_drift_is_refused_where_its_series_ends(void **unused)
+TEST(a_drift_is_refused_where_its_series_ends)
 {
-    (void)unused;
     coin_params p;
     coin_priv_body b;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
@@ -66,9 +65,8 @@ static void a_drift_is_refused_where_its_series_ends(void **unused)
 
 /* Down to the table, by a kick or by both drifts, and beyond: steps of all
  * sizes are refused, or end above it. */
-static void no_step_leads_through_the_table(void **unused)
+TEST(no_step_leads_through_the_table)
 {
-    (void)unused;
     const double flat = 1.5707963267948966;
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
@@ -95,9 +93,8 @@ static void no_step_leads_through_the_table(void **unused)
 
 /* However near to the table: the limit of full accuracy is where the drift has
  * used nearly all of its reach. */
-static void no_step_of_full_accuracy_is_refused(void **unused)
+TEST(no_step_of_full_accuracy_is_refused)
 {
-    (void)unused;
     struct random r = random_begin(72);
     for (int i = 0; i < 2000; ++i) {
         const coin_params p = random_coin(&r);
@@ -183,9 +180,8 @@ static double series_error(struct random *r, double reach)
     return fmax(p_off / p_terms, w_off / w_terms) / U;
 }
 
-static void the_drift_s_series_is_good_to_rounding(void **unused)
+TEST(the_drift_s_series_is_good_to_rounding)
 {
-    (void)unused;
     const int count = tries_asked(120);
     struct random r = random_begin(73);
     double worst = 0, beyond = 0;
@@ -226,9 +222,8 @@ static void carry_a_row(const struct table *t, size_t row)
     check_near(vZ / table_at(t, row + 1, "We"), 1, bound);
 }
 
-static void the_series_carries_the_reference_down_to_the_table(void **unused)
+TEST(the_series_carries_the_reference_down_to_the_table)
 {
-    (void)unused;
     struct table t;
     int seen = 0;
     table_load(&t, "special.csv");
@@ -239,16 +234,4 @@ static void the_series_carries_the_reference_down_to_the_table(void **unused)
             ++seen;
         }
     check(seen == 36);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_drift_is_refused_where_its_series_ends),
-        TEST(no_step_leads_through_the_table),
-        TEST(no_step_of_full_accuracy_is_refused),
-        TEST(the_drift_s_series_is_good_to_rounding),
-        TEST(the_series_carries_the_reference_down_to_the_table),
-    };
-    return RUN_TESTS(tests);
 }

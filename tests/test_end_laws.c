@@ -41,9 +41,8 @@ static double exponent(int i, double m, double from)
     return log(middle / from) / log(second / first);
 }
 
-static void the_angle_goes_by_the_exponents_of_the_laws(void **unused)
+TEST(the_angle_goes_by_the_exponents_of_the_laws)
 {
-    (void)unused;
     const double want[] = {2.0 / 3, 0.5, 4.0 / 9, 1.0 / 3, 2, 2};
     const double m[] = {4e-6, 8e-8, 2e-8, 3e-10, 1e-3, 1e-3};
     for (int i = 0; i < ANGULAR; ++i) {
@@ -79,9 +78,8 @@ static double turns_back_at(const coin_losses *l, double e0)
 
 /* At (5/23)^(2/3) of the angle that it began at, to leading order, and at the
  * same for each contour friction: their path in lean and wZ is one. */
-static void the_turn_changes_its_sign_at_one_angle_by_any_law(void **unused)
+TEST(the_turn_changes_its_sign_at_one_angle_by_any_law)
 {
-    (void)unused;
     const double m[] = {1e-5, 1e-6, 1e-6, 1e-7};
     double angle[4];
     for (int i = 0; i < 4; ++i) {
@@ -97,9 +95,8 @@ static void the_turn_changes_its_sign_at_one_angle_by_any_law(void **unused)
 /* By (75) a coin that rolling or damping slows lies flat earlier by the part
  * sqrt(flat/e0) of its time, and one that dry friction slows by (flat/e0)^(3/2)
  * of it. */
-static void flat_ends_the_laws_that_never_end(void **unused)
+TEST(flat_ends_the_laws_that_never_end)
 {
-    (void)unused;
     const coin_params p = disc();
     const double e0 = 0.02, m = 1e-3;
     const int laws[] = {ROLLING, DAMPING};
@@ -119,9 +116,8 @@ static void flat_ends_the_laws_that_never_end(void **unused)
 }
 
 /* Every law but pivoting brings a coin to rest that starts with wX = 0. */
-static void every_law_brings_a_coin_to_rest(void **unused)
+TEST(every_law_brings_a_coin_to_rest)
 {
-    (void)unused;
     const coin_params p = disc();
     for (int i = 0; i < LAWS; ++i) {
         const coin_losses l = one_loss(i, i == GAP       ? 1e-4
@@ -135,15 +131,4 @@ static void every_law_brings_a_coin_to_rest(void **unused)
                      COIN_RESTS);
         check_near(coin_time_to_rest(&s, &p, &l), 0, 0);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_angle_goes_by_the_exponents_of_the_laws),
-        TEST(the_turn_changes_its_sign_at_one_angle_by_any_law),
-        TEST(flat_ends_the_laws_that_never_end),
-        TEST(every_law_brings_a_coin_to_rest),
-    };
-    return RUN_TESTS(tests);
 }

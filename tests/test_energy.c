@@ -22,9 +22,8 @@ static void terms(const coin_state *s, const coin_params *p, double *out)
 
 static const struct observable energy = {values, terms, 8, {"E"}};
 
-static void energy_is_the_reference_s(void **unused)
+TEST(energy_is_the_reference_s)
 {
-    (void)unused;
     observable_at_exact_states(&energy);
     observable_along_scenes(&energy);
 }
@@ -40,9 +39,8 @@ static double kinetic(const coin_state *s, const coin_params *p)
     return (p->mass * v2 + turning) / 2;
 }
 
-static void energy_is_that_of_moving_turning_and_standing_high(void **unused)
+TEST(energy_is_that_of_moving_turning_and_standing_high)
 {
-    (void)unused;
     struct random r = random_begin(1);
     for (int i = 0; i < 200; ++i) {
         const coin_params p = random_coin(&r);
@@ -58,21 +56,10 @@ static void energy_is_that_of_moving_turning_and_standing_high(void **unused)
     }
 }
 
-static void an_upright_coin_at_rest_has_m_g_a(void **unused)
+TEST(an_upright_coin_at_rest_has_m_g_a)
 {
-    (void)unused;
     coin_params p;
     const coin_state rest = {0, 1, 2, 3, 4, 0, 0, 0};
     check_status(coin_params_disc(&p, 2, 4, 8), COIN_OK);
     check(coin_energy(&rest, &p) == 2 * 4 * 8);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(energy_is_the_reference_s),
-        TEST(energy_is_that_of_moving_turning_and_standing_high),
-        TEST(an_upright_coin_at_rest_has_m_g_a),
-    };
-    return RUN_TESTS(tests);
 }

@@ -29,9 +29,8 @@ static struct motion forward_motion(struct random *r, double *t, double *most,
     return m;
 }
 
-static void an_excursion_of_1e_4_of_mu_is_found(void **unused)
+TEST(an_excursion_of_1e_4_of_mu_is_found)
 {
-    (void)unused;
     const double tols[] = {1e-5, 1e-7, 1e-9};
     const int count = tries_asked(40);
     struct random r = random_begin(141);
@@ -47,9 +46,8 @@ static void an_excursion_of_1e_4_of_mu_is_found(void **unused)
     }
 }
 
-static void friction_that_suffices_is_not_exceeded(void **unused)
+TEST(friction_that_suffices_is_not_exceeded)
 {
-    (void)unused;
     const int count = tries_asked(40);
     struct random r = random_begin(142);
     for (int i = 0; i < count; ++i) {
@@ -63,9 +61,8 @@ static void friction_that_suffices_is_not_exceeded(void **unused)
 }
 
 /* A state that is 1e-6 units earlier does not slip. */
-static void the_moment_is_the_first(void **unused)
+TEST(the_moment_is_the_first)
 {
-    (void)unused;
     const int count = tries_asked(40);
     struct random r = random_begin(143);
     for (int i = 0; i < count; ++i) {
@@ -81,14 +78,4 @@ static void the_moment_is_the_first(void **unused)
         double before;
         check(motion_largest(&m, when - 1e-6 * m.unit, &before) < mu);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(an_excursion_of_1e_4_of_mu_is_found),
-        TEST(friction_that_suffices_is_not_exceeded),
-        TEST(the_moment_is_the_first),
-    };
-    return RUN_TESTS(tests);
 }

@@ -64,9 +64,8 @@ static coin_priv_run moved(const coin_state *s, const coin_params *p, step *by,
 
 /* One step errs by its 15th power: from a length to 1.25 times it the error
  * grows by 1.25^15 = 28.4, or by a power more where two terms nearly cancel. */
-static void a_step_errs_by_its_fifteenth_power(void **unused)
+TEST(a_step_errs_by_its_fifteenth_power)
 {
-    (void)unused;
     struct random r = random_begin(87);
     double sum = 0;
     enum { TRIED = 40 };
@@ -88,9 +87,8 @@ static void a_step_errs_by_its_fifteenth_power(void **unused)
 }
 
 /* The estimate of one step is as its 13th power. */
-static void the_estimate_is_as_the_thirteenth_power(void **unused)
+TEST(the_estimate_is_as_the_thirteenth_power)
 {
-    (void)unused;
     struct random r = random_begin(91);
     double sum = 0;
     enum { TRIED = 40 };
@@ -124,9 +122,8 @@ static int step_beside_eighths(coin_priv_run *one, coin_priv_run *exact,
 }
 
 /* As COIN_PRIV_ACCEPTED says, by 8 steps for one. */
-static void the_error_is_a_part_of_the_estimate(void **unused)
+TEST(the_error_is_a_part_of_the_estimate)
 {
-    (void)unused;
     struct random r = random_begin(92);
     enum { TRIED = 1000 };
     double most = 0;
@@ -150,9 +147,8 @@ static void the_error_is_a_part_of_the_estimate(void **unused)
 
 /* The bounces of a coin next to flat are alike, whatever their height d: their
  * estimates differ by less than the part d. */
-static void low_bounces_have_one_estimate(void **unused)
+TEST(low_bounces_have_one_estimate)
 {
-    (void)unused;
     const coin_params p = ring(0.5);
     double error[3] = {1, 1, 1};
     for (int k = 0; k < 3; ++k) {
@@ -169,9 +165,8 @@ static void low_bounces_have_one_estimate(void **unused)
 
 /* A low bounce is right to this part of its height, where the estimate of cos
  * theta alone is 0 by chance too. */
-static void the_height_of_low_bounces_is_a_part_of_the_estimate(void **unused)
+TEST(the_height_of_low_bounces_is_a_part_of_the_estimate)
 {
-    (void)unused;
     struct random r = random_begin(93);
     double most = 0;
     for (int i = 0; i < 3000; ++i) {
@@ -192,9 +187,8 @@ static void the_height_of_low_bounces_is_a_part_of_the_estimate(void **unused)
     check_within(most, 0.1, 1);
 }
 
-static void a_step_beyond_the_error_allowed_is_not_made(void **unused)
+TEST(a_step_beyond_the_error_allowed_is_not_made)
 {
-    (void)unused;
     const coin_params p = ring(0.5);
     const coin_state s = {.theta = 0.5, .wX = 0.3, .wY = 1, .wZ = 1};
     const coin_priv_run start = begun(&s, &p);
@@ -221,9 +215,8 @@ static void a_step_beyond_the_error_allowed_is_not_made(void **unused)
 
 /* A step of order 8, by another formula, leads to the same place, pose and
  * time included. */
-static void it_ends_where_steps_of_another_method_do(void **unused)
+TEST(it_ends_where_steps_of_another_method_do)
 {
-    (void)unused;
     struct random r = random_begin(88);
     for (int i = 0; i < 200; ++i) {
         const coin_params p = ring(random_between(&r, 0, 1));
@@ -236,9 +229,8 @@ static void it_ends_where_steps_of_another_method_do(void **unused)
     }
 }
 
-static void any_number_of_lanes_gives_the_same_bits(void **unused)
+TEST(any_number_of_lanes_gives_the_same_bits)
 {
-    (void)unused;
     lanes_step *const by[] = {extrapolate_1, extrapolate_2, extrapolate_4};
     struct random r = random_begin(89);
     int done = 0;
@@ -264,9 +256,8 @@ static void any_number_of_lanes_gives_the_same_bits(void **unused)
 }
 
 /* A step in tau of any size leads to a state above the table or nowhere. */
-static void a_step_is_sound_or_not_done(void **unused)
+TEST(a_step_is_sound_or_not_done)
 {
-    (void)unused;
     struct random r = random_begin(90);
     int done = 0, refused = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -283,20 +274,4 @@ static void a_step_is_sound_or_not_done(void **unused)
         }
     }
     check(done > 500 && refused > 100);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_step_errs_by_its_fifteenth_power),
-        TEST(the_estimate_is_as_the_thirteenth_power),
-        TEST(the_error_is_a_part_of_the_estimate),
-        TEST(low_bounces_have_one_estimate),
-        TEST(the_height_of_low_bounces_is_a_part_of_the_estimate),
-        TEST(a_step_beyond_the_error_allowed_is_not_made),
-        TEST(it_ends_where_steps_of_another_method_do),
-        TEST(any_number_of_lanes_gives_the_same_bits),
-        TEST(a_step_is_sound_or_not_done),
-    };
-    return RUN_TESTS(tests);
 }

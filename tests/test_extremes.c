@@ -17,9 +17,8 @@ static int32_t move(coin_state *s, const coin_params *p, int32_t method,
 
 /* An upright coin that is pushed by less than a normal number: by the linear
  * theory, e^(t sqrt(4/5)) times as much by t, and by no cliff in between. */
-static void pushes_below_the_normal_numbers_stay_small(void **unused)
+TEST(pushes_below_the_normal_numbers_stay_small)
 {
-    (void)unused;
     const coin_params p = disc();
     const double tiny = DBL_MIN / 1024;
     const coin_state start = {tiny, tiny, tiny, 0, 0, tiny, -tiny, tiny};
@@ -38,9 +37,8 @@ static void pushes_below_the_normal_numbers_stay_small(void **unused)
 }
 
 /* Upright it turns on the spot. */
-static void a_fast_spin_turns_as_it_says(void **unused)
+TEST(a_fast_spin_turns_as_it_says)
 {
-    (void)unused;
     const coin_params p = disc();
     for (int32_t method = 0; method <= METHODS; ++method)
         for (double rate = 1e3; rate < 2e6; rate *= 10) {
@@ -56,9 +54,8 @@ static void a_fast_spin_turns_as_it_says(void **unused)
 
 /* A fast coin is one that hardly feels gravity: in a unit of time that is a
  * power of two the two are the same motion, to the last bit. */
-static void a_fast_coin_moves_as_without_gravity(void **unused)
+TEST(a_fast_coin_moves_as_without_gravity)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_params floating = p;
     floating.gravity = 0x1p-36;
@@ -77,14 +74,4 @@ static void a_fast_coin_moves_as_without_gravity(void **unused)
         check_within(states_apart(&fast, &slow, &p), 1, 100);
         check_same(&fast, &light, sizeof fast);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(pushes_below_the_normal_numbers_stay_small),
-        TEST(a_fast_spin_turns_as_it_says),
-        TEST(a_fast_coin_moves_as_without_gravity),
-    };
-    return RUN_TESTS(tests);
 }

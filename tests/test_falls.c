@@ -42,9 +42,8 @@ static void check_fall(const struct table *t, size_t row, double sign,
 
 /* Not to the last digit of a start in other units, which its rounding moves:
  * that is far below 1e-11 in all but the slowest fall. */
-static void falls_are_timed_to_1e_11(void **unused)
+TEST(falls_are_timed_to_1e_11)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "falls.csv");
     check(t.rows == 11);
@@ -65,9 +64,8 @@ static void falls_are_timed_to_1e_11(void **unused)
 
 /* It falls upright: the point of contact, heading and roll stay; the speed is
  * that of the height lost. */
-static void the_last_state_is_that_of_the_impact(void **unused)
+TEST(the_last_state_is_that_of_the_impact)
 {
-    (void)unused;
     const coin_params p = ring(0);
     const coin_state start = {0.3, 1, 2, 3, 4, 0.25, 0, 0};
     coin_state s = start;
@@ -92,9 +90,8 @@ static void the_last_state_is_that_of_the_impact(void **unused)
     check_within(states_apart(&s, &start, &p), 0, 1e-10);
 }
 
-static void a_call_that_ends_just_before_the_impact_succeeds(void **unused)
+TEST(a_call_that_ends_just_before_the_impact_succeeds)
 {
-    (void)unused;
     const coin_params p = ring(0);
     const double impact = 2.689538375431411885;
     for (double left = 1; left > 1e-11; left /= 10) {
@@ -111,9 +108,8 @@ static void a_call_that_ends_just_before_the_impact_succeeds(void **unused)
  * docs/physics.md, "Flat".  No double is that ratio: to either side of it the
  * coin passes, and the heading turns by the angle of Eq. (51), this way or
  * that. The ratio has 12 digits there. */
-static void falls_with_spin_are_the_edge_between_two_passes(void **unused)
+TEST(falls_with_spin_are_the_edge_between_two_passes)
 {
-    (void)unused;
     const struct {
         double b, ratio;
     } bodies[] = {
@@ -141,15 +137,4 @@ static void falls_with_spin_are_the_edge_between_two_passes(void **unused)
             check_near(s[0].theta, s[1].theta, 100 * off);
             check_near(s[0].wX, s[1].wX, 100 * off);
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(falls_are_timed_to_1e_11),
-        TEST(the_last_state_is_that_of_the_impact),
-        TEST(a_call_that_ends_just_before_the_impact_succeeds),
-        TEST(falls_with_spin_are_the_edge_between_two_passes),
-    };
-    return RUN_TESTS(tests);
 }

@@ -20,16 +20,14 @@ static void terms(const coin_state *s, const coin_params *p, double *out)
 
 static const struct observable rate = {values, terms, 4, {"W"}};
 
-static void the_fastest_rate_is_the_reference_s(void **unused)
+TEST(the_fastest_rate_is_the_reference_s)
 {
-    (void)unused;
     observable_at_exact_states(&rate);
 }
 
 /* What coin.h says of COIN_COARSE holds for the W that this function gives. */
-static void steps_are_coarse_beyond_the_limits_over_it(void **unused)
+TEST(steps_are_coarse_beyond_the_limits_over_it)
 {
-    (void)unused;
     static const double limits[] = {0.35, 1, 0.08, 0.16};
     struct random r = random_begin(31);
     for (int i = 0; i < 400; ++i) {
@@ -44,21 +42,10 @@ static void steps_are_coarse_beyond_the_limits_over_it(void **unused)
 }
 
 /* Straight rolling at wZ: sqrt(wZ^2 + g/a). */
-static void it_is_known_of_an_upright_coin(void **unused)
+TEST(it_is_known_of_an_upright_coin)
 {
-    (void)unused;
     coin_params p;
     const coin_state s = {0, 1, 2, 3, 4, 0, 0, 4};
     check_status(coin_params_disc(&p, 7, 0.5, 4.5), COIN_OK);
     check(coin_fastest_rate(&s, &p) == 5);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_fastest_rate_is_the_reference_s),
-        TEST(steps_are_coarse_beyond_the_limits_over_it),
-        TEST(it_is_known_of_an_upright_coin),
-    };
-    return RUN_TESTS(tests);
 }

@@ -23,9 +23,8 @@ static coin_body flat(double v, double heading, double w)
     return b;
 }
 
-static void a_slide_is_that_of_friction_all_over_the_face(void **unused)
+TEST(a_slide_is_that_of_friction_all_over_the_face)
 {
-    (void)unused;
     static struct table t;
     table_load(&t, "toss/flat_slides.csv");
     for (size_t i = 0; i < t.rows; ++i) {
@@ -50,9 +49,8 @@ static void a_slide_is_that_of_friction_all_over_the_face(void **unused)
 }
 
 /* Path v^2/(2 mu), turn 3/8 w^2/mu of a disc and w^2/(2 mu) of a hoop. */
-static void a_pure_slide_and_a_pure_turn_stay_pure(void **unused)
+TEST(a_pure_slide_and_a_pure_turn_stay_pure)
 {
-    (void)unused;
     const double mu = 0.3;
     coin_body b = flat(2, 0, 0);
     check_near(coin_priv_slide_flat(&b, 0.5, mu, INFINITY), 2 / mu, 16 * U * 7);
@@ -75,9 +73,8 @@ static double energy(const coin_body *b, double IZ)
 }
 
 /* Rings of any width; v/w from 1e-6 to 1e6. */
-static void slides_in_parts_end_together_and_never_gain(void **unused)
+TEST(slides_in_parts_end_together_and_never_gain)
 {
-    (void)unused;
     struct random r = random_begin(851);
     const int count = tries_asked(200);
     for (int i = 0; i < count; ++i) {
@@ -106,21 +103,9 @@ static void slides_in_parts_end_together_and_never_gain(void **unused)
     }
 }
 
-static void without_friction_it_goes_on(void **unused)
+TEST(without_friction_it_goes_on)
 {
-    (void)unused;
     coin_body b = flat(2, 0, 3);
     check(coin_priv_slide_flat(&b, 0.5, 0, 5) == 5);
     check(b.s.x == 10 && b.s.psi == 15 && b.vx == 2 && b.s.wZ == 3);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_slide_is_that_of_friction_all_over_the_face),
-        TEST(a_pure_slide_and_a_pure_turn_stay_pure),
-        TEST(slides_in_parts_end_together_and_never_gain),
-        TEST(without_friction_it_goes_on),
-    };
-    return RUN_TESTS(tests);
 }

@@ -15,9 +15,8 @@ static double angle(const coin_priv_flight *f, double t)
     return 1 + (f->rate + fabs(f->sigma)) * t;
 }
 
-static void a_flight_is_that_of_newton_and_euler(void **unused)
+TEST(a_flight_is_that_of_newton_and_euler)
 {
-    (void)unused;
     static struct table t;
     table_load(&t, "toss/flights.csv");
     for (size_t i = 0; i < t.rows; ++i) {
@@ -77,9 +76,8 @@ static double energy(const coin_body *b, const coin_params *p)
            b->y;
 }
 
-static void a_flight_in_parts_is_the_whole(void **unused)
+TEST(a_flight_in_parts_is_the_whole)
 {
-    (void)unused;
     struct random r = random_begin(821);
     for (int i = 0; i < 2000; ++i) {
         const coin_params p = random_body(&r);
@@ -101,9 +99,8 @@ static void a_flight_in_parts_is_the_whole(void **unused)
 }
 
 /* The pass changes the face, and theta turns back from pi/2. */
-static void a_face_passes_the_horizontal(void **unused)
+TEST(a_face_passes_the_horizontal)
 {
-    (void)unused;
     const coin_params p = thrown_params(0.25, 0.5);
     for (int i = 0; i < 200; ++i) {
         const double aside = i % 2 ? pow(10, -i / 10.0) : 0;
@@ -120,14 +117,4 @@ static void a_face_passes_the_horizontal(void **unused)
         check_near(past.s.theta, 1.2, 1e-13 + aside * aside);
         check(past.s.wX < 0);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_flight_is_that_of_newton_and_euler),
-        TEST(a_flight_in_parts_is_the_whole),
-        TEST(a_face_passes_the_horizontal),
-    };
-    return RUN_TESTS(tests);
 }

@@ -71,9 +71,8 @@ static double loop_error(const struct start *b, double dt_units, double units,
 static const double steps[] = {1e-3, 2.3e-3, 4.1e-3, 7.3e-3, 1.13e-2, 2e-2};
 enum { TRIED = sizeof steps / sizeof *steps };
 
-static void a_loop_of_steps_is_as_exact_as_promised(void **unused)
+TEST(a_loop_of_steps_is_as_exact_as_promised)
 {
-    (void)unused;
     int calm = 0;
     double worst = 0;
     for (int i = 0; i < SCENES; ++i) {
@@ -93,9 +92,8 @@ static void a_loop_of_steps_is_as_exact_as_promised(void **unused)
 }
 
 /* An unstable roll: what it does to an error of a float, it does to ours. */
-static void an_unstable_roll_amplifies_the_error(void **unused)
+TEST(an_unstable_roll_amplifies_the_error)
 {
-    (void)unused;
     const struct start b = start_of("tumble");
     for (int k = 0; k < TRIED; ++k) {
         check_note("dt = %g units", steps[k]);
@@ -106,9 +104,8 @@ static void an_unstable_roll_amplifies_the_error(void **unused)
 }
 
 /* The remainders are what makes it so. */
-static void without_remainders_fine_steps_lose_digits(void **unused)
+TEST(without_remainders_fine_steps_lose_digits)
 {
-    (void)unused;
     const char *const names[] = {"generic", "circle", "quarter"};
     for (int i = 0; i < 3; ++i) {
         const struct start b = start_of(names[i]);
@@ -119,9 +116,8 @@ static void without_remainders_fine_steps_lose_digits(void **unused)
 
 /* Random coins, over 4 units so that few amplify: what is left of the promise
  * then, a tenth per unit, for nine of ten. */
-static void nine_of_ten_random_coins_are_followed_as_exactly(void **unused)
+TEST(nine_of_ten_random_coins_are_followed_as_exactly)
 {
-    (void)unused;
     enum { COINS = 60 };
     struct random r = random_begin(61);
     int good = 0;
@@ -146,9 +142,8 @@ static double run_error(const struct start *b, double dt_units)
     return floats_error(&s, &b->s, &b->p, n * (double)dt);
 }
 
-static void a_run_is_of_order_4(void **unused)
+TEST(a_run_is_of_order_4)
 {
-    (void)unused;
     const char *const names[] = {"generic", "ring", "negative"};
     for (int i = 0; i < 3; ++i) {
         const struct start b = start_of(names[i]);
@@ -158,9 +153,8 @@ static void a_run_is_of_order_4(void **unused)
 }
 
 /* --------------------------------------------------------------- to the bit */
-static void a_run_is_so_many_steps_to_the_bit(void **unused)
+TEST(a_run_is_so_many_steps_to_the_bit)
 {
-    (void)unused;
     const struct start b = start_of("quarter");
     const float dt = (float)(0.02 * b.unit);
     coinf_state run = b.s, loop = b.s;
@@ -171,9 +165,8 @@ static void a_run_is_so_many_steps_to_the_bit(void **unused)
     check(memcmp(&run, &b.s, sizeof run) != 0);
 }
 
-static void heading_and_roll_stay_within_half_a_turn(void **unused)
+TEST(heading_and_roll_stay_within_half_a_turn)
 {
-    (void)unused;
     struct start b = start_of("quarter");
     b.s.phi = -4000;
     b.s.psi = 4096;
@@ -187,9 +180,8 @@ static void heading_and_roll_stay_within_half_a_turn(void **unused)
 }
 
 /* As in test_symmetry. */
-static void mirrored_and_reversed_motions_have_the_same_bits(void **unused)
+TEST(mirrored_and_reversed_motions_have_the_same_bits)
 {
-    (void)unused;
     const struct start b = start_of("generic");
     coinf_state s = b.s, mirrored = b.s, back = b.s;
     mirrored.theta = -s.theta;
@@ -209,9 +201,8 @@ static void mirrored_and_reversed_motions_have_the_same_bits(void **unused)
           back.x == s.x && back.z == s.z && back.wZ == -s.wZ);
 }
 
-static void this_build_gives_the_pinned_bits(void **unused)
+TEST(this_build_gives_the_pinned_bits)
 {
-    (void)unused;
     check_status(coinf_selftest(), COIN_OK);
 }
 
@@ -222,29 +213,11 @@ static int rounds_otherwise(void)
     return one + little != 1 || one - little != 1;
 }
 
-static void another_rounding_mode_does_not_give_the_pinned_bits(void **unused)
+TEST(another_rounding_mode_does_not_give_the_pinned_bits)
 {
-    (void)unused;
     check(fesetround(FE_UPWARD) == 0);
     const int32_t status = coinf_selftest();
     const int otherwise = rounds_otherwise();
     check(fesetround(FE_TONEAREST) == 0);
     check_status(status, otherwise ? COIN_EBUILD : COIN_OK);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_loop_of_steps_is_as_exact_as_promised),
-        TEST(an_unstable_roll_amplifies_the_error),
-        TEST(without_remainders_fine_steps_lose_digits),
-        TEST(nine_of_ten_random_coins_are_followed_as_exactly),
-        TEST(a_run_is_of_order_4),
-        TEST(a_run_is_so_many_steps_to_the_bit),
-        TEST(heading_and_roll_stay_within_half_a_turn),
-        TEST(mirrored_and_reversed_motions_have_the_same_bits),
-        TEST(this_build_gives_the_pinned_bits),
-        TEST(another_rounding_mode_does_not_give_the_pinned_bits),
-    };
-    return RUN_TESTS(tests);
 }

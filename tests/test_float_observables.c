@@ -182,9 +182,8 @@ static void one_rounding(double out[VALUES], const struct pair *f,
 /* A well-made formula errs by a few such changes: the worst was 2.5 of them. */
 #define CHANGES 5
 
-static void each_is_as_exact_as_its_arguments(void **unused)
+TEST(each_is_as_exact_as_its_arguments)
 {
-    (void)unused;
     struct random r = random_begin(62);
     double worst = 0;
     for (int i = 0; i < TRIED; ++i) {
@@ -213,9 +212,8 @@ static void each_is_as_exact_as_its_arguments(void **unused)
 
 /* Near flat the distance to pi/2 decides, and a float of pi/2 is 4.4e-8 off:
  * the lean is taken as the number that it is. */
-static void near_flat_the_rounding_of_half_pi_is_allowed_for(void **unused)
+TEST(near_flat_the_rounding_of_half_pi_is_allowed_for)
 {
-    (void)unused;
     const coinf_params p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}};
     const coin_params dp = doubles_params(&p);
     for (int side = -1; side <= 1; side += 2) {
@@ -231,9 +229,8 @@ static void near_flat_the_rounding_of_half_pi_is_allowed_for(void **unused)
     }
 }
 
-static void a_coin_is_made_from_a_rotation_and_back(void **unused)
+TEST(a_coin_is_made_from_a_rotation_and_back)
 {
-    (void)unused;
     struct random r = random_begin(63);
     for (int i = 0; i < TRIED; ++i) {
         const coin_params p = random_coin(&r);
@@ -261,9 +258,8 @@ static void a_coin_is_made_from_a_rotation_and_back(void **unused)
     }
 }
 
-static void half_turns_become_states_too(void **unused)
+TEST(half_turns_become_states_too)
 {
-    (void)unused;
     const coinf_params p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}};
     const coin_params dp = doubles_params(&p);
     const float none[3] = {0};
@@ -285,9 +281,8 @@ static void half_turns_become_states_too(void **unused)
     }
 }
 
-static void a_q_of_0_and_a_flat_coin_make_no_state(void **unused)
+TEST(a_q_of_0_and_a_flat_coin_make_no_state)
 {
-    (void)unused;
     const float nothing[4] = {0}, flat[4] = {1, 1, 0, 0}, omega[3] = {0, 0, 0};
     const float turn[4] = {1, 0, 0, 0}, fast[3] = {1e20f, 0, 0};
     coinf_params p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}};
@@ -314,9 +309,8 @@ static void a_q_of_0_and_a_flat_coin_make_no_state(void **unused)
     check_same(&s, &before, sizeof s);
 }
 
-static void the_validity_bits_are_those_of_doubles(void **unused)
+TEST(the_validity_bits_are_those_of_doubles)
 {
-    (void)unused;
     struct random r = random_begin(64);
     int seen = 0;
     for (int i = 0; i < TRIED; ++i) {
@@ -334,9 +328,8 @@ static void the_validity_bits_are_those_of_doubles(void **unused)
     check(seen == (COIN_SLIPS | COIN_LIFTS | COIN_COARSE | COIN_NEARLY_FLAT));
 }
 
-static void the_ratio_is_infinite_without_a_normal_force(void **unused)
+TEST(the_ratio_is_infinite_without_a_normal_force)
 {
-    (void)unused;
     const coinf_state lifts = {0.1f, 0, 0, 0, 0, 3, 0, 0, {0}};
     const coinf_state rolls = {0, 0, 0, 0, 0, 0, 0, 1, {0}};
     coinf_params p;
@@ -352,9 +345,8 @@ static void the_ratio_is_infinite_without_a_normal_force(void **unused)
     check_status(coinf_params_ring(NULL, 1, 1, 0, 1), COIN_EARG);
 }
 
-static void bad_arguments_leave_outputs_alone(void **unused)
+TEST(bad_arguments_leave_outputs_alone)
 {
-    (void)unused;
     coinf_state bad = {NAN, 0, 0, 0, 0, 0, 0, 0, {0}}, s = {0};
     coinf_params p;
     float out[9] = {7, 7, 7, 7, 7, 7, 7, 7, 7};
@@ -395,19 +387,4 @@ static void bad_arguments_leave_outputs_alone(void **unused)
         check(out[i] == 7);
     check(f.R[0] == 7 && f.ratio == 7);
     check_same(&r, &bad, sizeof r);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(each_is_as_exact_as_its_arguments),
-        TEST(near_flat_the_rounding_of_half_pi_is_allowed_for),
-        TEST(a_coin_is_made_from_a_rotation_and_back),
-        TEST(half_turns_become_states_too),
-        TEST(a_q_of_0_and_a_flat_coin_make_no_state),
-        TEST(the_validity_bits_are_those_of_doubles),
-        TEST(the_ratio_is_infinite_without_a_normal_force),
-        TEST(bad_arguments_leave_outputs_alone),
-    };
-    return RUN_TESTS(tests);
 }

@@ -16,9 +16,8 @@ static const coinf_params body = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}};
 static const coinf_state good = {0.5f, 1, 2, 3, 4, 0.1f, 0.8f, 1.2f, {0}};
 
 /* ------------------------------------------------------------------ layout */
-static void a_state_is_eight_floats_and_their_eight_remainders(void **unused)
+TEST(a_state_is_eight_floats_and_their_eight_remainders)
 {
-    (void)unused;
     const size_t at[] = {
         offsetof(coinf_state, theta), offsetof(coinf_state, phi),
         offsetof(coinf_state, psi),   offsetof(coinf_state, x),
@@ -55,9 +54,8 @@ static void refused(const coinf_state *s, const coinf_params *p, float dt,
     }
 }
 
-static void null_pointers_and_unknown_methods_are_refused(void **unused)
+TEST(null_pointers_and_unknown_methods_are_refused)
 {
-    (void)unused;
     const int32_t unknown[] = {-1, COIN_RK8, COIN_SYMPLECTIC2, COIN_SYMPLECTIC4,
                                4,  1000};
     coinf_state s = good;
@@ -72,9 +70,8 @@ static void null_pointers_and_unknown_methods_are_refused(void **unused)
     check_same(&s, &good, sizeof s);
 }
 
-static void bad_parameters_are_refused(void **unused)
+TEST(bad_parameters_are_refused)
 {
-    (void)unused;
     const coinf_params bad[] = {
         {-1, 1, 1, 0.25f, 0.5f, {0, 0, 0}},
         {NAN, 1, 1, 0.25f, 0.5f, {0, 0, 0}},
@@ -100,9 +97,8 @@ static void bad_parameters_are_refused(void **unused)
     check_status(coinf_params_check(&body), COIN_OK);
 }
 
-static void bad_states_are_refused(void **unused)
+TEST(bad_states_are_refused)
 {
-    (void)unused;
     const struct {
         size_t member; /* low follows the members */
         float value;
@@ -132,9 +128,8 @@ static void bad_states_are_refused(void **unused)
     check_status(coinf_state_check(&good, NULL), COIN_EARG);
 }
 
-static void a_state_at_the_edge_of_the_range_is_accepted(void **unused)
+TEST(a_state_at_the_edge_of_the_range_is_accepted)
 {
-    (void)unused;
     const coinf_state edge = {1.57079625f, 4096, -4096, 1e6f,   -1e6f,
                               0,           0,    0,     {9e-7f}};
     coinf_state s = edge;
@@ -143,9 +138,8 @@ static void a_state_at_the_edge_of_the_range_is_accepted(void **unused)
     check_same(&s, &edge, sizeof s);
 }
 
-static void times_that_are_not_finite_are_refused(void **unused)
+TEST(times_that_are_not_finite_are_refused)
 {
-    (void)unused;
     const float bad[] = {NAN, INFINITY, -INFINITY};
     for (int i = 0; i < 3; ++i) {
         refused(&good, &body, bad[i], COIN_ESTEP);
@@ -155,9 +149,8 @@ static void times_that_are_not_finite_are_refused(void **unused)
 }
 
 /* ------------------------------------------------------------------- limits */
-static void a_time_of_0_and_0_steps_change_nothing(void **unused)
+TEST(a_time_of_0_and_0_steps_change_nothing)
 {
-    (void)unused;
     const coinf_state before = {0.5f, 4000, -0.0f, 3, 4, 1, 1, 1, {1e-9f}};
     coinf_state s = before;
     uint64_t done = 0;
@@ -176,9 +169,8 @@ static int32_t step_of(float units)
     return coinf_step(&s, &body, units / 2);
 }
 
-static void coarse_steps_are_reported_and_coarser_ones_refused(void **unused)
+TEST(coarse_steps_are_reported_and_coarser_ones_refused)
 {
-    (void)unused;
     check_status(step_of(0.349f), COIN_OK);
     check_status(step_of(0.351f), COIN_COARSE);
     check_status(step_of(-1.19f), COIN_COARSE);
@@ -188,9 +180,8 @@ static void coarse_steps_are_reported_and_coarser_ones_refused(void **unused)
 
 /* Steps near the limit: where one ends, W may not be beyond it either, but for
  * the error of the last stage, which stands for the end. */
-static void a_step_does_not_end_far_beyond_the_limit(void **unused)
+TEST(a_step_does_not_end_far_beyond_the_limit)
 {
-    (void)unused;
     struct random r = random_begin(65);
     int refused = 0;
     for (int i = 0; i < 4000; ++i) {
@@ -213,9 +204,8 @@ static void a_step_does_not_end_far_beyond_the_limit(void **unused)
 }
 
 /* Rates at the edge of what a state may have stay within. */
-static void rates_at_the_edge_of_their_range_stay_within_it(void **unused)
+TEST(rates_at_the_edge_of_their_range_stay_within_it)
 {
-    (void)unused;
     struct random r = random_begin(66);
     int moved = 0;
     for (int i = 0; i < 500; ++i) {
@@ -236,9 +226,8 @@ static void rates_at_the_edge_of_their_range_stay_within_it(void **unused)
 
 /* Through a pass near flat and up again: a step is coarse if it begins or ends
  * beyond the limit.  The last stage stands for the end, to a part in 20. */
-static void a_step_is_coarse_if_it_begins_or_ends_above_the_limit(void **unused)
+TEST(a_step_is_coarse_if_it_begins_or_ends_above_the_limit)
 {
-    (void)unused;
     const coin_params d = doubles_params(&body);
     const double limit = 0.35;
     int down = 0, up = 0, fine = 0;
@@ -267,9 +256,8 @@ static void a_step_is_coarse_if_it_begins_or_ends_above_the_limit(void **unused)
 
 /* From rest at 1.5 rad a step of 0.9 leads through the table; and a step that
  * ends nearer to pi/2 than half the last digit is refused by the digit. */
-static void a_step_through_the_table_is_refused(void **unused)
+TEST(a_step_through_the_table_is_refused)
 {
-    (void)unused;
     const coinf_state low = {1.5f, 0, 0, 0, 0, 0, 0, 0, {0}};
     const coinf_state edge = {1.57079625f, 0, 0, 0, 0, 0.012f, 0, 0, {5e-8f}};
     coinf_state s = low;
@@ -282,9 +270,8 @@ static void a_step_through_the_table_is_refused(void **unused)
 }
 
 /* A coin that falls flat, at t = 2.6895: test_limits. */
-static void a_fall_ends_above_the_table_with_its_progress(void **unused)
+TEST(a_fall_ends_above_the_table_with_its_progress)
 {
-    (void)unused;
     for (int side = -1; side <= 1; side += 2)
         for (float dt = 0.1f; dt > 1e-4f; dt /= 4) {
             const coinf_state start = {
@@ -306,9 +293,8 @@ static void a_fall_ends_above_the_table_with_its_progress(void **unused)
         }
 }
 
-static void a_place_out_of_range_is_not_reached(void **unused)
+TEST(a_place_out_of_range_is_not_reached)
 {
-    (void)unused;
     const coinf_state start = {0, 0, 0, -1e6f, 1e6f, 0, 0, 1, {0}};
     const coinf_state near = {0, 0, 0, -999990, 0, 0, 0, 1, {0}};
     coinf_state s = start;
@@ -323,25 +309,4 @@ static void a_place_out_of_range_is_not_reached(void **unused)
     check(done == 80);
     check_status(coinf_state_check(&s, &body), COIN_OK);
     check_status(coinf_step(&s, &body, 0.125f), COIN_ERANGE);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_state_is_eight_floats_and_their_eight_remainders),
-        TEST(null_pointers_and_unknown_methods_are_refused),
-        TEST(bad_parameters_are_refused),
-        TEST(bad_states_are_refused),
-        TEST(a_state_at_the_edge_of_the_range_is_accepted),
-        TEST(times_that_are_not_finite_are_refused),
-        TEST(a_time_of_0_and_0_steps_change_nothing),
-        TEST(coarse_steps_are_reported_and_coarser_ones_refused),
-        TEST(a_step_does_not_end_far_beyond_the_limit),
-        TEST(rates_at_the_edge_of_their_range_stay_within_it),
-        TEST(a_step_is_coarse_if_it_begins_or_ends_above_the_limit),
-        TEST(a_step_through_the_table_is_refused),
-        TEST(a_fall_ends_above_the_table_with_its_progress),
-        TEST(a_place_out_of_range_is_not_reached),
-    };
-    return RUN_TESTS(tests);
 }

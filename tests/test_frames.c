@@ -19,9 +19,8 @@ static coin_params quarter(void)
     return p;
 }
 
-static void frames_of_a_quarter_are_one_step_each(void **unused)
+TEST(frames_of_a_quarter_are_one_step_each)
 {
-    (void)unused;
     const struct {
         int rate;
         double tol;
@@ -47,9 +46,8 @@ static void frames_of_a_quarter_are_one_step_each(void **unused)
 }
 
 /* Which only a coin whose lean and heading turn slowly may take at first. */
-static void at_1e_9_it_is_one_step_in_tau(void **unused)
+TEST(at_1e_9_it_is_one_step_in_tau)
 {
-    (void)unused;
     const coin_params p = quarter();
     const coin_priv_lengths lengths = coin_priv_lengths_of(1e-9);
     coin_state s = rolling;
@@ -75,10 +73,8 @@ static void at_1e_9_it_is_one_step_in_tau(void **unused)
 /* Leans, headings and rolls that turn fast or slowly beside each other: within
  * tol for each radian that W turns, beside 400 steps of RK8, which err by less
  * than 400^-8 of what one would. */
-static void however_a_coin_turns_the_error_is_below_tol_per_radian(
-    void **unused)
+TEST(however_a_coin_turns_the_error_is_below_tol_per_radian)
 {
-    (void)unused;
     const double tols[] = {1e-3, 1e-5, 1e-6, 1e-7, 1e-9, 1e-11};
     const int count = tries_asked(900);
     struct random r = random_begin(93);
@@ -106,9 +102,8 @@ static void however_a_coin_turns_the_error_is_below_tol_per_radian(
 
 /* In these motions, the worst of a search, one step of RK8 errs by 4 to 8 tol
  * per unit: by less than tol for each radian that W turns. */
-static void fast_spins_err_by_less_than_tol_per_radian(void **unused)
+TEST(fast_spins_err_by_less_than_tol_per_radian)
 {
-    (void)unused;
     const struct {
         coin_state s;
         double inner, t, tol;
@@ -142,9 +137,8 @@ static void fast_spins_err_by_less_than_tol_per_radian(void **unused)
 }
 
 /* Of coins that turn up to 20 times as fast as others. */
-static void short_calls_err_by_less_than_tol_per_radian(void **unused)
+TEST(short_calls_err_by_less_than_tol_per_radian)
 {
-    (void)unused;
     const double tols[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10};
     const int count = tries_asked(1000);
     struct random r = random_begin(95);
@@ -172,9 +166,8 @@ static void short_calls_err_by_less_than_tol_per_radian(void **unused)
 
 /* Passes near flat at the end of a call, of 400,000 motions those that one step
  * of RK8, 0.9/W long, could not end. */
-static void passes_are_right_at_the_coarsest_tol(void **unused)
+TEST(passes_are_right_at_the_coarsest_tol)
 {
-    (void)unused;
     const struct {
         coin_state s;
         double t;
@@ -218,9 +211,8 @@ static void passes_are_right_at_the_coarsest_tol(void **unused)
 
 /* Found by a search.  One step of RK8 through all of t would err by 2.2 times
  * the law: t^2 (W^2 + TURN w^2) is above the square of LAST_MOST. */
-static void a_last_step_keeps_the_law_at_the_coarsest_tol(void **unused)
+TEST(a_last_step_keeps_the_law_at_the_coarsest_tol)
 {
-    (void)unused;
     const coin_params p = ring(sqrt(0.4432));
     const coin_state start = {
         .theta = 1.48126, .wX = 0.14058, .wY = -0.045052, .wZ = 0.30425};
@@ -233,9 +225,8 @@ static void a_last_step_keeps_the_law_at_the_coarsest_tol(void **unused)
 }
 
 /* A minute of frames: the errors of all add up, and the phase drifts. */
-static void a_minute_of_frames_errs_by_less_than_tol_per_unit(void **unused)
+TEST(a_minute_of_frames_errs_by_less_than_tol_per_unit)
 {
-    (void)unused;
     const int rates[] = {60, 120, 240, 1000};
     const double tols[] = {1e-6, 1e-9};
     const coin_params p = quarter();
@@ -251,19 +242,4 @@ static void a_minute_of_frames_errs_by_less_than_tol_per_unit(void **unused)
             check_status(coin_advance(&s, &p, 1.0 / rate, tol, NULL), COIN_OK);
         check_within(path_apart(&s, &exact, &p), 0, tol * units);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(frames_of_a_quarter_are_one_step_each),
-        TEST(at_1e_9_it_is_one_step_in_tau),
-        TEST(however_a_coin_turns_the_error_is_below_tol_per_radian),
-        TEST(fast_spins_err_by_less_than_tol_per_radian),
-        TEST(short_calls_err_by_less_than_tol_per_radian),
-        TEST(passes_are_right_at_the_coarsest_tol),
-        TEST(a_last_step_keeps_the_law_at_the_coarsest_tol),
-        TEST(a_minute_of_frames_errs_by_less_than_tol_per_unit),
-    };
-    return RUN_TESTS(tests);
 }

@@ -8,9 +8,8 @@
 
 #include <math.h>
 
-static void an_impact_is_that_of_newton_and_euler(void **unused)
+TEST(an_impact_is_that_of_newton_and_euler)
 {
-    (void)unused;
     static struct table t;
     table_load(&t, "toss/impacts.csv");
     for (size_t i = 0; i < t.rows; ++i) {
@@ -70,9 +69,8 @@ static coin_body falling(struct random *r, double *speed)
     return b;
 }
 
-static void no_impact_gains_energy_or_turns_about_its_contact(void **unused)
+TEST(no_impact_gains_energy_or_turns_about_its_contact)
 {
-    (void)unused;
     struct random r = random_begin(841);
     const int count = tries_asked(125000);
     int stuck = 0;
@@ -113,9 +111,8 @@ static void no_impact_gains_energy_or_turns_about_its_contact(void **unused)
 
 /* The lowest point comes to rest: the velocities of rolling with the angular
  * momentum about the contact. */
-static void one_that_neither_slips_nor_bounces_rolls(void **unused)
+TEST(one_that_neither_slips_nor_bounces_rolls)
 {
-    (void)unused;
     struct random r = random_begin(842);
     const coin_priv_bounce law = {0, INFINITY, 0.3};
     for (int i = 0; i < 5000; ++i) {
@@ -143,14 +140,4 @@ static void one_that_neither_slips_nor_bounces_rolls(void **unused)
         check_near(b.vy, v[1], 2 * U * fabs(b.s.wX));
         check_near(b.vz, v[2], 16 * U * size / IX);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(an_impact_is_that_of_newton_and_euler),
-        TEST(no_impact_gains_energy_or_turns_about_its_contact),
-        TEST(one_that_neither_slips_nor_bounces_rolls),
-    };
-    return RUN_TESTS(tests);
 }

@@ -50,17 +50,15 @@ static void terms(const coin_state *s, const coin_params *p, double *out)
 
 static const struct observable integrals = {values, terms, 12, {"KY", "KZ"}};
 
-static void the_integrals_are_the_reference_s_down_to_the_table(void **unused)
+TEST(the_integrals_are_the_reference_s_down_to_the_table)
 {
-    (void)unused;
     observable_at_exact_states(&integrals);
     observable_along_scenes(&integrals);
 }
 
 /* Upright, nothing has to be carried. */
-static void upright_they_are_wY_and_wZ(void **unused)
+TEST(upright_they_are_wY_and_wZ)
 {
-    (void)unused;
     struct random r = random_begin(12);
     for (int i = 0; i < 50; ++i) {
         const coin_params p = random_coin(&r);
@@ -72,9 +70,8 @@ static void upright_they_are_wY_and_wZ(void **unused)
     }
 }
 
-static void a_step_does_not_move_them(void **unused)
+TEST(a_step_does_not_move_them)
 {
-    (void)unused;
     struct random r = random_begin(13);
     for (int i = 0; i < 20; ++i) {
         const coin_params p = random_coin(&r);
@@ -88,9 +85,8 @@ static void a_step_does_not_move_them(void **unused)
 }
 
 /* At sin(theta) = 0.7 one series takes over from the other. */
-static void the_two_series_agree_where_they_meet(void **unused)
+TEST(the_two_series_agree_where_they_meet)
 {
-    (void)unused;
     struct random r = random_begin(14);
     for (int i = 0; i < 200; ++i) {
         const coin_params p = random_coin(&r);
@@ -112,9 +108,8 @@ static void the_two_series_agree_where_they_meet(void **unused)
 /* wY cos theta tends to K_Y Pe(1) + k1 K_Z Po(1) as the coin comes to lie: the
  * values at u = 1 are known in Gamma functions.  At 1e-9 from flat what is
  * left of the way moves it by less than 1e-16. */
-static void near_flat_they_give_the_limit_of_wY_cos_theta(void **unused)
+TEST(near_flat_they_give_the_limit_of_wY_cos_theta)
 {
-    (void)unused;
     const struct {
         double b, Pe, Po;
     } at_1[] = {
@@ -140,16 +135,4 @@ static void near_flat_they_give_the_limit_of_wY_cos_theta(void **unused)
         check_near(p_flat, s.wY * cos(s.theta),
                    12 * U * (size[0] * at_1[k].Pe + size[1] * 2 * at_1[k].Po));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_integrals_are_the_reference_s_down_to_the_table),
-        TEST(upright_they_are_wY_and_wZ),
-        TEST(a_step_does_not_move_them),
-        TEST(the_two_series_agree_where_they_meet),
-        TEST(near_flat_they_give_the_limit_of_wY_cos_theta),
-    };
-    return RUN_TESTS(tests);
 }

@@ -34,9 +34,8 @@ static double largest_drift(size_t row, uint64_t steps)
 
 /* To row 6.  The drift is of order 4, or 5 where its leading part, even in
  * time, cancels over periods: 16 to 32 times less for half a step. */
-static void integrals_drift_no_faster_than_the_order(void **unused)
+TEST(integrals_drift_no_faster_than_the_order)
 {
-    (void)unused;
     const struct {
         const char *name;
         uint64_t steps;
@@ -56,18 +55,16 @@ static void integrals_drift_no_faster_than_the_order(void **unused)
 }
 
 /* Where positions are amplified a million times the integrals are not. */
-static void integrals_hold_where_the_path_is_lost(void **unused)
+TEST(integrals_hold_where_the_path_is_lost)
 {
-    (void)unused;
     scene_load(&scene, "tumble");
     const size_t row = 8;
     check(scene_at(&scene, row, "amp") > 1e6);
     check_within(largest_drift(row, 40000), 0, 1e-9);
 }
 
-static void integrals_hold_in_random_scenes(void **unused)
+TEST(integrals_hold_in_random_scenes)
 {
-    (void)unused;
     struct random r = random_begin(44);
     for (int i = 0; i < 100; ++i) {
         const coin_params p = random_coin(&r);
@@ -85,9 +82,8 @@ static void integrals_hold_in_random_scenes(void **unused)
 }
 
 /* ---------------------------------------------------------- steady motions */
-static void steady_motions_stay(void **unused)
+TEST(steady_motions_stay)
 {
-    (void)unused;
     struct random r = random_begin(45);
     for (int i = 0; i < 60; ++i) {
         const coin_params p = random_coin(&r);
@@ -116,9 +112,8 @@ static void steady_motions_stay(void **unused)
 
 /* The heading is the angle of a pair that the steps turn: Runge-Kutta turns it
  * by z - z^5/120 for z. */
-static void upright_motions_do_not_lean_at_all(void **unused)
+TEST(upright_motions_do_not_lean_at_all)
 {
-    (void)unused;
     const double rate = 0.3, dt = 0.05, n = 1000, z = rate * dt;
     const double way = rate * dt * n;
     coin_params p;
@@ -155,9 +150,8 @@ static coin_state next_turn(coin_state *s, const coin_params *p, double dt)
     return turn;
 }
 
-static void the_lean_turns_where_the_reference_does(void **unused)
+TEST(the_lean_turns_where_the_reference_does)
 {
-    (void)unused;
     const struct {
         const char *name, *turns;
         double dt;
@@ -191,9 +185,8 @@ static void the_lean_turns_where_the_reference_does(void **unused)
  * quadrature of the reduced problem the heading turns, over that one period,
  * by a little more than pi sqrt(1 + M a^2/I_X) = pi sqrt 5, a full turn and
  * some more. */
-static void a_pass_near_the_table_turns_the_heading_by_pi_sqrt_5(void **unused)
+TEST(a_pass_near_the_table_turns_the_heading_by_pi_sqrt_5)
 {
-    (void)unused;
     const struct {
         double spin, dt, turned, lowest;
     } cases[] = {
@@ -213,18 +206,4 @@ static void a_pass_near_the_table_turns_the_heading_by_pi_sqrt_5(void **unused)
         check_near(high.phi, cases[i].turned, 1e-5);
         check_near(high.theta, 0.3, 1e-8);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(integrals_drift_no_faster_than_the_order),
-        TEST(integrals_hold_where_the_path_is_lost),
-        TEST(integrals_hold_in_random_scenes),
-        TEST(steady_motions_stay),
-        TEST(upright_motions_do_not_lean_at_all),
-        TEST(the_lean_turns_where_the_reference_does),
-        TEST(a_pass_near_the_table_turns_the_heading_by_pi_sqrt_5),
-    };
-    return RUN_TESTS(tests);
 }

@@ -62,9 +62,8 @@ static const struct {
     {"sizeof(coin_force)", sizeof(coin_force), 6 * D},
 };
 
-static void every_member_has_its_place(void **unused)
+TEST(every_member_has_its_place)
 {
-    (void)unused;
     for (size_t i = 0; i < sizeof layout / sizeof *layout; ++i) {
         check_note("%s: %zu, not %zu", layout[i].name, layout[i].got,
                    layout[i].want);
@@ -98,21 +97,11 @@ static const struct {
     {"COIN_SYMPLECTIC4", COIN_SYMPLECTIC4, 3},
 };
 
-static void every_constant_has_its_number(void **unused)
+TEST(every_constant_has_its_number)
 {
-    (void)unused;
     for (size_t i = 0; i < sizeof constants / sizeof *constants; ++i) {
         check_note("%s: %d, not %d", constants[i].name, (int)constants[i].got,
                    (int)constants[i].want);
         check(constants[i].got == constants[i].want);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(every_member_has_its_place),
-        TEST(every_constant_has_its_number),
-    };
-    return RUN_TESTS(tests);
 }

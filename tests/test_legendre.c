@@ -31,9 +31,8 @@ static double kappa(const struct table *t, size_t row)
     return 4 / (3 + b * b);
 }
 
-static void the_power_series_is_the_reference_s(void **unused)
+TEST(the_power_series_is_the_reference_s)
 {
-    (void)unused;
     struct table t;
     size_t seen = 0;
     table_load(&t, "special.csv");
@@ -76,9 +75,8 @@ static void flat_row(const struct table *t, size_t i, double v)
 }
 
 /* Where 1 - |u| is exact. */
-static void the_flat_series_is_the_reference_s(void **unused)
+TEST(the_flat_series_is_the_reference_s)
 {
-    (void)unused;
     struct table t;
     size_t seen = 0;
     table_load(&t, "special.csv");
@@ -92,9 +90,8 @@ static void the_flat_series_is_the_reference_s(void **unused)
     check(seen >= 16);
 }
 
-static void both_wronskians_hold_for_every_body_and_lean(void **unused)
+TEST(both_wronskians_hold_for_every_body_and_lean)
 {
-    (void)unused;
     struct random r = random_begin(4);
     for (int i = 0; i < 2000; ++i) {
         const double kap = 2 * pow(10, -random_between(&r, 0, 12));
@@ -114,9 +111,8 @@ static void both_wronskians_hold_for_every_body_and_lean(void **unused)
 
 /* The two bases solve one equation: R((1 - u)/2) = R(1/2) We + PR(1/2)/kap Wo,
  * since at u = 0 the pair is R(1/2), PR(1/2). */
-static void the_series_continue_each_other(void **unused)
+TEST(the_series_continue_each_other)
 {
-    (void)unused;
     struct random r = random_begin(5);
     for (int i = 0; i < 500; ++i) {
         const double kap = random_between(&r, 0.05, 2);
@@ -130,15 +126,4 @@ static void the_series_continue_each_other(void **unused)
         check_near(f.PR, up.PR * c.Pe + kap * up.R * c.Po,
                    4 * CLAIMED * (kap * up.R * c.Po - up.PR * c.Pe));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_power_series_is_the_reference_s),
-        TEST(the_flat_series_is_the_reference_s),
-        TEST(both_wronskians_hold_for_every_body_and_lean),
-        TEST(the_series_continue_each_other),
-    };
-    return RUN_TESTS(tests);
 }

@@ -24,9 +24,8 @@ static const struct limits {
 
 /* Without angular momentum nothing keeps the coin off the table, where
  * textbook Runge-Kutta goes on below it: it is there at t = 2.68953837543. */
-static void a_coin_that_falls_flat_stops_above_the_table(void **unused)
+TEST(a_coin_that_falls_flat_stops_above_the_table)
 {
-    (void)unused;
     const coin_params p = disc();
     const double impact = 2.68953837543;
     for (int i = 0; i < 12; ++i) {
@@ -44,9 +43,8 @@ static void a_coin_that_falls_flat_stops_above_the_table(void **unused)
     }
 }
 
-static void it_stops_likewise_on_the_other_face_and_backward(void **unused)
+TEST(it_stops_likewise_on_the_other_face_and_backward)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_state s = {-0.3, 0, 0, 0, 0, 0, 0, 0};
     check_status(coin_run(&s, &p, COIN_RK4, 0.01, 1000, NULL), COIN_ESTEP);
@@ -59,9 +57,8 @@ static void it_stops_likewise_on_the_other_face_and_backward(void **unused)
 
 /* With a little momentum it passes the table and comes back up, if only the
  * steps resolve the pass; if not, a step is refused. */
-static void a_pass_near_the_table_is_resolved_or_refused(void **unused)
+TEST(a_pass_near_the_table_is_resolved_or_refused)
 {
-    (void)unused;
     struct scene scene;
     scene_load(&scene, "nearflat");
     const size_t row = 7; /* t = 5, after the pass */
@@ -86,9 +83,8 @@ static void a_pass_near_the_table_is_resolved_or_refused(void **unused)
 /* Every step that is not refused leaves a state that passes the check, and
  * one that is not coarse keeps the energy; for steps and states of all sizes,
  * far beyond what the method can do. */
-static void no_step_leaves_the_range_of_states(void **unused)
+TEST(no_step_leaves_the_range_of_states)
 {
-    (void)unused;
     struct random r = random_begin(35);
     unsigned refused = 0, coarse = 0, fine = 0;
     for (int i = 0; i < 3000; ++i) {
@@ -111,10 +107,8 @@ static void no_step_leaves_the_range_of_states(void **unused)
 /* In the range that is neither refused nor coarse the error is what the
  * method's limit promises; at the limit it is not yet wrong, just beyond what
  * is refused it would be. */
-static void steps_too_large_are_refused_before_the_motion_is_nonsense(
-    void **unused)
+TEST(steps_too_large_are_refused_before_the_motion_is_nonsense)
 {
-    (void)unused;
     struct scene scene;
     scene_load(&scene, "generic");
     for (int i = 1; i <= 40; ++i) {
@@ -139,9 +133,8 @@ static void steps_too_large_are_refused_before_the_motion_is_nonsense(
 }
 
 /* Where W never changes, each limit is where coin.h says, to rounding. */
-static void every_method_warns_and_refuses_at_its_limits(void **unused)
+TEST(every_method_warns_and_refuses_at_its_limits)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state steady = circle(&p, 0.4, 2, 1);
     const double W = fastest_rate(&steady, &p);
@@ -211,9 +204,8 @@ static struct fall walk_until_it_fails(int32_t method)
  * (dt W)^2/8 before it is noticed; the walk goes in steps of 2 %, of whole
  * numbers of steps.  A symplectic method is refused where its drift reaches too
  * far towards the table, some way before `most`. */
-static void every_method_fails_along_a_motion_where_it_should(void **unused)
+TEST(every_method_fails_along_a_motion_where_it_should)
 {
-    (void)unused;
     /* Error after 10 units at the largest step that is not coarse, and at the
      * worst that is done, as measured; within a factor of 2. */
     static const double errors[METHODS][2] = {
@@ -261,9 +253,8 @@ static void energy_range(int32_t method, double dtW, int steps, double range[2])
 /* How they fail.  Coarse steps of Runge-Kutta lose energy, smoothly, until the
  * nodding has died: of the scene's energy that is 3.8 %.  The symplectic
  * methods never lose any. */
-static void coarse_steps_lose_energy_or_only_the_phase(void **unused)
+TEST(coarse_steps_lose_energy_or_only_the_phase)
 {
-    (void)unused;
     double range[2], later[2];
     energy_range(COIN_RK4, 0.73, 4000, range);
     check_within(range[0], -0.039, -0.036);
@@ -282,9 +273,8 @@ static void coarse_steps_lose_energy_or_only_the_phase(void **unused)
 
 /* Ever nearer to flat, a fixed step first comes out coarse and then is refused,
  * where dt times W at the closest approach says so; coin_advance() passes. */
-static void a_fixed_step_ends_where_the_pass_is_too_near(void **unused)
+TEST(a_fixed_step_ends_where_the_pass_is_too_near)
 {
-    (void)unused;
     const coin_params p = disc();
     const double dt = 1e-3;
     for (int32_t method = 0; method < METHODS; ++method) {
@@ -319,9 +309,8 @@ static void a_fixed_step_ends_where_the_pass_is_too_near(void **unused)
 /* A pass within a step: of order 8 it ends with |dt| W = 1.73, an energy right
  * to 1e-2, and a pair of the heading so far off the unit circle that to bring
  * it back throws it further.  Once allowed, such steps led to x = 1e200. */
-static void a_step_over_a_pass_is_refused(void **unused)
+TEST(a_step_over_a_pass_is_refused)
 {
-    (void)unused;
     coin_params p;
     coin_state s = {0.466, 0.2332, 2.819, 0, 0, 34.3455, 52.2717, -66.7884};
     uint64_t done;
@@ -335,9 +324,8 @@ static void a_step_over_a_pass_is_refused(void **unused)
 
 /* One step per video frame: of RK4 it is allowed and said to be coarse, and it
  * is wrong by some 8e-3; of RK8 it is neither. */
-static void a_quarter_may_take_a_step_per_frame(void **unused)
+TEST(a_quarter_may_take_a_step_per_frame)
 {
-    (void)unused;
     struct scene scene;
     scene_load(&scene, "quarter");
     const size_t row = scene_row(&scene, 1);
@@ -354,9 +342,8 @@ static void a_quarter_may_take_a_step_per_frame(void **unused)
 }
 
 /* Ten steps of an eighth fit before phi, or psi, is out of range. */
-static void a_run_counts_the_steps_that_stay_in_range(void **unused)
+TEST(a_run_counts_the_steps_that_stay_in_range)
 {
-    (void)unused;
     const coin_params p = disc();
     for (int i = 0; i < 2; ++i) {
         coin_state start, out[12];
@@ -376,23 +363,4 @@ static void a_run_counts_the_steps_that_stay_in_range(void **unused)
         check(samples == 11 && out[11].theta == 7);
         check(memcmp(&out[10], &s, sizeof s) == 0);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_coin_that_falls_flat_stops_above_the_table),
-        TEST(it_stops_likewise_on_the_other_face_and_backward),
-        TEST(a_pass_near_the_table_is_resolved_or_refused),
-        TEST(no_step_leaves_the_range_of_states),
-        TEST(steps_too_large_are_refused_before_the_motion_is_nonsense),
-        TEST(every_method_warns_and_refuses_at_its_limits),
-        TEST(every_method_fails_along_a_motion_where_it_should),
-        TEST(coarse_steps_lose_energy_or_only_the_phase),
-        TEST(a_fixed_step_ends_where_the_pass_is_too_near),
-        TEST(a_step_over_a_pass_is_refused),
-        TEST(a_quarter_may_take_a_step_per_frame),
-        TEST(a_run_counts_the_steps_that_stay_in_range),
-    };
-    return RUN_TESTS(tests);
 }

@@ -92,9 +92,8 @@ static struct drawn draw(struct random *r)
     return d;
 }
 
-static void rates_differ_from_the_ideal_ones_by_the_torques(void **unused)
+TEST(rates_differ_from_the_ideal_ones_by_the_torques)
 {
-    (void)unused;
     struct random r = random_begin(141);
     for (int i = 0; i < 2000; ++i) {
         const struct drawn of = draw(&r);
@@ -119,9 +118,8 @@ static void rates_differ_from_the_ideal_ones_by_the_torques(void **unused)
 
 /* The power is minus the torque times the angular velocity; and it is the rate
  * at which coin_energy() falls, by the chain rule. */
-static void the_power_is_what_the_energy_loses(void **unused)
+TEST(the_power_is_what_the_energy_loses)
 {
-    (void)unused;
     struct random r = random_begin(142);
     for (int i = 0; i < 2000; ++i) {
         const struct drawn of = draw(&r);
@@ -149,9 +147,8 @@ static void the_power_is_what_the_energy_loses(void **unused)
 }
 
 /* R = M (dv/dt + g e_y), dv/dt by the product rule from the rates. */
-static void the_reaction_accelerates_the_centre(void **unused)
+TEST(the_reaction_accelerates_the_centre)
 {
-    (void)unused;
     struct random r = random_begin(143);
     for (int i = 0; i < 2000; ++i) {
         const coin_params p = random_coin(&r);
@@ -184,9 +181,8 @@ static void the_reaction_accelerates_the_centre(void **unused)
     }
 }
 
-static void without_losses_the_rates_are_the_ideal_ones(void **unused)
+TEST(without_losses_the_rates_are_the_ideal_ones)
 {
-    (void)unused;
     const coin_losses none = {0};
     struct random r = random_begin(144);
     for (int i = 0; i < 200; ++i) {
@@ -200,9 +196,8 @@ static void without_losses_the_rates_are_the_ideal_ones(void **unused)
     }
 }
 
-static void a_soft_of_0_stands_for_one_1024th(void **unused)
+TEST(a_soft_of_0_stands_for_one_1024th)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {.theta = 0.3, .wY = 0.002, .wZ = -0.001};
     const coin_losses none = {.dry = 0.1}, same = {.dry = 0.1, .soft = 0x1p-10};
@@ -212,9 +207,8 @@ static void a_soft_of_0_stands_for_one_1024th(void **unused)
 }
 
 /* -------------------------------------------------------------- bad input */
-static void every_member_is_checked(void **unused)
+TEST(every_member_is_checked)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {.theta = 0.5, .wY = 1, .wZ = 1};
     const double bad[] = {-1e-300, -1, NAN, INFINITY, 1.01e3, 0.99e-12};
@@ -238,9 +232,8 @@ static void every_member_is_checked(void **unused)
 }
 
 /* In natural units of any coin; and `flat` is an angle. */
-static void the_ranges_are_those_of_natural_units(void **unused)
+TEST(the_ranges_are_those_of_natural_units)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 0.00567, 0.01213, 9.80665), COIN_OK);
     for (int i = 0; i < MEMBERS; ++i) {
@@ -261,9 +254,8 @@ static void the_ranges_are_those_of_natural_units(void **unused)
     }
 }
 
-static void errors_come_in_their_order(void **unused)
+TEST(errors_come_in_their_order)
 {
-    (void)unused;
     const coin_params good = disc();
     const coin_params bad = {.mass = -1};
     const coin_losses none = {0};
@@ -285,19 +277,4 @@ static void errors_come_in_their_order(void **unused)
     check_status(coin_losses_reaction(&flat, &good, &none, &f), COIN_ESTATE);
     check(isnan(coin_losses_power(NULL, &good, &none)));
     check(isnan(coin_losses_power(&flat, &good, &none)));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(rates_differ_from_the_ideal_ones_by_the_torques),
-        TEST(the_power_is_what_the_energy_loses),
-        TEST(the_reaction_accelerates_the_centre),
-        TEST(without_losses_the_rates_are_the_ideal_ones),
-        TEST(a_soft_of_0_stands_for_one_1024th),
-        TEST(every_member_is_checked),
-        TEST(the_ranges_are_those_of_natural_units),
-        TEST(errors_come_in_their_order),
-    };
-    return RUN_TESTS(tests);
 }

@@ -45,9 +45,8 @@ static void pose(long double m[16], const coin_state *s, double radius)
     m[14] = s->z;
 }
 
-static void the_matrix_is_the_product_of_three_turns(void **unused)
+TEST(the_matrix_is_the_product_of_three_turns)
 {
-    (void)unused;
     struct random r = random_begin(161);
     for (int n = 0; n < TRIED; ++n) {
         const coin_params p = random_coin(&r);
@@ -74,9 +73,8 @@ static void place(const double m[16], const double of[3], double out[3])
 
 /* The coin has rolled so far that the mark on its rim is the point of contact,
  * which lies at psi below the centre when psi is a whole turn. */
-static void a_mark_on_the_rim_comes_down_where_the_coin_touches(void **unused)
+TEST(a_mark_on_the_rim_comes_down_where_the_coin_touches)
 {
-    (void)unused;
     struct random r = random_begin(162);
     for (int n = 0; n < TRIED; ++n) {
         const coin_params p = random_coin(&r);
@@ -93,9 +91,8 @@ static void a_mark_on_the_rim_comes_down_where_the_coin_touches(void **unused)
     }
 }
 
-static void upright_it_is_a_shift_upwards(void **unused)
+TEST(upright_it_is_a_shift_upwards)
 {
-    (void)unused;
     const double want[] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 2, 4, 1};
     const coin_state s = {0, 0, 0, 3, 4, 5, 6, 7};
     coin_params p;
@@ -106,9 +103,8 @@ static void upright_it_is_a_shift_upwards(void **unused)
         check(m[i] == want[i]);
 }
 
-static void a_matrix_of_floats_is_that_of_the_same_state(void **unused)
+TEST(a_matrix_of_floats_is_that_of_the_same_state)
 {
-    (void)unused;
     struct random r = random_begin(163);
     for (int n = 0; n < TRIED; ++n) {
         const coin_params p = random_coin(&r);
@@ -127,9 +123,8 @@ static void a_matrix_of_floats_is_that_of_the_same_state(void **unused)
     }
 }
 
-static void bad_arguments_have_no_matrix(void **unused)
+TEST(bad_arguments_have_no_matrix)
 {
-    (void)unused;
     const coin_state good = {0.1, 0, 0, 0, 0, 0, 0, 0};
     const coin_state fallen = {1.6, 0, 0, 0, 0, 0, 0, 0};
     coin_params p, heavy;
@@ -144,16 +139,4 @@ static void bad_arguments_have_no_matrix(void **unused)
     check_status(coin_matrix(&fallen, &heavy, m), COIN_EPARAMS);
     check_status(coin_matrix(&fallen, &p, m), COIN_ESTATE);
     check_same(m, before, sizeof m);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_matrix_is_the_product_of_three_turns),
-        TEST(a_mark_on_the_rim_comes_down_where_the_coin_touches),
-        TEST(upright_it_is_a_shift_upwards),
-        TEST(a_matrix_of_floats_is_that_of_the_same_state),
-        TEST(bad_arguments_have_no_matrix),
-    };
-    return RUN_TESTS(tests);
 }

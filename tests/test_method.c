@@ -3,9 +3,8 @@
 
 #include <string.h>
 
-static void each_method_has_its_name(void **unused)
+TEST(each_method_has_its_name)
 {
-    (void)unused;
     const struct {
         int32_t method;
         const char *name;
@@ -21,21 +20,11 @@ static void each_method_has_its_name(void **unused)
     }
 }
 
-static void other_numbers_are_no_methods(void **unused)
+TEST(other_numbers_are_no_methods)
 {
-    (void)unused;
     const int32_t absurd[] = {-1, 4, 1000, INT32_MIN, INT32_MAX};
     for (size_t i = 0; i < sizeof absurd / sizeof *absurd; ++i) {
         check_note("method %d", (int)absurd[i]);
         check(coin_method_name(absurd[i]) == NULL);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(each_method_has_its_name),
-        TEST(other_numbers_are_no_methods),
-    };
-    return RUN_TESTS(tests);
 }

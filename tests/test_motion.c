@@ -43,9 +43,8 @@ static void terms(const coin_state *s, const coin_params *p, double *out)
     out[SPIN] = r.m / r.K * r.wX * r.wY;
 }
 
-static void the_rates_are_those_of_newton_and_euler(void **unused)
+TEST(the_rates_are_those_of_newton_and_euler)
 {
-    (void)unused;
     const struct observable rates = {
         values,
         terms,
@@ -55,9 +54,8 @@ static void the_rates_are_those_of_newton_and_euler(void **unused)
     observable_at_exact_states(&rates);
 }
 
-static void a_step_moves_as_the_rates_say(void **unused)
+TEST(a_step_moves_as_the_rates_say)
 {
-    (void)unused;
     struct random r = random_begin(6);
     for (int i = 0; i < 20; ++i) {
         const coin_params p = random_coin(&r);
@@ -97,9 +95,8 @@ static struct slopes random_slopes(struct random *r)
 /* The stage carries sines, cosines and 1/cos theta as variables: the chain
  * rule ties their rates to those of the angles.  Bound: 8 u of the one term.
  */
-static void the_carried_functions_obey_the_chain_rule(void **unused)
+TEST(the_carried_functions_obey_the_chain_rule)
 {
-    (void)unused;
     struct random r = random_begin(7);
     for (int i = 0; i < 500; ++i) {
         const struct slopes k = random_slopes(&r);
@@ -114,9 +111,8 @@ static void the_carried_functions_obey_the_chain_rule(void **unused)
 }
 
 /* Folded into the coefficients, h is a factor and nothing else. */
-static void slopes_are_the_rates_times_h(void **unused)
+TEST(slopes_are_the_rates_times_h)
 {
-    (void)unused;
     struct random r = random_begin(46);
     for (int i = 0; i < 500; ++i) {
         const struct slopes k = random_slopes(&r);
@@ -131,9 +127,8 @@ static void slopes_are_the_rates_times_h(void **unused)
     }
 }
 
-static void w_is_the_fastest_of_the_rates(void **unused)
+TEST(w_is_the_fastest_of_the_rates)
 {
-    (void)unused;
     struct random r = random_begin(8);
     for (int i = 0; i < 500; ++i) {
         const struct slopes k = random_slopes(&r);
@@ -142,16 +137,4 @@ static void w_is_the_fastest_of_the_rates(void **unused)
             (wX * wX + wY * wY) / (c * c) + k.s.wZ * k.s.wZ + k.b.g_a / c;
         check_near(coin_priv_rate2(k.b.g_a, &k.y), want, 8 * U * want);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_rates_are_those_of_newton_and_euler),
-        TEST(a_step_moves_as_the_rates_say),
-        TEST(the_carried_functions_obey_the_chain_rule),
-        TEST(slopes_are_the_rates_times_h),
-        TEST(w_is_the_fastest_of_the_rates),
-    };
-    return RUN_TESTS(tests);
 }

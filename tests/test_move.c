@@ -43,9 +43,8 @@ static int32_t mode(const coin_body *b, const coin_params *p)
 }
 
 /* --------------------------------------------------------------- touching */
-static void a_body_of_a_state_rolls_and_touches_exactly(void **unused)
+TEST(a_body_of_a_state_rolls_and_touches_exactly)
 {
-    (void)unused;
     struct random r = random_begin(801);
     for (int i = 0; i < 300; ++i) {
         const coin_params p = random_coin(&r);
@@ -67,9 +66,8 @@ static void a_body_of_a_state_rolls_and_touches_exactly(void **unused)
     }
 }
 
-static void each_edge_of_touching_is_where_coin_h_says(void **unused)
+TEST(each_edge_of_touching_is_where_coin_h_says)
 {
-    (void)unused;
     const coin_params p = quarter();
     const double v0 = sqrt(p.gravity * p.radius), a = p.radius;
     const coin_state s = {.theta = 0.3, .wX = 1, .wY = 2, .wZ = 30};
@@ -105,9 +103,8 @@ static void each_edge_of_touching_is_where_coin_h_says(void **unused)
 }
 
 /* Every body that is returned is what the status says. */
-static void every_body_that_returns_is_what_its_status_says(void **unused)
+TEST(every_body_that_returns_is_what_its_status_says)
 {
-    (void)unused;
     struct random r = random_begin(802);
     const int count = tries_asked(60);
     int said[COIN_RESTS + 1] = {0};
@@ -154,9 +151,8 @@ static void every_body_that_returns_is_what_its_status_says(void **unused)
 }
 
 /* ------------------------------------------------------------ from engines */
-static void a_body_of_an_engine_is_set_on_the_table_or_in_the_air(void **unused)
+TEST(a_body_of_an_engine_is_set_on_the_table_or_in_the_air)
 {
-    (void)unused;
     const coin_params p = disc();
     const struct {
         double y;
@@ -177,9 +173,8 @@ static void a_body_of_an_engine_is_set_on_the_table_or_in_the_air(void **unused)
     }
 }
 
-static void an_engines_motion_is_that_of_the_state(void **unused)
+TEST(an_engines_motion_is_that_of_the_state)
 {
-    (void)unused;
     struct random r = random_begin(803);
     for (int i = 0; i < 100; ++i) {
         const coin_params p = random_coin(&r);
@@ -200,9 +195,8 @@ static void an_engines_motion_is_that_of_the_state(void **unused)
 }
 
 /* A face that is horizontal: the start of a toss. */
-static void a_horizontal_face_is_accepted(void **unused)
+TEST(a_horizontal_face_is_accepted)
 {
-    (void)unused;
     const coin_params p = disc();
     const double h = sqrt(0.5), up[3] = {0, 2, 0}, spin[3] = {1, 3, 2};
     const double faces[][4] = {
@@ -241,9 +235,8 @@ static coin_body tumble(const coin_params *p)
     return rolling(p, &s);
 }
 
-static void a_slip_and_its_end_are_found_by_stop(void **unused)
+TEST(a_slip_and_its_end_are_found_by_stop)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_body b = tumble(&p);
     double slips, again, rolls;
@@ -259,10 +252,8 @@ static void a_slip_and_its_end_are_found_by_stop(void **unused)
     check_status(mode(&b, &p), COIN_OK);
 }
 
-static void a_stop_within_one_long_call_or_many_short_ones_is_the_same(
-    void **unused)
+TEST(a_stop_within_one_long_call_or_many_short_ones_is_the_same)
 {
-    (void)unused;
     const coin_params p = disc();
     for (double dt = 0.02; dt < 3; dt *= 3) {
         coin_body b = tumble(&p);
@@ -277,9 +268,8 @@ static void a_stop_within_one_long_call_or_many_short_ones_is_the_same(
     }
 }
 
-static void a_stop_at_the_end_is_told_with_the_mode(void **unused)
+TEST(a_stop_at_the_end_is_told_with_the_mode)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state nearly = {.theta = 1.565, .wY = 0.1};
     const coin_body falling = rolling(&p, &nearly);
@@ -303,9 +293,8 @@ static void a_stop_at_the_end_is_told_with_the_mode(void **unused)
     check(moved == 0);
 }
 
-static void a_lift_off_ends_the_call_and_the_next_if_asked(void **unused)
+TEST(a_lift_off_ends_the_call_and_the_next_if_asked)
 {
-    (void)unused;
     const coin_params p = disc();
     struct random r = random_begin(804);
     int lifted = 0;
@@ -333,9 +322,8 @@ static void a_lift_off_ends_the_call_and_the_next_if_asked(void **unused)
 
 /* A disc that falls over from rest, where nothing slips: N comes to 0 at cos
  * theta = 1/2, though nothing lifts it.  It slips instead. */
-static void where_rolling_needs_a_pull_a_coin_slips(void **unused)
+TEST(where_rolling_needs_a_pull_a_coin_slips)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table rough = {.mu_static = INFINITY, .mu_kinetic = 0.5};
     const coin_state up = {.theta = 1e-6};
@@ -349,9 +337,8 @@ static void where_rolling_needs_a_pull_a_coin_slips(void **unused)
 }
 
 /* ----------------------------------------------------------------- at rest */
-static void a_coin_that_rests_stays_there(void **unused)
+TEST(a_coin_that_rests_stays_there)
 {
-    (void)unused;
     const coin_params p = quarter();
     coin_table f = grip;
     coin_state s;
@@ -376,9 +363,8 @@ static void a_coin_that_rests_stays_there(void **unused)
     check(u[0] == 0 && u[1] == 0);
 }
 
-static void in_the_air_there_is_no_force(void **unused)
+TEST(in_the_air_there_is_no_force)
 {
-    (void)unused;
     const coin_params p = disc();
     const double up[3] = {0, 3, 0};
     coin_force force;
@@ -393,9 +379,8 @@ static void in_the_air_there_is_no_force(void **unused)
 }
 
 /* ------------------------------------------------------------------ refused */
-static void a_bad_table_is_refused(void **unused)
+TEST(a_bad_table_is_refused)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {.theta = 0.3, .wZ = 1};
     const coin_body good = rolling(&p, &s);
@@ -425,9 +410,8 @@ static void a_bad_table_is_refused(void **unused)
     }
 }
 
-static void a_bad_body_is_refused_and_not_touched(void **unused)
+TEST(a_bad_body_is_refused_and_not_touched)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {.theta = 0.3, .wZ = 1};
     const coin_body good = rolling(&p, &s);
@@ -458,9 +442,8 @@ static void a_bad_body_is_refused_and_not_touched(void **unused)
 }
 
 /* At the last lean a coin lies flat only if it does not turn over. */
-static void the_last_lean_alone_is_not_flat(void **unused)
+TEST(the_last_lean_alone_is_not_flat)
 {
-    (void)unused;
     const coin_params p = disc();
     const double last = nextafter(asin(1), 0);
     const coin_state states[] = {
@@ -477,9 +460,8 @@ static void the_last_lean_alone_is_not_flat(void **unused)
 }
 
 /* The velocity of the centre is that of two rates. */
-static void a_state_that_rolls_too_fast_for_a_body_is_refused(void **unused)
+TEST(a_state_that_rolls_too_fast_for_a_body_is_refused)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {.phi = 2.4, .wX = 9e5, .wZ = 9e5};
     coin_body b = {.y = 7};
@@ -489,9 +471,8 @@ static void a_state_that_rolls_too_fast_for_a_body_is_refused(void **unused)
     check_same(&b, &before, sizeof b);
 }
 
-static void a_bad_time_tolerance_or_stop_is_refused(void **unused)
+TEST(a_bad_time_tolerance_or_stop_is_refused)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {.theta = 0.3, .wZ = 1};
     const coin_body good = rolling(&p, &s);
@@ -518,9 +499,8 @@ static void a_bad_time_tolerance_or_stop_is_refused(void **unused)
 }
 
 /* Nothing changes its slip. */
-static void a_slide_without_friction_is_silent(void **unused)
+TEST(a_slide_without_friction_is_silent)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
     coin_body b = {.s = {.wZ = 1e-4}, .y = 1, .vx = 0.5};
@@ -531,9 +511,8 @@ static void a_slide_without_friction_is_silent(void **unused)
     check_near(b.s.x, 3, 1e-14);
 }
 
-static void damping_is_for_coins_that_roll(void **unused)
+TEST(damping_is_for_coins_that_roll)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {.theta = 0.3, .wZ = 1};
     const coin_table f = {
@@ -547,9 +526,8 @@ static void damping_is_for_coins_that_roll(void **unused)
 }
 
 /* 2 sqrt(k (1 + k)): the disc's sqrt(5)/2, the hoop's sqrt(3). */
-static void friction_beyond_the_bound_of_painleve_is_refused(void **unused)
+TEST(friction_beyond_the_bound_of_painleve_is_refused)
 {
-    (void)unused;
     const double inner[] = {0, 0.5, 1};
     const double bound[] = {1.1180339887498949, 1.2808688457449498,
                             1.7320508075688772};
@@ -564,9 +542,8 @@ static void friction_beyond_the_bound_of_painleve_is_refused(void **unused)
 }
 
 /* phi, psi, x and z end where their ranges do, and the progress is kept. */
-static void at_the_end_of_a_range_the_progress_is_kept(void **unused)
+TEST(at_the_end_of_a_range_the_progress_is_kept)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table f = {.mu_static = INFINITY};
     coin_state starts[4];
@@ -588,9 +565,8 @@ static void at_the_end_of_a_range_the_progress_is_kept(void **unused)
 }
 
 /* A disc that needs more steps than a call has. */
-static void a_call_is_bounded_and_the_next_goes_on(void **unused)
+TEST(a_call_is_bounded_and_the_next_goes_on)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table f = {.mu_static = INFINITY};
     coin_state s;
@@ -603,34 +579,4 @@ static void a_call_is_bounded_and_the_next_goes_on(void **unused)
     check_near(coin_body_energy(&b, &p), coin_energy(&s, &p), 1e-9);
     check_status(coin_move(&b, &p, &f, 1, 1e-9, 0, &moved), COIN_OK);
     check(moved == 1);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_body_of_a_state_rolls_and_touches_exactly),
-        TEST(each_edge_of_touching_is_where_coin_h_says),
-        TEST(every_body_that_returns_is_what_its_status_says),
-        TEST(a_body_of_an_engine_is_set_on_the_table_or_in_the_air),
-        TEST(an_engines_motion_is_that_of_the_state),
-        TEST(a_horizontal_face_is_accepted),
-        TEST(a_slip_and_its_end_are_found_by_stop),
-        TEST(a_stop_within_one_long_call_or_many_short_ones_is_the_same),
-        TEST(a_stop_at_the_end_is_told_with_the_mode),
-        TEST(a_lift_off_ends_the_call_and_the_next_if_asked),
-        TEST(where_rolling_needs_a_pull_a_coin_slips),
-        TEST(a_coin_that_rests_stays_there),
-        TEST(in_the_air_there_is_no_force),
-        TEST(a_bad_table_is_refused),
-        TEST(a_bad_body_is_refused_and_not_touched),
-        TEST(the_last_lean_alone_is_not_flat),
-        TEST(a_state_that_rolls_too_fast_for_a_body_is_refused),
-        TEST(a_bad_time_tolerance_or_stop_is_refused),
-        TEST(a_slide_without_friction_is_silent),
-        TEST(damping_is_for_coins_that_roll),
-        TEST(friction_beyond_the_bound_of_painleve_is_refused),
-        TEST(at_the_end_of_a_range_the_progress_is_kept),
-        TEST(a_call_is_bounded_and_the_next_goes_on),
-    };
-    return RUN_TESTS(tests);
 }

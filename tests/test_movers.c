@@ -11,9 +11,8 @@
 enum { CALLS = 200 };
 #define BOUND (CALLS * 8 * U * 16)
 
-static void as_many_calls_of_one_step_come_to_the_same_place(void **unused)
+TEST(as_many_calls_of_one_step_come_to_the_same_place)
 {
-    (void)unused;
     const coin_state s = {0.5, 0.1, 0.2, 0.3, 0.4, 0.1, 0.4, 0.9};
     coin_params disc;
     check_status(coin_params_disc(&disc, 1, 1, 1), COIN_OK);
@@ -28,12 +27,4 @@ static void as_many_calls_of_one_step_come_to_the_same_place(void **unused)
         check_near(states_apart(&parts.s, &whole.s, &disc), 0, BOUND);
         check_near((double)(parts.t - whole.t), 0, BOUND);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(as_many_calls_of_one_step_come_to_the_same_place),
-    };
-    return RUN_TESTS(tests);
 }

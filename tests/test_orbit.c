@@ -29,9 +29,8 @@ static const char *const far_scenes[] = {
 
 /* 8 u: each half of a period is a sum of pieces, each rounded to its own
  * unit.  Found: 3.4 u. */
-static void periods_are_those_of_the_reference(void **unused)
+TEST(periods_are_those_of_the_reference)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "orbits.csv");
     for (size_t row = 0; row < t.rows; ++row) {
@@ -52,9 +51,8 @@ static void periods_are_those_of_the_reference(void **unused)
 
 /* The ring's moments of inertia are not doubles, and its theta follows them.
  */
-static void pieces_are_few_and_cover_half_a_period(void **unused)
+TEST(pieces_are_few_and_cover_half_a_period)
 {
-    (void)unused;
     for (size_t i = 0; i < SCENES; ++i) {
         struct scene scene;
         scene_load(&scene, scene_names[i]);
@@ -71,9 +69,8 @@ static void pieces_are_few_and_cover_half_a_period(void **unused)
 }
 
 /* --------------------------------------------------------- steady motions */
-static void a_steady_motion_has_no_period(void **unused)
+TEST(a_steady_motion_has_no_period)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "circles.csv");
     int seen = 0;
@@ -116,9 +113,8 @@ static void a_steady_motion_has_no_period(void **unused)
 }
 
 /* Upright and straight, it has no circle; at rest, its circle is a point. */
-static void a_straight_roll_has_no_centre(void **unused)
+TEST(a_straight_roll_has_no_centre)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_state s = {0, 0.3, 1, 2, 3, 0, 0, 0.2}, at;
     coin_orbit o = orbit_of(&s, &p); /* unstable, and yet it stays */
@@ -139,9 +135,8 @@ static void a_straight_roll_has_no_centre(void **unused)
 
 /* Nudged by little, it swings with the period of Eq. (44); by less than its
  * own rounding, it does not. */
-static void close_to_steady_the_period_is_that_of_small_swings(void **unused)
+TEST(close_to_steady_the_period_is_that_of_small_swings)
 {
-    (void)unused;
     const coin_params p = disc();
     for (double nudge = 1e-3; nudge > 1e-13; nudge /= 10) {
         coin_state s;
@@ -176,9 +171,8 @@ static void refused(const coin_state *s, const coin_params *p)
 /* Slow upright rolling is the top of a hill.  Started ever nearer to it, the
  * coin takes ever longer, and its period ever more from rounding: a hundred
  * times more for a lean ten times less. */
-static void near_a_separatrix_there_is_no_orbit(void **unused)
+TEST(near_a_separatrix_there_is_no_orbit)
 {
-    (void)unused;
     const coin_params p = disc();
     double last = 1, period = 0; /* found: 18910, 1764000, ... */
     for (double lean = 0.01; lean > 2e-6; lean /= 10) {
@@ -207,9 +201,8 @@ static void near_a_separatrix_there_is_no_orbit(void **unused)
 
 /* With next to no spin at all there is no way past the table that doubles can
  * follow. */
-static void on_the_table_there_is_no_orbit(void **unused)
+TEST(on_the_table_there_is_no_orbit)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_state s = {0.3, 0, 0, 0, 0, 0, 0, 0};
     refused(&s, &p); /* falls flat */
@@ -224,9 +217,8 @@ static void on_the_table_there_is_no_orbit(void **unused)
 }
 
 /* Where 1e-9 rad is left, a lean as a double tells a ten-millionth of that. */
-static void next_to_the_table_no_swing_is_an_orbit(void **unused)
+TEST(next_to_the_table_no_swing_is_an_orbit)
 {
-    (void)unused;
     const coin_params p = disc();
     for (double far = 1.01e-3; far > 1e-11; far /= 10) {
         coin_state s;
@@ -252,9 +244,8 @@ static void next_to_the_table_no_swing_is_an_orbit(void **unused)
 /* --------------------------------------------------------- the annulus */
 /* The path stays in it, and comes within a millionth of both edges, or what
  * 2000 points of a period miss. */
-static void the_path_fills_its_annulus(void **unused)
+TEST(the_path_fills_its_annulus)
 {
-    (void)unused;
     struct random r = random_begin(71);
     for (int i = 0; i < 40; ++i) {
         coin_params p = disc();
@@ -287,9 +278,8 @@ static void the_path_fills_its_annulus(void **unused)
 }
 
 /* A wobble through upright with K_Y = 0 goes straight on. */
-static void a_symmetric_wobble_drifts(void **unused)
+TEST(a_symmetric_wobble_drifts)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {0, 0.5, 0, 2, 3, 0.1, 0, 1};
     const coin_orbit o = orbit_of(&s, &p);
@@ -308,9 +298,8 @@ static void a_symmetric_wobble_drifts(void **unused)
 }
 
 /* With a heading from which the turning point before lies out of range. */
-static void it_drifts_from_the_end_of_the_range_as_well(void **unused)
+TEST(it_drifts_from_the_end_of_the_range_as_well)
 {
-    (void)unused;
     const coin_params p = disc();
     const double phi = 0x1p31;
     const coin_state s = {0, phi, 0, 0, 0, 0.3, 0, 1};
@@ -324,9 +313,8 @@ static void it_drifts_from_the_end_of_the_range_as_well(void **unused)
 }
 
 /* Any other drifts where Dphi passes a multiple of 2 pi: here 0. */
-static void a_resonant_motion_drifts(void **unused)
+TEST(a_resonant_motion_drifts)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_state s = {0.5, 0, 0, 0, 0, 0.1, 0.8, 1.2};
     double low = 1, high = 1.2; /* wY, with heading above and below 0 */
@@ -354,29 +342,8 @@ static void a_resonant_motion_drifts(void **unused)
     check(o.drift[0] == 0 && hypot(o.center[0], o.center[1]) > 1e4);
 }
 
-static void its_size_is_as_promised(void **unused)
+TEST(its_size_is_as_promised)
 {
-    (void)unused;
     check(coin_sizeof("coin_orbit") == sizeof(coin_orbit));
     check(sizeof(coin_orbit) == 32768);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(periods_are_those_of_the_reference),
-        TEST(pieces_are_few_and_cover_half_a_period),
-        TEST(a_steady_motion_has_no_period),
-        TEST(a_straight_roll_has_no_centre),
-        TEST(close_to_steady_the_period_is_that_of_small_swings),
-        TEST(near_a_separatrix_there_is_no_orbit),
-        TEST(on_the_table_there_is_no_orbit),
-        TEST(next_to_the_table_no_swing_is_an_orbit),
-        TEST(the_path_fills_its_annulus),
-        TEST(a_symmetric_wobble_drifts),
-        TEST(it_drifts_from_the_end_of_the_range_as_well),
-        TEST(a_resonant_motion_drifts),
-        TEST(its_size_is_as_promised),
-    };
-    return RUN_TESTS(tests);
 }

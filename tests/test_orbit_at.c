@@ -19,9 +19,8 @@ static coin_state at(const coin_orbit *o, double t)
 }
 
 /* ---------------------------------------------------------- references */
-static void every_scene_is_where_the_reference_is(void **unused)
+TEST(every_scene_is_where_the_reference_is)
 {
-    (void)unused;
     for (size_t i = 0; i < SCENES; ++i) {
         struct scene scene;
         scene_load(&scene, scene_names[i]);
@@ -40,9 +39,8 @@ static void every_scene_is_where_the_reference_is(void **unused)
     }
 }
 
-static void random_coins_are_where_the_reference_is(void **unused)
+TEST(random_coins_are_where_the_reference_is)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "random.csv");
     check(t.rows == 100);
@@ -69,9 +67,8 @@ static const char *const far_scenes[] = {
 };
 
 /* At 1000 and at 1e6 natural units, and as long before the start. */
-static void far_times_are_as_good_as_doubles_tell(void **unused)
+TEST(far_times_are_as_good_as_doubles_tell)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "orbits.csv");
     for (size_t row = 0; row < t.rows; ++row) {
@@ -92,9 +89,8 @@ static void far_times_are_as_good_as_doubles_tell(void **unused)
 /* ---------------------------------------------------------- its own laws */
 /* The start comes back, and a part of the way begun elsewhere goes on alike.
  */
-static void an_orbit_from_a_later_state_goes_on(void **unused)
+TEST(an_orbit_from_a_later_state_goes_on)
 {
-    (void)unused;
     struct random r = random_begin(81);
     for (int i = 0; i < 100; ++i) {
         coin_params p;
@@ -112,9 +108,8 @@ static void an_orbit_from_a_later_state_goes_on(void **unused)
     }
 }
 
-static void energy_and_integrals_stay(void **unused)
+TEST(energy_and_integrals_stay)
 {
-    (void)unused;
     struct random r = random_begin(82);
     for (int i = 0; i < 100; ++i) {
         coin_params p;
@@ -137,9 +132,8 @@ static void energy_and_integrals_stay(void **unused)
 
 /* Nothing jumps where pieces meet, nor at the turning points: a step of 1e-9
  * across is what the rates make of it, to rounding. */
-static void pieces_join(void **unused)
+TEST(pieces_join)
 {
-    (void)unused;
     struct random r = random_begin(83);
     int seen = 0;
     for (int i = 0; i < 100; ++i) {
@@ -174,9 +168,8 @@ static void pieces_join(void **unused)
 
 /* Reversed rates are reversed time, to the bit: the walk from the start is the
  * same in both directions. */
-static void reversed_motion_is_reversed_time(void **unused)
+TEST(reversed_motion_is_reversed_time)
 {
-    (void)unused;
     struct random r = random_begin(84);
     for (int i = 0; i < 100; ++i) {
         coin_params p;
@@ -204,9 +197,8 @@ static void reversed_motion_is_reversed_time(void **unused)
 
 /* Twice as large and as heavy, and in other units of time by a power of two:
  * the same bits. */
-static void units_of_powers_of_two_change_no_bit(void **unused)
+TEST(units_of_powers_of_two_change_no_bit)
 {
-    (void)unused;
     struct random r = random_begin(85);
     for (int i = 0; i < 20; ++i) {
         coin_params p, q;
@@ -233,9 +225,8 @@ static void units_of_powers_of_two_change_no_bit(void **unused)
 }
 
 /* --------------------------------------------------------------- limits */
-static void times_without_a_state_are_refused(void **unused)
+TEST(times_without_a_state_are_refused)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
     const coin_state wobbling = {0.1, 0, 0, 0, 0, 0, 0, 1};
@@ -274,9 +265,8 @@ static void times_without_a_state_are_refused(void **unused)
 
 /* ------------------------------------------------------------ its parts */
 /* Begun at a turning point, before and after are mirrors to the bit. */
-static void a_turning_point_is_a_mirror(void **unused)
+TEST(a_turning_point_is_a_mirror)
 {
-    (void)unused;
     struct random r = random_begin(86);
     for (int i = 0; i < 50; ++i) {
         coin_params p;
@@ -299,9 +289,8 @@ static void a_turning_point_is_a_mirror(void **unused)
 
 /* All that goes with the number of periods is in parts: that number, below
  * 2^31, times one of the first two is exact. */
-static void products_with_a_number_of_periods_are_exact(void **unused)
+TEST(products_with_a_number_of_periods_are_exact)
 {
-    (void)unused;
     const int of[] = {COIN_PRIV_PERIOD, COIN_PRIV_HEADING, COIN_PRIV_ROLL,
                       COIN_PRIV_TURN};
     const double k = 0x1p31 - 1;
@@ -328,22 +317,4 @@ static void products_with_a_number_of_periods_are_exact(void **unused)
         rest -= 2 * low * (whole + turn[0]);
         check_near(rest, 0, 1e-20 * (1 + fabs(H)));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(every_scene_is_where_the_reference_is),
-        TEST(random_coins_are_where_the_reference_is),
-        TEST(far_times_are_as_good_as_doubles_tell),
-        TEST(an_orbit_from_a_later_state_goes_on),
-        TEST(energy_and_integrals_stay),
-        TEST(pieces_join),
-        TEST(reversed_motion_is_reversed_time),
-        TEST(units_of_powers_of_two_change_no_bit),
-        TEST(times_without_a_state_are_refused),
-        TEST(a_turning_point_is_a_mirror),
-        TEST(products_with_a_number_of_periods_are_exact),
-    };
-    return RUN_TESTS(tests);
 }

@@ -18,9 +18,8 @@ static coin_orbit wobbling(void)
 }
 
 /* Whatever its bytes, an orbit is not read beyond its end. */
-static void bytes_that_are_no_orbit_do_no_harm(void **unused)
+TEST(bytes_that_are_no_orbit_do_no_harm)
 {
-    (void)unused;
     const coin_orbit o = wobbling();
     const double count = o.private_frame[COIN_PRIV_COUNT];
     const double bad[][2] = {
@@ -56,9 +55,8 @@ static void bytes_that_are_no_orbit_do_no_harm(void **unused)
 
 /* The tag is that of the version: one release, major, minor or patch, later it
  * is another. */
-static void an_orbit_of_another_version_is_refused(void **unused)
+TEST(an_orbit_of_another_version_is_refused)
 {
-    (void)unused;
     const int later[] = {1, 1 << 8, 1 << 16};
     const coin_orbit o = wobbling();
     const double version = coin_version(), all = 1 << 24;
@@ -75,21 +73,10 @@ static void an_orbit_of_another_version_is_refused(void **unused)
 }
 
 /* A later version may give reserved members a meaning, if they are 0 today. */
-static void spare_members_are_zero(void **unused)
+TEST(spare_members_are_zero)
 {
-    (void)unused;
     static const coin_orbit zero;
     const coin_orbit o = wobbling();
     check_same(o.reserved, zero.reserved, sizeof o.reserved);
     check_same(o.private_spare, zero.private_spare, sizeof o.private_spare);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(bytes_that_are_no_orbit_do_no_harm),
-        TEST(an_orbit_of_another_version_is_refused),
-        TEST(spare_members_are_zero),
-    };
-    return RUN_TESTS(tests);
 }

@@ -29,9 +29,8 @@ static double of_decades(struct random *r, double low, double high)
 /* ------------------------------------------------------- near the table -- */
 /* Within and after passes from 6e-3 to 5e-7 rad off the table; rates change by
  * W where angles change by 1. */
-static void passes_are_where_the_reference_is(void **unused)
+TEST(passes_are_where_the_reference_is)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "flats.csv");
     check(t.rows == 24 * 6);
@@ -52,9 +51,8 @@ static void passes_are_where_the_reference_is(void **unused)
 }
 
 /* LEAN_MAX of orbit.c is 1e-9 rad from flat. */
-static void an_orbit_that_turns_within_1e_9_of_flat_is_refused(void **unused)
+TEST(an_orbit_that_turns_within_1e_9_of_flat_is_refused)
 {
-    (void)unused;
     const coin_params p = ring(0);
     coin_orbit o;
     for (int sign = -1; sign <= 1; sign += 2) {
@@ -83,9 +81,8 @@ static coin_state pass_of(struct random *r, const coin_params *p, double d)
 }
 
 /* At most 1 in 100 is refused down to 1e-6; found: none. */
-static void passes_down_to_a_millionth_have_orbits(void **unused)
+TEST(passes_down_to_a_millionth_have_orbits)
 {
-    (void)unused;
     const int count = tries_asked(300);
     struct random r = random_begin(101);
     int refused = 0, drops = 0;
@@ -109,9 +106,8 @@ static void passes_down_to_a_millionth_have_orbits(void **unused)
 }
 
 /* One piece more than an orbit has. */
-static void a_motion_of_43_pieces_is_refused(void **unused)
+TEST(a_motion_of_43_pieces_is_refused)
 {
-    (void)unused;
     const coin_params p = {1, 1, 1, 1e-3, 2e-3, {0, 0, 0}};
     const coin_state s = {
         .theta = 0x1.49f6622f314c7p-6,
@@ -125,9 +121,8 @@ static void a_motion_of_43_pieces_is_refused(void **unused)
 
 /* ----------------------------------------------------- near separatrices -- */
 /* A steady motion that is unstable has none, however it is rounded. */
-static void no_unstable_circle_has_an_orbit(void **unused)
+TEST(no_unstable_circle_has_an_orbit)
 {
-    (void)unused;
     const coin_params p0 = disc();
     const coin_state found = {
         .theta = 0x1.2b2b35156f79p-4,
@@ -157,9 +152,8 @@ static void no_unstable_circle_has_an_orbit(void **unused)
 
 /* Upright and slow it stands on the top of a hill: for a lean ten times less,
  * a period that rounds a hundred times worse, up to the documented limit. */
-static void conditioning_is_refused_from_1e12_on(void **unused)
+TEST(conditioning_is_refused_from_1e12_on)
 {
-    (void)unused;
     const coin_params p = disc();
     int refused = 0;
     double last = 0;
@@ -179,9 +173,8 @@ static void conditioning_is_refused_from_1e12_on(void **unused)
 
 /* 1 + J/2 |dT/dE| s^2/w: the period is asked for with a little more and less of
  * wX; here s is the acceleration at the upper turning point. */
-static void conditioning_is_what_the_period_owes_to_energy(void **unused)
+TEST(conditioning_is_what_the_period_owes_to_energy)
 {
-    (void)unused;
     const coin_params p = disc();
     const double J = 1.25;
     const struct {
@@ -264,9 +257,8 @@ static coin_state any_start(struct random *r, const coin_params *p, int kind)
 #define SERIOUS (FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW)
 
 /* A trap ends the program. */
-static void no_call_divides_by_zero_or_overflows(void **unused)
+TEST(no_call_divides_by_zero_or_overflows)
 {
-    (void)unused;
     const int count = tries_asked(1500);
     struct random r = random_begin(103);
     int orbits = 0;
@@ -297,9 +289,8 @@ static void no_call_divides_by_zero_or_overflows(void **unused)
 
 /* There the rounding of the terms of (14) is more than lambda^2 times the
  * rounding of the lean. */
-static void a_nearly_critical_circle_has_no_period(void **unused)
+TEST(a_nearly_critical_circle_has_no_period)
 {
-    (void)unused;
     const coin_state circles[] = {
         {.theta = 0x1.12f1fa4752f24p-2,
          .wY = 0x1.6f7f1715de113p-2,
@@ -323,9 +314,8 @@ static void a_nearly_critical_circle_has_no_period(void **unused)
 
 /* However fast the lean of a critical roll or spin changes, the acceleration
  * and its slope are 0: it is no steady motion. */
-static void a_critical_motion_with_a_swing_has_its_orbit(void **unused)
+TEST(a_critical_motion_with_a_swing_has_its_orbit)
 {
-    (void)unused;
     coin_params hoop;
     check_status(coin_params_ring(&hoop, 1, 1, 1, 1), COIN_OK);
     const coin_state starts[] = {{.wX = 0.5, .wZ = 0.5},
@@ -347,9 +337,8 @@ static void a_critical_motion_with_a_swing_has_its_orbit(void **unused)
 }
 
 /* Next to a critical circle the well is narrower than the swing. */
-static void a_motion_that_leaves_its_well_is_no_steady_one(void **unused)
+TEST(a_motion_that_leaves_its_well_is_no_steady_one)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {.theta = 0.2,
                           .wX = -7.1538958204644815e-12,
@@ -361,9 +350,8 @@ static void a_motion_that_leaves_its_well_is_no_steady_one(void **unused)
 }
 
 /* The sign of wX says towards which turning point the lean goes. */
-static void the_least_wX_has_the_period_of_0(void **unused)
+TEST(the_least_wX_has_the_period_of_0)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_state s = {.theta = 0.5, .wY = 0.8, .wZ = 1.2};
     coin_orbit still, slow;
@@ -373,23 +361,4 @@ static void the_least_wX_has_the_period_of_0(void **unused)
         check_status(coin_orbit_init(&slow, &s, &p), COIN_OK);
         check_near(slow.period, still.period, 1e-13);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(passes_are_where_the_reference_is),
-        TEST(an_orbit_that_turns_within_1e_9_of_flat_is_refused),
-        TEST(passes_down_to_a_millionth_have_orbits),
-        TEST(a_motion_of_43_pieces_is_refused),
-        TEST(no_unstable_circle_has_an_orbit),
-        TEST(conditioning_is_refused_from_1e12_on),
-        TEST(conditioning_is_what_the_period_owes_to_energy),
-        TEST(no_call_divides_by_zero_or_overflows),
-        TEST(a_nearly_critical_circle_has_no_period),
-        TEST(a_critical_motion_with_a_swing_has_its_orbit),
-        TEST(a_motion_that_leaves_its_well_is_no_steady_one),
-        TEST(the_least_wX_has_the_period_of_0),
-    };
-    return RUN_TESTS(tests);
 }

@@ -141,9 +141,8 @@ static void read_state(const char *output, coin_state *s)
                  &s->x, &s->z) == 5);
 }
 
-static void the_readme_s_program_prints_what_the_readme_shows(void **unused)
+TEST(the_readme_s_program_prints_what_the_readme_shows)
 {
-    (void)unused;
     static char text[TEXT];
     char *end;
     read_text("README.md", text);
@@ -152,9 +151,8 @@ static void the_readme_s_program_prints_what_the_readme_shows(void **unused)
     check_prints(program, between(end, "```", "```", &end));
 }
 
-static void the_readme_s_first_lines_move_the_quarter_by_a_second(void **unused)
+TEST(the_readme_s_first_lines_move_the_quarter_by_a_second)
 {
-    (void)unused;
     static char text[TEXT], output[TEXT];
     static struct scene quarter;
     coin_state s;
@@ -172,9 +170,8 @@ static void the_readme_s_first_lines_move_the_quarter_by_a_second(void **unused)
 }
 
 /* 1000 steps in the quarter's first second. */
-static void the_header_s_example_rolls_the_quarter(void **unused)
+TEST(the_header_s_example_rolls_the_quarter)
 {
-    (void)unused;
     static char text[TEXT], output[TEXT];
     static struct scene quarter;
     coin_state s;
@@ -192,9 +189,8 @@ static void the_header_s_example_rolls_the_quarter(void **unused)
     check_within(scene_error(&quarter, 6, &s), 1e-8, 1e-6);
 }
 
-static void each_part_shown_is_the_game_s(void **unused)
+TEST(each_part_shown_is_the_game_s)
 {
-    (void)unused;
     static char page[TEXT], program[TEXT], engine[TEXT];
     char *at = page;
     int shown = 0;
@@ -208,9 +204,8 @@ static void each_part_shown_is_the_game_s(void **unused)
     check(shown >= 6);
 }
 
-static void the_game_prints_what_the_page_shows(void **unused)
+TEST(the_game_prints_what_the_page_shows)
 {
-    (void)unused;
     static char page[TEXT], program[TEXT];
     char *at = page;
     read_text("docs/examples/game.c", program);
@@ -218,9 +213,8 @@ static void the_game_prints_what_the_page_shows(void **unused)
     check_prints(program, block(&at, "It prints\n\n```\n"));
 }
 
-static void each_answer_s_program_prints_what_the_page_shows(void **unused)
+TEST(each_answer_s_program_prints_what_the_page_shows)
 {
-    (void)unused;
     static char page[TEXT];
     char *at = page;
     int programs = 0;
@@ -230,9 +224,8 @@ static void each_answer_s_program_prints_what_the_page_shows(void **unused)
     check(programs >= 7);
 }
 
-static void the_check_of_a_coin_at_rest_says_more_than_that(void **unused)
+TEST(the_check_of_a_coin_at_rest_says_more_than_that)
 {
-    (void)unused;
     coin_params p;
     coin_state s = {.theta = 0.3};
     const coin_losses l = {.dry = 1e-6};
@@ -242,31 +235,14 @@ static void the_check_of_a_coin_at_rest_says_more_than_that(void **unused)
                  COIN_SLIPS | COIN_NEARLY_FLAT);
 }
 
-static int make_folder(void **unused)
+__attribute__((constructor)) static void make_folder(void)
 {
-    (void)unused;
-    return mkdtemp(folder) ? 0 : -1;
+    check(mkdtemp(folder) != NULL);
 }
 
-static int remove_folder(void **unused)
+__attribute__((destructor)) static void remove_folder(void)
 {
-    (void)unused;
     char command[64];
     snprintf(command, sizeof command, "rm -r %s", folder);
-    return shell(command);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_readme_s_program_prints_what_the_readme_shows),
-        TEST(the_readme_s_first_lines_move_the_quarter_by_a_second),
-        TEST(the_header_s_example_rolls_the_quarter),
-        TEST(each_part_shown_is_the_game_s),
-        TEST(the_game_prints_what_the_page_shows),
-        TEST(each_answer_s_program_prints_what_the_page_shows),
-        TEST(the_check_of_a_coin_at_rest_says_more_than_that),
-    };
-    return cmocka_run_group_tests_name(__FILE__, tests, make_folder,
-                                       remove_folder);
+    check(shell(command) == 0);
 }

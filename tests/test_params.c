@@ -10,9 +10,8 @@ static void check_body(const coin_params *p, double IX, double IZ)
     check(p->reserved[0] == 0 && p->reserved[1] == 0 && p->reserved[2] == 0);
 }
 
-static void each_shape_has_its_inertia(void **unused)
+TEST(each_shape_has_its_inertia)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 2, 4, 8), COIN_OK);
     check_body(&p, 2 * 16 / 4.0, 2 * 16 / 2.0);
@@ -27,9 +26,8 @@ static void each_shape_has_its_inertia(void **unused)
 }
 
 /* A uniform disc is a stack of hoops: its inertia by a sum over 1000. */
-static void a_disc_is_made_of_hoops(void **unused)
+TEST(a_disc_is_made_of_hoops)
 {
-    (void)unused;
     coin_params disc, hoop;
     double IX = 0, IZ = 0;
     const int n = 1000;
@@ -58,9 +56,8 @@ static void check_member(coin_params *p, double *member, double value)
     *member = kept;
 }
 
-static void every_member_must_be_positive_and_finite(void **unused)
+TEST(every_member_must_be_positive_and_finite)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
     double *const members[] = {&p.mass, &p.radius, &p.gravity, &p.inertia_X,
@@ -71,9 +68,8 @@ static void every_member_must_be_positive_and_finite(void **unused)
     check_status(coin_params_check(&p), COIN_OK);
 }
 
-static void every_reserved_member_must_be_zero(void **unused)
+TEST(every_reserved_member_must_be_zero)
 {
-    (void)unused;
     const double bad[] = {1, -1, 5e-324, NAN, INFINITY};
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
@@ -84,9 +80,8 @@ static void every_reserved_member_must_be_zero(void **unused)
     check_status(coin_params_check(&p), COIN_OK);
 }
 
-static void axial_inertia_is_at_most_twice_the_diametral(void **unused)
+TEST(axial_inertia_is_at_most_twice_the_diametral)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_body(&p, 1, 1, 1, 0.3, 0.6), COIN_OK);
     check_status(coin_params_body(&p, 1, 1, 1, 0.3, 0.6 * (1 + 5e-13)),
@@ -95,9 +90,8 @@ static void axial_inertia_is_at_most_twice_the_diametral(void **unused)
                  COIN_EPARAMS);
 }
 
-static void the_hole_lies_within_the_coin(void **unused)
+TEST(the_hole_lies_within_the_coin)
 {
-    (void)unused;
     const double bad[] = {-1e-300,  -1,        nextafter(4, 5),
                           INFINITY, -INFINITY, NAN};
     coin_params p;
@@ -108,26 +102,11 @@ static void the_hole_lies_within_the_coin(void **unused)
     check_status(coin_params_ring(&p, 2, 4, -0.0, 8), COIN_OK);
 }
 
-static void a_null_pointer_is_noticed_before_anything_else(void **unused)
+TEST(a_null_pointer_is_noticed_before_anything_else)
 {
-    (void)unused;
     check_status(coin_params_ring(NULL, 2, 4, -1, 8), COIN_EARG);
     check_status(coin_params_ring(NULL, -2, 4, 5, 8), COIN_EARG);
     check_status(coin_params_disc(NULL, NAN, 4, 8), COIN_EARG);
     check_status(coin_params_body(NULL, 2, 4, 8, 0, 0), COIN_EARG);
     check_status(coin_params_check(NULL), COIN_EARG);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(each_shape_has_its_inertia),
-        TEST(a_disc_is_made_of_hoops),
-        TEST(every_member_must_be_positive_and_finite),
-        TEST(every_reserved_member_must_be_zero),
-        TEST(axial_inertia_is_at_most_twice_the_diametral),
-        TEST(the_hole_lies_within_the_coin),
-        TEST(a_null_pointer_is_noticed_before_anything_else),
-    };
-    return RUN_TESTS(tests);
 }

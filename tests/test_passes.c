@@ -47,9 +47,8 @@ static double steps_of(coin_state s, const coin_params *p, double t, double tol)
 }
 
 /* A step is as the fourteenth root of tol: 10^(8/14) = 3.73. */
-static void eight_decades_of_tol_cost_four_times_the_steps(void **unused)
+TEST(eight_decades_of_tol_cost_four_times_the_steps)
 {
-    (void)unused;
     const coin_params p = ring(0.3);
     const coin_state s = {.theta = 0.5, .wX = 0.1, .wY = 0.8, .wZ = 1.2};
     const double few = steps_of(s, &p, 100, 1e-5);
@@ -60,9 +59,8 @@ static void eight_decades_of_tol_cost_four_times_the_steps(void **unused)
 /* From up to a step away the series of Eq. (54) lands at once as a rule, and
  * seldom after more than two steps; with a wrong sign or first coefficient it
  * takes 1.57 and more. */
-static void landing_takes_a_step_or_two(void **unused)
+TEST(landing_takes_a_step_or_two)
 {
-    (void)unused;
     enum { TRIED = 4000 };
     struct random r = random_begin(86);
     const double tol = 1e-12;
@@ -108,9 +106,8 @@ static struct pass pass_at(const struct table *t, size_t row, double tol)
 }
 
 /* The distance of the pass, down to 1e-13, makes no difference. */
-static void each_pass_of_the_ladder_is_that_of_the_reference(void **unused)
+TEST(each_pass_of_the_ladder_is_that_of_the_reference)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "passes.csv");
     check(t.rows == 39);
@@ -121,9 +118,8 @@ static void each_pass_of_the_ladder_is_that_of_the_reference(void **unused)
 }
 
 /* Eq. (51), to its next two terms: sqrt(J/I_X) M g a/E d ln(1/d) and some d. */
-static void the_heading_turns_by_the_universal_angle(void **unused)
+TEST(the_heading_turns_by_the_universal_angle)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "passes.csv");
     for (size_t row = 0; row < t.rows; ++row) {
@@ -159,9 +155,8 @@ static double fall_time(const coin_params *p)
 /* Each decade that the pass is nearer costs as much as the last: in tau the
  * distance falls and grows as an exponential of the rate by which steps are
  * measured, so that both ways take 2 ln(10)/stride = 3 steps. */
-static void a_pass_costs_little_and_keeps_the_energy(void **unused)
+TEST(a_pass_costs_little_and_keeps_the_energy)
 {
-    (void)unused;
     for (int i = 0; i < BODIES; ++i) {
         const coin_params *p = &bodies[i];
         const double period = 2 * fall_time(p);
@@ -185,9 +180,8 @@ static void a_pass_costs_little_and_keeps_the_energy(void **unused)
 
 /* Eq. (51) for any body, whatever I_Z, with the sign of the momentum; the next
  * term is some d ln(1/d), with d as the momentum.  psi turns by the same. */
-static void every_body_turns_by_its_own_angle_either_way(void **unused)
+TEST(every_body_turns_by_its_own_angle_either_way)
 {
-    (void)unused;
     for (int i = 0; i < BODIES; ++i) {
         const coin_params *p = &bodies[i];
         const double root = sqrt(1 + 1 / p->inertia_X);
@@ -206,9 +200,8 @@ static void every_body_turns_by_its_own_angle_either_way(void **unused)
 }
 
 /* The limits of docs/physics.md, "The nearly flat pass", by their digits. */
-static void the_angles_are_those_of_physics_md(void **unused)
+TEST(the_angles_are_those_of_physics_md)
 {
-    (void)unused;
     const double angles[] = {7.02481473104, 6.43834904961, 5.62857751528,
                              5.4413980927};
     for (int i = 0; i < 4; ++i) {
@@ -236,9 +229,8 @@ static double period_of(const coin_state *start, const coin_params *p)
 
 /* By an independent quadrature: the heading over pi sqrt(5), and for
  * some the distance and the force in the middle. */
-static void the_ladder_of_quadratures_is_climbed(void **unused)
+TEST(the_ladder_of_quadratures_is_climbed)
 {
-    (void)unused;
     const struct {
         double turn, d, N;
     } rungs[] = {
@@ -268,9 +260,8 @@ static void the_ladder_of_quadratures_is_climbed(void **unused)
 /* Landing in the midst of it: as long before as after the middle, the coin
  * leans alike, and has turned by as much less than half as more.  The heading
  * there turns by 3/d in a unit of time, of which 64 u are lost. */
-static void landings_within_a_pass_are_right(void **unused)
+TEST(landings_within_a_pass_are_right)
 {
-    (void)unused;
     struct random r = random_begin(84);
     struct table t;
     table_load(&t, "passes.csv");
@@ -293,9 +284,8 @@ static void landings_within_a_pass_are_right(void **unused)
 }
 
 /* The edge between passes and falls: 1e-30 rad. */
-static void nearer_than_1e_30_is_flat(void **unused)
+TEST(nearer_than_1e_30_is_flat)
 {
-    (void)unused;
     const coin_params p = ring(0);
     for (double tol = 1e-13; tol < 1e-1; tol *= 1e11) {
         coin_state s = {.theta = 0.3, .wY = 1e-29, .wZ = 1e-29};
@@ -309,9 +299,8 @@ static void nearer_than_1e_30_is_flat(void **unused)
 }
 
 /* 11 steps of dt fit before x and z leave their range. */
-static void a_place_out_of_range_is_not_reached(void **unused)
+TEST(a_place_out_of_range_is_not_reached)
 {
-    (void)unused;
     coin_params p;
     double dt;
     const coin_state edge = far_coin(&p, 0, &dt);
@@ -327,22 +316,4 @@ static void a_place_out_of_range_is_not_reached(void **unused)
         else
             check_within(reached, 6 * dt, 11.4 * dt);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(eight_decades_of_tol_cost_four_times_the_steps),
-        TEST(landing_takes_a_step_or_two),
-        TEST(each_pass_of_the_ladder_is_that_of_the_reference),
-        TEST(the_heading_turns_by_the_universal_angle),
-        TEST(a_pass_costs_little_and_keeps_the_energy),
-        TEST(every_body_turns_by_its_own_angle_either_way),
-        TEST(the_angles_are_those_of_physics_md),
-        TEST(the_ladder_of_quadratures_is_climbed),
-        TEST(landings_within_a_pass_are_right),
-        TEST(nearer_than_1e_30_is_flat),
-        TEST(a_place_out_of_range_is_not_reached),
-    };
-    return RUN_TESTS(tests);
 }

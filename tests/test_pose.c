@@ -115,16 +115,14 @@ static const struct observable all[] = {
     {turning, turning_terms, 8, {"ox", "oy", "oz"}},
 };
 
-static void the_pose_is_the_reference_s(void **unused)
+TEST(the_pose_is_the_reference_s)
 {
-    (void)unused;
     for (size_t i = 0; i < sizeof all / sizeof *all; ++i)
         observable_at_exact_states(&all[i]);
 }
 
-static void contact_and_quaternion_follow_the_reference_paths(void **unused)
+TEST(contact_and_quaternion_follow_the_reference_paths)
 {
-    (void)unused;
     observable_along_scenes(&all[2]);
     observable_along_scenes(&all[4]);
 }
@@ -142,9 +140,8 @@ static void turn(const double q[4], const double v[3], double out[3])
         out[i] = v[i] + 2 * outer[i];
 }
 
-static void the_quaternion_turns_the_body_into_the_rolled_axes(void **unused)
+TEST(the_quaternion_turns_the_body_into_the_rolled_axes)
 {
-    (void)unused;
     static const double X[3] = {1, 0, 0}, Z[3] = {0, 0, 1};
     struct random r = random_begin(16);
     for (int n = 0; n < 500; ++n) {
@@ -165,9 +162,8 @@ static void the_quaternion_turns_the_body_into_the_rolled_axes(void **unused)
     }
 }
 
-static void the_axes_are_right_handed_and_orthonormal(void **unused)
+TEST(the_axes_are_right_handed_and_orthonormal)
 {
-    (void)unused;
     struct random r = random_begin(17);
     for (int n = 0; n < 500; ++n) {
         const coin_params p = random_coin(&r);
@@ -183,9 +179,8 @@ static void the_axes_are_right_handed_and_orthonormal(void **unused)
     }
 }
 
-static void a_full_turn_changes_the_quaternion_s_sign(void **unused)
+TEST(a_full_turn_changes_the_quaternion_s_sign)
 {
-    (void)unused;
     coin_state s = {0.4, 0.3, -2, 0, 0, 0, 0, 0};
     double q[4], turned[4];
     check_status(coin_quaternion(&s, q), COIN_OK);
@@ -196,9 +191,8 @@ static void a_full_turn_changes_the_quaternion_s_sign(void **unused)
         check_near(turned[i], -q[i], (4 + 4 + 2 + 2) * U);
 }
 
-static void the_material_at_the_contact_is_at_rest(void **unused)
+TEST(the_material_at_the_contact_is_at_rest)
 {
-    (void)unused;
     struct random r = random_begin(18);
     for (int n = 0; n < 500; ++n) {
         const coin_params p = random_coin(&r);
@@ -232,9 +226,8 @@ static void members_of_pose(const coin_state *s, const coin_params *p,
         out[3 + i] = r[i];
 }
 
-static void centre_and_contact_move_with_their_velocities(void **unused)
+TEST(centre_and_contact_move_with_their_velocities)
 {
-    (void)unused;
     struct random r = random_begin(19);
     for (int n = 0; n < 20; ++n) {
         const coin_params p = random_coin(&r);
@@ -260,9 +253,8 @@ static void check_axes(const coin_state *s, const double want[9])
 }
 
 /* Poses that can be told by eye.  h is the sine of 60 degrees. */
-static void the_frame_is_the_header_s(void **unused)
+TEST(the_frame_is_the_header_s)
 {
-    (void)unused;
     const double h = sqrt(3) / 2;
     const double unit[] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const double leaning[] = {1, 0, 0, 0, 0.5, h, 0, -h, 0.5};
@@ -273,19 +265,4 @@ static void the_frame_is_the_header_s(void **unused)
     check_axes(&upright, unit);
     check_axes(&leans, leaning);
     check_axes(&turns, turned);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_pose_is_the_reference_s),
-        TEST(contact_and_quaternion_follow_the_reference_paths),
-        TEST(the_quaternion_turns_the_body_into_the_rolled_axes),
-        TEST(the_axes_are_right_handed_and_orthonormal),
-        TEST(a_full_turn_changes_the_quaternion_s_sign),
-        TEST(the_material_at_the_contact_is_at_rest),
-        TEST(centre_and_contact_move_with_their_velocities),
-        TEST(the_frame_is_the_header_s),
-    };
-    return RUN_TESTS(tests);
 }

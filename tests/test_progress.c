@@ -23,9 +23,8 @@ static coin_priv_body body_of(const coin_params *p)
 }
 
 /* ---------------------------------------------------------- into and out */
-static void a_run_of_no_steps_is_where_it_began(void **unused)
+TEST(a_run_of_no_steps_is_where_it_began)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {0.5, -0.0, 2e9, 1e300, -0.0, 0.1, -0.0, 1.2};
     coin_priv_run r = {.b = body_of(&p)};
@@ -36,9 +35,8 @@ static void a_run_of_no_steps_is_where_it_began(void **unused)
 
 /* Angles to the bit, the centre through the contact by 8 u of a radius, in the
  * middle of a block and at its end. */
-static void the_progress_of_no_steps_is_the_state(void **unused)
+TEST(the_progress_of_no_steps_is_the_state)
 {
-    (void)unused;
     struct random r = random_begin(91);
     for (int i = 0; i < 1000; ++i) {
         const coin_params p = random_coin(&r);
@@ -59,9 +57,8 @@ static void the_progress_of_no_steps_is_the_state(void **unused)
 
 /* However small the cosine that steps in tau come to, and whatever the angle
  * that is summed, the state's lean is that of a coin above the table. */
-static void a_lean_at_the_table_is_the_last_before_it(void **unused)
+TEST(a_lean_at_the_table_is_the_last_before_it)
 {
-    (void)unused;
     const coin_params p = disc();
     const double last = HALF_PI - 0x1p-52;
     const coin_state start = {.theta = 0.3};
@@ -83,9 +80,8 @@ static void a_lean_at_the_table_is_the_last_before_it(void **unused)
 }
 
 /* -------------------------------------------------------------- the sums */
-static void compensated_sums_keep_what_rounding_leaves_out(void **unused)
+TEST(compensated_sums_keep_what_rounding_leaves_out)
 {
-    (void)unused;
     coin_priv_sum a = {1e16, 0};
     for (int i = 0; i < 1001; ++i)
         coin_priv_add(&a, 1);
@@ -98,9 +94,8 @@ static void compensated_sums_keep_what_rounding_leaves_out(void **unused)
 /* The same addend again and again, which a plain sum would always round alike
  * and be off by 1e-9: a straight roll, whose path and angle are one product.
  * The addend itself has some roundings. */
-static void a_straight_roll_is_as_long_as_its_product(void **unused)
+TEST(a_straight_roll_is_as_long_as_its_product)
 {
-    (void)unused;
     const coin_params p = disc();
     const uint64_t n = 20000;
     const double dt = 0.0123, wZ = 1.234567;
@@ -117,9 +112,8 @@ static void a_straight_roll_is_as_long_as_its_product(void **unused)
 }
 
 /* Steps that move psi by less than half its last place, which is 1.2e-7. */
-static void small_steps_of_a_large_roll_are_not_lost(void **unused)
+TEST(small_steps_of_a_large_roll_are_not_lost)
 {
-    (void)unused;
     const coin_params p = disc();
     for (int32_t method = 0; method < METHODS; ++method) {
         coin_state s;
@@ -134,9 +128,8 @@ static void small_steps_of_a_large_roll_are_not_lost(void **unused)
 /* --------------------------------------------------------- angles and pairs */
 /* 1e4 rad of heading, 0.4 in a step: the rate is constant, and the angle is its
  * product with the time for every method.  The addend has some roundings. */
-static void a_fast_spin_counts_its_turns(void **unused)
+TEST(a_fast_spin_counts_its_turns)
 {
-    (void)unused;
     const coin_params p = disc();
     const double wY = 1000, dt = 0.4 / wY;
     const uint64_t n = 25000;
@@ -152,9 +145,8 @@ static void a_fast_spin_counts_its_turns(void **unused)
 /* Of steps of all sizes, up to the largest that a method takes: after each, the
  * pairs of lean and heading are those of the angles.  A step turns a pair to
  * 2 u, and its angle is off by u of itself. */
-static void pairs_and_angles_are_one_after_every_step(void **unused)
+TEST(pairs_and_angles_are_one_after_every_step)
 {
-    (void)unused;
     check_long_double();
     const int count = tries_asked(600);
     struct random r = random_begin(93);
@@ -195,10 +187,8 @@ static void pairs_and_angles_are_one_after_every_step(void **unused)
  * As the sines and cosines are kept, a step rounds cos theta by a part u, which
  * shifts the phase by half of that times the phase still to come.  Four
  * standard deviations of the sum of these shifts are allowed. */
-static void near_the_table_the_rounding_of_theta_does_not_reach_the_rates(
-    void **unused)
+TEST(near_the_table_the_rounding_of_theta_does_not_reach_the_rates)
 {
-    (void)unused;
     check_long_double();
     const coin_params p = disc();
     const uint64_t steps = 50 * COIN_PRIV_BLOCK + 17;
@@ -225,9 +215,8 @@ static void near_the_table_the_rounding_of_theta_does_not_reach_the_rates(
  * rounding.  A sum that kept what the others lose would drift: by 1e-11 in a
  * million steps.  What n roundings may come to is u sqrt(n), in a well as soft
  * as lambda^2 = -1/4 four times that. */
-static void rounding_does_not_drift_on_a_circle(void **unused)
+TEST(rounding_does_not_drift_on_a_circle)
 {
-    (void)unused;
     const coin_params p = disc();
     const uint64_t n = 10000;
     const double walk = 4 * U * sqrt((double)n);
@@ -254,9 +243,8 @@ static void rounding_does_not_drift_on_a_circle(void **unused)
 }
 
 /* So that how a run is cut does not matter even then. */
-static void coarse_turns_are_counted_alike_in_one_run_and_in_many(void **unused)
+TEST(coarse_turns_are_counted_alike_in_one_run_and_in_many)
 {
-    (void)unused;
     const coin_params p = disc();
     for (int32_t method = 0; method < METHODS; ++method) {
         coin_state one, many;
@@ -272,9 +260,8 @@ static void coarse_turns_are_counted_alike_in_one_run_and_in_many(void **unused)
 }
 
 /* Spinning or rolling on at the end of the range of phi or psi, or back. */
-static void angles_out_of_range_end_a_run(void **unused)
+TEST(angles_out_of_range_end_a_run)
 {
-    (void)unused;
     const coin_params p = disc();
     const double most = 0x1p31;
     const coin_state edges[] = {
@@ -299,9 +286,8 @@ static void angles_out_of_range_end_a_run(void **unused)
 
 /* Steps of 1e-9 rad from 2^31: half of what a double resolves beyond is passed
  * in the fourth block.  The steps before are kept. */
-static void a_slow_turn_ends_at_the_edge_of_its_range(void **unused)
+TEST(a_slow_turn_ends_at_the_edge_of_its_range)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state edges[] = {{.phi = 0x1p31, .wY = 1},
                                 {.psi = -0x1p31, .wZ = -1}};
@@ -317,10 +303,8 @@ static void a_slow_turn_ends_at_the_edge_of_its_range(void **unused)
         }
 }
 
-static void no_method_moves_by_no_steps_or_begins_beyond_its_limit(
-    void **unused)
+TEST(no_method_moves_by_no_steps_or_begins_beyond_its_limit)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state start = {.theta = 0.5, .wY = 2, .wZ = 1};
     for (int32_t method = 0; method < METHODS; ++method) {
@@ -337,9 +321,8 @@ static void no_method_moves_by_no_steps_or_begins_beyond_its_limit(
 /* COIN_COARSE comes exactly if W, where some step of the run begins or ends,
  * is beyond the method's limit: a run looks at W only where the energy
  * allows it to be. */
-static void the_warning_is_that_of_the_largest_rate(void **unused)
+TEST(the_warning_is_that_of_the_largest_rate)
 {
-    (void)unused;
     struct random r = random_begin(92);
     coin_state path[SAMPLES];
     int coarse = 0, fine = 0;
@@ -364,26 +347,4 @@ static void the_warning_is_that_of_the_largest_rate(void **unused)
         fine += status == COIN_OK;
     }
     check(coarse > 200 && fine > 100);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_run_of_no_steps_is_where_it_began),
-        TEST(the_progress_of_no_steps_is_the_state),
-        TEST(a_lean_at_the_table_is_the_last_before_it),
-        TEST(compensated_sums_keep_what_rounding_leaves_out),
-        TEST(a_straight_roll_is_as_long_as_its_product),
-        TEST(small_steps_of_a_large_roll_are_not_lost),
-        TEST(a_fast_spin_counts_its_turns),
-        TEST(pairs_and_angles_are_one_after_every_step),
-        TEST(near_the_table_the_rounding_of_theta_does_not_reach_the_rates),
-        TEST(rounding_does_not_drift_on_a_circle),
-        TEST(coarse_turns_are_counted_alike_in_one_run_and_in_many),
-        TEST(angles_out_of_range_end_a_run),
-        TEST(a_slow_turn_ends_at_the_edge_of_its_range),
-        TEST(no_method_moves_by_no_steps_or_begins_beyond_its_limit),
-        TEST(the_warning_is_that_of_the_largest_rate),
-    };
-    return RUN_TESTS(tests);
 }

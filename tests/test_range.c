@@ -34,9 +34,8 @@ static double gap_of(int steps)
     return turn * steps + 0.1;
 }
 
-static void a_run_stops_where_an_angle_leaves_its_range(void **unused)
+TEST(a_run_stops_where_an_angle_leaves_its_range)
 {
-    (void)unused;
     const coin_params p = disc();
     for (int32_t method = 0; method < METHODS; ++method)
         for (int fit = 0; fit < STEPS; fit += 5)
@@ -53,9 +52,8 @@ static void a_run_stops_where_an_angle_leaves_its_range(void **unused)
 }
 
 /* A body of small I_Z rolls far in a step. */
-static void a_body_of_any_I_Z_is_told_that_its_roll_ends(void **unused)
+TEST(a_body_of_any_I_Z_is_told_that_its_roll_ends)
 {
-    (void)unused;
     for (double I_Z = 1; I_Z > 0.9e-3; I_Z /= 10) {
         coin_params p;
         check_status(coin_params_body(&p, 1, 1, 1, 0.99, I_Z), COIN_OK);
@@ -71,9 +69,8 @@ static void a_body_of_any_I_Z_is_told_that_its_roll_ends(void **unused)
     }
 }
 
-static void a_batch_stops_each_coin_there(void **unused)
+TEST(a_batch_stops_each_coin_there)
 {
-    (void)unused;
     const coin_params p = disc();
     const int32_t methods[] = {COIN_RK4, COIN_RK8};
     for (int m = 0; m < 2; ++m)
@@ -94,9 +91,8 @@ static void a_batch_stops_each_coin_there(void **unused)
 
 /* The roll grows by 1.154, and by 1.059 until the end: it leaves its range and
  * would be back. */
-static void a_batch_sees_a_roll_that_leaves_and_comes_back(void **unused)
+TEST(a_batch_sees_a_roll_that_leaves_and_comes_back)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_state s[COINS], alone[COINS];
     for (int i = 0; i < COINS; ++i) {
@@ -125,9 +121,8 @@ static coin_state near_the_end(const coin_params *p, int along_z, double gap)
     return s;
 }
 
-static void a_run_stops_where_a_place_leaves_its_range(void **unused)
+TEST(a_run_stops_where_a_place_leaves_its_range)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 0.00567, 0.01213, 9.80665), COIN_OK);
     const double dt = turn / 1000 * natural_time(&p);
@@ -144,9 +139,8 @@ static void a_run_stops_where_a_place_leaves_its_range(void **unused)
             }
 }
 
-static void a_batch_stops_each_coin_at_its_place(void **unused)
+TEST(a_batch_stops_each_coin_at_its_place)
 {
-    (void)unused;
     const coin_params p = disc();
     const int32_t methods[] = {COIN_RK4, COIN_RK8};
     for (int m = 0; m < 2; ++m)
@@ -190,9 +184,8 @@ static int32_t body(const double of[3], double IX, double IZ)
     return status;
 }
 
-static void mass_radius_and_gravity_have_15_decades_each_way(void **unused)
+TEST(mass_radius_and_gravity_have_15_decades_each_way)
 {
-    (void)unused;
     coin_params p;
     coinf_params f;
     for (int i = 0; i < 3; ++i)
@@ -217,9 +210,8 @@ static void mass_radius_and_gravity_have_15_decades_each_way(void **unused)
 }
 
 /* In floats the same, which their rounding decides: 1e-6 on either side. */
-static void inertias_have_3_decades_each_way(void **unused)
+TEST(inertias_have_3_decades_each_way)
 {
-    (void)unused;
     for (int i = 0; i < UNITS; ++i) {
         const double m = units[i][0] * units[i][1] * units[i][1], d = 2e-6;
         check_note("units %d", i);
@@ -234,9 +226,8 @@ static void inertias_have_3_decades_each_way(void **unused)
     }
 }
 
-static void inertias_end_where_the_rounding_of_a_double_does(void **unused)
+TEST(inertias_end_where_the_rounding_of_a_double_does)
 {
-    (void)unused;
     coin_params p;
     for (int i = 0; i < UNITS; ++i) {
         const double *of = units[i], m = of[0] * of[1] * of[1];
@@ -260,9 +251,8 @@ static void inertias_end_where_the_rounding_of_a_double_does(void **unused)
     }
 }
 
-static void members_of_a_state_have_limits_in_natural_units(void **unused)
+TEST(members_of_a_state_have_limits_in_natural_units)
 {
-    (void)unused;
     for (int i = 0; i < UNITS; ++i) {
         coin_params p;
         coinf_params f;
@@ -299,9 +289,8 @@ static void members_of_a_state_have_limits_in_natural_units(void **unused)
 }
 
 /* vx, vy, vz of a body, and y, in the air. */
-static void motions_of_a_body_have_limits(void **unused)
+TEST(motions_of_a_body_have_limits)
 {
-    (void)unused;
     for (int i = 0; i < UNITS; ++i) {
         coin_params p;
         check_status(
@@ -358,9 +347,8 @@ static int32_t with_time(int call, const coin_params *p, double t)
 
 /* The movers do not come to the end of so long a time: they are tried beyond it
  * alone, and find 2^20 steps too few within it elsewhere. */
-static void times_go_to_1e15_natural_units(void **unused)
+TEST(times_go_to_1e15_natural_units)
 {
-    (void)unused;
     for (int i = 0; i < UNITS; ++i) {
         coin_params p;
         check_status(
@@ -379,9 +367,8 @@ static void times_go_to_1e15_natural_units(void **unused)
     }
 }
 
-static void tolerances_go_from_1e_minus_13_to_1e_minus_2(void **unused)
+TEST(tolerances_go_from_1e_minus_13_to_1e_minus_2)
 {
-    (void)unused;
     const coin_params p = disc();
     const double in[] = {1e-13, 1e-2};
     const double out[] = {nextafter(1e-13, 0), nextafter(1e-2, 1), NAN};
@@ -393,9 +380,8 @@ static void tolerances_go_from_1e_minus_13_to_1e_minus_2(void **unused)
 }
 
 /* Of a disc with these rates wX grows to 1.1e6. */
-static void a_rate_does_not_leave_its_range(void **unused)
+TEST(a_rate_does_not_leave_its_range)
 {
-    (void)unused;
     const coin_params p = disc();
     const double dt = 1e-7;
     for (int32_t method = 0; method < METHODS; ++method) {
@@ -435,9 +421,8 @@ static void a_rate_does_not_leave_its_range(void **unused)
 /* ------------------------------------------------------------------ statuses
  */
 /* A step that is too long by far: what is said of it depends on the place. */
-static void within_16_rad_or_radii_of_the_end_that_is_said(void **unused)
+TEST(within_16_rad_or_radii_of_the_end_that_is_said)
 {
-    (void)unused;
     const coin_params p = disc();
     for (int i = 0; i < 16; ++i) {
         const int inside = i / 8;
@@ -455,36 +440,12 @@ static void within_16_rad_or_radii_of_the_end_that_is_said(void **unused)
 
 /* Within the limits on W where it begins and ends, it would turn the heading by
  * 3.6 rad on its way past the table. */
-static void a_step_that_turns_too_far_is_refused(void **unused)
+TEST(a_step_that_turns_too_far_is_refused)
 {
-    (void)unused;
     coin_params p;
     const coin_state start = {-1.485, 0, 0, 0, 0, -21.77, -6.788, 21.26};
     coin_state s = start;
     check_status(coin_params_body(&p, 1, 1, 1, 1.51994, 0.118894), COIN_OK);
     check_status(coin_run(&s, &p, COIN_RK8, 0.0044432, 1, NULL), COIN_ESTEP);
     check_same(&s, &start, sizeof s);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_run_stops_where_an_angle_leaves_its_range),
-        TEST(a_batch_stops_each_coin_there),
-        TEST(a_batch_sees_a_roll_that_leaves_and_comes_back),
-        TEST(a_run_stops_where_a_place_leaves_its_range),
-        TEST(a_batch_stops_each_coin_at_its_place),
-        TEST(mass_radius_and_gravity_have_15_decades_each_way),
-        TEST(inertias_have_3_decades_each_way),
-        TEST(inertias_end_where_the_rounding_of_a_double_does),
-        TEST(members_of_a_state_have_limits_in_natural_units),
-        TEST(motions_of_a_body_have_limits),
-        TEST(times_go_to_1e15_natural_units),
-        TEST(tolerances_go_from_1e_minus_13_to_1e_minus_2),
-        TEST(a_rate_does_not_leave_its_range),
-        TEST(within_16_rad_or_radii_of_the_end_that_is_said),
-        TEST(a_step_that_turns_too_far_is_refused),
-        TEST(a_body_of_any_I_Z_is_told_that_its_roll_ends),
-    };
-    return RUN_TESTS(tests);
 }

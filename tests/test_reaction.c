@@ -34,9 +34,8 @@ static void terms(const coin_state *s, const coin_params *p, double *out)
     out[3] = hypot(RX, Rh);
 }
 
-static void the_force_is_the_reference_s(void **unused)
+TEST(the_force_is_the_reference_s)
 {
-    (void)unused;
     const struct observable force = {values, terms, 8, {"Rx", "Ry", "Rz", "F"}};
     observable_at_exact_states(&force);
     observable_along_scenes(&force);
@@ -49,9 +48,8 @@ static void momentum(const coin_state *s, const coin_params *p, double *out)
         out[i] *= p->mass;
 }
 
-static void the_force_is_the_change_of_momentum_less_weight(void **unused)
+TEST(the_force_is_the_change_of_momentum_less_weight)
 {
-    (void)unused;
     struct random r = random_begin(9);
     for (int i = 0; i < 20; ++i) {
         const coin_params p = random_coin(&r);
@@ -66,9 +64,8 @@ static void the_force_is_the_change_of_momentum_less_weight(void **unused)
     }
 }
 
-static void its_parts_belong_together(void **unused)
+TEST(its_parts_belong_together)
 {
-    (void)unused;
     struct random r = random_begin(10);
     for (int i = 0; i < 500; ++i) {
         const coin_params p = random_coin(&r);
@@ -88,10 +85,8 @@ static void its_parts_belong_together(void **unused)
 /* Rest upright, then a fall to this lean: energy gives wX, and Newton's law
  * along the two fixed directions gives, with k = I_X/(M a^2),
  *   N/Mg = (k - 2c + 3c^2)/(1 + k),  F/Mg = sin theta |2 - 3c|/(1 + k). */
-static void a_fall_from_upright_lifts_the_disc_off_between_60_and_80_degrees(
-    void **unused)
+TEST(a_fall_from_upright_lifts_the_disc_off_between_60_and_80_degrees)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
     const double k = 0.25;
@@ -107,9 +102,8 @@ static void a_fall_from_upright_lifts_the_disc_off_between_60_and_80_degrees(
     }
 }
 
-static void steady_motions_press_with_their_weight(void **unused)
+TEST(steady_motions_press_with_their_weight)
 {
-    (void)unused;
     struct random r = random_begin(11);
     for (int i = 0; i < 200; ++i) {
         const coin_params p = random_coin(&r);
@@ -133,9 +127,8 @@ static void steady_motions_press_with_their_weight(void **unused)
 
 /* Upright and falling at sqrt(g/a), nothing holds the coin down: N and F are 0
  * to the bit, and no friction is enough. */
-static void a_coin_that_does_not_press_needs_infinite_friction(void **unused)
+TEST(a_coin_that_does_not_press_needs_infinite_friction)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
     const coin_state s = {0, 0.3, 0, 0, 0, 1, 0, 0};
@@ -146,9 +139,8 @@ static void a_coin_that_does_not_press_needs_infinite_friction(void **unused)
 
 /* The squares in sqrt(R_x^2 + R_z^2) must not leave the range of doubles where
  * the force does not. */
-static void friction_scales_with_any_mass(void **unused)
+TEST(friction_scales_with_any_mass)
 {
-    (void)unused;
     const coin_state s = {0.5, 0.7, 0, 0, 0, 0.1, 0.8, 1.2};
     const double masses[] = {0x1p-49, 0x1p49};
     coin_params one, p;
@@ -161,18 +153,4 @@ static void friction_scales_with_any_mass(void **unused)
         check_near(f.friction / masses[i], want.friction, 8 * U);
         check_near(f.ratio, want.ratio, 8 * U);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_force_is_the_reference_s),
-        TEST(the_force_is_the_change_of_momentum_less_weight),
-        TEST(its_parts_belong_together),
-        TEST(a_fall_from_upright_lifts_the_disc_off_between_60_and_80_degrees),
-        TEST(steady_motions_press_with_their_weight),
-        TEST(a_coin_that_does_not_press_needs_infinite_friction),
-        TEST(friction_scales_with_any_mass),
-    };
-    return RUN_TESTS(tests);
 }

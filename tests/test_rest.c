@@ -8,9 +8,8 @@
 #include <math.h>
 
 /* ------------------------------------------------------------ exact oracles */
-static void upright_the_laws_are_closed_forms(void **unused)
+TEST(upright_the_laws_are_closed_forms)
 {
-    (void)unused;
     const coin_params p = disc();
     const double t = 7, K = 1.5, IX = 0.25, IZ = 0.5;
     const struct {
@@ -66,9 +65,8 @@ static void upright_the_laws_are_closed_forms(void **unused)
 
 /* Dry friction takes its torque times the angle rolled, however it is rolled.
  * While the contact is held nothing more is lost. */
-static void dry_friction_allows_a_number_of_turns(void **unused)
+TEST(dry_friction_allows_a_number_of_turns)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.dry = 0.002, .soft = 0x1p-30};
     coin_state s = spun;
@@ -80,9 +78,8 @@ static void dry_friction_allows_a_number_of_turns(void **unused)
 
 /* Where it lies at last the face turns backward, by the same for each law of
  * contour friction: (5/9) e0^(3/2) to leading order in the lean e0. */
-static void the_face_turns_backward_at_the_end_by_any_law(void **unused)
+TEST(the_face_turns_backward_at_the_end_by_any_law)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses laws[] = {
         {.dry = 2e-4}, {.viscous = 2e-5}, {.layer = 2e-5}, {.gap = 2e-6}};
@@ -98,9 +95,8 @@ static void the_face_turns_backward_at_the_end_by_any_law(void **unused)
 }
 
 /* Eq. (75): the time to rest of small losses from a small angle. */
-static void the_times_to_rest_are_those_of_the_laws(void **unused)
+TEST(the_times_to_rest_are_those_of_the_laws)
 {
-    (void)unused;
     const coin_params p = disc();
     const double e = 0.02;
     const struct {
@@ -125,9 +121,8 @@ static void the_times_to_rest_are_those_of_the_laws(void **unused)
 }
 
 /* A flat coin accelerates by g a/J: what is left of its weight is I_X/J. */
-static void in_the_last_fall_a_fifth_of_the_weight_is_left(void **unused)
+TEST(in_the_last_fall_a_fifth_of_the_weight_is_left)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.dry = 0.002};
     coin_state s = spun;
@@ -138,9 +133,8 @@ static void in_the_last_fall_a_fifth_of_the_weight_is_left(void **unused)
 }
 
 /* The shift by the softening is of second order in it. */
-static void the_softening_shifts_rest_by_its_square(void **unused)
+TEST(the_softening_shifts_rest_by_its_square)
 {
-    (void)unused;
     const coin_params p = disc();
     double when[4];
     for (int i = 0; i < 4; ++i) {
@@ -155,9 +149,8 @@ static void the_softening_shifts_rest_by_its_square(void **unused)
 
 /* ------------------------------------------------------------------- at rest
  */
-static void a_coin_at_rest_stays_there(void **unused)
+TEST(a_coin_at_rest_stays_there)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.dry = 0.002}, none = {0};
     coin_state s = spun;
@@ -186,9 +179,8 @@ static void a_coin_at_rest_stays_there(void **unused)
 }
 
 /* Nearer than `flat` it lies flat, even if it rises; else it may rise. */
-static void a_coin_rises_from_beyond_flat_alone(void **unused)
+TEST(a_coin_rises_from_beyond_flat_alone)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state start = {.theta = -1.5707963267, .wX = 0.5};
     const double flats[] = {0, 1e-9, 1e-12};
@@ -202,9 +194,8 @@ static void a_coin_rises_from_beyond_flat_alone(void **unused)
 }
 
 /* Without a stop, and too close for a pass to be told from a fall. */
-static void a_pass_closer_than_a_double_can_tell_is_a_fall(void **unused)
+TEST(a_pass_closer_than_a_double_can_tell_is_a_fall)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_body(&p, 1, 1, 1, 0.4, 0.5), COIN_OK);
     const coin_losses l = {.damping = 0.1};
@@ -216,9 +207,8 @@ static void a_pass_closer_than_a_double_can_tell_is_a_fall(void **unused)
     check(s.wY == 0 && s.wX > 0.1);
 }
 
-static void a_coin_that_stands_stays_standing(void **unused)
+TEST(a_coin_that_stands_stays_standing)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.damping = 0.1, .spin = 0.1};
     const coin_state stands = {.phi = 1, .x = 2};
@@ -230,9 +220,8 @@ static void a_coin_that_stands_stays_standing(void **unused)
 }
 
 /* The fall of a fast turn is a quarter of an oscillation. */
-static void a_fast_turn_is_held_too(void **unused)
+TEST(a_fast_turn_is_held_too)
 {
-    (void)unused;
     const coin_params p = disc();
     for (double turn = 40; turn < 1000; turn *= 10) {
         const coin_losses l = {.dry = turn * turn / 500};
@@ -253,9 +242,8 @@ static void a_fast_turn_is_held_too(void **unused)
 
 /* Each falls as it is held, at once: in the plane, or turning about the
  * vertical, or rising at first. */
-static void a_stopped_contact_near_flat_is_held(void **unused)
+TEST(a_stopped_contact_near_flat_is_held)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.dry = 0.1, .spin = 0.2, .flat = 1e-12};
     for (int turns = 0; turns < 2; ++turns)
@@ -306,9 +294,8 @@ static void a_stopped_contact_near_flat_is_held(void **unused)
 }
 
 /* A stopped contact that rises: in one call and in ten. */
-static void a_rise_is_held_call_by_call(void **unused)
+TEST(a_rise_is_held_call_by_call)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.dry = 0.1};
     const double e = 0.01, turn = 0.5;
@@ -330,9 +317,8 @@ static void a_rise_is_held_call_by_call(void **unused)
 }
 
 /* Held by too weak a friction a contact does not stay. */
-static void a_contact_that_cannot_be_held_rolls_on(void **unused)
+TEST(a_contact_that_cannot_be_held_rolls_on)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.dry = 1e-9};
     const double e = 0.03, turn = 2;
@@ -344,9 +330,8 @@ static void a_contact_that_cannot_be_held_rolls_on(void **unused)
     check(fabs(s.psi) > 1e-6);
 }
 
-static void a_symmetric_fall_is_an_ideal_one(void **unused)
+TEST(a_symmetric_fall_is_an_ideal_one)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {
         .damping = 0.1, .dry = 0.1, .viscous = 0.1, .flat = 1e-12};
@@ -356,26 +341,4 @@ static void a_symmetric_fall_is_an_ideal_one(void **unused)
     check_status(coin_advance(&ideal, &p, 99, 1e-10, &right), COIN_EFLAT);
     check_near(when, right, 1e-9);
     check_near(s.wX, ideal.wX, 1e-9);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(upright_the_laws_are_closed_forms),
-        TEST(dry_friction_allows_a_number_of_turns),
-        TEST(the_face_turns_backward_at_the_end_by_any_law),
-        TEST(the_times_to_rest_are_those_of_the_laws),
-        TEST(in_the_last_fall_a_fifth_of_the_weight_is_left),
-        TEST(the_softening_shifts_rest_by_its_square),
-        TEST(a_coin_at_rest_stays_there),
-        TEST(a_coin_rises_from_beyond_flat_alone),
-        TEST(a_pass_closer_than_a_double_can_tell_is_a_fall),
-        TEST(a_coin_that_stands_stays_standing),
-        TEST(a_fast_turn_is_held_too),
-        TEST(a_stopped_contact_near_flat_is_held),
-        TEST(a_rise_is_held_call_by_call),
-        TEST(a_contact_that_cannot_be_held_rolls_on),
-        TEST(a_symmetric_fall_is_an_ideal_one),
-    };
-    return RUN_TESTS(tests);
 }

@@ -30,9 +30,8 @@ static coin_losses loss_of(int law, const coin_params *p)
     return losses_in(&natural, p->mass, p->radius, natural_time(p));
 }
 
-static void the_time_to_rest_is_that_of_settling(void **unused)
+TEST(the_time_to_rest_is_that_of_settling)
 {
-    (void)unused;
     const coin_params p = quarter();
     struct random r = random_begin(811);
     for (int i = 0; i < LAWS; ++i) {
@@ -58,9 +57,8 @@ static void the_time_to_rest_is_that_of_settling(void **unused)
 /* Near flat cos theta falls as exp(-2 k t/3), and the contact rolls by 6/(k
  * sqrt(flat)) radians: 6e6 of them down to the least `flat`, in some 8e6
  * steps.  The error of the exponential is of the order of cos theta. */
-static void a_spin_with_angular_damping_decays_exponentially(void **unused)
+TEST(a_spin_with_angular_damping_decays_exponentially)
 {
-    (void)unused;
     const coin_params p = quarter();
     const double k = 1e-3, T = natural_time(&p), flat = 1e-3;
     coin_losses l = {.angular = k / T};
@@ -73,9 +71,8 @@ static void a_spin_with_angular_damping_decays_exponentially(void **unused)
     check_near(k * t / (1.5 * log(cos(1.5) / flat)), 1, 0.5 * cos(1.5));
 }
 
-static void nothing_stops_a_coin_without_losses(void **unused)
+TEST(nothing_stops_a_coin_without_losses)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses none = {0}, negative = {.dry = -1};
     const coin_state upright = {.wZ = 1}, falls = {.theta = 0.3};
@@ -89,9 +86,8 @@ static void nothing_stops_a_coin_without_losses(void **unused)
 }
 
 /* From any start, by the laws whose time to rest does not jump. */
-static void fitted_losses_let_a_coin_rest_after_the_time(void **unused)
+TEST(fitted_losses_let_a_coin_rest_after_the_time)
 {
-    (void)unused;
     const int laws[] = {VISCOUS, LAYER, GAP, DAMPING};
     const coin_params p = quarter();
     const int count = tries_asked(12);
@@ -114,9 +110,8 @@ static void fitted_losses_let_a_coin_rest_after_the_time(void **unused)
 
 /* By dry and rolling friction the time jumps: what is found is within 1 %, and
  * what is not is left alone. */
-static void a_time_that_jumps_is_fitted_or_refused(void **unused)
+TEST(a_time_that_jumps_is_fitted_or_refused)
 {
-    (void)unused;
     const int laws[] = {DRY, ROLLING};
     const coin_params p = quarter();
     const int count = tries_asked(12);
@@ -141,9 +136,8 @@ static void a_time_that_jumps_is_fitted_or_refused(void **unused)
 
 /* The strongest losses let a coin fall in 0.094 s: twice as strong is out of
  * range. */
-static void losses_too_strong_to_be_are_not_made(void **unused)
+TEST(losses_too_strong_to_be_are_not_made)
 {
-    (void)unused;
     const coin_params p = quarter();
     const coin_state s = {.theta = 0.3, .wY = 3};
     const coin_losses natural = one_loss(VISCOUS, 600);
@@ -153,9 +147,8 @@ static void losses_too_strong_to_be_are_not_made(void **unused)
     check_same(&l, &before, sizeof l);
 }
 
-static void what_cannot_be_fitted_is_left_alone(void **unused)
+TEST(what_cannot_be_fitted_is_left_alone)
 {
-    (void)unused;
     const coin_params p = quarter();
     const coin_state upright = {.wZ = 1}, leans = {.theta = 0.5, .wY = 3};
     const coin_losses dry = loss_of(DRY, &p), none = {0}, wrong = {.dry = -1};
@@ -182,18 +175,4 @@ static void what_cannot_be_fitted_is_left_alone(void **unused)
     check_status(coin_losses_fit(&l, NULL, &p, 4), COIN_EARG);
     check_status(coin_losses_fit(&l, &leans, NULL, 4), COIN_EARG);
     check_same(&l, &dry, sizeof l);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_time_to_rest_is_that_of_settling),
-        TEST(a_spin_with_angular_damping_decays_exponentially),
-        TEST(nothing_stops_a_coin_without_losses),
-        TEST(fitted_losses_let_a_coin_rest_after_the_time),
-        TEST(a_time_that_jumps_is_fitted_or_refused),
-        TEST(losses_too_strong_to_be_are_not_made),
-        TEST(what_cannot_be_fitted_is_left_alone),
-    };
-    return RUN_TESTS(tests);
 }

@@ -22,9 +22,8 @@ static double error_with(size_t row, uint64_t steps)
     return scene_error(&scene, row, &s);
 }
 
-static void the_error_is_of_order_4_in_every_scene(void **unused)
+TEST(the_error_is_of_order_4_in_every_scene)
 {
-    (void)unused;
     const struct {
         const char *name;
         uint64_t steps; /* to row 4 */
@@ -44,9 +43,8 @@ static void the_error_is_of_order_4_in_every_scene(void **unused)
 
 /* The path closes to rounding as the steps shrink: what is left is no other
  * motion. */
-static void small_steps_reach_the_reference(void **unused)
+TEST(small_steps_reach_the_reference)
 {
-    (void)unused;
     const char *const names[] = {"wobble", "generic", "spin",     "circle",
                                  "ring",   "quarter", "ring_b05", "negative"};
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
@@ -58,10 +56,8 @@ static void small_steps_reach_the_reference(void **unused)
 }
 
 /* 120 frames per second, one step each.  README.md quotes the figure. */
-static void a_quarter_at_120_frames_a_second_stays_close_for_a_second(
-    void **unused)
+TEST(a_quarter_at_120_frames_a_second_stays_close_for_a_second)
 {
-    (void)unused;
     scene_load(&scene, "quarter");
     const size_t row = 6;
     check(scene_at(&scene, row, "t") == 1);
@@ -84,9 +80,8 @@ static double error_at_a_tenth(struct random *r)
 }
 
 /* About what docs/choosing.md says of other random motions. */
-static void the_error_per_unit_of_time_is_as_documented(void **unused)
+TEST(the_error_per_unit_of_time_is_as_documented)
 {
-    (void)unused;
     enum { TRIED = 101 };
     struct random r = random_begin(32);
     double errors[TRIED];
@@ -127,9 +122,8 @@ static double apart(coin_state s, const coin_params *p, double dt)
 
 /* Both are of order 4, with other variables: their results part by O(dt^5),
  * 32 times less for half a step. */
-static void a_step_is_the_textbook_s_to_order_5(void **unused)
+TEST(a_step_is_the_textbook_s_to_order_5)
 {
-    (void)unused;
     struct random r = random_begin(33);
     for (int i = 0; i < 50; ++i) {
         const coin_params p = random_coin(&r);
@@ -141,9 +135,8 @@ static void a_step_is_the_textbook_s_to_order_5(void **unused)
 }
 
 /* Random coins, by steps n, 2n, 4n: no reference is needed. */
-static void the_order_is_4_in_random_scenes(void **unused)
+TEST(the_order_is_4_in_random_scenes)
 {
-    (void)unused;
     struct random r = random_begin(34);
     for (int i = 0; i < 50; ++i) {
         const coin_params p = random_coin(&r);
@@ -160,17 +153,4 @@ static void the_order_is_4_in_random_scenes(void **unused)
                          largest_difference(&s[1], &s[2], &p),
                      LEAST, MOST);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_error_is_of_order_4_in_every_scene),
-        TEST(small_steps_reach_the_reference),
-        TEST(a_quarter_at_120_frames_a_second_stays_close_for_a_second),
-        TEST(the_error_per_unit_of_time_is_as_documented),
-        TEST(a_step_is_the_textbook_s_to_order_5),
-        TEST(the_order_is_4_in_random_scenes),
-    };
-    return RUN_TESTS(tests);
 }

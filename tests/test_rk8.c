@@ -109,9 +109,8 @@ static struct tableau in_use(void)
     return t;
 }
 
-static void every_member_steps_by_the_reference_tableau(void **unused)
+TEST(every_member_steps_by_the_reference_tableau)
 {
-    (void)unused;
     const struct tableau got = in_use(), want = reference();
     for (int i = 0; i < STAGES; ++i) {
         check_note("row %d", i + 1);
@@ -210,9 +209,8 @@ static double largest_excess(const struct tableau *tableau, int order)
     return worst;
 }
 
-static void the_200_conditions_up_to_order_8_hold(void **unused)
+TEST(the_200_conditions_up_to_order_8_hold)
 {
-    (void)unused;
     const struct tableau t = in_use();
     const double worst = largest_excess(&t, ORDER);
     check(forest.count == TREES);
@@ -222,9 +220,8 @@ static void the_200_conditions_up_to_order_8_hold(void **unused)
 
 /* The conditions see an error in the ninth digit of any coefficient; of the
  * others every_member_steps_by_the_reference_tableau takes care. */
-static void they_fail_if_any_coefficient_is_moved(void **unused)
+TEST(they_fail_if_any_coefficient_is_moved)
 {
-    (void)unused;
     const struct tableau good = in_use();
     for (int i = 0; i < STAGES * (STAGES + 1); ++i) {
         struct tableau bad = good;
@@ -241,9 +238,8 @@ static void they_fail_if_any_coefficient_is_moved(void **unused)
 
 /* These are the leading errors: no formula of 12 stages is known to be of
  * order 9, and this is none. */
-static void conditions_of_order_9_fail(void **unused)
+TEST(conditions_of_order_9_fail)
 {
-    (void)unused;
     const struct tableau t = in_use();
     check(largest_excess(&t, ORDER + 1) > 1e8);
     check(forest.count == TREES + TREES_9);
@@ -255,9 +251,8 @@ static struct scene scene;
 /* Steps so large that truncation rules, and so small that its next order is
  * less than half of it: halving them divides the error by 2^8, and with half
  * as much again of the ninth order by 2^(8 +- 0.42). */
-static void the_error_is_of_order_8_in_every_scene(void **unused)
+TEST(the_error_is_of_order_8_in_every_scene)
 {
-    (void)unused;
     const struct {
         const char *name;
         double t;
@@ -282,36 +277,19 @@ static void the_error_is_of_order_8_in_every_scene(void **unused)
 }
 
 /* Its rates are constant, and its centre rests. */
-static void a_steady_spin_is_exact_in_large_steps(void **unused)
+TEST(a_steady_spin_is_exact_in_large_steps)
 {
-    (void)unused;
     scene_load(&scene, "spin");
     check_within(method_error(&scene, COIN_RK8, scene_row(&scene, 5), 16), 0,
                  3e-14);
 }
 
 /* One step for each frame of a film: docs/accuracy.md quotes the figure. */
-static void a_quarter_at_60_frames_a_second_stays_exact_for_a_second(
-    void **unused)
+TEST(a_quarter_at_60_frames_a_second_stays_exact_for_a_second)
 {
-    (void)unused;
     scene_load(&scene, "quarter");
     const double error =
         method_error(&scene, COIN_RK8, scene_row(&scene, 1), 60);
     printf("    quarter, 60 steps in 1 s: off by %.3g rad or radii\n", error);
     check_within(error, 2.5e-8, 1e-7);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(every_member_steps_by_the_reference_tableau),
-        TEST(the_200_conditions_up_to_order_8_hold),
-        TEST(they_fail_if_any_coefficient_is_moved),
-        TEST(conditions_of_order_9_fail),
-        TEST(the_error_is_of_order_8_in_every_scene),
-        TEST(a_steady_spin_is_exact_in_large_steps),
-        TEST(a_quarter_at_60_frames_a_second_stays_exact_for_a_second),
-    };
-    return RUN_TESTS(tests);
 }

@@ -13,12 +13,9 @@
 
 static struct scene scene;
 
-static int setup(void **unused)
+__attribute__((constructor)) static void load(void)
 {
-    check_begin(unused);
     scene_load(&scene, "generic");
-    check_note("%s", "");
-    return 0;
 }
 
 static int32_t run(coin_state *s, double dt, uint64_t steps, uint64_t *done)
@@ -27,9 +24,8 @@ static int32_t run(coin_state *s, double dt, uint64_t steps, uint64_t *done)
 }
 
 /* ------------------------------------------------------ what does not move */
-static void a_time_of_0_and_0_steps_change_nothing(void **unused)
+TEST(a_time_of_0_and_0_steps_change_nothing)
 {
-    (void)unused;
     const struct {
         double dt;
         uint64_t steps;
@@ -45,9 +41,8 @@ static void a_time_of_0_and_0_steps_change_nothing(void **unused)
     }
 }
 
-static void the_smallest_of_times_moves_by_nothing(void **unused)
+TEST(the_smallest_of_times_moves_by_nothing)
 {
-    (void)unused;
     const coin_state before = {0.5, 1, 2, 3, 4, 0.1, 0.8, 1.2};
     coin_state s = before;
     check_status(run(&s, 1e-320, 3, NULL), COIN_OK);
@@ -56,9 +51,8 @@ static void the_smallest_of_times_moves_by_nothing(void **unused)
 
 /* -------------------------------------------------------------- one and many
  */
-static void a_step_is_a_run_of_one(void **unused)
+TEST(a_step_is_a_run_of_one)
 {
-    (void)unused;
     coin_state a = scene_state(&scene, 0), b = a;
     uint64_t done;
     check_status(coin_step(&a, &scene.params, 0.05), COIN_OK);
@@ -67,9 +61,8 @@ static void a_step_is_a_run_of_one(void **unused)
     check(done == 1);
 }
 
-static void a_run_repeats_bit_for_bit(void **unused)
+TEST(a_run_repeats_bit_for_bit)
 {
-    (void)unused;
     coin_state a = scene_state(&scene, 0), b = a;
     check_status(run(&a, 0.05, 300, NULL), COIN_OK);
     check_status(run(&b, 0.05, 300, NULL), COIN_OK);
@@ -78,9 +71,8 @@ static void a_run_repeats_bit_for_bit(void **unused)
 
 /* Entering a run anew costs a few ulp: 8 u per step, which the motion then
  * amplifies as the reference says. */
-static void n_steps_in_one_run_are_n_runs_of_one_step(void **unused)
+TEST(n_steps_in_one_run_are_n_runs_of_one_step)
 {
-    (void)unused;
     const char *const names[] = {"wobble", "generic", "spin",     "circle",
                                  "ring",   "quarter", "ring_b05", "negative"};
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
@@ -111,9 +103,8 @@ static void n_steps_in_one_run_are_n_runs_of_one_step(void **unused)
 
 /* Many turns of the heading, in steps that are nearly refused: the rate is
  * constant, and what is added its product with the time. */
-static void whole_turns_are_counted_in_coarse_steps_too(void **unused)
+TEST(whole_turns_are_counted_in_coarse_steps_too)
 {
-    (void)unused;
     const uint64_t n = 2000;
     coin_state one, many;
     check_status(coin_steady_upright_spin(&one, &scene.params, 1000), COIN_OK);
@@ -127,9 +118,8 @@ static void whole_turns_are_counted_in_coarse_steps_too(void **unused)
     check_near(one.phi, turned, 16 * U * turned);
 }
 
-static void backward_undoes_forward_to_the_order_of_the_method(void **unused)
+TEST(backward_undoes_forward_to_the_order_of_the_method)
 {
-    (void)unused;
     coin_state s = scene_state(&scene, 0);
     double error[2];
     for (int i = 0; i < 2; ++i) {
@@ -147,9 +137,8 @@ static void backward_undoes_forward_to_the_order_of_the_method(void **unused)
 /* Without momentum to turn it, a leaning coin meets the table. */
 static const coin_state falling = {0.3, 1, 2, 3, 4, 0, 0, 0};
 
-static void a_run_that_fails_keeps_the_steps_before(void **unused)
+TEST(a_run_that_fails_keeps_the_steps_before)
 {
-    (void)unused;
     coin_state s = falling, again = falling;
     uint64_t done = UNTOUCHED;
     check_status(run(&s, 0.01, 1000, &done), COIN_ESTEP);
@@ -164,9 +153,8 @@ static void a_run_that_fails_keeps_the_steps_before(void **unused)
     check_status(run(&s, 0.01, 5, NULL), COIN_ESTEP);
 }
 
-static void a_step_out_of_range_is_not_done(void **unused)
+TEST(a_step_out_of_range_is_not_done)
 {
-    (void)unused;
     const coin_state edges[] = {
         {0.5, 0x1p31, 0, 0, 0, 0, 1, 0},
         {0.5, -0x1p31, 0, 0, 0, 0, -1, 0},
@@ -182,9 +170,8 @@ static void a_step_out_of_range_is_not_done(void **unused)
     }
 }
 
-static void a_place_out_of_range_is_not_reached(void **unused)
+TEST(a_place_out_of_range_is_not_reached)
 {
-    (void)unused;
     for (int i = 0; i < 2; ++i) {
         coin_params p;
         double dt;
@@ -209,9 +196,8 @@ static double spinning(coin_state *s)
     return sqrt(dphi * dphi + 1 / cos(0.6));
 }
 
-static void coarse_steps_are_done_and_said_and_too_coarse_refused(void **unused)
+TEST(coarse_steps_are_done_and_said_and_too_coarse_refused)
 {
-    (void)unused;
     const struct {
         double dtW;
         int32_t want;
@@ -233,9 +219,8 @@ static void coarse_steps_are_done_and_said_and_too_coarse_refused(void **unused)
 }
 
 /* Near flat and fast at first, high and slow later. */
-static void one_coarse_step_in_a_run_is_enough(void **unused)
+TEST(one_coarse_step_in_a_run_is_enough)
 {
-    (void)unused;
     coin_state s;
     scene_load(&scene, "nearflat");
     /* The third turning point of nearflat.csv is its lowest. */
@@ -251,9 +236,8 @@ static void one_coarse_step_in_a_run_is_enough(void **unused)
 }
 
 /* ------------------------------------------------------------ bad arguments */
-static void bad_runs_touch_nothing(void **unused)
+TEST(bad_runs_touch_nothing)
 {
-    (void)unused;
     const coin_params good = scene.params;
     coin_params bad = good;
     bad.gravity = -1;
@@ -289,9 +273,8 @@ static void bad_runs_touch_nothing(void **unused)
         }
 }
 
-static void a_run_knows_the_methods_that_have_a_name(void **unused)
+TEST(a_run_knows_the_methods_that_have_a_name)
 {
-    (void)unused;
     for (int32_t method = -2; method < 8; ++method) {
         coin_state s = scene_state(&scene, 0);
         check_note("method %d", (int)method);
@@ -301,25 +284,3 @@ static void a_run_knows_the_methods_that_have_a_name(void **unused)
 }
 
 #undef TEST
-#define TEST(function) cmocka_unit_test_setup(function, setup)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_time_of_0_and_0_steps_change_nothing),
-        TEST(the_smallest_of_times_moves_by_nothing),
-        TEST(a_step_is_a_run_of_one),
-        TEST(a_run_repeats_bit_for_bit),
-        TEST(n_steps_in_one_run_are_n_runs_of_one_step),
-        TEST(whole_turns_are_counted_in_coarse_steps_too),
-        TEST(backward_undoes_forward_to_the_order_of_the_method),
-        TEST(a_run_that_fails_keeps_the_steps_before),
-        TEST(a_step_out_of_range_is_not_done),
-        TEST(a_place_out_of_range_is_not_reached),
-        TEST(coarse_steps_are_done_and_said_and_too_coarse_refused),
-        TEST(one_coarse_step_in_a_run_is_enough),
-        TEST(bad_runs_touch_nothing),
-        TEST(a_run_knows_the_methods_that_have_a_name),
-    };
-    return RUN_TESTS(tests);
-}

@@ -11,11 +11,9 @@ static const coin_state untouched = {-1, -2, -3, -4, -5, -6, -7, -8};
 
 static struct scene scene;
 
-static int setup(void **unused)
+__attribute__((constructor)) static void load(void)
 {
-    check_begin(unused);
     scene_load(&scene, "generic");
-    return check_begin(unused);
 }
 
 static int32_t run(coin_state *s, double dt, uint64_t steps, uint64_t *done)
@@ -23,9 +21,8 @@ static int32_t run(coin_state *s, double dt, uint64_t steps, uint64_t *done)
     return coin_run(s, &scene.params, COIN_RK4, dt, steps, done);
 }
 
-static void samples_have_the_bits_of_a_run(void **unused)
+TEST(samples_have_the_bits_of_a_run)
 {
-    (void)unused;
     const coin_state start = scene_state(&scene, 0);
     coin_state out[SAMPLES];
     size_t done = 0;
@@ -41,9 +38,8 @@ static void samples_have_the_bits_of_a_run(void **unused)
     }
 }
 
-static void samples_of_the_longest_and_the_shortest_steps(void **unused)
+TEST(samples_of_the_longest_and_the_shortest_steps)
 {
-    (void)unused;
     const coin_state start = scene_state(&scene, 0);
     coin_state out[2];
     check_status(
@@ -55,9 +51,8 @@ static void samples_of_the_longest_and_the_shortest_steps(void **unused)
         COIN_ESTEP);
 }
 
-static void samples_may_start_in_their_own_array(void **unused)
+TEST(samples_may_start_in_their_own_array)
 {
-    (void)unused;
     const coin_state start = scene_state(&scene, 0);
     coin_state want[SAMPLES], out[SAMPLES];
     check_status(coin_sample(&start, &scene.params, COIN_RK4, 0.05, 3, SAMPLES,
@@ -73,9 +68,8 @@ static void samples_may_start_in_their_own_array(void **unused)
     }
 }
 
-static void there_may_be_no_samples_or_samples_at_one_time(void **unused)
+TEST(there_may_be_no_samples_or_samples_at_one_time)
 {
-    (void)unused;
     const coin_state start = scene_state(&scene, 0);
     coin_state out[3] = {untouched, untouched, untouched};
     size_t done = 77;
@@ -96,9 +90,8 @@ static void there_may_be_no_samples_or_samples_at_one_time(void **unused)
 /* Without momentum to turn it, a leaning coin meets the table. */
 static const coin_state falling = {0.3, 1, 2, 3, 4, 0, 0, 0};
 
-static void samples_that_fail_keep_those_before(void **unused)
+TEST(samples_that_fail_keep_those_before)
 {
-    (void)unused;
     coin_state out[SAMPLES];
     size_t done = 77;
     for (int k = 0; k < SAMPLES; ++k)
@@ -116,9 +109,8 @@ static void samples_that_fail_keep_those_before(void **unused)
     }
 }
 
-static void samples_stop_before_a_place_out_of_range(void **unused)
+TEST(samples_stop_before_a_place_out_of_range)
 {
-    (void)unused;
     coin_params p;
     double dt;
     const coin_state edge = far_coin(&p, 0, &dt);
@@ -139,9 +131,8 @@ static void samples_stop_before_a_place_out_of_range(void **unused)
 }
 
 /* In a run of one step that ends at the table but for less than a rounding. */
-static void a_sample_at_the_table_is_the_last_lean_above_it(void **unused)
+TEST(a_sample_at_the_table_is_the_last_lean_above_it)
 {
-    (void)unused;
     const double last = nextafter(acos(0), 0);
     for (int side = -1; side <= 1; side += 2) {
         const coin_state edge = {.theta = side * last, .wX = side * 1.5e-4};
@@ -154,9 +145,8 @@ static void a_sample_at_the_table_is_the_last_lean_above_it(void **unused)
     }
 }
 
-static void bad_arguments_touch_no_sample(void **unused)
+TEST(bad_arguments_touch_no_sample)
 {
-    (void)unused;
     const coin_params good = scene.params;
     coin_params bad = good;
     bad.gravity = -1;
@@ -189,9 +179,8 @@ static void bad_arguments_touch_no_sample(void **unused)
 }
 
 /* The spin's W is sqrt(5/cos 0.6) all along. */
-static void a_coarse_step_between_samples_is_said(void **unused)
+TEST(a_coarse_step_between_samples_is_said)
 {
-    (void)unused;
     coin_state start, out[3];
     check_status(coin_steady_spin(&start, &scene.params, 0.6), COIN_OK);
     const double dt = 0.35 / sqrt(5 / cos(0.6));
@@ -202,20 +191,3 @@ static void a_coarse_step_between_samples_is_said(void **unused)
 }
 
 #undef TEST
-#define TEST(function) cmocka_unit_test_setup(function, setup)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(samples_have_the_bits_of_a_run),
-        TEST(samples_of_the_longest_and_the_shortest_steps),
-        TEST(samples_may_start_in_their_own_array),
-        TEST(there_may_be_no_samples_or_samples_at_one_time),
-        TEST(samples_that_fail_keep_those_before),
-        TEST(samples_stop_before_a_place_out_of_range),
-        TEST(a_sample_at_the_table_is_the_last_lean_above_it),
-        TEST(bad_arguments_touch_no_sample),
-        TEST(a_coarse_step_between_samples_is_said),
-    };
-    return RUN_TESTS(tests);
-}

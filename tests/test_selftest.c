@@ -3,9 +3,8 @@
 
 #include <fenv.h>
 
-static void this_build_gives_the_pinned_bits(void **unused)
+TEST(this_build_gives_the_pinned_bits)
 {
-    (void)unused;
     check_status(coin_selftest(), COIN_OK);
 }
 
@@ -16,9 +15,8 @@ static int rounds_otherwise(void)
     return one + little != 1 || one - little != 1;
 }
 
-static void another_rounding_mode_does_not_give_the_pinned_bits(void **unused)
+TEST(another_rounding_mode_does_not_give_the_pinned_bits)
 {
-    (void)unused;
     const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     for (size_t i = 0; i < 3; ++i) {
         check(fesetround(modes[i]) == 0);
@@ -30,13 +28,4 @@ static void another_rounding_mode_does_not_give_the_pinned_bits(void **unused)
         check(mode == modes[i]);
     }
     check_status(coin_selftest(), COIN_OK);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(this_build_gives_the_pinned_bits),
-        TEST(another_rounding_mode_does_not_give_the_pinned_bits),
-    };
-    return RUN_TESTS(tests);
 }

@@ -75,9 +75,8 @@ static double stay(const struct climb *c, int32_t method, double *m)
 
 /* As long as its error allows it to, each method stays near the top; which way
  * it leaves is chance.  Nothing is refused. */
-static void a_separatrix_is_followed_until_rounding_decides(void **unused)
+TEST(a_separatrix_is_followed_until_rounding_decides)
 {
-    (void)unused;
     const double inner[] = {0, 0.5, 1};
     for (int i = 0; i < 3; ++i)
         for (int32_t method = 0; method <= METHODS; ++method) {
@@ -134,9 +133,8 @@ static double quartic_error(const struct quartic *q, int32_t method, double m)
 }
 
 /* The next term, theta^6, adds some m^2: four times less for half the lean. */
-static void at_the_critical_rates_the_coin_swings_as_a_quartic(void **unused)
+TEST(at_the_critical_rates_the_coin_swings_as_a_quartic)
 {
-    (void)unused;
     for (int i = 0; i < 6; ++i) {
         const struct quartic q = quartic_of(i / 2 * 0.5, i % 2);
         for (int32_t method = COIN_RK8; method <= METHODS; ++method) {
@@ -153,9 +151,8 @@ static void at_the_critical_rates_the_coin_swings_as_a_quartic(void **unused)
 
 /* Just below, upright is a hill between two valleys: the coin leans out to
  * sqrt(-c2/c4) and comes back. */
-static void just_below_it_leans_out_and_comes_back(void **unused)
+TEST(just_below_it_leans_out_and_comes_back)
 {
-    (void)unused;
     for (int i = 0; i < 6; ++i) {
         const struct quartic q = quartic_of(i / 2 * 0.5, i % 2);
         const double below = 1e-4; /* so that 2 c2 is -2e-4 + 1e-8 */
@@ -171,14 +168,4 @@ static void just_below_it_leans_out_and_comes_back(void **unused)
         check_note("b = %g, %s", i / 2 * 0.5, i % 2 ? "spin" : "roll");
         check_near(out, sqrt(below / q.c4), 0.01 * out);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_separatrix_is_followed_until_rounding_decides),
-        TEST(at_the_critical_rates_the_coin_swings_as_a_quartic),
-        TEST(just_below_it_leans_out_and_comes_back),
-    };
-    return RUN_TESTS(tests);
 }

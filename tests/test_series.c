@@ -49,9 +49,8 @@ static coin_params ring(struct random *r)
 }
 
 /* The first power is the rate of change, as coin_rates() has it. */
-static void the_first_power_is_the_rate(void **unused)
+TEST(the_first_power_is_the_rate)
 {
-    (void)unused;
     struct random r = random_begin(91);
     for (int i = 0; i < 500; ++i) {
         const coin_params p = ring(&r);
@@ -73,9 +72,8 @@ static void the_first_power_is_the_rate(void **unused)
 
 /* A tenth of a unit on, the point is where coin_advance() goes, and its pairs
  * are those of its angles. */
-static void the_series_follows_the_motion(void **unused)
+TEST(the_series_follows_the_motion)
 {
-    (void)unused;
     struct random r = random_begin(92);
     for (int i = 0; i < 300; ++i) {
         const coin_params p = ring(&r);
@@ -100,9 +98,8 @@ static void the_series_follows_the_motion(void **unused)
 }
 
 /* The first power that is left out, or added, is worth t^33. */
-static void the_order_is_that_of_its_highest_power(void **unused)
+TEST(the_order_is_that_of_its_highest_power)
 {
-    (void)unused;
     struct random r = random_begin(93);
     for (int i = 0; i < 100; ++i) {
         const coin_params p = ring(&r);
@@ -129,9 +126,8 @@ static void the_order_is_that_of_its_highest_power(void **unused)
 
 /* Upright and rolling, a small wX obeys wX'' = lambda^2 wX: each power is that
  * of a sine or cosine.  The next terms are smaller by 1e-60, times 3^32. */
-static void a_small_swing_has_the_powers_of_a_sine(void **unused)
+TEST(a_small_swing_has_the_powers_of_a_sine)
 {
-    (void)unused;
     const coin_params p = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
     const coin_state s = {1e-30, 0, 0, 0, 0, 1e-30, 0, 1.7};
     const coin_priv_field f = field_of(&p);
@@ -143,15 +139,4 @@ static void a_small_swing_has_the_powers_of_a_sine(void **unused)
         check_note("power %d", k + 2);
         check_near(ELEMENT(y.at[k + 2].row[1], 1), want, 64 * U * fabs(want));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_first_power_is_the_rate),
-        TEST(the_series_follows_the_motion),
-        TEST(the_order_is_that_of_its_highest_power),
-        TEST(a_small_swing_has_the_powers_of_a_sine),
-    };
-    return RUN_TESTS(tests);
 }

@@ -71,18 +71,16 @@ static void check_row(const void *scene, const struct table *t, size_t row,
                  (1e-6 * time + 1e-6) / sqrt(c));
 }
 
-static void every_row_of_the_reference_is_met_in_any_units(void **unused)
+TEST(every_row_of_the_reference_is_met_in_any_units)
 {
-    (void)unused;
     for (int i = 0; i < SCENE_COUNT; ++i)
         check_losses_rows(scenes[i].name, check_row, &scenes[i]);
 }
 
 /* To the bit, in units that are powers of 2 of each other: how far a
  * stopped contact that rises near flat is held. */
-static void how_far_a_rise_is_held_does_not_depend_on_units(void **unused)
+TEST(how_far_a_rise_is_held_does_not_depend_on_units)
 {
-    (void)unused;
     const double e = 0.01, dry = 3e-7, spin = 0.03, T = 0x1p-3;
     const coin_losses at_one = {.dry = dry, .spin = spin};
     const coin_state start = {.theta = 1.5707963267948966 - e,
@@ -113,9 +111,8 @@ static void how_far_a_rise_is_held_does_not_depend_on_units(void **unused)
 
 /* Pivoting friction turns a contact that dry friction is too weak to hold, also
  * one that stood still at first. */
-static void a_weakly_held_contact_is_turned_by_pivoting_friction(void **unused)
+TEST(a_weakly_held_contact_is_turned_by_pivoting_friction)
 {
-    (void)unused;
     const double e = 1e-4, t = 7e-3;
     const coin_losses l = {.dry = 1e-9, .spin = 0.1};
     coin_params p;
@@ -131,9 +128,8 @@ static void a_weakly_held_contact_is_turned_by_pivoting_friction(void **unused)
     check_near(still.phi, rolls.phi, 2e-8);
 }
 
-static void the_time_of_rest_is_right_to_12_digits(void **unused)
+TEST(the_time_of_rest_is_right_to_12_digits)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "losses/rest_times.csv");
     check(t.rows == 2);
@@ -159,9 +155,8 @@ static void the_time_of_rest_is_right_to_12_digits(void **unused)
 /* --------------------------------------------------------- energy and error */
 /* The integral of the power along the way, by Gauss and Legendre, in panels as
  * short as the coin is fast. */
-static void the_energy_lost_is_the_integral_of_the_power(void **unused)
+TEST(the_energy_lost_is_the_integral_of_the_power)
 {
-    (void)unused;
     const double x[4] = {0.1834346424956498, 0.5255324099163290,
                          0.7966664774136267, 0.9602898564975363};
     const double w[4] = {0.3626837833783620, 0.3137066458778873,
@@ -198,9 +193,8 @@ static void the_energy_lost_is_the_integral_of_the_power(void **unused)
 /* The contact turns round, and next to where a step begins it rolls fastest.
  * What is allowed is 6 tol, by layer friction 8; the errors are up to 6.2 tol.
  */
-static void a_step_does_not_pass_where_the_contact_turns_round(void **unused)
+TEST(a_step_does_not_pass_where_the_contact_turns_round)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state a = {.theta = -0.36, .wX = 0.35, .wY = 1.16, .wZ = 0.33};
     const coin_state b = {.theta = 0.26, .wX = 0.7, .wY = 0.28, .wZ = -0.14};
@@ -233,9 +227,8 @@ static void a_step_does_not_pass_where_the_contact_turns_round(void **unused)
     }
 }
 
-static void of_random_launches_95_of_100_err_by_less_than_tol(void **unused)
+TEST(of_random_launches_95_of_100_err_by_less_than_tol)
 {
-    (void)unused;
     const double tols[] = {1e-3, 1e-6, 1e-9, 1e-11};
     for (int k = 0; k < 4; ++k) {
         const int count = tries_asked(100);
@@ -263,9 +256,8 @@ static void of_random_launches_95_of_100_err_by_less_than_tol(void **unused)
 }
 
 /* By frames, by halves or in one call. */
-static void how_often_it_is_called_does_not_matter(void **unused)
+TEST(how_often_it_is_called_does_not_matter)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses laws[] = {{.dry = 0.002, .flat = 1e-12},
                                 {.viscous = 0.0005, .flat = 1e-12},
@@ -294,9 +286,8 @@ static void how_often_it_is_called_does_not_matter(void **unused)
 }
 
 /* Each of them one step, which has to land. */
-static void many_short_calls_add_up(void **unused)
+TEST(many_short_calls_add_up)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.viscous = 0.01, .damping = 0.01};
     coin_state whole = {.theta = 1, .wX = 0.8, .wY = 0.7, .wZ = 0.6};
@@ -309,9 +300,8 @@ static void many_short_calls_add_up(void **unused)
     check_within(states_apart(&whole, &parts, &p), 0, 1e-12);
 }
 
-static void violent_launches_come_to_rest_and_gain_no_energy(void **unused)
+TEST(violent_launches_come_to_rest_and_gain_no_energy)
 {
-    (void)unused;
     const int count = tries_asked(40);
     struct random r = random_begin(152);
     for (int i = 0; i < count; ++i) {
@@ -333,9 +323,8 @@ static void violent_launches_come_to_rest_and_gain_no_energy(void **unused)
 
 /* Where the contact turns round, steps are short: one must not stand for the
  * rest of the time. */
-static void a_short_call_takes_all_its_time(void **unused)
+TEST(a_short_call_takes_all_its_time)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses laws[] = {{.dry = 1e-6, .soft = 1e-9}, {.damping = 1e-2}};
     for (int law = 0; law < 2; ++law)
@@ -348,22 +337,4 @@ static void a_short_call_takes_all_its_time(void **unused)
             check_note("law %d, t %g", law, t);
             check_near(s.theta, ideal.theta, 1e-14);
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(every_row_of_the_reference_is_met_in_any_units),
-        TEST(how_far_a_rise_is_held_does_not_depend_on_units),
-        TEST(a_weakly_held_contact_is_turned_by_pivoting_friction),
-        TEST(the_time_of_rest_is_right_to_12_digits),
-        TEST(the_energy_lost_is_the_integral_of_the_power),
-        TEST(a_step_does_not_pass_where_the_contact_turns_round),
-        TEST(of_random_launches_95_of_100_err_by_less_than_tol),
-        TEST(how_often_it_is_called_does_not_matter),
-        TEST(many_short_calls_add_up),
-        TEST(violent_launches_come_to_rest_and_gain_no_energy),
-        TEST(a_short_call_takes_all_its_time),
-    };
-    return RUN_TESTS(tests);
 }

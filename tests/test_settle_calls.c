@@ -10,9 +10,8 @@
 #include <math.h>
 
 /* ----------------------------------------------------------- without losses */
-static void without_losses_it_is_coin_advance(void **unused)
+TEST(without_losses_it_is_coin_advance)
 {
-    (void)unused;
     const coin_losses none = {.soft = 0.5, .flat = 1e-3};
     struct random r = random_begin(153);
     const int count = tries_asked(20);
@@ -36,9 +35,8 @@ static void without_losses_it_is_coin_advance(void **unused)
 }
 
 /* What a game does: all of them a frame further, until the last one rests. */
-static void many_coins_in_a_loop_settle_as_each_alone(void **unused)
+TEST(many_coins_in_a_loop_settle_as_each_alone)
 {
-    (void)unused;
     enum { COINS = 24, FRAMES = 240 };
     const coin_params p = ring(0.5);
     coin_losses l[COINS];
@@ -70,9 +68,8 @@ static void many_coins_in_a_loop_settle_as_each_alone(void **unused)
     }
 }
 
-static void a_time_of_0_changes_nothing(void **unused)
+TEST(a_time_of_0_changes_nothing)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.dry = 0.1};
     const coin_state before = {0.5, -0.0, 2e9, 1e9, -0.0, 0.1, -0.0, 1.2};
@@ -85,9 +82,8 @@ static void a_time_of_0_changes_nothing(void **unused)
 
 /* ---------------------------------------------------------------- symmetries
  */
-static void in_units_a_power_of_two_apart_every_bit_is_the_same(void **unused)
+TEST(in_units_a_power_of_two_apart_every_bit_is_the_same)
 {
-    (void)unused;
     struct random r = random_begin(154);
     for (int i = 0; i < 20; ++i) {
         const double L = ldexp(1, (int)random_between(&r, -12, 12));
@@ -108,9 +104,8 @@ static void in_units_a_power_of_two_apart_every_bit_is_the_same(void **unused)
     }
 }
 
-static void mirrored_every_bit_is_the_same(void **unused)
+TEST(mirrored_every_bit_is_the_same)
 {
-    (void)unused;
     struct random r = random_begin(155);
     for (int i = 0; i < 20; ++i) {
         const coin_params p = ring(0.5);
@@ -129,9 +124,8 @@ static void mirrored_every_bit_is_the_same(void **unused)
 /* ------------------------------------------------------------------ statuses
  */
 /* So near to flat that no step is left to make. */
-static void a_coin_that_lies_at_once_lies_flat(void **unused)
+TEST(a_coin_that_lies_at_once_lies_flat)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.damping = 1};
     for (int side = -1; side <= 1; side += 2) {
@@ -145,9 +139,8 @@ static void a_coin_that_lies_at_once_lies_flat(void **unused)
     }
 }
 
-static void a_heading_out_of_range_ends_the_call(void **unused)
+TEST(a_heading_out_of_range_ends_the_call)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.spin = 1e-9};
     coin_state s = {.phi = 0x1p31 - 100, .wY = 10};
@@ -158,9 +151,8 @@ static void a_heading_out_of_range_ends_the_call(void **unused)
     check_near(s.phi, 0x1p31 - 100 + 10 * reached, 1e-3);
 }
 
-static void a_call_takes_2_20_steps_and_the_next_goes_on(void **unused)
+TEST(a_call_takes_2_20_steps_and_the_next_goes_on)
 {
-    (void)unused;
     check_million();
     const coin_params p = disc();
     const coin_losses l = {.spin = 1e-12};
@@ -175,9 +167,8 @@ static void a_call_takes_2_20_steps_and_the_next_goes_on(void **unused)
     check_near(s.phi, wY * (before + 1), 1e-2 * before);
 }
 
-static void a_place_out_of_range_is_not_reached(void **unused)
+TEST(a_place_out_of_range_is_not_reached)
 {
-    (void)unused;
     coin_params p;
     double dt, reached = 7;
     coin_state s = far_coin(&p, 1, &dt);
@@ -188,9 +179,8 @@ static void a_place_out_of_range_is_not_reached(void **unused)
     check_status(coin_state_check(&s, &p), COIN_OK);
 }
 
-static void the_usual_errors_touch_nothing(void **unused)
+TEST(the_usual_errors_touch_nothing)
 {
-    (void)unused;
     const coin_params good = disc();
     coin_params bad = good;
     bad.radius = -1;
@@ -230,9 +220,8 @@ static void the_usual_errors_touch_nothing(void **unused)
 }
 
 /* The time left is held by two doubles, so that a call may be far too long. */
-static void how_long_the_call_is_does_not_change_when_it_ends(void **unused)
+TEST(how_long_the_call_is_does_not_change_when_it_ends)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses l = {.dry = 0.1};
     const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.45};
@@ -261,9 +250,8 @@ static void how_long_the_call_is_does_not_change_when_it_ends(void **unused)
 /* However strong it is, pivoting friction only ends the turn of the fall. Where
  * the contact is held, L = D d(phi)/dt decays at b/D, and D is K (1 - c^2 k).
  */
-static void strong_pivoting_friction_ends_the_turn_of_a_fall(void **unused)
+TEST(strong_pivoting_friction_ends_the_turn_of_a_fall)
 {
-    (void)unused;
     const coin_params p = disc();
     const double c = 0.045, turn = 0.1;
     coin_state free = {.theta = acos(c)};
@@ -284,9 +272,8 @@ static void strong_pivoting_friction_ends_the_turn_of_a_fall(void **unused)
 }
 
 /* A coin whose wZ is as good as 0 falls flat, and so comes to rest. */
-static void what_falls_flat_without_losses_stays_flat(void **unused)
+TEST(what_falls_flat_without_losses_stays_flat)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses none = {0};
     coin_state s = {.theta = 0.3, .wZ = 1e-31};
@@ -318,9 +305,8 @@ static void what_falls_flat_without_losses_stays_flat(void **unused)
 
 /* Losses of a coin that turns about the vertical on a contact that stands: they
  * do not act at the start, and are far too strong for the first step. */
-static void strong_losses_of_a_contact_that_stands(void **unused)
+TEST(strong_losses_of_a_contact_that_stands)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table endless = {.mu_static = INFINITY, .mu_kinetic = 0.5};
     const coin_state start = {.theta = 0.3, .wY = cos(0.3), .wZ = -sin(0.3)};
@@ -344,9 +330,8 @@ static void strong_losses_of_a_contact_that_stands(void **unused)
 }
 
 /* The contact is held, and the fall or the rise turns it on. */
-static void a_heading_out_of_range_ends_a_held_fall(void **unused)
+TEST(a_heading_out_of_range_ends_a_held_fall)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_losses dry = {.dry = 2e-3}, strong = {.dry = 1};
     coin_state s, start;
@@ -371,26 +356,4 @@ static void a_heading_out_of_range_ends_a_held_fall(void **unused)
     check_status(coin_settle(&s, &p, &strong, 1e-3, 1e-9, &reached),
                  COIN_ERANGE);
     check(reached < 1e-5);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(without_losses_it_is_coin_advance),
-        TEST(many_coins_in_a_loop_settle_as_each_alone),
-        TEST(a_time_of_0_changes_nothing),
-        TEST(in_units_a_power_of_two_apart_every_bit_is_the_same),
-        TEST(mirrored_every_bit_is_the_same),
-        TEST(a_coin_that_lies_at_once_lies_flat),
-        TEST(a_heading_out_of_range_ends_the_call),
-        TEST(a_call_takes_2_20_steps_and_the_next_goes_on),
-        TEST(a_place_out_of_range_is_not_reached),
-        TEST(the_usual_errors_touch_nothing),
-        TEST(how_long_the_call_is_does_not_change_when_it_ends),
-        TEST(strong_pivoting_friction_ends_the_turn_of_a_fall),
-        TEST(what_falls_flat_without_losses_stays_flat),
-        TEST(strong_losses_of_a_contact_that_stands),
-        TEST(a_heading_out_of_range_ends_a_held_fall),
-    };
-    return RUN_TESTS(tests);
 }

@@ -15,20 +15,17 @@ static struct {
     enum study_outcome outcome;
 } runs[RUNS];
 
-static int make_runs(void **unused)
+__attribute__((constructor)) static void make_runs(void)
 {
-    (void)unused;
     for (int i = 0; i < RUNS; ++i) {
         check_note("run %d of seed %d", i, SEED);
         runs[i].run = study_draw(SEED, (uint64_t)i, MOST_STEPS, MOST_TURN);
         runs[i].outcome = study_judge(&runs[i].run, &runs[i].m);
     }
-    return 0;
 }
 
-static void no_run_is_wrong_without_a_status(void **unused)
+TEST(no_run_is_wrong_without_a_status)
 {
-    (void)unused;
     int of[STUDY_OUTCOMES] = {0};
     for (int i = 0; i < RUNS; ++i) {
         check_note("run %d of seed %d: %s, %s", i, SEED,
@@ -45,9 +42,8 @@ static void no_run_is_wrong_without_a_status(void **unused)
 }
 
 /* Most of what is refused would have been wrong. */
-static void most_refused_runs_would_have_been_wrong(void **unused)
+TEST(most_refused_runs_would_have_been_wrong)
 {
-    (void)unused;
     int right = 0, wrong = 0;
     for (int i = 0; i < RUNS; ++i) {
         right += runs[i].outcome == STUDY_REFUSED_RIGHT;
@@ -58,9 +54,8 @@ static void most_refused_runs_would_have_been_wrong(void **unused)
 
 /* A claim so lax that nothing could break it shows here: runs of each method
  * use 3 to 30 % of it, where rounding is less. */
-static void each_method_needs_at_least_3_percent_of_its_claim(void **unused)
+TEST(each_method_needs_at_least_3_percent_of_its_claim)
 {
-    (void)unused;
     double used[STUDY_METHODS] = {0};
     for (int i = 0; i < RUNS; ++i) {
         const struct study_measure *m = &runs[i].m;
@@ -73,14 +68,4 @@ static void each_method_needs_at_least_3_percent_of_its_claim(void **unused)
         check_note("%s", study_methods[k]);
         check_within(used[k], 0.03, 1);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(no_run_is_wrong_without_a_status),
-        TEST(most_refused_runs_would_have_been_wrong),
-        TEST(each_method_needs_at_least_3_percent_of_its_claim),
-    };
-    return cmocka_run_group_tests_name(__FILE__, tests, make_runs, NULL);
 }

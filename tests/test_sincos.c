@@ -19,9 +19,8 @@ static double error_in_ulp(double got, double value, double low)
     return fabs((got - value) - low) / ulp(value);
 }
 
-static void both_are_within_one_ulp_up_to_2_to_the_20(void **unused)
+TEST(both_are_within_one_ulp_up_to_2_to_the_20)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "sincos.csv");
     for (size_t i = 0; i < t.rows; ++i) {
@@ -40,9 +39,8 @@ static void both_are_within_one_ulp_up_to_2_to_the_20(void **unused)
 }
 
 /* Beyond, the reduction still leaves an absolute error of rounding only. */
-static void both_are_within_2_u_up_to_2_to_the_31(void **unused)
+TEST(both_are_within_2_u_up_to_2_to_the_31)
 {
-    (void)unused;
     struct table t;
     size_t beyond = 0;
     table_load(&t, "sincos.csv");
@@ -60,9 +58,8 @@ static void both_are_within_2_u_up_to_2_to_the_31(void **unused)
 }
 
 /* libm's are within an ulp too, in every libm in use. */
-static void both_agree_with_libm_to_2_ulp(void **unused)
+TEST(both_agree_with_libm_to_2_ulp)
 {
-    (void)unused;
     struct random r = random_begin(2);
     for (int i = 0; i < 20000; ++i) {
         const double x = random_between(&r, -20, 20);
@@ -73,9 +70,8 @@ static void both_agree_with_libm_to_2_ulp(void **unused)
     }
 }
 
-static void sine_is_odd_and_cosine_even_bit_for_bit(void **unused)
+TEST(sine_is_odd_and_cosine_even_bit_for_bit)
 {
-    (void)unused;
     struct random r = random_begin(3);
     for (int i = 0; i < 2000; ++i) {
         const double x = random_between(&r, 0, 1) * pow(2, i % 31);
@@ -85,9 +81,8 @@ static void sine_is_odd_and_cosine_even_bit_for_bit(void **unused)
     }
 }
 
-static void angles_that_are_no_numbers_give_nan(void **unused)
+TEST(angles_that_are_no_numbers_give_nan)
 {
-    (void)unused;
     const double bad[] = {NAN, INFINITY, -INFINITY};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         const coin_priv_sc got = coin_priv_sincos(bad[i]);
@@ -97,9 +92,8 @@ static void angles_that_are_no_numbers_give_nan(void **unused)
 }
 
 /* Beyond it callers have refused the angle. */
-static void the_range_ends_at_2_to_the_31(void **unused)
+TEST(the_range_ends_at_2_to_the_31)
 {
-    (void)unused;
     for (int side = -1; side <= 1; side += 2) {
         const double x = side * 0x1p31;
         const coin_priv_sc got = coin_priv_sincos(x);
@@ -108,9 +102,8 @@ static void the_range_ends_at_2_to_the_31(void **unused)
     }
 }
 
-static void half_pi_and_its_rest_are_right(void **unused)
+TEST(half_pi_and_its_rest_are_right)
 {
-    (void)unused;
     /* cos(HALF_PI) = sin(rest) = rest to 3e-32. */
     const coin_priv_sc got = coin_priv_sincos(COIN_PRIV_HALF_PI);
     check_near(got.c, COIN_PRIV_HALF_PI_LOW, ulp(COIN_PRIV_HALF_PI_LOW));
@@ -118,9 +111,8 @@ static void half_pi_and_its_rest_are_right(void **unused)
 }
 
 /* --------------------------------------------------------------- and back */
-static void the_angle_of_a_pair_is_the_angle(void **unused)
+TEST(the_angle_of_a_pair_is_the_angle)
 {
-    (void)unused;
     struct random r = random_begin(47);
     for (int i = 0; i < 20000; ++i) {
         const double x = random_between(&r, -3.14159, 3.14159);
@@ -134,9 +126,8 @@ static void the_angle_of_a_pair_is_the_angle(void **unused)
     }
 }
 
-static void the_angle_knows_its_quadrant_and_the_axes(void **unused)
+TEST(the_angle_knows_its_quadrant_and_the_axes)
 {
-    (void)unused;
     const double half_pi = COIN_PRIV_HALF_PI, r = sqrt(0.5);
     const struct {
         coin_priv_sc pair;
@@ -157,18 +148,16 @@ static void the_angle_knows_its_quadrant_and_the_axes(void **unused)
     }
 }
 
-static void the_angle_of_a_nan_is_nan(void **unused)
+TEST(the_angle_of_a_nan_is_nan)
 {
-    (void)unused;
     const coin_priv_sc none[] = {{NAN, 1}, {1, NAN}, {NAN, NAN}};
     for (size_t i = 0; i < 3; ++i)
         check(isnan(coin_priv_angle(none[i])));
 }
 
 /* ------------------------------------------------------------- hypotenuse */
-static void the_hypotenuse_neither_over_nor_underflows(void **unused)
+TEST(the_hypotenuse_neither_over_nor_underflows)
 {
-    (void)unused;
     const double scales[] = {1, 0x1p1000, 0x1p-1000};
     for (size_t i = 0; i < 3; ++i) {
         const double k = scales[i];
@@ -178,22 +167,4 @@ static void the_hypotenuse_neither_over_nor_underflows(void **unused)
         check(coin_priv_hypot(0, -k) == k && coin_priv_hypot(k, 0) == k);
     }
     check(coin_priv_hypot(0, 0) == 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(both_are_within_one_ulp_up_to_2_to_the_20),
-        TEST(both_are_within_2_u_up_to_2_to_the_31),
-        TEST(both_agree_with_libm_to_2_ulp),
-        TEST(sine_is_odd_and_cosine_even_bit_for_bit),
-        TEST(angles_that_are_no_numbers_give_nan),
-        TEST(the_range_ends_at_2_to_the_31),
-        TEST(half_pi_and_its_rest_are_right),
-        TEST(the_angle_of_a_pair_is_the_angle),
-        TEST(the_angle_knows_its_quadrant_and_the_axes),
-        TEST(the_angle_of_a_nan_is_nan),
-        TEST(the_hypotenuse_neither_over_nor_underflows),
-    };
-    return RUN_TESTS(tests);
 }

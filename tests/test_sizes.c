@@ -3,9 +3,8 @@
 
 #include <coinf.h>
 
-static void the_sizes_are_those_of_the_headers(void **unused)
+TEST(the_sizes_are_those_of_the_headers)
 {
-    (void)unused;
     const struct {
         const char *type;
         size_t stated, compiled;
@@ -28,21 +27,11 @@ static void the_sizes_are_those_of_the_headers(void **unused)
     }
 }
 
-static void what_is_no_type_has_no_size(void **unused)
+TEST(what_is_no_type_has_no_size)
 {
-    (void)unused;
     check(coin_sizeof(NULL) == 0);
     check(coin_sizeof("") == 0);
     check(coin_sizeof("coin_stat") == 0);
     check(coin_sizeof("coin_states") == 0);
     check(coin_sizeof("COIN_STATE") == 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_sizes_are_those_of_the_headers),
-        TEST(what_is_no_type_has_no_size),
-    };
-    return RUN_TESTS(tests);
 }

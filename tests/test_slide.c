@@ -73,19 +73,16 @@ static void check_row(const void *scene, const struct table *t, size_t row,
         check_status(status, rolls ? COIN_OK : COIN_SLIPS);
 }
 
-static void every_row_of_the_reference_is_met_in_any_units(void **unused)
+TEST(every_row_of_the_reference_is_met_in_any_units)
 {
-    (void)unused;
     for (int i = 0; i < SCENES; ++i)
         check_losses_rows(scenes[i].name, check_row, &scenes[i]);
 }
 
 /* ------------------------------------------------------------ closed forms */
 /* With k3 = I_Z/(M a^2) it rolls after v0 k3/(mu g (1 + k3)) at v0/(1 + k3). */
-static void an_upright_slide_rolls_when_and_as_fast_as_in_closed_form(
-    void **unused)
+TEST(an_upright_slide_rolls_when_and_as_fast_as_in_closed_form)
 {
-    (void)unused;
     const double inner[] = {0, 0.5, 1}, mus[] = {0.1, 0.25, 0.6, 1};
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 4; ++k) {
@@ -109,9 +106,8 @@ static void an_upright_slide_rolls_when_and_as_fast_as_in_closed_form(
         }
 }
 
-static void an_upright_spin_feels_no_friction(void **unused)
+TEST(an_upright_spin_feels_no_friction)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table f = {.mu_static = 0.3, .mu_kinetic = 0.25};
     coin_body d = {.s = {.wY = 3}, .vx = 0, .vz = 0};
@@ -120,9 +116,8 @@ static void an_upright_spin_feels_no_friction(void **unused)
     check_near(d.s.phi, 30, 1e-13);
 }
 
-static void without_friction_five_quantities_are_kept(void **unused)
+TEST(without_friction_five_quantities_are_kept)
 {
-    (void)unused;
     const coin_table none = {.mu_static = 0, .mu_kinetic = 0};
     struct random r = random_begin(171);
     for (int i = 0; i < 20; ++i) {
@@ -159,9 +154,8 @@ static double fall2(const coin_params *p, double wX, double theta)
 }
 
 /* Nearly upright the slip grows slowly. */
-static void a_fall_on_ice_keeps_its_energy_and_its_time(void **unused)
+TEST(a_fall_on_ice_keeps_its_energy_and_its_time)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
     const double wX = 0.5, t = 0.5;
@@ -204,10 +198,8 @@ static double change_after(const coin_body *d, const coin_params *p,
 }
 
 /* The times of real-coin scene `tumble` by the Taylor reference. */
-static void a_tumbling_coin_slips_and_rolls_again_at_the_reference_times(
-    void **unused)
+TEST(a_tumbling_coin_slips_and_rolls_again_at_the_reference_times)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table f = {.mu_static = 0.55, .mu_kinetic = 0.5};
     const coin_state s = {.theta = 1e-3, .wZ = 0.3};
@@ -219,9 +211,8 @@ static void a_tumbling_coin_slips_and_rolls_again_at_the_reference_times(
 
 /* slip_lean rolls at 0.7819 and slips from .8546 to 1.1623: less than a step
  * of coin_advance() of loose tolerance. */
-static void a_slip_shorter_than_a_step_is_not_stepped_over(void **unused)
+TEST(a_slip_shorter_than_a_step_is_not_stepped_over)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table f = {.mu_static = 0.55, .mu_kinetic = 0.5};
     coin_body d = slide_at(&scenes[1].start, scenes[1].vX, scenes[1].vh), e, g;
@@ -262,10 +253,8 @@ static double heat(coin_body d, const coin_params *p, const coin_table *f,
     return sum;
 }
 
-static void the_energy_lost_is_the_integral_of_friction_times_slip(
-    void **unused)
+TEST(the_energy_lost_is_the_integral_of_friction_times_slip)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {.theta = 1e-3, .wZ = 0.3};
     const coin_table f = {.mu_static = 0.55, .mu_kinetic = 0.5},
@@ -285,9 +274,8 @@ static void the_energy_lost_is_the_integral_of_friction_times_slip(
     check_near(lost, heat(d, &p, &f, slip, 8), 1e-9);
 }
 
-static void of_random_launches_no_energy_rises_and_no_force_pulls(void **unused)
+TEST(of_random_launches_no_energy_rises_and_no_force_pulls)
 {
-    (void)unused;
     const int count = tries_asked(80);
     struct random r = random_begin(172);
     int ended[3] = {0};
@@ -322,9 +310,8 @@ static void of_random_launches_no_energy_rises_and_no_force_pulls(void **unused)
 /* Without losses, with losses, and where the two frictions are equal, beside
  * the same at 1e-12.  A slip that passes near 0, or a coin that passes near
  * flat, amplifies an error: 2 of 100 may err by more. */
-static void of_random_launches_98_of_100_err_by_less_than_tol(void **unused)
+TEST(of_random_launches_98_of_100_err_by_less_than_tol)
 {
-    (void)unused;
     const double tols[] = {1e-6, 1e-9, 1e-11}, t = 4;
     const int count = tries_asked(25);
     for (int kind = 0; kind < 3; ++kind) {
@@ -362,9 +349,8 @@ static void of_random_launches_98_of_100_err_by_less_than_tol(void **unused)
  * the whole time.  The largest error of these 97 is 5 tol, that of 91 below tol
  * (1
  * + t); twice the largest is allowed. */
-static void a_step_is_short_enough_where_its_estimate_is_0(void **unused)
+TEST(a_step_is_short_enough_where_its_estimate_is_0)
 {
-    (void)unused;
     const double k = 0.131804, bound = 2 * sqrt(k * (1 + k));
     const coin_table f = {.mu_static = 1.1 * bound,
                           .mu_kinetic = bound * (1 - 1e-12)};
@@ -384,22 +370,4 @@ static void a_step_is_short_enough_where_its_estimate_is_0(void **unused)
         check_note("tol %g", tol);
         check_within(slides_apart(&d, &want, &p), 0, 10 * tol);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(every_row_of_the_reference_is_met_in_any_units),
-        TEST(an_upright_slide_rolls_when_and_as_fast_as_in_closed_form),
-        TEST(an_upright_spin_feels_no_friction),
-        TEST(without_friction_five_quantities_are_kept),
-        TEST(a_fall_on_ice_keeps_its_energy_and_its_time),
-        TEST(a_tumbling_coin_slips_and_rolls_again_at_the_reference_times),
-        TEST(a_slip_shorter_than_a_step_is_not_stepped_over),
-        TEST(a_step_is_short_enough_where_its_estimate_is_0),
-        TEST(the_energy_lost_is_the_integral_of_friction_times_slip),
-        TEST(of_random_launches_no_energy_rises_and_no_force_pulls),
-        TEST(of_random_launches_98_of_100_err_by_less_than_tol),
-    };
-    return RUN_TESTS(tests);
 }

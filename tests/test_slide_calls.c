@@ -17,9 +17,8 @@ static const coin_body thrown = {
     .s = {.theta = 0.3, .wY = 0.5, .wZ = -0.5}, .vx = 1, .vz = 0.4};
 
 /* ---------------------------------------------------------------- rolling */
-static void what_never_needs_more_friction_moves_as_coin_advance(void **unused)
+TEST(what_never_needs_more_friction_moves_as_coin_advance)
 {
-    (void)unused;
     const coin_table endless = {.mu_static = INFINITY, .mu_kinetic = 0.3};
     const double times[] = {0.01, 0.3, 5};
     struct random r = random_begin(173);
@@ -46,10 +45,8 @@ static void what_never_needs_more_friction_moves_as_coin_advance(void **unused)
     check(rolled > 15);
 }
 
-static void a_coin_that_rolls_is_described_as_by_the_other_functions(
-    void **unused)
+TEST(a_coin_that_rolls_is_described_as_by_the_other_functions)
 {
-    (void)unused;
     const coin_table endless = {.mu_static = INFINITY, .mu_kinetic = 0.3};
     const coin_losses l = {.dry = 0.01,
                            .viscous = 0.02,
@@ -88,9 +85,8 @@ static void a_coin_that_rolls_is_described_as_by_the_other_functions(
 
 /* By Newton and Euler in the table's frame: the force at the contact makes the
  * height of the material point of contact accelerate as a rim that rolls on. */
-static void the_force_of_a_slip_is_that_of_newton_and_euler(void **unused)
+TEST(the_force_of_a_slip_is_that_of_newton_and_euler)
 {
-    (void)unused;
     struct random r = random_begin(175);
     for (int i = 0; i < 200; ++i) {
         const coin_params p = ring(random_between(&r, 0, 1));
@@ -129,9 +125,8 @@ static void the_force_of_a_slip_is_that_of_newton_and_euler(void **unused)
 }
 
 /* ---------------------------------------------------------------- statuses */
-static void t_0_changes_nothing_and_says_whether_it_slips(void **unused)
+TEST(t_0_changes_nothing_and_says_whether_it_slips)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state wild = {.theta = 0.7, .wX = 1, .wY = 1, .wZ = 0.5};
     const coin_state still = {.theta = 0.1, .wZ = 1};
@@ -147,9 +142,8 @@ static void t_0_changes_nothing_and_says_whether_it_slips(void **unused)
     check_status(slide(&d, &p, &ice, NULL, 0, 1e-9, &reached), COIN_OK);
 }
 
-static void a_coin_that_would_lift_off_is_kept_where_it_does(void **unused)
+TEST(a_coin_that_would_lift_off_is_kept_where_it_does)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_body d, again;
     const coin_state up = {.theta = 0.2, .wX = 3};
@@ -190,9 +184,8 @@ static void a_coin_that_would_lift_off_is_kept_where_it_does(void **unused)
 }
 
 /* Its friction is 0, and so is the most that there is. */
-static void a_coin_that_needs_no_friction_rolls_on_ice(void **unused)
+TEST(a_coin_that_needs_no_friction_rolls_on_ice)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
     const coin_state needs_none[] = {{.wZ = 1}, {.wY = 2}};
@@ -207,9 +200,8 @@ static void a_coin_that_needs_no_friction_rolls_on_ice(void **unused)
 
 /* Falling without turning: flat in finite time, whatever the friction, to
  * either side. */
-static void a_coin_that_falls_over_rests_also_without_losses(void **unused)
+TEST(a_coin_that_falls_over_rests_also_without_losses)
 {
-    (void)unused;
     const coin_params p = disc();
     const double mus[] = {0, 0.3, INFINITY};
     double when[6];
@@ -239,9 +231,8 @@ static void a_coin_that_falls_over_rests_also_without_losses(void **unused)
 }
 
 /* In a time so short that the slip cannot be told from rolling. */
-static void a_slip_that_has_just_begun_takes_the_time_asked(void **unused)
+TEST(a_slip_that_has_just_begun_takes_the_time_asked)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table ice = {.mu_static = 0.01, .mu_kinetic = 0.005};
     const coin_state wild = {.theta = 0.7, .wX = 0.5, .wY = 1, .wZ = 0.5};
@@ -254,9 +245,8 @@ static void a_slip_that_has_just_begun_takes_the_time_asked(void **unused)
 }
 
 /* Nothing turns and nothing pushes. */
-static void an_upright_coin_without_friction_glides(void **unused)
+TEST(an_upright_coin_without_friction_glides)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table none = {.mu_static = 0, .mu_kinetic = 0};
     coin_body d = {.s = {0}, .vx = 0.5, .vz = 0.25};
@@ -267,9 +257,8 @@ static void an_upright_coin_without_friction_glides(void **unused)
 }
 
 /* Rounding of its speed is no error of the other variables. */
-static void a_slip_of_any_speed_takes_few_steps(void **unused)
+TEST(a_slip_of_any_speed_takes_few_steps)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_body d = thrown;
     for (double v = 1; v < 1e6; v *= 9) {
@@ -280,9 +269,8 @@ static void a_slip_of_any_speed_takes_few_steps(void **unused)
     }
 }
 
-static void many_calls_go_where_one_goes(void **unused)
+TEST(many_calls_go_where_one_goes)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_body one = thrown, many = thrown;
     check(slide(&one, &p, &rough, NULL, 3, 1e-11, NULL) >= 0);
@@ -292,9 +280,8 @@ static void many_calls_go_where_one_goes(void **unused)
 }
 
 /* ---------------------------------------------------------------- symmetry */
-static void mirror_heading_and_units_change_nothing(void **unused)
+TEST(mirror_heading_and_units_change_nothing)
 {
-    (void)unused;
     struct random r = random_begin(177);
     for (int i = 0; i < 40; ++i) {
         const coin_params p = disc();
@@ -326,9 +313,8 @@ static void mirror_heading_and_units_change_nothing(void **unused)
 
 /* A slip that grows by powers of ten in its last step, whose time no cubic
  * follows: Newton's method would leave the step. */
-static void a_slip_that_grows_fast_ends_at_the_time_asked(void **unused)
+TEST(a_slip_that_grows_fast_ends_at_the_time_asked)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table f = {.mu_static = 0.34, .mu_kinetic = 0.25};
     for (double u = 1e-9; u < 1e-3; u *= 1.1) {
@@ -345,9 +331,8 @@ static void a_slip_that_grows_fast_ends_at_the_time_asked(void **unused)
 }
 
 /* A slip whose acceleration would be negative, by rounding, takes no root. */
-static void no_launch_sets_errno(void **unused)
+TEST(no_launch_sets_errno)
 {
-    (void)unused;
     struct random r = random_begin(231);
     errno = 0;
     for (int i = 0; i < 300; ++i) {
@@ -359,25 +344,4 @@ static void no_launch_sets_errno(void **unused)
         check_note("launch %d", i);
         check(errno == 0);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(what_never_needs_more_friction_moves_as_coin_advance),
-        TEST(a_coin_that_rolls_is_described_as_by_the_other_functions),
-        TEST(the_force_of_a_slip_is_that_of_newton_and_euler),
-        TEST(t_0_changes_nothing_and_says_whether_it_slips),
-        TEST(a_coin_that_would_lift_off_is_kept_where_it_does),
-        TEST(a_coin_that_needs_no_friction_rolls_on_ice),
-        TEST(a_coin_that_falls_over_rests_also_without_losses),
-        TEST(a_slip_that_has_just_begun_takes_the_time_asked),
-        TEST(an_upright_coin_without_friction_glides),
-        TEST(a_slip_of_any_speed_takes_few_steps),
-        TEST(many_calls_go_where_one_goes),
-        TEST(mirror_heading_and_units_change_nothing),
-        TEST(a_slip_that_grows_fast_ends_at_the_time_asked),
-        TEST(no_launch_sets_errno),
-    };
-    return RUN_TESTS(tests);
 }

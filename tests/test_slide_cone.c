@@ -10,9 +10,8 @@
 enum { NEAR = 15 };
 
 /* The test finds the peak by sampling; a slide looks by other means. */
-static void a_slide_slips_in_an_excursion_that_hardly_exceeds_mu(void **unused)
+TEST(a_slide_slips_in_an_excursion_that_hardly_exceeds_mu)
 {
-    (void)unused;
     struct random r = random_begin(185);
     const int count = tries_asked(NEAR);
     for (int i = 0; i < count; ++i) {
@@ -72,9 +71,8 @@ static double before_slip(const coin_body *d, const coin_params *p,
 }
 
 /* The step that would go past the end of the time meets the slip there. */
-static void a_call_that_ends_just_before_a_slip_is_accurate(void **unused)
+TEST(a_call_that_ends_just_before_a_slip_is_accurate)
 {
-    (void)unused;
     const coin_losses some = {.dry = 0.01, .viscous = 0.02, .spin = 0.005};
     struct random r = random_begin(189);
     int found = 0;
@@ -105,9 +103,8 @@ static void a_call_that_ends_just_before_a_slip_is_accurate(void **unused)
  * would roll on to the end of the call errs by up to 50 tol.  What is allowed
  * is tol for the beginning of the slip, and tol (1 + t) for the motion. */
 /* As coin.h says of coin_move(): 98 of 100. */
-static void a_call_that_ends_as_a_slip_begins_is_accurate(void **unused)
+TEST(a_call_that_ends_as_a_slip_begins_is_accurate)
 {
-    (void)unused;
     const coin_table f = {.mu_static = 0.3, .mu_kinetic = 0.2999};
     const int count = tries_asked(3);
     struct random r = random_begin(190);
@@ -139,9 +136,8 @@ static void a_call_that_ends_as_a_slip_begins_is_accurate(void **unused)
 
 /* The part of a step up to a slip has a larger estimate of its error here than
  * the step, which was accepted. */
-static void a_part_of_an_accepted_step_is_accepted(void **unused)
+TEST(a_part_of_an_accepted_step_is_accepted)
 {
-    (void)unused;
     const coin_state s = {
         .theta = -0.44503551407829045,
         .wX = 0.69214152233077297,
@@ -165,15 +161,4 @@ static void a_part_of_an_accepted_step_is_accepted(void **unused)
     check_status(coin_body_from_state(&d, &s, &p), COIN_OK);
     check_status(slide(&d, &p, &f, &l, t, 1e-11, &reached), COIN_SLIPS);
     check(reached == t);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_slide_slips_in_an_excursion_that_hardly_exceeds_mu),
-        TEST(a_call_that_ends_just_before_a_slip_is_accurate),
-        TEST(a_call_that_ends_as_a_slip_begins_is_accurate),
-        TEST(a_part_of_an_accepted_step_is_accepted),
-    };
-    return RUN_TESTS(tests);
 }

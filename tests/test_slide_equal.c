@@ -71,9 +71,8 @@ static int slips_later(struct launch *l)
     return l->mode == mode && (mode == NEWTON_LIFTS || lost > 1e-6);
 }
 
-static void nearly_equal_coefficients_agree_with_newton_and_euler(void **unused)
+TEST(nearly_equal_coefficients_agree_with_newton_and_euler)
 {
-    (void)unused;
     const int32_t want[] = {COIN_OK, COIN_SLIPS, COIN_LIFTS};
     const int count = tries_asked(6);
     struct random r = random_begin(211);
@@ -94,12 +93,4 @@ static void nearly_equal_coefficients_agree_with_newton_and_euler(void **unused)
         }
     }
     check(found == count);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(nearly_equal_coefficients_agree_with_newton_and_euler),
-    };
-    return RUN_TESTS(tests);
 }

@@ -53,9 +53,8 @@ static coin_body flat_slide(struct random *r, const coin_params *p)
  * error of tol; 10 times are allowed for that.  A slip that begins slower than
  * 1e-6 may miss its end by so little that the motion after it is not
  * determined. */
-static void tolerances_agree_and_no_energy_is_gained(void **unused)
+TEST(tolerances_agree_and_no_energy_is_gained)
 {
-    (void)unused;
     const int count = tries_asked(100);
     struct random r = random_begin(221);
     int ended[2] = {0};
@@ -93,9 +92,8 @@ static void tolerances_agree_and_no_energy_is_gained(void **unused)
 
 /* A coin that falls over, or rises, about its contact and does not roll: losses
  * of rolling change nothing, though they hold the contact. */
-static void losses_of_rolling_change_nothing_of_a_planar_fall(void **unused)
+TEST(losses_of_rolling_change_nothing_of_a_planar_fall)
 {
-    (void)unused;
     const int count = tries_asked(80);
     struct random r = random_begin(222);
     int slips = 0;
@@ -128,9 +126,8 @@ static void losses_of_rolling_change_nothing_of_a_planar_fall(void **unused)
 
 /* The coin slides by its closest approach to the table, where the slip comes
  * near 0 and slows down little by little: it does not end there. */
-static void a_slip_that_passes_near_0_keeps_the_energy(void **unused)
+TEST(a_slip_that_passes_near_0_keeps_the_energy)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
     const coin_body from = {
@@ -153,9 +150,8 @@ static void a_slip_that_passes_near_0_keeps_the_energy(void **unused)
 
 /* The coin rolls, and its last step goes beyond the end of the time, to where
  * losses hold the contact: the next goes back. */
-static void a_step_beyond_the_end_is_taken_back(void **unused)
+TEST(a_step_beyond_the_end_is_taken_back)
 {
-    (void)unused;
     const coin_table f = {.mu_static = 0.66338536604596787,
                           .mu_kinetic = 0.66338536604596787};
     const coin_losses l = {
@@ -178,15 +174,4 @@ static void a_step_beyond_the_end_is_taken_back(void **unused)
         COIN_OK);
     check_status(slide(&d, &p, &f, &l, t, 6.58203e-06, &reached), COIN_OK);
     check(reached == t);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(tolerances_agree_and_no_energy_is_gained),
-        TEST(losses_of_rolling_change_nothing_of_a_planar_fall),
-        TEST(a_slip_that_passes_near_0_keeps_the_energy),
-        TEST(a_step_beyond_the_end_is_taken_back),
-    };
-    return RUN_TESTS(tests);
 }

@@ -12,9 +12,8 @@ static const coin_table rough = {.mu_static = 0.55, .mu_kinetic = 0.5};
 /* With as much friction as that the coin keeps to the cone nearly until N = 0,
  * and rolls on for a time where its slip would begin.  The force of that slip
  * is far from the one that rolling would take. */
-static void a_coin_lifts_off_where_the_force_of_its_slip_is_0(void **unused)
+TEST(a_coin_lifts_off_where_the_force_of_its_slip_is_0)
 {
-    (void)unused;
     const coin_table high = {.mu_static = 1.1, .mu_kinetic = 1.1};
     const coin_params p = disc();
     for (double tol = 1e-2; tol > 1e-11; tol *= 1e-4) {
@@ -43,9 +42,8 @@ static void a_coin_lifts_off_where_the_force_of_its_slip_is_0(void **unused)
 /* Calls that end just before a lift, at a tol so large that the step to it may
  * go past their end.  A longer call tells when the lift is.  Both calls locate
  * it to tol. */
-static void no_coin_lifts_off_after_the_end_of_a_call(void **unused)
+TEST(no_coin_lifts_off_after_the_end_of_a_call)
 {
-    (void)unused;
     const coin_table high = {.mu_static = 1.1, .mu_kinetic = 1.1};
     const coin_params p = disc();
     const double tol = 1e-2;
@@ -78,9 +76,8 @@ static void no_coin_lifts_off_after_the_end_of_a_call(void **unused)
 
 /* Upright but for 0.1, and falling so fast that N is all but 0: there is hardly
  * any friction, and the slip that has begun grows as rolling lets it. */
-static void a_coin_lifts_off_in_a_slip_that_has_just_begun(void **unused)
+TEST(a_coin_lifts_off_in_a_slip_that_has_just_begun)
 {
-    (void)unused;
     const coin_params p = disc();
     const double N = 1e-5, c = cos(0.1), wX = sqrt((1 - N) / c);
     const coin_body start = {
@@ -98,9 +95,8 @@ static void a_coin_lifts_off_in_a_slip_that_has_just_begun(void **unused)
 
 /* Rolling would take a table that pulls, and a slip is pressed: unless the
  * contact cannot slip. */
-static void a_coin_slips_where_only_rolling_would_lift_it(void **unused)
+TEST(a_coin_slips_where_only_rolling_would_lift_it)
 {
-    (void)unused;
     const coin_table high = {.mu_static = 1.1, .mu_kinetic = 1.1},
                      low = {.mu_static = 0.3, .mu_kinetic = 0.25};
     const coin_table endless = {.mu_static = INFINITY, .mu_kinetic = 1.1};
@@ -129,15 +125,4 @@ static void a_coin_slips_where_only_rolling_would_lift_it(void **unused)
         }
     }
     check(slip > 20);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_coin_lifts_off_where_the_force_of_its_slip_is_0),
-        TEST(no_coin_lifts_off_after_the_end_of_a_call),
-        TEST(a_coin_lifts_off_in_a_slip_that_has_just_begun),
-        TEST(a_coin_slips_where_only_rolling_would_lift_it),
-    };
-    return RUN_TESTS(tests);
 }

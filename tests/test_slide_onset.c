@@ -31,9 +31,8 @@ static coin_body seeded(const coin_state *s, const coin_params *p,
 
 /* Rolling needs 1e-6 more friction than there is, and soon less again.  By then
  * the coin slips, and the friction of a slip is a tenth less. */
-static void a_slip_goes_on_where_rolling_would_need_less_again(void **unused)
+TEST(a_slip_goes_on_where_rolling_would_need_less_again)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table f = {.mu_static = 0x1.3b598115c0dcap-1,
                           .mu_kinetic = 0x1.192c6e545f453p-1};
@@ -85,9 +84,8 @@ static double time_to_fall(double theta, double wX, double wZ)
 
 /* Nothing pushes the centre along the table.  The direction of the friction,
  * which is 0, is undetermined. */
-static void a_coin_on_a_frictionless_table_falls_and_glides(void **unused)
+TEST(a_coin_on_a_frictionless_table_falls_and_glides)
 {
-    (void)unused;
     const coin_params p = disc();
     const double mus[] = {0, 0x1p-1074}, tol = 1e-9, t = 1, wX = 0.1;
     for (int i = 0; i < 4; ++i) {
@@ -111,9 +109,8 @@ static void a_coin_on_a_frictionless_table_falls_and_glides(void **unused)
 
 /* Rolling needs 1e-13 more friction than there is, and that is rounding at the
  * start. */
-static void a_slip_begins_where_only_rounding_keeps_the_coin(void **unused)
+TEST(a_slip_begins_where_only_rounding_keeps_the_coin)
 {
-    (void)unused;
     const coin_params p = disc();
     const double mu = 0x1.05adc7b1b6d58p-2, tol = 1e-9;
     const coin_table f = {.mu_static = mu, .mu_kinetic = 0.9 * mu};
@@ -141,9 +138,8 @@ static void a_slip_begins_where_only_rounding_keeps_the_coin(void **unused)
 /* An unstable steady circle, and its mirror image.  On it the sign of wX is
  * that of rounding for long.  Then the coin leaves the circle, and slips where
  * stop says. */
-static void rounding_about_a_steady_circle_is_no_swing(void **unused)
+TEST(rounding_about_a_steady_circle_is_no_swing)
 {
-    (void)unused;
     const coin_params p = disc();
     const double mu = 0x1.328f8b69cb968p-1, t = 0x1.bc69955a04f7ep+5;
     const double tol = 0x1.de3dd30816bc8p-31;
@@ -169,9 +165,8 @@ static void rounding_about_a_steady_circle_is_no_swing(void **unused)
 
 /* The slip velocity is the difference of two speeds of |wZ|, each rounded a few
  * times.  20 times what that may be is a slip. */
-static void a_fast_straight_roll_does_not_slip(void **unused)
+TEST(a_fast_straight_roll_does_not_slip)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table f = {.mu_static = 0.55, .mu_kinetic = 0.5};
     const double speeds[] = {1e5, -1e5, 9e5, -9e5};
@@ -190,9 +185,8 @@ static void a_fast_straight_roll_does_not_slip(void **unused)
 
 /* Found by the search: the clearance at an end of the step is rounding.  The
  * halving of the step did not end. */
-static void a_step_of_almost_no_length_ends(void **unused)
+TEST(a_step_of_almost_no_length_ends)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_body(&p, 0x1.d1e0b919e5fccp-11,
                                   0x1.30a43209cfa33p+16, 0x1.3b0dabb8cca7p+2,
@@ -213,17 +207,4 @@ static void a_step_of_almost_no_length_ends(void **unused)
                        0x1.817f444125c59p-39, &reached),
                  COIN_OK);
     check(reached == 202.65581375722547);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_slip_goes_on_where_rolling_would_need_less_again),
-        TEST(a_coin_on_a_frictionless_table_falls_and_glides),
-        TEST(a_slip_begins_where_only_rounding_keeps_the_coin),
-        TEST(rounding_about_a_steady_circle_is_no_swing),
-        TEST(a_fast_straight_roll_does_not_slip),
-        TEST(a_step_of_almost_no_length_ends),
-    };
-    return RUN_TESTS(tests);
 }

@@ -22,9 +22,8 @@ static coin_losses some_losses(struct random *r)
 }
 
 /* Held to the table by infinite friction it is the coin of coin_settle(). */
-static void a_coin_that_cannot_slip_rests_when_coin_settle_says(void **unused)
+TEST(a_coin_that_cannot_slip_rests_when_coin_settle_says)
 {
-    (void)unused;
     const coin_table endless = {.mu_static = INFINITY, .mu_kinetic = 0.3};
     const int count = tries_asked(12);
     struct random r = random_begin(191);
@@ -57,9 +56,8 @@ static void a_coin_that_cannot_slip_rests_when_coin_settle_says(void **unused)
 }
 
 /* In one call and in many, at two tolerances. */
-static void the_time_of_rest_is_that_of_any_tolerance_and_calls(void **unused)
+TEST(the_time_of_rest_is_that_of_any_tolerance_and_calls)
 {
-    (void)unused;
     const int count = tries_asked(20);
     struct random r = random_begin(192);
     int rested = 0, parted = 0;
@@ -90,9 +88,8 @@ static void the_time_of_rest_is_that_of_any_tolerance_and_calls(void **unused)
 
 /* A coin near flat that rises while its contact is held, in a short call and in
  * calls that go on until it falls. */
-static void a_held_coin_rises_as_coin_settle_says(void **unused)
+TEST(a_held_coin_rises_as_coin_settle_says)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table endless = {.mu_static = INFINITY, .mu_kinetic = 0.3};
     const coin_losses l = {.dry = 0.1};
@@ -114,9 +111,8 @@ static void a_held_coin_rises_as_coin_settle_says(void **unused)
 
 /* Where the contact turns round, steps are short: one must not stand for the
  * rest of the time. */
-static void a_short_call_takes_all_its_time(void **unused)
+TEST(a_short_call_takes_all_its_time)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table endless = {.mu_static = INFINITY, .mu_kinetic = 0.3};
     const coin_losses l = {.dry = 1e-6, .soft = 1e-9};
@@ -133,9 +129,8 @@ static void a_short_call_takes_all_its_time(void **unused)
 }
 
 /* By losses in and by friction: the sum is what the energy falls by. */
-static void losses_and_friction_take_what_the_energy_falls_by(void **unused)
+TEST(losses_and_friction_take_what_the_energy_falls_by)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table f = {.mu_static = 0.55, .mu_kinetic = 0.5};
     const coin_losses all[] = {{.dry = 0.01},     {.viscous = 0.01},
@@ -161,9 +156,8 @@ static void losses_and_friction_take_what_the_energy_falls_by(void **unused)
 }
 
 /* Dry friction turns round with the contact, and a step does not go there. */
-static void units_change_nothing_of_losses(void **unused)
+TEST(units_change_nothing_of_losses)
 {
-    (void)unused;
     const double T = 0x1p20; /* of time and length; M = 1 */
     const coin_table f = {.mu_static = 0.55, .mu_kinetic = 0.5};
     const coin_losses l = {.dry = 0.01, .soft = 0.01};
@@ -185,10 +179,8 @@ static void units_change_nothing_of_losses(void **unused)
 }
 
 /* The onset of such a slip is not resolved by a step that begins with it. */
-static void equal_coefficients_give_the_limit_of_nearly_equal_ones(
-    void **unused)
+TEST(equal_coefficients_give_the_limit_of_nearly_equal_ones)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {.theta = 1e-3, .wZ = 0.3};
     double apart[3];
@@ -209,9 +201,8 @@ static void equal_coefficients_give_the_limit_of_nearly_equal_ones(
 }
 
 /* phi leaves its range in a part of a step, where a slip is about to begin. */
-static void a_pose_that_leaves_its_range_ends_the_onset(void **unused)
+TEST(a_pose_that_leaves_its_range_ends_the_onset)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.5};
     coin_state s = {.theta = 1e-3, .wZ = 0.3};
@@ -226,19 +217,4 @@ static void a_pose_that_leaves_its_range_ends_the_onset(void **unused)
     check_status(coin_move(&d, &p, &f, 1, 1e-2, 0, &reached), COIN_ERANGE);
     check_within(reached, 0, 0.1);
     check_status(coin_state_check(&d.s, &p), COIN_OK);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_coin_that_cannot_slip_rests_when_coin_settle_says),
-        TEST(the_time_of_rest_is_that_of_any_tolerance_and_calls),
-        TEST(a_held_coin_rises_as_coin_settle_says),
-        TEST(a_short_call_takes_all_its_time),
-        TEST(losses_and_friction_take_what_the_energy_falls_by),
-        TEST(units_change_nothing_of_losses),
-        TEST(equal_coefficients_give_the_limit_of_nearly_equal_ones),
-        TEST(a_pose_that_leaves_its_range_ends_the_onset),
-    };
-    return RUN_TESTS(tests);
 }

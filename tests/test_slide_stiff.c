@@ -9,9 +9,8 @@
 
 /* Found by trials: without a rate of steps that knows of I_X, its error is 27
  * tol. */
-static void a_body_of_small_I_X_keeps_the_tolerance(void **unused)
+TEST(a_body_of_small_I_X_keeps_the_tolerance)
 {
-    (void)unused;
     const double friction = 0.0457899, t = 0.96667, tol = 1e-4;
     const coin_table f = {.mu_static = 1.1 * friction, .mu_kinetic = friction};
     const coin_body from = {.s = {.theta = 0x1.48dab02f2fe25p-3,
@@ -30,9 +29,8 @@ static void a_body_of_small_I_X_keeps_the_tolerance(void **unused)
 
 /* The centre of a coin on ice keeps its velocity while it slips again and
  * again. */
-static void a_coin_on_ice_keeps_its_velocity(void **unused)
+TEST(a_coin_on_ice_keeps_its_velocity)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
     const coin_state s = {.theta = -0.430837, .wY = 0.894005};
@@ -48,9 +46,8 @@ static void a_coin_on_ice_keeps_its_velocity(void **unused)
 
 /* The slip speed nearly comes to 0 while the slip turns round.  If that ended
  * the slip, wZ would be off by 3.6e-4 at one tolerance in ten. */
-static void a_slip_that_nearly_stops_goes_on(void **unused)
+TEST(a_slip_that_nearly_stops_goes_on)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table f = {.mu_static = 0x1.3ab774693a586p-2,
                           .mu_kinetic = 0x1.0ba4a6afcebbep-3};
@@ -72,9 +69,8 @@ static void a_slip_that_nearly_stops_goes_on(void **unused)
 
 /* With boundary-layer friction alone, which has no softening.  The largest
  * error is 4.2 tol (1 + t); twice that is allowed. */
-static void a_slip_does_not_pass_where_the_contact_turns_round(void **unused)
+TEST(a_slip_does_not_pass_where_the_contact_turns_round)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_table f = {.mu_static = 0.4, .mu_kinetic = 0.36};
     const coin_losses l = {.layer = 0.02};
@@ -97,15 +93,4 @@ static void a_slip_does_not_pass_where_the_contact_turns_round(void **unused)
             check_within(slides_apart(&d, &fine, &p), 0, 8 * tol * (1 + 0.7));
         }
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_body_of_small_I_X_keeps_the_tolerance),
-        TEST(a_coin_on_ice_keeps_its_velocity),
-        TEST(a_slip_that_nearly_stops_goes_on),
-        TEST(a_slip_does_not_pass_where_the_contact_turns_round),
-    };
-    return RUN_TESTS(tests);
 }

@@ -13,9 +13,8 @@ static double lambda2(const coin_state *s, const coin_params *p)
     return L;
 }
 
-static void it_is_the_reference_s(void **unused)
+TEST(it_is_the_reference_s)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "circles.csv");
     for (size_t row = 0; row < t.rows; ++row) {
@@ -26,9 +25,8 @@ static void it_is_the_reference_s(void **unused)
 }
 
 /* Published with 17 digits: M = a = g = 1. */
-static void it_is_that_of_the_table_in_physics_md(void **unused)
+TEST(it_is_that_of_the_table_in_physics_md)
 {
-    (void)unused;
     const struct {
         double b, theta, wZ;
         int32_t branch;
@@ -107,9 +105,8 @@ static double half_trace_of_square(double A[LEAN][LEAN])
     return trace / 2;
 }
 
-static void it_is_the_eigenvalue_of_the_jacobian(void **unused)
+TEST(it_is_the_eigenvalue_of_the_jacobian)
 {
-    (void)unused;
     struct random r = random_begin(28);
     for (int i = 0; i < 200; ++i) {
         const coin_params p = random_coin(&r);
@@ -148,9 +145,8 @@ static double crossing(coin_state s, const coin_params *p, double dt, int n)
 
 /* A lean 1e-5 off oscillates; from its first turn to its third is a period.
  * Amplitude and shift of the steady motion change it by parts of 1e-5. */
-static void stable_motions_oscillate_with_the_period_it_gives(void **unused)
+TEST(stable_motions_oscillate_with_the_period_it_gives)
 {
-    (void)unused;
     const coin_params p = ring(0);
     coin_state spin;
     check_status(coin_steady_spin(&spin, &p, 0.6), COIN_OK);
@@ -170,9 +166,8 @@ static void stable_motions_oscillate_with_the_period_it_gives(void **unused)
 
 /* A slow upright roll that leans by 1e-5 on its own leaf, K_Y = 0, falls as
  * cosh(lambda t). */
-static void unstable_motions_grow_at_the_rate_it_gives(void **unused)
+TEST(unstable_motions_grow_at_the_rate_it_gives)
 {
-    (void)unused;
     const coin_params p = ring(0);
     const double wZ = 0.3, lean = 1e-5;
     coin_state s;
@@ -187,9 +182,8 @@ static void unstable_motions_grow_at_the_rate_it_gives(void **unused)
 }
 
 /* -------------------------------------------------------- critical motions */
-static void slow_upright_motions_fall_and_fast_ones_stand(void **unused)
+TEST(slow_upright_motions_fall_and_fast_ones_stand)
 {
-    (void)unused;
     struct random r = random_begin(29);
     for (int i = 0; i < 200; ++i) {
         const coin_params p = random_coin(&r);
@@ -207,9 +201,8 @@ static void slow_upright_motions_fall_and_fast_ones_stand(void **unused)
     }
 }
 
-static void the_critical_rates_are_those_of_physics_md(void **unused)
+TEST(the_critical_rates_are_those_of_physics_md)
 {
-    (void)unused;
     const struct {
         double b, roll, spin;
     } rows[] = {
@@ -226,9 +219,8 @@ static void the_critical_rates_are_those_of_physics_md(void **unused)
     }
 }
 
-static void critical_rates_scale_with_gravity_and_radius(void **unused)
+TEST(critical_rates_scale_with_gravity_and_radius)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 0.1, 0.02, 9.81), COIN_OK);
     const double w = sqrt(9.81 / 0.02);
@@ -238,9 +230,8 @@ static void critical_rates_scale_with_gravity_and_radius(void **unused)
 
 /* Between these rates, and only there, the disc's slow circles at this lean
  * are unstable; above 0.325 rad they never are. */
-static void circles_are_unstable_just_in_the_window_of_physics_md(void **unused)
+TEST(circles_are_unstable_just_in_the_window_of_physics_md)
 {
-    (void)unused;
     const struct {
         double theta, low, high;
     } rows[] = {
@@ -265,9 +256,8 @@ static void circles_are_unstable_just_in_the_window_of_physics_md(void **unused)
 }
 
 /* The tip of that window. */
-static void the_last_unstable_lean_is_that_of_physics_md(void **unused)
+TEST(the_last_unstable_lean_is_that_of_physics_md)
 {
-    (void)unused;
     const struct {
         double b, theta, wZ;
     } rows[] = {
@@ -284,21 +274,4 @@ static void the_last_unstable_lean_is_that_of_physics_md(void **unused)
         s = circle(&p, rows[i].theta * (1 + 1e-9), rows[i].wZ, 1);
         check(lambda2(&s, &p) < 0);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(it_is_the_reference_s),
-        TEST(it_is_that_of_the_table_in_physics_md),
-        TEST(it_is_the_eigenvalue_of_the_jacobian),
-        TEST(stable_motions_oscillate_with_the_period_it_gives),
-        TEST(unstable_motions_grow_at_the_rate_it_gives),
-        TEST(slow_upright_motions_fall_and_fast_ones_stand),
-        TEST(the_critical_rates_are_those_of_physics_md),
-        TEST(critical_rates_scale_with_gravity_and_radius),
-        TEST(circles_are_unstable_just_in_the_window_of_physics_md),
-        TEST(the_last_unstable_lean_is_that_of_physics_md),
-    };
-    return RUN_TESTS(tests);
 }

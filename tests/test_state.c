@@ -18,9 +18,8 @@ static int32_t check_with(size_t member, double value)
     return coin_state_check(&s, &p);
 }
 
-static void every_member_must_be_finite(void **unused)
+TEST(every_member_must_be_finite)
 {
-    (void)unused;
     for (size_t member = 0; member < 8; ++member) {
         check_status(check_with(member, NAN), COIN_ESTATE);
         check_status(check_with(member, INFINITY), COIN_ESTATE);
@@ -29,9 +28,8 @@ static void every_member_must_be_finite(void **unused)
     }
 }
 
-static void the_lean_stays_above_the_table(void **unused)
+TEST(the_lean_stays_above_the_table)
 {
-    (void)unused;
     const double half_pi = 1.5707963267948966;
     for (int side = -1; side <= 1; side += 2) {
         check_status(check_with(0, side * nextafter(half_pi, 0)), COIN_OK);
@@ -41,9 +39,8 @@ static void the_lean_stays_above_the_table(void **unused)
     }
 }
 
-static void heading_and_roll_stay_below_2_to_the_31(void **unused)
+TEST(heading_and_roll_stay_below_2_to_the_31)
 {
-    (void)unused;
     for (size_t member = 1; member <= 2; ++member)
         for (int side = -1; side <= 1; side += 2) {
             check_status(check_with(member, side * 0x1p31), COIN_OK);
@@ -54,9 +51,8 @@ static void heading_and_roll_stay_below_2_to_the_31(void **unused)
 }
 
 /* What passes the check gives finite numbers everywhere. */
-static void no_accepted_state_overflows(void **unused)
+TEST(no_accepted_state_overflows)
 {
-    (void)unused;
     struct random r = random_begin(20);
     unsigned accepted = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -98,9 +94,8 @@ static void from_row(const struct table *t, size_t row, coin_state *got)
 
 /* 8 u, or 8 times what rounding q to double moves the angle by, where that is
  * more; the rates turn with the angles. */
-static void a_motion_gives_the_reference_s_state(void **unused)
+TEST(a_motion_gives_the_reference_s_state)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "motions.csv");
     for (size_t row = 0; row < t.rows; ++row) {
@@ -152,9 +147,8 @@ static void check_round_trip(const coin_state *s, const coin_params *p)
     check_near(back.wZ, s->wZ, weak * w);
 }
 
-static void a_state_survives_the_way_through_an_engine(void **unused)
+TEST(a_state_survives_the_way_through_an_engine)
 {
-    (void)unused;
     struct random r = random_begin(21);
     for (int i = 0; i < 500; ++i) {
         const coin_params p = random_coin(&r);
@@ -167,9 +161,8 @@ static void a_state_survives_the_way_through_an_engine(void **unused)
     }
 }
 
-static void the_norm_of_the_quaternion_does_not_matter(void **unused)
+TEST(the_norm_of_the_quaternion_does_not_matter)
 {
-    (void)unused;
     const coin_params p = disc();
     const double omega[3] = {0.1, 0.2, 0.3};
     const int exponents[] = {-24, -9, 1, 9, 24};
@@ -187,9 +180,8 @@ static void the_norm_of_the_quaternion_does_not_matter(void **unused)
     }
 }
 
-static void angles_come_out_within_half_a_turn(void **unused)
+TEST(angles_come_out_within_half_a_turn)
 {
-    (void)unused;
     struct random r = random_begin(22);
     const coin_params p = disc();
     const double omega[3] = {0, 0, 0}, pi = 3.141592653589793;
@@ -206,9 +198,8 @@ static void angles_come_out_within_half_a_turn(void **unused)
     }
 }
 
-static void half_a_turn_to_either_side_is_pi(void **unused)
+TEST(half_a_turn_to_either_side_is_pi)
 {
-    (void)unused;
     const coin_params p = disc();
     const double omega[3] = {0, 0, 0};
     for (int i = 0; i < 4; ++i) {
@@ -222,9 +213,8 @@ static void half_a_turn_to_either_side_is_pi(void **unused)
 
 /* Found by a search that climbs towards the largest error; the angles by mpmath
  * from the exact q. */
-static void the_worst_rotations_known_are_good_to_8_u(void **unused)
+TEST(the_worst_rotations_known_are_good_to_8_u)
 {
-    (void)unused;
     const struct {
         double q[4], theta, phi, psi;
     } worst[] = {
@@ -258,9 +248,8 @@ static void the_worst_rotations_known_are_good_to_8_u(void **unused)
 }
 
 /* Half a turn exactly: every sign of the quaternion gives +pi, never -pi. */
-static void half_a_turn_is_positive(void **unused)
+TEST(half_a_turn_is_positive)
 {
-    (void)unused;
     const coin_params p = disc();
     const double omega[3] = {0, 0, 0};
     const double half_turns[][4] = {{0, 0, 1, 0},    {0, 0, -1, 0},
@@ -277,9 +266,8 @@ static void half_a_turn_is_positive(void **unused)
     }
 }
 
-static void a_q_of_no_rotation_is_an_upright_coin(void **unused)
+TEST(a_q_of_no_rotation_is_an_upright_coin)
 {
-    (void)unused;
     const coin_params p = disc();
     const double q[4] = {-2, 0, 0, 0}, omega[3] = {5, 6, 7};
     const coin_state want = {0, 0, 0, 3, 4, 5, 6, 7};
@@ -289,9 +277,8 @@ static void a_q_of_no_rotation_is_an_upright_coin(void **unused)
     check_same(&s.x, &want.x, 5 * sizeof(double));
 }
 
-static void a_motion_without_a_state_is_refused(void **unused)
+TEST(a_motion_without_a_state_is_refused)
 {
-    (void)unused;
     const double r = sqrt(0.5);
     const struct {
         const char *why;
@@ -327,9 +314,8 @@ static void a_motion_without_a_state_is_refused(void **unused)
 }
 
 /* Without parameters no bound on the rates is known but the doubles' own. */
-static void an_angular_velocity_that_overflows_is_refused(void **unused)
+TEST(an_angular_velocity_that_overflows_is_refused)
 {
-    (void)unused;
     const coin_state huge = {0.7, 0.7, 0, 0, 0, 1.7e308, 1.7e308, 1.7e308};
     const coin_state large = {0.7, 0.7, 0, 0, 0, 1e300, 1e300, 1e300};
     double omega[3] = {1, 2, 3};
@@ -337,25 +323,4 @@ static void an_angular_velocity_that_overflows_is_refused(void **unused)
     check(omega[0] == 1 && omega[1] == 2 && omega[2] == 3);
     check_status(coin_angular_velocity(&large, omega), COIN_OK);
     check(isfinite(omega[0] + omega[1] + omega[2]));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(every_member_must_be_finite),
-        TEST(the_lean_stays_above_the_table),
-        TEST(heading_and_roll_stay_below_2_to_the_31),
-        TEST(no_accepted_state_overflows),
-        TEST(a_motion_gives_the_reference_s_state),
-        TEST(a_state_survives_the_way_through_an_engine),
-        TEST(the_norm_of_the_quaternion_does_not_matter),
-        TEST(angles_come_out_within_half_a_turn),
-        TEST(half_a_turn_to_either_side_is_pi),
-        TEST(the_worst_rotations_known_are_good_to_8_u),
-        TEST(half_a_turn_is_positive),
-        TEST(a_q_of_no_rotation_is_an_upright_coin),
-        TEST(a_motion_without_a_state_is_refused),
-        TEST(an_angular_velocity_that_overflows_is_refused),
-    };
-    return RUN_TESTS(tests);
 }

@@ -110,9 +110,8 @@ static double apart(coin_state s, const coin_state *want, const coin_params *p)
 }
 
 /* A circle that is stable, and so adds no error of its own. */
-static void short_calls_are_one_call(void **unused)
+TEST(short_calls_are_one_call)
 {
-    (void)unused;
     const coin_losses losses[] = {{0}, {.dry = 1e-3, .layer = 1e-4}};
     const coin_table f = {.mu_static = 0.6, .mu_kinetic = 0.5};
     const coin_params p = disc();
@@ -160,9 +159,8 @@ static void check_repeats(const struct mover *m, struct coin c, double dt,
     }
 }
 
-static void a_call_of_no_time_says_what_the_last_said(void **unused)
+TEST(a_call_of_no_time_says_what_the_last_said)
 {
-    (void)unused;
     const int count = tries_asked(150);
     const coin_state falling = {.theta = 1.4};
     struct random r = random_begin(701);
@@ -207,9 +205,8 @@ static double friction_needed(const struct coin *c, double t)
     return most;
 }
 
-static void a_coin_that_friction_holds_rolls_in_every_frame(void **unused)
+TEST(a_coin_that_friction_holds_rolls_in_every_frame)
 {
-    (void)unused;
     const double tols[] = {1e-3, 1e-5, 1e-7}, t = 12;
     const int count = tries_asked(60);
     struct random r = random_begin(702);
@@ -240,9 +237,8 @@ static void a_coin_that_friction_holds_rolls_in_every_frame(void **unused)
 
 /* ------------------------------------------------------------------ to rest */
 /* Euler's disk, on a table that lets it slip and on one that does not.  */
-static void a_disk_rests_at_one_time_whatever_the_calls(void **unused)
+TEST(a_disk_rests_at_one_time_whatever_the_calls)
 {
-    (void)unused;
     const coin_table tables[] = {{.mu_static = INFINITY, .mu_kinetic = 0.3},
                                  {.mu_static = 0.35, .mu_kinetic = 0.3}};
     const double tol = 1e-6, calls[] = {0.016, 0.13, 0.26, 1.1};
@@ -269,15 +265,4 @@ static void a_disk_rests_at_one_time_whatever_the_calls(void **unused)
             check_near(by_parts, when, tol * (1 + when));
         }
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(short_calls_are_one_call),
-        TEST(a_call_of_no_time_says_what_the_last_said),
-        TEST(a_coin_that_friction_holds_rolls_in_every_frame),
-        TEST(a_disk_rests_at_one_time_whatever_the_calls),
-    };
-    return RUN_TESTS(tests);
 }

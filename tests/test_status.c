@@ -20,9 +20,8 @@ static int same(int32_t a, int32_t b)
     return strcmp(coin_status_string(a), coin_status_string(b)) == 0;
 }
 
-static void every_status_has_a_text_of_its_own(void **unused)
+TEST(every_status_has_a_text_of_its_own)
 {
-    (void)unused;
     for (int32_t a = COIN_ERANGE; a <= COIN_RESTS; ++a)
         for (int32_t b = COIN_ERANGE; b < a; ++b) {
             check_note("%d and %d", (int)a, (int)b);
@@ -31,9 +30,8 @@ static void every_status_has_a_text_of_its_own(void **unused)
 }
 
 /* A line of a terminal. */
-static void texts_are_short_and_have_no_full_stop(void **unused)
+TEST(texts_are_short_and_have_no_full_stop)
 {
-    (void)unused;
     for (int32_t status = COIN_ERANGE; status <= COIN_RESTS + 1; ++status) {
         const char *text = coin_status_string(status);
         const size_t n = strlen(text);
@@ -42,9 +40,8 @@ static void texts_are_short_and_have_no_full_stop(void **unused)
     }
 }
 
-static void a_set_of_warnings_names_each_of_them(void **unused)
+TEST(a_set_of_warnings_names_each_of_them)
 {
-    (void)unused;
     for (int32_t set = 1; set < ALL_WARNINGS; ++set) {
         if ((set & (set - 1)) == 0)
             continue; /* a single one is put in plain words */
@@ -56,9 +53,8 @@ static void a_set_of_warnings_names_each_of_them(void **unused)
     }
 }
 
-static void texts_say_what_they_are_about(void **unused)
+TEST(texts_say_what_they_are_about)
 {
-    (void)unused;
     const struct {
         int32_t status;
         const char *word;
@@ -81,9 +77,8 @@ static void texts_say_what_they_are_about(void **unused)
 
 /* COIN_ESTEP and COIN_EDOMAIN each have several cases: no word is wrong for
  * any of them, and each finds what helps. */
-static void errors_of_several_cases_name_each_of_them(void **unused)
+TEST(errors_of_several_cases_name_each_of_them)
 {
-    (void)unused;
     const struct {
         int32_t status;
         const char *word;
@@ -100,26 +95,12 @@ static void errors_of_several_cases_name_each_of_them(void **unused)
     }
 }
 
-static void any_other_number_is_unknown(void **unused)
+TEST(any_other_number_is_unknown)
 {
-    (void)unused;
     const int32_t others[] = {COIN_ERANGE - 1, -1000, INT32_MIN, 128, 1000,
                               INT32_MAX};
     for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
         check_note("%d", (int)others[i]);
         check(strcmp(coin_status_string(others[i]), "unknown status") == 0);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(every_status_has_a_text_of_its_own),
-        TEST(texts_are_short_and_have_no_full_stop),
-        TEST(a_set_of_warnings_names_each_of_them),
-        TEST(texts_say_what_they_are_about),
-        TEST(errors_of_several_cases_name_each_of_them),
-        TEST(any_other_number_is_unknown),
-    };
-    return RUN_TESTS(tests);
 }

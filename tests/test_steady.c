@@ -10,9 +10,8 @@
 #include <string.h>
 
 /* ------------------------------------------------------------ the families */
-static void circles_turn_as_the_reference_s(void **unused)
+TEST(circles_turn_as_the_reference_s)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "circles.csv");
     for (size_t row = 0; row < t.rows; ++row) {
@@ -27,9 +26,8 @@ static void circles_turn_as_the_reference_s(void **unused)
 
 /* A wY^2 + B wY = C has two roots: their sum and product are Vieta's, and
  * f+ is the one with the plus before the root of Eq. (40). */
-static void the_branches_are_the_two_roots(void **unused)
+TEST(the_branches_are_the_two_roots)
 {
-    (void)unused;
     struct random r = random_begin(23);
     for (int i = 0; i < 500; ++i) {
         const coin_params p = random_coin(&r);
@@ -49,9 +47,8 @@ static void the_branches_are_the_two_roots(void **unused)
     }
 }
 
-static void the_branches_mirror_each_other_bit_for_bit(void **unused)
+TEST(the_branches_mirror_each_other_bit_for_bit)
 {
-    (void)unused;
     struct random r = random_begin(24);
     for (int i = 0; i < 500; ++i) {
         const coin_params p = random_coin(&r);
@@ -66,9 +63,8 @@ static void the_branches_mirror_each_other_bit_for_bit(void **unused)
 }
 
 /* Without roll the circle shrinks to a spin, either way round. */
-static void without_roll_the_circles_are_the_two_spins(void **unused)
+TEST(without_roll_the_circles_are_the_two_spins)
 {
-    (void)unused;
     const coin_params p = disc();
     const double leans[] = {0.6, -0.6};
     for (size_t i = 0; i < 2; ++i)
@@ -81,9 +77,8 @@ static void without_roll_the_circles_are_the_two_spins(void **unused)
 
 /* wY -> M g a theta/(K wZ) for small theta: the textbook's root cancels to
  * nothing there. */
-static void large_circles_do_not_cancel(void **unused)
+TEST(large_circles_do_not_cancel)
 {
-    (void)unused;
     const coin_params p = disc();
     const double K = 1.5;
     for (int e = 5; e <= 290; e += 15) {
@@ -95,9 +90,8 @@ static void large_circles_do_not_cancel(void **unused)
     }
 }
 
-static void spins_have_their_centre_at_rest(void **unused)
+TEST(spins_have_their_centre_at_rest)
 {
-    (void)unused;
     struct random r = random_begin(25);
     for (int i = 0; i < 200; ++i) {
         const coin_params p = random_coin(&r);
@@ -113,9 +107,8 @@ static void spins_have_their_centre_at_rest(void **unused)
     }
 }
 
-static void upright_motions_have_any_rate_in_range(void **unused)
+TEST(upright_motions_have_any_rate_in_range)
 {
-    (void)unused;
     const coin_params p = disc();
     const double rates[] = {0, -3, 1e-300, 1e6};
     for (size_t i = 0; i < 4; ++i) {
@@ -147,9 +140,8 @@ static coin_state any_steady(struct random *r, const coin_params *p, int kind)
     return s;
 }
 
-static void no_rate_of_turning_changes_in_any_of_them(void **unused)
+TEST(no_rate_of_turning_changes_in_any_of_them)
 {
-    (void)unused;
     struct random r = random_begin(26);
     for (int i = 0; i < 500; ++i) {
         const coin_params p = random_coin(&r);
@@ -164,9 +156,8 @@ static void no_rate_of_turning_changes_in_any_of_them(void **unused)
 }
 
 /* ----------------------------------------------------------------- radii */
-static void radii_are_the_reference_s(void **unused)
+TEST(radii_are_the_reference_s)
 {
-    (void)unused;
     struct table t;
     table_load(&t, "circles.csv");
     for (size_t row = 0; row < t.rows; ++row) {
@@ -183,9 +174,8 @@ static void radii_are_the_reference_s(void **unused)
 
 /* Half a turn of the heading takes a point to the other end of its circle's
  * diameter. */
-static void radii_are_those_of_the_path_that_a_run_takes(void **unused)
+TEST(radii_are_those_of_the_path_that_a_run_takes)
 {
-    (void)unused;
     struct random r = random_begin(27);
     for (int i = 0; i < 40; ++i) {
         const coin_params p = random_coin(&r);
@@ -210,9 +200,8 @@ static void radii_are_those_of_the_path_that_a_run_takes(void **unused)
     }
 }
 
-static void straight_and_resting_motions_have_plain_radii(void **unused)
+TEST(straight_and_resting_motions_have_plain_radii)
 {
-    (void)unused;
     const coin_params p = disc();
     double center, contact;
     coin_state s;
@@ -233,9 +222,8 @@ static void straight_and_resting_motions_have_plain_radii(void **unused)
 
 /* Circles of 1e280 a and more count as straight.  An overflow would be raised.
  */
-static void radii_next_to_the_largest_double_do_not_overflow(void **unused)
+TEST(radii_next_to_the_largest_double_do_not_overflow)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1e15, 1e15), COIN_OK);
     for (double wY = 1e-270; wY > 1e-310; wY /= 3) {
@@ -261,9 +249,8 @@ static int32_t radii_status(const coin_state *s, const coin_params *p)
 }
 
 /* Off by part * 1e-9 in the quantity named. */
-static void deviations_up_to_1e_9_of_the_largest_are_steady(void **unused)
+TEST(deviations_up_to_1e_9_of_the_largest_are_steady)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state good = circle(&p, 0.4, 1, 1);
     /* The slope of Eq. (39) in wY; its largest term is M g a = 1.  The
@@ -285,9 +272,8 @@ static void deviations_up_to_1e_9_of_the_largest_are_steady(void **unused)
 
 /* Each of |wY|, |wZ|, sqrt(g/a) can be the largest rate, and each term of Eq.
  * (39) the largest torque. */
-static void any_rate_or_torque_may_be_the_largest(void **unused)
+TEST(any_rate_or_torque_may_be_the_largest)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state states[] = {
         {0, 0, 0, 0, 0, 0, 1e3, 0},
@@ -312,9 +298,8 @@ static void any_rate_or_torque_may_be_the_largest(void **unused)
 }
 
 /* ---------------------------------------------------------------- refusals */
-static void bad_arguments_are_refused_in_order(void **unused)
+TEST(bad_arguments_are_refused_in_order)
 {
-    (void)unused;
     const coin_params good = disc();
     coin_params bad = good;
     bad.mass = -1;
@@ -349,9 +334,8 @@ static void bad_arguments_are_refused_in_order(void **unused)
     }
 }
 
-static void rates_and_leans_out_of_range_are_refused(void **unused)
+TEST(rates_and_leans_out_of_range_are_refused)
 {
-    (void)unused;
     const coin_params p = disc();
     const double rates[] = {NAN, INFINITY, -INFINITY, 1e200};
     const double leans[] = {NAN, INFINITY, 1.5707963267948966, -1.6};
@@ -364,27 +348,4 @@ static void rates_and_leans_out_of_range_are_refused(void **unused)
         check_status(coin_steady_spin(&s, &p, leans[i]), COIN_ESTATE);
         check_same(&s, &before, sizeof s);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(circles_turn_as_the_reference_s),
-        TEST(the_branches_are_the_two_roots),
-        TEST(the_branches_mirror_each_other_bit_for_bit),
-        TEST(without_roll_the_circles_are_the_two_spins),
-        TEST(large_circles_do_not_cancel),
-        TEST(spins_have_their_centre_at_rest),
-        TEST(upright_motions_have_any_rate_in_range),
-        TEST(no_rate_of_turning_changes_in_any_of_them),
-        TEST(radii_are_the_reference_s),
-        TEST(radii_are_those_of_the_path_that_a_run_takes),
-        TEST(straight_and_resting_motions_have_plain_radii),
-        TEST(radii_next_to_the_largest_double_do_not_overflow),
-        TEST(deviations_up_to_1e_9_of_the_largest_are_steady),
-        TEST(any_rate_or_torque_may_be_the_largest),
-        TEST(bad_arguments_are_refused_in_order),
-        TEST(rates_and_leans_out_of_range_are_refused),
-    };
-    return RUN_TESTS(tests);
 }

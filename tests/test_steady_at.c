@@ -23,9 +23,8 @@ static coin_state at(const coin_state *s, const coin_params *p, double t)
 
 /* 4 u of the angles turned since the start, and the reference's own rounding;
  * the path is at most two radii of its circle wide. */
-static void a_steady_motion_is_where_the_reference_is(void **unused)
+TEST(a_steady_motion_is_where_the_reference_is)
 {
-    (void)unused;
     static const char *const steady[] = {"spin", "circle"};
     for (int i = 0; i < 2; ++i) {
         struct scene scene;
@@ -44,9 +43,8 @@ static void a_steady_motion_is_where_the_reference_is(void **unused)
 }
 
 /* Straight rolling moves along -x by radius |wZ| t, turned by the heading. */
-static void straight_rolling_is_a_straight_line(void **unused)
+TEST(straight_rolling_is_a_straight_line)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 1, 2, 3), COIN_OK);
     coin_state s;
@@ -63,9 +61,8 @@ static void straight_rolling_is_a_straight_line(void **unused)
 }
 
 /* So does a circle of nearly no curvature: nothing cancels. */
-static void a_huge_circle_begins_straight(void **unused)
+TEST(a_huge_circle_begins_straight)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
     const coin_state s = circle(&p, 1e-9, 1, 1), end = at(&s, &p, 10);
@@ -76,9 +73,8 @@ static void a_huge_circle_begins_straight(void **unused)
 /* The heading is added to what is turned as angles, not as numbers: a start
  * turned by a thousand million radians loses none of its path.  The turn is
  * that of the table's frame; both its sine and cosine by libm. */
-static void a_huge_heading_costs_the_path_nothing(void **unused)
+TEST(a_huge_heading_costs_the_path_nothing)
 {
-    (void)unused;
     struct random r = random_begin(26);
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
@@ -98,9 +94,8 @@ static void a_huge_heading_costs_the_path_nothing(void **unused)
 }
 
 /* There and back, and in two parts. */
-static void times_add_up(void **unused)
+TEST(times_add_up)
 {
-    (void)unused;
     struct random r = random_begin(25);
     for (int i = 0; i < 300; ++i) {
         const coin_params p = random_coin(&r);
@@ -119,9 +114,8 @@ static void times_add_up(void **unused)
     }
 }
 
-static void what_is_not_steady_or_leaves_its_range_is_refused(void **unused)
+TEST(what_is_not_steady_or_leaves_its_range_is_refused)
 {
-    (void)unused;
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
     coin_state s = circle(&p, 0.4, 1, 1), out = s;
@@ -136,17 +130,4 @@ static void what_is_not_steady_or_leaves_its_range_is_refused(void **unused)
     s.wX = 5e-10;
     check_status(coin_steady_at(&s, &p, 1, &out), COIN_OK);
     check(out.wX == 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_steady_motion_is_where_the_reference_is),
-        TEST(straight_rolling_is_a_straight_line),
-        TEST(a_huge_circle_begins_straight),
-        TEST(a_huge_heading_costs_the_path_nothing),
-        TEST(times_add_up),
-        TEST(what_is_not_steady_or_leaves_its_range_is_refused),
-    };
-    return RUN_TESTS(tests);
 }

@@ -52,9 +52,8 @@ static void check_circle(const coin_state *s, const coin_params *p,
 }
 
 /* --------------------------------------------------------------- reference */
-static void a_turn_is_the_reference_s(void **unused)
+TEST(a_turn_is_the_reference_s)
 {
-    (void)unused;
     struct table t;
     int turns = 0;
     table_load(&t, "turns.csv");
@@ -74,9 +73,8 @@ static void a_turn_is_the_reference_s(void **unused)
 }
 
 /* The speed to 16 u + u/cos theta: the lean and wY as that determines them. */
-static void a_ride_is_the_reference_s(void **unused)
+TEST(a_ride_is_the_reference_s)
 {
-    (void)unused;
     struct table t;
     int rides = 0;
     table_load(&t, "turns.csv");
@@ -98,9 +96,8 @@ static void a_ride_is_the_reference_s(void **unused)
 
 /* A coin of 12 mm rolls at 45 degrees round a circle of 40 mm, g = 9.8: by the
  * radius of the centre, and by that of the contact. */
-static void a_quarter_at_45_degrees_takes_half_a_second(void **unused)
+TEST(a_quarter_at_45_degrees_takes_half_a_second)
 {
-    (void)unused;
     coin_params p;
     coin_state s;
     const double lean = HALF_PI / 2, a = 0.012;
@@ -121,9 +118,8 @@ static void a_quarter_at_45_degrees_takes_half_a_second(void **unused)
 }
 
 /* ------------------------------------------------------------------ limits */
-static void a_turn_of_radius_0_is_the_spin(void **unused)
+TEST(a_turn_of_radius_0_is_the_spin)
 {
-    (void)unused;
     struct random r = random_begin(93);
     for (int i = 0; i < 100; ++i) {
         const coin_params p = random_coin(&r);
@@ -140,9 +136,8 @@ static void a_turn_of_radius_0_is_the_spin(void **unused)
 }
 
 /* Lean and roll mirrored, everything is. */
-static void the_other_lean_is_the_mirror_image(void **unused)
+TEST(the_other_lean_is_the_mirror_image)
 {
-    (void)unused;
     struct random r = random_begin(94);
     for (int i = 0; i < 200; ++i) {
         const coin_params p = random_coin(&r);
@@ -158,9 +153,8 @@ static void the_other_lean_is_the_mirror_image(void **unused)
 
 /* wY^2 (K R/a + I_X s) = M g a s c, in numbers that do not cancel: down to a
  * lean of 1e-200, and to 1e-11 from flat. */
-static void no_lean_is_too_small_or_too_flat(void **unused)
+TEST(no_lean_is_too_small_or_too_flat)
 {
-    (void)unused;
     const coin_params p = disc();
     for (int e = 1; e <= 200; ++e) {
         const double lean = pow(10, -e);
@@ -183,9 +177,8 @@ static void no_lean_is_too_small_or_too_flat(void **unused)
 
 /* Slow on a large circle, the lean of a bicycle times K/m; fast, it lies down.
  */
-static void a_ride_leans_by_its_speed(void **unused)
+TEST(a_ride_leans_by_its_speed)
 {
-    (void)unused;
     const coin_params p = disc();
     double last = 0;
     for (double v = 1e-8; v < 300; v *= 3) {
@@ -204,9 +197,8 @@ static void a_ride_leans_by_its_speed(void **unused)
 }
 
 /* Where B is 1, T - s = A: T^3/2 for a small circle, to T^2. */
-static void a_ride_at_the_rate_of_a_spin_has_its_lean(void **unused)
+TEST(a_ride_at_the_rate_of_a_spin_has_its_lean)
 {
-    (void)unused;
     const coin_params p = disc();
     for (double R = 1e-9; R > 1e-90; R /= 1024) {
         const double T = cbrt(12 * R);
@@ -233,9 +225,8 @@ static struct asked random_circle(struct random *r, const coin_params *p)
 }
 
 /* Radius and speed read back, and each asked by what the other answers. */
-static void speeds_and_leans_ask_for_the_same_circles(void **unused)
+TEST(speeds_and_leans_ask_for_the_same_circles)
 {
-    (void)unused;
     struct random r = random_begin(95);
     for (int i = 0; i < 2000; ++i) {
         const coin_params p = random_coin(&r);
@@ -253,9 +244,8 @@ static void speeds_and_leans_ask_for_the_same_circles(void **unused)
 }
 
 /* It is the branch of coin_steady_circle() with wY wZ theta > 0. */
-static void the_circle_is_that_of_the_slow_branch(void **unused)
+TEST(the_circle_is_that_of_the_slow_branch)
 {
-    (void)unused;
     struct random r = random_begin(96);
     for (int i = 0; i < 500; ++i) {
         const coin_params p = random_coin(&r);
@@ -269,9 +259,8 @@ static void the_circle_is_that_of_the_slow_branch(void **unused)
 
 /* As long as it is stable, coin_advance() keeps it: the lean to rounding, and
  * the place where coin_steady_at() has it. */
-static void a_stable_circle_stays_as_it_is(void **unused)
+TEST(a_stable_circle_stays_as_it_is)
 {
-    (void)unused;
     struct random r = random_begin(97);
     int stable = 0;
     for (int i = 0; i < 100; ++i) {
@@ -296,9 +285,8 @@ static void a_stable_circle_stays_as_it_is(void **unused)
     check(stable > 30);
 }
 
-static void any_units_give_the_same_circle(void **unused)
+TEST(any_units_give_the_same_circle)
 {
-    (void)unused;
     const double mass[] = {1e-12, 1, 1e12}, length[] = {1e-12, 1, 1e12};
     const coin_params p = disc();
     coin_state want, ride;
@@ -319,9 +307,8 @@ static void any_units_give_the_same_circle(void **unused)
 }
 
 /* ---------------------------------------------------------------- refusals */
-static void a_bad_turn_is_refused_in_order(void **unused)
+TEST(a_bad_turn_is_refused_in_order)
 {
-    (void)unused;
     const coin_params good = disc();
     coin_params bad = good;
     bad.mass = -1;
@@ -356,9 +343,8 @@ static void a_bad_turn_is_refused_in_order(void **unused)
     check_status(coin_steady_turn(NULL, &good, 0.3, 1), COIN_EARG);
 }
 
-static void a_bad_ride_is_refused_in_order(void **unused)
+TEST(a_bad_ride_is_refused_in_order)
 {
-    (void)unused;
     const coin_params good = disc();
     coin_params bad = good;
     bad.mass = -1;
@@ -392,25 +378,4 @@ static void a_bad_ride_is_refused_in_order(void **unused)
         check_same(&s, &before, sizeof s);
     }
     check_status(coin_steady_ride(NULL, &good, 1, 1), COIN_EARG);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_turn_is_the_reference_s),
-        TEST(a_ride_is_the_reference_s),
-        TEST(a_quarter_at_45_degrees_takes_half_a_second),
-        TEST(a_turn_of_radius_0_is_the_spin),
-        TEST(the_other_lean_is_the_mirror_image),
-        TEST(no_lean_is_too_small_or_too_flat),
-        TEST(a_ride_leans_by_its_speed),
-        TEST(a_ride_at_the_rate_of_a_spin_has_its_lean),
-        TEST(speeds_and_leans_ask_for_the_same_circles),
-        TEST(the_circle_is_that_of_the_slow_branch),
-        TEST(a_stable_circle_stays_as_it_is),
-        TEST(any_units_give_the_same_circle),
-        TEST(a_bad_turn_is_refused_in_order),
-        TEST(a_bad_ride_is_refused_in_order),
-    };
-    return RUN_TESTS(tests);
 }

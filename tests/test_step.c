@@ -33,9 +33,8 @@ static void count(struct tally *of, int32_t said)
 }
 
 /* |dt| W evenly over the limits and beyond: 0.35 and 1.2. */
-static void from_anywhere_it_is_a_run_of_one(void **unused)
+TEST(from_anywhere_it_is_a_run_of_one)
 {
-    (void)unused;
     struct random r = random_begin(51);
     struct tally of = {0, 0, 0};
     for (int i = 0; i < 20000; ++i) {
@@ -48,9 +47,8 @@ static void from_anywhere_it_is_a_run_of_one(void **unused)
 }
 
 /* Toward the table, so fast that stages are below it. */
-static void next_to_the_table_it_is_a_run_of_one(void **unused)
+TEST(next_to_the_table_it_is_a_run_of_one)
 {
-    (void)unused;
     struct random r = random_begin(52);
     const coin_params p = disc();
     struct tally of = {0, 0, 0};
@@ -66,9 +64,8 @@ static void next_to_the_table_it_is_a_run_of_one(void **unused)
     check(of.well > 500 && of.warned > 500 && of.failed > 500);
 }
 
-static void where_angles_end_it_is_a_run_of_one(void **unused)
+TEST(where_angles_end_it_is_a_run_of_one)
 {
-    (void)unused;
     struct random r = random_begin(53);
     const coin_params p = disc();
     struct tally of = {0, 0, 0};
@@ -83,9 +80,8 @@ static void where_angles_end_it_is_a_run_of_one(void **unused)
 
 /* A coarse step's sum of rates and the angle of its pair end apart: one may be
  * in range where the other is not. */
-static void just_where_angles_end_it_is_a_run_of_one(void **unused)
+TEST(just_where_angles_end_it_is_a_run_of_one)
 {
-    (void)unused;
     struct random r = random_begin(54);
     struct tally of = {0, 0, 0};
     for (int i = 0; i < 3000; ++i) {
@@ -122,9 +118,8 @@ static double last_dt(const coin_state *s, const coin_params *p, double low,
 }
 
 /* When the last bit of W decides. */
-static void at_the_limits_of_W_it_is_a_run_of_one(void **unused)
+TEST(at_the_limits_of_W_it_is_a_run_of_one)
 {
-    (void)unused;
     struct random r = random_begin(55);
     struct tally of = {0, 0, 0};
     for (int i = 0; i < 200; ++i) {
@@ -141,9 +136,8 @@ static void at_the_limits_of_W_it_is_a_run_of_one(void **unused)
     check(of.well > 1000 && of.warned > 2000 && of.failed > 1000);
 }
 
-static void where_a_place_ends_its_range_it_is_a_run_of_one(void **unused)
+TEST(where_a_place_ends_its_range_it_is_a_run_of_one)
 {
-    (void)unused;
     const double headings[] = {0, 1.5707963267948966, 3.141592653589793, -1};
     for (size_t i = 0; i < sizeof headings / sizeof *headings; ++i) {
         coin_params p;
@@ -157,9 +151,8 @@ static void where_a_place_ends_its_range_it_is_a_run_of_one(void **unused)
 }
 
 /* At rest, along an axis or mirrored, where terms are zeros of either sign. */
-static void from_zeros_of_either_sign_it_is_a_run_of_one(void **unused)
+TEST(from_zeros_of_either_sign_it_is_a_run_of_one)
 {
-    (void)unused;
     const coin_params p = disc();
     for (unsigned i = 0; i < 1u << 8; ++i) {
         const double zero[] = {0, -0.0}, rate[] = {0.5, -0.5};
@@ -180,9 +173,8 @@ static void from_zeros_of_either_sign_it_is_a_run_of_one(void **unused)
     }
 }
 
-static void a_step_of_no_time_keeps_the_signs_of_zeros(void **unused)
+TEST(a_step_of_no_time_keeps_the_signs_of_zeros)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state zeros = {-0.0, -0.0, -0.0, -0.0, -0.0, -0.0, -0.0, -0.0};
     coin_state s = zeros;
@@ -190,9 +182,8 @@ static void a_step_of_no_time_keeps_the_signs_of_zeros(void **unused)
     check_same(&s, &zeros, sizeof s);
 }
 
-static void a_bad_argument_has_the_status_of_a_run_of_one(void **unused)
+TEST(a_bad_argument_has_the_status_of_a_run_of_one)
 {
-    (void)unused;
     const coin_params p = disc(), massless = {0, 1, 1, 1, 1, {0, 0, 0}};
     const coin_state s = {.theta = 0.5, .wY = 1}, flat = {.theta = 1.6};
     coin_state none;
@@ -206,9 +197,8 @@ static void a_bad_argument_has_the_status_of_a_run_of_one(void **unused)
     check_same(&none, &s, sizeof s);
 }
 
-static void a_step_too_long_is_refused(void **unused)
+TEST(a_step_too_long_is_refused)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {.theta = 0.5, .wY = 1};
     const double longest[] = {1e15, -1e16, 1e300, NAN, INFINITY};
@@ -219,41 +209,20 @@ static void a_step_too_long_is_refused(void **unused)
 }
 
 /* A straight roll with a heading of -0 turns by -0: both forget the sign. */
-static void a_negative_zero_is_the_same_in_both(void **unused)
+TEST(a_negative_zero_is_the_same_in_both)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {0, -0.0, 0, 0, 0, 0, -0.0, -1};
     check_status(check_step(&s, &p, 1e-3), COIN_OK);
 }
 
 /* The sum of the lean may round beyond it. */
-static void at_the_last_lean_it_is_a_run_of_one(void **unused)
+TEST(at_the_last_lean_it_is_a_run_of_one)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state s = {.theta = 1.5707963267948963, .wX = 1};
     int32_t coarse = 0;
     for (double dt = 0x1p-54; dt < 0x1p-52; dt *= 1.05)
         coarse += check_step(&s, &p, dt) == COIN_COARSE;
     check(coarse > 10);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(from_anywhere_it_is_a_run_of_one),
-        TEST(next_to_the_table_it_is_a_run_of_one),
-        TEST(at_the_last_lean_it_is_a_run_of_one),
-        TEST(where_angles_end_it_is_a_run_of_one),
-        TEST(just_where_angles_end_it_is_a_run_of_one),
-        TEST(at_the_limits_of_W_it_is_a_run_of_one),
-        TEST(where_a_place_ends_its_range_it_is_a_run_of_one),
-        TEST(from_zeros_of_either_sign_it_is_a_run_of_one),
-        TEST(a_step_of_no_time_keeps_the_signs_of_zeros),
-        TEST(a_bad_argument_has_the_status_of_a_run_of_one),
-        TEST(a_step_too_long_is_refused),
-        TEST(a_negative_zero_is_the_same_in_both),
-    };
-    return RUN_TESTS(tests);
 }

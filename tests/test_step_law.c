@@ -219,16 +219,14 @@ static double most_used(int32_t method, int flat, uint64_t seed)
     return most;
 }
 
-static void a_step_keeps_to_its_law_near_the_table(void **unused)
+TEST(a_step_keeps_to_its_law_near_the_table)
 {
-    (void)unused;
     for (int32_t method = 0; method < METHODS; ++method)
         check_within(most_used(method, 1, 321), 0.1, 1);
 }
 
-static void a_step_keeps_to_its_law_elsewhere(void **unused)
+TEST(a_step_keeps_to_its_law_elsewhere)
 {
-    (void)unused;
     for (int32_t method = 0; method < METHODS; ++method)
         check_within(most_used(method, 0, 322), 0.05, 1);
 }
@@ -277,23 +275,12 @@ static double most_turned(int32_t method, uint64_t seed)
  * point that moves past the origin.  A step of RK8 that ends at a distance d
  * comes by at most d, from no nearer than d/1.2: this turns the point by 65
  * degrees, 1.14 rad.  A search of 3e6 steps of each method found 1.18. */
-static void a_step_that_ends_within_the_coarse_limit_turns_little(void **unused)
+TEST(a_step_that_ends_within_the_coarse_limit_turns_little)
 {
-    (void)unused;
     for (int32_t method = 0; method < METHODS; ++method) {
         check_note("method %d", (int)method);
         const double most = most_turned(method, 323);
         check_within(most, 0.9, 1.2);
         check(most * coin_priv_coarse_limit(method) < COIN_PRIV_TURN_MAX);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_step_keeps_to_its_law_near_the_table),
-        TEST(a_step_keeps_to_its_law_elsewhere),
-        TEST(a_step_that_ends_within_the_coarse_limit_turns_little),
-    };
-    return RUN_TESTS(tests);
 }

@@ -37,9 +37,8 @@ static struct forms random_forms(struct random *r)
 /* Bound: 8 u of the terms in either form, and cos theta's own. */
 #define BOUND (20 * U)
 
-static void the_equations_are_those_in_time_times_cos_theta(void **unused)
+TEST(the_equations_are_those_in_time_times_cos_theta)
 {
-    (void)unused;
     struct random r = random_begin(48);
     for (int i = 0; i < 1000; ++i) {
         const struct forms f = random_forms(&r);
@@ -59,9 +58,8 @@ static void the_equations_are_those_in_time_times_cos_theta(void **unused)
 
 /* Pairs of length 1 + d get the length 1 and keep their direction.  The error
  * that is left is the first term left out, 5/16 e^3 with e = 2 |d|. */
-static void pairs_get_the_length_1(void **unused)
+TEST(pairs_get_the_length_1)
 {
-    (void)unused;
     struct random r = random_begin(50);
     for (int i = 0; i < 1000; ++i) {
         const double size = pow(10, random_between(&r, -8, -2));
@@ -89,9 +87,8 @@ static void pairs_get_the_length_1(void **unused)
 
 /* Found by trials.  The series of (54) has the wrong sign here: 2^20 steps led
  * nowhere. */
-static void a_heavy_rim_that_turns_fast_comes_to_the_end(void **unused)
+TEST(a_heavy_rim_that_turns_fast_comes_to_the_end)
 {
-    (void)unused;
     const coin_state start = {.theta = -0.21288164719607758,
                               .wX = -25.489078586150711,
                               .wY = 24.76220656786483,
@@ -109,14 +106,4 @@ static void a_heavy_rim_that_turns_fast_comes_to_the_end(void **unused)
         const double n = t * sqrt(2 * coin_energy(&start, &p));
         check_within(path_apart(&s, &exact, &p), 0, 2 * tol * (1 + n));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_equations_are_those_in_time_times_cos_theta),
-        TEST(pairs_get_the_length_1),
-        TEST(a_heavy_rim_that_turns_fast_comes_to_the_end),
-    };
-    return RUN_TESTS(tests);
 }

@@ -74,18 +74,16 @@ static void check_signs(uint64_t seed, const struct signs *f)
     }
 }
 
-static void time_reversed_a_motion_runs_back(void **unused)
+TEST(time_reversed_a_motion_runs_back)
 {
-    (void)unused;
     const struct signs all_rates = {1, 1, 1, 1, 1, -1, -1, -1, -1};
     const struct signs tilt_alone = {1, -1, -1, -1, 1, -1, 1, 1, -1};
     check_signs(36, &all_rates);
     check_signs(37, &tilt_alone);
 }
 
-static void mirrored_a_motion_is_a_motion(void **unused)
+TEST(mirrored_a_motion_is_a_motion)
 {
-    (void)unused;
     const struct signs lean_and_roll = {-1, 1, -1, -1, -1, -1, 1, -1, 1};
     const struct signs heading = {1, -1, -1, -1, 1, 1, -1, -1, 1};
     check_signs(38, &lean_and_roll);
@@ -94,9 +92,8 @@ static void mirrored_a_motion_is_a_motion(void **unused)
 
 /* Backward by -dt from where a forward step ends returns to the start, to the
  * order of the method. */
-static void a_step_backward_returns_to_the_start(void **unused)
+TEST(a_step_backward_returns_to_the_start)
 {
-    (void)unused;
     struct random r = random_begin(40);
     for (int i = 0; i < SCENES_TRIED; ++i) {
         const coin_params p = random_body(&r);
@@ -120,9 +117,8 @@ static void a_step_backward_returns_to_the_start(void **unused)
 
 /* Turned by alpha about the vertical, and moved: the path turns with it.  The
  * numbers differ by rounding, amplified along the way by less than 100. */
-static void turned_and_moved_a_motion_is_the_same(void **unused)
+TEST(turned_and_moved_a_motion_is_the_same)
 {
-    (void)unused;
     struct random r = random_begin(41);
     for (int i = 0; i < SCENES_TRIED; ++i) {
         const coin_params p = random_body(&r);
@@ -173,9 +169,8 @@ static coin_state state_in(const coin_state *s, const struct units *u)
     return r;
 }
 
-static void in_units_a_power_of_two_apart_every_bit_is_the_same(void **unused)
+TEST(in_units_a_power_of_two_apart_every_bit_is_the_same)
 {
-    (void)unused;
     const struct units all[] = {
         {0x1p20, 1, 1},
         {1, 0x1p-30, 1},
@@ -206,9 +201,8 @@ static void in_units_a_power_of_two_apart_every_bit_is_the_same(void **unused)
 }
 
 /* Pounds and feet: numbers that no power of two relates. */
-static void in_any_units_the_motion_is_the_same(void **unused)
+TEST(in_any_units_the_motion_is_the_same)
 {
-    (void)unused;
     const struct units u = {2.20462, 3.28084, 60};
     struct random r = random_begin(43);
     for (int i = 0; i < SCENES_TRIED; ++i) {
@@ -225,17 +219,4 @@ static void in_any_units_the_motion_is_the_same(void **unused)
         check_near(got.x, want.x, 2 * bound * q.radius);
         check_near(got.wX, want.wX, bound / natural_time(&q));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(time_reversed_a_motion_runs_back),
-        TEST(mirrored_a_motion_is_a_motion),
-        TEST(a_step_backward_returns_to_the_start),
-        TEST(turned_and_moved_a_motion_is_the_same),
-        TEST(in_units_a_power_of_two_apart_every_bit_is_the_same),
-        TEST(in_any_units_the_motion_is_the_same),
-    };
-    return RUN_TESTS(tests);
 }

@@ -35,9 +35,8 @@ static void check_order(const struct convergence *c, size_t count,
     }
 }
 
-static void symplectic2_is_of_order_2(void **unused)
+TEST(symplectic2_is_of_order_2)
 {
-    (void)unused;
     const struct convergence c[] = {
         {"wobble", 5, 64, 2.0e-4},      {"generic", 5, 128, 7.0e-4},
         {"tumble", 5, 64, 1.8e-5},      {"ring", 5, 128, 9.9e-4},
@@ -47,9 +46,8 @@ static void symplectic2_is_of_order_2(void **unused)
     check_order(c, sizeof c / sizeof *c, COIN_SYMPLECTIC2);
 }
 
-static void symplectic4_is_of_order_4(void **unused)
+TEST(symplectic4_is_of_order_4)
 {
-    (void)unused;
     const struct convergence c[] = {
         {"wobble", 5, 64, 1.2e-8},      {"generic", 5, 128, 1.1e-7},
         {"tumble", 5, 64, 4.5e-10},     {"ring", 5, 128, 1.65e-7},
@@ -61,9 +59,8 @@ static void symplectic4_is_of_order_4(void **unused)
 
 /* Steady motion is a fixed point of kick and drift: only the path of a circle,
  * of order 4, errs.  A spin has none. */
-static void steady_motions_stay_steady(void **unused)
+TEST(steady_motions_stay_steady)
 {
-    (void)unused;
     const char *const names[] = {"spin", "circle"};
     for (size_t i = 0; i < 2; ++i)
         for (int32_t method = COIN_SYMPLECTIC2; method < METHODS; ++method) {
@@ -166,9 +163,8 @@ static double determinant(const coin_state *at, const coin_params *p,
     return by_theta.theta * by_wX.wX - by_theta.wX * by_wX.theta;
 }
 
-static void the_map_keeps_area_where_the_integrals_are_fixed(void **unused)
+TEST(the_map_keeps_area_where_the_integrals_are_fixed)
 {
-    (void)unused;
     const coin_state at[] = {
         {.theta = 0.5, .wX = 0.1, .wY = 0.8, .wZ = 1.2},
         {.theta = -0.4, .wX = 0.2, .wY = 0.6, .wZ = -1.5},
@@ -200,9 +196,8 @@ static double return_error(const coin_state *start, const coin_params *p,
 
 /* The methods are their own inverses: what is left is rounding, measured as 50
  * u.  RK4 leaves its error. */
-static void backward_undoes_forward_to_rounding(void **unused)
+TEST(backward_undoes_forward_to_rounding)
 {
-    (void)unused;
     struct random r = random_begin(70);
     int returned = 0, not_by_rk4 = 0;
     for (int i = 0; i < 50; ++i) {
@@ -259,9 +254,8 @@ static void energy_over(int32_t method, double *largest, double *moved)
                (int)method, *largest, *moved);
 }
 
-static void the_energy_oscillates_and_does_not_drift(void **unused)
+TEST(the_energy_oscillates_and_does_not_drift)
 {
-    (void)unused;
     double largest, moved;
     energy_over(COIN_SYMPLECTIC2, &largest, &moved);
     check_within(largest, 5e-5, 2e-4);
@@ -296,9 +290,8 @@ static double integral_error(int32_t method, double dt, uint64_t steps)
 
 /* Rounding wanders: about as the root of the number of steps, and not in
  * proportion to it. */
-static void the_integrals_are_kept_to_rounding(void **unused)
+TEST(the_integrals_are_kept_to_rounding)
 {
-    (void)unused;
     scene_load(&scene, "generic");
     for (int32_t k = COIN_SYMPLECTIC2; k <= COIN_SYMPLECTIC4; ++k) {
         const double few = integral_error(k, 0.025, 1000);
@@ -311,18 +304,4 @@ static void the_integrals_are_kept_to_rounding(void **unused)
     }
     /* RK4 loses them. */
     check(integral_error(COIN_RK4, 0.04, 1000) > 1e-8);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(symplectic2_is_of_order_2),
-        TEST(symplectic4_is_of_order_4),
-        TEST(steady_motions_stay_steady),
-        TEST(the_map_keeps_area_where_the_integrals_are_fixed),
-        TEST(backward_undoes_forward_to_rounding),
-        TEST(the_energy_oscillates_and_does_not_drift),
-        TEST(the_integrals_are_kept_to_rounding),
-    };
-    return RUN_TESTS(tests);
 }

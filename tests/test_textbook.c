@@ -90,9 +90,8 @@ static void along_a_scene(double dtW, double W, double *ours, double *textbook)
     }
 }
 
-static void it_errs_like_the_textbook_s_on_the_public_scenes(void **unused)
+TEST(it_errs_like_the_textbook_s_on_the_public_scenes)
 {
-    (void)unused;
     static struct ratios r;
     for (int i = 0; i < SCENES; ++i) {
         scene_load(&scene, scene_names[i]);
@@ -115,9 +114,8 @@ static void it_errs_like_the_textbook_s_on_the_public_scenes(void **unused)
 
 /* The rates of a steady motion are constant, so that its angles are exact; what
  * is left is the path round a circle, off by 1.5e-6 (dt W)^4. */
-static void it_follows_steady_motions_closely(void **unused)
+TEST(it_follows_steady_motions_closely)
 {
-    (void)unused;
     const char *const names[] = {"spin", "circle"};
     for (int i = 0; i < 2; ++i) {
         scene_load(&scene, names[i]);
@@ -195,9 +193,8 @@ static void along_a_spin(const struct spin *m, double dtW, double *ours,
     }
 }
 
-static void it_errs_like_the_textbook_s_on_spins(void **unused)
+TEST(it_errs_like_the_textbook_s_on_spins)
 {
-    (void)unused;
     static struct ratios r;
     struct random random = random_begin(311);
     for (int i = 0; i < SPINS; ++i) {
@@ -267,9 +264,8 @@ static void twin_for(const coin_params *p, const coin_state *start, double W,
     }
 }
 
-static void the_twin_takes_the_textbook_s_steps_on_spins(void **unused)
+TEST(the_twin_takes_the_textbook_s_steps_on_spins)
 {
-    (void)unused;
     struct random random = random_begin(312);
     told = 0;
     for (int i = 0; i < SPINS; ++i) {
@@ -282,9 +278,8 @@ static void the_twin_takes_the_textbook_s_steps_on_spins(void **unused)
     check(told >= 30);
 }
 
-static void the_twin_takes_them_on_the_public_scenes(void **unused)
+TEST(the_twin_takes_them_on_the_public_scenes)
 {
-    (void)unused;
     told = 0;
     for (int i = 0; i < SCENES; ++i) {
         scene_load(&scene, scene_names[i]);
@@ -297,9 +292,8 @@ static void the_twin_takes_them_on_the_public_scenes(void **unused)
     check(told >= 12);
 }
 
-static void the_twin_takes_them_on_random_motions(void **unused)
+TEST(the_twin_takes_them_on_random_motions)
 {
-    (void)unused;
     enum { MOTIONS = 60 };
     struct random random = random_begin(313);
     told = 0;
@@ -316,9 +310,8 @@ static void the_twin_takes_them_on_random_motions(void **unused)
 /* Where stages by slopes of the pairs and of 1/cos theta erred by 1.84, 1.58
  * and 2.15 times as much as the textbook; and the same with steps twice as
  * long. */
-static void the_twin_takes_them_where_slopes_of_pairs_err_most(void **unused)
+TEST(the_twin_takes_them_where_slopes_of_pairs_err_most)
 {
-    (void)unused;
     static const struct {
         double inner;
         coinf_state s;
@@ -352,18 +345,4 @@ static void the_twin_takes_them_where_slopes_of_pairs_err_most(void **unused)
 
         check(told >= PARTS / 2);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(it_errs_like_the_textbook_s_on_the_public_scenes),
-        TEST(it_follows_steady_motions_closely),
-        TEST(it_errs_like_the_textbook_s_on_spins),
-        TEST(the_twin_takes_the_textbook_s_steps_on_spins),
-        TEST(the_twin_takes_them_on_the_public_scenes),
-        TEST(the_twin_takes_them_on_random_motions),
-        TEST(the_twin_takes_them_where_slopes_of_pairs_err_most),
-    };
-    return RUN_TESTS(tests);
 }

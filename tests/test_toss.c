@@ -27,9 +27,8 @@ static coin_table table_in_row(const struct table *t, size_t i)
  * and a factor 8. */
 #define OF_THREE 1e-11
 
-static void three_bounces_are_those_of_newton_and_euler(void **unused)
+TEST(three_bounces_are_those_of_newton_and_euler)
 {
-    (void)unused;
     static struct table t;
     table_load(&t, "toss/tosses.csv");
     for (size_t i = 0; i < t.rows; ++i) {
@@ -90,9 +89,8 @@ static struct end in_calls(const coin_body *b, const coin_params *p,
     return r;
 }
 
-static void a_toss_ends_at_rest(void **unused)
+TEST(a_toss_ends_at_rest)
 {
-    (void)unused;
     const int count = tries_asked(30);
     struct random r = random_begin(861);
     for (int i = 0; i < count; ++i) {
@@ -115,9 +113,8 @@ static double places_apart(const coin_body *a, const coin_body *b)
 }
 
 /* Where a start that is changed by 1e-9 ends within 1e-6. */
-static void frames_of_a_60th_end_where_one_call_does(void **unused)
+TEST(frames_of_a_60th_end_where_one_call_does)
 {
-    (void)unused;
     const coin_params quarter = thrown_params(0.25, 0.5);
     const double frame = 1.0 / 60 / sqrt(0.01213 / 9.80665);
     const int count = tries_asked(20);
@@ -195,9 +192,8 @@ static coin_body in_units(coin_body b, double a, double w)
 /* Some bounces, and a slip. */
 #define WAY 8
 
-static void mirror_heading_and_units_change_nothing(void **unused)
+TEST(mirror_heading_and_units_change_nothing)
 {
-    (void)unused;
     const int count = tries_asked(100);
     struct random r = random_begin(863);
     int same = 0;
@@ -242,9 +238,8 @@ static void mirror_heading_and_units_change_nothing(void **unused)
 /* ---------------------------------------------------------------- bouncing */
 /* Upright, with the spin of a wheel that rolls at its speed: it bounces until
  * sqrt(2 H) (1 + e)/(1 - e), and rolls on.  The last bounces are left out. */
-static void a_wheel_that_drops_bounces_and_rolls(void **unused)
+TEST(a_wheel_that_drops_bounces_and_rolls)
 {
-    (void)unused;
     const coin_params p = thrown_params(0.25, 0.5);
     for (double e = 0; e < 0.85; e += 0.2) {
         const coin_table f = {
@@ -265,9 +260,8 @@ static void a_wheel_that_drops_bounces_and_rolls(void **unused)
 
 /* A disc dropped flat but for 0.02 rad: when it lies, by another program, in
  * which a split of its calls moves it by 1e-3. */
-static void clattering_ends(void **unused)
+TEST(clattering_ends)
 {
-    (void)unused;
     const double e[] = {0, 0.2, 0.5, 0.7, 0.8, 0.9};
     const double lies[] = {1.4318, 1.4975, 2.3640, 3.1654, 3.6246, 16.603};
     const coin_params p = thrown_params(0.25, 0.5);
@@ -286,9 +280,8 @@ static void clattering_ends(void **unused)
     }
 }
 
-static void an_impact_that_is_due_is_made_by_the_next_call(void **unused)
+TEST(an_impact_that_is_due_is_made_by_the_next_call)
 {
-    (void)unused;
     const coin_params p = thrown_params(0.25, 0.5);
     const coin_table f = {
         .mu_static = 0.5, .mu_kinetic = 0.4, .restitution = 0.5};
@@ -309,9 +302,8 @@ static void an_impact_that_is_due_is_made_by_the_next_call(void **unused)
 }
 
 /* -------------------------------------------------------------- on its face */
-static void a_coin_that_lies_slides_and_rests(void **unused)
+TEST(a_coin_that_lies_slides_and_rests)
 {
-    (void)unused;
     static struct table t;
     table_load(&t, "toss/flat_slides.csv");
     for (size_t i = 0; i < t.rows; ++i) {
@@ -356,9 +348,8 @@ static void a_coin_that_lies_slides_and_rests(void **unused)
 
 /* On ice nothing slows the centre while the coin falls over in contact; and a
  * coin that comes down flat does not stick by its rim where no slip begins. */
-static void a_coin_that_lies_down_keeps_its_way_along_the_table(void **unused)
+TEST(a_coin_that_lies_down_keeps_its_way_along_the_table)
 {
-    (void)unused;
     const coin_params p = thrown_params(0.25, 0.5);
     const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
     const coin_table rough = {.mu_static = INFINITY, .mu_kinetic = 0.3};
@@ -375,9 +366,8 @@ static void a_coin_that_lies_down_keeps_its_way_along_the_table(void **unused)
     check_near(lands.vx, 1 - 0.01 * rough.mu_kinetic, 1e-4);
 }
 
-static void flat_bits_of_stop_hold_while_it_lies(void **unused)
+TEST(flat_bits_of_stop_hold_while_it_lies)
 {
-    (void)unused;
     const coin_params p = thrown_params(0.25, 0.5);
     const coin_table f = {.mu_static = 0.4, .mu_kinetic = 0.3};
     const coin_body b = {
@@ -401,9 +391,8 @@ static void flat_bits_of_stop_hold_while_it_lies(void **unused)
 }
 
 /* ----------------------------------------------------------------- lift-off */
-static void a_coin_with_damping_ends_the_call_where_it_lifts_off(void **unused)
+TEST(a_coin_with_damping_ends_the_call_where_it_lifts_off)
 {
-    (void)unused;
     const coin_params p = thrown_params(0.25, 0.5);
     const coin_table f = {
         .mu_static = INFINITY, .mu_kinetic = 0.3, .losses = {.damping = 0.01}};
@@ -418,9 +407,8 @@ static void a_coin_with_damping_ends_the_call_where_it_lifts_off(void **unused)
 }
 
 /* What losses alone would lift stays in contact: no coin hops. */
-static void no_coin_chatters(void **unused)
+TEST(no_coin_chatters)
 {
-    (void)unused;
     const int count = tries_asked(100);
     struct random r = random_begin(864);
     long lifts = 0;
@@ -455,9 +443,8 @@ static void no_coin_chatters(void **unused)
 }
 
 /* ------------------------------------------------------------------- ranges */
-static void a_flight_out_of_the_ranges_keeps_its_progress(void **unused)
+TEST(a_flight_out_of_the_ranges_keeps_its_progress)
 {
-    (void)unused;
     const coin_params p = thrown_params(0.25, 0.5);
     const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.4};
     const coin_body starts[] = {
@@ -475,9 +462,8 @@ static void a_flight_out_of_the_ranges_keeps_its_progress(void **unused)
     }
 }
 
-static void a_fast_spin_lands_as_exactly_as_a_slow_one(void **unused)
+TEST(a_fast_spin_lands_as_exactly_as_a_slow_one)
 {
-    (void)unused;
     const coin_params p = thrown_params(0.25, 0.5);
     const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.4};
     coin_body b = {.s = {.theta = 0.3, .wZ = 1e6, .wY = 1e5}, .y = 1e6};
@@ -490,9 +476,8 @@ static void a_fast_spin_lands_as_exactly_as_a_slow_one(void **unused)
 
 /* Any body and table, heights to 1e8 radii, spins to 1e6; some lie flat in the
  * air. */
-static void any_throw_is_silent_and_its_body_is_accepted(void **unused)
+TEST(any_throw_is_silent_and_its_body_is_accepted)
 {
-    (void)unused;
     const int count = tries_asked(1000);
     struct random r = random_begin(865);
     int seen[COIN_RESTS + 1] = {0};
@@ -527,26 +512,4 @@ static void any_throw_is_silent_and_its_body_is_accepted(void **unused)
         check(errno == 0);
     }
     check(seen[COIN_LIFTS] > count && seen[COIN_SLIPS] > count / 20);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(three_bounces_are_those_of_newton_and_euler),
-        TEST(a_toss_ends_at_rest),
-        TEST(frames_of_a_60th_end_where_one_call_does),
-        TEST(mirror_heading_and_units_change_nothing),
-        TEST(a_wheel_that_drops_bounces_and_rolls),
-        TEST(clattering_ends),
-        TEST(an_impact_that_is_due_is_made_by_the_next_call),
-        TEST(a_coin_that_lies_slides_and_rests),
-        TEST(a_coin_that_lies_down_keeps_its_way_along_the_table),
-        TEST(flat_bits_of_stop_hold_while_it_lies),
-        TEST(a_coin_with_damping_ends_the_call_where_it_lifts_off),
-        TEST(no_coin_chatters),
-        TEST(a_flight_out_of_the_ranges_keeps_its_progress),
-        TEST(any_throw_is_silent_and_its_body_is_accepted),
-        TEST(a_fast_spin_lands_as_exactly_as_a_slow_one),
-    };
-    return RUN_TESTS(tests);
 }

@@ -8,9 +8,8 @@
 
 #include <math.h>
 
-static void a_touch_is_that_of_newton_and_euler(void **unused)
+TEST(a_touch_is_that_of_newton_and_euler)
 {
-    (void)unused;
     static struct table t;
     table_load(&t, "toss/touches.csv");
     for (size_t i = 0; i < t.rows; ++i) {
@@ -80,9 +79,8 @@ static double noise(const coin_priv_flight *f, double t)
     return 16 * U * (1 + fabs(f->y) + t * (fabs(f->vy) + t) + f->rate * t);
 }
 
-static void no_touch_is_missed(void **unused)
+TEST(no_touch_is_missed)
 {
-    (void)unused;
     enum { SCANNED = 200 };
     struct random r = random_begin(831);
     const int count = tries_asked(20000);
@@ -110,9 +108,8 @@ static void no_touch_is_missed(void **unused)
 #define PASSED_OVER 1e-14
 
 /* A flight that leaves the table, however slowly, comes back later. */
-static void a_start_on_the_table_is_no_touch(void **unused)
+TEST(a_start_on_the_table_is_no_touch)
 {
-    (void)unused;
     struct random r = random_begin(832);
     for (int i = 0; i < 5000; ++i) {
         const coin_params p = random_body(&r);
@@ -129,14 +126,4 @@ static void a_start_on_the_table_is_no_touch(void **unused)
         for (int k = 1; k < 50; ++k)
             check(gap_after(&f, at.t * k / 50) > -none - PASSED_OVER);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_touch_is_that_of_newton_and_euler),
-        TEST(no_touch_is_missed),
-        TEST(a_start_on_the_table_is_no_touch),
-    };
-    return RUN_TESTS(tests);
 }

@@ -340,23 +340,12 @@ static const struct trap_function all[] = {
     ROW(coin_body_matrix),
 };
 
-static void no_call_that_succeeds_traps(void **unused)
+TEST(no_call_that_succeeds_traps)
 {
-    (void)unused;
     traps_run(all, sizeof all / sizeof *all);
 }
 
-static void every_function_is_called(void **unused)
+TEST(every_function_is_called)
 {
-    (void)unused;
     traps_are_complete("coin_", all, sizeof all / sizeof *all);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(no_call_that_succeeds_traps),
-        TEST(every_function_is_called),
-    };
-    return RUN_TESTS(tests);
 }

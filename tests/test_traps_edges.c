@@ -35,14 +35,13 @@ static coin_state turning(double theta, double wX, double wY, double wZ)
     return s;
 }
 
-static void a_check_takes_any_step_and_any_friction(void **unused)
+TEST(a_check_takes_any_step_and_any_friction)
 {
     const coin_params p = disc();
     coinf_params pf;
     const coin_state s = turning(0.3, 1, 8, 8);
     const coinf_state sf = {.theta = 0.3f, .wX = 1, .wY = 8, .wZ = 8};
     coin_force f;
-    (void)unused;
     check_status(coinf_params_disc(&pf, 1, 1, 1), COIN_OK);
     check_status(coin_reaction(&s, &p, &f), COIN_OK);
     check(f.normal > 1);
@@ -52,13 +51,12 @@ static void a_check_takes_any_step_and_any_friction(void **unused)
     QUIET(coinf_check(&sf, &pf, COIN_RK4, 0, FLT_MAX), COIN_OK);
 }
 
-static void without_a_step_its_length_does_not_count(void **unused)
+TEST(without_a_step_its_length_does_not_count)
 {
     const coin_params p = disc();
     coinf_params pf;
     coin_state s = turning(0.3, 1, 8, 8), out;
     coinf_state sf = {.theta = 0.3f, .wX = 1, .wY = 8, .wZ = 8};
-    (void)unused;
     check_status(coinf_params_disc(&pf, 1, 1, 1), COIN_OK);
     for (int32_t m = COIN_RK4; m <= COIN_SYMPLECTIC4; ++m) {
         QUIET(coin_run(&s, &p, m, 1e15, 0, NULL), COIN_OK);
@@ -71,7 +69,7 @@ static void without_a_step_its_length_does_not_count(void **unused)
 }
 
 /* Near flat with losses that hold the roll, a slip that takes long to end. */
-static void trials_of_slips_do_not_run_away(void **unused)
+TEST(trials_of_slips_do_not_run_away)
 {
     const coin_params p = disc();
     const coin_table f = {.mu_static = 0.3, .mu_kinetic = 0.3};
@@ -80,7 +78,6 @@ static void trials_of_slips_do_not_run_away(void **unused)
     const double flat = 1.5707963267948966;
     coin_body d = {
         .s = turning(flat - 1e-4, 0, 0.004, -0.06), .vx = 0.08, .vz = -6.6};
-    (void)unused;
     QUIET(slide(&d, &p, &f, &l, 1e-3, 1e-6, NULL), COIN_SLIPS);
     d.s = turning(flat - 1e-3, 0, 0.004, -0.06);
     QUIET(slide(&d, &p, &none, &l, 1e-3, 1e-6, NULL), COIN_SLIPS);
@@ -88,12 +85,11 @@ static void trials_of_slips_do_not_run_away(void **unused)
 
 /* Nearly upright a fall on ice begins so slowly that its first trials are far
  * too long. */
-static void a_slow_fall_on_ice_is_quiet(void **unused)
+TEST(a_slow_fall_on_ice_is_quiet)
 {
     const coin_params p = disc();
     const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
     coin_body fast = {.s = turning(0, 0.1, 0, 0), .vz = 0.1};
-    (void)unused;
     QUIET(slide(&fast, &p, &ice, NULL, 1, 1e-9, NULL), COIN_SLIPS);
     for (double lean = 1e-10; lean < 2e-6; lean *= 2)
         for (double tol = 1e-9; tol < 1e-3; tol *= 10) {
@@ -106,22 +102,20 @@ static void a_slow_fall_on_ice_is_quiet(void **unused)
 }
 
 /* No loss acts there that would end the fall. */
-static void next_to_flat_pivoting_alone_is_quiet(void **unused)
+TEST(next_to_flat_pivoting_alone_is_quiet)
 {
     const coin_params p = disc();
     const coin_losses spin = {.spin = 1e-3};
     coin_state s = turning(1.5707963267851195, 0, 1.34375, 2.3e-5);
-    (void)unused;
     QUIET(coin_settle(&s, &p, &spin, 1.75e-11, 0.0078125, NULL), COIN_RESTS);
 }
 
 /* A step that is far too long for the losses. */
-static void a_loss_too_strong_for_a_step_is_quiet(void **unused)
+TEST(a_loss_too_strong_for_a_step_is_quiet)
 {
     const coin_params p = disc();
     const double sizes[] = {10, 300, 1e3};
     coin_state s;
-    (void)unused;
     for (int i = 0; i < 3; ++i) {
         const coin_losses layer = {.layer = sizes[i]};
         const coin_losses damping = {.damping = sizes[i]};
@@ -135,17 +129,16 @@ static void a_loss_too_strong_for_a_step_is_quiet(void **unused)
     }
 }
 
-static void a_radius_beyond_all_doubles_is_infinite(void **unused)
+TEST(a_radius_beyond_all_doubles_is_infinite)
 {
     const coin_params p = disc();
     const coin_state s = turning(1e-300, 0, 5e-324, -5e5);
     double center, contact;
-    (void)unused;
     QUIET(coin_steady_radii(&s, &p, &center, &contact), COIN_OK);
     check(isinf(center) && isinf(contact));
 }
 
-static void the_least_numbers_are_no_divisors(void **unused)
+TEST(the_least_numbers_are_no_divisors)
 {
     const coin_params fine = {0x1.9c64p-5,           0x1.e4ea666666666p-40,
                               0x1.7f33333333333p-1,  0x1.71ea1506cd3e1p-84,
@@ -153,36 +146,18 @@ static void the_least_numbers_are_no_divisors(void **unused)
     const coin_params p = disc();
     coin_state s = turning(-0x1p-1074, 0, 0, -0x1.41d60435cf24dp+18);
     coin_orbit o;
-    (void)unused;
     QUIET(coin_orbit_init(&o, &s, &fine), COIN_EDOMAIN);
     s = turning(0, 0, 0, 0x1p-1074); /* rolls on in a straight line */
     QUIET(coin_orbit_init(&o, &s, &p), COIN_OK);
     check(isnan(o.center[0]) && isnan(o.radius_max));
 }
 
-static void a_ride_round_no_circle_is_quiet(void **unused)
+TEST(a_ride_round_no_circle_is_quiet)
 {
     const coin_params p = disc();
     coin_state s;
-    (void)unused;
     QUIET(coin_steady_ride(&s, &p, 1, 1e-200), COIN_EDOMAIN);
     QUIET(coin_steady_ride(&s, &p, 1e-200, 1e-200), COIN_OK);
     QUIET(coin_steady_ride(&s, &p, 1, DBL_MAX), COIN_EDOMAIN);
     QUIET(coin_steady_turn(&s, &p, 0.3, DBL_MAX), COIN_EDOMAIN);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(a_check_takes_any_step_and_any_friction),
-        TEST(without_a_step_its_length_does_not_count),
-        TEST(trials_of_slips_do_not_run_away),
-        TEST(a_slow_fall_on_ice_is_quiet),
-        TEST(next_to_flat_pivoting_alone_is_quiet),
-        TEST(a_loss_too_strong_for_a_step_is_quiet),
-        TEST(a_radius_beyond_all_doubles_is_infinite),
-        TEST(the_least_numbers_are_no_divisors),
-        TEST(a_ride_round_no_circle_is_quiet),
-    };
-    return RUN_TESTS(tests);
 }

@@ -4,29 +4,18 @@
 #include <stdio.h>
 #include <string.h>
 
-static void the_number_is_that_of_the_header(void **unused)
+TEST(the_number_is_that_of_the_header)
 {
-    (void)unused;
     const uint32_t v = coin_version();
     check(v >> 16 == COIN_VERSION_MAJOR);
     check((v >> 8 & 0xff) == COIN_VERSION_MINOR);
     check((v & 0xff) == COIN_VERSION_PATCH);
 }
 
-static void the_text_says_the_same(void **unused)
+TEST(the_text_says_the_same)
 {
-    (void)unused;
     char want[32];
     snprintf(want, sizeof want, "%d.%d.%d", COIN_VERSION_MAJOR,
              COIN_VERSION_MINOR, COIN_VERSION_PATCH);
     check(strcmp(coin_version_string(), want) == 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(the_number_is_that_of_the_header),
-        TEST(the_text_says_the_same),
-    };
-    return RUN_TESTS(tests);
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A thousand million steps of RK4 on steady motions, whose end is known in
  * closed form.
- *     endurance roll|circle
  *
  * Rolling straight on nothing changes but two sums, and these carry what
  * rounding leaves out: a few u in all.  On a circle the lean and the rates
@@ -26,9 +25,8 @@ static coin_state after(const coin_state *start, const coin_params *p)
     return s;
 }
 
-static void a_straight_roll_is_right_to_the_last_digit(void **unused)
+TEST(a_straight_roll_is_right_to_the_last_digit)
 {
-    (void)unused;
     const coin_params p = disc();
     coin_state start;
     check_status(coin_steady_roll(&start, &p, 1.25), COIN_OK);
@@ -39,9 +37,8 @@ static void a_straight_roll_is_right_to_the_last_digit(void **unused)
     check(s.theta == 0 && s.z == 0 && s.wZ == 1.25);
 }
 
-static void a_circle_is_right_to_a_few_u(void **unused)
+TEST(a_circle_is_right_to_a_few_u)
 {
-    (void)unused;
     const coin_params p = disc();
     const coin_state start = circle(&p, 0.5, 1.5, 1);
     const coin_state s = after(&start, &p);
@@ -55,16 +52,4 @@ static void a_circle_is_right_to_a_few_u(void **unused)
     check_near(s.wZ, start.wZ, walk);
     check_near(s.phi, want.phi, 16 * U * fabs(want.phi));
     check_near(s.psi, want.psi, 16 * U * fabs(want.psi));
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest roll[] = {
-        TEST(a_straight_roll_is_right_to_the_last_digit)};
-    const struct CMUnitTest on_circle[] = {TEST(a_circle_is_right_to_a_few_u)};
-    if (argc == 2 && strcmp(argv[1], "roll") == 0)
-        return RUN_TESTS(roll);
-    if (argc == 2 && strcmp(argv[1], "circle") == 0)
-        return RUN_TESTS(on_circle);
-    return 2;
 }
