@@ -324,10 +324,11 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 GATES_commit  := check format-check lint-quick
 GATES_push    := header-check examples demo-check first-hour float-check \
                  installcheck consumers hwcaps lanes abi pictures-check \
-                 page-check js-check bindings distcheck lint sanitize coverage
+                 page-check js-check bindings studies-build distcheck lint \
+                 sanitize coverage
 GATES_merge   := adversary-replay bound debian-check tsan fuzz windows msan \
                  repro single-check cross firmware
-GATES_release := build-bench results-check abi-seeds bindings-seeds sweeps \
+GATES_release := results-check abi-seeds bindings-seeds sweeps \
                  endurance valgrind adversary mutants
 # lint has all of lint-quick.
 GATES_CI       = $(filter-out lint-quick,$(GATES_commit) $(GATES_push) \

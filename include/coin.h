@@ -50,7 +50,7 @@
  * Sizes are meant, of either sign.  NaN is out of every range.  Within them no
  * function overflows, and all bounds hold.
  *
- * COST. In instructions, checks included, by gcc -O2 on x86-64 (make natural):
+ * COST. In instructions, checks included, by gcc -O2 on x86-64 (make costs):
  *   40-190     coin_params_ and coin_critical_ functions
  *   220-440    observables, coin_check(), coin_state_check(),
  *              coin_steady_roll(), _upright_spin(), _radii(), coin_stability()
@@ -184,7 +184,7 @@ enum {
  * @param dt         the step; < 0 runs backward [T]
  * @return as coin_run(); after an error *s is unchanged.
  * Accuracy: that of a step of COIN_RK4 by coin_run().
- * Cost: 1,005 instructions, where a further step of coin_run() takes 596; at
+ * Cost: 975 instructions, where a further step of coin_run() takes 596; at
  *         most 832 bytes of stack on a Cortex-M4F (make firmware). */
 COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
 

@@ -6,7 +6,7 @@
 #                                       same work each time
 #   make adversary EVALUATIONS=1000000  two hours on two cores, by hand
 #   make adversary-update               renews tests/studies/bench/results and the table
-#                                       of docs/limits.md from the last search;
+#                                       of tests/studies/tables.md from the last search;
 #                                       the cases stay in build/adversary
 #   make adversary-replay               the cases found before, in seconds
 
@@ -52,4 +52,4 @@ adversary-replay: $(ADV_OUT)/adversary ## the cases that searches found, each wi
 
 adversary-update:
 	cut -d, -f1-4 $(ADV_OUT)/adversary.csv >$(RESULTS)/adversary.csv
-	$(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(SRC)/docs/limits.md
+	$(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(SRC)/tests/studies/tables.md

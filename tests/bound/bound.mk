@@ -14,12 +14,12 @@ BOUND_RUN = valgrind --tool=callgrind --collect-atstart=no \
             --callgrind-out-file=$(O)/bound.out $(O)/tests/bound
 
 .PHONY: bound bound-update bound-measure
-bound: bound-measure ## what a step costs at most, against docs/accuracy.md
-	$(PYTHON) $(BOUND_SRC)/bound.py $(O)/bound.out $(SRC)/docs/accuracy.md
+bound: bound-measure ## what a step costs at most, against tests/studies/tables.md
+	$(PYTHON) $(BOUND_SRC)/bound.py $(O)/bound.out $(SRC)/tests/studies/tables.md
 
 bound-update: bound-measure
 	$(PYTHON) $(BOUND_SRC)/bound.py $(O)/bound.out \
-	    $(SRC)/docs/accuracy.md update
+	    $(SRC)/tests/studies/tables.md update
 
 bound-measure: $(O)/tests/bound
 	rm -f $(O)/bound.out

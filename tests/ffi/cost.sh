@@ -29,7 +29,7 @@ $CXX -O2 -std=c++17 -I"$SRC/include" -I"$examples/cpp" "$here/calls.cpp" \
 
 instructions()
 {
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$@" \
+    valgrind --tool=callgrind --callgrind-out-file="$work/callgrind" "$@" \
         >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
     sed -n 's/.*Collected : //p' "$work/log"
 }

@@ -23,7 +23,8 @@ run "homes of equations" python3 "$here/homes.py" "$SRC"
 run "mutants' texts" python3 "$SRC/tests/mutants/mutants.py" "$SRC"
 run "citations" python3 "$here/citations.py" "$SRC"
 run "tables of measurements" python3 "$SRC/tests/studies/bench/summary.py" \
-    "$SRC/tests/studies/bench/results" "$SRC/docs/accuracy.md" "$SRC/docs/limits.md" --check
+    "$SRC/tests/studies/bench/results" "$SRC/docs/accuracy.md" "$SRC/docs/limits.md" \
+    "$SRC/tests/studies/tables.md" --check
 run "quotes of tables" python3 "$here/quotes.py" "$SRC"
 run "text" sh "$here/text.sh"
 run "public symbols" sh "$here/symbols.sh"

@@ -35,25 +35,6 @@ static coin_state roll(coin_params *p, double wZ)
     return (coin_state){.theta = 1e-3, .wZ = wZ};
 }
 
-static coin_state circle(coin_params *p, double wZ)
-{
-    coin_state s;
-    coin_params_disc(p, 1, 1, 1);
-    coin_steady_circle(&s, p, 0.2, wZ, 1);
-    s.wX = 0.01;
-    return s;
-}
-
-/* d: from flat. */
-static coin_state spin(coin_params *p, double d)
-{
-    coin_state s;
-    coin_params_disc(p, 1, 1, 1);
-    coin_steady_spin(&s, p, HALF_PI - d);
-    s.wX = 0.01;
-    return s;
-}
-
 static coin_state ring(coin_params *p, double theta)
 {
     coin_params_ring(p, 1, 1, 1, 1);
@@ -76,8 +57,6 @@ static coin_state pass(coin_params *p, double d)
 
 static const family families[] = {
     {"roll", 0.04, 1.28, 0, 12, 1e-2, 200, roll},
-    {"circle", 0.04, 1.28, 0, 12, 1e-2, 200, circle},
-    {"spin", 1.5, 1e-4, 1, 12, 1e-3, 20, spin},
     {"ring", 0, 1.55, 0, 12, 1e-2, 200, ring},
     {"quarter", 0.02, 2, 1, 12, 1e-2, 200, quarter},
     {"pass", 2.47e-2, 1.235e-13, 1, 9, 1e-4, 20, pass},
@@ -195,27 +174,6 @@ static void map(const family *f, const solver *v)
     fflush(stdout);
 }
 
-/* For tests/studies/bench/atlas_check.py.  No motion depends on the mass. */
-static void references(const family *f)
-{
-    for (int i = 0; i < SCENES; ++i) {
-        const scene c = scene_at(f, place(f, i));
-        for (int k = 0; k < c.rows; ++k) {
-            const struct scene_row *r = &c.row[k];
-            const double v[] = {
-                c.p.radius, c.p.gravity, c.p.inertia_X > 0.4,
-                r->t,       r->s.theta,  r->s.wX,
-                r->s.wY,    r->s.wZ,     r->s.phi,
-                r->s.psi,   r->s.x,      r->s.z,
-            };
-            printf("%s,%.4g", f->name, place(f, i));
-            for (unsigned n = 0; n < sizeof v / sizeof *v; ++n)
-                printf(",%.17g", v[n]);
-            puts("");
-        }
-    }
-}
-
 static void tell(const family *f, const solver *v, char **argv, double end)
 {
     const scene c = scene_at(f, atof(argv[1]));
@@ -233,9 +191,7 @@ static void tell(const family *f, const solver *v, char **argv, double end)
 int atlas(const solver *list, int count, int argc, char **argv)
 {
     for (const family *f = families; f < families + FAMILIES; ++f) {
-        if (argc > 0 && strcmp(argv[0], "references") == 0)
-            references(f);
-        else if (argc == 0 || strcmp(argv[0], f->name) == 0)
+        if (argc == 0 || strcmp(argv[0], f->name) == 0)
             for (int i = 0; i < count; ++i) {
                 if (argc < 4)
                     map(f, &list[i]);

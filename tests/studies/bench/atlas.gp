@@ -15,20 +15,17 @@ array shade[6] = ["#009E73", "#F0E442", "#56B4E9", "#D55E00", "#E0447C", \
 
 # Of each family: what it is, what is across, the ends of that, the least step,
 # and places to be marked: across, or steps.
-families = "roll circle spin ring quarter pass"
-array title[6] = [ \
+families = "roll ring quarter pass"
+array title[4] = [ \
     "Rolling upright at wZ, disturbed by 1e-3: falls below 0.577", \
-    "Circling at a lean of 0.2, nudged: unstable from 0.133 to 0.528", \
-    "Spinning about the vertical, nudged, ever nearer to flat", \
     "A hoop, set going at every lean", \
     "A US quarter, leaning 0.3 rad, turning 5 rad/s, at every speed", \
     "Dropped from 0.3 rad with hardly any spin: near-flat passes"]
-array across[6] = ["wZ", "wZ", "distance from flat [rad]", \
-    "lean at the start [rad]", "speed [m/s]", "closest approach [rad]"]
-array left[6] = [0.02, 0.02, 1.752, -0.025, 0.01857, 3.758e-2]
-array right[6] = [1.3, 1.3, 0.856e-4, 1.575, 2.154, 0.812e-13]
-array least[6] = [0.0091, 0.0091, 0.00091, 0.0091, 0.0091, 1e-4]
-array marks[6] = ["0.577", "0.133 0.528", "", "", "", ""]
+array across[4] = ["wZ", "lean at the start [rad]", "speed [m/s]", "closest approach [rad]"]
+array left[4] = [0.02, -0.025, 0.01857, 3.758e-2]
+array right[4] = [1.3, 1.575, 2.154, 0.812e-13]
+array least[4] = [0.0091, 0.0091, 0.0091, 1e-4]
+array marks[4] = ["0.577", "", "", ""]
 rates = "60 240 1000" # of frames, at which the quarter's steps are marked
 natural = 0.03517     # its unit of time [s]
 
@@ -36,7 +33,7 @@ set border 15 lc rgb "#808080" lw 0.6
 set tics front scale 0.4 textcolor rgb "#404040"
 set label 1 "" font ",12" center
 unset grid
-do for [f=1:6] {
+do for [f=1:4] {
     family = word(families, f)
     set output to."/limits_".family.".svg"
     set multiplot
@@ -45,11 +42,10 @@ do for [f=1:6] {
     unset logscale
     set xtics 0,0.5 format "%g"
     set logscale y
-    if (f == 3 || f == 5 || f == 6) {
+    if (f > 2) {
         set logscale x
-        if (f == 3) { set xtics (1e-1, 1e-3) }
-        if (f == 5) { set xtics (0.1, 1) }
-        if (f == 6) { set xtics (1e-4, 1e-8, 1e-12) }
+        if (f == 3) { set xtics (0.1, 1) }
+        if (f == 4) { set xtics (1e-4, 1e-8, 1e-12) }
         set format x "10^{%T}"
     }
     set xrange [left[f]:right[f]]
@@ -75,7 +71,7 @@ do for [f=1:6] {
                 to first word(marks[f], k),graph 1 nohead front \
                 dt 2 lw 0.8 lc rgb "#FFFFFF"
         }
-        do for [k=1:(f == 5 && !row ? 3 : 0)] {
+        do for [k=1:(f == 3 && !row ? 3 : 0)] {
             h = 1.0 / word(rates, k) / natural
             set arrow from graph 0,first h to graph 1,first h nohead front \
                 dt 2 lw 0.8 lc rgb "#FFFFFF"

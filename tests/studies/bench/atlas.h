@@ -13,8 +13,7 @@ extern "C" {
 /* As CSV: a line for each family, solver and scene, a letter for each step.
  * Arguments ask for less:
  *     [FAMILY]                             the maps of one family
- *     FAMILY X SOLVER SETTING [TIME]       one run, in words
- *     references                           the starts, and where they end */
+ *     FAMILY X SOLVER SETTING [TIME]       one run, in words */
 int atlas(const solver *list, int count, int argc, char **argv);
 
 #ifdef __cplusplus

@@ -1,24 +1,25 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""From the kept atlas.csv to what gnuplot fills: for each panel a block per
+"""From atlas.csv to what gnuplot fills: for each panel a block per
 outcome and one of what carries a warning.
 
-    atlas.py RESULTS OUT
+    atlas.py OUT    (reads atlas.csv there)
 
 Equal cells are joined to rectangles, and those of a block to one polygon that
 goes from each to the next and back: a renderer leaves no gaps between parts of
 one polygon.
 """
-import csv
 import math
 import pathlib
 import sys
 
-RESULTS, OUT = map(pathlib.Path, sys.argv[1:])
+import rungs
+
+OUT = pathlib.Path(sys.argv[1])
 OUTCOMES = "RPLGSX"
 # First step and steps per decade: bench_atlas's ladders.
 TOLERANCES = (-2, 2)
-STEPS = {"spin": (0.5, 12), "pass": (0.5, 9)}
+STEPS = {"pass": (0.5, 9)}
 
 
 def rectangles(columns, wanted):
@@ -75,11 +76,8 @@ def panel(family, method, lines):
         "\n\n\n".join(blocks) + "\n")
 
 
-OUT.mkdir(parents=True, exist_ok=True)
 panels = {}
-for line in csv.DictReader(
-        l for l in (RESULTS / "atlas.csv").read_text().splitlines()
-        if not l.startswith("#")):
+for line in rungs.read(OUT / "atlas.csv"):
     panels.setdefault((line["family"], line["method"]), []).append(line)
 for (family, method), lines in panels.items():
     panel(family, method, lines)

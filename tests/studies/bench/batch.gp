@@ -15,15 +15,12 @@ set xlabel "abs(dt) W where the coins start" offset 0,0.5
 rows(build, coins, method, steps) = sprintf( \
     "<grep '^%s,%s,%s,%d,' '%s/batch.csv' | tr , ' '", \
     build, coins, method, steps, results)
-lanes(build) = system(sprintf( \
-    "awk -F, '$1 == \"%s\" && $2 == \"operation at best\" {print $3}' \
-    '%s/batch.csv'", build, results))
 array shown[2] = ["portable", "native"]
 do for [i = 1:2] {
     build = shown[i]
     left = i == 1 ? 0.085 : 0.565
     unset label
-    set title sprintf("%s: %s", build, lanes(build)) offset 0,-0.4
+    set title build offset 0,-0.4
     set lmargin at screen left
     set rmargin at screen left + 324.0 / 800
     set tmargin at screen 0.9

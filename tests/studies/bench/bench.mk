@@ -1,20 +1,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Speed against accuracy: included by the Makefile, whose SRC, O, CC, CFLAGS,
-# WARN, MAPS, PINNED and PYTHON it uses.
-#
-#   make bench      measure, and print what came out    (ten minutes)
-#   make charts     the same and the atlas, then renew tests/studies/bench/results, the
-#                   pictures and the tables of docs/accuracy.md, docs/limits.md
-#                   (twelve minutes)
-#   make results    all that results-check looks at          (an hour)
-#   make figures    pictures and tables from tests/studies/bench/results as they are
-#   make atlas      the maps of docs/limits.md, not timed   (three minutes)
-#   make natural    the calls of a frame loop                (one minute)
-#   make batch      many coins at once                       (one minute)
-#   make slides     coins that slip, beside other methods    (two minutes)
-#   make orbits     an orbit beside steps, part of charts    (two minutes)
-#   make longrun    ten million steps of everything          (half an hour)
+# WARN, MAPS, PINNED and PYTHON it uses.  tests/studies/README.md says what each
+# target answers, and how long it takes.
 #
 # Library, textbook and peers are built twice, alike: portable and native.  A
 # busy machine shows: wait for a quiet one, and run nothing beside.
@@ -25,13 +13,15 @@ BENCH_OUT  = $(O)/bench
 BUILDS    := portable native
 FLAGS_portable := -O2
 FLAGS_native   := -O3 -march=native
+# The vectorizer shortens the textbook's step in the portable build (1,535
+# instructions for 1,665) and slows it in the native one: each gets the quicker.
+TEXTBOOK_native := -fno-tree-vectorize
 # A third build, of peers alone: native, with products and sums fused.
 FUSED          := gsl odeint
 FLAGS_fused    := $(FLAGS_native) -ffp-contract=fast
 
 BENCHES := $(patsubst $(BENCH_SRC)/%.c,%,$(wildcard $(BENCH_SRC)/bench_*.c))
-SHARED_BY_BENCHES := scene workprec atlas counted movers textbook plain \
-                     sliding
+SHARED_BY_BENCHES := scene workprec atlas movers textbook sliding
 PEERS        := gsl odeint cvode ode mujoco
 LIBS_gsl     := -lgsl -lgslcblas
 LIBS_cvode   := -lsundials_cvode -lsundials_nvecserial \
@@ -66,10 +56,9 @@ $(BENCH_OUT)/$1/lib/%.o: %.c $(O)/flags | $(BENCH_OUT)/$1/lib
 $(BENCH_OUT)/$1/%.o: $(BENCH_SRC)/%.c $(O)/flags | $(BENCH_OUT)/$1
 	$$(BENCH_CC) $(FLAGS_$1) $$(DEPENDS) -c -o $$@ $$<
 
-$(BENCH_OUT)/$1/textbook.o $(BENCH_OUT)/$1/plain.o \
-$(BENCH_OUT)/$1/sliding.o: $(BENCH_OUT)/$1/%.o: $(BENCH_SRC)/%.c \
-    | $(BENCH_OUT)/$1
-	$$(PEER_CC) $(FLAGS_$1) -c -o $$@ $$<
+$(BENCH_OUT)/$1/textbook.o $(BENCH_OUT)/$1/sliding.o: \
+    $(BENCH_OUT)/$1/%.o: $(BENCH_SRC)/%.c | $(BENCH_OUT)/$1
+	$$(PEER_CC) $(FLAGS_$1) $(TEXTBOOK_$1) -c -o $$@ $$<
 
 NEEDED_$1 := $$(SHARED_BY_BENCHES:%=$(BENCH_OUT)/$1/%.o) \
              $$(patsubst %.c,$(BENCH_OUT)/$1/lib/%.o,$(notdir $(SOURCES)))
@@ -94,8 +83,8 @@ $(BENCH_OUT)/native/fused_%: $(BENCH_SRC)/peers/%.cpp $(NEEDED_native) | need-pe
 
 -include $(wildcard $(BENCH_OUT)/*/*.d $(BENCH_OUT)/*/lib/*.d)
 
-.PHONY: build-bench need-peers need-charts need-bits results-check bench \
-        charts results figures longrun costs batch atlas atlas-check orbits natural \
+.PHONY: build-bench studies-build need-peers need-charts need-bits \
+        results-check charts results figures longrun costs batch atlas orbits \
         slides
 build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%)) ## the benchmarks compile
 
@@ -122,129 +111,97 @@ need-bits: $(O)/tests/test_selftest $(O)/tests/test_float
 results-check: ## the kept measurements are of the bits that the code has
 	$(BITS) $(RESULTS)
 
-DRAW = for py in curves atlas; do $(PYTHON) $(BENCH_SRC)/$$py.py $(RESULTS) \
-           $(BENCH_OUT)/curves || exit 1; done && \
-       $(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(SRC)/docs/accuracy.md \
-           $(SRC)/docs/limits.md && \
-       for f in $(BENCH_SRC)/*.gp; do gnuplot -e "from='$(BENCH_OUT)/curves'" \
-           -e "results='$(RESULTS)'" -e "to='$(SRC)/docs/figures'" $$f || \
-           exit 1; done && $(SLIM)
+STUDIED  = $(SRC)/docs/accuracy.md $(SRC)/docs/limits.md \
+           $(SRC)/tests/studies/tables.md
+DRAW     = mkdir -p $(BENCH_OUT) && \
+           $(PYTHON) $(BENCH_SRC)/curves.py $(RESULTS) $(BENCH_OUT)/curves && \
+           $(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(STUDIED) && \
+           for gp in accuracy batch longrun orbit slides; do \
+               $(call GNUPLOT,$(BENCH_OUT)/curves,$$gp) || exit 1; done && \
+           $(SLIM)
+GNUPLOT  = gnuplot -e "from='$1'" -e "results='$(RESULTS)'" \
+           -e "to='$(SRC)/docs/figures'" $(BENCH_SRC)/$2.gp
 SLIMMER = $(PYTHON) $(BENCH_SRC)/slim.py $(SRC)/docs/figures/*.svg
 SLIM = $(SLIMMER) && $(SCHEMES) && $(SLIMMER)
-COSTS = { $(ABOUT); $(PYTHON) $(BENCH_SRC)/costs.py $(BENCH_OUT); } \
-        >$(BENCH_OUT)/costs.csv
 ABOUT = CC='$(CC)' CXX='$(CXX)' sh $(BENCH_SRC)/about.sh \
         'portable: $(FLAGS_portable) $(PLAIN)' \
         'native: $(FLAGS_native) $(PLAIN)' 'library: $(PINNED) besides' \
+        'textbook, native: $(TEXTBOOK_native) besides' \
         'fused: peers alone, $(FLAGS_fused)'; $(BITS)
+# $(call RESULT,NAME,COMMAND): what a command prints, under a head, becomes a
+# result when it has come to its end.
+RESULT = { $(ABOUT); $2 || exit 1; } >$(BENCH_OUT)/$1.csv && \
+         cp $(BENCH_OUT)/$1.csv $(RESULTS)
 EACH_BUILD = for b in $(BUILDS); do
 
-TIMED = build-bench need-charts need-bits $(BENCH_OUT)/truth \
-        $(BENCH_OUT)/count \
+figures: need-charts ## draw the charts from the kept results
+	$(DRAW)
+
+# The parts of charts, one after the other, whatever -j says: they are timed.
+costs: $(BUILDS:%=$(BENCH_OUT)/%/bench_costs) need-charts need-bits ## what calls cost: the table of docs/accuracy.md (2 minutes)
+	$(call RESULT,costs,$(PYTHON) $(BENCH_SRC)/costs.py $(BENCH_OUT) $(BUILDS))
+	$(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(STUDIED)
+
+batch: $(BUILDS:%=$(BENCH_OUT)/%/bench_batch) need-charts need-bits ## many coins at once (1 minute)
+	$(call RESULT,batch,echo $(BATCH_HEAD); $(EACH_BUILD) \
+	    $(BENCH_OUT)/$$b/bench_batch $$b || exit 1; done)
+
+orbits: $(BENCH_OUT)/portable/peer_orbit need-charts need-bits ## an orbit beside steps (1 minute)
+	$(call RESULT,orbit_costs,$<)
+
+slides: $(BENCH_OUT)/native/peer_slide need-charts need-bits ## coins that slip, beside other methods (2 minutes)
+	$(call RESULT,slides,$<)
+	$(DRAW)
+
+BATCH_HEAD := build,coins,method,steps,dt_W,alone_ns,abreast_ns,textbook_ns
+FRAMES_HEAD := call,rate,ns,error
+RUNGS_HEAD := build,scene,method,setting,error,ns_per_unit,textbook_ns,status
+RUNGS = echo $(RUNGS_HEAD); $(EACH_BUILD) \
+        $(BENCH_OUT)/$$b/bench_accuracy $$b || exit 1; \
+        for p in $(PEERS); do test $$b.$$p = native.ode -o \
+        $$b.$$p = native.mujoco || $(BENCH_OUT)/$$b/peer_$$p $$b || exit 1; \
+        done; done; for p in $(FUSED); do \
+        $(BENCH_OUT)/native/fused_$$p fused || exit 1; done
+
+# The binding, installed beside the results.
+$(BENCH_OUT)/site: $(LIB_A) $(LIB_SO)
+	$(DEBIAN_PYTHON) -m pip -q --disable-pip-version-check install \
+	    --root-user-action=ignore --no-index --no-deps --upgrade --target $@ \
+	    $(SRC)/docs/examples/python
+	touch $@
+
+TIMED = build-bench need-charts need-bits $(BENCH_OUT)/site \
+        $(BENCH_OUT)/portable/peer_orbit \
         $(foreach b,$(BUILDS),$(PEERS:%=$(BENCH_OUT)/$b/peer_%)) \
         $(FUSED:%=$(BENCH_OUT)/native/fused_%)
 
-# One after the other, whatever -j says: they are timed.
-bench: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
+charts: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 	echo "measuring: leave the machine alone"
-	{ $(ABOUT); echo build,method,ns_per_step,textbook_over_it; \
-	    $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_steps $$b || exit 1; done; \
-	    } >$(BENCH_OUT)/steps.csv
-	{ $(ABOUT); echo build,scene,method,setting,error,ns_per_unit,$(\
-	    )slopes_per_unit,textbook_ns,status; \
-	    $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_accuracy $$b || exit 1; \
-	    for p in $(PEERS); do test $$b.$$p = native.ode -o \
-	        $$b.$$p = native.mujoco || $(BENCH_OUT)/$$b/peer_$$p $$b || \
-	        exit 1; done; done; for p in $(FUSED); do \
-	        $(BENCH_OUT)/native/fused_$$p fused || exit 1; done; \
-	    } >$(BENCH_OUT)/rungs.csv
+	mkdir -p $(RESULTS)
+	$(call RESULT,frames,echo $(FRAMES_HEAD); \
+	    $(BENCH_OUT)/portable/bench_frames)
+	$(call RESULT,python,PYTHONPATH=$(BENCH_OUT)/site $(DEBIAN_PYTHON) \
+	    $(BENCH_SRC)/python.py $(SRC)/tests/reference/quarter.csv)
+	{ $(ABOUT); $(RUNGS); } >$(BENCH_OUT)/rungs.csv
 	$(PYTHON) $(BENCH_SRC)/rungs.py <$(BENCH_OUT)/rungs.csv \
 	    >$(BENCH_OUT)/accuracy.csv
-	{ $(ABOUT); echo build,call,rate,ns,textbook_steps,error; \
-	    $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_frames $$b || exit 1; done; \
-	    } >$(BENCH_OUT)/frames.csv
-	{ $(ABOUT); echo build,lanes,abreast_ns,alone_ns,gain,busy_alike,busy_any; \
-	    $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_abreast $$b || exit 1; done; \
-	    } >$(BENCH_OUT)/abreast.csv
-	{ $(ABOUT); $(BENCH_OUT)/portable/bench_best; } >$(BENCH_OUT)/best.csv
-	$(BENCH_OUT)/truth >$(BENCH_OUT)/truth.csv
-	{ $(ABOUT); $(BENCH_OUT)/portable/bench_reliability \
-	    $(BENCH_OUT)/truth.csv; \
-	    } >$(BENCH_OUT)/reliability.csv
-	$(COSTS)
-	$(BATCH)
-	$(NATURAL)
-	$(PYTHON) $(BENCH_SRC)/summary.py $(BENCH_OUT)
+	cp $(BENCH_OUT)/accuracy.csv $(RESULTS)
+	+for part in costs batch orbits figures; do $(AGAIN) $$part || exit 1; done
 
-$(BENCH_OUT)/truth: $(BENCH_SRC)/peers/truth.cpp | need-peers
-	$(PEER_CXX) -O2 -o $@ $<
-
-charts: bench $(BENCH_OUT)/portable/peer_orbit ## measure, and renew the charts
-	mkdir -p $(RESULTS)
-	$(MAP)
-	$(ORBITS)
-	for t in steps accuracy frames abreast best reliability costs batch \
-	    natural atlas; do \
-	    cp $(BENCH_OUT)/$$t.csv $(RESULTS)/$$t.csv; done
-	$(DRAW)
-
-figures: need-charts ## draw the charts from the kept results
-	mkdir -p $(BENCH_OUT)
-	$(DRAW)
-
-# What becomes of a coin under every step: not timed, so at any time.
+# What becomes of a coin under every step: not timed, so at any time, and made
+# anew each time.
 MAPPED := bench_accuracy peer_gsl peer_odeint
-MAP     = for p in $(MAPPED); do ( $(BENCH_OUT)/portable/$$p atlas \
-              >$(BENCH_OUT)/$$p.csv || rm $(BENCH_OUT)/$$p.csv ) & done; wait; \
-          { $(ABOUT); echo family,method,x,outcomes; \
-            cat $(MAPPED:%=$(BENCH_OUT)/%.csv) || exit 1; \
-          } >$(BENCH_OUT)/atlas.csv
-
-atlas: $(MAPPED:%=$(BENCH_OUT)/portable/%) need-charts need-bits ## the maps of docs/limits.md (3 minutes)
-	mkdir -p $(RESULTS)
-	$(MAP)
-	cp $(BENCH_OUT)/atlas.csv $(RESULTS)
-	$(DRAW)
-
-atlas-check: $(BENCH_OUT)/portable/bench_accuracy # the maps' references, by another route
-	$< atlas references >$(BENCH_OUT)/references.csv
-	$(BENCH_SRC)/atlas_check.py <$(BENCH_OUT)/references.csv
-
-BATCH = { $(ABOUT); echo build,coins,method,steps,dt_W,alone_ns,$(\
-          )abreast_ns,textbook_ns; \
-          $(EACH_BUILD) $(BENCH_OUT)/$$b/bench_batch $$b || exit 1; done; \
-          } >$(BENCH_OUT)/batch.csv
-
-batch: $(BUILDS:%=$(BENCH_OUT)/%/bench_batch) need-charts need-bits ## many coins at once: measure, and draw (one minute)
-	mkdir -p $(RESULTS)
-	$(BATCH)
-	cp $(BENCH_OUT)/batch.csv $(RESULTS)
-	$(DRAW)
-
-# What a frame loop calls.
-NATURAL = { $(ABOUT); $(PYTHON) $(BENCH_SRC)/natural.py $(BENCH_OUT) \
-            $(BUILDS) || exit 1; } >$(BENCH_OUT)/natural.csv
-
-natural: $(BUILDS:%=$(BENCH_OUT)/%/bench_calls) need-charts need-bits ## what the calls of a frame loop cost (one minute)
-	mkdir -p $(RESULTS)
-	$(NATURAL)
-	cp $(BENCH_OUT)/natural.csv $(RESULTS)
-
-# Solved once, or stepped: what n frames cost, and how the phases of steppers
-# err against an orbit's.
-ORBITS  = for what in costs ratios phase; do { $(ABOUT); \
-              $(BENCH_OUT)/portable/peer_orbit $$what || exit 1; \
-              } >$(RESULTS)/orbit_$$what.csv || exit 1; done
-
-orbits: $(BENCH_OUT)/portable/peer_orbit need-charts need-bits ## an orbit beside steps (two minutes)
-	$(ORBITS)
-	$(DRAW)
-
-slides: $(BENCH_OUT)/native/peer_slide need-charts need-bits ## coins that slip, beside other methods (two minutes)
-	mkdir -p $(RESULTS)
-	{ $(ABOUT); $<; } >$(BENCH_OUT)/slides.csv
-	cp $(BENCH_OUT)/slides.csv $(RESULTS)
-	$(DRAW)
+MAPS_AT = $(BENCH_OUT)/atlas
+atlas: $(MAPPED:%=$(BENCH_OUT)/portable/%) need-charts ## the maps of docs/limits.md (3 minutes)
+	mkdir -p $(MAPS_AT)
+	for p in $(MAPPED); do ( $(BENCH_OUT)/portable/$$p atlas \
+	    >$(MAPS_AT)/$$p.csv || rm $(MAPS_AT)/$$p.csv ) & done; wait
+	{ echo family,method,x,outcomes; cat $(MAPPED:%=$(MAPS_AT)/%.csv); } \
+	    >$(MAPS_AT)/atlas.csv
+	$(PYTHON) $(BENCH_SRC)/atlas.py $(MAPS_AT)
+	$(PYTHON) $(BENCH_SRC)/summary.py $(MAPS_AT) $(STUDIED)
+	$(call GNUPLOT,$(MAPS_AT),atlas)
+	$(SLIM)
 
 results: ## measure anew all that results-check looks at (an hour)
 	+for what in charts slides silent adversary adversary-update longrun \
@@ -252,26 +209,11 @@ results: ## measure anew all that results-check looks at (an hour)
 	    $(AGAIN) $$what || exit 1; done
 
 longrun: $(BENCH_OUT)/portable/bench_longrun need-bits ## what ten million steps do (half an hour)
-	mkdir -p $(RESULTS)
-	{ $(ABOUT); $<; } >$(BENCH_OUT)/longrun.csv
-	{ $(ABOUT); $< damping; } >$(BENCH_OUT)/damping.csv
-	cp $(BENCH_OUT)/longrun.csv $(BENCH_OUT)/damping.csv $(RESULTS)
+	$(call RESULT,longrun,$<)
+	$(call RESULT,damping,$< damping)
 
-# The sources that step once more, with a double that counts.  Where a sign is
-# moved by its bits the length of the chain is lost: it is 0 then.
-COUNTED := $(patsubst %.c,$(BENCH_OUT)/counted/%.o,$(notdir \
-             $(filter $(SRC)/lib/motion/% $(SRC)/lib/step/%,$(SOURCES))))
-
-$(BENCH_OUT)/counted:
-	mkdir -p $@
-
-$(BENCH_OUT)/counted/%.o: %.c $(BENCH_SRC)/arithmetic.h \
-                          $(wildcard $(SRC)/lib/*/*.h) | $(BENCH_OUT)/counted
-	$(CXX) -std=c++20 -O1 -w -fpermissive -x c++ -I$(SRC)/include \
-	    -ftrivial-auto-var-init=zero -include $(BENCH_SRC)/arithmetic.h -c -o $@ $<
-
-$(BENCH_OUT)/count: $(BENCH_SRC)/count.cpp $(COUNTED)
-	$(CXX) -std=c++20 -O1 -w -I$(SRC)/include -o $@ $^
-
-costs: $(BENCH_OUT)/count need-charts # after bench, whose steps.csv it reads
-	$(COSTS)
+# Every study program that needs no other solver.
+STUDIES = $(BENCHES:%=$(BENCH_OUT)/portable/%) \
+          $(addprefix $(O)/limits/,silent endurance truth) \
+          $(addprefix $(O)/real/,study moves fixed tuning) $(O)/needs/needs
+studies-build: $(STUDIES) ## the programs of tests/studies that need no peer are built

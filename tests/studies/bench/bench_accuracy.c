@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Work against precision of the library's methods and of the textbook's RK4. */
-#include "counted.h"
 #include "textbook.h"
 #include "workprec.h"
 
@@ -70,8 +69,7 @@ static int go(double t, unsigned long steps)
 {
     const double dt = t / (double)steps;
     if (at.method == ADVANCE)
-        return (workprec_counts ? counted_advance : coin_advance)(
-            &at.s, &at.c->p, t, at.setting, 0);
+        return coin_advance(&at.s, &at.c->p, t, at.setting, 0);
     if (at.method == ORBIT)
         return go_orbit(t);
     if (at.method == SINGLE)

@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* 64 coins in a call of coin_batch_run(), beside a loop of coin_run() that
  * takes turns with it: ns per coin and step, for each length of step and of
- * call; a textbook's step; and the best rate of operations.
+ * call; and a textbook's step.
  *     bench_batch BUILD    CSV */
 #include "clock.h"
-#include "lanes.h"
-#define RATE_LANES COIN_PRIV_LANES
-#include "rate.h"
 #include "textbook.h"
 
 #include <math.h>
@@ -127,15 +124,6 @@ static void print(const struct cell *c, const char *build, const struct kind *k,
            (c->abreast - tare) / each, (c->book - tare) / each);
 }
 
-static void best_rate(const char *build, double tare)
-{
-    double least = INFINITY;
-    for (int i = 0; i < 5000; ++i)
-        least = fmin(least, rate_window(tare));
-    printf("%s,operation at best,%d lanes,,,,%.3g,\n", build, COIN_PRIV_LANES,
-           least);
-}
-
 int main(int argc, char **argv)
 {
     static const double dtW[] = {0.02, 0.05, 0.1, 0.15, 0.2,
@@ -145,7 +133,6 @@ int main(int argc, char **argv)
     const char *build = argc > 1 ? argv[1] : "unnamed";
     const struct kind kinds[] = {kind_of("quarter"), kind_of("any")};
     const double tare = clock_cost();
-    best_rate(build, tare);
     for (int round = 0; round < ROUNDS; ++round)
         for (int k = 0; k < 2; ++k)
             for (int32_t m = COIN_RK4; m <= COIN_RK8; ++m)

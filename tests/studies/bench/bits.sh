@@ -34,13 +34,11 @@ about()
 {
     case $1 in
     adversary) echo "$(kinds) coinf: adversary adversary-update" ;;
-    abreast) echo "batch: charts" ;;
     batch) echo "batch: charts" ;;
-    costs | frames | natural | steps) echo "coinf advance: charts" ;;
+    costs | frames | python) echo "coinf advance move settle: charts" ;;
     longrun | damping) echo ": longrun" ;;
     orbit_*) echo "orbit: charts" ;;
-    accuracy | atlas | best) echo "advance orbit: charts" ;;
-    reliability) echo "advance: charts" ;;
+    accuracy) echo "advance orbit: charts" ;;
     silent*) echo ": silent" ;;
     slides) echo "advance move: slides" ;;
     *) echo "bits.sh: what does $1.csv depend on?" >&2; exit 2 ;;

@@ -1,72 +1,42 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What a step costs, as CSV: time, instructions, arithmetic and bytes, beside
-the two limits that no order of the same operations can beat.
+"""What calls cost, as CSV: callgrind's instructions, and the time of each build.
 
-    costs.py OUT    (reads OUT/steps.csv, runs OUT/count, OUT/portable/*)
-
-Time and the time of single operations are from steps.csv.  Instructions are
-callgrind's, the difference of two lengths of run.  Operations, and the length
-of the longest chain of them, are from the library's own sources with a double
-that counts (arithmetic.h).  Bytes: what a run carries from step to step, and
-the code of the method's object file.
+    costs.py OUT BUILD...    runs OUT/BUILD/bench_costs
 """
-import csv
 import pathlib
 import re
 import subprocess
 import sys
 
-OUT = pathlib.Path(sys.argv[1])
-OBJECTS = {"rk4": "rk4", "rk8": "rk8", "order 14 in tau": "extrapolation",
-           "symplectic2": "symplectic", "symplectic4": "symplectic",
-           "textbook RK4": "textbook"}
+
+def lines(*command):
+    done = subprocess.run(command, check=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True)
+    return [line.split(";") for line in done.stdout.splitlines()]
 
 
-def rows(path):
-    lines = [l for l in path.read_text().splitlines() if not l.startswith("#")]
-    return list(csv.DictReader(lines))
+def instructions(out):
+    """{row: instructions}.  Callgrind does not know all of this processor's:
+    the portable build's."""
+    file = out / "callgrind.out"
+    rows = lines("valgrind", "--tool=callgrind", "--combine-dumps=yes",
+                 f"--callgrind-out-file={file}",
+                 out / "portable/bench_costs", "count")
+    parts = re.findall(r"Client Request: row$.*?^summary: (\d+)",
+                       file.read_text(), re.M | re.S)
+    return {name: int(part) / int(times)
+            for (name, times), part in zip(rows, parts, strict=True)}
 
 
-def run(*command):
-    return subprocess.run(command, check=True, capture_output=True, text=True)
+def main(out, *builds):
+    out = pathlib.Path(out)
+    counts = instructions(out)
+    ns = {(build, name): t for b in builds
+          for build, name, t in lines(out / b / "bench_costs", b)}
+    print("call", "instructions", *(f"{b} ns" for b in builds), sep=";")
+    for name, count in counts.items():
+        print(name, f"{count:.0f}", *(ns[b, name] for b in builds), sep=";")
 
 
-def instructions(method, steps):
-    log = run("valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null",
-              OUT / "portable/bench_steps", "run", method, str(steps)).stderr
-    return int(re.search(r"Collected : (\d+)", log)[1])
-
-
-def code_bytes(name):
-    """Code and constants of an object file."""
-    folder = OUT / "portable" / ("" if name == "textbook" else "lib")
-    table = run("size", "-A", folder / f"{name}.o").stdout
-    return sum(int(size) for size in
-               re.findall(r"^\.(?:text|rodata)\S*\s+(\d+)", table, re.M))
-
-
-def main():
-    steps = {r["method"]: r["ns_per_step"] for r in rows(OUT / "steps.csv")
-             if r["build"] == "portable"}
-    latency = [steps["latency " + k] for k in ("add", "mul", "div", "sqrt")]
-    flop = float(steps["per flop at best"])
-    counted = {}
-    for line in run(OUT / "count", *latency).stdout.splitlines():
-        name, *numbers = line.split(",")
-        counted[name] = [float(n) for n in numbers]
-    print("method,ns,chain_ns,flop_ns,instructions,additions,products,"
-          "divisions,roots,code_bytes")
-    for method in ("textbook RK4", "rk4", "rk8", "order 14 in tau",
-                   "symplectic2", "symplectic4"):
-        ins = (instructions(method, 6400) - instructions(method, 3200)) / 3200
-        code = code_bytes(OBJECTS[method]) if method in OBJECTS else ""
-        limits, ops = ["", ""], [""] * 4
-        if method in counted:
-            *ops, chain = counted[method]
-            limits = [f"{chain:.1f}", f"{flop * sum(ops):.1f}"]
-        print(method, steps[method], *limits, f"{ins:.0f}", *ops, code,
-              sep=",")
-
-
-main()
+main(*sys.argv[1:])

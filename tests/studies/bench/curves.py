@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""From the kept CSV to what gnuplot draws: one block per curve, the marks of
-failed runs, and where each curve's label goes.
+"""From the kept CSV to what gnuplot draws: one block per curve, marks, and where
+each curve's label goes.
 
     curves.py RESULTS OUT
 
@@ -9,7 +9,6 @@ Work against precision is that of the portable build.  A curve leaves out the
 rungs that a cheaper one beats, as all do below the floor of rounding; the CSV
 has them.  Of several methods in one curve the cheapest counts at each error.
 """
-import csv
 import math
 import pathlib
 import sys
@@ -19,37 +18,38 @@ import rungs
 
 RESULTS, OUT = map(pathlib.Path, sys.argv[1:])
 CURVES, NS = rungs.curves(RESULTS / "accuracy.csv")
-SCENES = ("wobble", "generic", "tumble", "ring", "quarter", "nearflat")
+OURS = ("rk4", "rk8", "coin_advance")
 PEERS = ("GSL rk8pd", "odeint rkf78", "odeint dopri5", "odeint rkf78 fixed",
-         "CVODE Adams")
+         "CVODE Adams", "heyoka")
 FREE = ("sine-free GSL rk8pd", "sine-free odeint rkf78 fixed")
+ENGINES = ("ODE rim contact", "MuJoCo ellipsoid")
 
-# What a curve is called, its line of style.gpi, and whose it is.
-TIMES = (("textbook RK4", 1, ("textbook RK4",)), ("rk4", 2, ("rk4",)),
-         ("rk8", 3, ("rk8",)), ("coin_advance", 4, ("coin_advance",)),
-         ("floats", 15, ("rk4 of floats",)),
-         ("best peer", 7, PEERS), ("our equations", 8, FREE),
-         ("ODE, MuJoCo", 12, ("ODE rim contact", "MuJoCo ellipsoid")),
-         ("heyoka", 16, ("heyoka",)), ("orbit", 14, ("orbit",)))
-SLOPES = (("RK4", 1, ("textbook RK4",)), ("rk8", 3, ("rk8",)),
-          ("coin_advance", 4, ("coin_advance",)),
-          *((m.removeprefix("odeint ").removeprefix("GSL "), 7 + k, (m,))
-            for k, m in enumerate(PEERS)))
+# What a curve is called, its line of style.gpi, and whose it is.  accuracy.gp
+# has a key of the first.
+SOLVERS = (("textbook RK4", 1, ("textbook RK4",)), ("rk4", 2, ("rk4",)),
+           ("rk8", 3, ("rk8",)), ("coin_advance", 4, ("coin_advance",)),
+           ("best other solver", 7, PEERS), ("with our equations", 8, FREE),
+           ("orbit", 14, ("orbit",)))
+BESIDE_ENGINES = (("textbook RK4", 1, ("textbook RK4",)),
+                  ("coin_advance", 4, ("coin_advance",)),
+                  ("ODE", 12, ENGINES[:1]), ("MuJoCo", 13, ENGINES[1:]))
+SECOND = (("rollcoin", 4, OURS), ("a textbook's RK4", 1, ("textbook RK4",)),
+          ("the best other solver", 7, PEERS),
+          ("the better of two engines", 12, ENGINES))
+CALLS = {"textbook RK4": 1, "coin_step": 2, "one step of RK8": 3,
+         "coin_advance 1e-6": 4, "coin_orbit_at": 14, "coin_move 1e-6": 17,
+         "coin_settle 1e-6": 18}
 
-# The axes, which accuracy.gp draws: (from, to) of error and of cost, and the
-# pixels of a panel.
-ERRORS = 1e-16, 1e4
-COSTS = {"ns": (20, 1e8), "slopes": (2, 1e6)}
-FAILED_FROM, FAILED = 12, 300 # the band of failed runs, and its middle
-PANEL = 335, 312
-SECOND = 1e3, 1e9, 690, 440 # of the README's picture
-FRAMES = {"ns": (40, 700), "error": (1e-15, 0.1)}
+# The panels of accuracy.gp: pixels, and (from, to) of each axis.
+PANELS = {"scene": labels.Panel(400, 330, (1e-15, 1), (20, 1e7), 12),
+          "second": labels.Panel(690, 440, (1e-14, 1), (1e3, 1e9), 13),
+          "frame_ns": labels.Panel(310, 330, (50, 1200), (40, 3000), 12),
+          "frame_error": labels.Panel(310, 330, (50, 1200), (1e-15, 0.1), 12)}
 QUARTER = 0.0351704 # its natural unit of time [s]
 
 # Points drawn are at least these pixels apart: a line then bends within two
-# pixels of where it should, and the marks of failures stay apart.
+# pixels of where it should.
 LINE_GAP = 5
-MARK_GAP = 9
 
 # A line of text, in parts of the height of the long runs' charts.
 LINE = 0.052
@@ -59,13 +59,12 @@ COLOURS = {"rk4": 2, "rk8": 3, "order 14 in tau": 4, "symplectic2": 5,
            "symplectic4": 6}
 
 
-def rows(name):
-    lines = (RESULTS / f"{name}.csv").read_text().splitlines()
-    return list(csv.DictReader(l for l in lines if not l.startswith("#")))
-
-
 def number(text):
     return float(text) if text else math.nan
+
+
+def rows(name):
+    return rungs.read(RESULTS / f"{name}.csv")
 
 
 def thinned(points, gap, panel):
@@ -78,10 +77,10 @@ def thinned(points, gap, panel):
     return kept + points[1:][-1:]
 
 
-def cheapest(scene, methods, what):
+def cheapest(scene, methods):
     """(error, cost) of the front of several methods, without the rungs that
     gain next to nothing."""
-    fronts = [rungs.front(CURVES.get(("portable", scene, m), []), what)
+    fronts = [rungs.front(CURVES.get(("portable", scene, m), []))
               for m in methods]
     ends = [math.log10(error) for front in fronts for error, _ in front]
     line = fronts[0]
@@ -101,87 +100,59 @@ def block(points):
     return "\n".join(f"{x:g} {y:g}" for x, y in points) or "nan nan"
 
 
-def failures(scene, shown, what, scale, panel):
-    """(cost, style) of failed runs: their steps at the cost of others."""
-    found = []
-    for _, style, methods in shown:
-        for m in methods:
-            mine = CURVES.get(("portable", scene, m), [])
-            each = min((r[what] / r["slopes"] for r in mine
-                        if r["status"] == "ok" and r["slopes"]),
-                       default=math.nan)
-            failed = sorted((FAILED, r["slopes"] * each * scale) for r in mine
-                            if r["status"] != "ok")
-            found += [(cost, style)
-                      for _, cost in thinned(failed, MARK_GAP, panel)]
-    return found
-
-
-def write_labels(stem, of, named, style, end=math.inf):
-    """Labels and, in a file of their own, leaders; style by name."""
-    places = labels.place(of, named, end)
+def write(name, panel, lines, style, marks=(), labelled=True):
+    """What is drawn in a panel: curves {name: points} in their order, marks
+    (name, point, style), and labels with leaders; style by name."""
+    stem = OUT / name
+    (OUT / f"{name}.dat").write_text("\n\n\n".join(
+        block(thinned(line, LINE_GAP, panel)) for line in lines.values()) + "\n")
+    (OUT / f"{name}.styles").write_text(
+        " ".join(str(style[n]) for n in lines) + "\n")
+    (OUT / f"{name}.marks").write_text("".join(
+        f"{x:g} {y:g} {k}\n" for _, (x, y), k in marks) or "nan nan 1\n")
+    named = lines | {n: [point] for n, point, _ in marks} if labelled else {}
+    style = style | {n: k for n, _, k in marks}
+    places = labels.place(panel, named, math.inf)
     missing = [n for n, line in named.items() if line and n not in places]
     if missing:
-        print(f"{stem.name}: no room for", *missing, file=sys.stderr)
+        print(f"{name}: no room for", *missing, file=sys.stderr)
     stem.with_suffix(".labels").write_text("".join(
-        f'{x:g} {y:g} "{name.partition(chr(9))[0]}" {style[name]}\n'
-        for name, (x, y, _) in places.items()) or 'nan nan "" 1\n')
+        f'{x:g} {y:g} "{n}" {style[n]}\n'
+        for n, (x, y, _) in places.items()) or '1 1 " " 1\n')
     stem.with_suffix(".leaders").write_text("".join(
         f"{a:g} {b:g}\n{c:g} {d:g}\n\n"
         for a, b, c, d in (l for *_, l in places.values() if l)) or "nan nan\n")
 
 
-def panel(stem, scene, shown, what, scale, of, marks=()):
-    """What is drawn in a panel: blocks in the order shown, labels, failures;
-    marks are points (x, y) with a name, of a style."""
-    lines = {name: [(e, c * scale) for e, c in cheapest(scene, methods, what)]
-             for name, _, methods in shown}
-    stem.with_suffix(".dat").write_text("\n\n\n".join(
-        block(thinned(line, LINE_GAP, of)) for line in lines.values()) + "\n")
-    named = {f"{name}\t{k}": [point] for k, (name, point, _) in enumerate(marks)}
-    style = {name: k for name, k, _ in shown} | {
-        f"{name}\t{k}": s for k, (name, _, s) in enumerate(marks)}
-    write_labels(stem, of, lines | named, style, FAILED_FROM)
-    failed = failures(scene, shown, what, scale, of)
-    stem.with_suffix(".failed").write_text(
-        "".join(f"{c:g} {k}\n" for c, k in failed) or "nan 1\n")
-    stem.with_suffix(".marks").write_text("".join(
-        f"{x:g} {y:g} {k}\n" for _, (x, y), k in marks) or "nan nan 1\n")
+def within(points, panel):
+    """Those inside a panel."""
+    return [p for p in points
+            if all(0 <= v <= most for v, most in zip(
+                panel.pixel(*p), (panel.width, panel.height)))]
 
 
-def rates():
-    """Where frame rates lie on the curves of fixed steps: the error of a frame
-    loop, and its steps at the cost of a run's."""
-    ns = {r["method"]: number(r["ns_per_step"]) for r in rows("steps")
-          if r["build"] == "portable"}
-    of = {"textbook RK4": ("textbook RK4", 1), "coin_step": ("rk4", 2),
-          "one step of RK8": ("rk8", 3)}
-    return [("" if r["call"] == "textbook RK4" else f"{r['rate']}/s",
-             (number(r["error"]), number(r["rate"]) * ns[of[r["call"]][0]]),
-             of[r["call"]][1])
-            for r in rows("frames")
-            if r["build"] == "portable" and r["call"] in of]
+def solvers(name, scene, shown, panel, scale, marks=(), labelled=True):
+    lines = {n: within([(e, c * scale) for e, c in cheapest(scene, methods)],
+                       panel) for n, _, methods in shown}
+    write(name, panel, lines, {n: k for n, k, _ in shown}, marks, labelled)
+
+
+def python():
+    """A second of the quarter from Python."""
+    return [(r["method"], (number(r["error"]), number(r["ns"])), style)
+            for r, style in zip(rows("python"), (7, 4))]
 
 
 def frame_loop():
     """One call per frame: what it takes, and the error after a second, against
     the frame rate."""
-    style = {"textbook RK4": 1, "coin_step": 2, "one step of RK8": 3,
-             "coin_advance 1e-6": 4, "coin_advance 1e-9": 4,
-             "coin_orbit_at": 14, "coinf_step": 15}
-    calls = [r for r in rows("frames") if r["build"] == "portable"]
-    for column, (low, high) in FRAMES.items():
+    for column in ("ns", "error"):
         curves = {name: [(number(r["rate"]), number(r[column]))
-                         for r in calls if r["call"] == name] for name in style}
+                         for r in rows("frames") if r["call"] == name]
+                  for name in CALLS}
         if column == "error":  # coin_step's errors are the textbook's
             del curves["textbook RK4"]
-        stem = OUT / f"frame_{column}"
-        stem.with_suffix(".dat").write_text(
-            "\n\n\n".join(map(block, curves.values())) + "\n")
-        stem.with_suffix(".styles").write_text(
-            " ".join(str(style[name]) for name in curves) + "\n")
-        write_labels(stem, labels.Panel(310, 330, (50, 1200), (low, high), 12),
-                     curves, style)
+        write(f"frame_{column}", PANELS[f"frame_{column}"], curves, CALLS)
 
 
 def spread(labels, low, high):
@@ -226,16 +197,13 @@ def by_run(data, *columns):
 
 
 OUT.mkdir(parents=True, exist_ok=True)
-CURVES |= rungs.elsewhere(pathlib.Path(__file__).parent / "peers/heyoka.csv",
-                          rungs.plain_step(rows("steps")))
-for name in SCENES:
-    panel(OUT / f"ns_{name}", name, TIMES, "cost", NS["portable", name],
-          labels.Panel(*PANEL, ERRORS, COSTS["ns"]))
-    panel(OUT / f"slopes_{name}", name, SLOPES, "slopes", 1,
-          labels.Panel(*PANEL, ERRORS, COSTS["slopes"]))
-panel(OUT / "second", "quarter", TIMES, "cost",
-      NS["portable", "quarter"] / QUARTER,
-      labels.Panel(*SECOND[2:], (1e-15, 5), SECOND[:2], 12), rates())
+for name in ("wobble", "generic", "tumble", "ring", "quarter", "nearflat"):
+    solvers(f"ns_{name}", name, SOLVERS, PANELS["scene"], NS["portable", name],
+            labelled=False)
+solvers("ns_engines", "quarter", BESIDE_ENGINES, PANELS["scene"],
+        NS["portable", "quarter"])
+solvers("second", "quarter", SECOND, PANELS["second"],
+        NS["portable", "quarter"] / QUARTER, python())
 frame_loop()
 drifts = rows("longrun")
 chart("energy", by_run(drifts, "energy_rms"), -17, 0)

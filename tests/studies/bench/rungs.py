@@ -9,7 +9,7 @@ quarter of the room.
 A cost is in steps of the textbook's RK4 per natural unit of time, each relative
 to one timed at the same moments; what that step took when it was quickest is
 kept for each build and scene.  Of a curve some 16 rungs are kept, evenly, and
-one below the floor of rounding.  Right-hand sides are those of the portable build.
+one below the floor of rounding.
 """
 import csv
 import math
@@ -21,8 +21,21 @@ BELOW_FLOOR = 1
 MANY = 16 # of a curve: a reader sees no difference
 
 
+# The unit of heyoka.csv, an RK4 on the right-hand side that peers get, in steps
+# of the textbook's: by instructions, 1478 to 1653, gcc 12 at -O2.
+HEYOKA_UNIT = 0.89
+
+
 def table(lines):
-    return list(csv.DictReader(l for l in lines if l[:1] != "#"))
+    head = next(l for l in lines if l[:1] != "#")
+    return list(csv.DictReader((l for l in lines if l[:1] != "#"),
+                               delimiter=";" if ";" in head else ","))
+
+
+def read(path):
+    """The rows of a CSV of results; none if there is no such file."""
+    path = pathlib.Path(path)
+    return table(path.read_text().splitlines()) if path.exists() else []
 
 
 def short(x, digits=3):
@@ -64,75 +77,49 @@ def kept(lines):
         ran = above_floor(all_of_it)
         good = [r["status"] == "ok" for r in ran]
         for quantity, values in (
-                ("slopes", [rough(float(r["slopes_per_unit"])) for r in ran]),
                 ("error", [short(float(r["error"]), 2) if ok
                            else r["status"].replace(" ", "_")
                            for r, ok in zip(ran, good)]),
                 ("cost", [rough(float(r["ns_per_unit"])
                                 / float(r["textbook_ns"]))
                           for r, ok in zip(ran, good) if ok])):
-            if key[0] == "portable" or quantity in ("error", "cost"):
-                yield ",".join([*key, quantity, " ".join(values)])
+            yield ",".join([*key, quantity, " ".join(values)])
 
 
 def curves(path):
-    """{(build, scene, method): [rung]} of a kept file, a rung a dict of error,
-    cost, slopes and status, its error and cost NaN where that is not "ok"; and
-    {(build, scene): ns of the textbook's step}."""
-    if not pathlib.Path(path).exists():
-        return {}, {}
+    """{(build, scene, method): [rung]} of a kept file, a rung a dict of error
+    and cost, NaN where it failed; and {(build, scene): ns of the textbook's
+    step}.  heyoka's, measured elsewhere, are among them."""
     found, ns = {}, {}
-    for r in table(pathlib.Path(path).read_text().splitlines()):
+    for r in read(path):
         key = r["build"], r["scene"], r["method"]
         if r["quantity"] == "ns_per_step":
             ns[key[:2]] = float(r["rungs"])
         else:
             found.setdefault(key, {})[r["quantity"]] = r["rungs"].split()
-    return {key: rungs(columns) for key, columns in found.items()}, ns
+    each = {key: rungs(**columns) for key, columns in found.items()}
+    for r in read(pathlib.Path(__file__).parent / "peers/heyoka.csv"):
+        each.setdefault(("portable", r["scene"], "heyoka"), []).append(
+            {"error": float(r["error"]),
+             "cost": float(r["cost"]) * HEYOKA_UNIT})
+    return each, ns
 
 
-def elsewhere(path, step):
-    """{(build, scene, method): [rung]} of heyoka.csv, whose costs are in steps
-    that take so many of the textbook's."""
-    found = {}
-    if math.isnan(step):
-        return found
-    for r in table(pathlib.Path(path).read_text().splitlines()):
-        found.setdefault(("portable", r["scene"], "heyoka"), []).append(
-            {"status": "ok", "error": float(r["error"]),
-             "cost": float(r["cost"]) * step, "slopes": math.nan})
-    return found
+def rungs(error, cost):
+    costs = iter(cost)
+    good = [e[0].isdigit() for e in error]
+    return [{"error": float(e) if ok else math.nan,
+             "cost": float(next(costs)) if ok else math.nan}
+            for e, ok in zip(error, good)]
 
 
-def plain_step(rows):
-    """What a step of RK4 without tangent costs, by steps.csv, in the
-    textbook's."""
-    ns = {r["method"]: float(r["ns_per_step"]) for r in rows
-          if r["build"] == "portable"}
-    return ns.get("RK4 without tangent", math.nan) / ns["textbook RK4"]
-
-
-def rungs(columns):
-    cost = iter(columns["cost"])
-    out = []
-    unknown = [math.nan] * len(columns["error"])
-    for error, slopes in zip(columns["error"], columns.get("slopes", unknown),
-                             strict=True):
-        good = error[0].isdigit()
-        out.append({"status": "ok" if good else error,
-                    "error": float(error) if good else math.nan,
-                    "cost": float(next(cost)) if good else math.nan,
-                    "slopes": float(slopes)})
-    return out
-
-
-def front(rungs, what="cost"):
+def front(rungs):
     """Of (error, cost) those that no cheaper rung beats.  An error counts if
     the next finer rung reaches it too: by one alone it can be where two terms
     of an error cancel."""
     pairs = list(zip(rungs, [*rungs[1:], *rungs[-1:]]))
-    points = [(max(r["error"], finer["error"]), r[what]) for r, finer in pairs
-              if r["status"] == finer["status"] == "ok"]
+    points = [(max(r["error"], finer["error"]), r["cost"])
+              for r, finer in pairs if r["cost"] > 0 and finer["cost"] > 0]
     kept = []
     for error, cost in sorted(points, key=lambda p: p[1]):
         if not kept or error < kept[-1][0]:

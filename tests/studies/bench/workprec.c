@@ -33,9 +33,6 @@
 /* An error beyond this is no accuracy any more, but another motion. */
 #define WRONG 1.0
 
-unsigned long workprec_slopes;
-int workprec_counts;
-
 /* A rung under measurement. */
 struct rung {
     const scene *c;
@@ -44,7 +41,7 @@ struct rung {
 };
 
 struct reading {
-    double error, ns, slopes, textbook;
+    double error, ns, textbook;
     const char *status;
 };
 
@@ -54,14 +51,6 @@ static unsigned long steps_of(const struct rung *r, double t)
         return 1;
     const double n = ceil(t / (r->setting * r->c->unit) - 1e-9);
     return n < 1 ? 1 : (unsigned long)n;
-}
-
-static unsigned long all_steps(const struct rung *r)
-{
-    unsigned long n = 0;
-    for (int i = 1; i < r->c->rows; ++i)
-        n += steps_of(r, r->c->row[i].t - r->c->row[i - 1].t);
-    return n;
 }
 
 static const char *judge(const struct rung *r, int failed, double error)
@@ -79,8 +68,6 @@ static const char *judge(const struct rung *r, int failed, double error)
 /* From row to row, to see how far it is from the truth. */
 static void check(const struct rung *r, struct reading *out)
 {
-    workprec_slopes = 0;
-    workprec_counts = 1;
     r->v->begin(r->v, r->c, r->setting);
     out->error = 0;
     out->status = "ok";
@@ -94,9 +81,6 @@ static void check(const struct rung *r, struct reading *out)
         if (strcmp(out->status, "ok") != 0)
             break;
     }
-    workprec_counts = 0;
-    out->slopes = r->v->slopes > 0 ? r->v->slopes * (double)all_steps(r)
-                                   : (double)workprec_slopes;
 }
 
 /* All of the run; least[] takes the least time of each piece, if given. */
@@ -195,24 +179,23 @@ static void walk(const char *build, const scene *c, const solver *v,
                  double *quiet)
 {
     const double span = c->row[c->rows - 1].t / c->unit;
-    struct reading before = {0, 0, 0, 0, ""};
+    double before = -1;
     double best = INFINITY;
     for (int i = 0, idle = 0; idle < IDLE; ++i) {
         const double setting = v->first * pow(v->factor, i);
         const struct rung r = {c, v, fmax(setting, v->last)};
-        struct reading out = {0, NAN, 0, NAN, ""};
+        struct reading out = {0, NAN, NAN, ""};
         if (setting < v->last * 0.999)
             break;
         check(&r, &out);
-        if (out.slopes == before.slopes && out.error == before.error)
+        if (out.error == before)
             continue; /* the same run as the rung above */
-        before = out;
+        before = out.error;
         const int ok = strcmp(out.status, "ok") == 0;
         if (ok)
             measure(&r, &out, quiet);
-        printf("%s,%s,%s,%.4g,%.3g,%.3g,%.3g,%.3g,%s\n", build, c->name,
-               v->name, r.setting, out.error, out.ns / span, out.slopes / span,
-               out.textbook, out.status);
+        printf("%s,%s,%s,%.4g,%.3g,%.3g,%.3g,%s\n", build, c->name, v->name,
+               r.setting, out.error, out.ns / span, out.textbook, out.status);
         fflush(stdout);
         idle = ok && out.error > BETTER * best ? idle + 1 : 0;
         best = ok ? fmin(best, out.error) : best;

@@ -28,10 +28,6 @@ typedef struct solver {
     coin_state (*state)(void);
 } solver;
 
-/* Right-hand sides since begin(), kept by who takes a tolerance, when asked. */
-extern unsigned long workprec_slopes;
-extern int workprec_counts;
-
 /* main() of a program of solvers: argv[1] names the build, further arguments
  * choose scenes. */
 int workprec(const solver *list, int count, int argc, char **argv);

@@ -3,7 +3,7 @@
 # Whether a wrong answer ever comes without a word: included by the Makefile.
 #
 #   make silent     1.05 million random runs and what became of them; renews
-#                   tests/studies/bench/results and the tables of docs/limits.md
+#                   the results and tables.md
 #   make endurance  1e9 steps against closed forms
 #
 # The seeds by which claims and limits were set are not those that judge.
@@ -42,4 +42,4 @@ silent: $(LIMITS_OUT)/silent $(LIMITS_OUT)/truth need-bits ## count silent wrong
 	{ $(BITS); echo '# seed and runs: $(JUDGE_RUNS)'; \
 	    $< judge $(JUDGE_RUNS); } >$(LIMITS_OUT)/silent.csv
 	cp $(LIMITS_OUT)/silent*.csv $(RESULTS)
-	$(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(SRC)/docs/limits.md
+	$(PYTHON) $(BENCH_SRC)/summary.py $(RESULTS) $(STUDIED)

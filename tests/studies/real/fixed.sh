@@ -9,7 +9,7 @@ command -v valgrind >/dev/null || { echo "needs valgrind" >&2; exit 1; }
 
 count()
 {
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$@" 2>&1 |
+    valgrind --tool=callgrind --callgrind-out-file="$FIXED.callgrind" "$@" 2>&1 |
         sed -n 's/.*Collected : //p'
 }
 

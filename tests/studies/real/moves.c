@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What coins that slip cost, and how they end: too long for `make check`.
- *     moves launches N SHARE   random launches with mu_kinetic = SHARE
- *                               mu_static: how they end, and the worst cost
- *     moves cost                beside coin_advance(), where nothing slips */
+/* How coins that slip end, and what they cost: too long for `make check`.
+ *     moves N SHARE    random launches with mu_kinetic = SHARE mu_static */
 #include "support/slides.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
 static double seconds(void)
@@ -18,7 +15,6 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* ---------------------------------------------------------------- launches */
 static void launches(int n, double share)
 {
     struct random r = random_begin(201);
@@ -56,45 +52,9 @@ static void launches(int n, double share)
            1e6 * all / time, 1e3 * worst);
 }
 
-/* ------------------------------------------------------------------- rolls */
-/* Frames of 1/60 s of a US quarter that rolls. */
-static void cost(void)
-{
-    const coin_state start = {.theta = 0.3, .wY = 5, .wZ = 40};
-    const coin_table f = {.mu_static = 0.6, .mu_kinetic = 0.5};
-    enum { FRAMES = 60, TRIED = 400 };
-    coin_params p;
-    coin_params_disc(&p, 0.00567, 0.01213, 9.80665);
-    for (double tol = 1e-3; tol > 0.5e-9; tol /= 1000) {
-        double rolls = INFINITY, moves = INFINITY;
-        for (int k = 0; k < TRIED; ++k) {
-            coin_state s = start;
-            coin_body d;
-            coin_body_from_state(&d, &start, &p);
-            const double t0 = seconds();
-            for (int i = 0; i < FRAMES; ++i)
-                coin_advance(&s, &p, 1.0 / 60, tol, NULL);
-            const double t1 = seconds();
-            for (int i = 0; i < FRAMES; ++i)
-                coin_move(&d, &p, &f, 1.0 / 60, tol, 0, NULL);
-            const double t2 = seconds();
-            rolls = fmin(rolls, t1 - t0);
-            moves = fmin(moves, t2 - t1);
-        }
-        printf("a frame at %.0e: %.2f us, %.1f times coin_advance()\n", tol,
-               1e6 * moves / FRAMES, moves / rolls);
-    }
-}
-
 int main(int argc, char **argv)
 {
-    const char *what = argc > 1 ? argv[1] : "";
-    if (strcmp(what, "launches") == 0)
-        launches(argc > 2 ? atoi(argv[2]) : 10000,
-                 argc > 3 ? strtod(argv[3], NULL) : 0.9);
-    else if (strcmp(what, "cost") == 0)
-        cost();
-    else
-        return 2;
+    launches(argc > 1 ? atoi(argv[1]) : 10000,
+             argc > 2 ? strtod(argv[2], NULL) : 0.9);
     return 0;
 }

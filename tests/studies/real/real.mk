@@ -5,13 +5,10 @@
 REAL_OUT = $(O)/real
 LAUNCHES ?= 10000
 
-.PHONY: real-study real-cost
+.PHONY: real-study
 real-study: $(REAL_OUT)/study ## coins to rest: launches, and the time by calls and tolerances
 	$< launches $(LAUNCHES)
 	$< calls
-
-real-cost: $(REAL_OUT)/study ## instructions to rest, in textbook steps
-	STUDY=$(abspath $<) sh $(SRC)/tests/studies/real/cost.sh
 
 $(REAL_OUT)/%: $(SRC)/tests/studies/real/%.c $(SRC)/tests/studies/real/laws.h \
                $(SRC)/tests/studies/bench/textbook.c $(SRC)/tests/support/losses.c \
@@ -23,10 +20,9 @@ $(REAL_OUT)/%: $(SRC)/tests/studies/real/%.c $(SRC)/tests/studies/real/laws.h \
 $(REAL_OUT)/study: $(TEST_EXTRA)
 
 .PHONY: move-study
-move-study: $(REAL_OUT)/moves ## coins that slip: launches, and the cost while they roll
-	$< launches $(LAUNCHES)
-	$< launches $(LAUNCHES) 1
-	$< cost
+move-study: $(REAL_OUT)/moves ## coins that slip: how launches end
+	$< $(LAUNCHES)
+	$< $(LAUNCHES) 1
 
 $(REAL_OUT)/moves: $(SRC)/tests/studies/real/moves.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
 	$(CC_TEST) $(CMOCKA) -D_POSIX_C_SOURCE=200809L -I$(SRC)/tests $(LDFLAGS) -o $@ $(filter %.c,$^) \

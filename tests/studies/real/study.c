@@ -2,9 +2,6 @@
 /* What coins with losses do over whole lives: too long for `make check`.
  *     study launches N     random violent launches: do all end, and how
  *     study calls          the time of rest by calls and tolerances
- *     study life COIN TOL FPS [CALLS]   one life, or so many calls of it, to be
- *                          counted: 0 Euler's disk, 1 a quarter; in one call if
- *                          FPS is 0
  *     study textbook N     N textbook steps, to be counted
  * Fails if a figure is not what docs/limits.md says. */
 #include "laws.h"
@@ -116,21 +113,19 @@ static coin_state toy(int quarter, coin_params *p, coin_losses *l)
     return s;
 }
 
-static double life(int quarter, double tol, double fps, double *turns,
-                   int calls_most)
+/* When it rests: in calls of 1/fps s, or in one if fps is 0. */
+static double life(int quarter, double tol, double fps, double *turns)
 {
     coin_params p;
     coin_losses l;
     coin_state s = toy(quarter, &p, &l);
     double when = 0, reached;
     int32_t status;
-    int done = 0;
     do {
         status =
             coin_settle(&s, &p, &l, fps > 0 ? 1 / fps : 1e3, tol, &reached);
         when += reached;
-    } while ((status == COIN_OK || status == COIN_ESTEP) &&
-             ++done < calls_most);
+    } while (status == COIN_OK || status == COIN_ESTEP);
     *turns = s.psi / (4 * HALF_PI);
     return when;
 }
@@ -140,12 +135,12 @@ static void calls(void)
     for (int quarter = 0; quarter < 2; ++quarter) {
         double turns;
         const double T = sqrt((quarter ? 0.01213 : 0.0375) / 9.80665);
-        const double exact = life(quarter, 1e-12, 0, &turns, 100000);
+        const double exact = life(quarter, 1e-12, 0, &turns);
         printf("%s: rests after %.12g s, %.3f turns\n",
                quarter ? "quarter" : "Euler's disk", exact, turns);
         for (double tol = 1e-6; tol > 5e-12; tol /= 10) {
-            const double one = life(quarter, tol, 0, &turns, 100000);
-            const double frames = life(quarter, tol, 60, &turns, 100000);
+            const double one = life(quarter, tol, 0, &turns);
+            const double frames = life(quarter, tol, 60, &turns);
             printf("  tol %.0e: one call off by %.1e, 60 a second by %.1e, "
                    "relative\n",
                    tol, one / exact - 1, frames / exact - 1);
@@ -160,15 +155,10 @@ int main(int count, char **of)
 {
     const char *what = count > 1 ? of[1] : "";
     const double number = count > 2 ? atof(of[2]) : 0;
-    double turns;
     if (!strcmp(what, "launches"))
         launches((int)number);
     else if (!strcmp(what, "calls"))
         calls();
-    else if (!strcmp(what, "life") && count > 4)
-        printf("rests after %.12g s\n",
-               life(number > 0, atof(of[3]), atof(of[4]), &turns,
-                    count > 5 ? atoi(of[5]) : 100000));
     else if (!strcmp(what, "textbook")) {
         const coin_params p = disc();
         coin_state s = {0.5, 0, 0, 0, 0, 0.1, 0.8, 1.2};

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* An orbit beside steps; but for the ratios on scene generic, whose natural
- * unit of time is 1.
- *     peer_orbit costs    of n frames in a time T, each way to WANTED
- *     peer_orbit ratios   to a textbook step, of one query and of init
- *     peer_orbit phase    of each stepper, long after, against the orbit */
+/* An orbit beside steps: what n frames in a time T cost each way, to an error
+ * of WANTED, on scene generic, whose natural unit of time is 1.  CSV. */
 #include "../clock.h"
-#include "../movers.h"
 #include "../textbook.h"
 #include "rates.h"
 
@@ -192,91 +188,13 @@ static void costs(void)
     }
 }
 
-/* Of 256 queries at random times up to 100 units, and of as many steps, in
- * turns; and of coin_orbit_init(). */
-static void ratios(void)
-{
-    static const char *const names[] = {
-        "wobble", "generic",  "tumble",   "nearflat", "flat3",
-        "ring",   "ring_b05", "negative", "quarter",  "si_washer",
-    };
-    puts("scene,textbook_ns,query,init");
-    for (unsigned k = 0; k < sizeof names / sizeof *names; ++k) {
-        double query = INFINITY, step = INFINITY, init = INFINITY;
-        scene_load(&c, names[k], 20);
-        for (int again = 0; again < 4000; ++again) {
-            coin_state s = c.row[0].s, at;
-            init = fmin(init, again % 16 == 0 ? cost_of_init() : init);
-            const double begin = clock_ns();
-            for (int i = 0; i < 256; ++i)
-                coin_orbit_at(&orbit, i * 149 % 256 * c.unit / 2.56, &at);
-            const double middle = clock_ns();
-            textbook_run(&s, &c.p, 1e-3 * c.unit, 256);
-            step = fmin(step, (clock_ns() - middle) / 256);
-            query = fmin(query, (middle - begin) / 256);
-        }
-        printf("%s,%.4g,%.3g,%.4g\n", names[k], step, query / step,
-               init / step);
-    }
-}
-
-/* How late a state is, or how early, beside the orbit's, as an angle of the
- * period: along the way through the plane of theta and wX, to first order. */
-static double phase_of(const coin_state *s, const coin_state *truth)
-{
-    coin_state d;
-    coin_rates(truth, &c.p, &d);
-    const double late =
-        (d.theta * (s->theta - truth->theta) + d.wX * (s->wX - truth->wX)) /
-        (d.theta * d.theta + d.wX * d.wX);
-    return 6.283185307179586 * late / orbit.period;
-}
-
-/* Beyond, a first order is none; and some whole period may be lost. */
-#define LOST 0.3
-
-static void phase(enum mover_kind kind, double h)
-{
-    mover m = mover_at(kind, &c.row[0].s, &c.p, h);
-    for (int i = 0; i <= 6; ++i) {
-        coin_state truth;
-        const double t = pow(10, 3 + i / 2.0);
-        if (mover_go(&m, (unsigned long)((t - (double)m.t) / h)))
-            return;
-        coin_orbit_at(&orbit, (double)m.t, &truth);
-        const double phase = fabs(phase_of(&m.s, &truth));
-        if (!(phase < LOST))
-            return;
-        printf("%s,%g,%.6g,%.3g\n", mover_name(kind), h, (double)m.t, phase);
-    }
-    fflush(stdout);
-}
-
-static void phases(void)
-{
-    puts("method,h,t,phase");
-    phase(MOVER_TEXTBOOK, 0.05);
-    phase(MOVER_RK4, 0.05);
-    phase(MOVER_RK4, 0.01);
-    phase(MOVER_RK8, 0.1);
-    phase(MOVER_RK8, 0.05);
-    phase(MOVER_SUNDMAN, 0.1);
-    phase(MOVER_SYMPLECTIC2, 0.01);
-    phase(MOVER_SYMPLECTIC4, 0.1);
-}
-
-int main(int argc, char **argv)
+int main(void)
 {
     gsl_set_error_handler_off();
     scene_load(&c, "generic", 20);
     body = peer_body_of(&c);
     if (coin_orbit_init(&orbit, &c.row[0].s, &c.p) != COIN_OK)
         return 1;
-    if (argc > 1 && strcmp(argv[1], "phase") == 0)
-        phases();
-    else if (argc > 1 && strcmp(argv[1], "ratios") == 0)
-        ratios();
-    else
-        costs();
+    costs();
     return 0;
 }

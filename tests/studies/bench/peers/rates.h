@@ -36,7 +36,6 @@ static inline void peer_rates(const struct peer_body *b, const double *y,
     d[5] = (s - wY * ((IZ + 1) * wZ + IX * wYt)) * (1 / (IX + 1));
     d[6] = wX * (wYt + (IZ / IX) * wZ);
     d[7] = wX * wY * (1 / (IZ + 1));
-    ++workprec_slopes;
 }
 
 enum { PEER_SIZE = 8, PEER_FREE_SIZE = 11 };
@@ -58,7 +57,6 @@ static inline void peer_free_rates(const struct peer_body *b, const double *y,
     d[8] = (s - wY * ((IZ + 1) * wZ + IX * wYt)) * (1 / (IX + 1));
     d[9] = wX * (wYt + (IZ / IX) * wZ);
     d[10] = wX * wY * (1 / (IZ + 1));
-    ++workprec_slopes;
 }
 
 static inline void peer_free_start(const scene *c, double y[PEER_FREE_SIZE])
