@@ -73,13 +73,22 @@ grown_since_release || die "a break of the ABI of a release: take it back," \
     "or raise the number that the soname carries"
 
 # ----------------------------------------------------------------------- update
+bare_headers()
+{
+    mkdir -p "$base/include"
+    for header in "$include"/*.h; do
+        { head -1 "$header"
+            gcc -fpreprocessed -dD -E -P -w "$header" | sed 's/ *$//'
+        } >"$base/include/$(basename "$header")"
+    done
+}
+
 case ${1:-} in
 update)
     mkdir -p "$base"
     cp "$work/new"/* "$base"
-    # The headers of a soname's first release stay.
-    test -d "$base/released" ||
-        { rm -rf "$base/include"; cp -r "$include" "$base/include"; }
+    # The headers of a soname's first release stay, without their comments.
+    test -d "$base/released" || bare_headers
     echo "abi: accepted as librollcoin.so.$SOVERSION:" \
         "$(wc -l <"$base/symbols.txt") symbols"
     exit
