@@ -70,7 +70,7 @@ scene made(const row &r, const genome &g)
 {
     scene s = scene_of(g, r.narrow);
     if (r.edge)
-        r.edge(&s, g.data());
+        r.edge(&s, g.data(), r.kind);
     return s;
 }
 
@@ -82,7 +82,7 @@ void confirm(const row &r, const best &top, best *b)
     if (!(top.ratio > b->ratio))
         return;
     const double ratio =
-        top.ratio > MATTERS ? r.exact(top.at, NO_CLAIM) : top.ratio;
+        top.ratio > MATTERS ? r.exact(top.at, r.kind, NO_CLAIM) : top.ratio;
     if (ratio > b->ratio)
         *b = {ratio, top.at};
 }
@@ -103,7 +103,7 @@ best search(const row &r, long evaluations, uint64_t seed)
         }
         const genome g = anew ? anywhere(&c) : beside(at, &c);
         const scene s = made(r, g);
-        const double ratio = r.quick(s, top.ratio);
+        const double ratio = r.quick(s, r.kind, top.ratio);
         const bool rises = ratio > RISE * mark;
         since = anew || rises ? 0 : since + 1;
         mark = rises ? ratio : mark;
@@ -118,8 +118,8 @@ best search(const row &r, long evaluations, uint64_t seed)
 
 void print(const row &r, long evaluations, const best &b)
 {
-    std::printf("%s,%ld,%.3g,%s,%s\n", r.function, evaluations, b.ratio, r.law,
-                text_of(b.at).c_str());
+    std::printf("%s,%ld,%.3g,%s,%s\n", r.function, evaluations, b.ratio,
+                r.bound, text_of(b.at).c_str());
     std::fflush(stdout);
 }
 
@@ -188,7 +188,7 @@ int replay(const std::vector<row> &rows, const char *file)
             std::fprintf(stderr, "adversary: not a case: %s", line);
             return 2;
         }
-        const double ratio = r->exact(s, NO_CLAIM);
+        const double ratio = r->exact(s, r->kind, NO_CLAIM);
         ++cases;
         beyond += ratio > 1;
         if (ratio > 1)
@@ -204,15 +204,11 @@ int replay(const std::vector<row> &rows, const char *file)
 int main(int argc, char **argv)
 {
     std::vector<row> rows;
-    add_observables(&rows);
-    add_steady(&rows);
-    add_steps(&rows);
-    add_motions(&rows);
-    add_losses(&rows);
-    add_slides(&rows);
-    add_slide_events(&rows);
-    add_calls(&rows);
-    add_thrown(&rows);
+    for (const auto &of : {observables, steady_motions, steps, rolling_motions,
+                           losses_of_energy, slips, throws}) {
+        const std::vector<row> some = of();
+        rows.insert(rows.end(), some.begin(), some.end());
+    }
     if (argc >= 6 && !std::strcmp(argv[1], "search"))
         return search_all(rows, argc, argv);
     if (argc == 3 && !std::strcmp(argv[1], "replay"))

@@ -15,9 +15,6 @@
     using force = PREFIX##_force;                                              \
     static constexpr auto disc = PREFIX##_params_disc;                         \
     static constexpr auto ring = PREFIX##_params_ring;                         \
-    static constexpr auto body = PREFIX##_params_body;                         \
-    static constexpr auto params_check = PREFIX##_params_check;                \
-    static constexpr auto state_check = PREFIX##_state_check;                  \
     static constexpr auto from_motion = PREFIX##_state_from_motion;            \
     static constexpr auto angular_velocity = PREFIX##_angular_velocity;        \
     static constexpr auto step = PREFIX##_step;                                \

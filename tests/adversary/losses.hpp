@@ -36,6 +36,8 @@ template <class R> struct slowing {
 template <class R> struct losses {
     R damping, dry, viscous, layer, gap, rolling, spin, angular, soft;
 
+    losses() = default;
+
     /* In units of mass M, length L, time T. */
     template <class S>
     losses(const S &l, double least_soft, R M, R L, R T)
@@ -83,15 +85,6 @@ template <class R> struct losses {
         d.power = {fade * T2 + spin * wy * wy - Q * roll + all,
                    fades * T2 + spin * turns * turns + most * size + all};
         return d;
-    }
-
-    /* Adds d(wX), d(wY), d(wZ)/dt where M = a = g = 1. */
-    void add(R IX, R IZ, R s, R c, R wX, R wY, R wZ, R *d) const
-    {
-        const slowing<R> l = at(IX, IZ, 1 + IX, 1 + IZ, s, c, wX, wY, wZ);
-        d[0] += l.wX.value;
-        d[1] += l.wY.value;
-        d[2] += l.wZ.value;
     }
 };
 

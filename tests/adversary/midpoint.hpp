@@ -7,7 +7,6 @@
 #include "number.hpp"
 
 #include <array>
-#include <type_traits>
 
 /* The change in H by n substeps; rates(v, d) is the slope where the variables
  * have changed by v, d0 that where they have not. */
@@ -31,7 +30,7 @@ void by_midpoints(const F &rates, const std::array<R, N> &d0, R H, int n,
 
 /* A correction that is none, in parts of a variable's size. */
 template <class R>
-constexpr double NONE = std::is_same_v<R, long double> ? 0x1p-58 : 1e-26;
+constexpr double NONE = std::numeric_limits<R>::digits == 64 ? 0x1p-54 : 1e-26;
 
 /* The change in H, until a correction is at most `none` parts of sizes; false
  * if that takes more columns. */
@@ -46,17 +45,17 @@ bool extrapolated(const F &rates, const std::array<R, N> &sizes, R H,
         by_midpoints<R, N>(rates, d0, H, 2 * k + 2, table[k]);
         R error = 0;
         for (int j = k - 1; j >= 0; --j) {
-            const R ratio = R(k + 1) / (j + 1), f = ratio * ratio - 1;
-            error = 0;
+            const R ratio = R(k + 1) / (j + 1), f = 1 / (ratio * ratio - 1);
             for (size_t i = 0; i < N; ++i) {
-                const R off = (table[j + 1][i] - table[j][i]) / f;
+                const R off = (table[j + 1][i] - table[j][i]) * f;
                 table[j][i] = table[j + 1][i] + off;
-                error = larger(error, magnitude(off) / sizes[i]);
+                if (j == 0)
+                    error = larger(error, magnitude(off) / sizes[i]);
             }
         }
         if (!(error < 1)) /* also NaN */
             return false;
-        if (k >= 3 && error < R(none)) {
+        if (k >= 2 && error < R(none)) {
             change = table[0];
             return true;
         }

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* A body off the table by Newton and Euler: a quaternion, Euler's equations in
- * the axes of the body, Taylor series in steps; an impulse at the lowest point
- * by its matrix in the table's frame.  Natural units. */
+/* A body off the table by Newton and Euler: its axes and Euler's equations in
+ * them, extrapolated; an impulse at the lowest point in the table's frame.
+ * Natural units. */
 #ifndef ROLLCOIN_ADVERSARY_NEWTON_HPP
 #define ROLLCOIN_ADVERSARY_NEWTON_HPP
 
-#include "number.hpp"
+#include "midpoint.hpp"
+#include "truth.hpp"
 
 #include <coin.h>
 
@@ -17,19 +18,23 @@ template <class R> class newton
 
     newton(const coin_params &p, const coin_body &b)
     {
-        const R a = p.radius, w0 = root(p.gravity / a), m = R(p.mass) * a * a;
-        IX = p.inertia_X / m;
-        IZ = p.inertia_Z / m;
-        turn_from(b.s);
-        const R cps = cosine(R(b.s.psi)), sps = sine(R(b.s.psi));
-        const R wX = b.s.wX / w0, wY = b.s.wY / w0;
-        w[0] = cps * wX + sps * wY;
-        w[1] = cps * wY - sps * wX;
-        w[2] = b.s.wZ / w0;
+        const moment<R> y(p, b.s);
+        const R w0 = root(y.g / y.a), cps = cosine(y.psi), sps = sine(y.psi);
         const R at[] = {b.s.x, b.y, b.s.z}, by[] = {b.vx, b.vy, b.vz};
+        const R X[] = {y.cph, 0, -y.sph};
+        const R Y[] = {y.s * y.sph, y.c, y.s * y.cph};
+        const R Z[] = {y.c * y.sph, -y.s, y.c * y.cph};
+        IX = y.IX / y.m;
+        IZ = y.IZ / y.m;
+        w[0] = (cps * y.wX + sps * y.wY) / w0;
+        w[1] = (cps * y.wY - sps * y.wX) / w0;
+        w[2] = y.wZ / w0;
         for (int i = 0; i < 3; ++i) {
-            r[i] = at[i] / a;
-            v[i] = by[i] / (a * w0);
+            A[i][0] = cps * X[i] + sps * Y[i];
+            A[i][1] = cps * Y[i] - sps * X[i];
+            A[i][2] = Z[i];
+            r[i] = at[i] / y.a;
+            v[i] = by[i] / (y.a * w0);
         }
     }
 
@@ -37,7 +42,10 @@ template <class R> class newton
     {
         while (t > 0) {
             const R h = lesser(t, R(0.5) / (1 + speed()));
-            step(h);
+            turn(h);
+            for (int i = 0; i < 3; ++i)
+                r[i] += v[i] * h - (i == 1 ? h * h / 2 : R(0));
+            v[1] -= h;
             t -= h;
         }
     }
@@ -63,12 +71,12 @@ template <class R> class newton
     /* From the centre to the lowest point, and its velocity. */
     void lowest(R d[3], R u[3]) const
     {
-        const R *const n[] = {&A[0][2], &A[1][2], &A[2][2]};
-        const R h = root(*n[0] * *n[0] + *n[2] * *n[2]);
+        const R n[] = {A[0][2], A[1][2], A[2][2]};
+        const R h = root(n[0] * n[0] + n[2] * n[2]);
         R om[3];
-        d[0] = *n[1] * *n[0] / h;
+        d[0] = n[1] * n[0] / h;
         d[1] = -h;
-        d[2] = *n[1] * *n[2] / h;
+        d[2] = n[1] * n[2] / h;
         omega(om);
         for (int i = 0; i < 3; ++i) {
             const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -108,63 +116,31 @@ template <class R> class newton
     }
 
   private:
-    static constexpr int ORDER = 28; /* 0.5^28/28! is 1e-38 */
-
-    void turn_from(const coin_state &s)
+    /* w, and the rows of A: A' = A times w.  In a step of half a radian of the
+     * fastest rate the extrapolation ends. */
+    void turn(R h)
     {
-        const R sth = sine(R(s.theta)), cth = cosine(R(s.theta));
-        const R sph = sine(R(s.phi)), cph = cosine(R(s.phi));
-        const R sps = sine(R(s.psi)), cps = cosine(R(s.psi));
-        const R X[] = {cph, 0, -sph}, Y[] = {sth * sph, cth, sth * cph};
-        const R Z[] = {cth * sph, -sth, cth * cph};
-        for (int i = 0; i < 3; ++i) {
-            A[i][0] = cps * X[i] + sps * Y[i];
-            A[i][1] = cps * Y[i] - sps * X[i];
-            A[i][2] = Z[i];
-        }
-    }
-
-    /* The series of w, and of each row of A: A' = A times w. */
-    void step(R h)
-    {
-        R cw[3][ORDER + 1], cA[3][3][ORDER + 1];
-        for (int i = 0; i < 3; ++i) {
-            cw[i][0] = w[i];
-            for (int j = 0; j < 3; ++j)
-                cA[i][j][0] = A[i][j];
-        }
-        const R part = (IX - IZ) / IX;
-        const auto times = [](const R *a, const R *b, int k) {
-            R sum = 0;
-            for (int i = 0; i <= k; ++i)
-                sum += a[i] * b[k - i];
-            return sum;
+        using vector = std::array<R, 12>;
+        vector y, sizes, change = {};
+        sizes.fill(1);
+        for (size_t i = 0; i < 12; ++i)
+            y[i] = i < 3 ? w[i] : A[i / 3 - 1][i % 3];
+        sizes[0] = sizes[1] = sizes[2] = 1 + speed();
+        const auto rates = [&](const vector &by, vector &d) {
+            vector q;
+            for (size_t i = 0; i < 12; ++i)
+                q[i] = y[i] + by[i];
+            d[0] = (IX - IZ) / IX * q[1] * q[2];
+            d[1] = (IZ - IX) / IX * q[0] * q[2];
+            d[2] = 0;
+            for (size_t i = 3; i < 12; ++i) {
+                const size_t row = i / 3 * 3, l = (i + 1) % 3, m = (i + 2) % 3;
+                d[i] = q[row + l] * q[m] - q[row + m] * q[l];
+            }
         };
-        for (int k = 0; k < ORDER; ++k) {
-            cw[0][k + 1] = part * times(cw[1], cw[2], k) / (k + 1);
-            cw[1][k + 1] = -part * times(cw[0], cw[2], k) / (k + 1);
-            cw[2][k + 1] = 0;
-            for (int i = 0; i < 3; ++i)
-                for (int j = 0; j < 3; ++j) {
-                    const int l = (j + 1) % 3, m = (j + 2) % 3;
-                    cA[i][j][k + 1] = (times(cA[i][l], cw[m], k) -
-                                       times(cA[i][m], cw[l], k)) /
-                                      (k + 1);
-                }
-        }
-        const auto at = [h](const R *c) {
-            R sum = c[ORDER];
-            for (int k = ORDER - 1; k >= 0; --k)
-                sum = sum * h + c[k];
-            return sum;
-        };
-        for (int i = 0; i < 3; ++i) {
-            w[i] = at(cw[i]);
-            for (int j = 0; j < 3; ++j)
-                A[i][j] = at(cA[i][j]);
-            r[i] += v[i] * h - (i == 1 ? h * h / 2 : 0);
-        }
-        v[1] -= h;
+        extrapolated<R, 12>(rates, sizes, h, change);
+        for (size_t i = 0; i < 12; ++i)
+            (i < 3 ? w[i] : A[i / 3 - 1][i % 3]) += change[i];
     }
 };
 

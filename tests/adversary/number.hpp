@@ -10,67 +10,35 @@
 
 using quad = __float128;
 
-inline long double sine(long double x)
+#define OF_BOTH(name, function)                                                \
+    inline long double name(long double x)                                     \
+    {                                                                          \
+        return function##l(x);                                                 \
+    }                                                                          \
+    inline quad name(quad x)                                                   \
+    {                                                                          \
+        return function##q(x);                                                 \
+    }
+OF_BOTH(sine, sin)
+OF_BOTH(cosine, cos)
+OF_BOTH(root, sqrt)
+OF_BOTH(logarithm, log)
+OF_BOTH(whole_part, trunc)
+OF_BOTH(magnitude, fabs)
+
+inline double magnitude(double x)
 {
-    return std::sin(x);
-}
-inline long double cosine(long double x)
-{
-    return std::cos(x);
-}
-inline long double root(long double x)
-{
-    return std::sqrt(x);
-}
-inline long double logarithm(long double x)
-{
-    return std::log(x);
-}
-inline long double exponential(long double x)
-{
-    return std::exp(x);
+    return std::fabs(x);
 }
 inline long double angle(long double y, long double x)
 {
-    return std::atan2(y, x);
-}
-inline quad sine(quad x)
-{
-    return sinq(x);
-}
-inline quad cosine(quad x)
-{
-    return cosq(x);
-}
-inline quad root(quad x)
-{
-    return sqrtq(x);
-}
-inline quad logarithm(quad x)
-{
-    return logq(x);
-}
-inline quad exponential(quad x)
-{
-    return expq(x);
+    return atan2l(y, x);
 }
 inline quad angle(quad y, quad x)
 {
     return atan2q(y, x);
 }
-inline long double whole_part(long double x)
-{
-    return std::trunc(x);
-}
-inline quad whole_part(quad x)
-{
-    return truncq(x);
-}
 
-template <class R> R magnitude(R x)
-{
-    return x < 0 ? -x : x;
-}
 template <class R> R larger(R a, R b)
 {
     return a < b ? b : a;
@@ -88,24 +56,11 @@ template <class R> R whole_power(R x, int n)
 }
 
 /* The unit of rounding, and pi/2. */
-template <class R> R precision();
-template <> inline long double precision<long double>()
-{
-    return 0x1p-64L;
-}
-template <> inline quad precision<quad>()
-{
-    return FLT128_EPSILON / 2;
-}
-template <class R> R half_pi();
-template <> inline long double half_pi<long double>()
-{
-    return 1.570796326794896619231321691639751442L;
-}
-template <> inline quad half_pi<quad>()
-{
-    return M_PI_2q;
-}
+template <class R>
+constexpr R precision = std::numeric_limits<R>::digits == 64
+                            ? R(0x1p-64L)
+                            : R(FLT128_EPSILON / 2);
+template <class R> constexpr R half_pi = R(M_PI_2q);
 
 /* A sum beside the sum of its terms' absolute values, which is what "8 u of
  * the terms" counts in. */

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* What the search climbs: a row for each public function. */
+/* What the search climbs: a table of laws.  A row says what is called and what
+ * its bound is; its law calls it, and holds what comes out against the truth.
+ */
 #ifndef ROLLCOIN_ADVERSARY_ROW_HPP
 #define ROLLCOIN_ADVERSARY_ROW_HPP
 
-#include "number.hpp"
 #include "scene.hpp"
+#include "truth.hpp"
 
 #include <vector>
 
@@ -12,37 +14,51 @@
 constexpr double NO_CLAIM = -1;
 constexpr double BROKEN = std::numeric_limits<double>::infinity();
 
-/* Below this the motion's amplification, which is dear, is not taken out. */
-constexpr double UNAMPLIFIED = 0.3;
-
-/* Error over documented bound.  Not more than enough need be known: what is
- * dear to compute may be left out where the answer is below it already. */
-using judge = double (*)(const scene &s, double enough);
-
-struct row {
-    const char *function;
-    const char *law; /* the documented bound, in words */
-    int share;       /* one evaluation in so many, in a search of a minute: what
-                        one costs */
-    bool narrow;     /* scenes within the range of floats */
-    void (*edge)(scene *, const double *genes); /* leads to the row's own edge;
-                                                   may be null */
-    judge quick, exact; /* the truth in 64 and in 113 bits */
-};
-
-void add_observables(std::vector<row> *rows);
-void add_steady(std::vector<row> *rows);
-void add_steps(std::vector<row> *rows);
-void add_motions(std::vector<row> *rows);
-void add_losses(std::vector<row> *rows);
-void add_slides(std::vector<row> *rows);
-void add_slide_events(std::vector<row> *rows);
-void add_calls(std::vector<row> *rows);
-void add_thrown(std::vector<row> *rows);
-
-/* Keeps the worst of several outputs. */
-template <class R> struct verdict {
+/* A scene's arguments in the type of the function, the moment that they mean,
+ * and the largest error of several outputs in parts of their bounds. */
+template <class T, class R> struct trial {
+    const scene &s;
+    int kind;      /* of the row */
+    double enough; /* not more need be known of the answer: what is dear to
+                      compute may be left out where it is below that */
+    typename T::params p;
+    typename T::state y;
+    moment<R> at;
+    R u = R(T::u), least = R(T::least), normal = R(T::normal);
     double worst = 0;
+
+    trial(const scene &of, int which, double known)
+        : s(of), kind(which), enough(known), p(params_of<T>(of)),
+          y(state_of<T>(of)), at(p, y)
+    {
+    }
+
+    /* The arguments where the function has made the state. */
+    template <class S> trial &made(const S &state)
+    {
+        at = moment<R>(p, state);
+        return *this;
+    }
+
+    /* Whether every product in a term is a normal number, as the laws ask. */
+    bool is_normal() const
+    {
+        const R w[] = {at.wX, at.wY, at.wZ};
+        const R few[] = {at.s, at.sph, at.cph, at.k1, at.k2, at.IX / at.J};
+        R product = 1, part = 1;
+        for (R x : w)
+            for (R other : {R(1), w[0], w[1], w[2]})
+                product = x * other == 0
+                              ? product
+                              : lesser(product, magnitude(x * other));
+        for (R x : few)
+            part *= x == 0 ? R(1) : lesser(R(1), magnitude(x));
+        return product * part >= normal;
+    }
+    bool reads(bool answered) const
+    {
+        return answered && is_normal();
+    }
 
     void hold(R output, R truth, R allowed)
     {
@@ -54,11 +70,65 @@ template <class R> struct verdict {
             ratio = BROKEN;
         worst = ratio > worst ? ratio : worst;
     }
-
+    /* Within so many u of its terms; below the normal numbers within as many of
+     * the smallest. */
+    void hold(typename T::real output, const terms<R> &truth, int ulps)
+    {
+        hold(R(output), truth.value, ulps * (u * truth.size + least));
+    }
+    /* Within so many u of it. */
+    void near(typename T::real output, R truth, int ulps)
+    {
+        hold(R(output), truth, ulps * u * magnitude(truth));
+    }
     void equal(bool same)
     {
         worst = same ? worst : BROKEN;
     }
+    /* The answer of a law that is one ratio. */
+    bool is(double ratio)
+    {
+        worst = ratio > worst ? ratio : ratio == ratio ? worst : BROKEN;
+        return ratio != NO_CLAIM;
+    }
 };
+
+using judge = double (*)(const scene &s, int kind, double enough);
+
+struct row {
+    const char *function;
+    const char *bound; /* the documented bound, in words */
+    int share;         /* one evaluation in so many, in a search of a minute:
+                          what one costs */
+    bool narrow;       /* scenes within the range of floats */
+    int kind;          /* what of the law; a method */
+    void (*edge)(scene *, const double *genes, int kind); /* leads to the row's
+                                                 own edge; may be null */
+    judge quick, exact; /* the truth in 64 and in 113 bits */
+};
+
+/* A law is false where it claims nothing. */
+template <class T, class R, bool (*law)(trial<T, R> &)>
+double judged(const scene &s, int kind, double enough)
+{
+    trial<T, R> q(s, kind, enough);
+    return law(q) ? q.worst : NO_CLAIM;
+}
+
+#define LAW(T, name, bound, share, edge, kind, law)                            \
+    row                                                                        \
+    {                                                                          \
+        name, bound, share, (T::u > 1e-10), kind, edge,                        \
+            judged<T, long double, law<T, long double>>,                       \
+            judged<T, quad, law<T, quad>>                                      \
+    }
+
+std::vector<row> observables();
+std::vector<row> steady_motions();
+std::vector<row> steps();
+std::vector<row> rolling_motions();
+std::vector<row> losses_of_energy();
+std::vector<row> slips();
+std::vector<row> throws();
 
 #endif

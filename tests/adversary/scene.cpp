@@ -170,6 +170,21 @@ double heading(double gene)
 }
 } // namespace
 
+double fastest_of(const scene &s)
+{
+    const double c = std::cos(s.theta);
+    return std::sqrt((s.wX * s.wX + s.wY * s.wY) / (c * c) + s.wZ * s.wZ +
+                     s.g / (s.a * c));
+}
+
+void near_pose(scene *s, const double *genes)
+{
+    s->phi = 6 * genes[18] - 3;
+    s->psi = 6 * genes[19] - 3;
+    s->x = s->a * (6 * genes[20] - 3);
+    s->z = s->a * (6 * genes[21] - 3);
+}
+
 scene scene_of(const genome &genes, bool narrow)
 {
     const double *g = genes.data();
@@ -182,10 +197,7 @@ scene scene_of(const genome &genes, bool narrow)
     s.psi = narrow ? 6 * g[19] - 3 : heading(g[19]);
     s.x = s.a * either(g[20], -3, 2);
     s.z = s.a * either(g[21], -3, 2);
-    const double c = std::cos(s.theta);
-    const double W = std::sqrt((s.wX * s.wX + s.wY * s.wY) / (c * c) +
-                               s.wZ * s.wZ + s.g / (s.a * c));
-    s.t = either(g[22], -3, 0.1) / W;
+    s.t = either(g[22], -3, 0.1) / fastest_of(s);
     s.steps = std::floor(power_of_ten(g[23], 0, 2));
     s.tol = power_of_ten(g[24], -13, -2);
     s.method = kind(g[25], 4);

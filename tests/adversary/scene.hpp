@@ -27,6 +27,10 @@ using genome = std::array<double, GENES>;
 /* The scene of a genome; narrow: within the range of floats. */
 scene scene_of(const genome &genes, bool narrow);
 
+/* W of (47) of a scene; the pose of order one. */
+double fastest_of(const scene &s);
+void near_pose(scene *s, const double *genes);
+
 /* One line of hexadecimal numbers, and back; false if the line holds fewer. */
 std::string text_of(const scene &s);
 bool scene_from(const char *text, scene *s);

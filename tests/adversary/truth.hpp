@@ -119,7 +119,7 @@ template <class R> struct upright_series {
             Po += po;
             We += we;
             Wo += wo;
-            if (magnitude(we) + magnitude(wo) < precision<R>() / 16)
+            if (magnitude(we) + magnitude(wo) < precision<R> / 16)
                 break;
             pe *= u * u * (R(n) * (n - 1) + kap) / ((R(n) + 1) * (n + 2));
             po *= u * u * (R(n + 1) * n + kap) / ((R(n) + 2) * (n + 3));
@@ -143,7 +143,7 @@ template <class R> struct flat_series {
             sum_r += r * power;
             sum_s += s * power;
             if (n > 0 && magnitude(n * (magnitude(r) + magnitude(s)) * power) <
-                             precision<R>() / 16)
+                             precision<R> / 16)
                 break;
             const R d = R(n + 1) * (n + 1);
             const R rho = (R(n) * (n + 1) + kap) / d;
@@ -173,7 +173,7 @@ template <class R>
 void integrals_flat(const moment<R> &y, terms<R> *KY, terms<R> *KZ)
 {
     const R sign = y.theta < 0 ? -1 : 1, wZ = sign * y.wZ, p = y.wY * y.c;
-    const R half = sine((half_pi<R>() - sign * y.theta) / 2);
+    const R half = sine((half_pi<R> - sign * y.theta) / 2);
     const R kap = y.k1 * y.k2;
     const flat_series<R> at(half * half, kap), up(R(0.5), kap);
     terms<R> al, be;
