@@ -322,7 +322,7 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 # tier begins with those before it.  .ci/run runs the first three; the last has
 # what measures, and what proves that other gates would notice.
 GATES_commit  := check format-check lint-quick
-GATES_push    := header-check examples demo-check first-hour float-check \
+GATES_push    := header-check examples demo-check first-hour site float-check \
                  installcheck consumers hwcaps lanes abi pictures-check \
                  page-check js-check bindings studies-build distcheck lint \
                  sanitize coverage
@@ -335,7 +335,7 @@ GATES_CI       = $(filter-out lint-quick,$(GATES_commit) $(GATES_push) \
                    $(GATES_merge))
 # Gates that keep one processor busy, and do not touch what others make.
 GATES_BESIDE  := bindings bound consumers hwcaps pictures-check page-check \
-                 demo-check float-check installcheck first-hour
+                 demo-check float-check installcheck first-hour site
 EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done
 
 .PHONY: before-commit before-push before-merge before-release list-gates

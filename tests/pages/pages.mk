@@ -6,3 +6,19 @@
 first-hour: ## what docs/first-hour.md says, from a clean copy to a plot
 	+env -u MAKEFLAGS $(PYTHON) $(SRC)/tests/pages/first_hour.py $(SRC) \
 	    $(abspath $(O))/first-hour
+
+# What the pages link to, beside one another.
+SITE        = $(abspath $(O))/site
+SITE_EXTRAS = LICENSE docs/examples docs/figures docs/proofs \
+              docs/page/index.html
+
+.PHONY: site
+site: ## coin.h and docs/ as a site in build/site, to browse without a network
+	command -v doxygen >/dev/null || \
+	    { echo "the site needs doxygen: sudo apt-get install doxygen" >&2; exit 1; }
+	rm -rf $(SITE)
+	mkdir -p $(SITE)
+	cd $(SRC) && { cat tests/pages/Doxyfile; echo PROJECT_NUMBER = $(VERSION); \
+	    echo OUTPUT_DIRECTORY = $(SITE); echo HTML_OUTPUT = .; } | doxygen -
+	cd $(SRC) && cp -r --parents $(SITE_EXTRAS) $(SITE)
+	$(PYTHON) $(SRC)/tests/pages/links.py $(SITE)
