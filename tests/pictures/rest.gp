@@ -73,7 +73,7 @@ set yrange [8:2000]
 set logscale xy
 set xtics ("8 s" 8, "1 s" 1, "100 ms" 0.1, "10 ms" 0.01, "1 ms" 0.001)
 set ytics ("10" 10, "30" 30, "100" 100, "300" 300, "1000" 1000)
-set xlabel "time until rest"
+set xlabel "time left until rest: less to the right"
 set ylabel "the contact's turns per second"
 set label 1 "dry" at 4e-3,230 center tc rgb hue[1]
 set label 2 "viscous" at 1.7e-3,90 center tc rgb hue[2]
@@ -81,7 +81,7 @@ set label 3 "layer" at 7e-3,47 center tc rgb hue[3]
 set label 4 "gap" at 1.6e-2,26 center tc rgb hue[4]
 set label 5 "rolling, until it rattles" at 0.16,260 left tc rgb hue[5]
 set label 6 "damping" at 0.14,1000 right tc rgb hue[6]
-set label 7 "the contact stops" at 2.2e-3,10 center tc rgb "#404040"
+set label 7 "the contact stops" at 3.8e-3,9.3 right tc rgb "#404040"
 plot for [k=1:6] file index k+5 using \
     ($2 > (k == 5 ? 0.2 : 0) ? $2 : NaN):(abs($5)/2/pi) with linespoints \
     pt mark[k] ps 0.4 lw 1.6 lc rgb hue[k]

@@ -70,7 +70,7 @@ def sheet(text):
 def titles(root):
     """{drawing: what the first page that shows it calls it}."""
     found = {}
-    for page in [root/"README.md", *sorted((root/"docs").glob("*.md"))]:
+    for page in [root/"README.md", *sorted((root/"docs").rglob("*.md"))]:
         for says, name in re.findall(r"!\[([^]]+)\]\([^)]*figures/([^)]+)\)",
                                      page.read_text()):
             found.setdefault(name, " ".join(says.split()))

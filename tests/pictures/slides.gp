@@ -18,10 +18,10 @@ set xrange [-12:8]
 set yrange [22.5:-13.5]
 set xtics 5
 set ytics 5
-set label 1 "x, in radii" at graph 1, graph 0.012 right offset 0,0.2 tc rgb "#606060"
+set label 1 "x, in radii" at graph 1, graph 0.03 right tc rgb "#606060"
 set label 2 "z" at graph 0.02, graph 0.985 left tc rgb "#606060"
-set label 3 "slips" at -0.9,-6.6 right tc rgb slips
-set label 4 "rolls" at -7.4,-10.6 center tc rgb rolls
+set label 3 "slips" at 2.4,-8 left tc rgb slips
+set label 4 "rolls" at -7.6,-11 center tc rgb rolls
 set label 5 "rolls" at -7.6,17 right tc rgb rolls
 set label 6 "thrown here" at -0.7,0.2 right tc rgb "#404040"
 plot for [k=0:4] file index 2*k using 3:4 with lines lw 2.4 dt (8,4) \
@@ -39,8 +39,8 @@ set xtics 2
 set ytics 2
 set xlabel "time, in sqrt(a/g)" offset 0,0.3
 set label 1 "slip speed, in sqrt(g a)" at graph 0.5, graph 0.94 left tc rgb "#404040"
-set label 2 "direction 60" at 5.6,3.1 right tc rgb "#404040"
-set label 3 "direction -30" at 9.9,1.25 left tc rgb "#404040"
+set label 2 "direction 60" at 4.6,3.1 right tc rgb "#404040"
+set label 3 "direction -30" at 10.2,1.6 left tc rgb "#404040"
 set label 4 "rolls" at 12,0.45 center tc rgb rolls
 set arrow 1 from 9.2274,0 to 14,0 nohead lw 2.4 lc rgb rolls front
 plot for [k=0:4] file index 2*k using \

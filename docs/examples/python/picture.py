@@ -17,7 +17,7 @@ matplotlib.rcParams["svg.hashsalt"] = "rollcoin"  # equal bytes
 
 quarter = rc.disc(0.00567, 0.01213, 9.80665)  # kg, m, m/s^2
 start = rc.State(theta=0.5, wZ=30)  # rad, rad/s
-path = rc.sample(start, quarter, rc.RK8, 1e-3, 5, numpy.zeros(121, rc.State))
+path = rc.sample(start, quarter, rc.RK8, 1e-3, 5, 121)
 
 seconds = numpy.arange(len(path)) * 5e-3
 contact = 1e3 * rc.contact(path, quarter)[0]  # mm
@@ -26,6 +26,8 @@ ratio = rc.reaction(path, quarter)["ratio"]
 figure, axes = pyplot.subplot_mosaic(
     [["path", "lean"], ["path", "ratio"]], figsize=(8, 4),
     layout="constrained")
+figure.suptitle("A US quarter in its first 0.6 s, at 30 rad/s and a lean of "
+                "0.5 rad")
 axes["path"].plot(contact[:, 0], contact[:, 2])
 axes["path"].set(xlabel="x, mm", ylabel="z, mm", title="point of contact",
                  aspect="equal")
