@@ -3,7 +3,7 @@
 //! heads.
 //!
 //!     cargo run --release --example toss [COINS]
-use rollcoin::{Body, Losses, Params, State, Table};
+use rollcoin::{Body, Losses, Params, State, Status, Table};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let count = std::env::args().nth(1).map_or(Ok(10_000), |n| n.parse())?;
@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             vy: 2.0, // m/s
             ..Body::default()
         };
-        coin.advance(&p, &table, f64::INFINITY, 1e-6, 0)?;
+        coin.advance(&p, &table, f64::INFINITY, 1e-6, Status::OK)?;
         heads += i32::from(coin.s.theta < 0.0);
     }
     println!("{heads} of {count} show heads");

@@ -38,19 +38,21 @@ impl Body {
     }
 
     /// Moves by a time, or until one of the bits of `stop` begins to hold: its
-    /// mode, [`Status::slips`], [`Status::lifts`] or [`Status::rests`], or none
-    /// if it rolls; and the time moved by.
+    /// mode, [`Status::SLIPS`], [`Status::LIFTS`], [`Status::RESTS`] or, if it
+    /// rolls, [`Status::OK`], and the bits of `stop` that hold; and the time
+    /// moved by.
     pub fn advance(
         &mut self,
         p: &Params,
         table: &Table,
         t: f64,
         tol: f64,
-        stop: u32,
+        stop: Status,
     ) -> std::result::Result<(Status, f64), Stopped<f64>> {
         let mut reached = 0.0;
+        let stop = stop.bits() as i32;
         let status = unsafe {
-            ffi::coin_move(self, p, table, t, tol, stop as i32, &mut reached)
+            ffi::coin_move(self, p, table, t, tol, stop, &mut reached)
         };
         checked_to(status, reached)
     }

@@ -36,7 +36,7 @@ impl State {
         filled(|force| unsafe { ffi::coin_losses_reaction(self, p, l, force) })
     }
 
-    /// Moves by a time, or until the coin lies flat: [`Status::rests`]; and
+    /// Moves by a time, or until the coin lies flat: [`Status::RESTS`]; and
     /// the time moved by.
     pub fn settle(
         &mut self,

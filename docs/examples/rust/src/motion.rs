@@ -88,23 +88,17 @@ impl State {
 }
 
 /// [`State::run`] for many coins of one body, each with the bits that it gets
-/// alone.  `statuses` takes what coin.h returns for each, and is as long as
-/// `coins`, or empty.  The error is that of the first coin that failed; it
-/// stays at its last good state, and the others go on.
+/// alone; returns what is said of each.  A coin that fails stays at its last
+/// good state, and the others go on.  An error touched none.
 pub fn batch_run(
     coins: &mut [State],
     p: &Params,
     method: Method,
     dt: f64,
     steps: u64,
-    statuses: &mut [i32],
-) -> Result<Status> {
-    let wanted = match statuses.len() {
-        0 => std::ptr::null_mut(),
-        n if n == coins.len() => statuses.as_mut_ptr(),
-        _ => return Err(Error::ARGUMENT),
-    };
-    checked(unsafe {
+) -> Result<Vec<Result<Status>>> {
+    let mut statuses = vec![0; coins.len()];
+    let first = checked(unsafe {
         ffi::coin_batch_run(
             coins.as_mut_ptr(),
             coins.len(),
@@ -112,7 +106,11 @@ pub fn batch_run(
             method as i32,
             dt,
             steps,
-            wanted,
+            statuses.as_mut_ptr(),
         )
-    })
+    });
+    match first {
+        Err(error @ (Error::Params | Error::Argument)) => Err(error),
+        _ => Ok(statuses.into_iter().map(checked).collect()),
+    }
 }

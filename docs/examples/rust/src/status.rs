@@ -7,37 +7,49 @@ use std::fmt;
 /// A negative status.  The state is then as before the call; see [`Stopped`]
 /// for the calls that keep the progress made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Error(i32);
-
-impl Error {
-    /// Parameters, or losses, out of range.
-    pub const PARAMS: Error = Error(ffi::COIN_EPARAMS);
-    /// State out of range.
-    pub const STATE: Error = Error(ffi::COIN_ESTATE);
+#[repr(i32)]
+#[non_exhaustive]
+pub enum Error {
+    /// Parameters, a table or losses out of range.
+    Params = ffi::COIN_EPARAMS,
+    /// State or body out of range.
+    State = ffi::COIN_ESTATE,
     /// A step or a time that is not finite, negative where losses or slips
     /// forbid that, or too long.
-    pub const STEP: Error = Error(ffi::COIN_ESTEP);
+    Step = ffi::COIN_ESTEP,
     /// Another argument out of range.
-    pub const ARGUMENT: Error = Error(ffi::COIN_EARG);
+    Argument = ffi::COIN_EARG,
     /// There is no such motion.
-    pub const DOMAIN: Error = Error(ffi::COIN_EDOMAIN);
+    Domain = ffi::COIN_EDOMAIN,
     /// The coin falls flat.
-    pub const FLAT: Error = Error(ffi::COIN_EFLAT);
-    /// phi, psi, x or z is at the end of its range.
-    pub const RANGE: Error = Error(ffi::COIN_ERANGE);
+    Flat = ffi::COIN_EFLAT,
     /// This build does not give the pinned bits.
-    pub const BUILD: Error = Error(ffi::COIN_EBUILD);
+    Build = ffi::COIN_EBUILD,
+    /// phi, psi, x or z is at the end of its range.
+    Range = ffi::COIN_ERANGE,
+}
+
+impl Error {
+    fn of(status: i32) -> Error {
+        use Error::*;
+        [Params, State, Step, Domain, Flat, Build, Range]
+            .into_iter()
+            .find(|error| error.status() == status)
+            .unwrap_or(Argument)
+    }
 
     /// The number of coin.h.
     pub fn status(self) -> i32 {
-        self.0
+        self as i32
     }
 }
 
 impl fmt::Display for Error {
+    /// As coin.h has it, with the names of Rust.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let text = unsafe { CStr::from_ptr(ffi::coin_status_string(self.0)) };
-        f.write_str(&text.to_string_lossy())
+        let text =
+            unsafe { CStr::from_ptr(ffi::coin_status_string(self.status())) };
+        f.write_str(&text.to_string_lossy().replace("coin_", "State::"))
     }
 }
 
@@ -70,49 +82,81 @@ impl<T: fmt::Display> fmt::Display for Stopped<T> {
 
 impl<T: fmt::Display + fmt::Debug> std::error::Error for Stopped<T> {}
 
-/// A status that is no error: done, as a rule without a word.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Status(i32);
+/// A status that is no error: a set of bits, most often [`Status::OK`].
+///
+/// ```
+/// use rollcoin::Status;
+/// let stop = Status::SLIPS | Status::RESTS;
+/// assert!(stop.contains(Status::SLIPS) && !stop.contains(Status::LIFTS));
+/// assert_eq!(format!("{stop:?}"), "SLIPS | RESTS");
+/// ```
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+pub struct Status(u32);
 
 impl Status {
-    fn has(self, bit: u32) -> bool {
-        self.0 & bit as i32 != 0
+    /// Done, and nothing to say; of a body: it rolls.
+    pub const OK: Status = Status(0);
+    /// A real coin slips.
+    pub const SLIPS: Status = Status(ffi::COIN_SLIPS);
+    /// A real coin lifts off; of a body: it is off the table.
+    pub const LIFTS: Status = Status(ffi::COIN_LIFTS);
+    /// A step was beyond the method's limit of full accuracy.
+    pub const COARSE: Status = Status(ffi::COIN_COARSE);
+    /// cos(theta) < 0.01.
+    pub const NEARLY_FLAT: Status = Status(ffi::COIN_NEARLY_FLAT);
+    /// The coin lies flat.
+    pub const RESTS: Status = Status(ffi::COIN_RESTS);
+    /// Event of [`Body::advance`](crate::Body::advance): a slip or a flight has
+    /// ended, and the coin rolls.
+    pub const ROLLS: Status = Status(ffi::COIN_ROLLS);
+    /// Event of the same: it comes down on the table.
+    pub const TOUCHES: Status = Status(ffi::COIN_TOUCHES);
+
+    const NAMES: [(Status, &'static str); 7] = [
+        (Status::SLIPS, "SLIPS"),
+        (Status::LIFTS, "LIFTS"),
+        (Status::COARSE, "COARSE"),
+        (Status::NEARLY_FLAT, "NEARLY_FLAT"),
+        (Status::RESTS, "RESTS"),
+        (Status::ROLLS, "ROLLS"),
+        (Status::TOUCHES, "TOUCHES"),
+    ];
+
+    /// Whether all bits of another are among these.
+    pub const fn contains(self, other: Status) -> bool {
+        self.0 & other.0 == other.0
     }
+
     /// The bits of coin.h.
-    pub fn bits(self) -> i32 {
+    pub const fn bits(self) -> u32 {
         self.0
     }
-    /// A real coin slips.
-    pub fn slips(self) -> bool {
-        self.has(ffi::COIN_SLIPS)
+}
+
+impl std::ops::BitOr for Status {
+    type Output = Status;
+    fn bitor(self, other: Status) -> Status {
+        Status(self.0 | other.0)
     }
-    /// A real coin lifts off.
-    pub fn lifts(self) -> bool {
-        self.has(ffi::COIN_LIFTS)
-    }
-    /// A step was beyond the method's limit of full accuracy.
-    pub fn coarse(self) -> bool {
-        self.has(ffi::COIN_COARSE)
-    }
-    /// cos(theta) < 0.01.
-    pub fn nearly_flat(self) -> bool {
-        self.has(ffi::COIN_NEARLY_FLAT)
-    }
-    /// A slip has ended, and the coin rolls.
-    pub fn rolls(self) -> bool {
-        self.has(ffi::COIN_ROLLS)
-    }
-    /// The coin lies flat.
-    pub fn rests(self) -> bool {
-        self.has(ffi::COIN_RESTS)
+}
+
+impl fmt::Debug for Status {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let names: Vec<_> = Status::NAMES
+            .iter()
+            .filter(|(bit, _)| self.contains(*bit))
+            .map(|(_, name)| *name)
+            .collect();
+        f.write_str(if names.is_empty() { "OK" } else { "" })?;
+        f.write_str(&names.join(" | "))
     }
 }
 
 pub(crate) fn checked(status: i32) -> Result<Status> {
     if status < 0 {
-        Err(Error(status))
+        Err(Error::of(status))
     } else {
-        Ok(Status(status))
+        Ok(Status(status as u32))
     }
 }
 
@@ -142,7 +186,7 @@ pub(crate) fn number<T>(
 ) -> Result<f64> {
     if value.is_nan() {
         why()?;
-        return Err(Error::DOMAIN);
+        return Err(Error::Domain);
     }
     Ok(value)
 }
