@@ -97,4 +97,4 @@ function power(x, digits = 1) {
   return d.replace("-", "−") + "·10" + raised(Number(e));
 }
 
-const timeText = (t, digits = 3) => short(t, digits) + " " + sceneWord(m.scene, 2).replace("sqrt(a/g)", "√(a/g)");
+const timeText = (t, digits = 3) => short(t, digits) + " " + sceneWord(m.scene, 2).replace("sqrt(a/g)", "√(a/\u2060g)");

@@ -358,7 +358,7 @@ async function verdicts() {
   await expect("scene=quarter&play=0&mu=0.1&now=0.1", /^Slips: rolling would need more than μ 0\.100$/);
   await expect("scene=nearflat&play=0&now=2.3205", /^Is held down: a real coin would lift off: N = −/);
   await expect("scene=quarter&play=0&y=0.1&now=0.01&mu=0.3", /^Flies: 8\.2 radii high$/);
-  await expect("scene=spin&play=0&dry=0.01&now=500", /^At rest: after [\d.]+ √\(a\/g\)$/);
+  await expect("scene=spin&play=0&dry=0.01&now=500", /^At rest: after [\d.]+ √\(a\/\u2060g\)$/);
   claim("the light has a shape for it", await see("$('light').dataset.kind") === "rests");
   claim("the energy falls all the way", await see(`Array.from({ length: motion.count - 1 },
     (_, k) => knot(k + 1, AT.energy) / knot(k, AT.energy)).every(ratio => ratio < 1 + 1e-9) &&
