@@ -21,7 +21,7 @@ from forms import (DISC, PI, Body, Leaf, Pairs, apart, height_of, lambda2,
 from rest import fixed, rest
 from slip import drawn_slides, slides, slip_map
 from sweep import sweep
-from toss import toss_map
+from toss import lean_map, toss_map
 
 
 def table(path):
@@ -270,7 +270,7 @@ for check in (potentials, bifurcation, precession, nearly_flat,
     same(fresh / f"{name}.csv", kept / f"{name}.csv")
 fixed(*([line.split(",") for line in file.read_text().splitlines()[1:]]
         for file in (fresh / "fixed.csv", kept / "settle.csv")))
-for check in (animation, slip_map, toss_map):
+for check in (animation, slip_map, toss_map, lean_map):
     name = f"{check.__name__}.svg"
     drawing = (fresh / name).read_text()
     check(drawing)

@@ -8,7 +8,8 @@ PICTURES     := rosettes potential bifurcation precession nearly_flat rest \
 # The numbers of paths are large, and their drawings show all of them.
 KEPT         := $(filter-out rosettes slides,$(PICTURES))
 # Drawn by their programs.
-DRAWN         = $(patsubst %,$(PICTURES_OUT)/%.svg,animation slip_map toss_map)
+DRAWN         = $(patsubst %,$(PICTURES_OUT)/%.svg,animation slip_map \
+                  toss_map lean_map)
 PICTURES_SRC := $(SRC)/tests/pictures
 PICTURES_OUT  = $(O)/pictures
 SCHEMES       = $(PYTHON) $(PICTURES_SRC)/scheme.py $(SRC)

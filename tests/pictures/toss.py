@@ -32,3 +32,16 @@ def toss_map(drawing):
             if height > 10 and spin > 4:
                 far.append((column, row) in found)
     near("tosses, either face", sum(far)/len(far), 0.5, 1.5/math.sqrt(len(far)))
+
+
+def lean_map(drawing):
+    """Launches that differ by 1e-4 rad rest more than a second apart; between
+    such jumps the time changes by less than 0.05 s from one to the next."""
+    paths = re.findall(r'stroke="#0072B2"[^>]* d="([^"]*)"', drawing)
+    near("leans, panels", len(paths), 2, 0)
+    times = [(288 - float(y))*12/244
+             for y in re.findall(r"M[\d.]+ ([\d.]+)h0", paths[1])]
+    near("leans, launches", len(times), 400, 0)
+    steps = [abs(b - a) for a, b in zip(times, times[1:])]
+    near("leans, jumps", max(steps) > 1, 1, 0)
+    near("leans, between them", sum(step < 0.05 for step in steps) > 200, 1, 0)

@@ -13,7 +13,7 @@ set format "10^{%T}"
 set xlabel "time [natural units]" offset 0,0.4
 set lmargin 8
 set rmargin 1
-set xrange [40:2e9]
+set xrange [40:5e8]
 set xtics 1e2,10,1e7
 
 # Dashed guides through (100, y).
@@ -47,14 +47,14 @@ do for [name in "energy integrals phase"] {
         [50:1e7] '+' using 1:(guide($1, first, high)) with lines ls 20, \
         for [i=1:8] from."/".name.".dat" index i-1 using 1:2 \
             with lines ls line[i], \
-        from."/".name.".labels" using ($4*1.5):1:2:(colour[int($3)]) \
+        from."/".name.".labels" using (1.3e7):1:2:(colour[int($3)]) \
             with labels left font ",11" textcolor rgb variable
 }
 
 # The nutation that a coarse RK4 damps.
 set output to."/damping.svg"
 unset label
-set xrange [10:4e7]
+set xrange [10:2e7]
 set xtics 10,10,1e6
 unset logscale y
 set yrange [0:0.7]
