@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Makes a source of lib/ one for floats: included before it.
  *
- * A coinf_X.c that consists of one include is the float twin of X.c: the same
- * text, compiled for floats (motion/kind.h), with these names in place of those
- * of doubles.
+ * coinf_motion.c and coinf_observe.c are sources of those folders once more:
+ * the same text, compiled for floats (motion/kind.h), with these names in place
+ * of those of doubles.
  *
  * A coinf_X.c with code of its own does in another way what X.c does.  What it
  * shares with other files has a name that no double has.  Its static functions

@@ -5,9 +5,9 @@
  * `number`, with the names that it has for doubles.  Another kind compiles the
  * same text once more, after names have been defined as macros:
  *
- * Floats.  A source X.c has a twin coinf_X.c in lib/float, which includes
- * float/floats.h and then X.c.  floats.h defines coin_energy as coinf_energy,
- * and so on: one list of all names that floats have too.
+ * Floats.  A file of lib/float includes float/floats.h and then the sources of
+ * a folder.  floats.h defines coin_energy as coinf_energy, and so on: one list
+ * of all names that floats have too.
  *
  * Vectors.  A file named *.t.h is a template.  It has no include guard: a
  * source includes it once for each kind that it needs.  A macro, defined before

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "events.h"
+#include "move.h"
 
 /* An event is where a function of the variables becomes negative. */
 typedef double event(const coin_priv_moving *g, const double *y);

@@ -3,7 +3,6 @@
 
 #include "../motion/rest.h"
 
-#include "events.h"
 #include "move.h"
 
 /* The parts of friction's own rate, and of the rates at which the direction and

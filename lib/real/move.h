@@ -63,6 +63,10 @@ double coin_priv_reached(const coin_priv_moving *g, double t, double w0);
  * stop bits that hold at the end; COIN_ESTEP, COIN_ERANGE. */
 int32_t coin_priv_go(coin_priv_moving *g);
 
+/* events.c: the first event within the step just made, of `stride` radians of
+ * the motion: 1, and the variables just after it, if there is one. */
+int coin_priv_first_event(double *cut, coin_priv_moving *g, double stride);
+
 /* onset.c: moves a coin on whose contact leaves the cone of friction, by the
  * first step of its slip, or of the wait for it: COIN_OK, or as
  * coin_priv_accept(). */

@@ -1,4 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "floats.h"
-
-#include "../motion/body.c"

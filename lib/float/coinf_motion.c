@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: MIT */
+#include "floats.h"
+
+#include "../motion/angles.c"
+#include "../motion/body.c"
+#include "../motion/equations.c"
+#include "../motion/legendre.c"
+#include "../motion/state.c"

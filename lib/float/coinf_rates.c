@@ -1,4 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "floats.h"
-
-#include "../observe/rates.c"
