@@ -6,16 +6,23 @@
 
 #include "move.h"
 
-void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
-                     const coin_priv_body *b, double t, double tol)
+void coin_priv_scale(coin_state *s, double length, double rate)
+{
+    s->x *= length;
+    s->z *= length;
+    s->wX *= rate;
+    s->wY *= rate;
+    s->wZ *= rate;
+}
+
+void coin_priv_begin(coin_priv_moving *g, const coin_state *s, double time,
+                     double tol)
 {
     const coin_priv_variables v = coin_priv_variables_of(s);
-    const double w0 = sqrt(b->g_a);
     const double y[COIN_PRIV_WIDE] = {
-        v.wX / w0, v.wY / w0, v.wZ / w0, v.sth, v.cth, 0, 0, v.sph,
-        v.cph,     0,         0,         0,     0,     0, 0, 0,
+        v.wX, v.wY, v.wZ, v.sth, v.cth, 0, 0, v.sph, v.cph, 0, 0, 0, 0, 0, 0, 0,
     };
-    const double start[5] = {s->phi, s->psi, s->x / b->a, s->z / b->a, 0};
+    const double start[5] = {s->phi, s->psi, s->x, s->z, 0};
     for (int i = 0; i < COIN_PRIV_WIDE; ++i)
         g->y[i] = y[i];
     for (int i = 0; i < 5; ++i) {
@@ -27,7 +34,7 @@ void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
             g->step.slope[k][i] = 0;
     g->step.of.law = &g->law;
     g->tol = tol;
-    g->time = t * w0;
+    g->time = time;
     g->stop = g->event = 0;
     g->mode = g->changed = 0;
     g->slope_mode = COIN_PRIV_NO_MODE;
@@ -35,12 +42,8 @@ void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
     g->stride = coin_priv_first_stride(tol);
 }
 
-void coin_priv_end(const coin_priv_moving *g, coin_state *s,
-                   const coin_priv_body *b)
+void coin_priv_end(const coin_priv_moving *g, coin_state *s)
 {
-    const double w0 = sqrt(b->g_a);
-    if (!g->changed)
-        return;
     double pose[4];
     for (int i = 0; i < 4; ++i)
         pose[i] = g->pose[i].sum + g->pose[i].low;
@@ -48,16 +51,16 @@ void coin_priv_end(const coin_priv_moving *g, coin_state *s,
     s->theta = coin_priv_lean_within(coin_priv_angle(th));
     s->phi += pose[0];
     s->psi += pose[1];
-    s->x += b->a * pose[2];
-    s->z += b->a * pose[3];
-    s->wX = w0 * g->y[COIN_PRIV_WX];
-    s->wY = w0 * g->y[COIN_PRIV_WY];
-    s->wZ = w0 * g->y[COIN_PRIV_WZ];
+    s->x += pose[2];
+    s->z += pose[3];
+    s->wX = g->y[COIN_PRIV_WX];
+    s->wY = g->y[COIN_PRIV_WY];
+    s->wZ = g->y[COIN_PRIV_WZ];
 }
 
-double coin_priv_reached(const coin_priv_moving *g, double t, double w0)
+double coin_priv_reached(const coin_priv_sum *moved, double time, double t,
+                         double w0)
 {
-    const double moved = g->pose[4].sum + g->pose[4].low;
-    const double r = moved / w0;
-    return moved == g->time || r > t ? t : r;
+    const double r = (moved->sum + moved->low) / w0;
+    return moved->sum == time || r > t ? t : r;
 }

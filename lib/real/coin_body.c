@@ -244,7 +244,9 @@ static coin_priv_push touching_force(const coin_body *b,
 {
     coin_priv_moving g;
     g.law = *l;
-    coin_priv_begin(&g, &b->s, of, 0, 1);
+    coin_state natural = b->s;
+    coin_priv_scale(&natural, 1 / of->a, 1 / sqrt(of->g_a));
+    coin_priv_begin(&g, &natural, 0, 1);
     g.y[COIN_PRIV_UX] = u[0];
     g.y[COIN_PRIV_UH] = u[1];
     coin_priv_push F = coin_priv_push_of(g.y, l, mode);

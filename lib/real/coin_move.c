@@ -11,56 +11,30 @@
 #define STOPS                                                                  \
     (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_ROLLS | COIN_TOUCHES)
 
-/* Sets w->b to the body in natural units. */
-static void to_natural(coin_priv_thrown *w, const coin_body *b,
-                       const coin_priv_body *of)
+/* Scales a body to other units, as coin_priv_scale(). */
+static void scale(coin_body *b, double length, double rate)
 {
-    const double per_a = 1 / of->a, per_w = 1 / sqrt(of->g_a);
-    const double per_v = per_a * per_w;
-    const coin_params p = {1, 1, 1, of->IX / of->m, of->IZ / of->m, {0, 0, 0}};
-    coin_body *const n = &w->b;
-    w->of = coin_priv_body_of(&p);
-    *n = *b;
-    n->s.x *= per_a;
-    n->s.z *= per_a;
-    n->s.wX *= per_w;
-    n->s.wY *= per_w;
-    n->s.wZ *= per_w;
-    n->y *= per_a;
-    n->vx *= per_v;
-    n->vy *= per_v;
-    n->vz *= per_v;
+    coin_priv_scale(&b->s, length, rate);
+    b->y *= length;
+    b->vx *= length * rate;
+    b->vy *= length * rate;
+    b->vz *= length * rate;
 }
 
-/* Sets *b to the body w->b.  Where it touches, height and velocity are what the
- * mode says of the other members. */
-static void from_natural(coin_body *b, const coin_priv_thrown *w,
-                         const coin_priv_body *of, int32_t status)
+/* Where a body touches, its height and velocity are what the mode says of the
+ * other members. */
+static void fit_to_mode(coin_body *b, int mode, const coin_priv_body *of)
 {
-    const double a = of->a, w0 = sqrt(of->g_a), v0 = a * w0;
-    double u[2];
-    const int mode = status > 0 && status & COIN_LIFTS
-                         ? COIN_PRIV_AIR
-                         : coin_priv_body_mode(&w->b, &w->of, u);
-    coin_body to = w->b;
-    to.s.x *= a;
-    to.s.z *= a;
-    to.s.wX *= w0;
-    to.s.wY *= w0;
-    to.s.wZ *= w0;
-    if (!(mode & COIN_PRIV_AIR))
-        coin_priv_set_rolling(&to, of);
-    else
-        to.y *= a;
+    const double vx = b->vx, vz = b->vz;
     if (mode & COIN_PRIV_AIR)
-        to.vy *= v0;
+        return;
+    coin_priv_set_rolling(b, of);
     if (mode) {
-        to.vx = w->b.vx * v0;
-        to.vz = w->b.vz * v0;
+        b->vx = vx;
+        b->vz = vz;
     }
     if (mode & COIN_PRIV_RESTS)
-        to.s.wZ = to.vx = to.vy = to.vz = 0;
-    *b = to;
+        b->s.wZ = b->vx = b->vy = b->vz = 0;
 }
 
 int32_t coin_move(coin_body *b, const coin_params *p, const coin_table *table,
@@ -80,21 +54,30 @@ int32_t coin_move(coin_body *b, const coin_params *p, const coin_table *table,
     if (w.g.law.damping > 0 &&
         coin_priv_body_mode(b, &of, u) & (COIN_PRIV_SLIPS | COIN_PRIV_AIR))
         return COIN_EPARAMS;
-    if (!coin_priv_time_suits(t, sqrt(of.g_a)))
+    const double w0 = sqrt(of.g_a);
+    if (!coin_priv_time_suits(t, w0))
         return COIN_ESTEP;
-    to_natural(&w, b, &of);
+    const coin_params unit = {1, 1, 1, w.g.law.IX, w.g.law.IZ, {0, 0, 0}};
+    w.of = coin_priv_body_of(&unit);
+    w.b = *b;
+    scale(&w.b, 1 / of.a, 1 / w0);
     w.restitution = table->restitution;
-    w.time = t * sqrt(of.g_a);
+    w.time = t * w0;
     w.tol = tol;
     w.moved.sum = w.moved.low = 0;
     w.stop = stop;
     w.event = w.changed = 0;
     w.g.tries = TRIES;
     status = coin_priv_go_on(&w);
-    const double moved = (w.moved.sum + w.moved.low) / sqrt(of.g_a);
-    if (w.changed)
-        from_natural(b, &w, &of, status);
+    if (w.changed) {
+        const int mode = status > 0 && status & COIN_LIFTS
+                             ? COIN_PRIV_AIR
+                             : coin_priv_body_mode(&w.b, &w.of, u);
+        *b = w.b;
+        scale(b, of.a, w0);
+        fit_to_mode(b, mode, &of);
+    }
     if (reached)
-        *reached = w.moved.sum == w.time || moved > t ? t : moved;
+        *reached = coin_priv_reached(&w.moved, w.time, t, w0);
     return status;
 }

@@ -13,7 +13,7 @@
 
 /* How the coin would move without a force of the table on it, or, without a
  * slip, with the force that keeps its contact where it is. */
-struct free {
+struct free_motion {
     double f;          /* the slope of the time: cos theta, or 1 */
     double turn, roll; /* the slopes of phi and psi */
     double X, Y, Z;    /* the slopes of wX, wY, wZ */
@@ -22,25 +22,23 @@ struct free {
 
 /* The contact is held: the coin turns about the vertical through its contact,
  * or through its centre if it slips. */
-COIN_PRIV_INLINE struct free held(const double *y, const coin_priv_law *l,
-                                  int slips, int lossy)
+COIN_PRIV_INLINE struct free_motion held(const double *y,
+                                         const coin_priv_law *l, int slips)
 {
     const double wX = y[COIN_PRIV_WX], wZ = y[COIN_PRIV_WZ];
     const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
     const double IX = l->IX, K = l->K[slips], turn = -wZ / s;
     const double D = IX * (c * c) + K * (s * s);
-    const double angular = lossy ? l->angular : 0;
-    const double spin = lossy ? l->spin : 0;
     const double torque =
-        spin + angular * (IX * (c * c) + l->IZ * (s * s)); /* (72) */
+        l->spin + l->angular * (IX * (c * c) + l->IZ * (s * s)); /* (72) */
     const double fade =
         -turn * (torque + 2 * s * c * wX * (K - IX)) / D; /* (72), (85) */
     const double lift = (K - IX) * c * (turn * turn);
-    const struct free r = {
+    const struct free_motion r = {
         1,
         turn,
         0,
-        (s * ((slips ? 0 : 1) + lift) - angular * IX * wX) *
+        (s * ((slips ? 0 : 1) + lift) - l->angular * IX * wX) *
             l->perJ[slips], /* (72) */
         c * fade - s * wX * turn,
         -s * fade - c * wX * turn,
@@ -50,15 +48,16 @@ COIN_PRIV_INLINE struct free held(const double *y, const coin_priv_law *l,
     return r;
 }
 
-COIN_PRIV_INLINE struct free rolling(const double *y, const coin_priv_law *l,
-                                     int slips, int lossy)
+COIN_PRIV_INLINE struct free_motion rolling(const double *y,
+                                            const coin_priv_law *l, int slips,
+                                            int lossy)
 {
     const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
     const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
     const double cwZ = c * y[COIN_PRIV_WZ], swY = s * wY;
     const double k1 = l->IZ * l->perJ[1], K = l->K[slips];
     const double fall = slips ? 0 : s * c;
-    struct free r = {
+    struct free_motion r = {
         c,
         wY,
         cwZ + swY,
@@ -79,8 +78,8 @@ COIN_PRIV_INLINE struct free rolling(const double *y, const coin_priv_law *l,
 
 /* The slopes of a coin under a force, times `by`. */
 COIN_PRIV_INLINE void slopes_of(double *d, const double *y,
-                                const struct free *o, const coin_priv_push *F,
-                                int slips, double by)
+                                const struct free_motion *o,
+                                const coin_priv_push *F, int slips, double by)
 {
     const double wX = y[COIN_PRIV_WX], s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
     const double sph = y[COIN_PRIV_SPH], cph = y[COIN_PRIV_CPH];
@@ -111,8 +110,8 @@ COIN_PRIV_INLINE coin_priv_push contact(double *d, const double *y,
     const double wX = y[COIN_PRIV_WX], s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
     const int slips = (mode & COIN_PRIV_SLIPS) != 0;
     const int lossy = l->lossy && !(mode & COIN_PRIV_IDLE);
-    struct free o = mode & COIN_PRIV_HELD ? held(y, l, slips, lossy)
-                                          : rolling(y, l, slips, lossy);
+    struct free_motion o =
+        mode & COIN_PRIV_HELD ? held(y, l, slips) : rolling(y, l, slips, lossy);
     const double vX = y[COIN_PRIV_UX] - y[COIN_PRIV_WZ]; /* (77) */
     const double vh = y[COIN_PRIV_UH] + wX * c;          /* (77) */
     const double swX2 = o.f * s * (wX * wX);
@@ -190,7 +189,7 @@ double coin_priv_weight(const double *y, const coin_priv_law *l)
     return c * (1 - c * (wX * wX)) + s * (wY * up); /* (96) */
 }
 
-int coin_priv_leaves(const double *y, const coin_priv_law *l, int mode)
+int coin_priv_leaves(const double *y, const coin_priv_law *l)
 {
     const coin_priv_direction none = {0, 0};
     const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
@@ -199,8 +198,7 @@ int coin_priv_leaves(const double *y, const coin_priv_law *l, int mode)
     double d[COIN_PRIV_SIZE];
     if (weight > 0)
         return 0;
-    mode |= COIN_PRIV_SLIPS | COIN_PRIV_IDLE;
-    (void)coin_priv_slopes(d, y, l, mode, none);
+    (void)coin_priv_slopes(d, y, l, COIN_PRIV_SLIPS | COIN_PRIV_IDLE, none);
     const double ds = d[COIN_PRIV_S], dc = d[COIN_PRIV_C];
     const double swY = ds * wY + s * d[COIN_PRIV_WY];
     const double cwZ = dc * y[COIN_PRIV_WZ] + c * d[COIN_PRIV_WZ];

@@ -11,6 +11,8 @@
 #define ERROR_TO
 #include "../step/tableau.t.h"
 
+#include <string.h>
+
 /* Variables are computed side by side, as many as a vector holds; any number of
  * lanes gives the same bits.  Stages compute those that are read.  The numbers
  * are those of vectors. */
@@ -122,32 +124,39 @@ COIN_PRIV_INLINE int is_sound(const coin_priv_problem *of, const double *y)
     return above & isless(sum, of->most);
 }
 
-/* A stage: the slopes, number `to`, where a row of `count` leads; 0 if there
- * are none. */
-static int stage(coin_priv_dop853 *w, const double *row, const stages of,
-                 int count, int to)
+/* A stage: the slopes, number `to`, where a row of `count` leads; nothing if
+ * they or those of a stage before are not sound. */
+static void stage(coin_priv_dop853 *w, const double *row, const stages of,
+                  int count, int to)
 {
     double at[COIN_PRIV_WIDE];
     lanes sums[READ];
+    if (!w->sound)
+        return;
     sum_row(sums, w, row, of, count, READ);
 #pragma GCC unroll 16
     for (int i = 0; i < READ; ++i)
         store(at + i * LANES, load(&w->y[i * LANES]) + w->h * sums[i]);
-    if (!is_sound(&w->of, at))
-        return 0;
-    coin_priv_rates(w->slope[to], at, w->of.law, w->of.mode, w->of.in_t);
-    return 1;
+    w->sound = is_sound(&w->of, at);
+    if (w->sound)
+        coin_priv_rates(w->slope[to], at, w->of.law, w->of.mode, w->of.in_t);
 }
 
-/* Stages 2 to 12; 0 if one of them fails. */
-static int all_stages(coin_priv_dop853 *w)
+/* Stages 2 to 12. */
+static void all_stages(coin_priv_dop853 *w)
 {
-    return stage(w, A2, EARLY, 1, 1) && stage(w, A3, EARLY, 2, 2) &&
-           stage(w, A4, A4_OF, 2, 3) && stage(w, A5, A5_OF, 3, 4) &&
-           stage(w, A6, A_OF, 3, 5) && stage(w, A7, A_OF, 4, 6) &&
-           stage(w, A8, A_OF, 5, 7) && stage(w, A9, A_OF, 6, 8) &&
-           stage(w, A10, A_OF, 7, 9) && stage(w, A11, A_OF, 8, 10) &&
-           stage(w, A12, A_OF, 9, 11);
+    w->sound = 1;
+    stage(w, A2, EARLY, 1, 1);
+    stage(w, A3, EARLY, 2, 2);
+    stage(w, A4, A4_OF, 2, 3);
+    stage(w, A5, A5_OF, 3, 4);
+    stage(w, A6, A_OF, 3, 5);
+    stage(w, A7, A_OF, 4, 6);
+    stage(w, A8, A_OF, 5, 7);
+    stage(w, A9, A_OF, 6, 8);
+    stage(w, A10, A_OF, 7, 9);
+    stage(w, A11, A_OF, 8, 10);
+    stage(w, A12, A_OF, 9, 11);
 }
 
 double coin_priv_try_step(coin_priv_dop853 *w, double h)
@@ -155,7 +164,8 @@ double coin_priv_try_step(coin_priv_dop853 *w, double h)
     double by5 = 0, by3 = 0, off5[COIN_PRIV_WIDE], off3[COIN_PRIV_WIDE];
     w->h = h;
     w->has_dense = 0;
-    if (!all_stages(w))
+    all_stages(w);
+    if (!w->sound)
         return (double)INFINITY;
     lanes by[ALL], e5[READ], e3[READ];
     sum_row(by, w, B, B_OF, 8, ALL);
@@ -192,13 +202,10 @@ COIN_PRIV_INLINE void set_dense(coin_priv_dop853 *w, const double *row, int r)
         store(&w->dense[r][i * LANES], w->h * sums[i]);
 }
 
-/* Computes the polynomial: a cubic if a stage fails. */
+/* Computes the polynomial: a cubic if a stage is not sound. */
 static void make_dense(coin_priv_dop853 *w)
 {
     const double h = w->h;
-    const int good = stage(w, A14, A14_OF, 8, 13) &&
-                     stage(w, A15, A15_OF, 8, 14) &&
-                     stage(w, A16, A16_OF, 8, 15);
     w->has_dense = 1;
     for (int i = 0; i < ALL * LANES; i += LANES) {
         const lanes dy = load(&w->end[i]) - load(&w->y[i]);
@@ -208,16 +215,17 @@ static void make_dense(coin_priv_dop853 *w)
         store(&w->dense[1][i], first - dy);
         store(&w->dense[2][i], 2 * dy - (first + last));
     }
-    if (good) {
-        set_dense(w, D4, 3);
-        set_dense(w, D5, 4);
-        set_dense(w, D6, 5);
-        set_dense(w, D7, 6);
+    stage(w, A14, A14_OF, 8, 13);
+    stage(w, A15, A15_OF, 8, 14);
+    stage(w, A16, A16_OF, 8, 15);
+    if (!w->sound) {
+        memset(w->dense + 3, 0, 4 * sizeof *w->dense);
         return;
     }
-    for (int r = 3; r < COIN_PRIV_DENSE; ++r)
-        for (int i = 0; i < COIN_PRIV_WIDE; ++i)
-            w->dense[r][i] = 0;
+    set_dense(w, D4, 3);
+    set_dense(w, D5, 4);
+    set_dense(w, D6, 5);
+    set_dense(w, D7, 6);
 }
 
 void coin_priv_within(double *to, coin_priv_dop853 *w, double x)

@@ -24,6 +24,7 @@ typedef struct coin_priv_dop853 {
     double y[COIN_PRIV_WIDE], end[COIN_PRIV_WIDE];
     double slope[COIN_PRIV_STAGES][COIN_PRIV_WIDE];
     double dense[COIN_PRIV_DENSE][COIN_PRIV_WIDE];
+    int sound;     /* whether every stage has slopes */
     int has_dense; /* whether dense[] is set */
 } coin_priv_dop853;
 

@@ -35,10 +35,11 @@ enum {
 
 /* The contact of a coin.  A mode is made of these bits; 0 rolls. */
 enum {
-    COIN_PRIV_SLIPS = 1,  /* against kinetic friction */
-    COIN_PRIV_HELD = 2,   /* the losses keep d(psi)/dt = 0 */
-    COIN_PRIV_IDLE = 4,   /* the losses do not act: N would be negative */
-    COIN_PRIV_AIR = 8,    /* there is no contact */
+    COIN_PRIV_SLIPS = 1, /* against kinetic friction */
+    COIN_PRIV_HELD = 2,  /* the losses keep d(psi)/dt = 0 */
+    COIN_PRIV_IDLE = 4,  /* the losses do not act, nor hold the contact: N would
+                            be negative */
+    COIN_PRIV_AIR = 8,   /* there is no contact */
     COIN_PRIV_RESTS = 16, /* flat, and nothing moves */
     COIN_PRIV_LIES = 32   /* flat, and slides on its face */
 };
@@ -158,7 +159,7 @@ COIN_PRIV_INLINE double coin_priv_blind(const double *y)
 }
 
 /* Whether a coin on which the table can only pull lifts off. */
-int coin_priv_leaves(const double *y, const coin_priv_law *l, int mode);
+int coin_priv_leaves(const double *y, const coin_priv_law *l);
 
 /* The direction in which a slip begins where sticking takes the force F. */
 coin_priv_direction coin_priv_onset(const double *y, const coin_priv_law *l,

@@ -5,9 +5,9 @@
 
 #include "move.h"
 
-/* The parts of friction's own rate, and of the rates at which the direction and
- * the speed of a slip change, in the rate by which steps are measured. */
-#define FRICTION 0.3
+/* The parts of the losses' own rate, and of the rates at which the direction
+ * and the speed of a slip change, in the rate by which steps are measured. */
+#define LOSSES 0.3
 #define RELAX 0.24
 
 /* The estimate of a step's error may be ESTIMATE times tol times its time,
@@ -16,9 +16,9 @@
 #define ESTIMATE 2.0
 #define BRIEF 0.03
 
-/* Friction is not smooth where the contact turns round, d(psi)/dt = 0.  A step
- * is planned to cover TURN_ROUND of the way to there, and refused if it turns
- * out to cover more than TURNED of it. */
+/* Contour friction is not smooth where the contact turns round, d(psi)/dt = 0.
+ * A step is planned to cover TURN_ROUND of the way to there, and refused if it
+ * turns out to cover more than TURNED of it. */
 #define TURN_ROUND 0.5
 #define TURNED 0.7
 
@@ -53,8 +53,7 @@ double coin_priv_rate(const double *y, const coin_priv_law *l, int mode)
 }
 
 /* The rate in tau at which the losses make the rates decay, (71). */
-double coin_priv_friction_rate(const double *y, const coin_priv_law *l,
-                               int mode)
+double coin_priv_loss_rate(const double *y, const coin_priv_law *l, int mode)
 {
     const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
     const double u = coin_priv_roll_speed(y);
@@ -73,7 +72,7 @@ static double roll_slope(const double *y, const double *d)
 }
 
 /* Whether the contact turns round within a width of soft cos theta, in which
- * friction is not smooth. */
+ * contour friction is not smooth. */
 static int turns_round(const coin_priv_moving *g)
 {
     return g->law.dry + g->law.rolling > 0 &&
@@ -134,7 +133,7 @@ static plan plan_step(const coin_priv_moving *g)
     const coin_priv_law *l = &g->law;
     const double *y = g->y, *d = g->step.slope[0];
     double rate = coin_priv_rate(y, l, g->mode) +
-                  FRICTION * coin_priv_friction_rate(y, l, g->mode);
+                  LOSSES * coin_priv_loss_rate(y, l, g->mode);
     if (g->mode & COIN_PRIV_SLIPS) {
         const double u = slip_speed(y), s = y[COIN_PRIV_S];
         const double nX = y[COIN_PRIV_UX] / u, nh = y[COIN_PRIV_UH] / u;
@@ -353,11 +352,11 @@ static int next_mode(coin_priv_moving *g)
     g->margin = coin_priv_contact_margin(g->y, &g->law, g->mode);
     if (g->margin >= 0)
         return g->mode;
-    if (coin_priv_leaves(g->y, &g->law, g->mode))
+    if (coin_priv_leaves(g->y, &g->law))
         return g->mode | COIN_PRIV_AIR; /* it keeps its slip velocity */
     if (coin_priv_slopes(0, g->y, &g->law, slips, none).N > 0)
         return slips;
-    return g->mode | COIN_PRIV_IDLE;
+    return (g->mode & COIN_PRIV_SLIPS) | COIN_PRIV_IDLE;
 }
 
 /* The stop bits that hold here. */

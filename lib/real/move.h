@@ -9,9 +9,9 @@
 #include "../motion/rest.h"
 #include "dop853.h"
 
-/* The longest stride.  Friction's own rate is then followed in steps of at most
- * 4 of its relaxation times (move.c), and that of the direction of a slip in 5;
- * the method is stable up to 6. */
+/* The longest stride.  The losses' own rate is then followed in steps of at
+ * most 4 of its relaxation times (move.c), and that of the direction of a slip
+ * in 5; the method is stable up to 6. */
 #define COIN_PRIV_MOST_STRIDE 1.2
 
 /* COIN_NEARLY_FLAT begins here, so that it also holds where the lean is
@@ -48,16 +48,23 @@ typedef struct coin_priv_moving {
     coin_priv_dop853 step;
 } coin_priv_moving;
 
-/* begin.c: starts a coin that rolls; g->law is set, and g->tries is not. */
-void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
-                     const coin_priv_body *b, double t, double tol);
+/* begin.c: scales a state to units in which lengths and rates are these times
+ * what they were. */
+void coin_priv_scale(coin_state *s, double length, double rate);
 
-/* begin.c: the state where the coin has come to. */
-void coin_priv_end(const coin_priv_moving *g, coin_state *s,
-                   const coin_priv_body *b);
+/* begin.c: starts a coin that rolls, in natural units; g->law is set, and
+ * g->tries is not. */
+void coin_priv_begin(coin_priv_moving *g, const coin_state *s, double time,
+                     double tol);
 
-/* The time moved. */
-double coin_priv_reached(const coin_priv_moving *g, double t, double w0);
+/* begin.c: the state, if g->changed, to which the coin that began as *s has
+ * come. */
+void coin_priv_end(const coin_priv_moving *g, coin_state *s);
+
+/* begin.c: of a call that took t and was to take `time` natural units, what has
+ * been moved. */
+double coin_priv_reached(const coin_priv_sum *moved, double time, double t,
+                         double w0);
 
 /* Moves until the time is over or the mode becomes AIR or RESTS: COIN_OK, or
  * stop bits that hold at the end; COIN_ESTEP, COIN_ERANGE. */
@@ -124,7 +131,6 @@ int32_t coin_priv_accept(coin_priv_moving *g, const double *y);
 double coin_priv_rate(const double *y, const coin_priv_law *l, int mode);
 
 /* move.c: the rate in tau at which the losses make the rates decay. */
-double coin_priv_friction_rate(const double *y, const coin_priv_law *l,
-                               int mode);
+double coin_priv_loss_rate(const double *y, const coin_priv_law *l, int mode);
 
 #endif

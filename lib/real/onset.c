@@ -53,7 +53,7 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     const double left = coin_priv_time_left(g);
     const int slipping = g->mode | COIN_PRIV_SLIPS;
     const double rate = coin_priv_rate(g->y, &g->law, slipping);
-    const double loss = coin_priv_friction_rate(g->y, &g->law, slipping);
+    const double loss = coin_priv_loss_rate(g->y, &g->law, slipping);
     const double r8 = sqrt(sqrt(sqrt(g->tol)));
     --g->tries;
     onset_at(&a, g, g->y);
@@ -112,7 +112,7 @@ int coin_priv_end_slip(coin_priv_moving *g)
     const double h = u / -grows, scale = u / (u + 1);
     const double left = coin_priv_time_left(g);
     const double rate = coin_priv_rate(y, &g->law, g->mode) +
-                        coin_priv_friction_rate(y, &g->law, g->mode);
+                        coin_priv_loss_rate(y, &g->law, g->mode);
     const int is_short = u < part && scale * rate * h < part;
     const int is_straight = aside <= part * -grows;
     const int is_least =

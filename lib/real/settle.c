@@ -28,19 +28,26 @@ int32_t coin_priv_settle(coin_state *s, const coin_params *p,
     int32_t status = coin_priv_check(s, p, &b);
     if (status != COIN_OK)
         return status;
-    if (!coin_priv_time_suits(t, sqrt(b.g_a)))
+    const double w0 = sqrt(b.g_a);
+    if (!coin_priv_time_suits(t, w0))
         return COIN_ESTEP;
     if (coin_priv_lies_flat(s)) {
         status = COIN_RESTS;
     } else {
         if (!g.law.lossy)
             g.law.flat = NO_FLAT;
-        coin_priv_begin(&g, s, &b, t, tol);
+        coin_state natural = *s;
+        coin_priv_scale(&natural, 1 / b.a, 1 / w0);
+        coin_priv_begin(&g, &natural, t * w0, tol);
         g.tries = *tries;
         status = coin_priv_go(&g);
         *tries = g.tries;
-        moved = coin_priv_reached(&g, t, sqrt(b.g_a));
-        coin_priv_end(&g, s, &b);
+        moved = coin_priv_reached(&g.pose[4], g.time, t, w0);
+        if (g.changed) {
+            coin_priv_end(&g, &natural);
+            coin_priv_scale(&natural, b.a, w0);
+            *s = natural;
+        }
         if (g.mode & COIN_PRIV_RESTS) {
             status = COIN_RESTS;
             s->wX = copysign(s->wX, s->theta);

@@ -169,7 +169,7 @@ static void end_contact(coin_priv_thrown *w)
     coin_body *const b = &w->b;
     const coin_priv_moving *const g = &w->g;
     const double uX = g->y[COIN_PRIV_UX], uh = g->y[COIN_PRIV_UH];
-    coin_priv_end(g, &b->s, &w->of);
+    coin_priv_end(g, &b->s);
     if (g->mode & COIN_PRIV_RESTS)
         b->s.wX = b->s.wY = 0;
     coin_priv_set_rolling(b, &w->of);
@@ -185,7 +185,7 @@ static int32_t in_contact(coin_priv_thrown *w, int mode, const double u[2])
     coin_priv_moving *const g = &w->g;
     const double left = time_left(w);
     double none[2];
-    coin_priv_begin(g, &w->b.s, &w->of, left, w->tol);
+    coin_priv_begin(g, &w->b.s, left, w->tol);
     g->mode = mode;
     g->y[COIN_PRIV_UX] = u[0];
     g->y[COIN_PRIV_UH] = u[1];
