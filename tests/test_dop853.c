@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* One step of DOP853 and the polynomial within it. */
+/* One step of DOP853 and the polynomial within it, and what ends a slip and
+ * holds a contact. */
 #include "support/check.h"
 #include "support/coins.h"
 
@@ -41,19 +42,16 @@ static double error_within(double h)
 }
 
 /* A cubic has order 4. */
-static void a_polynomial_has_order_8(void **unused)
+TEST(a_polynomial_has_order_8)
 {
-    (void)unused;
     const double order = log2(error_within(0.25) / error_within(0.125));
     check_within(order, 7.5, 9);
 }
 
 /* The slopes that only the polynomial needs may not exist: a coin that passes
  * near flat leads one of them below the table. */
-static void a_polynomial_without_its_stages_is_the_cubic_of_the_ends(
-    void **unused)
+TEST(a_polynomial_without_its_stages_is_the_cubic_of_the_ends)
 {
-    (void)unused;
     static coin_priv_moving g;
     const double x = 0.3, h = 0.25;
     double y[COIN_PRIV_WIDE];
@@ -73,11 +71,37 @@ static void a_polynomial_without_its_stages_is_the_cubic_of_the_ends(
     }
 }
 
-int main(void)
+/* I_X > I_Z + M a^2: a rod, not a coin.  A turn then presses it upright. */
+TEST(a_contact_that_its_turn_lifts_is_not_held)
 {
-    const struct CMUnitTest tests[] = {
-        TEST(a_polynomial_has_order_8),
-        TEST(a_polynomial_without_its_stages_is_the_cubic_of_the_ends),
-    };
-    return RUN_TESTS(tests);
+    const coin_losses dry = {.dry = 100};
+    const double c = 0.01, s = sqrt(1 - c * c);
+    for (int fast = 0; fast < 2; ++fast) {
+        coin_params p;
+        coin_priv_body b;
+        coin_priv_law law;
+        const double turn = fast ? 1 : 0.1;
+        const double y[COIN_PRIV_WIDE] = {0, turn * c, -turn * s, s, c};
+        check_status(coin_params_body(&p, 1, 1, 1, 100, 1), COIN_OK);
+        check_status(coin_priv_check_body(&b, &p), COIN_OK);
+        check_status(coin_priv_law_of(&law, &dry, &b), COIN_OK);
+        check(coin_priv_is_held(y, &law, 0, 1e-6) == !fast);
+    }
+}
+
+TEST(a_slip_does_not_end_where_a_rate_leaves_its_range)
+{
+    static coin_priv_moving g;
+    for (int beyond = 0; beyond < 2; ++beyond) {
+        make_step(&g, 0.1);
+        g.law.mu_kinetic = 0.3;
+        g.mode = COIN_PRIV_SLIPS;
+        for (int i = 0; i < COIN_PRIV_READ; ++i)
+            g.y[i] = i == COIN_PRIV_C || i == COIN_PRIV_CPH;
+        g.y[COIN_PRIV_WY] = beyond ? 1.1e6 : 0;
+        g.y[COIN_PRIV_UX] = 1e-12;
+        g.slope_mode = COIN_PRIV_NO_MODE;
+        check(coin_priv_end_slip(&g) == !beyond);
+        check(g.mode == (beyond ? COIN_PRIV_SLIPS : 0));
+    }
 }

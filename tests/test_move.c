@@ -226,6 +226,17 @@ TEST(a_horizontal_face_is_accepted)
     }
 }
 
+TEST(what_is_no_rotation_or_no_place_is_refused)
+{
+    const coin_params p = disc();
+    const double up[3] = {0, 2, 0}, none[4] = {0, 0, 0, 0};
+    coin_body b;
+    check_status(coin_body_from_motion(&b, &p, none, zero3, up, zero3),
+                 COIN_ESTATE);
+    check_status(coin_body_from_motion(&b, &p, q0, zero3, NULL, zero3),
+                 COIN_EARG);
+}
+
 /* --------------------------------------------------------------------- stop */
 /* The scene tumble: slips at 9.6549649113956, rolls again at
  * 11.754521766231. */
@@ -376,6 +387,56 @@ TEST(in_the_air_there_is_no_force)
     check_status(coin_move(&b, &p, &grip, 1, 1e-9, 0, &moved), COIN_LIFTS);
     check(moved == 1 && b.y == 2.5 && b.vy == -1);
     check_near(coin_body_energy(&b, &p), 3, 1e-15);
+}
+
+/* angular lifts the disc: its torque against wX is not felt by N, which would
+ * be negative, though the free coin falls. */
+TEST(losses_alone_do_not_pull)
+{
+    const coin_params p = disc();
+    const coin_table strong = {
+        .mu_static = 0.55, .mu_kinetic = 0.5, .losses = {.angular = 100}};
+    const coin_table ice = {.mu_static = 0.01, .losses = strong.losses};
+    const coin_state s = {.theta = -0.5, .wX = 0.5};
+    for (int slips = 0; slips < 2; ++slips) {
+        coin_body b = rolling(&p, &s);
+        coin_force with, without;
+        b.vx += slips;
+        check_note("slips %d", slips);
+        check_status(coin_body_reaction(&b, &p, &strong, &with), COIN_OK);
+        check_status(coin_body_reaction(&b, &p, &grip, &without), COIN_OK);
+        check(without.normal > 0);
+        check_near(with.normal, without.normal, 1e-15);
+        check_near(with.friction, without.friction, 1e-15);
+        const double energy = coin_body_energy(&b, &p);
+        check(coin_move(&b, &p, &ice, 0.1, 1e-9, 0, NULL) >= COIN_OK);
+        check(coin_body_energy(&b, &p) < energy + 1e-9);
+    }
+}
+
+static coin_body on_face(const coin_params *p, double vx, double vz, double wZ)
+{
+    coin_body b = {
+        .s = {.theta = 0x1.921fb54442d17p+0, .wZ = wZ}, .vx = vx, .vz = vz};
+    double at[3];
+    check_status(coin_center(&b.s, p, at), COIN_OK);
+    b.y = at[1];
+    return b;
+}
+
+/* Friction acts against the velocity of the centre.  A face that only turns has
+ * a torque alone. */
+TEST(a_face_that_only_turns_feels_no_friction)
+{
+    const coin_params p = disc();
+    coin_force force;
+    coin_body b = on_face(&p, 0, 0, 3);
+    check_status(coin_body_reaction(&b, &p, &grip, &force), COIN_OK);
+    check(force.normal == 1 && force.friction == 0);
+    b.vx = 1e6;
+    check_status(coin_body_reaction(&b, &p, &grip, &force), COIN_OK);
+    check_near(force.R[0], -grip.mu_kinetic, 1e-9);
+    check_near(force.R[2], 0, 1e-15);
 }
 
 /* ------------------------------------------------------------------ refused */
@@ -561,6 +622,23 @@ TEST(at_the_end_of_a_range_the_progress_is_kept)
         check_status(coin_move(&b, &p, &f, 100, 1e-9, 0, &moved), COIN_ERANGE);
         check_within(moved, 2.5, 4.001);
         check_status(coin_move(&b, &p, &f, 0, 1e-9, 0, NULL), COIN_OK);
+    }
+}
+
+/* Nothing stops a face on ice: it slides, or turns, out of range. */
+TEST(a_face_on_ice_ends_at_its_range)
+{
+    const coin_params p = disc();
+    const coin_table ice = {.mu_static = 0};
+    for (int i = 0; i < 3; ++i) {
+        coin_body b = on_face(&p, i == 1, i == 2, i == 0);
+        double moved = 1;
+        check_note("range %d", i);
+        const coin_body before = b;
+        check_status(coin_move(&b, &p, &ice, 1e10, 1e-9, 0, &moved),
+                     COIN_ERANGE);
+        check(moved == 0);
+        check_same(&b, &before, sizeof b);
     }
 }
 

@@ -147,6 +147,18 @@ TEST(losses_too_strong_to_be_are_not_made)
     check_same(&l, &before, sizeof l);
 }
 
+/* Half of the smaller coefficient is out of range. */
+TEST(losses_too_weak_to_be_are_not_made)
+{
+    const coin_params p = disc();
+    const coin_state s = {.theta = 1, .wY = 3};
+    coin_losses l = {.viscous = 1e-2, .dry = 1.5e-12};
+    const coin_losses before = l;
+    const double time = coin_time_to_rest(&s, &p, &l);
+    check_status(coin_losses_fit(&l, &s, &p, 3 * time), COIN_EDOMAIN);
+    check_same(&l, &before, sizeof l);
+}
+
 TEST(what_cannot_be_fitted_is_left_alone)
 {
     const coin_params p = quarter();

@@ -235,7 +235,7 @@ static void slide_on(struct slide *m, double end)
         }
         const double error = extrapolate(to, m, h, by_time);
         const double next = next_step(h, error, m->tol);
-        if (error > m->tol && h > 1e-9) {
+        if (error > m->tol) {
             h = next;
         } else if (!by_time && to[TIME] > end) {
             by_time = 1;

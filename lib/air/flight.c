@@ -59,6 +59,9 @@ static coin_priv_sc unit(double s, double c)
     return r;
 }
 
+/* Far below the rounding of a unit vector, and gives 0 a direction. */
+#define ANY 1e-100
+
 void coin_priv_fly(coin_body *b, const coin_priv_flight *f, double t)
 {
     coin_state *const s = &b->s;
@@ -68,8 +71,7 @@ void coin_priv_fly(coin_body *b, const coin_priv_flight *f, double t)
     turn_by(n, f->n, f->k, half);
     /* Where the face is horizontal any heading is as good: d follows it. */
     const double level = coin_priv_hypot(n[0], n[2]);
-    const coin_priv_sc ph =
-        level > 0 ? unit(n[0], n[2]) : coin_priv_sincos(s->phi);
+    const coin_priv_sc ph = unit(n[0], n[2] + ANY);
     const coin_priv_sc th = unit(-n[1], level);
     const double along = ph.s * X[0] + ph.c * X[2];
     const coin_priv_sc d =

@@ -62,5 +62,5 @@ double coin_priv_reached(const coin_priv_sum *moved, double time, double t,
                          double w0)
 {
     const double r = (moved->sum + moved->low) / w0;
-    return moved->sum == time || r > t ? t : r;
+    return moved->sum == time ? t : coin_priv_lesser(r, t);
 }

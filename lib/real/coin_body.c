@@ -249,15 +249,16 @@ static coin_priv_push touching_force(const coin_body *b,
     coin_priv_begin(&g, &natural, 0, 1);
     g.y[COIN_PRIV_UX] = u[0];
     g.y[COIN_PRIV_UH] = u[1];
-    coin_priv_push F = coin_priv_push_of(g.y, l, mode);
-    if (coin_priv_contact_margin(g.y, l, mode) < 0) {
-        const coin_priv_push none = {0, 0, 0};
-        if (!(coin_priv_weight(g.y, l) > 0))
-            return none; /* it lifts off */
-        if (mode == 0) {
-            const coin_priv_direction n = coin_priv_onset(g.y, l, 0, F);
-            F = coin_priv_slopes(0, g.y, l, COIN_PRIV_SLIPS, n);
-        }
+    g.mode = mode;
+    const int next = coin_priv_next_mode(&g);
+    const coin_priv_push none = {0, 0, 0};
+    if (next & COIN_PRIV_AIR)
+        return none;
+    coin_priv_push F =
+        coin_priv_push_of(g.y, l, mode | (next & COIN_PRIV_IDLE));
+    if (next & ~mode & COIN_PRIV_SLIPS) {
+        const coin_priv_direction n = coin_priv_onset(g.y, l, 0, F);
+        F = coin_priv_slopes(0, g.y, l, COIN_PRIV_SLIPS, n);
     }
     const coin_priv_push r = {F.N / g.y[COIN_PRIV_C], F.X / g.y[COIN_PRIV_C],
                               F.h / g.y[COIN_PRIV_C]};

@@ -8,8 +8,9 @@
  * difference is rounding. */
 #define SLACK 1e-14
 
-/* The most trials of coin_priv_onset(). */
-#define TRIALS 60
+/* The direction of a slip that begins is located to this part of the angle in
+ * which it lies. */
+#define LOCATED (4 * DBL_EPSILON)
 
 /* How the coin would move without a force of the table on it, or, without a
  * slip, with the force that keeps its contact where it is. */
@@ -226,9 +227,37 @@ double coin_priv_contact_margin(const double *y, const coin_priv_law *l,
     return over / size + SLACK;
 }
 
-/* The directions between two. */
+double coin_priv_root(coin_priv_function *f, const void *of, coin_priv_place a,
+                      coin_priv_place b, double width)
+{
+    int before = 0;
+    for (int i = 0; b.x - a.x > width; ++i) { /* each time shorter */
+        double x = a.x + (b.x - a.x) * (a.at / (a.at - b.at));
+        x = i % 4 == 3 ? (a.x + b.x) / 2 : x;
+        x = x > a.x + width / 2 ? x : a.x + width / 2;
+        x = coin_priv_lesser(x, b.x - width / 2);
+        const double at = f(of, x);
+        const int side = at < 0 ? -1 : 1;
+        const coin_priv_place c = {x, at};
+        if (side < 0) {
+            a.at *= before == side ? 0.5 : 1; /* Illinois */
+            b = c;
+        } else {
+            b.at *= before == side ? 0.5 : 1;
+            a = c;
+        }
+        before = side;
+    }
+    return b.x;
+}
+
+/* The directions between two in which a slip may begin. */
 struct sector {
+    const double *y;
+    const coin_priv_law *l;
+    int mode;
     coin_priv_direction from, to;
+    double sign; /* of the cross product of the first one */
 };
 
 static coin_priv_direction direction_at(const struct sector *f, double part)
@@ -243,13 +272,13 @@ static coin_priv_direction direction_at(const struct sector *f, double part)
 /* The cross product of the slope of the slip and n, for a slip that begins in
  * the direction n, a part of the way through the sector.  It is 0 if the slip
  * keeps that direction. */
-static double turn_away(const double *y, const coin_priv_law *l, int mode,
-                        const struct sector *f, double part)
+static double turn_away(const void *sector, double part)
 {
+    const struct sector *const f = (const struct sector *)sector;
     double d[COIN_PRIV_SIZE];
     const coin_priv_direction n = direction_at(f, part);
-    (void)coin_priv_slopes(d, y, l, mode, n);
-    return d[COIN_PRIV_UX] * n.h - d[COIN_PRIV_UH] * n.X; /* (84) */
+    (void)coin_priv_slopes(d, f->y, f->l, f->mode, n);
+    return f->sign * (d[COIN_PRIV_UX] * n.h - d[COIN_PRIV_UH] * n.X); /* (84) */
 }
 
 /* The root of (84) lies between the direction against the static force and that
@@ -264,26 +293,15 @@ coin_priv_direction coin_priv_onset(const double *y, const coin_priv_law *l,
     (void)coin_priv_slopes(d, y, l, mode, none);
     const double dX = d[COIN_PRIV_UX], dh = d[COIN_PRIV_UH];
     const double a = sqrt(F.X * F.X + F.h * F.h), b = sqrt(dX * dX + dh * dh);
-    const struct sector sector = {{-F.X / a, -F.h / a}, {dX / b, dh / b}};
-    const double first = turn_away(y, l, mode, &sector, 0);
-    const double last = turn_away(y, l, mode, &sector, 1);
-    if ((first < 0) == (last < 0))
-        return fabs(first) < fabs(last) ? sector.from : sector.to;
-    double x0 = 0, at0 = first, x1 = 1, at1 = last;
-    for (int i = 0; i < TRIALS && fabs(x1 - x0) > DBL_EPSILON; ++i) {
-        const double x = x0 + (x1 - x0) * (at0 / (at0 - at1));
-        const double at = turn_away(y, l, mode, &sector, x);
-        if ((at < 0) == (at1 < 0)) {
-            at0 /= 2; /* Illinois */
-        } else {
-            x0 = x1;
-            at0 = at1;
-        }
-        const double change = fabs(x - x1);
-        x1 = x;
-        at1 = at;
-        if (change <= DBL_EPSILON || at == 0)
-            break;
-    }
-    return direction_at(&sector, x1);
+    struct sector f = {
+        y, l, mode, {-F.X / a, -F.h / a}, {dX / b, dh / b}, 1,
+    };
+    coin_priv_place first = {0, turn_away(&f, 0)}, last = {1, turn_away(&f, 1)};
+    if ((first.at < 0) == (last.at < 0))
+        return fabs(first.at) < fabs(last.at) ? f.from : f.to;
+    f.sign = first.at < 0 ? -1 : 1;
+    first.at *= f.sign;
+    last.at *= f.sign;
+    return direction_at(&f,
+                        coin_priv_root(turn_away, &f, first, last, LOCATED));
 }

@@ -22,9 +22,6 @@ typedef double event(const coin_priv_moving *g, const double *y);
 /* An event is located to this part of tol, and of the step. */
 #define LOCATED 1e-3
 
-/* The most trials of locate(). */
-#define TRIALS 60
-
 static double above_flat(const coin_priv_moving *g, const double *y)
 {
     return y[COIN_PRIV_C] - g->law.flat;
@@ -42,49 +39,24 @@ static double within_cone(const coin_priv_moving *g, const double *y)
            ROUNDED / y[COIN_PRIV_C];
 }
 
-/* A place in a step, and the function there. */
-struct place {
-    double x, at;
+/* The function of an event, by the part of the step. */
+struct looked_for {
+    event *of;
+    coin_priv_moving *g;
 };
 
-static double value(event *of, coin_priv_moving *g, double *y, double x)
+static double value(const void *event_of, double x)
 {
-    coin_priv_within(y, &g->step, x);
-    coin_priv_normalize_pairs(y); /* as the step does that ends there */
-    return of(g, y);
-}
-
-/* A place just after the event, which lies between a, where the function is not
- * negative, and b, where it is.  By the method of Illinois. */
-static double locate(event *of, coin_priv_moving *g, struct place a,
-                     struct place b)
-{
-    const double width = LOCATED * g->tol + 4 * DBL_EPSILON;
+    const struct looked_for *const e = (const struct looked_for *)event_of;
     double y[COIN_PRIV_WIDE];
-    int before = 0;
-    for (int i = 0; i < TRIALS && b.x - a.x > width; ++i) {
-        double x = a.x + (b.x - a.x) * (a.at / (a.at - b.at));
-        x = i % 4 == 3 ? (a.x + b.x) / 2 : x;
-        x = x < a.x + width / 2 ? a.x + width / 2 : x;
-        x = x > b.x - width / 2 ? b.x - width / 2 : x;
-        const double at = value(of, g, y, x);
-        const int side = at < 0 ? -1 : 1;
-        const struct place c = {x, at};
-        if (side < 0) {
-            a.at *= before == side ? 0.5 : 1;
-            b = c;
-        } else {
-            b.at *= before == side ? 0.5 : 1;
-            a = c;
-        }
-        before = side;
-    }
-    return b.x;
+    coin_priv_within(y, &e->g->step, x);
+    coin_priv_normalize_pairs(y); /* as the step does that ends there */
+    return e->of(e->g, y);
 }
 
 /* The lowest place of a parabola through three, in the middle of which the
  * function is lowest, or near to it. */
-static double lowest(const struct place p[3])
+static double lowest(const coin_priv_place p[3])
 {
     const double a = p[1].x - p[0].x, b = p[2].x - p[1].x;
     const double before = (p[1].at - p[0].at) / a;
@@ -96,16 +68,15 @@ static double lowest(const struct place p[3])
 /* Looks for a dip of the function below 0 between the first and the last of
  * three places, at which it is not negative: 1 and *dip if there is one.  The
  * parabola is taken REFINED times, each time through nearer places. */
-static int find_dip(struct place *dip, event *of, coin_priv_moving *g,
-                    const struct place from[3])
+static int find_dip(coin_priv_place *dip, const struct looked_for *e,
+                    const coin_priv_place from[3])
 {
-    struct place p[3] = {from[0], from[1], from[2]};
-    double y[COIN_PRIV_WIDE];
+    coin_priv_place p[3] = {from[0], from[1], from[2]};
     for (int i = 0; i < REFINED; ++i) {
         const double x = lowest(p);
-        if (!(x > p[0].x && x < p[2].x) || x == p[1].x)
+        if (!((x - p[0].x) * (p[2].x - x) * fabs(x - p[1].x) > 0))
             return 0;
-        const struct place at = {x, value(of, g, y, x)};
+        const coin_priv_place at = {x, value(e, x)};
         *dip = at;
         if (at.at < 0)
             return 1;
@@ -123,19 +94,25 @@ static int find_dip(struct place *dip, event *of, coin_priv_moving *g,
 }
 
 /* The first place in the step at which the function becomes negative; 2 if
- * there is none. */
+ * there is none, or if it is negative at the start: on a coin on which the
+ * losses do not act, rolling may need more than friction gives. */
 static double first_zero(event *of, coin_priv_moving *g)
 {
-    struct place p[PLACES + 1], dip;
-    double y[COIN_PRIV_WIDE];
-    for (int k = 0; k <= PLACES; ++k) {
+    const struct looked_for e = {of, g};
+    const double width = LOCATED * g->tol + 4 * DBL_EPSILON;
+    coin_priv_place p[PLACES + 1], dip;
+    p[0].x = 0;
+    p[0].at = value(&e, 0);
+    if (p[0].at < 0)
+        return 2;
+    for (int k = 1; k <= PLACES; ++k) {
         p[k].x = (double)k / PLACES;
-        p[k].at = value(of, g, y, p[k].x);
-        if (k > 1 && p[k - 2].at >= 0 && p[k - 1].at >= 0 &&
-            find_dip(&dip, of, g, &p[k - 2]))
-            return locate(of, g, p[dip.x < p[k - 1].x ? k - 2 : k - 1], dip);
-        if (k > 0 && p[k - 1].at >= 0 && p[k].at < 0)
-            return locate(of, g, p[k - 1], p[k]);
+        p[k].at = value(&e, p[k].x);
+        if (k > 1 && find_dip(&dip, &e, &p[k - 2]))
+            return coin_priv_root(
+                value, &e, p[dip.x < p[k - 1].x ? k - 2 : k - 1], dip, width);
+        if (p[k].at < 0)
+            return coin_priv_root(value, &e, p[k - 1], p[k], width);
     }
     return 2;
 }
@@ -172,11 +149,11 @@ int coin_priv_first_event(double *cut, coin_priv_moving *g, double stride)
     if (g->stop & COIN_NEARLY_FLAT &&
         !stays_above(&g->step, COIN_PRIV_NEARLY)) {
         const double at = first_zero(above_nearly_flat, g);
-        x = at < x ? at : x;
+        x = coin_priv_lesser(at, x);
     }
     if (!stays_within(g, stride)) {
         const double at = first_zero(within_cone, g);
-        x = at < x ? at : x;
+        x = coin_priv_lesser(at, x);
     }
     if (x > 1)
         return 0;

@@ -165,6 +165,17 @@ int coin_priv_leaves(const double *y, const coin_priv_law *l);
 coin_priv_direction coin_priv_onset(const double *y, const coin_priv_law *l,
                                     int mode, coin_priv_push F);
 
+/* A function of x, and its value at one. */
+typedef double coin_priv_function(const void *of, double x);
+typedef struct coin_priv_place {
+    double x, at;
+} coin_priv_place;
+
+/* contact.c: an x within `width` after the root of a function, which is not
+ * negative at a and negative at b > a. */
+double coin_priv_root(coin_priv_function *f, const void *of, coin_priv_place a,
+                      coin_priv_place b, double width);
+
 /* held.c: whether the losses keep d(psi)/dt = 0 until the coin lies flat, or
  * as long as it stays as near to flat as it is. */
 int coin_priv_is_held(const double *y, const coin_priv_law *l, int mode,

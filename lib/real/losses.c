@@ -52,8 +52,8 @@ int32_t coin_priv_law_of(coin_priv_law *out, const coin_losses *l,
     const double terms[] = {made.damping, made.dry,     made.viscous,
                             made.layer,   made.gap,     made.rolling,
                             made.spin,    made.angular, made.soft};
-    int good = l->soft >= 0 && is_within(l->flat, LEAST, FLAT_MOST) &&
-               l->reserved[0] == 0 && l->reserved[1] == 0;
+    int good = (l->soft >= 0) & is_within(l->flat, LEAST, FLAT_MOST) &
+               (l->reserved[0] == 0) & (l->reserved[1] == 0);
     for (size_t i = 0; i < sizeof terms / sizeof *terms; ++i)
         good &= is_within(terms[i], LEAST, MOST);
     *out = made;

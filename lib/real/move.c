@@ -342,8 +342,7 @@ static void hold(coin_priv_moving *g)
         y[COIN_PRIV_WY] = -y[COIN_PRIV_WZ] / y[COIN_PRIV_S] * y[COIN_PRIV_C];
 }
 
-/* What the coin does where it is: its mode, or the mode that it changes to. */
-static int next_mode(coin_priv_moving *g)
+int coin_priv_next_mode(coin_priv_moving *g)
 {
     const coin_priv_direction none = {0, 0};
     const int slips = g->mode | COIN_PRIV_SLIPS;
@@ -384,7 +383,7 @@ int32_t coin_priv_go(coin_priv_moving *g)
         }
         g->mode &= ~COIN_PRIV_IDLE;
         hold(g);
-        const int next = next_mode(g);
+        const int next = coin_priv_next_mode(g);
         const int32_t found = holds(g, next);
         g->event = 0;
         if (next == g->mode)

@@ -74,6 +74,10 @@ int32_t coin_priv_go(coin_priv_moving *g);
  * the motion: 1, and the variables just after it, if there is one. */
 int coin_priv_first_event(double *cut, coin_priv_moving *g, double stride);
 
+/* What a coin does where it is: its mode, or the mode that it changes to.  Sets
+ * g->margin. */
+int coin_priv_next_mode(coin_priv_moving *g);
+
 /* onset.c: moves a coin on whose contact leaves the cone of friction, by the
  * first step of its slip, or of the wait for it: COIN_OK, or as
  * coin_priv_accept(). */

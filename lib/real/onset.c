@@ -57,12 +57,10 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     const double r8 = sqrt(sqrt(sqrt(g->tol)));
     --g->tries;
     onset_at(&a, g, g->y);
+    const double du = coin_priv_larger(a.du, LEAST);
+    const double of_error = (sqrt(g->tol * a.friction / du) + BRIEF) / rate;
     double h = WAIT * r8 * r8 * r8 / rate;
-    if (a.du > 0) {
-        const double of_error =
-            (sqrt(g->tol * a.friction / a.du) + BRIEF) / rate;
-        h = a.du * of_error > 10 * LEAST ? coin_priv_lesser(h, of_error) : h;
-    }
+    h = a.du * of_error > 10 * LEAST ? coin_priv_lesser(h, of_error) : h;
     h = h * loss > STABLE ? STABLE / loss : h;
     const double fall = -a.slopes[COIN_PRIV_C] / g->y[COIN_PRIV_C];
     h = h * fall > STABLE ? STABLE / fall : h; /* not below the table */

@@ -156,9 +156,8 @@ int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
          i < 20 && fabs(guess.at - 1) > 0.1 && guess.at > 0 && f.tries > 0; ++i)
         guess = try_factor(&f, guess.factor * guess.at, LONG);
     const double factor = search_from(&f, guess);
-    const coin_losses made = scaled(l, factor);
-    if (factor == 0 || coin_losses_check(&made, p) != COIN_OK)
+    if (factor == 0)
         return COIN_EDOMAIN;
-    *l = made;
+    *l = scaled(l, factor);
     return COIN_OK;
 }

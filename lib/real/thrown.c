@@ -38,9 +38,9 @@ static void spend(coin_priv_thrown *w, double t, double left)
 /* Takes another body, unless one of its members is out of range. */
 static int32_t take(coin_priv_thrown *w, const coin_body *to)
 {
-    const double far = COIN_PRIV_PLACE_MAX;
-    if (!(fabs(to->s.x) <= far && fabs(to->s.z) <= far && to->y <= far &&
-          fabs(to->s.psi) <= COIN_PRIV_ANGLE_MAX))
+    const coin_state *const s = &to->s;
+    const double place = coin_priv_larger(fabs(s->x), fabs(s->z));
+    if (!(place <= COIN_PRIV_PLACE_MAX && fabs(s->psi) <= COIN_PRIV_ANGLE_MAX))
         return COIN_ERANGE;
     if (!coin_priv_members_hold(to, &w->of))
         return COIN_ESTEP;
@@ -61,7 +61,7 @@ static int32_t fly_for(coin_priv_thrown *w, const coin_priv_flight *f, double t,
                        int touches)
 {
     const double left = time_left(w);
-    const double rise = t < f->vy ? t : f->vy;
+    const double rise = coin_priv_lesser(t, f->vy);
     coin_body to = w->b;
     if (rise > 0 && f->y + rise * (f->vy - rise / 2) > COIN_PRIV_PLACE_MAX)
         return COIN_ERANGE;
@@ -72,11 +72,9 @@ static int32_t fly_for(coin_priv_thrown *w, const coin_priv_flight *f, double t,
         w->event = COIN_TOUCHES;
     }
     const int32_t status = take(w, &to);
-    if (status != UNDER_WAY)
-        return status;
-    spend(w, t, left);
-    return t < left || to.y - lowest <= COIN_PRIV_TOUCHES ? UNDER_WAY
-                                                          : COIN_LIFTS;
+    if (status == UNDER_WAY)
+        spend(w, t, left);
+    return status;
 }
 
 /* Flies to the next touch. */
@@ -87,7 +85,7 @@ static int32_t fly(coin_priv_thrown *w, int leaves)
     const double left = time_left(w);
     const double most = MOST_TURN / (1 + f.rate + fabs(f.sigma));
     const coin_priv_touch to =
-        coin_priv_first_touch(&f, left < most ? left : most, leaves);
+        coin_priv_first_touch(&f, coin_priv_lesser(left, most), leaves);
     w->g.tries -= to.looks / LOOKS;
     return fly_for(w, &f, to.t, to.touches);
 }
@@ -97,12 +95,10 @@ static int32_t fly(coin_priv_thrown *w, int leaves)
  * deep. */
 static int32_t lift_off(coin_priv_thrown *w)
 {
-    const double left = time_left(w), t = coin_priv_blind(w->g.y);
+    const double t = coin_priv_lesser(coin_priv_blind(w->g.y), time_left(w));
     coin_priv_flight f;
-    if (--w->g.tries <= 0)
-        return COIN_ESTEP;
     coin_priv_flight_of(&f, &w->b, w->of.IX, w->of.IZ);
-    return fly_for(w, &f, t < left ? t : left, 0);
+    return fly_for(w, &f, t, 0);
 }
 
 static void lie_down(coin_body *b)
@@ -137,8 +133,6 @@ static int32_t in_air(coin_priv_thrown *w)
     w->event = 0;
     if (bits || !(time_left(w) > 0))
         return COIN_LIFTS | bits;
-    if (--w->g.tries <= 0)
-        return COIN_ESTEP;
     const coin_priv_sc th = coin_priv_sincos(w->b.s.theta);
     const int low = w->b.y - th.c <= COIN_PRIV_TOUCHES;
     return low && w->b.vy + w->b.s.wX * th.s < 0 ? hit(w) : fly(w, low);
@@ -152,8 +146,6 @@ static int32_t on_face(coin_priv_thrown *w)
     w->event = 0;
     if (w->stop & holds || !(left > 0))
         return COIN_SLIPS | (w->stop & holds);
-    if (--w->g.tries <= 0)
-        return COIN_ESTEP;
     coin_body to = w->b;
     const double t =
         coin_priv_slide_flat(&to, w->of.IZ, w->g.law.mu_kinetic, left);
@@ -229,9 +221,8 @@ static int32_t stage(coin_priv_thrown *w)
 
 int32_t coin_priv_go_on(coin_priv_thrown *w)
 {
-    int32_t status;
-    do
-        status = stage(w);
-    while (status == UNDER_WAY);
+    int32_t status = UNDER_WAY;
+    while (status == UNDER_WAY)
+        status = --w->g.tries > 0 ? stage(w) : COIN_ESTEP;
     return status;
 }
