@@ -18,7 +18,7 @@ def main(src, folder):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     for name in "Makefile", "CHANGELOG.md", "README.md", "LICENSE", "include", \
-            "lib", "pkgconfig", "docs":
+            "lib", "pkgconfig", "docs", "tests/studies":
         subprocess.run(["cp", "-r", "--parents", name, folder], cwd=src,
                        check=True)
     printed, done = "", 0
