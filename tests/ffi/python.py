@@ -201,12 +201,12 @@ def first(arguments):
 
 
 def over_coins(arguments):
-    """Of a function that reads a coin, or moves one or a body by a time."""
+    """Of a function that reads a coin or a body, or moves it by a time."""
     name, kind = first(arguments)
     if kind is None or kind.pointers != 1:
         return False
     return "reached" in arguments or (
-        name == "s" and kind.const
+        name in ("s", "b") and kind.const
         and not any(k.name == "size_t" for k in arguments.values()))
 
 

@@ -470,6 +470,20 @@ class Results(unittest.TestCase):
             self.assertEqual(one, (status.flat[i], reached.flat[i]))
             self.assertTrue(same(numpy.frombuffer(b, rc.Body)[0],
                                  bodies.reshape(-1)[i]))
+        for name, *rest in (("energy",), ("reaction", table), ("slip",),
+                            ("matrix",)):
+            function = getattr(rc, "body_" + name)
+            many = function(bodies, p, *rest)
+            self.assertEqual(many.shape[:2], bodies.shape)
+            alone = rc.Body.from_buffer_copy(bodies[1, 0])
+            one = function(alone, p, *rest)
+            if name == "reaction":
+                one = numpy.frombuffer(one, rc.Force)[0]
+            self.assertTrue(same(many[1, 0], one), name)
+        row = bodies[1, 0]
+        rc.move(row, p, table, 0.1)
+        self.assertEqual(row["y"], bodies["y"][1, 0])
+        self.assertNotEqual(row["y"], alone.y)
         bodies["y"][1, 1] = -1
         with self.assertRaises(rc.Error) as caught:
             rc.move(bodies, p, table, 0.3)

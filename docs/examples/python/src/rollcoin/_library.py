@@ -92,17 +92,17 @@ def _no_nan(number: float, function: Any, arguments: Sequence[Any]) -> float:
 
 
 def _why_nan(name: str, arguments: Sequence[Any]) -> int:
-    """The status for a function that has none: that of a table of one row, or
-    else of params_check()."""
+    """The status for a function that has none: that of a table of one
+    row."""
     if any(argument is None for argument in arguments):
         return declared.EARG
     each = getattr(lib, "each_" + name, None)
     if each is None:
-        lib.coin_params_check(arguments[-1])  # which raises
-        return declared.ESTATE  # of body_energy()
+        return declared.EPARAMS  # of critical_roll() and critical_spin()
     result, kinds = declared.PROTOTYPES[name]
-    status: int = each(1, byref(c_int32()), byref(result()),
-                       kinds["s"].from_param(arguments[0]), *arguments[1:])
+    coin = next(iter(kinds.values())).from_param(arguments[0])
+    status: int = each(1, byref(c_int32()), byref(result()), coin,
+                       *arguments[1:])
     return status
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import operator
 from ctypes import byref, c_int32, c_size_t, c_uint64
 from numbers import Integral
-from typing import Any, NamedTuple, Tuple
+from typing import Any, NamedTuple, Tuple, Type
 
 from ._declarations import EARG, EPARAMS, Bits, Losses, Params, State
 from ._library import Error, lib
@@ -186,7 +186,7 @@ def advance(s: Coins, p: Params, t: float, tol: float = 1e-9, *,
     """Moves s, a State, a row or a table, by any time t to an accuracy;
     returns the time moved, of a table an array.  With status= that of a coin
     that falls flat is the time of its fall.  coin_advance()"""
-    return _moved("advance", s, (p, t, tol), status)[1]
+    return moved("advance", s, (p, t, tol), status, kind_of(p))[1]
 
 
 class Settled(NamedTuple):
@@ -201,15 +201,16 @@ def settle(s: Coins, p: Params, losses: Losses, t: float, tol: float = 1e-9, *,
            status: Statuses = None) -> Settled:
     """Moves s, a State, a row or a table, with losses, by any time t >= 0 or
     until it lies flat.  coin_settle()"""
-    return Settled(*_moved("settle", s, (p, losses, t, tol), status))
+    return Settled(*moved("settle", s, (p, losses, t, tol), status,
+                          kind_of(p)))
 
 
-def _moved(name: str, s: Coins, inputs: Tuple[Any, ...],
-           status: Statuses) -> Tuple[Any, Any]:
-    kind = kind_of(inputs[0])
+def moved(name: str, s: Any, inputs: Tuple[Any, ...], status: Statuses,
+          kind: Type[Any]) -> Tuple[Any, Any]:
+    """What coin_NAME(s, inputs..., &reached) returns, and the time."""
     target = one(s, kind, write=True)
     if target is None:
-        return _moved_table(name, s, inputs, status)
+        return _moved_table(name, s, inputs, status, kind)
     if status is not None:
         raise TypeError("status is for tables")
     reached = REAL[kind]()
@@ -221,13 +222,13 @@ def _moved(name: str, s: Coins, inputs: Tuple[Any, ...],
     return said, reached.value
 
 
-def _moved_table(name: str, s: Coins, inputs: Tuple[Any, ...],
-                 status: Statuses) -> Tuple[Any, Any]:
+def _moved_table(name: str, s: Any, inputs: Tuple[Any, ...],
+                 status: Statuses, kind: Type[Any]) -> Tuple[Any, Any]:
     import numpy
-    where = table(s, kind_of(inputs[0]), write=True)
+    where = table(s, kind, write=True)
     said = (numpy.empty(where.shape, numpy.int32) if status is None
             else status)
-    reached = read(name, s, *inputs, status=said, write=True)
+    reached = read(name, s, *inputs, status=said, write=True, kind=kind)
     bad = said.reshape(-1) < 0
     if status is None and bad.any():
         index = int(numpy.argmax(bad))

@@ -2,20 +2,19 @@
 """Real coins: they fly, bounce, slip, roll and come to rest."""
 from __future__ import annotations
 
-from ctypes import byref, c_double
 from typing import TYPE_CHECKING, Any, Sequence, Union
 
-from ._declarations import Body, Force, Params, State, Table
-from ._library import Error, lib
+from ._declarations import Body, Params, State, Table
+from ._library import lib
 from ._make import vector
-from ._move import Settled
-from ._tables import Coin, Statuses, coin, give, move_bodies, one
+from ._move import Settled, moved
+from ._tables import Coin, Statuses, coin, read
 
 if TYPE_CHECKING:
     import numpy
 
-OneBody = Union[Body, "numpy.void"]
-Bodies = Union[OneBody, "numpy.ndarray[Any, Any]"]
+Bodies = Union[Body, "numpy.void", "numpy.ndarray[Any, Any]"]
+"""A body, a row of an array of dtype Body, or such an array."""
 
 __all__ = ["body_energy", "body_from_motion", "body_from_state", "body_matrix",
            "body_reaction", "body_slip", "move", "table_check"]
@@ -38,8 +37,9 @@ def body_from_motion(p: Params, q: Sequence[float], omega: Sequence[float],
     """A body of an engine, in the air or on the table: q is w, x, y, z.
     coin_body_from_motion()"""
     b = Body()
-    lib.coin_body_from_motion(b, p, vector("q", q, 4), vector("omega", omega, 3),
-                              vector("r", r, 3), vector("v", v, 3))
+    lib.coin_body_from_motion(
+        b, p, vector("q", q, 4), vector("omega", omega, 3), vector("r", r, 3),
+        vector("v", v, 3))
     return b
 
 
@@ -49,39 +49,26 @@ def move(b: Bodies, p: Params, table: Table, t: float, tol: float = 1e-9,
     until one of the bits of stop begins to hold; the status is its mode: OK, it
     rolls, SLIPS, LIFTS or RESTS, and the bits of stop that hold.
     coin_move()"""
-    body = one(b, Body, write=True)
-    if body is None:
-        return Settled(*move_bodies(b, (p, table, t, tol, stop), status))
-    if status is not None:
-        raise TypeError("status is for tables")
-    reached = c_double()
-    try:
-        said = lib.coin_move(body, p, table, t, tol, stop, byref(reached))
-    except Error as error:
-        error.done = reached.value
-        raise
-    return Settled(said, reached.value)
+    return Settled(*moved("move", b, (p, table, t, tol, stop), status, Body))
 
 
-def body_energy(b: OneBody, p: Params) -> float:
+def body_energy(b: Bodies, p: Params, *, status: Statuses = None) -> Any:
     """Kinetic and potential energy.  coin_body_energy()"""
-    energy: float = lib.coin_body_energy(coin(b, Body), p)
-    return energy
+    return read("body_energy", b, p, status=status, kind=Body)
 
 
-def body_reaction(b: OneBody, p: Params, table: Table) -> Force:
+def body_reaction(b: Bodies, p: Params, table: Table, *,
+                  status: Statuses = None) -> Any:
     """The Force of the table, of rolling or of the slip.
     coin_body_reaction()"""
-    force = Force()
-    lib.coin_body_reaction(coin(b, Body), p, table, force)
-    return force
+    return read("body_reaction", b, p, table, status=status, kind=Body)
 
 
-def body_slip(b: OneBody, p: Params) -> Any:
+def body_slip(b: Bodies, p: Params, *, status: Statuses = None) -> Any:
     """The slip velocity, along x and z.  coin_body_slip()"""
-    return give("body_slip", State, coin(b, Body), p)
+    return read("body_slip", b, p, status=status, kind=Body)
 
 
-def body_matrix(b: OneBody, p: Params) -> Any:
+def body_matrix(b: Bodies, p: Params, *, status: Statuses = None) -> Any:
     """matrix() with the body's own height.  coin_body_matrix()"""
-    return give("body_matrix", State, coin(b, Body), p)
+    return read("body_matrix", b, p, status=status, kind=Body)

@@ -24,8 +24,9 @@ if TYPE_CHECKING:
 
     import numpy
 
-REAL = {State: c_double, Statef: c_float}
-FORMAT = {State: ("d", "<d", "=d"), Statef: ("f", "<f", "=f")}
+REAL = {State: c_double, Statef: c_float, Body: c_double}
+FORMAT = {State: ("d", "<d", "=d"), Statef: ("f", "<f", "=f"),
+          Body: ("d", "<d", "=d")}
 RAW = (bytearray, mmap.mmap)  # bytes that have no type of their own
 
 AnyParams = Union[Params, Paramsf]
@@ -68,7 +69,7 @@ def one(value: Any, kind: Optional[Type[Any]] = None,
         write: bool = False) -> Optional[Any]:
     """The State, Statef or Body that value is, or whose memory it is; None if
     it is no single coin."""
-    if isinstance(value, (State, Statef, Body)):
+    if isinstance(value, tuple(REAL)):
         found: Any = value
     elif is_numpy(value, "void"):
         found = _record(value, write)
@@ -93,7 +94,7 @@ def coin(value: Any, kind: Type[Any], write: bool = False) -> Any:
 
 def _record(value: Any, write: bool) -> Any:
     numpy = sys.modules["numpy"]
-    for kind in (State, Statef, Body):
+    for kind in REAL:
         if value.dtype == numpy.dtype(kind):
             if not write:
                 return kind.from_buffer_copy(value)
@@ -132,7 +133,7 @@ def _listed(value: Any, write: bool) -> Any:
     import numpy
     if write:
         raise TypeError("a list is not moved in place: numpy.stack() makes a "
-                        "table of it, of dtype State")
+                        "table of it, of dtype State or Body")
     return numpy.stack(value)
 
 
@@ -154,7 +155,7 @@ def _ndarray(array: Any, wanted: Optional[Type[Any]], write: bool) -> Table:
         if not straight:
             array = numpy.require(array, requirements=["C", "A"])
         return Table(kind, shape, array.ctypes.data, array)
-    if wanted is State and numpy.can_cast(array.dtype, numpy.float64):
+    if wanted in (State, Body) and numpy.can_cast(array.dtype, numpy.float64):
         if not write:
             return _ndarray(array.astype(numpy.float64), wanted, write)
         raise TypeError(f"an array of {array.dtype} is not moved in place: "
@@ -263,9 +264,10 @@ def give(name: str, kind: Type[Any], *inputs: Any) -> Any:
 
 
 def read(name: str, s: Any, *inputs: Any, status: Any = None,
-         write: bool = False) -> Any:
-    """coin_NAME(s, inputs...) of a coin, or of each in a table."""
-    kind = kind_of(inputs[0]) if inputs else None
+         write: bool = False, kind: Optional[Type[Any]] = None) -> Any:
+    """coin_NAME(s, inputs...) of a coin, or of each in a table; the kind is
+    that of the parameters, unless it is given."""
+    kind = kind or (kind_of(inputs[0]) if inputs else None)
     coin = one(s, kind, write)
     if coin is not None:
         if status is not None:
@@ -277,25 +279,6 @@ def read(name: str, s: Any, *inputs: Any, status: Any = None,
     size = sizeof(coins.kind)
     return _rows_of(full, "each_", coins.shape, status, lambda first: (
         coins.address + first * size, *inputs), 0 if write else math.nan)
-
-
-def move_bodies(bodies: Any, inputs: Tuple[Any, ...],
-                status: Any) -> Tuple[Any, Any]:
-    """coin_move() of each body of an array; the statuses and the times."""
-    import numpy
-    if not (is_numpy(bodies) and bodies.dtype == numpy.dtype(Body)):
-        raise TypeError(f"b: {type(bodies).__name__} where a Body or an array "
-                        "of dtype Body belongs: numpy.stack() makes one of a "
-                        "list of bodies")
-    if not bodies.flags.carray:
-        raise ValueError("an array to be moved must be writable and lie in one "
-                         "piece")
-    said = _statuses(status, bodies.shape)
-    reached = _rows_of("coin_move", "each_", bodies.shape, said, lambda first: (
-        bodies.ctypes.data + first * sizeof(Body), *inputs), 0)
-    if status is None and (said < 0).any():
-        _raise_first(said.reshape(-1))
-    return said, reached
 
 
 def times(name: str, t: Any, *inputs: Any, status: Any = None) -> Any:

@@ -78,4 +78,10 @@ static int32_t why_coin_time_to_rest(const coin_state *s, const coin_params *p,
     return why < 0 ? why : coin_state_check(s, p);
 }
 
+static int32_t why_coin_body_energy(const coin_body *b, const coin_params *p)
+{
+    double u[2];
+    return coin_body_slip(b, p, u);
+}
+
 #include "tables.h"

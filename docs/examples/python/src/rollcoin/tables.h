@@ -60,6 +60,15 @@ EACH_NUMBER(coin_time_to_rest, double, (const coin_state *s,
 EACH(each_coin_move, (coin_body *b, const coin_params *p,
      const coin_table *table, double t, double tol, int32_t stop,
      double *reached), coin_move(b + i, p, table, t, tol, stop, reached + i))
+EACH_NUMBER(coin_body_energy, double, (const coin_body *b,
+     const coin_params *p), (b + i, p))
+EACH(each_coin_body_reaction, (const coin_body *b, const coin_params *p,
+     const coin_table *table, coin_force *out), coin_body_reaction(b + i, p,
+     table, out + i))
+EACH(each_coin_body_slip, (const coin_body *b, const coin_params *p, double *u),
+     coin_body_slip(b + i, p, u + 2 * i))
+EACH(each_coin_body_matrix, (const coin_body *b, const coin_params *p,
+     double *m), coin_body_matrix(b + i, p, m + 16 * i))
 EACH(each_coinf_state_check, (const coinf_state *s, const coinf_params *p),
      coinf_state_check(s + i, p))
 EACH(each_coinf_angular_velocity, (const coinf_state *s, float *omega),
