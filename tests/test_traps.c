@@ -118,7 +118,7 @@ static int32_t call_coin_sample(const struct trap_case *c)
     return coin_sample(&c->s, &c->p, COIN_RK4, c->dt, 5, 3, s, NULL);
 }
 
-/* So short that the call comes to an end: no more than 20 radians of any of its
+/* So short that the call comes to an end: no more than ten radians of any of its
  * rates, near flat too. */
 static double some_time(const struct trap_case *c)
 {
@@ -126,14 +126,9 @@ static double some_time(const struct trap_case *c)
     const double cth = cos(c->s.theta);
     const double w = sqrt((wX * wX + wY * wY) / (cth * cth) + wZ * wZ +
                           c->p.gravity / (c->p.radius * cth));
-    return fmin(c->t, 20 / w);
+    return fmin(c->t, 10 / w);
 }
 
-/* For what takes more steps. */
-static double less_time(const struct trap_case *c)
-{
-    return some_time(c) / 100;
-}
 CALL(coin_advance, coin_advance(copy(&c->s), &c->p, some_time(c), 1e-6, NULL))
 CALL(coin_orbit_init, coin_orbit_init(&orbit, &c->s, &c->p))
 
@@ -175,7 +170,7 @@ WITH_LOSSES(coin_losses_power,
             isnan(coin_losses_power(&c->s, &c->p, &l)) ? COIN_ESTATE : COIN_OK)
 WITH_LOSSES(coin_losses_rates, coin_losses_rates(&c->s, &c->p, &l, &out))
 WITH_LOSSES(coin_settle,
-            coin_settle(copy(&c->s), &c->p, &l, less_time(c), 1e-6, NULL))
+            coin_settle(copy(&c->s), &c->p, &l, some_time(c), 1e-6, NULL))
 /* What settles a coin to rest, once or up to a hundred times: in one case of
  * 72, none of them upright, which never rests. */
 #define NOW_AND_THEN(c, call) ((c)->index % 72 != 71 ? COIN_OK : (call))
@@ -230,7 +225,7 @@ WITH_BODY(coin_table_check, coin_table_check(&f, &c->p))
 WITH_BODY(coin_body_from_state, coin_body_from_state(&b, &c->s, &c->p))
 WITH_BODY(coin_body_from_motion,
           coin_body_from_motion(&b, &c->p, q, omega, r, w))
-WITH_BODY(coin_move, coin_move(&b, &c->p, &f, fabs(less_time(c)), 1e-6,
+WITH_BODY(coin_move, coin_move(&b, &c->p, &f, fabs(some_time(c)), 1e-6,
                                c->mu > 0.5 ? COIN_SLIPS | COIN_ROLLS : 0, NULL))
 WITH_BODY(coin_body_energy,
           isnan(coin_body_energy(&b, &c->p)) ? COIN_ESTATE : COIN_OK)
