@@ -8,19 +8,16 @@ load results."/../style.gpi"
 floor_wobble = 43; floor_generic = 83; floor_tumble = 1300
 floor_ring = 66; floor_quarter = 73; floor_nearflat = 27; floor_engines = 73
 
-# Curves of a panel in the lines of style.gpi, marks, labels.
+# Curves of a panel in the lines of style.gpi, and its labels.
 is_mark(style) = style eq "14"
 curves = "for [i=1:words(lines)] stem.'.dat' index i-1 using \
         (is_mark(word(lines, i)) ? NaN : $1):2 with lines \
         ls int(word(lines, i)) notitle, \
     for [i=1:words(lines)] stem.'.dat' index i-1 using \
         (is_mark(word(lines, i)) ? $1 : NaN):2 with points \
-        ls int(word(lines, i)) notitle, \
-    stem.'.marks' using 1:2:(colour[int($3)]) with points pt 7 ps 0.9 \
-        lc rgb variable notitle, \
-    stem.'.leaders' using 1:2 with lines lw 0.5 lc rgb '#808080' notitle, \
-    stem.'.labels' using 1:2:3:(colour[int($4)]) with labels center \
-        noenhanced textcolor rgb variable notitle"
+        ls int(word(lines, i)) notitle"
+labels(stem, side) = ", '".stem.".labels' using 1:2:3:(colour[int($4)]) \
+    with labels ".side." noenhanced textcolor rgb variable notitle"
 
 key = ", keyentry with lines ls 1 title 'the textbook''s RK4', \
     keyentry with lines ls 2 title 'rk4', \
@@ -66,7 +63,7 @@ do for [k=1:7] {
         set key at screen 0.6,0.17 left top Left reverse samplen 3 \
             spacing 1.5 font ",13" noenhanced
     }
-    eval("plot ".curves.(k == 7 ? key : ""))
+    eval("plot ".curves.(k == 7 ? labels(stem, "center").key : ""))
 }
 unset multiplot
 unset key
@@ -89,12 +86,15 @@ set ytics ("1 us" 1e3, "10 us" 1e4, "100 us" 1e5, "1 ms" 1e6, "10 ms" 1e7, \
 unset object 1
 set xlabel "largest error within a second of motion [rad, radii]" offset 0,0.3
 set ylabel "computing time for a second of motion" offset 1,0
-eval("plot ".curves)
+python = from."/python"
+eval("plot ".curves.labels(stem, "left").", for [i=1:2] python.'.dat' \
+    index i-1 with points pt 7 ps 0.9 lc rgb colour[i == 1 ? 7 : 4] notitle". \
+    labels(python, "left"))
 
 # A call per frame.
 set output to."/frame_loop.svg"
 set terminal svg size 800,420 font "sans,12" background rgb "white"
-set xrange [50:1200]
+set xrange [50:7000]
 set xtics (60, 120, 240, 1000) format "%g"
 set xlabel "frames per second" offset 0,0.3
 set tmargin at screen 0.98
@@ -115,10 +115,8 @@ do for [column in "ns error"] {
         set ytics 1e-15,1e3,1 format "10^{%T}"
         set ylabel "error after a second [rad, radii]" offset 1,0
     }
-    plot for [i=1:words(lines)] stem.".dat" index i-1 using 1:2 \
-             with linespoints ls int(word(lines, i)) pt 7 ps 0.5, \
-         stem.".leaders" using 1:2 with lines lw 0.5 lc rgb "#808080", \
-         stem.".labels" using 1:2:3:(colour[int($4)]) with labels center \
-             noenhanced textcolor rgb variable
+    eval("plot for [i=1:words(lines)] stem.'.dat' index i-1 using 1:2 \
+        with linespoints ls int(word(lines, i)) pt 7 ps 0.5 notitle". \
+        labels(stem, "left"))
 }
 unset multiplot

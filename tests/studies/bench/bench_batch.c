@@ -128,15 +128,15 @@ int main(int argc, char **argv)
 {
     static const double dtW[] = {0.02, 0.05, 0.1, 0.15, 0.2,
                                  0.25, 0.35, 0.5, 0.7,  1};
-    static const unsigned calls[] = {1, 16, 64};
-    static struct cell cells[2][2][3][10];
+    static const unsigned calls[] = {1, 64};
+    static struct cell cells[2][2][2][10];
     const char *build = argc > 1 ? argv[1] : "unnamed";
     const struct kind kinds[] = {kind_of("quarter"), kind_of("any")};
     const double tare = clock_cost();
     for (int round = 0; round < ROUNDS; ++round)
         for (int k = 0; k < 2; ++k)
             for (int32_t m = COIN_RK4; m <= COIN_RK8; ++m)
-                for (int n = 0; n < 3; ++n)
+                for (int n = 0; n < 2; ++n)
                     for (int i = 0; i < (m == COIN_RK4 ? 7 : 10); ++i) {
                         struct cell *c = &cells[k][m][n][i];
                         if (round == 0)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""From the kept CSV to what gnuplot draws: one block per curve, marks, and where
-each curve's label goes.
+"""From the kept CSV to what gnuplot draws: NAME.dat with one block per curve,
+NAME.styles with their lines of style.gpi, and NAME.labels: x, y, text, style.
 
     curves.py RESULTS OUT
 
@@ -13,7 +13,6 @@ import math
 import pathlib
 import sys
 
-import labels
 import rungs
 
 RESULTS, OUT = map(pathlib.Path, sys.argv[1:])
@@ -30,54 +29,28 @@ SOLVERS = (("textbook RK4", 1, ("textbook RK4",)), ("rk4", 2, ("rk4",)),
            ("rk8", 3, ("rk8",)), ("coin_advance", 4, ("coin_advance",)),
            ("best other solver", 7, PEERS), ("with our equations", 8, FREE),
            ("orbit", 14, ("orbit",)))
-BESIDE_ENGINES = (("textbook RK4", 1, ("textbook RK4",)),
-                  ("coin_advance", 4, ("coin_advance",)),
-                  ("ODE", 12, ENGINES[:1]), ("MuJoCo", 13, ENGINES[1:]))
+BESIDE_ENGINES = (SOLVERS[0], SOLVERS[3], ("ODE", 12, ENGINES[:1]),
+                  ("MuJoCo", 13, ENGINES[1:]))
 SECOND = (("rollcoin", 4, OURS), ("a textbook's RK4", 1, ("textbook RK4",)),
           ("the best other solver", 7, PEERS),
           ("the better of two engines", 12, ENGINES))
 CALLS = {"textbook RK4": 1, "coin_step": 2, "one step of RK8": 3,
          "coin_advance 1e-6": 4, "coin_orbit_at": 14, "coin_move 1e-6": 17,
          "coin_settle 1e-6": 18}
+LONG = {"rk4": 2, "rk8": 3, "order 14 in tau": 4, "symplectic2": 5,
+        "symplectic4": 6}
 
-# The panels of accuracy.gp: pixels, and (from, to) of each axis.
-PANELS = {"scene": labels.Panel(400, 330, (1e-15, 1), (20, 1e7), 12),
-          "second": labels.Panel(690, 440, (1e-14, 1), (1e3, 1e9), 13),
-          "frame_ns": labels.Panel(310, 330, (50, 1200), (40, 3000), 12),
-          "frame_error": labels.Panel(310, 330, (50, 1200), (1e-15, 0.1), 12)}
 QUARTER = 0.0351704 # its natural unit of time [s]
-
-# Points drawn are at least these pixels apart: a line then bends within two
-# pixels of where it should.
-LINE_GAP = 5
-
-# A line of text, in parts of the height of the long runs' charts.
-LINE = 0.052
-
-# Lines of style.gpi for the methods of the long runs.
-COLOURS = {"rk4": 2, "rk8": 3, "order 14 in tau": 4, "symplectic2": 5,
-           "symplectic4": 6}
-
-
-def number(text):
-    return float(text) if text else math.nan
+MIDDLE = 1e-10      # the error at which the curves of speed.svg are labelled
+BESIDE = 1.5        # how far from its curve or mark a label stands
+LINE = 0.052        # a line of text, in parts of the height of a chart
 
 
 def rows(name):
     return rungs.read(RESULTS / f"{name}.csv")
 
 
-def thinned(points, gap, panel):
-    """The points without those nearer than gap to the last one kept; the ends
-    stay."""
-    kept = points[:1]
-    for point in points[1:-1]:
-        if math.dist(panel.pixel(*point), panel.pixel(*kept[-1])) >= gap:
-            kept.append(point)
-    return kept + points[1:][-1:]
-
-
-def cheapest(scene, methods):
+def cheapest(scene, methods, scale):
     """(error, cost) of the front of several methods, without the rungs that
     gain next to nothing."""
     fronts = [rungs.front(CURVES.get(("portable", scene, m), []))
@@ -93,70 +66,48 @@ def cheapest(scene, methods):
     for error, cost in line[1:]:
         if error < 0.8 * kept[-1][0]:
             kept.append((error, cost))
-    return kept
+    return [(error, cost * scale) for error, cost in kept]
 
 
-def block(points):
-    return "\n".join(f"{x:g} {y:g}" for x, y in points) or "nan nan"
+def write(name, curves, styles, labels):
+    blocks = ("\n".join(f"{x:g} {y:g}" for x, y in points) or "nan nan"
+              for points in curves)
+    (OUT / f"{name}.dat").write_text("\n\n\n".join(blocks) + "\n")
+    (OUT / f"{name}.styles").write_text(" ".join(map(str, styles)) + "\n")
+    (OUT / f"{name}.labels").write_text("".join(
+        f'{x:g} {y:g} "{text}" {style}\n' for x, y, text, style in labels))
 
 
-def write(name, panel, lines, style, marks=(), labelled=True):
-    """What is drawn in a panel: curves {name: points} in their order, marks
-    (name, point, style), and labels with leaders; style by name."""
-    stem = OUT / name
-    (OUT / f"{name}.dat").write_text("\n\n\n".join(
-        block(thinned(line, LINE_GAP, panel)) for line in lines.values()) + "\n")
-    (OUT / f"{name}.styles").write_text(
-        " ".join(str(style[n]) for n in lines) + "\n")
-    (OUT / f"{name}.marks").write_text("".join(
-        f"{x:g} {y:g} {k}\n" for _, (x, y), k in marks) or "nan nan 1\n")
-    named = lines | {n: [point] for n, point, _ in marks} if labelled else {}
-    style = style | {n: k for n, _, k in marks}
-    places = labels.place(panel, named, math.inf)
-    missing = [n for n, line in named.items() if line and n not in places]
-    if missing:
-        print(f"{name}: no room for", *missing, file=sys.stderr)
-    stem.with_suffix(".labels").write_text("".join(
-        f'{x:g} {y:g} "{n}" {style[n]}\n'
-        for n, (x, y, _) in places.items()) or '1 1 " " 1\n')
-    stem.with_suffix(".leaders").write_text("".join(
-        f"{a:g} {b:g}\n{c:g} {d:g}\n\n"
-        for a, b, c, d in (l for *_, l in places.values() if l)) or "nan nan\n")
+def solvers(name, scene, shown, scale, place):
+    """Curves of a scene; place(points) is where a label stands."""
+    curves = [cheapest(scene, methods, scale) for _, _, methods in shown]
+    labels = [(*place(points), text, style)
+              for (text, style, _), points in zip(shown, curves) if points]
+    write(name, curves, [style for _, style, _ in shown], labels)
 
 
-def within(points, panel):
-    """Those inside a panel."""
-    return [p for p in points
-            if all(0 <= v <= most for v, most in zip(
-                panel.pixel(*p), (panel.width, panel.height)))]
+def above_middle(points):
+    error, cost = min(points, key=lambda p: abs(math.log(p[0] / MIDDLE)))
+    return error, cost * BESIDE
 
 
-def solvers(name, scene, shown, panel, scale, marks=(), labelled=True):
-    lines = {n: within([(e, c * scale) for e, c in cheapest(scene, methods)],
-                       panel) for n, _, methods in shown}
-    write(name, panel, lines, {n: k for n, k, _ in shown}, marks, labelled)
+def below_end(points):
+    return points[0][0], points[0][1] / BESIDE**1.5
 
 
-def python():
-    """A second of the quarter from Python."""
-    return [(r["method"], (number(r["error"]), number(r["ns"])), style)
-            for r, style in zip(rows("python"), (7, 4))]
-
-
-def frame_loop():
-    """One call per frame: what it takes, and the error after a second, against
-    the frame rate."""
-    for column in ("ns", "error"):
-        curves = {name: [(number(r["rate"]), number(r[column]))
-                         for r in rows("frames") if r["call"] == name]
-                  for name in CALLS}
-        if column == "error":  # coin_step's errors are the textbook's
-            del curves["textbook RK4"]
-        write(f"frame_{column}", PANELS[f"frame_{column}"], curves, CALLS)
+def second():
+    """The second of speed.svg, and that second from Python."""
+    solvers("second", "quarter", SECOND, NS["portable", "quarter"] / QUARTER,
+            above_middle)
+    marks = [(float(r["error"]), float(r["ns"]), r["method"], style)
+             for r, style in zip(rows("python"), (7, 4))]
+    write("python", [[(x, y)] for x, y, _, _ in marks],
+          [style for *_, style in marks],
+          [(x, y / BESIDE, *rest) for x, y, *rest in marks])
 
 
 def spread(labels, low, high):
-    """Moves labels (y, text), y in decades, apart, and keeps their order."""
+    """Moves labels (y, ...) apart, and keeps their order."""
     gap = LINE * (high - low)
     labels = sorted(labels)
     for _ in range(200):
@@ -171,42 +122,43 @@ def spread(labels, low, high):
     return labels
 
 
-def chart(name, data, low, high, scale=math.log10, back=lambda v: 10 ** v):
-    """data: {(method, h): [(t, y), ...]}; labels go to the ends, right.  scale
+def chart(name, data, low, high, at, scale=math.log10, back=lambda v: 10 ** v):
+    """data: {(text, style): [(x, y), ...]}; labels go to x = at, right.  scale
     and back: from y to the axis, which ends at low and high, and back."""
-    blocks, labels = [], []
-    for (method, h), points in data.items():
-        points = [(t, y) for t, y in points if y > 0]
-        blocks.append(block(points))
-        if points:
-            t, y = points[-1]
-            labels.append((scale(y), f"{method}, {h}", COLOURS[method], t, y))
-    (OUT / f"{name}.dat").write_text("\n\n\n".join(blocks) + "\n")
-    (OUT / f"{name}.labels").write_text("".join(
-        f'{back(y):g} "{text}" {k} {t:g} {end:g}\n'
-        for y, text, k, t, end in spread(labels, low, high)))
+    data = {k: [(x, y) for x, y in points if y > 0]
+            for k, points in data.items()}
+    labels = spread([(scale(points[-1][1]), *key)
+                     for key, points in data.items() if points], low, high)
+    write(name, data.values(), [style for _, style in data],
+          [(at, back(y), *key) for y, *key in labels])
 
 
-def by_run(data, *columns):
+def frames(column, but=None):
+    """One call per frame, against the frame rate."""
+    return {(name, style): [(float(r["rate"]), float(r[column]))
+                            for r in rows("frames") if r["call"] == name]
+            for name, style in CALLS.items() if name != but}
+
+
+def by_run(name, *columns):
     """The largest of the columns against t, for each method and step."""
     runs = {}
-    for r in data:
-        runs.setdefault((r["method"], r["h"]), []).append(
-            (number(r["t"]), max(number(r[c]) for c in columns)))
+    for r in rows(name):
+        key = f"{r['method']}, {r['h']}", LONG[r["method"]]
+        runs.setdefault(key, []).append(
+            (float(r["t"]), max(float(r[c] or "nan") for c in columns)))
     return runs
 
 
 OUT.mkdir(parents=True, exist_ok=True)
-for name in ("wobble", "generic", "tumble", "ring", "quarter", "nearflat"):
-    solvers(f"ns_{name}", name, SOLVERS, PANELS["scene"], NS["portable", name],
-            labelled=False)
-solvers("ns_engines", "quarter", BESIDE_ENGINES, PANELS["scene"],
-        NS["portable", "quarter"])
-solvers("second", "quarter", SECOND, PANELS["second"],
-        NS["portable", "quarter"] / QUARTER, python())
-frame_loop()
-drifts = rows("longrun")
-chart("energy", by_run(drifts, "energy_rms"), -17, 0)
-chart("integrals", by_run(drifts, "KY_rms", "KZ_rms"), -17, 0)
-chart("phase", by_run(drifts, "phase_rms"), -15, 5)
-chart("damping", by_run(rows("damping"), "swing"), 0, 0.7, float, float)
+for scene in ("wobble", "generic", "tumble", "ring", "quarter", "nearflat"):
+    solvers(f"ns_{scene}", scene, SOLVERS, NS["portable", scene], below_end)
+solvers("ns_engines", "quarter", BESIDE_ENGINES, NS["portable", "quarter"],
+        below_end)
+second()
+chart("frame_ns", frames("ns"), math.log10(40), math.log10(3000), 1100)
+chart("frame_error", frames("error", "textbook RK4"), -15, -1, 1100)
+chart("energy", by_run("longrun", "energy_rms"), -17, 0, 1.3e7)
+chart("integrals", by_run("longrun", "KY_rms", "KZ_rms"), -17, 0, 1.3e7)
+chart("phase", by_run("longrun", "phase_rms"), -15, 5, 1.3e7)
+chart("damping", by_run("damping", "swing"), 0, 0.7, 1.3e6, float, float)

@@ -47,7 +47,7 @@ do for [name in "energy integrals phase"] {
         [50:1e7] '+' using 1:(guide($1, first, high)) with lines ls 20, \
         for [i=1:8] from."/".name.".dat" index i-1 using 1:2 \
             with lines ls line[i], \
-        from."/".name.".labels" using (1.3e7):1:2:(colour[int($3)]) \
+        from."/".name.".labels" using 1:2:3:(colour[int($4)]) \
             with labels left font ",11" textcolor rgb variable
 }
 
@@ -62,5 +62,5 @@ set ytics 0.2 format "%.1f"
 set ylabel "swing of the lean, largest less least [rad]" offset 1.5,0
 plot for [i=1:6] from."/damping.dat" index i-1 using 1:2 \
         with lines ls still[i], \
-    from."/damping.labels" using ($4*1.5):1:2:(colour[int($3)]) \
+    from."/damping.labels" using 1:2:3:(colour[int($4)]) \
         with labels left font ",11" textcolor rgb variable
