@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Asserts what physics.md concludes from the equations of motion.
 
-usage:  python3 docs/proofs/consequences.py   Eq. (33)-(54), (56)-(58), (60)-(63), (93), (94)
+usage:  python3 docs/proofs/consequences.py   Eq. (33)-(54), (56)-(58), (93), (94)
 runs derivation.py first
 """
 import sys
@@ -176,19 +176,6 @@ moved = [sp.I*L*(w**k - w**-k)/(w - 1/w)*w**k for k in range(6)]
 holds(58, moved[1] - once,
       *(moved[k + 1] - (once + w**2*moved[k]) for k in range(5)),
       (zB - xB*sp.I*(w + 1/w)/(w - 1/w))*(1 - w**2) - once)
-
-# ---- small wobbles, (60)-(63)
-wYy, wZy, phiy = wY*T + k1*wZ, k2*wY, (2*wY*T + k1*wZ)/c
-holds(60, along(wY) - wYy, along(wZ) - wZy, J*diff(eq14, wZ) + K*wY,
-      J*diff(eq14, wY) + K*wZ + 2*IX*wY*T)
-holds(62, along(wY/c) - phiy, along(wZ + wY*T) - (wZy + wYy*T + wY/c**2))
-Y, V, b, Psi, grown = sp.symbols('Y V b Psi grown')     # grown = exp(l t)
-C, S = (grown + 1/grown)/2, (grown - 1/grown)/(2*l)
-holds(61, diff(C, grown)*l*grown - l*l*S, diff(S, grown)*l*grown - C)
-holds(63, Psi + b*(Y*C + V*S) + sp.I*Psi*x*(Y*S + V*(C - 1)/l**2)
-      - Psi*(1 - sp.I*x*V/l**2)
-      - (Y + V/l)/2*(b + sp.I*Psi*x/l)*grown
-      - (Y - V/l)/2*(b - sp.I*Psi*x/l)/grown)
 
 # ---- falls: the nearly flat pass, from rest, the landing: (51), (52), (54)
 t, d, vf, c0, c1, c2 = sp.symbols('t d vf c0 c1 c2', positive=True)
