@@ -66,6 +66,14 @@ template <class R> constexpr R half_pi = R(M_PI_2q);
  * the terms" counts in. */
 template <class R> struct terms {
     R value = 0, size = 0;
+
+    terms() = default;
+    terms(R only) : value(only), size(magnitude(only))
+    {
+    }
+    terms(R whole, R of) : value(whole), size(of)
+    {
+    }
     terms &add(R term)
     {
         value += term;

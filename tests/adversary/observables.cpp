@@ -7,15 +7,13 @@ namespace
 template <class T, class R> bool energy(trial<T, R> &q)
 {
     const typename T::real E = T::energy(&q.y, &q.p);
-    q.hold(E, energy_of(q.at), 8);
-    return q.reads(E == E);
+    return q.holds(E == E, &E, 8, {energy_of(q.at)});
 }
 
 template <class T, class R> bool fastest_rate(trial<T, R> &q)
 {
     const typename T::real W = T::fastest_rate(&q.y, &q.p);
-    q.hold(W, terms<R>().add(fastest(q.at)), 8);
-    return q.reads(W == W);
+    return q.holds(W == W, &W, 8, {fastest(q.at)});
 }
 
 template <class T, class R> bool integrals(trial<T, R> &q)
@@ -25,9 +23,7 @@ template <class T, class R> bool integrals(trial<T, R> &q)
     if (!q.reads(T::integrals(&q.y, &q.p, K) == COIN_OK))
         return false;
     integrals_of(q.at, &KY, &KZ);
-    q.hold(K[0], KY, 16);
-    q.hold(K[1], KZ, 16);
-    return true;
+    return q.holds(true, K, 16, {KY, KZ});
 }
 
 template <class T, class R> bool reaction(trial<T, R> &q)
@@ -39,10 +35,7 @@ template <class T, class R> bool reaction(trial<T, R> &q)
     const R F = want.friction, N = want.normal.value;
     const R allowed = 14 * (q.u * want.friction_size + q.least);
     const R normal = 14 * (q.u * want.normal.size + q.least);
-    q.hold(f.R[0], want.Rx, 14);
-    q.hold(f.R[1], want.normal, 14);
-    q.hold(f.R[2], want.Rz, 14);
-    q.hold(f.normal, want.normal, 14);
+    q.holds(true, f.R, 14, {want.Rx, want.normal, want.Rz, want.normal});
     q.hold(R(f.friction), F, allowed);
     if (N > 2 * normal && F / N < R(1e30))
         q.hold(R(f.ratio), F / N,
@@ -52,53 +45,44 @@ template <class T, class R> bool reaction(trial<T, R> &q)
 
 template <class T, class R> bool rates(trial<T, R> &q)
 {
-    typename T::state d;
-    terms<R> want[8];
-    if (!q.reads(T::rates(&q.y, &q.p, &d) == COIN_OK))
-        return false;
-    rates_of(q.at, want);
-    for (int i = 0; i < 8; ++i)
-        q.hold((&d.theta)[i], want[i], 12);
-    return true;
+    typename T::state is;
+    terms<R> d[8];
+    rates_of(q.at, d);
+    return q.holds(T::rates(&q.y, &q.p, &is) == COIN_OK, &is.theta, 12,
+                   {d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7]});
 }
 
 template <class T, class R> bool center(trial<T, R> &q)
 {
     typename T::real r[3];
-    if (T::center(&q.y, &q.p, r) != COIN_OK)
-        return false;
-    q.hold(r[1], terms<R>().add(q.at.a * q.at.c), 4);
+    const bool done = T::center(&q.y, &q.p, r) == COIN_OK;
+    q.hold(r[1], terms<R>(q.at.a * q.at.c), 4);
     q.equal(r[0] == q.y.x && r[2] == q.y.z);
-    return true;
+    return done;
 }
 
 template <class T, class R> bool velocity(trial<T, R> &q)
 {
     typename T::real v[3];
     terms<R> d[8];
-    if (!q.reads(T::velocity(&q.y, &q.p, v) == COIN_OK))
-        return false;
     rates_of(q.at, d);
-    q.hold(v[0], d[3], 8);
-    q.hold(v[1], terms<R>().add(-q.at.a * q.at.wX * q.at.s), 8); /* (20) */
-    q.hold(v[2], d[4], 8);
-    return true;
+    return q.holds(T::velocity(&q.y, &q.p, v) == COIN_OK, v, 8,
+                   {d[3], -q.at.a * q.at.wX * q.at.s, d[4]}); /* (20) */
 }
 
 template <class T, class R> bool contact(trial<T, R> &q)
 {
     const moment<R> &y = q.at;
     typename T::real r[3], v[3];
-    terms<R> d[8];
-    if (!q.reads(T::contact(&q.y, &q.p, r, v) == COIN_OK))
-        return false;
+    terms<R> d[8], x = y.x, z = y.z;
+    const bool done = T::contact(&q.y, &q.p, r, v) == COIN_OK;
     rates_of(y, d);
-    q.hold(r[0], terms<R>().add(y.x).add(-y.a * y.s * y.sph), 8); /* (21) */
-    q.hold(r[2], terms<R>().add(y.z).add(-y.a * y.s * y.cph), 8); /* (21) */
-    q.hold(v[0], terms<R>().add(d[2], -y.a * y.cph), 8);          /* (22) */
-    q.hold(v[2], terms<R>().add(d[2], y.a * y.sph), 8);           /* (22) */
-    q.equal(r[1] == 0 && v[1] == 0);
-    return true;
+    q.holds(done, r, 8,
+            {x.add(-y.a * y.s * y.sph), R(0),
+             z.add(-y.a * y.s * y.cph)}); /* (21) */
+    return q.holds(done, v, 8,
+                   {terms<R>().add(d[2], -y.a * y.cph), R(0),
+                    terms<R>().add(d[2], y.a * y.sph)}); /* (22) */
 }
 
 template <class R> void frame_of(const moment<R> &y, R e[9])
@@ -115,13 +99,10 @@ template <class R> void frame_of(const moment<R> &y, R e[9])
 template <class T, class R> bool axes(trial<T, R> &q)
 {
     typename T::real e[9];
-    R want[9];
-    if (T::axes(&q.y, e) != COIN_OK)
-        return false;
-    frame_of(q.at, want);
-    for (int i = 0; i < 9; ++i)
-        q.hold(R(e[i]), want[i], 4 * q.u);
-    return true;
+    R w[9];
+    frame_of(q.at, w);
+    return q.near(T::axes(&q.y, e) == COIN_OK, e, 4,
+                  {w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7], w[8]});
 }
 
 /* (30) */
@@ -139,21 +120,17 @@ template <class R> void rotation_of(R theta, R phi, R psi, R q[4])
 template <class T, class R> bool quaternion(trial<T, R> &q)
 {
     typename T::real out[4];
-    R want[4];
-    if (T::quaternion(&q.y, out) != COIN_OK)
-        return false;
-    rotation_of(q.at.theta, q.at.phi, q.at.psi, want);
-    for (int i = 0; i < 4; ++i)
-        q.hold(R(out[i]), want[i], 4 * q.u);
-    return true;
+    R w[4];
+    rotation_of(q.at.theta, q.at.phi, q.at.psi, w);
+    return q.near(T::quaternion(&q.y, out) == COIN_OK, out, 4,
+                  {w[0], w[1], w[2], w[3]});
 }
 
 template <class T, class R> bool angular_velocity(trial<T, R> &q)
 {
     typename T::real omega[3];
     R e[9];
-    if (T::angular_velocity(&q.y, omega) != COIN_OK)
-        return false;
+    const bool done = T::angular_velocity(&q.y, omega) == COIN_OK;
     frame_of(q.at, e);
     for (int i = 0; i < 3; ++i)
         q.hold(omega[i],
@@ -162,7 +139,7 @@ template <class T, class R> bool angular_velocity(trial<T, R> &q)
                    .add(q.at.wY * e[3 + i])
                    .add(q.at.wZ * e[6 + i]),
                8);
-    return true;
+    return done;
 }
 
 /* (90), of unit columns: 8 u of 1, and 4 u of the height. */

@@ -411,23 +411,23 @@ std::vector<row> rolling_motions()
 {
     const char *moved = "2 tol a radius of speed + rounding";
     return {
-        ROLLING("advance", moved, 20, horizon, 0, advance),
+        ROLLING("advance", moved, 10, horizon, 0, advance),
         ROLLING("move_until", "F/N over mu by 1e-4 of mu", 10, until_it_slips,
                 0, until),
         ROLLING("orbit_at",
                 "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + "
                 "period) + 4 u amplified",
-                40, about_circles, NEAR, orbit),
-        ROLLING("orbit_at_far", "the same; up to 1e6 units", 40, about_circles,
+                20, about_circles, NEAR, orbit),
+        ROLLING("orbit_at_far", "the same; up to 1e6 units", 20, about_circles,
                 FAR, orbit),
         ROLLING("orbit_init",
                 "lean; rates; heading and roll after a period as coin_orbit_at",
-                40, about_circles, NEAR, orbit_init),
-        ROLLING("advance_calls", moved, 100, short_calls, ADVANCE, rolls),
-        ROLLING("settle_calls", moved, 100, short_calls, SETTLE, rolls),
+                20, about_circles, NEAR, orbit_init),
+        ROLLING("advance_calls", moved, 50, short_calls, ADVANCE, rolls),
+        ROLLING("settle_calls", moved, 50, short_calls, SETTLE, rolls),
         ROLLING("move_calls",
                 "2 tol a radius of speed + rounding; rolls where the truth "
                 "does",
-                100, short_calls, MOVE, rolls),
+                50, short_calls, MOVE, rolls),
     };
 }

@@ -8,6 +8,7 @@
 #include "scene.hpp"
 #include "truth.hpp"
 
+#include <initializer_list>
 #include <vector>
 
 /* No claim: the call was refused or warned, or the law does not reach. */
@@ -75,6 +76,21 @@ template <class T, class R> struct trial {
     void hold(typename T::real output, const terms<R> &truth, int ulps)
     {
         hold(R(output), truth.value, ulps * (u * truth.size + least));
+    }
+    /* So of several outputs of a call that was done. */
+    bool holds(bool done, const typename T::real *outputs, int ulps,
+               std::initializer_list<terms<R>> truths)
+    {
+        for (const terms<R> &truth : truths)
+            hold(*outputs++, truth, ulps);
+        return reads(done);
+    }
+    bool near(bool done, const typename T::real *outputs, int ulps,
+              std::initializer_list<R> truths)
+    {
+        for (R truth : truths)
+            hold(R(*outputs++), truth, ulps * u);
+        return done;
     }
     /* Within so many u of it. */
     void near(typename T::real output, R truth, int ulps)
