@@ -118,8 +118,8 @@ static int32_t call_coin_sample(const struct trap_case *c)
     return coin_sample(&c->s, &c->p, COIN_RK4, c->dt, 5, 3, s, NULL);
 }
 
-/* So short that the call comes to an end: no more than ten radians of any of its
- * rates, near flat too. */
+/* So short that the call comes to an end: no more than ten radians of any of
+ * its rates, near flat too. */
 static double some_time(const struct trap_case *c)
 {
     const double wX = c->s.wX, wY = c->s.wY, wZ = c->s.wZ;
