@@ -184,7 +184,7 @@ static int may_raise(const struct subject *s, double result)
             : (result < 0 && result >= COIN_EARG) || result == COIN_ERANGE)
         return 1;
     const int in_floats = strncmp(s->f->name, "coinf", 5) == 0;
-    return in_floats || !moves_ordinarily(s); /* test_float_traps */
+    return in_floats || !moves_ordinarily(s); /* test_traps */
 }
 
 /* Calls with the null-th argument null; none is if that is beyond the last. */

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { POINTERS = 5 };
+enum { POINTERS = 5, MOST_FUNCTIONS = 64 };
 
 /* What a pointer is:
  *   p  parameters, read                 P  parameters, written
@@ -22,7 +22,7 @@ struct function {
     int32_t (*call)(void *const a[POINTERS]);
 };
 
-extern const struct function functions[];
-extern const size_t function_count;
+extern struct function functions[MOST_FUNCTIONS];
+extern size_t function_count;
 
 #endif

@@ -18,30 +18,32 @@ struct trap_case {
     float fdt, fmu;
 };
 
-struct trap_function {
-    const char *name;
-    int32_t (*call)(const struct trap_case *c); /* its status */
-};
+/* Defines what calls a function, and adds it to those that are called: its
+ * status, by c. */
+#define CALLS(name)                                                            \
+    static int32_t call_##name(const struct trap_case *c);                     \
+    __attribute__((constructor)) static void add_##name(void)                  \
+    {                                                                          \
+        traps_add(#name, call_##name);                                         \
+    }                                                                          \
+    static int32_t call_##name(const struct trap_case *c)
 
-/* A function that calls another one by an expression of c, and its row. */
+/* The same by an expression of c. */
 #define CALL(name, expression)                                                 \
-    static int32_t call_##name(const struct trap_case *c)                      \
+    CALLS(name)                                                                \
     {                                                                          \
         (void)c;                                                               \
         return expression;                                                     \
     }
-#define ROW(name)                                                              \
-    {                                                                          \
-#name, call_##name                                                     \
-    }
+
+void traps_add(const char *name, int32_t (*call)(const struct trap_case *c));
 
 /* Calls all functions with ordinary, extreme and random arguments.  Fails if a
  * function never succeeds. */
-void traps_run(const struct trap_function *functions, size_t count);
+void traps_run(void);
 
-/* Fails unless each symbol of lib/about/rollcoin.map that begins with the
- * prefix has a row of its name, or rows whose names begin with it. */
-void traps_are_complete(const char *prefix,
-                        const struct trap_function *functions, size_t count);
+/* Fails unless each symbol of lib/about/rollcoin.map is called, or some whose
+ * names begin with it. */
+void traps_are_complete(void);
 
 #endif
