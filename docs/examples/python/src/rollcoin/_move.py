@@ -12,7 +12,7 @@ from numbers import Integral
 from typing import Any, NamedTuple, Tuple, Type
 
 from ._declarations import EARG, EPARAMS, Bits, Losses, Params, State
-from ._library import Error, lib
+from ._library import BITS, Error, lib
 from ._tables import (REAL, AnyParams, Coin, Coins, Statuses, Table, coin,
                      function, is_numpy, kind_of, one, read, table)
 
@@ -53,21 +53,21 @@ def run(s: Coin, p: AnyParams, method: int, dt: float, steps: int) -> Bits:
     kind = kind_of(p)
     call = function("run", kind)
     target = coin(s, kind, True)
-    status = Bits(0)
+    bits = 0  # the | of a Flag is slow
     done = 0
     left = _whole(steps)
     while True:
         part = c_uint64()
         try:
-            status |= call(target, p, method, dt, min(left, SLICE),
-                           byref(part))
+            bits |= int(call(target, p, method, dt, min(left, SLICE),
+                             byref(part)))
         except Error as error:
             error.done = done + part.value
             raise
         done += part.value
         left -= part.value
         if not left:
-            return status
+            return BITS[bits]
 
 
 def sample(start: Coin, p: Params, method: int, dt: float,
