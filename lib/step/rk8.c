@@ -3,7 +3,7 @@
 
 /* gcc would move the arithmetic of the step's end behind the branches that use
  * it, which costs 10 % of a step; in vectors of four it saves 2 %.  Scheduling
- * before allocation saves 7 % of a step of a run (make bench).  Allocation of
+ * before allocation saves 7 % of a step of a run (make costs).  Allocation of
  * the whole step as one region saves 2 % of its instructions. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__) &&         \
     defined(__x86_64__) && !defined(__AVX__)
