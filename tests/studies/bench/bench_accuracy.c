@@ -3,11 +3,9 @@
 #include "textbook.h"
 #include "workprec.h"
 
-#include <coinf.h>
-
 #include <string.h>
 
-enum { TEXTBOOK = -1, ADVANCE = 100, ORBIT, SINGLE };
+enum { TEXTBOOK = -1, ADVANCE = 100, ORBIT };
 
 static struct {
     const scene *c;
@@ -16,23 +14,7 @@ static struct {
     coin_state s;
     double t; /* since the start */
     coin_orbit orbit;
-    coinf_state single;
-    coinf_params body;
 } at;
-
-static void begin_single(void)
-{
-    const coin_params *p = &at.c->p;
-    const coin_state *s = &at.s;
-    const coinf_state start = {
-        (float)s->theta, (float)s->phi, (float)s->psi, (float)s->x, (float)s->z,
-        (float)s->wX,    (float)s->wY,  (float)s->wZ,  {0},
-    };
-    at.single = start;
-    coinf_params_body(&at.body, (float)p->mass, (float)p->radius,
-                      (float)p->gravity, (float)p->inertia_X,
-                      (float)p->inertia_Z);
-}
 
 static void begin(const solver *self, const scene *c, double setting)
 {
@@ -41,8 +23,6 @@ static void begin(const solver *self, const scene *c, double setting)
     at.setting = setting;
     at.s = c->row[0].s;
     at.t = 0;
-    if (at.method == SINGLE)
-        begin_single();
 }
 
 /* With the first answer the orbit is made: that is what it costs. */
@@ -54,17 +34,6 @@ static int go_orbit(double t)
     return coin_orbit_at(&at.orbit, at.t, &at.s);
 }
 
-static int go_single(double dt, unsigned long steps)
-{
-    const coinf_state *f = &at.single;
-    const int status =
-        coinf_run(&at.single, &at.body, COIN_RK4, (float)dt, steps, 0);
-    const coin_state s = {f->theta, f->phi, f->psi, f->x,
-                          f->z,     f->wX,  f->wY,  f->wZ};
-    at.s = s;
-    return status;
-}
-
 static int go(double t, unsigned long steps)
 {
     const double dt = t / (double)steps;
@@ -72,8 +41,6 @@ static int go(double t, unsigned long steps)
         return coin_advance(&at.s, &at.c->p, t, at.setting, 0);
     if (at.method == ORBIT)
         return go_orbit(t);
-    if (at.method == SINGLE)
-        return go_single(dt, steps);
     if (at.method != TEXTBOOK)
         return coin_run(&at.s, &at.c->p, at.method, dt, steps, 0);
     textbook_run(&at.s, &at.c->p, dt, steps);
@@ -98,11 +65,9 @@ int main(int argc, char **argv)
         {"symplectic2", COIN_SYMPLECTIC2, 1, STEPS},
         {"symplectic4", COIN_SYMPLECTIC4, 3, STEPS},
         {"coin_advance", ADVANCE, 0, TOLERANCES},
-        {"rk4 of floats", SINGLE, 4, 1, 0.8408964152537145, 1e-4, 20e6, 1,
-         begin, go, state},
         {"orbit", ORBIT, 0, 1, 0.5, 1, 20e6, 0, begin, go, state},
     };
     const int mapped = argc > 1 && strcmp(argv[1], "atlas") == 0;
     const int count = sizeof list / sizeof *list;
-    return workprec(list, mapped ? count - 2 : count, argc, argv);
+    return workprec(list, mapped ? count - 1 : count, argc, argv);
 }

@@ -45,7 +45,7 @@ FRONTS = {key: rungs.front(curve) for key, curve in CURVES.items()}
 FREE = {m for _, _, m in CURVES if m.startswith("sine-free")}
 HEYOKA = {"heyoka"}
 PEERS = {m for _, _, m in CURVES} - {
-    *OURS, *SYMPLECTIC, *FREE, *HEYOKA, TEXTBOOK, "orbit", "rk4 of floats"}
+    *OURS, *SYMPLECTIC, *FREE, *HEYOKA, TEXTBOOK, "orbit"}
 
 
 def cheapest(build, scene, methods, error):

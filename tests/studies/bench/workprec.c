@@ -174,9 +174,11 @@ static double quiet_textbook(const scene *c)
  * steps only to 0.8 at times. */
 #define IDLE 8
 #define BETTER 0.9
+#define FLOOR 1e-9 /* an error above it is not rounding */
+* /
 
-static void walk(const char *build, const scene *c, const solver *v,
-                 double *quiet)
+    static void walk(const char *build, const scene *c, const solver *v,
+                     double *quiet)
 {
     const double span = c->row[c->rows - 1].t / c->unit;
     double before = -1;
@@ -197,7 +199,7 @@ static void walk(const char *build, const scene *c, const solver *v,
         printf("%s,%s,%s,%.4g,%.3g,%.3g,%.3g,%s\n", build, c->name, v->name,
                r.setting, out.error, out.ns / span, out.textbook, out.status);
         fflush(stdout);
-        idle = ok && out.error > BETTER * best ? idle + 1 : 0;
+        idle = best < FLOOR && ok && out.error > BETTER * best ? idle + 1 : 0;
         best = ok ? fmin(best, out.error) : best;
         if (out.ns > v->patience)
             break;
