@@ -175,10 +175,9 @@ static double quiet_textbook(const scene *c)
 #define IDLE 8
 #define BETTER 0.9
 #define FLOOR 1e-9 /* an error above it is not rounding */
-* /
 
-    static void walk(const char *build, const scene *c, const solver *v,
-                     double *quiet)
+static void walk(const char *build, const scene *c, const solver *v,
+                 double *quiet)
 {
     const double span = c->row[c->rows - 1].t / c->unit;
     double before = -1;
