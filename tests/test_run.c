@@ -13,6 +13,7 @@
 
 static struct scene scene;
 
+/* What each test begins with, in whatever order they run. */
 __attribute__((constructor)) static void load(void)
 {
     scene_load(&scene, "generic");
@@ -99,6 +100,7 @@ TEST(n_steps_in_one_run_are_n_runs_of_one_step)
         check_near(many.wY, one.wY, bound / T);
         check_near(many.wZ, one.wZ, bound / T);
     }
+    load();
 }
 
 /* Many turns of the heading, in steps that are nearly refused: the rate is
@@ -233,6 +235,7 @@ TEST(one_coarse_step_in_a_run_is_enough)
     check_status(run(&s, 0.004, 1, NULL), COIN_OK);
     s = start;
     check_status(run(&s, 0.004, 201, NULL), COIN_COARSE);
+    load();
 }
 
 /* ------------------------------------------------------------ bad arguments */
