@@ -2,7 +2,7 @@
 #
 # A directed search for the largest unwarned error: included by the Makefile.
 #
-#   make adversary                      the gate: a minute on two cores, the
+#   make adversary                      the gate: four minutes on two cores, the
 #                                       same work each time
 #   make adversary EVALUATIONS=1000000  two hours on two cores, by hand
 #   make adversary-update               renews tests/studies/bench/results and the table

@@ -114,8 +114,8 @@ using judge = double (*)(const scene &s, int kind, double enough);
 struct row {
     const char *function;
     const char *bound; /* the documented bound, in words */
-    int share;         /* one evaluation in so many, in a search of a minute:
-                          what one costs */
+    int share;         /* one evaluation in so many, in a short search: what
+                          one costs */
     bool narrow;       /* scenes within the range of floats */
     int kind;          /* what of the law; a method */
     void (*edge)(scene *, const double *genes, int kind); /* leads to the row's
