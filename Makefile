@@ -369,8 +369,8 @@ valgrind: ## the tests under valgrind
 # Unoptimised and unmapped: gcov then sees each branch as it is written, and
 # finds the sources.  Only what ran inside the library's own objects counts.
 COVERED = gcovr -j 2 --root $(SRC) --filter '$(SRC)/lib/' $(O)/coverage/objects
-# The goal is 100 %.  8 branches and 3 lines of lib/real are not run
-# yet by any test: the figures below are those reached, and may only rise.
+# The goal is 100 %.  Three branches of air/flat_slide.c and one of step/lanes.c
+# are not run yet by any test: the figures may only rise.
 # A copy of a function for each of its callers would have branches of its own
 # that no argument of that caller takes: here nothing is always_inline.
 COVER   = -O0 -g --coverage -fprofile-abs-path -Dalways_inline=unused
@@ -378,7 +378,7 @@ coverage: ## lines and branches of lib/ that run; the missing are listed
 	rm -rf $(O)/coverage
 	+ROLLCOIN_LONG=1 $(AGAIN) O=$(O)/coverage check MAPS= \
 	    CFLAGS='$(COVER)'
-	$(COVERED) --branches --fail-under-line 99.9 --fail-under-branch 99.5 || \
+	$(COVERED) --branches --fail-under-line 100 --fail-under-branch 99.7 || \
 	    { $(COVERED); exit 1; }
 
 lint: all ## style, layers, citations, symbols, static analysis

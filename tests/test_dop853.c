@@ -71,6 +71,18 @@ TEST(a_polynomial_without_its_stages_is_the_cubic_of_the_ends)
     }
 }
 
+/* The stride is far too long for the tolerance. */
+TEST(a_call_whose_last_trial_is_refused_stays_where_it_was)
+{
+    static coin_priv_moving g;
+    make_step(&g, 0.1);
+    g.tol = 1e-12;
+    g.stride = COIN_PRIV_MOST_STRIDE;
+    g.tries = 1;
+    check_status(coin_priv_go(&g), COIN_ESTEP);
+    check(g.tries == 0 && !g.changed);
+}
+
 /* I_X > I_Z + M a^2: a rod, not a coin.  A turn then presses it upright. */
 TEST(a_contact_that_its_turn_lifts_is_not_held)
 {

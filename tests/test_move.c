@@ -389,6 +389,15 @@ TEST(in_the_air_there_is_no_force)
     check_near(coin_body_energy(&b, &p), 3, 1e-15);
 }
 
+/* It rolls, and falls so fast that the table would have to pull. */
+TEST(a_call_of_no_time_tells_that_a_coin_lifts_off)
+{
+    const coin_params p = disc();
+    const coin_state s = {.theta = 0.3, .wX = 2};
+    const coin_body b = rolling(&p, &s);
+    check_status(mode(&b, &p), COIN_LIFTS);
+}
+
 /* angular lifts the disc: its torque against wX is not felt by N, which would
  * be negative, though the free coin falls. */
 TEST(losses_alone_do_not_pull)

@@ -163,6 +163,7 @@ TEST(what_cannot_be_fitted_is_left_alone)
 {
     const coin_params p = quarter();
     const coin_state upright = {.wZ = 1}, leans = {.theta = 0.5, .wY = 3};
+    const coin_state flat = {.theta = 1.6};
     const coin_losses dry = loss_of(DRY, &p), none = {0}, wrong = {.dry = -1};
     const struct {
         coin_losses l;
@@ -173,7 +174,7 @@ TEST(what_cannot_be_fitted_is_left_alone)
         {dry, upright, 4, COIN_EDOMAIN},   {none, leans, 4, COIN_EDOMAIN},
         {dry, leans, 0, COIN_EARG},        {dry, leans, NAN, COIN_EARG},
         {dry, leans, INFINITY, COIN_EARG}, {wrong, leans, 4, COIN_EPARAMS},
-        {dry, leans, 1e15, COIN_EARG},
+        {dry, leans, 1e15, COIN_EARG},     {dry, flat, 4, COIN_ESTATE},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         coin_losses l = cases[i].l;
