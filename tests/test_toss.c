@@ -486,8 +486,9 @@ TEST(any_throw_is_silent_and_its_body_is_accepted)
         const coin_params p =
             thrown_params(IX, IX * pow(10, random_between(&r, -2.99, 0.3)));
         coin_table f = random_table(&r, &p);
-        coin_body b = random_throw(&r, pow(10, random_between(&r, -9, 8)),
-                                   pow(10, random_between(&r, -9, 5.9)));
+        const double high = pow(10, random_between(&r, -9, 8));
+        const double spin = pow(10, random_between(&r, -9, 5.9));
+        coin_body b = random_throw(&r, high, spin);
         const double t = pow(10, random_between(&r, -9, 1));
         if (i % 5 == 0)
             b.s.theta = copysign(LAST_LEAN, b.s.theta);
@@ -511,5 +512,5 @@ TEST(any_throw_is_silent_and_its_body_is_accepted)
         check(!fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW));
         check(errno == 0);
     }
-    check(seen[COIN_LIFTS] > count && seen[COIN_SLIPS] > count / 20);
+    check(seen[COIN_LIFTS] > count && seen[COIN_SLIPS] > count / 50);
 }
