@@ -324,8 +324,8 @@ distcheck: dist ## the tarball builds, passes and makes itself again
 GATES_commit  := check format-check lint-quick
 GATES_push    := header-check examples demo-check first-hour site float-check \
                  installcheck consumers hwcaps lanes abi pictures-check \
-                 page-check js-check bindings studies-build distcheck lint \
-                 sanitize coverage
+                 page-check js-check bindings studies-build check-long \
+                 distcheck lint sanitize coverage
 GATES_merge   := adversary-replay bound debian-check tsan fuzz windows msan \
                  repro single-check cross firmware
 GATES_release := results-check abi-seeds bindings-seeds sweeps \
@@ -354,9 +354,11 @@ before-release: before-merge ## those, long searches, all mutants: two hours
 list-gates list-gates-beside: # their names, for .ci/run
 	echo $(if $(filter %-beside,$@),$(GATES_BESIDE),$(GATES_CI))
 
-.PHONY: sanitize valgrind coverage lint lint-quick header-check repro repro-update
-# The tests of a million steps run in `make coverage` alone: all they run that
-# shorter tests do not is the end of a call after 2^20 steps.
+.PHONY: check-long sanitize valgrind coverage lint lint-quick header-check \
+        repro repro-update
+check-long: ## the tests with eight times the random cases, and a million steps
+	+ROLLCOIN_TRIES=8 ROLLCOIN_LONG=1 $(AGAIN) check
+
 SANITIZE := -O1 -g -fsanitize=address,undefined,float-cast-overflow \
             -fno-sanitize-recover=all
 sanitize: ## the tests, under the sanitizers

@@ -179,7 +179,8 @@ def main(src, work=None, *files):
     mutants = [m for m in mutants if not files or m[0] in files]
     work = work.absolute()
     shutil.rmtree(work, ignore_errors=True)
-    os.environ["ROLLCOIN_LONG"] = "1"  # the tests of a million steps too
+    # What `make check-long` does.
+    os.environ["ROLLCOIN_LONG"], os.environ["ROLLCOIN_TRIES"] = "1", "8"
     os.environ.pop("MAKEFLAGS", None)  # the flags of the make that runs this
     copies = queue.SimpleQueue()
 
