@@ -66,6 +66,17 @@ TEST(a_body_of_a_state_rolls_and_touches_exactly)
     }
 }
 
+TEST(the_matrix_of_a_body_has_the_height_of_its_centre)
+{
+    const coin_params p = quarter();
+    const coin_state s = {.theta = 0.3, .x = 1, .z = 2};
+    coin_body b = rolling(&p, &s);
+    double m[16];
+    b.y += 3 * p.radius;
+    check_status(coin_body_matrix(&b, &p, m), COIN_OK);
+    check(m[13] == b.y);
+}
+
 TEST(each_edge_of_touching_is_where_coin_h_says)
 {
     const coin_params p = quarter();

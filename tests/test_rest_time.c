@@ -108,6 +108,17 @@ TEST(fitted_losses_let_a_coin_rest_after_the_time)
     }
 }
 
+TEST(a_fit_keeps_the_ratio_of_two_losses)
+{
+    const coin_params p = quarter();
+    const coin_state s = {.theta = 0.5, .wY = 20};
+    const coin_losses law = {.viscous = 1e-9, .spin = 2e-10};
+    coin_losses l = law;
+    check_status(coin_losses_fit(&l, &s, &p, 4), COIN_OK);
+    check(l.viscous != law.viscous);
+    check_near(l.spin / l.viscous, 0.2, 2 * U);
+}
+
 /* By dry and rolling friction the time jumps: what is found is within 1 %, and
  * what is not is left alone. */
 TEST(a_time_that_jumps_is_fitted_or_refused)

@@ -474,6 +474,24 @@ TEST(a_fast_spin_lands_as_exactly_as_a_slow_one)
     check(b.y == cos(b.s.theta));
 }
 
+/* A turn of 1e-11 is rest: the call ends there, and says 0. */
+TEST(what_is_left_of_a_turn_at_rest_is_0)
+{
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.mu_kinetic = 0.3, .mu_static = 0.3};
+    const coin_body turns = {.s = {.theta = LAST_LEAN, .wZ = 0.5},
+                             .y = cos(LAST_LEAN)};
+    const double whole = 1.25; /* wZ/(4 mu/3 g/a) */
+    coin_body b = turns;
+    check_status(coin_move(&b, &p, &f, whole * (1 - 2e-11), 1e-9, 0, NULL),
+                 COIN_RESTS);
+    check(b.s.wZ == 0 && b.vx == 0 && b.vz == 0);
+    b = turns;
+    check_status(coin_move(&b, &p, &f, whole * (1 - 2e-8), 1e-9, 0, NULL),
+                 COIN_SLIPS);
+    check_near(b.s.wZ, 1e-8, 1e-12);
+}
+
 /* Any body and table, heights to 1e8 radii, spins to 1e6; some lie flat in the
  * air. */
 TEST(any_throw_is_silent_and_its_body_is_accepted)
