@@ -195,6 +195,24 @@ TEST(a_place_out_of_range_is_not_reached_in_a_lane)
     }
 }
 
+TEST(a_rate_out_of_range_is_not_reached_in_a_lane)
+{
+    static const double rates[][3] = {
+        {1e6, 1e3, -1e3},
+        {1e3, 1e6, 1e3},
+        {1e3, 1e3, 1e6},
+    };
+    for (int i = 0; i < 2 * 3; ++i) {
+        struct trial t = {.p = disc(), .count = MOST};
+        const double *const w = rates[i / 2];
+        for (size_t k = 0; k < MOST; ++k)
+            t.s[k] = (coin_state){.wX = w[0], .wY = w[1], .wZ = w[2]};
+        check_note("rate %d, method %d", i / 2, i % 2);
+        check_trial(&t, i % 2, 1e-8, 1);
+        check_status(t.want_all, COIN_ESTEP);
+    }
+}
+
 /* Single steps as long as they may be of rings that roll fast, whose lean turns
  * by more than its first stages tell. */
 TEST(a_lean_that_turns_late_in_a_step_goes_as_alone)

@@ -182,6 +182,9 @@ TEST(upright_every_coin_lifts_off_that_leans_fast_enough)
             check_status(bits(&s, &p, 0, INFINITY), COIN_LIFTS);
         }
     }
+    const coin_params p = disc();
+    const coin_state s = {.wX = 1}; /* no term of N is rounded: it is 0 */
+    check_status(bits(&s, &p, 0, INFINITY), COIN_LIFTS);
 }
 
 /* Eq. (53): N = M g in all of them, so that only friction counts. */

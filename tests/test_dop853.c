@@ -101,6 +101,32 @@ TEST(a_contact_that_its_turn_lifts_is_not_held)
     }
 }
 
+/* The coin turns about the vertical through its contact, or its centre if it
+ * slips without friction: the moment of `angular` is all that changes its
+ * angular momentum D turn there, D = I_X c^2 + K s^2. */
+TEST(angular_damping_brakes_the_turn_of_a_held_contact)
+{
+    const coin_losses l = {.angular = 1};
+    const coin_params p = disc();
+    const coin_priv_direction none = {0, 0};
+    const double c = 0.04, s = sqrt(1 - c * c), turn = 0.7, wX = -0.5;
+    const double y[COIN_PRIV_WIDE] = {wX, turn * c, -turn * s, s, c};
+    coin_priv_body b;
+    coin_priv_law law;
+    check_status(coin_priv_check_body(&b, &p), COIN_OK);
+    check_status(coin_priv_law_of(&law, &l, &b), COIN_OK);
+    for (int slips = 0; slips < 2; ++slips) {
+        const double IX = law.IX, K = law.K[slips];
+        double d[COIN_PRIV_SIZE];
+        (void)coin_priv_slopes(d, y, &law, COIN_PRIV_HELD | slips, none);
+        const double D = IX * c * c + K * s * s;
+        const double dD = 2 * s * c * wX * (K - IX);
+        const double dturn = c * d[COIN_PRIV_WY] - s * d[COIN_PRIV_WZ];
+        check_near(dD * turn + D * dturn, -(IX * c * c + law.IZ * s * s) * turn,
+                   32 * U);
+    }
+}
+
 TEST(a_slip_does_not_end_where_a_rate_leaves_its_range)
 {
     static coin_priv_moving g;

@@ -67,6 +67,17 @@ TEST(a_pure_slide_and_a_pure_turn_stay_pure)
     check(!fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW));
 }
 
+/* The torque on a ring that turns is 2/3 (1 + b + b^2)/(1 + b); that on a hoop
+ * of the middle radius is larger by the part d^2/24 of it, b = 1 - d. */
+TEST(a_ring_next_to_a_hoop_turns_as_long_as_a_ring)
+{
+    const double mu = 0.3, d = 4e-6, c = 1 - d, IZ = (1 + c * c) / 2;
+    const double time = 2 * IZ / mu * 1.5 * (1 + c) / (1 + c + c * c);
+    coin_body b = flat(0, 0, 2);
+    check_near(coin_priv_slide_flat(&b, IZ, mu, INFINITY), time,
+               (d * d / 24 + 16 * U) * time);
+}
+
 static double energy(const coin_body *b, double IZ)
 {
     return (b->vx * b->vx + b->vz * b->vz + IZ * (b->s.wZ * b->s.wZ)) / 2;

@@ -184,6 +184,15 @@ TEST(a_body_of_an_engine_is_set_on_the_table_or_in_the_air)
     }
 }
 
+TEST(an_overlap_is_measured_in_radii)
+{
+    const coin_params p = quarter();
+    const double low[3] = {0, 0.899 * p.radius, 0};
+    coin_body b;
+    check_status(coin_body_from_motion(&b, &p, q0, zero3, low, zero3),
+                 COIN_ESTATE);
+}
+
 TEST(an_engines_motion_is_that_of_the_state)
 {
     struct random r = random_begin(803);
@@ -383,6 +392,34 @@ TEST(a_coin_that_rests_stays_there)
     check(force.R[1] == p.mass * p.gravity && force.ratio == 0);
     check_status(coin_body_slip(&b, &p, u), COIN_OK);
     check(u[0] == 0 && u[1] == 0);
+}
+
+/* It falls without a spin that counts: 1e-12, below the 1e-10 of a rest. */
+TEST(at_rest_not_even_a_rate_too_slow_to_count_is_left)
+{
+    const coin_params p = disc();
+    const coin_table f = {
+        .mu_static = INFINITY, .mu_kinetic = 0.3, .losses = {.flat = 1e-12}};
+    const coin_state s = {.theta = 1.2, .wZ = 1e-12};
+    coin_body b = rolling(&p, &s);
+    check_status(coin_move(&b, &p, &f, INFINITY, 1e-9, 0, NULL), COIN_RESTS);
+    check(b.s.wX == 0 && b.s.wY == 0 && b.s.wZ == 0);
+    check(b.vx == 0 && b.vy == 0 && b.vz == 0);
+}
+
+/* What friction it needs is rounding. */
+TEST(a_spin_does_not_slip_where_there_is_no_friction)
+{
+    const coin_params p = disc();
+    const coin_table ice = {.mu_static = 0};
+    for (int i = 1; i <= 300; ++i) {
+        coin_state s;
+        check_note("lean %g", i / 200.0);
+        check_status(coin_steady_spin(&s, &p, i / 200.0), COIN_OK);
+        coin_body b = rolling(&p, &s);
+        check_status(coin_move(&b, &p, &ice, 0, 1e-9, COIN_SLIPS, NULL),
+                     COIN_OK);
+    }
 }
 
 TEST(in_the_air_there_is_no_force)

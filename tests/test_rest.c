@@ -293,6 +293,22 @@ TEST(a_stopped_contact_near_flat_is_held)
         }
 }
 
+/* It rolls at 1e-9, which counts as stopped, and is left out at once.  What is
+ * left is the rounding of the lean times the turn, and that of two terms. */
+TEST(a_contact_that_counts_as_stopped_does_not_roll)
+{
+    const coin_params p = disc();
+    const coin_losses l = {.dry = 0.1};
+    const double e = 0.01, turn = 0.5;
+    coin_state s = {.theta = 1.5707963267948966 - e,
+                    .wX = -0.5,
+                    .wY = turn * sin(e) + 1e-9,
+                    .wZ = -turn * cos(e)};
+    check_status(coin_settle(&s, &p, &l, 1e-3, 1e-6, NULL), COIN_OK);
+    check(s.psi == 0);
+    check_near(cos(s.theta) * s.wZ + sin(s.theta) * s.wY, 0, 16 * U * turn);
+}
+
 /* A stopped contact that rises: in one call and in ten. */
 TEST(a_rise_is_held_call_by_call)
 {

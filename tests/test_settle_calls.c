@@ -128,9 +128,11 @@ TEST(a_coin_that_lies_at_once_lies_flat)
 {
     const coin_params p = disc();
     const coin_losses l = {.damping = 1};
-    for (int side = -1; side <= 1; side += 2) {
-        coin_state s = {
-            .theta = side * 1.5707963267948819, .wX = side * 2e-9, .wZ = 1.5};
+    for (int i = 0; i < 4; ++i) { /* it falls, or rises */
+        const int side = i & 1 ? -1 : 1;
+        coin_state s = {.theta = side * 1.5707963267948819,
+                        .wX = i & 2 ? -2e-9 : 2e-9,
+                        .wZ = 1.5};
         double reached;
         check_status(coin_settle(&s, &p, &l, 1e-6, 1e-3, &reached), COIN_RESTS);
         check(reached == 0);
