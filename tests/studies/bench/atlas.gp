@@ -10,7 +10,7 @@ array method[10] = ["rk4", "rk8", "symplectic2", "symplectic4", \
 array outcome[6] = ["right", "place wrong, energy right", "energy lost", \
     "energy gained", "through the table, or no number", "refused"]
 # Each stands out from a light and from a dark ground: scheme.py leaves it.
-array shade[6] = ["#009E73", "#F0E442", "#56B4E9", "#D55E00", "#E0447C", \
+array shade[6] = ["#7FB59B", "#F0E442", "#7274C8", "#A8722E", "#E0447C", \
     "#8C9AA8"]
 
 # Of each family: what it is, what is across, the ends of that, the least step,
