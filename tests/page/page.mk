@@ -82,7 +82,7 @@ $(PAGE_NPM): $(addprefix $(SRC)/tests/page/,package.json package-lock.json)
 	    npm ci --silent --ignore-scripts --no-audit --no-fund
 
 page-check: $(PAGE_OUT)/hashes.txt $(PAGE_OUT)/still.svg $(LIB_A) $(PAGE_NPM) ## the page has this computer's bits and works in browsers
-	timeout 300 node $(SRC)/tests/page/check.mjs $(SRC) \
+	timeout 900 node $(SRC)/tests/page/check.mjs $(SRC) \
 	    $(abspath $(PAGE_OUT)) '$(CC)' $(LIB_A)
 
 # Every function of coin.h, and where the memory begins that no data takes.
