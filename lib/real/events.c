@@ -94,8 +94,8 @@ static int find_dip(coin_priv_place *dip, const struct looked_for *e,
 }
 
 /* The first place in the step at which the function becomes negative; 2 if
- * there is none, or if it is negative at the start: on a coin on which the
- * losses do not act, rolling may need more than friction gives. */
+ * there is none, or if it is negative at the start already.  The margin of the
+ * cone is, where a coin rolls on without its losses (COIN_PRIV_IDLE). */
 static double first_zero(event *of, coin_priv_moving *g)
 {
     const struct looked_for e = {of, g};

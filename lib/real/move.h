@@ -61,8 +61,8 @@ void coin_priv_begin(coin_priv_moving *g, const coin_state *s, double time,
  * come. */
 void coin_priv_end(const coin_priv_moving *g, coin_state *s);
 
-/* begin.c: of a call that took t and was to take `time` natural units, what has
- * been moved. */
+/* begin.c: the time moved, in units of t: t itself if all of `time`, the same
+ * time in natural units, was moved. */
 double coin_priv_reached(const coin_priv_sum *moved, double time, double t,
                          double w0);
 
