@@ -214,6 +214,6 @@ longrun: $(BENCH_OUT)/portable/bench_longrun need-bits ## what ten million steps
 
 # Every study program that needs no other solver.
 STUDIES = $(BENCHES:%=$(BENCH_OUT)/portable/%) \
-          $(addprefix $(O)/limits/,silent endurance truth) \
-          $(addprefix $(O)/real/,study moves fixed tuning) $(O)/needs/needs
+          $(addprefix $(O)/limits/,silent endurance) \
+          $(addprefix $(O)/real/,fixed tuning) $(O)/needs/needs
 studies-build: $(STUDIES) ## the programs of tests/studies that need no peer are built

@@ -190,21 +190,15 @@ def silent(key):
         for name, r in of.items() if r])
 
 
-def silent_steps(column, methods):
-    """What comes of steps without limits, by method and |dt| W."""
+def silent_steps():
+    """What steps add without limits, by method and |dt| W."""
+    methods = OURS[:2] + SYMPLECTIC
     rows = [r for r in read("silent_steps") if float(r["dtW"]) > 0.02]
-    cell = {(r["method"], r["dtW"]): float(r[column]) for r in rows}
+    cell = {(r["method"], r["dtW"]): float(r["worst"]) for r in rows}
     return table(["abs(dt) W up to", *methods],
                  [[size, *("lost" if cell[m, size] > 1e3 else
                            f"{cell[m, size]:.1g}" for m in methods)]
                   for size in dict.fromkeys(r["dtW"] for r in rows)])
-
-
-def silent_truth():
-    return table(["family", "runs", "worst error, the motion's amplification "
-                  "taken out", "of what is allowed for"],
-                 [[r["family"], r["runs"], r["worst_error_before_amplification"],
-                   r["worst_share"]] for r in read("silent_truth")])
 
 
 def adversary():
@@ -224,13 +218,9 @@ TABLES = {"frames": ("frames", frames), "costs": ("costs", costs),
           "heyoka": ("accuracy", lambda: peers(HEYOKA)),
           "ratios portable": ("accuracy", lambda: ratios("portable")),
           "ratios native": ("accuracy", lambda: ratios("native")),
-          "silent steps": ("silent_steps", lambda: silent_steps(
-              "worst", OURS[:2] + SYMPLECTIC)),
-          "silent pairs": ("silent_steps",
-                           lambda: silent_steps("astray", OURS[:2])),
+          "silent steps": ("silent_steps", silent_steps),
           "silent methods": ("silent", lambda: silent("method")),
           "silent families": ("silent", lambda: silent("family")),
-          "silent truth": ("silent_truth", silent_truth),
           "adversary": ("adversary", adversary)}
 
 

@@ -43,7 +43,6 @@ struct study_measure {
                          the error is within the claim without that */
     double error;     /* at the end */
     double energy;    /* relative error of the energy */
-    double astray;    /* how far off the unit circle the heading's pair came */
     coin_state end, truth;
 };
 
@@ -170,8 +169,6 @@ static int stride(struct walk *w)
         return 0;
     const double W2 = coin_priv_rate2(w->at.b.g_a, y);
     const double dtW = fabs(w->r->dt) * sqrt(fmax(W2, w->before2));
-    w->m->astray =
-        fmax(w->m->astray, fabs(1 - y->sph * y->sph - y->cph * y->cph));
     w->m->sum += power(dtW, factors);
     w->m->fine += power(fmin(dtW, coarse), factors);
     w->before2 = W2;

@@ -12,7 +12,6 @@ LIMITS_SRC := $(SRC)/tests/studies/limits
 LIMITS_OUT  = $(O)/limits
 STEPS_RUNS  = 3001 300000
 JUDGE_RUNS  = 20261125 1050000
-TRUTH_RUNS  = 5001 600
 
 $(LIMITS_OUT):
 	mkdir -p $@
@@ -23,9 +22,6 @@ $(LIMITS_PROGS): $(LIMITS_OUT)/%: $(LIMITS_SRC)/%.c $(TEST_EXTRA) $(LIB_A) \
 	$(CC_TEST) $(CMOCKA) $(DEPENDS) -o $@ $< $(LDFLAGS) $(TEST_EXTRA) \
 	    $(LIB_A) $(CMOCKA_LIBS) -lm
 
-$(LIMITS_OUT)/truth: $(LIMITS_SRC)/truth.cpp | $(LIMITS_OUT)
-	$(CXX) -w -O2 -std=c++17 -ffp-contract=off -o $@ $< -lquadmath
-
 -include $(LIMITS_PROGS:=.d)
 
 .PHONY: silent endurance endurance-roll endurance-circle
@@ -33,12 +29,9 @@ endurance: endurance-roll endurance-circle ## 1e9 steps twice, against closed fo
 endurance-roll endurance-circle: endurance-%: $(LIMITS_OUT)/endurance
 	$< $*
 
-silent: $(LIMITS_OUT)/silent $(LIMITS_OUT)/truth need-bits ## count silent wrong answers in 1.05 million runs (half an hour)
+silent: $(LIMITS_OUT)/silent need-bits ## count silent wrong answers in 1.05 million runs (half an hour)
 	{ $(BITS); echo '# seed and runs: $(STEPS_RUNS)'; \
 	    $< steps $(STEPS_RUNS); } >$(LIMITS_OUT)/silent_steps.csv
-	$< truth $(TRUTH_RUNS) >$(LIMITS_OUT)/starts.csv
-	{ $(BITS); echo '# seed and runs: $(TRUTH_RUNS)'; $(LIMITS_OUT)/truth \
-	    <$(LIMITS_OUT)/starts.csv; } >$(LIMITS_OUT)/silent_truth.csv
 	{ $(BITS); echo '# seed and runs: $(JUDGE_RUNS)'; \
 	    $< judge $(JUDGE_RUNS); } >$(LIMITS_OUT)/silent.csv
 	cp $(LIMITS_OUT)/silent*.csv $(RESULTS)

@@ -2,8 +2,7 @@
 /* Whether a wrong answer ever comes without a word: random runs, counted by
  * what became of them.
  *     silent judge SEED RUNS   by the public functions, against the claims
- *     silent steps SEED RUNS   without limits: what a step of each size adds
- *     silent truth SEED RUNS   where coins begin, and end by coin_advance() */
+ *     silent steps SEED RUNS   without limits: what a step of each size adds */
 #include "judge.h"
 
 #include <inttypes.h>
@@ -92,7 +91,6 @@ static double upper(int bin)
 static struct bin {
     unsigned long runs, failed;
     double worst, energy; /* over (|dt| W)^(order + 1) */
-    double astray;        /* the heading's pair, of RK4 and RK8 */
 } bins[4][BINS];
 
 static struct bin *bin_of(int method, double dtW)
@@ -120,54 +118,20 @@ static int steps(uint64_t seed, uint64_t runs)
         least.share /= 100;
         const struct study_measure m = study_measure(&r, &least);
         struct bin *b = bin_of((int)r.method, m.fastest);
-        if (b)
-            b->astray = fmax(b->astray, m.astray);
         if (b && m.finished)
             note(b, &m);
         else if (b)
             ++b->failed;
     }
     static const int orders[] = {4, 8, 2, 4};
-    puts("method,dtW,runs,failed,worst,energy,a_step,astray");
+    puts("method,dtW,runs,failed,worst,energy,a_step");
     for (int k = 0; k < 4; ++k)
         for (int i = 0; i < BINS; ++i) {
             const struct bin *b = &bins[k][i];
-            printf("%s,%.3g,%lu,%lu,%.2g,%.2g,%.2g,%.1g\n", coin_method_name(k),
+            printf("%s,%.3g,%lu,%lu,%.2g,%.2g,%.2g\n", coin_method_name(k),
                    upper(i), b->runs, b->failed, b->worst, b->energy,
-                   b->worst * pow(upper(i), orders[k] + 1), b->astray);
+                   b->worst * pow(upper(i), orders[k] + 1));
         }
-    return 0;
-}
-
-/* --------------------------------------------------------- for the truth -- */
-
-static void print_state(const coin_state *s)
-{
-    printf(",%a,%a,%a,%a,%a,%a,%a,%a", s->theta, s->phi, s->psi, s->x, s->z,
-           s->wX, s->wY, s->wZ);
-}
-
-/* Whole runs that coin_advance() makes, one in so many, of so few radians that
- * a solver in 113 bits ends. */
-static int truth(uint64_t seed, uint64_t runs)
-{
-    puts("M,a,g,IX,IZ,t,start,,,,,,,,end,,,,,,,,family,amplified,rounding");
-    for (uint64_t i = 0; i < runs; ++i) {
-        struct study_run r = study_draw(seed, i, MOST_STEPS, 10);
-        struct study_claim none = {0, 0};
-        r.method = STUDY_ADVANCE;
-        r.tol = 1e-13;
-        const struct study_measure m = study_measure(&r, &none);
-        if (!m.finished)
-            continue;
-        const double t = r.dt * (double)r.steps;
-        printf("%a,%a,%a,%a,%a,%a", r.p.mass, r.p.radius, r.p.gravity,
-               r.p.inertia_X, r.p.inertia_Z, t);
-        print_state(&r.s);
-        print_state(&m.truth);
-        printf(",%s,%g,%g\n", study_families[r.family],
-               amplification(&r.s, &r.p, t, m.rounding), m.rounding);
-    }
     return 0;
 }
 
@@ -176,11 +140,11 @@ int main(int argc, char **argv)
     static const struct {
         const char *name;
         int (*make)(uint64_t seed, uint64_t runs);
-    } modes[] = {{"judge", judge}, {"steps", steps}, {"truth", truth}};
-    for (int i = 0; argc == 4 && i < 3; ++i)
+    } modes[] = {{"judge", judge}, {"steps", steps}};
+    for (int i = 0; argc == 4 && i < 2; ++i)
         if (strcmp(argv[1], modes[i].name) == 0)
             return modes[i].make(strtoull(argv[2], NULL, 10),
                                  strtoull(argv[3], NULL, 10));
-    fputs("usage: silent judge|steps|truth SEED RUNS\n", stderr);
+    fputs("usage: silent judge|steps SEED RUNS\n", stderr);
     return 2;
 }
