@@ -42,7 +42,7 @@ COIN_PRIV_INLINE coin_priv_body coin_priv_body_of(const coin_params *p)
 
 COIN_PRIV_INLINE int coin_priv_is_ordinary(number x)
 {
-    return (x >= COIN_PRIV_LEAST) & (x <= COIN_PRIV_MOST);
+    return x >= COIN_PRIV_LEAST && x <= COIN_PRIV_MOST;
 }
 
 /* Whether parameters are in range.  NaN is not. */
@@ -53,20 +53,19 @@ COIN_PRIV_INLINE int coin_priv_params_hold(const coin_params *p)
     const integer reserved = coin_priv_bits(p->reserved[0]) |
                              coin_priv_bits(p->reserved[1]) |
                              coin_priv_bits(p->reserved[2]);
-    return coin_priv_is_ordinary(p->mass) & coin_priv_is_ordinary(p->radius) &
-           coin_priv_is_ordinary(p->gravity) &
-           (IX >= COIN_PRIV_LEAST_RATIO * m) &
-           (IX <= COIN_PRIV_MOST_RATIO * m) &
-           (IZ >= COIN_PRIV_LEAST_RATIO * IX) &
-           (IZ <= 2 * (1 + COIN_PRIV_INERTIA_SLACK) * IX) &
-           ((reserved & COIN_PRIV_ALL_BUT_SIGN) == 0);
+    return coin_priv_is_ordinary(p->mass) && coin_priv_is_ordinary(p->radius) &&
+           coin_priv_is_ordinary(p->gravity) &&
+           IX >= COIN_PRIV_LEAST_RATIO * m && IX <= COIN_PRIV_MOST_RATIO * m &&
+           IZ >= COIN_PRIV_LEAST_RATIO * IX &&
+           IZ <= 2 * (1 + COIN_PRIV_INERTIA_SLACK) * IX &&
+           (reserved & COIN_PRIV_ALL_BUT_SIGN) == 0;
 }
 
 /* COIN_OK and *b, or COIN_EPARAMS.  p is not null. */
 COIN_PRIV_INLINE int32_t coin_priv_check_body(coin_priv_body *b,
                                               const coin_params *p)
 {
-    if (!coin_priv_params_hold(p))
+    if (COIN_PRIV_RARELY(!coin_priv_params_hold(p)))
         return COIN_EPARAMS;
     *b = coin_priv_body_of(p);
     return COIN_OK;

@@ -7,9 +7,9 @@
 /* Lean, heading and roll alone. */
 COIN_PRIV_INLINE int coin_priv_angles_hold(const coin_state *s)
 {
-    return (FABS(s->theta) < COIN_PRIV_HALF_PI) &
-           (FABS(s->phi) <= COIN_PRIV_ANGLE_MAX) &
-           (FABS(s->psi) <= COIN_PRIV_ANGLE_MAX);
+    return FABS(s->theta) < COIN_PRIV_HALF_PI &&
+           FABS(s->phi) <= COIN_PRIV_ANGLE_MAX &&
+           FABS(s->psi) <= COIN_PRIV_ANGLE_MAX;
 }
 
 /* Whether all members are in range, with x and z up to `far` and the squares of
@@ -18,9 +18,9 @@ COIN_PRIV_INLINE int coin_priv_state_within(const coin_state *s, number far,
                                             number w2_max)
 {
     const number wX = s->wX, wY = s->wY, wZ = s->wZ;
-    return COIN_PRIV_LOW_HOLDS(s) & coin_priv_angles_hold(s) &
-           (FABS(s->x) <= far) & (FABS(s->z) <= far) & (wX * wX <= w2_max) &
-           (wY * wY <= w2_max) & (wZ * wZ <= w2_max);
+    return COIN_PRIV_LOW_HOLDS(s) && coin_priv_angles_hold(s) &&
+           FABS(s->x) <= far && FABS(s->z) <= far && wX * wX <= w2_max &&
+           wY * wY <= w2_max && wZ * wZ <= w2_max;
 }
 
 COIN_PRIV_INLINE int coin_priv_state_holds(const coin_state *s,
@@ -69,7 +69,9 @@ COIN_PRIV_INLINE int32_t coin_priv_check_inline(const coin_state *s,
     const int32_t status = coin_priv_check_body(b, p);
     if (status != COIN_OK)
         return status;
-    return coin_priv_state_holds(s, b) ? COIN_OK : COIN_ESTATE;
+    if (COIN_PRIV_RARELY(!coin_priv_state_holds(s, b)))
+        return COIN_ESTATE;
+    return COIN_OK;
 }
 
 /* The same as a function. */

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-/* By default gcc allocates registers loop by loop, and spills them between the
- * loops.  Renamed registers let the processor start the next stage sooner.
- * Scheduling before allocation lets the sine and cosine of the early turn,
- * rk4.t.h, start in time.  All three save 10 % of a step. */
+/* With ira-loop-pressure gcc counts the registers that the loop needs before it
+ * moves anything out of it.  Renamed registers let the processor start the next
+ * stage sooner.  Scheduling before allocation lets the sine and cosine of the
+ * early turn, rk4.t.h, start in time.  Together they save a quarter of the time
+ * of a step. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__)
-#pragma GCC optimize("ira-region=all", "rename-registers", "schedule-insns",   \
-                     "sched-pressure")
+#pragma GCC optimize("ira-loop-pressure", "rename-registers",                  \
+                     "schedule-insns", "sched-pressure")
 #endif
 
 #include "loop.h"
