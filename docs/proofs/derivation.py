@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Derives the equations of motion of physics.md again and asserts each.
 
-usage:  python3 docs/proofs/derivation.py     Eq. (1)-(32), (90), (91);
+usage:  python3 docs/proofs/derivation.py     Eq. (1)-(32), (90);
                                               needs sympy >= 1.9
 then:   docs/proofs/consequences.py           Eq. (33)-(54), after this one
 
@@ -140,17 +140,6 @@ holds(30, sp.Matrix(quaternion.to_rotation_matrix())
 rolled = frame*turn(2, ps)
 holds(90, rolled.col(0) - cos(ps)*eX - sin(ps)*eY,
       rolled.col(1) - cos(ps)*eY + sin(ps)*eX, rolled.col(2) - eZ)
-vX, vY, vZ = sp.symbols('v_X v_Y v_Z')           # of the centre, before landing
-
-
-def about_contact(w, v):
-    """The angular momentum about -a e_Y, along X, Y, Z."""
-    return column(IX*w[0], IX*w[1], IZ*w[2]) + M*a*column(0, 1, 0).cross(v)
-
-
-after = column(wX + m/J*(vZ/a - wX), wY, wZ - k2*(vX/a + wZ))
-holds(91, about_contact(after, column(-a*after[2], 0, a*after[0]))
-      - about_contact(column(wX, wY, wZ), column(vX, vY, vZ)))
 
 # ---- the forms without sines and cosines to call, (31), (32)
 C, S, r = cos(ph), sin(ph), wY/c

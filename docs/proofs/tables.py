@@ -168,12 +168,6 @@ def at_table(b):
     return b, Body(b).kap, Pe, Po, -2*Po/Pe, pi*sqrt(Body(b).J/Body(b).IX)
 
 
-def windows(th):
-    o = Body()
-    r = o.window(mpf(th))
-    return [th] + r + [x*o.spin_rate(mpf(th), x) for x in r]
-
-
 def circle(b, th, wZ, branch):
     o, th_, wZ_ = Body(b), mpf(th), mpf(wZ)
     wY = o.circle(th_, wZ_, branch)
@@ -195,12 +189,6 @@ SCENES = (('wobble', 0, (.1, 0, 0, 1), 60),
 def scene(name, b, start, n):
     m = Motion(Body(b), *start)
     return [name, m.lo, m.hi] + m.swing(n) + list(m.extremes(100))
-
-
-def drop(eps, n):
-    """The nearly flat pass after rest at 0.3 with wY = wZ = eps."""
-    m = Motion(Body(), mpf('0.3'), 0, mpf(eps), mpf(eps))
-    return eps, pi/2 - m.hi, m.swing(n)[1], m.contact(m.hi)[0]
 
 
 def fall(b):
@@ -227,8 +215,6 @@ def main():
          map(thresholds, ('0', '0.5', '0.9', '1')))
     show('At the table', 'b/a | kap | Pe(1) | Po(1) | KY/KZ to fall | turn',
          map(at_table, ('0', '0.5', '0.9', '1')))
-    show('Unstable window of the disc', 'theta | r1 | r2 | wZ1 | wZ2',
-         map(windows, ('0.05', '0.1', '0.2', '0.3')))
     show('Circles', 'b/a | theta | wZ | f | wY | lambda^2 | T or rate | R_G '
          '| R_C | mu', (circle(*row) for row in (
              ('0', '0.4', '1', 1), ('0', '0.4', '1', -1),
@@ -239,8 +225,6 @@ def main():
     show('Falls from upright rest',
          'b/a | peak | F/N | F = 0 | N < 0 from | to',
          map(fall, ('0', '0.5', '1')))
-    show('Drops', 'eps | d | dphi | N at the end',
-         (drop(*row) for row in (('1e-2', 600), ('1e-3', 1500))))
 
 
 main()
