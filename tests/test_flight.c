@@ -24,20 +24,30 @@ TEST(a_flight_is_that_of_newton_and_euler)
         const coin_body want = body_in_row(&t, i, "1");
         const double after = table_at(&t, i, "t");
         coin_priv_flight f;
-        coin_priv_flight_of(&f, &b, table_at(&t, i, "I_X"),
+        coin_priv_attitude at = coin_priv_attitude_of(&b.s);
+        coin_priv_flight_of(&f, &b, &at, table_at(&t, i, "I_X"),
                             table_at(&t, i, "I_Z"));
-        coin_priv_fly(&b, &f, after);
+        coin_priv_fly(&b, &at, &f, after);
         check_note("row %zu", i);
         check_near(bodies_apart(&b, &want), 0, LEAST_DIGITS * angle(&f, after));
     }
 }
 
+/* The attitude that a flight ends with is that of its angles. */
+#define SAME (4 * U)
+
 static coin_body flown(const coin_body *b, const coin_params *p, double t)
 {
     coin_body to = *b;
     coin_priv_flight f;
-    coin_priv_flight_of(&f, b, p->inertia_X, p->inertia_Z);
-    coin_priv_fly(&to, &f, t);
+    coin_priv_attitude at = coin_priv_attitude_of(&b->s);
+    coin_priv_flight_of(&f, b, &at, p->inertia_X, p->inertia_Z);
+    coin_priv_fly(&to, &at, &f, t);
+    const coin_priv_attitude now = coin_priv_attitude_of(&to.s);
+    check_near(at.th.s, now.th.s, SAME);
+    check_near(at.th.c, now.th.c, SAME);
+    check_near(at.ph.s, now.ph.s, SAME);
+    check_near(at.ph.c, now.ph.c, SAME);
     return to;
 }
 

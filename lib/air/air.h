@@ -6,7 +6,19 @@
 #ifndef ROLLCOIN_AIR_H
 #define ROLLCOIN_AIR_H
 
+#include "../motion/equations.h"
 #include "../motion/state.h"
+
+/* The sines and cosines of a coin's lean and heading. */
+typedef struct coin_priv_attitude {
+    coin_priv_sc th, ph;
+} coin_priv_attitude;
+
+coin_priv_attitude coin_priv_attitude_of(const coin_state *s);
+
+/* What axes and velocities of a state with this attitude are computed from. */
+coin_priv_variables coin_priv_attitude_variables(const coin_state *s,
+                                                 const coin_priv_attitude *at);
 
 /* A flight from a body: a free symmetric top, which turns about its axis at the
  * rate sigma while the axis turns about k. */
@@ -18,14 +30,15 @@ typedef struct coin_priv_flight {
     double vx, vy, vz;
 } coin_priv_flight;
 
-void coin_priv_flight_of(coin_priv_flight *f, const coin_body *b, double IX,
-                         double IZ);
+void coin_priv_flight_of(coin_priv_flight *f, const coin_body *b,
+                         const coin_priv_attitude *at, double IX, double IZ);
 
-/* Moves the body that the flight begins with by t.  phi and psi come to lie in
- * [-pi, pi], to rounding.  Pre: rate t and sigma t are at most half of
- * COIN_PRIV_ANGLE_MAX.
- * Accuracy: 1e-15 (1 + (rate + |sigma|) t) (test_flight). */
-void coin_priv_fly(coin_body *b, const coin_priv_flight *f, double t);
+/* Moves the body that the flight begins with by t, and sets its attitude.  phi
+ * and psi come to lie in [-pi, pi], to rounding.  Pre: rate t and sigma t are
+ * at most half of COIN_PRIV_ANGLE_MAX. Accuracy: 1e-15 (1 + (rate + |sigma|) t)
+ * (test_flight). */
+void coin_priv_fly(coin_body *b, coin_priv_attitude *at,
+                   const coin_priv_flight *f, double t);
 
 /* What a search for a touch comes to. */
 typedef struct coin_priv_touch {
@@ -39,8 +52,13 @@ typedef struct coin_priv_touch {
 coin_priv_touch coin_priv_first_touch(const coin_priv_flight *f, double t,
                                       int leaves);
 
-/* The velocity of the lowest point of the rim, upward. */
-double coin_priv_rim_speed(const coin_body *b);
+/* The velocity of the lowest point of the rim along e_X, e_h and e_y. */
+typedef struct coin_priv_rim {
+    double X, h, y;
+} coin_priv_rim;
+
+coin_priv_rim coin_priv_rim_of(const coin_body *b,
+                               const coin_priv_attitude *at);
 
 /* What the table does to a coin that hits it. */
 typedef struct coin_priv_bounce {
@@ -48,8 +66,8 @@ typedef struct coin_priv_bounce {
 } coin_priv_bounce;
 
 /* The impact of a body that touches and whose lowest point moves down. */
-void coin_priv_impact(coin_body *b, double IX, double IZ,
-                      const coin_priv_bounce *law);
+void coin_priv_impact(coin_body *b, const coin_priv_attitude *at, double IX,
+                      double IZ, const coin_priv_bounce *law);
 
 /* Moves a body that lies flat, by t or until it stops or the search for its
  * path is long.  Returns the time moved. */

@@ -1,16 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "../motion/equations.h"
-
 #include "air.h"
 #include "space.h"
 
-void coin_priv_flight_of(coin_priv_flight *f, const coin_body *b, double IX,
-                         double IZ)
+coin_priv_attitude coin_priv_attitude_of(const coin_state *s)
+{
+    const coin_priv_attitude at = {
+        coin_priv_sincos(s->theta),
+        coin_priv_sincos(s->phi),
+    };
+    return at;
+}
+
+coin_priv_variables coin_priv_attitude_variables(const coin_state *s,
+                                                 const coin_priv_attitude *at)
+{
+    const coin_priv_variables y = {
+        s->wX, s->wY, s->wZ, at->th.s, at->th.c, 0, 0, at->ph.s, at->ph.c,
+    };
+    return y;
+}
+
+void coin_priv_flight_of(coin_priv_flight *f, const coin_body *b,
+                         const coin_priv_attitude *at, double IX, double IZ)
 {
     const coin_state *const s = &b->s;
-    const coin_priv_variables v = coin_priv_variables_of(s);
+    const coin_priv_variables v = coin_priv_attitude_variables(s, at);
     const double k1 = IZ / IX;
     double R[9];
     coin_priv_axes(&v, R);
@@ -62,7 +78,8 @@ static coin_priv_sc unit(double s, double c)
 /* Far below the rounding of a unit vector, and gives 0 a direction. */
 #define ANY 1e-100
 
-void coin_priv_fly(coin_body *b, const coin_priv_flight *f, double t)
+void coin_priv_fly(coin_body *b, coin_priv_attitude *at,
+                   const coin_priv_flight *f, double t)
 {
     coin_state *const s = &b->s;
     const coin_priv_sc half = coin_priv_sincos(f->rate * t / 2);
@@ -77,6 +94,8 @@ void coin_priv_fly(coin_body *b, const coin_priv_flight *f, double t)
     const coin_priv_sc d =
         unit(th.s * along + th.c * X[1], ph.c * X[0] - ph.s * X[2]);
     const double wX = s->wX, wY = s->wY;
+    at->th = th;
+    at->ph = ph;
     s->theta = coin_priv_lean_within(coin_priv_angle(th)); /* (100) */
     s->phi = coin_priv_angle(ph);                          /* (100) */
     s->psi = without_turns(s->psi + f->sigma * t + coin_priv_angle(d));

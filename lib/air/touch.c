@@ -7,8 +7,6 @@
  * derivative says how far no zero can be. */
 #include "../motion/pinned.h"
 
-#include "../motion/angles.h"
-
 #include "air.h"
 #include "space.h"
 
@@ -19,7 +17,7 @@
 #define LEAST 1e-7
 
 /* A search ends after so many looks at the gap. */
-#define MOST_LOOKS 256
+#define MOST_LOOKS 100
 
 /* What G and its bounds are computed from. */
 struct arc {
@@ -110,10 +108,10 @@ static void search(coin_priv_touch *found, const struct arc *r, double end,
         struct look at = look_at(r, found->t);
         const int zero = at.G <= 4 * DBL_EPSILON * (at.y * at.y);
         ++found->looks;
-        found->touches = !leaves && (at.y <= 0 || (zero && at.d < 0));
+        found->touches = !leaves && (at.y <= 0 || zero);
         if (found->touches)
             return;
-        if (zero || leaves)
+        if (leaves)
             at.G = 0;
         leaves = 0;
         const double h = safe(r, &at);

@@ -2,76 +2,55 @@
 /* A coin_body: its checks, and what can be read off it. */
 #include "../motion/pinned.h"
 
-#include "../motion/equations.h"
 #include "../motion/rest.h"
-
-#include "../air/air.h"
 
 #include "coin_body.h"
 
 /* A body that an engine set this many radii into the table is set on it. */
 #define OVERLAP 0.1
 
-/* The velocity of the centre of a coin that rolls. */
-static void rolling_velocity(double v[3], const coin_state *s, double a)
+void coin_priv_set_rolling(coin_body *b, const coin_priv_attitude *at, double a)
 {
-    const coin_priv_variables y = coin_priv_variables_of(s);
-    coin_priv_velocity_of(v, a, &y);
-}
-
-void coin_priv_set_rolling(coin_body *b, const coin_priv_body *of)
-{
+    const coin_priv_variables y = coin_priv_attitude_variables(&b->s, at);
     double v[3];
-    rolling_velocity(v, &b->s, of->a);
-    b->y = of->a * coin_priv_sincos(b->s.theta).c;
+    coin_priv_velocity_of(v, a, &y);
+    b->y = a * at->th.c;
     b->vx = v[0];
     b->vy = v[1];
     b->vz = v[2];
 }
 
-/* The slip velocity of a body, over the natural one, along e_X and e_h; and the
- * normal velocity of its lowest point. */
-struct slip {
-    double X, h, y;
-};
-
-static struct slip slip_of(const coin_body *b, const coin_priv_body *of)
+int coin_priv_members_hold(const coin_body *b, double length, double rate)
 {
-    const coin_priv_variables y = coin_priv_variables_of(&b->s);
-    const double per = 1 / (of->a * sqrt(of->g_a)), turn = of->a * per;
-    const double vX = b->vx * y.cph - b->vz * y.sph;
-    const double vh = b->vx * y.sph + b->vz * y.cph;
-    const struct slip r = {
-        per * vX + turn * y.wZ,
-        per * vh - turn * (y.wX * y.cth),
-        per * b->vy + turn * (y.wX * y.sth),
-    };
-    return r;
+    const double far = COIN_PRIV_PLACE_MAX * length;
+    const double turn = COIN_PRIV_RATE_MAX * rate, fast = turn * length;
+    return coin_priv_state_within(&b->s, far, turn * turn) &
+           (fabs(b->y) <= far) & (fabs(b->vx) <= fast) & (fabs(b->vy) <= fast) &
+           (fabs(b->vz) <= fast);
 }
 
-int coin_priv_members_hold(const coin_body *b, const coin_priv_body *of)
+void coin_priv_scale_body(coin_body *b, double length, double rate)
 {
-    const double a = of->a, far = COIN_PRIV_PLACE_MAX * a;
-    const double fast = COIN_PRIV_RATE_MAX * a * sqrt(of->g_a);
-    int good = coin_priv_state_holds(&b->s, of) && fabs(b->y) <= far;
-    good &= fabs(b->vx) <= fast && fabs(b->vy) <= fast && fabs(b->vz) <= fast;
+    coin_priv_scale(&b->s, length, rate);
+    b->y *= length;
+    b->vx *= length * rate;
+    b->vy *= length * rate;
+    b->vz *= length * rate;
+}
+
+int32_t coin_priv_natural_body(coin_body *natural, coin_priv_attitude *at,
+                               const coin_body *b, const coin_priv_body *of)
+{
+    const double w0 = sqrt(of->g_a);
+    int good = coin_priv_members_hold(b, of->a, w0);
     for (int i = 0; i < 4; ++i)
         good &= b->reserved[i] == 0;
-    return good;
-}
-
-int32_t coin_priv_check_coin_body(const coin_body *b, const coin_params *p,
-                                  coin_priv_body *of)
-{
-    if (!b)
-        return COIN_EARG;
-    const int32_t status = coin_priv_check(&b->s, p, of);
-    if (status != COIN_OK)
-        return status;
-    const double lowest = of->a * coin_priv_sincos(b->s.theta).c;
-    const int good = coin_priv_members_hold(b, of) &&
-                     b->y - lowest >= -COIN_PRIV_TOUCHES * of->a;
-    return good ? COIN_OK : COIN_ESTATE;
+    if (!good)
+        return COIN_ESTATE;
+    *natural = *b;
+    coin_priv_scale_body(natural, 1 / of->a, 1 / w0);
+    *at = coin_priv_attitude_of(&b->s);
+    return natural->y - at->th.c >= -COIN_PRIV_TOUCHES ? COIN_OK : COIN_ESTATE;
 }
 
 static int lies_flat(const coin_body *b)
@@ -80,34 +59,40 @@ static int lies_flat(const coin_body *b)
            b->s.wY == 0;
 }
 
-/* Whether a coin that lies flat has stopped. */
-static int rests(const coin_body *b, const coin_priv_body *of)
-{
-    const double w0 = sqrt(of->g_a), v0 = of->a * w0;
-    const double v = sqrt(b->vx * b->vx + b->vz * b->vz);
-    return v / v0 + fabs(b->s.wZ) / w0 <= COIN_PRIV_SLIP_LEAST;
-}
-
-int coin_priv_body_mode(const coin_body *b, const coin_priv_body *of,
+int coin_priv_body_mode(const coin_body *b, const coin_priv_attitude *at,
                         double u[2])
 {
-    const double a = of->a, w0 = sqrt(of->g_a);
-    const double above = b->y - a * coin_priv_sincos(b->s.theta).c;
     u[0] = u[1] = 0;
-    if (above > COIN_PRIV_TOUCHES * a)
+    if (b->y - at->th.c > COIN_PRIV_TOUCHES)
         return COIN_PRIV_AIR;
-    const struct slip slip = slip_of(b, of);
-    const double speed = sqrt(slip.X * slip.X + slip.h * slip.h);
-    const double turns = (fabs(b->s.wX) + fabs(b->s.wZ)) / w0;
-    if (fabs(slip.y) > COIN_PRIV_SLIP_LEAST)
+    const coin_priv_rim rim = coin_priv_rim_of(b, at);
+    const double turn = fabs(b->s.wZ), turns = fabs(b->s.wX) + turn;
+    if (fabs(rim.y) > COIN_PRIV_SLIP_LEAST)
         return COIN_PRIV_AIR;
-    if (lies_flat(b))
-        return rests(b, of) ? COIN_PRIV_RESTS : COIN_PRIV_LIES;
-    if (speed <= COIN_PRIV_SLIP_LEAST + COIN_PRIV_TOUCHES * turns)
+    if (lies_flat(b)) {
+        const double v = sqrt(b->vx * b->vx + b->vz * b->vz);
+        return v + turn <= COIN_PRIV_SLIP_LEAST ? COIN_PRIV_RESTS
+                                                : COIN_PRIV_LIES;
+    }
+    if (sqrt(rim.X * rim.X + rim.h * rim.h) <=
+        COIN_PRIV_SLIP_LEAST + COIN_PRIV_TOUCHES * turns)
         return 0;
-    u[0] = slip.X;
-    u[1] = slip.h;
+    u[0] = rim.X;
+    u[1] = rim.h;
     return COIN_PRIV_SLIPS;
+}
+
+/* The checks of a body, in natural units if they pass: COIN_OK, *of and the
+ * attitude; or COIN_EARG, COIN_EPARAMS, COIN_ESTATE in this order. */
+static int32_t check(coin_body *natural, coin_priv_attitude *at,
+                     const coin_body *b, const coin_params *p,
+                     coin_priv_body *of)
+{
+    if (!b || !p)
+        return COIN_EARG;
+    if (coin_priv_check_body(of, p) != COIN_OK)
+        return COIN_EPARAMS;
+    return coin_priv_natural_body(natural, at, b, of);
 }
 
 int32_t coin_body_from_state(coin_body *b, const coin_state *s,
@@ -117,9 +102,10 @@ int32_t coin_body_from_state(coin_body *b, const coin_state *s,
     const int32_t status = b ? coin_priv_check(s, p, &of) : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    coin_body made = {*s, 0, 0, 0, 0, {0, 0, 0, 0}};
-    coin_priv_set_rolling(&made, &of);
-    const int32_t good = coin_priv_check_coin_body(&made, p, &of);
+    coin_body made = {*s, 0, 0, 0, 0, {0, 0, 0, 0}}, natural;
+    coin_priv_attitude at = coin_priv_attitude_of(s);
+    coin_priv_set_rolling(&made, &at, of.a);
+    const int32_t good = coin_priv_natural_body(&natural, &at, &made, &of);
     if (good == COIN_OK)
         *b = made;
     return good;
@@ -174,6 +160,8 @@ int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
                               const double r[3], const double v[3])
 {
     coin_body made = {{0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, 0, 0, {0, 0, 0, 0}};
+    coin_body natural;
+    coin_priv_attitude at;
     coin_priv_body of;
     if (!b || !p || !q || !omega || !r || !v)
         return COIN_EARG;
@@ -188,7 +176,7 @@ int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
     made.vx = v[0];
     made.vy = v[1];
     made.vz = v[2];
-    const int32_t good = coin_priv_check_coin_body(&made, p, &of);
+    const int32_t good = coin_priv_natural_body(&natural, &at, &made, &of);
     if (good == COIN_OK)
         *b = made;
     return good;
@@ -196,8 +184,10 @@ int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
 
 double coin_body_energy(const coin_body *b, const coin_params *p)
 {
+    coin_body natural;
+    coin_priv_attitude at;
     coin_priv_body of;
-    if (!p || coin_priv_check_coin_body(b, p, &of) != COIN_OK)
+    if (check(&natural, &at, b, p, &of) != COIN_OK)
         return (double)NAN;
     const coin_state *s = &b->s;
     const double v2 = b->vx * b->vx + b->vy * b->vy + b->vz * b->vz;
@@ -208,26 +198,25 @@ double coin_body_energy(const coin_body *b, const coin_params *p)
 
 int32_t coin_body_slip(const coin_body *b, const coin_params *p, double u[2])
 {
+    coin_body natural;
+    coin_priv_attitude at;
     coin_priv_body of;
-    if (!u)
-        return COIN_EARG;
-    const int32_t status = coin_priv_check_coin_body(b, p, &of);
+    const int32_t status = u ? check(&natural, &at, b, p, &of) : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    const coin_priv_variables y = coin_priv_variables_of(&b->s);
     const int lies = lies_flat(b);
-    const double uX = of.a * y.wZ, uh = -of.a * (y.wX * y.cth);
-    u[0] = b->vx + (lies ? 0 : uX * y.cph + uh * y.sph);
-    u[1] = b->vz + (lies ? 0 : uh * y.cph - uX * y.sph);
+    const double uX = of.a * b->s.wZ, uh = -of.a * (b->s.wX * at.th.c);
+    u[0] = b->vx + (lies ? 0 : uX * at.ph.c + uh * at.ph.s);
+    u[1] = b->vz + (lies ? 0 : uh * at.ph.c - uX * at.ph.s);
     return COIN_OK;
 }
 
 int32_t coin_body_matrix(const coin_body *b, const coin_params *p, double m[16])
 {
+    coin_body natural;
+    coin_priv_attitude at;
     coin_priv_body of;
-    if (!m)
-        return COIN_EARG;
-    const int32_t status = coin_priv_check_coin_body(b, p, &of);
+    const int32_t status = m ? check(&natural, &at, b, p, &of) : COIN_EARG;
     if (status != COIN_OK)
         return status;
     const double y = b->y;
@@ -237,16 +226,12 @@ int32_t coin_body_matrix(const coin_body *b, const coin_params *p, double m[16])
 }
 
 /* The force on a coin that touches the table, in natural units. */
-static coin_priv_push touching_force(const coin_body *b,
-                                     const coin_priv_body *of,
-                                     const coin_priv_law *l, int mode,
-                                     const double u[2])
+static coin_priv_push touching_force(const coin_body *b, const coin_priv_law *l,
+                                     int mode, const double u[2])
 {
     coin_priv_moving g;
     g.law = *l;
-    coin_state natural = b->s;
-    coin_priv_scale(&natural, 1 / of->a, 1 / sqrt(of->g_a));
-    coin_priv_begin(&g, &natural, 0, 1);
+    coin_priv_begin(&g, &b->s, 0, 1);
     g.y[COIN_PRIV_UX] = u[0];
     g.y[COIN_PRIV_UH] = u[1];
     g.mode = mode;
@@ -265,16 +250,12 @@ static coin_priv_push touching_force(const coin_body *b,
     return r;
 }
 
-/* The force on a coin that slides on its face. */
-static coin_priv_push sliding_force(const coin_body *b,
-                                    const coin_priv_body *of,
+/* The force on a coin that slides on its face, in natural units. */
+static coin_priv_push sliding_force(const coin_body *b, coin_priv_sc ph,
                                     const coin_priv_law *l)
 {
-    const double a = of->a, v0 = a * sqrt(of->g_a);
     const double v = sqrt(b->vx * b->vx + b->vz * b->vz);
-    const double w = fabs(b->s.wZ) * a;
-    const coin_priv_sc ph = coin_priv_sincos(b->s.phi);
-    const double drag = coin_priv_flat_drag(l->IZ, v / v0, w / v0);
+    const double drag = coin_priv_flat_drag(l->IZ, v, fabs(b->s.wZ));
     const double per = v > 0 ? l->mu_kinetic * drag / v : 0;
     const coin_priv_push r = {
         1,
@@ -295,18 +276,20 @@ int32_t coin_body_reaction(const coin_body *b, const coin_params *p,
     if (coin_priv_check_body(&of, p) != COIN_OK ||
         coin_priv_table_law(&law, table, &of) != COIN_OK)
         return COIN_EPARAMS;
-    const int32_t status = coin_priv_check_coin_body(b, p, &of);
+    coin_body natural;
+    coin_priv_attitude at;
+    const int32_t status = coin_priv_natural_body(&natural, &at, b, &of);
     if (status != COIN_OK)
         return status;
-    const int mode = coin_priv_body_mode(b, &of, u);
+    const int mode = coin_priv_body_mode(&natural, &at, u);
     coin_priv_push F = {0, 0, 0};
     if (mode == COIN_PRIV_RESTS)
         F.N = 1;
     else if (mode == COIN_PRIV_LIES)
-        F = sliding_force(b, &of, &law);
+        F = sliding_force(&natural, at.ph, &law);
     else if (mode != COIN_PRIV_AIR)
-        F = touching_force(b, &of, &law, mode, u);
-    const coin_priv_sc ph = coin_priv_sincos(b->s.phi);
+        F = touching_force(&natural, &law, mode, u);
+    const coin_priv_sc ph = at.ph;
     coin_force r;
     r.R[0] = of.Mg * (F.X * ph.c + F.h * ph.s);
     r.R[1] = r.normal = of.Mg * F.N;

@@ -11,24 +11,15 @@
 #define STOPS                                                                  \
     (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_ROLLS | COIN_TOUCHES)
 
-/* Scales a body to other units, as coin_priv_scale(). */
-static void scale(coin_body *b, double length, double rate)
-{
-    coin_priv_scale(&b->s, length, rate);
-    b->y *= length;
-    b->vx *= length * rate;
-    b->vy *= length * rate;
-    b->vz *= length * rate;
-}
-
 /* Where a body touches, its height and velocity are what the mode says of the
  * other members. */
-static void fit_to_mode(coin_body *b, int mode, const coin_priv_body *of)
+static void fit_to_mode(coin_body *b, int mode, double a)
 {
     const double vx = b->vx, vz = b->vz;
     if (mode & COIN_PRIV_AIR)
         return;
-    coin_priv_set_rolling(b, of);
+    const coin_priv_attitude at = coin_priv_attitude_of(&b->s);
+    coin_priv_set_rolling(b, &at, a);
     if (mode) {
         b->vx = vx;
         b->vz = vz;
@@ -48,19 +39,15 @@ int32_t coin_move(coin_body *b, const coin_params *p, const coin_table *table,
     if (coin_priv_check_body(&of, p) != COIN_OK ||
         coin_priv_table_law(&w.g.law, table, &of) != COIN_OK)
         return COIN_EPARAMS;
-    int32_t status = coin_priv_check_coin_body(b, p, &of);
+    int32_t status = coin_priv_natural_body(&w.b, &w.at, b, &of);
     if (status != COIN_OK)
         return status;
     if (w.g.law.damping > 0 &&
-        coin_priv_body_mode(b, &of, u) & (COIN_PRIV_SLIPS | COIN_PRIV_AIR))
+        coin_priv_body_mode(&w.b, &w.at, u) & (COIN_PRIV_SLIPS | COIN_PRIV_AIR))
         return COIN_EPARAMS;
     const double w0 = sqrt(of.g_a);
     if (!coin_priv_time_suits(t, w0))
         return COIN_ESTEP;
-    const coin_params unit = {1, 1, 1, w.g.law.IX, w.g.law.IZ, {0, 0, 0}};
-    w.of = coin_priv_body_of(&unit);
-    w.b = *b;
-    scale(&w.b, 1 / of.a, 1 / w0);
     w.restitution = table->restitution;
     w.time = t * w0;
     w.tol = tol;
@@ -72,10 +59,10 @@ int32_t coin_move(coin_body *b, const coin_params *p, const coin_table *table,
     if (w.changed) {
         const int mode = status > 0 && status & COIN_LIFTS
                              ? COIN_PRIV_AIR
-                             : coin_priv_body_mode(&w.b, &w.of, u);
+                             : coin_priv_body_mode(&w.b, &w.at, u);
         *b = w.b;
-        scale(b, of.a, w0);
-        fit_to_mode(b, mode, &of);
+        coin_priv_scale_body(b, of.a, w0);
+        fit_to_mode(b, mode, of.a);
     }
     if (reached)
         *reached = coin_priv_reached(&w.moved, w.time, t, w0);

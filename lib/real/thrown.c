@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "../air/air.h"
-
 #include "thrown.h"
 
 /* No status: the way goes on. */
@@ -14,9 +12,6 @@
 
 /* Flights are made in parts that turn by at most this. */
 #define MOST_TURN (COIN_PRIV_ANGLE_MAX / 2)
-
-/* So many looks at the gap count as a trial of a step. */
-#define LOOKS 16
 
 static double time_left(const coin_priv_thrown *w)
 {
@@ -36,23 +31,24 @@ static void spend(coin_priv_thrown *w, double t, double left)
 }
 
 /* Takes another body, unless one of its members is out of range. */
-static int32_t take(coin_priv_thrown *w, const coin_body *to)
+static int32_t take(coin_priv_thrown *w, const coin_body *to,
+                    const coin_priv_attitude *at)
 {
     const coin_state *const s = &to->s;
     const double place = coin_priv_larger(fabs(s->x), fabs(s->z));
     if (!(place <= COIN_PRIV_PLACE_MAX && fabs(s->psi) <= COIN_PRIV_ANGLE_MAX))
         return COIN_ERANGE;
-    if (!coin_priv_members_hold(to, &w->of))
+    if (!coin_priv_members_hold(to, 1, 1))
         return COIN_ESTEP;
     w->b = *to;
+    w->at = *at;
     w->changed = 1;
     return UNDER_WAY;
 }
 
-/* The height at which a coin of this lean touches. */
-static double touching(const coin_body *b)
+static void flight_of(coin_priv_flight *f, const coin_priv_thrown *w)
 {
-    return coin_priv_sincos(b->s.theta).c;
+    coin_priv_flight_of(f, &w->b, &w->at, w->g.law.IX, w->g.law.IZ);
 }
 
 /* Flies for a time.  The coin comes down on the table if `touches`, or if
@@ -63,15 +59,15 @@ static int32_t fly_for(coin_priv_thrown *w, const coin_priv_flight *f, double t,
     const double left = time_left(w);
     const double rise = coin_priv_lesser(t, f->vy);
     coin_body to = w->b;
+    coin_priv_attitude at;
     if (rise > 0 && f->y + rise * (f->vy - rise / 2) > COIN_PRIV_PLACE_MAX)
         return COIN_ERANGE;
-    coin_priv_fly(&to, f, t);
-    const double lowest = touching(&to);
-    if (touches || to.y < lowest) {
-        to.y = lowest;
+    coin_priv_fly(&to, &at, f, t);
+    if (touches || to.y < at.th.c) {
+        to.y = at.th.c;
         w->event = COIN_TOUCHES;
     }
-    const int32_t status = take(w, &to);
+    const int32_t status = take(w, &to, &at);
     if (status == UNDER_WAY)
         spend(w, t, left);
     return status;
@@ -81,12 +77,11 @@ static int32_t fly_for(coin_priv_thrown *w, const coin_priv_flight *f, double t,
 static int32_t fly(coin_priv_thrown *w, int leaves)
 {
     coin_priv_flight f;
-    coin_priv_flight_of(&f, &w->b, w->of.IX, w->of.IZ);
+    flight_of(&f, w);
     const double left = time_left(w);
     const double most = MOST_TURN / (1 + f.rate + fabs(f.sigma));
     const coin_priv_touch to =
         coin_priv_first_touch(&f, coin_priv_lesser(left, most), leaves);
-    w->g.tries -= to.looks / LOOKS;
     return fly_for(w, &f, to.t, to.touches);
 }
 
@@ -97,34 +92,36 @@ static int32_t lift_off(coin_priv_thrown *w)
 {
     const double t = coin_priv_lesser(coin_priv_blind(w->g.y), time_left(w));
     coin_priv_flight f;
-    coin_priv_flight_of(&f, &w->b, w->of.IX, w->of.IZ);
+    flight_of(&f, w);
     return fly_for(w, &f, t, 0);
 }
 
-static void lie_down(coin_body *b)
+static void lie_down(coin_body *b, coin_priv_attitude *at)
 {
     b->s.theta = copysign(COIN_PRIV_LAST_LEAN, b->s.theta);
     b->s.wX = b->s.wY = b->vy = 0;
-    b->y = touching(b);
+    *at = coin_priv_attitude_of(&b->s);
+    b->y = at->th.c;
 }
 
 /* The impact that is due. */
 static int32_t hit(coin_priv_thrown *w)
 {
     const coin_priv_law *const l = &w->g.law;
-    const int slow = coin_priv_rim_speed(&w->b) > -PLASTIC; /* (114) */
+    const int slow = coin_priv_rim_of(&w->b, &w->at).y > -PLASTIC; /* (114) */
     const coin_priv_bounce law = {
         slow ? 0 : w->restitution,
         l->mu_static,
         l->mu_kinetic,
     };
     coin_body to = w->b;
-    if (slow && touching(&to) < l->flat)
-        lie_down(&to); /* (115) */
+    coin_priv_attitude at = w->at;
+    if (slow && at.th.c < l->flat)
+        lie_down(&to, &at); /* (115) */
     else
-        coin_priv_impact(&to, w->of.IX, w->of.IZ, &law);
+        coin_priv_impact(&to, &at, l->IX, l->IZ, &law);
     w->event = COIN_ROLLS;
-    return take(w, &to);
+    return take(w, &to, &at);
 }
 
 static int32_t in_air(coin_priv_thrown *w)
@@ -133,9 +130,8 @@ static int32_t in_air(coin_priv_thrown *w)
     w->event = 0;
     if (bits || !(time_left(w) > 0))
         return COIN_LIFTS | bits;
-    const coin_priv_sc th = coin_priv_sincos(w->b.s.theta);
-    const int low = w->b.y - th.c <= COIN_PRIV_TOUCHES;
-    return low && w->b.vy + w->b.s.wX * th.s < 0 ? hit(w) : fly(w, low);
+    const int low = w->b.y - w->at.th.c <= COIN_PRIV_TOUCHES;
+    return low && coin_priv_rim_of(&w->b, &w->at).y < 0 ? hit(w) : fly(w, low);
 }
 
 static int32_t on_face(coin_priv_thrown *w)
@@ -148,8 +144,8 @@ static int32_t on_face(coin_priv_thrown *w)
         return COIN_SLIPS | (w->stop & holds);
     coin_body to = w->b;
     const double t =
-        coin_priv_slide_flat(&to, w->of.IZ, w->g.law.mu_kinetic, left);
-    const int32_t status = take(w, &to);
+        coin_priv_slide_flat(&to, w->g.law.IZ, w->g.law.mu_kinetic, left);
+    const int32_t status = take(w, &to, &w->at);
     if (status == UNDER_WAY)
         spend(w, t, left);
     return status;
@@ -164,9 +160,10 @@ static void end_contact(coin_priv_thrown *w)
     coin_priv_end(g, &b->s);
     if (g->mode & COIN_PRIV_RESTS)
         b->s.wX = b->s.wY = 0;
-    coin_priv_set_rolling(b, &w->of);
+    w->at = coin_priv_attitude_of(&b->s);
+    coin_priv_set_rolling(b, &w->at, 1);
     if (g->mode & (COIN_PRIV_SLIPS | COIN_PRIV_RESTS)) {
-        const coin_priv_sc ph = coin_priv_sincos(b->s.phi);
+        const coin_priv_sc ph = w->at.ph;
         b->vx += uX * ph.c + uh * ph.s;
         b->vz += uh * ph.c - uX * ph.s;
     }
@@ -201,9 +198,9 @@ static int32_t in_contact(coin_priv_thrown *w, int mode, const double u[2])
     }
     if (!(g->mode & COIN_PRIV_SLIPS))
         return status;
-    if (coin_priv_body_mode(&w->b, &w->of, none) & COIN_PRIV_SLIPS)
+    if (coin_priv_body_mode(&w->b, &w->at, none) & COIN_PRIV_SLIPS)
         return COIN_SLIPS | status;
-    coin_priv_set_rolling(&w->b, &w->of); /* a slip too slow to be told */
+    coin_priv_set_rolling(&w->b, &w->at, 1); /* a slip too slow to be told */
     return status;
 }
 
@@ -211,7 +208,7 @@ static int32_t in_contact(coin_priv_thrown *w, int mode, const double u[2])
 static int32_t stage(coin_priv_thrown *w)
 {
     double u[2];
-    const int mode = coin_priv_body_mode(&w->b, &w->of, u);
+    const int mode = coin_priv_body_mode(&w->b, &w->at, u);
     if (mode & COIN_PRIV_AIR)
         return in_air(w);
     if (mode & COIN_PRIV_RESTS)

@@ -8,7 +8,7 @@
 /* A body under way, in natural units. */
 typedef struct coin_priv_thrown {
     coin_body b;
-    coin_priv_body of;
+    coin_priv_attitude at;
     double restitution;
     double time, tol;    /* of the call */
     coin_priv_sum moved; /* the time so far */
