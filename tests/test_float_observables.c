@@ -285,7 +285,7 @@ TEST(a_q_of_0_and_a_flat_coin_make_no_state)
 {
     const float nothing[4] = {0}, flat[4] = {1, 1, 0, 0}, omega[3] = {0, 0, 0};
     const float turn[4] = {1, 0, 0, 0}, fast[3] = {1e20f, 0, 0};
-    coinf_params p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}};
+    const coinf_params p = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}};
     coinf_state s = {0.1f, 1, 2, 3, 4, 5, 6, 7, {0}};
     const coinf_state before = s;
     check_status(coinf_state_from_motion(&s, &p, nothing, omega, 0, 0),
@@ -296,16 +296,6 @@ TEST(a_q_of_0_and_a_flat_coin_make_no_state)
                  COIN_ESTATE);
     check_status(coinf_state_from_motion(&s, &p, turn, omega, NAN, 0),
                  COIN_ESTATE);
-    check_status(coinf_state_from_motion(&s, &p, NULL, omega, 0, 0), COIN_EARG);
-    check_status(coinf_state_from_motion(&s, &p, turn, NULL, 0, 0), COIN_EARG);
-    check_status(coinf_state_from_motion(&s, NULL, turn, omega, 0, 0),
-                 COIN_EARG);
-    check_status(coinf_state_from_motion(NULL, &p, turn, omega, 0, 0),
-                 COIN_EARG);
-    check_same(&s, &before, sizeof s);
-    p.mass = -1;
-    check_status(coinf_state_from_motion(&s, &p, turn, omega, 0, 0),
-                 COIN_EPARAMS);
     check_same(&s, &before, sizeof s);
 }
 
@@ -342,49 +332,13 @@ TEST(the_ratio_is_infinite_without_a_normal_force)
     check_status(coinf_check(&rolls, &p, COIN_RK4, 0.1f, -1), COIN_EARG);
     check_status(coinf_params_ring(&p, 1, 1, 2, 1), COIN_EPARAMS);
     check_status(coinf_params_ring(&p, 1, 1, -1, 1), COIN_EPARAMS);
-    check_status(coinf_params_ring(NULL, 1, 1, 0, 1), COIN_EARG);
 }
 
-TEST(bad_arguments_leave_outputs_alone)
+TEST(an_angular_velocity_that_overflows_is_refused)
 {
-    coinf_state bad = {NAN, 0, 0, 0, 0, 0, 0, 0, {0}}, s = {0};
-    coinf_params p;
-    float out[9] = {7, 7, 7, 7, 7, 7, 7, 7, 7};
-    coinf_force f = {{7, 7, 7}, 7, 7, 7};
-    coinf_state r = bad;
-    check_status(coinf_params_disc(&p, 1, 1, 1), COIN_OK);
-    for (int null = 0; null < 2; ++null) {
-        const coinf_state *const t = null ? NULL : &bad;
-        const int32_t want = null ? COIN_EARG : COIN_ESTATE;
-        check(isnan(coinf_energy(t, &p)));
-        check_status(coinf_integrals(t, &p, out), want);
-        check_status(coinf_reaction(t, &p, &f), want);
-        check_status(coinf_rates(t, &p, &r), want);
-        check_status(coinf_center(t, &p, out), want);
-        check_status(coinf_velocity(t, &p, out), want);
-        check_status(coinf_contact(t, &p, out, out + 3), want);
-        check_status(coinf_axes(t, out), want);
-        check_status(coinf_quaternion(t, out), want);
-        check_status(coinf_angular_velocity(t, out), want);
-        check_status(coinf_check(t, &p, COIN_RK4, 0, 1), want);
-    }
-    check_status(coinf_integrals(&s, &p, NULL), COIN_EARG);
-    check_status(coinf_reaction(&s, &p, NULL), COIN_EARG);
-    check_status(coinf_rates(&s, &p, NULL), COIN_EARG);
-    check_status(coinf_center(&s, &p, NULL), COIN_EARG);
-    check_status(coinf_velocity(&s, &p, NULL), COIN_EARG);
-    check_status(coinf_contact(&s, &p, NULL, out), COIN_EARG);
-    check_status(coinf_contact(&s, &p, out, NULL), COIN_EARG);
-    check_status(coinf_axes(&s, NULL), COIN_EARG);
-    check_status(coinf_quaternion(&s, NULL), COIN_EARG);
-    check_status(coinf_angular_velocity(&s, NULL), COIN_EARG);
-    s.wX = 3e38f;
-    s.wY = 3e38f;
-    s.theta = 0.7f;
-    s.phi = 0.7f;
-    check_status(coinf_angular_velocity(&s, out), COIN_ESTATE);
-    for (int i = 0; i < 9; ++i)
-        check(out[i] == 7);
-    check(f.R[0] == 7 && f.ratio == 7);
-    check_same(&r, &bad, sizeof r);
+    const coinf_state s = {
+        .theta = 0.7f, .phi = 0.7f, .wX = 3e38f, .wY = 3e38f};
+    float omega[3] = {7, 7, 7};
+    check_status(coinf_angular_velocity(&s, omega), COIN_ESTATE);
+    check(omega[0] == 7 && omega[1] == 7 && omega[2] == 7);
 }

@@ -15,52 +15,31 @@
 static const coinf_params body = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}};
 static const coinf_state good = {0.5f, 1, 2, 3, 4, 0.1f, 0.8f, 1.2f, {0}};
 
-/* ------------------------------------------------------------------ layout */
-TEST(a_state_is_eight_floats_and_their_eight_remainders)
-{
-    const size_t at[] = {
-        offsetof(coinf_state, theta), offsetof(coinf_state, phi),
-        offsetof(coinf_state, psi),   offsetof(coinf_state, x),
-        offsetof(coinf_state, z),     offsetof(coinf_state, wX),
-        offsetof(coinf_state, wY),    offsetof(coinf_state, wZ),
-        offsetof(coinf_state, low),
-    };
-    for (size_t i = 0; i < sizeof at / sizeof *at; ++i)
-        check(at[i] == 4 * i);
-    check(sizeof(coinf_state) == 64);
-    check(sizeof(coinf_params) == 32 && offsetof(coinf_params, reserved) == 20);
-    check(sizeof(coinf_force) == 24 && offsetof(coinf_force, ratio) == 20);
-}
-
 /* --------------------------------------------------------------- bad input */
 /* Every way to move a state; each must refuse in the same way. */
-static int32_t move(int how, coinf_state *s, const coinf_params *p, float dt,
-                    uint64_t *done)
+static int32_t move(int how, coinf_state *s, float dt, uint64_t *done)
 {
     if (how == 0)
-        return coinf_step(s, p, dt);
-    return coinf_run(s, p, COIN_RK4, dt, 3, done);
+        return coinf_step(s, &body, dt);
+    return coinf_run(s, &body, COIN_RK4, dt, 3, done);
 }
 
-static void refused(const coinf_state *s, const coinf_params *p, float dt,
-                    int32_t want)
+static void refused(const coinf_state *s, float dt, int32_t want)
 {
     for (int how = 0; how < 2; ++how) {
         coinf_state moved = *s;
         uint64_t done = UNTOUCHED;
-        check_status(move(how, &moved, p, dt, &done), want);
+        check_status(move(how, &moved, dt, &done), want);
         check_same(&moved, s, sizeof moved);
         check(done == UNTOUCHED);
     }
 }
 
-TEST(null_pointers_and_unknown_methods_are_refused)
+TEST(unknown_methods_are_refused)
 {
     const int32_t unknown[] = {-1, COIN_RK8, COIN_SYMPLECTIC2, COIN_SYMPLECTIC4,
                                4,  1000};
     coinf_state s = good;
-    check_status(coinf_step(NULL, &body, 0.01f), COIN_EARG);
-    check_status(coinf_step(&s, NULL, 0.01f), COIN_EARG);
     for (size_t i = 0; i < sizeof unknown / sizeof *unknown; ++i) {
         check_note("method %d", (int)unknown[i]);
         check_status(coinf_run(&s, &body, unknown[i], 0.01f, 1, NULL),
@@ -68,33 +47,6 @@ TEST(null_pointers_and_unknown_methods_are_refused)
         check_status(coinf_check(&s, &body, unknown[i], 0.01f, 1), COIN_EARG);
     }
     check_same(&s, &good, sizeof s);
-}
-
-TEST(bad_parameters_are_refused)
-{
-    const coinf_params bad[] = {
-        {-1, 1, 1, 0.25f, 0.5f, {0, 0, 0}},
-        {NAN, 1, 1, 0.25f, 0.5f, {0, 0, 0}},
-        {1, 0, 1, 0.25f, 0.5f, {0, 0, 0}},
-        {1, INFINITY, 1, 0.25f, 0.5f, {0, 0, 0}},
-        {1, 1, -9.8f, 0.25f, 0.5f, {0, 0, 0}},
-        {1, 1, 1, 0, 0.5f, {0, 0, 0}},
-        {1, 1, 1, 0.25f, NAN, {0, 0, 0}},
-        {1, 1, 1, 0.25f, 0.500001f, {0, 0, 0}},
-        {1, 1, 1, 0.25f, 0.5f, {1, 0, 0}},
-        {1, 1, 1, 0.25f, 0.5f, {0, 1, 0}},
-        {1, 1, 1, 0.25f, 0.5f, {0, 0, NAN}},
-        {1, 1, 1, 0.9e-3f, 1e-3f, {0, 0, 0}},
-        {1, 1, 1, 1.1e3f, 1e3f, {0, 0, 0}},
-        {1, 1, 1, 1, 0.9e-3f, {0, 0, 0}},
-    };
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
-        check_note("parameters %zu", i);
-        check_status(coinf_params_check(&bad[i]), COIN_EPARAMS);
-        refused(&good, &bad[i], 0.01f, COIN_EPARAMS);
-    }
-    check_status(coinf_params_check(NULL), COIN_EARG);
-    check_status(coinf_params_check(&body), COIN_OK);
 }
 
 TEST(bad_states_are_refused)
@@ -115,7 +67,7 @@ TEST(bad_states_are_refused)
         memcpy((char *)&s + 4 * bad[i].member, &bad[i].value, 4);
         check_note("member %zu: %g", bad[i].member, bad[i].value);
         check_status(coinf_state_check(&s, &body), COIN_ESTATE);
-        refused(&s, &body, 0.01f, COIN_ESTATE);
+        refused(&s, 0.01f, COIN_ESTATE);
         /* Without parameters no rate that is finite is too large. */
         float R[9];
         check_status(coinf_axes(&s, R), isfinite(bad[i].value) &&
@@ -124,8 +76,6 @@ TEST(bad_states_are_refused)
                                             ? COIN_OK
                                             : COIN_ESTATE);
     }
-    check_status(coinf_state_check(NULL, &body), COIN_EARG);
-    check_status(coinf_state_check(&good, NULL), COIN_EARG);
 }
 
 TEST(a_state_at_the_edge_of_the_range_is_accepted)
@@ -142,7 +92,7 @@ TEST(times_that_are_not_finite_are_refused)
 {
     const float bad[] = {NAN, INFINITY, -INFINITY};
     for (int i = 0; i < 3; ++i) {
-        refused(&good, &body, bad[i], COIN_ESTEP);
+        refused(&good, bad[i], COIN_ESTEP);
         check_status(coinf_check(&good, &body, COIN_RK4, bad[i], 1),
                      COIN_ESTEP);
     }

@@ -63,34 +63,6 @@ TEST(the_matrix_is_the_product_of_three_turns)
     }
 }
 
-/* A point of the body, seen from the table. */
-static void place(const double m[16], const double of[3], double out[3])
-{
-    for (int row = 0; row < 3; ++row)
-        out[row] = m[row] * of[0] + m[4 + row] * of[1] + m[8 + row] * of[2] +
-                   m[12 + row];
-}
-
-/* The coin has rolled so far that the mark on its rim is the point of contact,
- * which lies at psi below the centre when psi is a whole turn. */
-TEST(a_mark_on_the_rim_comes_down_where_the_coin_touches)
-{
-    struct random r = random_begin(162);
-    for (int n = 0; n < TRIED; ++n) {
-        const coin_params p = random_coin(&r);
-        coin_state s = random_state(&r, &p, 1.5);
-        const double mark[] = {p.radius * sin(-s.psi), -p.radius * cos(-s.psi),
-                               0};
-        double m[16], at[3], contact[3], v[3];
-        check_status(coin_matrix(&s, &p, m), COIN_OK);
-        check_status(coin_contact(&s, &p, contact, v), COIN_OK);
-        place(m, mark, at);
-        for (int i = 0; i < 3; ++i)
-            check_near(at[i], contact[i],
-                       32 * U * (p.radius + fabs(s.x) + fabs(s.z)));
-    }
-}
-
 TEST(upright_it_is_a_shift_upwards)
 {
     const double want[] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 2, 4, 1};
@@ -121,22 +93,4 @@ TEST(a_matrix_of_floats_is_that_of_the_same_state)
         check_near(m[13], (double)want[13], 4 * UF * (double)want[13]);
         check(m[12] == fs.x && m[14] == fs.z && m[15] == 1);
     }
-}
-
-TEST(bad_arguments_have_no_matrix)
-{
-    const coin_state good = {0.1, 0, 0, 0, 0, 0, 0, 0};
-    const coin_state fallen = {1.6, 0, 0, 0, 0, 0, 0, 0};
-    coin_params p, heavy;
-    double m[16], before[16] = {7, 6, 5};
-    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    heavy = p;
-    heavy.mass = -1;
-    memcpy(m, before, sizeof m);
-    check_status(coin_matrix(NULL, &p, m), COIN_EARG);
-    check_status(coin_matrix(&good, NULL, m), COIN_EARG);
-    check_status(coin_matrix(&good, &heavy, NULL), COIN_EARG);
-    check_status(coin_matrix(&fallen, &heavy, m), COIN_EPARAMS);
-    check_status(coin_matrix(&fallen, &p, m), COIN_ESTATE);
-    check_same(m, before, sizeof m);
 }

@@ -101,12 +101,3 @@ TEST(the_hole_lies_within_the_coin)
     }
     check_status(coin_params_ring(&p, 2, 4, -0.0, 8), COIN_OK);
 }
-
-TEST(a_null_pointer_is_noticed_before_anything_else)
-{
-    check_status(coin_params_ring(NULL, 2, 4, -1, 8), COIN_EARG);
-    check_status(coin_params_ring(NULL, -2, 4, 5, 8), COIN_EARG);
-    check_status(coin_params_disc(NULL, NAN, 4, 8), COIN_EARG);
-    check_status(coin_params_body(NULL, 2, 4, 8, 0, 0), COIN_EARG);
-    check_status(coin_params_check(NULL), COIN_EARG);
-}

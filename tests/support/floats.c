@@ -9,8 +9,12 @@
 coinf_params floats_params(const coin_params *p)
 {
     const coinf_params f = {
-        (float)p->mass,      (float)p->radius,    (float)p->gravity,
-        (float)p->inertia_X, (float)p->inertia_Z, {0, 0, 0},
+        (float)p->mass,
+        (float)p->radius,
+        (float)p->gravity,
+        (float)p->inertia_X,
+        (float)p->inertia_Z,
+        {(float)p->reserved[0], (float)p->reserved[1], (float)p->reserved[2]},
     };
     return f;
 }

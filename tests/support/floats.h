@@ -17,8 +17,6 @@ coinf_state floats_state(const coin_state *s);
 coin_params doubles_params(const coinf_params *p);
 coin_state doubles_state(const coinf_state *s);
 
-/* The same of losses. */
-
 /* How far the pose of a state is from the exact motion, a time after *start:
  * the largest difference of the angles, up to whole turns, and of x and z in
  * radii.  The exact motion is coin_advance() at its least tol, which
