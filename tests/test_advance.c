@@ -60,18 +60,6 @@ TEST(near_tol_1e_13_only_rounding_is_left_after_100_units)
     }
 }
 
-/* Row by row of a file with the columns b, theta0, wX0, ...: the start. */
-static coin_state start_of(const struct table *t, size_t row)
-{
-    const coin_state s = {
-        .theta = table_at(t, row, "theta0"),
-        .wX = table_at(t, row, "wX0"),
-        .wY = table_at(t, row, "wY0"),
-        .wZ = table_at(t, row, "wZ0"),
-    };
-    return s;
-}
-
 /* The limit holds for three of four.  In the others, most of which pass near
  * flat, the error is up to four times as much. */
 TEST(only_rounding_is_left_in_100_random_motions_too)
@@ -83,7 +71,7 @@ TEST(only_rounding_is_left_in_100_random_motions_too)
     for (size_t row = 0; row < t.rows; ++row) {
         const coin_params p = ring(table_at(&t, row, "b"));
         const coin_state end = state_in_row(&t, row);
-        coin_state s = start_of(&t, row);
+        coin_state s = start_in_row(&t, row);
         check_status(coin_advance(&s, &p, 100, 1e-13, NULL), COIN_OK);
         const double limit = 4e-15 * table_at(&t, row, "amp") + 4e-15;
         const double error = path_apart(&s, &end, &p);
@@ -341,14 +329,6 @@ TEST(the_usual_errors_touch_nothing)
         check(reached == 7);
     }
     check_status(coin_advance(NULL, &good, 1, 1e-6, NULL), COIN_EARG);
-}
-
-TEST(both_ends_of_tol_are_in)
-{
-    const coin_params p = ring(0);
-    coin_state s = generic;
-    check_status(coin_advance(&s, &p, 1, 1e-13, NULL), COIN_OK);
-    check_status(coin_advance(&s, &p, 1, 1e-2, NULL), COIN_OK);
 }
 
 TEST(no_time_moves_no_coin_however_fast_it_falls)

@@ -5,9 +5,6 @@
 
 #include <math.h>
 
-/* The limit of full accuracy of COIN_RK4, coin.h. */
-#define RK4_COARSE 0.35
-
 static int32_t bits(const coin_state *s, const coin_params *p, double dt,
                     double mu)
 {
@@ -210,43 +207,6 @@ TEST(a_steady_motion_never_lifts_off_and_slips_below_its_mu)
 }
 
 /* ---------------------------------------------------------- the other bits */
-TEST(a_step_is_coarse_beyond_the_method_s_limit)
-{
-    struct random r = random_begin(31);
-    for (int i = 0; i < 300; ++i) {
-        const coin_params p = random_coin(&r);
-        const coin_state s = random_state(&r, &p, 1.2);
-        const double dt = RK4_COARSE / fastest_rate(&s, &p);
-        const int32_t fine = bits(&s, &p, 0, INFINITY);
-        for (int sign = -1; sign <= 1; sign += 2) {
-            check_status(bits(&s, &p, sign * dt * (1 - 1e-12), INFINITY), fine);
-            check_status(bits(&s, &p, sign * dt * (1 + 1e-12), INFINITY),
-                         fine | COIN_COARSE);
-            const double longest = 1e15 * natural_time(&p);
-            check_status(bits(&s, &p, sign * longest * (1 - 4 * U), INFINITY),
-                         fine | COIN_COARSE);
-            check_status(bits(&s, &p, sign * longest * (1 + 4 * U), INFINITY),
-                         COIN_ESTEP);
-        }
-        check_status(bits(&s, &p, 1e-320, INFINITY), fine);
-    }
-}
-
-/* With a step so short that the state hardly moves, a run warns exactly if
- * the check does. */
-TEST(a_step_is_coarse_exactly_where_the_check_says_so)
-{
-    coin_params p = disc();
-    for (int i = -1; i <= 1; i += 2) {
-        coin_state s;
-        check_status(coin_steady_spin(&s, &p, 0.6), COIN_OK);
-        const double dt = RK4_COARSE / fastest_rate(&s, &p) * (1 + i * 1e-12);
-        const int32_t want = i > 0 ? COIN_COARSE : COIN_OK;
-        check_status(bits(&s, &p, dt, INFINITY), want);
-        check_status(coin_step(&s, &p, dt), want);
-    }
-}
-
 TEST(a_coin_is_nearly_flat_below_a_cosine_of_0_01)
 {
     const coin_params p = disc();

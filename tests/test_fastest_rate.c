@@ -33,7 +33,8 @@ TEST(steps_are_coarse_beyond_the_limits_over_it)
     for (int i = 0; i < 400; ++i) {
         const coin_params p = random_coin(&r);
         const coin_state s = random_state(&r, &p, 1.5);
-        const double dt = limits[i % 4] / coin_fastest_rate(&s, &p);
+        const double dt = (i & 4 ? -limits[i % 4] : limits[i % 4]) /
+                          coin_fastest_rate(&s, &p);
         const double mu = INFINITY;
         check((coin_check(&s, &p, i % 4, dt * (1 - 8 * U), mu) & COIN_COARSE) ==
               0);

@@ -180,30 +180,3 @@ TEST(the_lean_turns_where_the_reference_does)
         }
     }
 }
-
-/* From rest at 0.3 rad with a little spin: down to the table and up again.  By
- * quadrature of the reduced problem the heading turns, over that one period,
- * by a little more than pi sqrt(1 + M a^2/I_X) = pi sqrt 5, a full turn and
- * some more. */
-TEST(a_pass_near_the_table_turns_the_heading_by_pi_sqrt_5)
-{
-    const struct {
-        double spin, dt, turned, lowest;
-    } cases[] = {
-        {1e-2, 1e-4, 7.088048788222814, 0.01247139},
-        {1e-3, 1e-5, 7.038583431185783, 0.0012352274},
-    };
-    coin_params p;
-    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    for (size_t i = 0; i < 2; ++i) {
-        const double spin = cases[i].spin;
-        coin_state s = {0.3, 0, 0, 0, 0, 0, spin, spin};
-        check_note("spin %g", spin);
-        const coin_state low = next_turn(&s, &p, cases[i].dt);
-        const coin_state high = next_turn(&s, &p, cases[i].dt);
-        check_near(acos(0) - low.theta, cases[i].lowest,
-                   1e-3 * cases[i].lowest);
-        check_near(high.phi, cases[i].turned, 1e-5);
-        check_near(high.theta, 0.3, 1e-8);
-    }
-}

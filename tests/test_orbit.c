@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/methods.h"
 #include "support/orbits.h"
 #include "support/random.h"
@@ -13,20 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static coin_params disc(void)
-{
-    coin_params p;
-    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    return p;
-}
-
 /* --------------------------------------------------------- the reference */
-/* The order of orbits.csv. */
-static const char *const far_scenes[] = {
-    "generic",  "wobble",    "ring",     "quarter",
-    "negative", "si_washer", "ring_b05", "nearflat",
-};
-
 /* 8 u: each half of a period is a sum of pieces, each rounded to its own
  * unit.  Found: 3.4 u. */
 TEST(periods_are_those_of_the_reference)
@@ -35,7 +23,7 @@ TEST(periods_are_those_of_the_reference)
     table_load(&t, "orbits.csv");
     for (size_t row = 0; row < t.rows; ++row) {
         struct scene scene;
-        scene_load(&scene, far_scenes[(size_t)table_at(&t, row, "scene")]);
+        scene_load(&scene, far_scene(&t, row));
         const coin_state s = scene_state(&scene, 0);
         const coin_orbit o = orbit_of(&s, &scene.params);
         const double T = table_at(&t, row, "period");

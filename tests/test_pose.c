@@ -162,23 +162,6 @@ TEST(the_quaternion_turns_the_body_into_the_rolled_axes)
     }
 }
 
-TEST(the_axes_are_right_handed_and_orthonormal)
-{
-    struct random r = random_begin(17);
-    for (int n = 0; n < 500; ++n) {
-        const coin_params p = random_coin(&r);
-        const coin_state s = random_state(&r, &p, 1.57);
-        double R[9], eZ[3];
-        check_status(coin_axes(&s, R), COIN_OK);
-        for (int i = 0; i < 3; ++i)
-            for (int k = 0; k < 3; ++k)
-                check_near(dot(R + 3 * i, R + 3 * k), i == k, 16 * U);
-        cross(R, R + 3, eZ);
-        for (int i = 0; i < 3; ++i)
-            check_near(eZ[i], R[6 + i], 16 * U);
-    }
-}
-
 TEST(a_full_turn_changes_the_quaternion_s_sign)
 {
     coin_state s = {0.4, 0.3, -2, 0, 0, 0, 0, 0};

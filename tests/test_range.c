@@ -15,13 +15,13 @@
 /* --------------------------------------------------------- heading and roll */
 enum { BLOCKS = 3, STEPS = 64 * BLOCKS, COINS = 16 };
 
-/* Upright at 1000 rad per unit of time, 0.9 rad a step, gap below 2^31: in
- * heading, or in roll. */
-static coin_state near_the_edge(int rolls, double gap)
+/* Upright at 1000 rad per unit of time, 0.9 rad a step, gap before 2^31, or
+ * before -2^31 if side is -1: in heading, or in roll. */
+static coin_state near_the_edge(int rolls, double gap, int side)
 {
     coin_state s = {0, 0, 0, 0, 0, 0, 0, 0};
-    *(rolls ? &s.psi : &s.phi) = 0x1p31 - gap;
-    *(rolls ? &s.wZ : &s.wY) = 1000;
+    *(rolls ? &s.psi : &s.phi) = side * (0x1p31 - gap);
+    *(rolls ? &s.wZ : &s.wY) = side * 1000;
     return s;
 }
 
@@ -34,20 +34,29 @@ static double gap_of(int steps)
     return turn * steps + 0.1;
 }
 
+/* Just so many steps are done, and the state is where they lead. */
+static void check_end(const coin_state *from, const coin_params *p,
+                      int32_t method, double dt, uint64_t fit)
+{
+    coin_state s = *from, again = *from;
+    uint64_t done = 0;
+    check_status(coin_run(&s, p, method, dt, STEPS, &done), COIN_ERANGE);
+    check(done == fit);
+    check_status(coin_state_check(&s, p), COIN_OK);
+    check(coin_run(&again, p, method, dt, fit, NULL) >= 0);
+    check_same(&s, &again, sizeof s);
+}
+
 TEST(a_run_stops_where_an_angle_leaves_its_range)
 {
     const coin_params p = disc();
     for (int32_t method = 0; method < METHODS; ++method)
         for (int fit = 0; fit < STEPS; fit += 5)
             for (int rolls = 0; rolls < 2; ++rolls) {
-                coin_state s = near_the_edge(rolls, gap_of(fit));
-                uint64_t done = 0;
+                const int side = fit % 2 ? -1 : 1;
+                const coin_state s = near_the_edge(rolls, gap_of(fit), side);
                 check_note("method %d, %d steps fit", (int)method, fit);
-                check_status(
-                    coin_run(&s, &p, method, turn / 1000, STEPS, &done),
-                    COIN_ERANGE);
-                check(done == (uint64_t)fit);
-                check_status(coin_state_check(&s, &p), COIN_OK);
+                check_end(&s, &p, method, turn / 1000, (uint64_t)fit);
             }
 }
 
@@ -77,7 +86,7 @@ TEST(a_batch_stops_each_coin_there)
         for (int rolls = 0; rolls < 2; ++rolls) {
             coin_state s[COINS], alone[COINS];
             for (int i = 0; i < COINS; ++i) {
-                alone[i] = s[i] = near_the_edge(rolls, gap_of(11 * i + 1));
+                alone[i] = s[i] = near_the_edge(rolls, gap_of(11 * i + 1), 1);
                 coin_run(&alone[i], &p, methods[m], turn / 1000, STEPS, NULL);
             }
             check_status(coin_batch_run(s, COINS, &p, methods[m], turn / 1000,
@@ -129,13 +138,9 @@ TEST(a_run_stops_where_a_place_leaves_its_range)
     for (int32_t method = 0; method < METHODS; ++method)
         for (int fit = 0; fit < STEPS; fit += 5)
             for (int along_z = 0; along_z < 2; ++along_z) {
-                coin_state s = near_the_end(&p, along_z, gap_of(fit));
-                uint64_t done = 0;
+                const coin_state s = near_the_end(&p, along_z, gap_of(fit));
                 check_note("method %d, %d steps fit", (int)method, fit);
-                check_status(coin_run(&s, &p, method, dt, STEPS, &done),
-                             COIN_ERANGE);
-                check(done == (uint64_t)fit);
-                check_status(coin_state_check(&s, &p), COIN_OK);
+                check_end(&s, &p, method, dt, (uint64_t)fit);
             }
 }
 

@@ -4,7 +4,6 @@
 #include "support/random.h"
 #include "support/scene.h"
 #include "support/spread.h"
-#include "support/textbook.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -93,64 +92,4 @@ TEST(the_error_per_unit_of_time_is_as_documented)
     check_note("%d random scenes", TRIED);
     check_within(off.median, 2e-7, 2e-6);
     check_within(off.worst, 1e-6, 1e-5);
-}
-
-/* ------------------------------------------------- against the textbook's */
-static double largest_difference(const coin_state *a, const coin_state *b,
-                                 const coin_params *p)
-{
-    const double T = natural_time(p), x = p->radius;
-    const double off[] = {
-        a->theta - b->theta, a->phi - b->phi,     a->psi - b->psi,
-        (a->x - b->x) / x,   (a->z - b->z) / x,   (a->wX - b->wX) * T,
-        (a->wY - b->wY) * T, (a->wZ - b->wZ) * T,
-    };
-    double worst = 0;
-    for (size_t i = 0; i < sizeof off / sizeof *off; ++i)
-        worst = fmax(worst, fabs(off[i]));
-    return worst;
-}
-
-/* How far apart the two are after one step of dt. */
-static double apart(coin_state s, const coin_params *p, double dt)
-{
-    coin_state t = s;
-    check_status(coin_step(&s, p, dt), COIN_OK);
-    textbook_step(&t, p, dt);
-    return largest_difference(&s, &t, p);
-}
-
-/* Both are of order 4, with other variables: their results part by O(dt^5),
- * 32 times less for half a step. */
-TEST(a_step_is_the_textbook_s_to_order_5)
-{
-    struct random r = random_begin(33);
-    for (int i = 0; i < 50; ++i) {
-        const coin_params p = random_coin(&r);
-        const coin_state s = random_state(&r, &p, 0.8);
-        const double dt = natural_time(&p) / 128;
-        const double one = apart(s, &p, dt), half = apart(s, &p, dt / 2);
-        check_within(one / half, 24, 42);
-    }
-}
-
-/* Random coins, by steps n, 2n, 4n: no reference is needed. */
-TEST(the_order_is_4_in_random_scenes)
-{
-    struct random r = random_begin(34);
-    for (int i = 0; i < 50; ++i) {
-        const coin_params p = random_coin(&r);
-        const coin_state start = random_motion(&r, &p, 1.0 / 32, 64);
-        const double T = natural_time(&p);
-        coin_state s[3];
-        for (int k = 0; k < 3; ++k) {
-            const uint64_t n = (uint64_t)512 << k;
-            s[k] = start;
-            check(coin_run(&s[k], &p, COIN_RK4, 2 * T / (double)n, n, NULL) >=
-                  0);
-        }
-        check_within(largest_difference(&s[0], &s[1], &p) /
-                         largest_difference(&s[1], &s[2], &p),
-                     LEAST, MOST);
-    }
 }

@@ -19,7 +19,7 @@ static coin_priv_pose probe_path(const coin_priv_field *f,
                                  const coin_priv_variables *y);
 #include "rk8.t.h"
 
-enum { STAGES = 12, ORDER = 8, MEMBERS = 8 };
+enum { STAGES = 12, MEMBERS = 8 };
 
 /* ----------------------------------------------------------- the tableau */
 struct tableau {
@@ -118,131 +118,6 @@ TEST(every_member_steps_by_the_reference_tableau)
     }
     check_note("weights");
     check_same(got.b, want.b, sizeof got.b);
-}
-
-/* ----------------------------------------------- the conditions of order */
-/* How many rooted trees there are of each order; 200 up to 8. */
-static const int trees_of[] = {0, 1, 1, 2, 4, 9, 20, 48, 115, 286};
-enum { TREES = 200, TREES_9 = 286 };
-
-/* A rooted tree by what a tableau makes of it (Butcher; Hairer, Norsett,
- * Wanner, section II.2): its condition is sum b_i phi_i = 1/density, and sizes
- * are phi of the absolute values. */
-struct tree {
-    int order;
-    double density, phi[STAGES], size[STAGES];
-};
-
-struct forest {
-    const struct tableau *tableau;
-    int count;
-    struct tree tree[TREES + TREES_9];
-};
-
-/* t with one more branch at its root. */
-static struct tree grafted(struct tree t, const struct tree *branch,
-                           const struct tableau *tableau)
-{
-    for (int i = 0; i < STAGES; ++i) {
-        double sum = 0, size = 0;
-        for (int j = 0; j < i; ++j) {
-            sum += tableau->a[i][j] * branch->phi[j];
-            size += fabs(tableau->a[i][j]) * branch->size[j];
-        }
-        t.phi[i] *= sum;
-        t.size[i] *= size;
-    }
-    t.density *= branch->density;
-    return t;
-}
-
-/* Adds to the forest every tree that t becomes by branches of so many nodes in
- * all, none later in the forest than `last`: each set of branches once. */
-static void grow(struct forest *f, struct tree t, int last, int nodes)
-{
-    if (nodes == 0) {
-        t.density *= t.order;
-        f->tree[f->count++] = t;
-    }
-    for (int i = 0; i <= last && f->tree[i].order <= nodes; ++i)
-        grow(f, grafted(t, &f->tree[i], f->tableau), i,
-             nodes - f->tree[i].order);
-}
-
-static void plant(struct forest *f, const struct tableau *tableau, int order)
-{
-    struct tree root = {.density = 1};
-    f->tableau = tableau;
-    f->count = 0;
-    for (int i = 0; i < STAGES; ++i)
-        root.phi[i] = root.size[i] = 1;
-    for (root.order = 1; root.order <= order; ++root.order) {
-        const int before = f->count;
-        grow(f, root, before - 1, root.order - 1);
-        check_note("order %d", root.order);
-        check(f->count - before == trees_of[root.order]);
-    }
-}
-
-/* By how much the condition of a tree fails, in its tolerance: per node one
- * rounding of the coefficient, one product, and at most 12 additions, each of u
- * times the sum of the absolute terms at most, make 16 u. */
-static double excess(const struct tree *t, const struct tableau *tableau)
-{
-    double sum = 0, size = 0;
-    for (int i = 0; i < STAGES; ++i) {
-        sum += tableau->b[i] * t->phi[i];
-        size += fabs(tableau->b[i]) * t->size[i];
-    }
-    return fabs(sum - 1 / t->density) / (16 * U * t->order * size);
-}
-
-static struct forest forest;
-
-static double largest_excess(const struct tableau *tableau, int order)
-{
-    double worst = 0;
-    plant(&forest, tableau, order);
-    for (int i = 0; i < forest.count; ++i)
-        if (order <= ORDER || forest.tree[i].order == order)
-            worst = fmax(worst, excess(&forest.tree[i], tableau));
-    return worst;
-}
-
-TEST(the_200_conditions_up_to_order_8_hold)
-{
-    const struct tableau t = in_use();
-    const double worst = largest_excess(&t, ORDER);
-    check(forest.count == TREES);
-    printf("    worst: %.3g of the tolerance\n", worst);
-    check_within(worst, 0, 1);
-}
-
-/* The conditions see an error in the ninth digit of any coefficient; of the
- * others every_member_steps_by_the_reference_tableau takes care. */
-TEST(they_fail_if_any_coefficient_is_moved)
-{
-    const struct tableau good = in_use();
-    for (int i = 0; i < STAGES * (STAGES + 1); ++i) {
-        struct tableau bad = good;
-        double *const at = i < STAGES * STAGES ? &bad.a[i / STAGES][i % STAGES]
-                                               : &bad.b[i - STAGES * STAGES];
-        if (*at == 0)
-            continue;
-        *at *= 1 + 1e-9;
-        const double worst = largest_excess(&bad, ORDER);
-        check_note("coefficient %d", i);
-        check(worst > 1);
-    }
-}
-
-/* These are the leading errors: no formula of 12 stages is known to be of
- * order 9, and this is none. */
-TEST(conditions_of_order_9_fail)
-{
-    const struct tableau t = in_use();
-    check(largest_excess(&t, ORDER + 1) > 1e8);
-    check(forest.count == TREES + TREES_9);
 }
 
 /* ------------------------------------------------------------ the motion */

@@ -62,14 +62,6 @@ TEST(a_step_is_a_run_of_one)
     check(done == 1);
 }
 
-TEST(a_run_repeats_bit_for_bit)
-{
-    coin_state a = scene_state(&scene, 0), b = a;
-    check_status(run(&a, 0.05, 300, NULL), COIN_OK);
-    check_status(run(&b, 0.05, 300, NULL), COIN_OK);
-    check_same(&a, &b, sizeof a);
-}
-
 /* Entering a run anew costs a few ulp: 8 u per step, which the motion then
  * amplifies as the reference says. */
 TEST(n_steps_in_one_run_are_n_runs_of_one_step)
@@ -103,38 +95,6 @@ TEST(n_steps_in_one_run_are_n_runs_of_one_step)
     load();
 }
 
-/* Many turns of the heading, in steps that are nearly refused: the rate is
- * constant, and what is added its product with the time. */
-TEST(whole_turns_are_counted_in_coarse_steps_too)
-{
-    const uint64_t n = 2000;
-    coin_state one, many;
-    check_status(coin_steady_upright_spin(&one, &scene.params, 1000), COIN_OK);
-    many = one;
-    const double dt = 1.19 / 1000;
-    check_status(run(&one, dt, n, NULL), COIN_COARSE);
-    for (uint64_t k = 0; k < n; ++k)
-        check_status(coin_step(&many, &scene.params, dt), COIN_COARSE);
-    const double turned = 1.19 * (double)n;
-    check_near(many.phi, one.phi, 8 * U * (double)n * turned);
-    check_near(one.phi, turned, 16 * U * turned);
-}
-
-TEST(backward_undoes_forward_to_the_order_of_the_method)
-{
-    coin_state s = scene_state(&scene, 0);
-    double error[2];
-    for (int i = 0; i < 2; ++i) {
-        const double dt = 0.05 / (1 + i);
-        s = scene_state(&scene, 0);
-        check_status(run(&s, dt, 100 * (1 + (uint64_t)i), NULL), COIN_OK);
-        check_status(run(&s, -dt, 100 * (1 + (uint64_t)i), NULL), COIN_OK);
-        error[i] = scene_error(&scene, 0, &s);
-    }
-    /* An even order's leading error undoes itself: order 5 is left. */
-    check_within(error[0] / error[1], 26, 38);
-}
-
 /* ---------------------------------------------------------- failing midway */
 /* Without momentum to turn it, a leaning coin meets the table. */
 static const coin_state falling = {0.3, 1, 2, 3, 4, 0, 0, 0};
@@ -155,71 +115,7 @@ TEST(a_run_that_fails_keeps_the_steps_before)
     check_status(run(&s, 0.01, 5, NULL), COIN_ESTEP);
 }
 
-TEST(a_step_out_of_range_is_not_done)
-{
-    const coin_state edges[] = {
-        {0.5, 0x1p31, 0, 0, 0, 0, 1, 0},
-        {0.5, -0x1p31, 0, 0, 0, 0, -1, 0},
-        {0.5, 0, 0x1p31, 0, 0, 0, 0, 1},
-        {0.5, 0, -0x1p31, 0, 0, 0, 0, -1},
-    };
-    for (size_t i = 0; i < 4; ++i) {
-        coin_state s = edges[i];
-        check_note("edge %zu", i);
-        check_status(coin_step(&s, &scene.params, 0.1), COIN_ERANGE);
-        check_same(&s, &edges[i], sizeof s);
-        check_status(coin_step(&s, &scene.params, -0.1), COIN_OK);
-    }
-}
-
-TEST(a_place_out_of_range_is_not_reached)
-{
-    for (int i = 0; i < 2; ++i) {
-        coin_params p;
-        double dt;
-        const coin_state edge = far_coin(&p, i ? acos(0) : 0, &dt);
-        coin_state s = edge, again = edge;
-        uint64_t done = UNTOUCHED;
-        check_status(coin_run(&s, &p, COIN_RK4, dt, 1000, &done), COIN_ERANGE);
-        check(done == 11);
-        check_status(coin_run(&again, &p, COIN_RK4, dt, done, NULL),
-                     COIN_COARSE);
-        check_same(&s, &again, sizeof s);
-        check_status(coin_state_check(&s, &p), COIN_OK);
-    }
-}
-
 /* ----------------------------------------------------------------- warnings */
-/* W of this spin is constant along it. */
-static double spinning(coin_state *s)
-{
-    check_status(coin_steady_spin(s, &scene.params, 0.6), COIN_OK);
-    const double dphi = s->wY / cos(0.6);
-    return sqrt(dphi * dphi + 1 / cos(0.6));
-}
-
-TEST(coarse_steps_are_done_and_said_and_too_coarse_refused)
-{
-    const struct {
-        double dtW;
-        int32_t want;
-    } cases[] = {
-        {0.35 * (1 - 1e-6), COIN_OK}, {0.35 * (1 + 1e-6), COIN_COARSE},
-        {1.0, COIN_COARSE},           {5.0, COIN_ESTEP},
-        {1e300, COIN_ESTEP},
-    };
-    coin_state start;
-    const double W = spinning(&start);
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i)
-        for (int sign = -1; sign <= 1; sign += 2) {
-            coin_state s = start;
-            const double dt = sign * cases[i].dtW / W;
-            check_note("dt W = %g", sign * cases[i].dtW);
-            check_status(run(&s, dt, 1, NULL), cases[i].want);
-            check(!memcmp(&s, &start, sizeof s) == (cases[i].want < 0));
-        }
-}
-
 /* Near flat and fast at first, high and slow later. */
 TEST(one_coarse_step_in_a_run_is_enough)
 {
@@ -274,16 +170,6 @@ TEST(bad_runs_touch_nothing)
             check_same(&s, &cases[i].s, sizeof s);
             check(done == UNTOUCHED);
         }
-}
-
-TEST(a_run_knows_the_methods_that_have_a_name)
-{
-    for (int32_t method = -2; method < 8; ++method) {
-        coin_state s = scene_state(&scene, 0);
-        check_note("method %d", (int)method);
-        check_status(coin_run(&s, &scene.params, method, 0.01, 1, NULL),
-                     coin_method_name(method) ? COIN_OK : COIN_EARG);
-    }
 }
 
 #undef TEST

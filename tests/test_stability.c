@@ -219,15 +219,6 @@ TEST(the_critical_rates_are_those_of_physics_md)
     }
 }
 
-TEST(critical_rates_scale_with_gravity_and_radius)
-{
-    coin_params p;
-    check_status(coin_params_disc(&p, 0.1, 0.02, 9.81), COIN_OK);
-    const double w = sqrt(9.81 / 0.02);
-    check_near(coin_critical_roll(&p), sqrt(1.0 / 3) * w, 8 * U * w);
-    check_near(coin_critical_spin(&p), sqrt(0.8) * w, 8 * U * w);
-}
-
 /* Between these rates, and only there, the disc's slow circles at this lean
  * are unstable; above 0.325 rad they never are. */
 TEST(circles_are_unstable_just_in_the_window_of_physics_md)

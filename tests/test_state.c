@@ -8,48 +8,6 @@
 #include <string.h>
 
 /* ------------------------------------------------------ the state check -- */
-/* A good state with one of its 8 doubles replaced. */
-static int32_t check_with(size_t member, double value)
-{
-    const coin_params p = disc();
-    coin_state s = {0.5, 1, 2, 3, 4, 5, 6, 7};
-    memcpy((char *)&s + member * sizeof(double), &value, sizeof value);
-    check_note("member %zu is %g", member, value);
-    return coin_state_check(&s, &p);
-}
-
-TEST(every_member_must_be_finite)
-{
-    for (size_t member = 0; member < 8; ++member) {
-        check_status(check_with(member, NAN), COIN_ESTATE);
-        check_status(check_with(member, INFINITY), COIN_ESTATE);
-        check_status(check_with(member, -INFINITY), COIN_ESTATE);
-        check_status(check_with(member, -0.5), COIN_OK);
-    }
-}
-
-TEST(the_lean_stays_above_the_table)
-{
-    const double half_pi = 1.5707963267948966;
-    for (int side = -1; side <= 1; side += 2) {
-        check_status(check_with(0, side * nextafter(half_pi, 0)), COIN_OK);
-        check_status(check_with(0, side * half_pi), COIN_ESTATE);
-        check_status(check_with(0, side * 3.1), COIN_ESTATE);
-        check_status(check_with(0, side * 1e300), COIN_ESTATE);
-    }
-}
-
-TEST(heading_and_roll_stay_below_2_to_the_31)
-{
-    for (size_t member = 1; member <= 2; ++member)
-        for (int side = -1; side <= 1; side += 2) {
-            check_status(check_with(member, side * 0x1p31), COIN_OK);
-            check_status(check_with(member, side * 0x1.0000000000001p31),
-                         COIN_ESTATE);
-            check_status(check_with(member, side * 1e18), COIN_ESTATE);
-        }
-}
-
 /* What passes the check gives finite numbers everywhere. */
 TEST(no_accepted_state_overflows)
 {

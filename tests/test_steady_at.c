@@ -1,18 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/methods.h"
 #include "support/random.h"
 #include "support/scene.h"
 
 #include <math.h>
-
-static coin_state circle(const coin_params *p, double theta, double wZ,
-                         int32_t branch)
-{
-    coin_state s;
-    check_status(coin_steady_circle(&s, p, theta, wZ, branch), COIN_OK);
-    return s;
-}
 
 static coin_state at(const coin_state *s, const coin_params *p, double t)
 {

@@ -181,39 +181,6 @@ TEST(the_map_keeps_area_where_the_integrals_are_fixed)
         }
 }
 
-/* --------------------------------------------------------- reversibility */
-/* How far from its start a motion ends after so many steps forward and back;
- * negative if a step is refused. */
-static double return_error(const coin_state *start, const coin_params *p,
-                           int32_t method, double dt, uint64_t steps)
-{
-    coin_state s = *start;
-    if (coin_run(&s, p, method, dt, steps, NULL) < 0 ||
-        coin_run(&s, p, method, -dt, steps, NULL) < 0)
-        return -1;
-    return states_apart(&s, start, p);
-}
-
-/* The methods are their own inverses: what is left is rounding, measured as 50
- * u.  RK4 leaves its error. */
-TEST(backward_undoes_forward_to_rounding)
-{
-    struct random r = random_begin(70);
-    int returned = 0, not_by_rk4 = 0;
-    for (int i = 0; i < 50; ++i) {
-        const coin_params p = random_coin(&r);
-        const double dt = natural_time(&p) / 32;
-        const coin_state start = random_motion(&r, &p, 1.0 / 32, 64);
-        for (int32_t k = COIN_SYMPLECTIC2; k <= COIN_SYMPLECTIC4; ++k) {
-            const double off = return_error(&start, &p, k, dt, 64);
-            returned += off >= 0;
-            check(off <= 200 * U);
-        }
-        not_by_rk4 += return_error(&start, &p, COIN_RK4, dt, 64) > 1e-9;
-    }
-    check(returned > 80 && not_by_rk4 > 40);
-}
-
 /* ------------------------------------------------------------- long runs */
 enum { SAMPLES = 10000, APART = 10, TENTH = SAMPLES / 10 };
 

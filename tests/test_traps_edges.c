@@ -2,6 +2,7 @@
 /* Arguments near the edges, where a product or a quotient on the way could
  * overflow or be invalid: no call that is done raises an exception. */
 #include "support/check.h"
+#include "support/coins.h"
 #include "support/slides.h"
 
 #include <coinf.h>
@@ -21,13 +22,6 @@
         check_status(is, status);                                              \
         check(!raised);                                                        \
     } while (0)
-
-static coin_params disc(void)
-{
-    coin_params p;
-    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    return p;
-}
 
 static coin_state turning(double theta, double wX, double wY, double wZ)
 {

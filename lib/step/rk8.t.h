@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The 12-stage formula of order 8 of Dormand and Prince, as in DOP853 (Hairer,
  * Norsett, Wanner, Solving Ordinary Differential Equations I), without its
- * error estimate; test_rk8 holds it against the conditions of order.
+ * error estimate; test_rk8 holds it against the published coefficients.
  *
  * A source defines SLOPES and POSE_SLOPES, which give the slopes times h of the
  * variables and of the pose, in t or in tau, and EACH_POSE(F), the members of

@@ -36,6 +36,17 @@ coin_state state_in_row(const struct table *t, size_t row)
     return s;
 }
 
+coin_state start_in_row(const struct table *t, size_t row)
+{
+    const coin_state s = {
+        .theta = table_at(t, row, "theta0"),
+        .wX = table_at(t, row, "wX0"),
+        .wY = table_at(t, row, "wY0"),
+        .wZ = table_at(t, row, "wZ0"),
+    };
+    return s;
+}
+
 double fastest_rate(const coin_state *s, const coin_params *p)
 {
     const double c = cos(s->theta);

@@ -18,6 +18,9 @@ coin_state circle(const coin_params *p, double theta, double wZ,
 /* The eight columns of a row that are named as the members of a state. */
 coin_state state_in_row(const struct table *t, size_t row);
 
+/* The columns theta0, wX0, wY0, wZ0 of a row, pose 0. */
+coin_state start_in_row(const struct table *t, size_t row);
+
 /* W of Eq. (47), by libm. */
 double fastest_rate(const coin_state *s, const coin_params *p);
 

@@ -5,6 +5,15 @@
 
 #include <math.h>
 
+const char *far_scene(const struct table *t, size_t row)
+{
+    static const char *const scenes[] = {
+        "generic",  "wobble",    "ring",     "quarter",
+        "negative", "si_washer", "ring_b05", "nearflat",
+    };
+    return scenes[(size_t)table_at(t, row, "scene")];
+}
+
 coin_orbit orbit_of(const coin_state *s, const coin_params *p)
 {
     coin_orbit o;
@@ -23,17 +32,6 @@ coin_orbit random_orbit(struct random *r, coin_params *p, coin_state *s)
     }
     check(0);
     return o;
-}
-
-coin_state start_in_row(const struct table *t, size_t row)
-{
-    const coin_state s = {
-        .theta = table_at(t, row, "theta0"),
-        .wX = table_at(t, row, "wX0"),
-        .wY = table_at(t, row, "wY0"),
-        .wZ = table_at(t, row, "wZ0"),
-    };
-    return s;
 }
 
 double orbit_error(const coin_orbit *o, double t, double W)

@@ -6,13 +6,13 @@
 #include "random.h"
 #include "table.h"
 
+/* The scene of a row of orbits.csv. */
+const char *far_scene(const struct table *t, size_t row);
+
 coin_orbit orbit_of(const coin_state *s, const coin_params *p);
 
 /* The orbit of a random coin, which is drawn again if it has none. */
 coin_orbit random_orbit(struct random *r, coin_params *p, coin_state *s);
-
-/* The columns theta0, wX0, wY0, wZ0 of a row, pose 0. */
-coin_state start_in_row(const struct table *t, size_t row);
 
 /* The error of an angle at t that the docstring of coin_orbit_at() admits, for
  * a motion whose largest W this is. */
