@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A coin in the air, at an impact, and sliding flat on the table.
+/* A coin in the air and at an impact.
  *
  * All is in natural units, in which M = a = g = 1.  A coin_body is given in
  * them, and IX, IZ are I_X/(M a^2), I_Z/(M a^2). */
@@ -68,13 +68,5 @@ typedef struct coin_priv_bounce {
 /* The impact of a body that touches and whose lowest point moves down. */
 void coin_priv_impact(coin_body *b, const coin_priv_attitude *at, double IX,
                       double IZ, const coin_priv_bounce *law);
-
-/* Moves a body that lies flat, by t or until it stops or the search for its
- * path is long.  Returns the time moved. */
-double coin_priv_slide_flat(coin_body *b, double IZ, double mu, double t);
-
-/* The friction on a coin whose centre slides at v and whose face turns at w,
- * over mu M g: 0 to 1. */
-double coin_priv_flat_drag(double IZ, double v, double w);
 
 #endif

@@ -33,6 +33,7 @@ void coin_priv_begin(coin_priv_moving *g, const coin_state *s, double time,
         for (int i = COIN_PRIV_SIZE; i < COIN_PRIV_WIDE; ++i)
             g->step.slope[k][i] = 0;
     g->step.of.law = &g->law;
+    g->step.of.rates = coin_priv_rates;
     g->tol = tol;
     g->time = time;
     g->stop = g->event = 0;

@@ -5,6 +5,7 @@
 #include "../motion/rest.h"
 
 #include "coin_body.h"
+#include "flat_slide.h"
 
 /* A body that an engine set this many radii into the table is set on it. */
 #define OVERLAP 0.1

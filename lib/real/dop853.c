@@ -139,7 +139,7 @@ static void stage(coin_priv_dop853 *w, const double *row, const stages of,
         store(at + i * LANES, load(&w->y[i * LANES]) + w->h * sums[i]);
     w->sound = is_sound(&w->of, at);
     if (w->sound)
-        coin_priv_rates(w->slope[to], at, w->of.law, w->of.mode, w->of.in_t);
+        w->of.rates(w->slope[to], at, w->of.law, w->of.mode, w->of.in_t);
 }
 
 /* Stages 2 to 12. */
@@ -190,7 +190,7 @@ double coin_priv_try_step(coin_priv_dop853 *w, double h)
 
 void coin_priv_end_slopes(coin_priv_dop853 *w)
 {
-    coin_priv_rates(w->slope[12], w->end, w->of.law, w->of.mode, w->of.in_t);
+    w->of.rates(w->slope[12], w->end, w->of.law, w->of.mode, w->of.in_t);
 }
 
 /* Sets a coefficient of the polynomial to a row of D. */

@@ -8,10 +8,16 @@
 
 enum { COIN_PRIV_WIDE = 16, COIN_PRIV_STAGES = 16, COIN_PRIV_DENSE = 7 };
 
+/* coin_priv_rates(), or other slopes. */
+typedef void coin_priv_rates_function(double *d, const double *y,
+                                      const coin_priv_law *l, int mode,
+                                      int in_t);
+
 /* What is integrated: the slopes of a coin in a mode, by the time of the mode
  * or by t. */
 typedef struct coin_priv_problem {
     const coin_priv_law *law;
+    coin_priv_rates_function *rates;
     int mode, in_t;
     double most; /* a stage whose rates add up to more has run away */
 } coin_priv_problem;

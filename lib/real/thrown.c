@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
+#include "flat_slide.h"
 #include "thrown.h"
 
 /* No status: the way goes on. */
@@ -143,8 +144,7 @@ static int32_t on_face(coin_priv_thrown *w)
     if (w->stop & holds || !(left > 0))
         return COIN_SLIPS | (w->stop & holds);
     coin_body to = w->b;
-    const double t =
-        coin_priv_slide_flat(&to, w->g.law.IZ, w->g.law.mu_kinetic, left);
+    const double t = coin_priv_slide_flat(&to, &w->g, left);
     const int32_t status = take(w, &to, &w->at);
     if (status == UNDER_WAY)
         spend(w, t, left);
