@@ -196,14 +196,17 @@ class Errors(unittest.TestCase):
         b = rc.body_from_state(s, p)
         nan = math.nan
         for words, function, *arguments in (
-                ("theta=nan", rc.energy, rc.State(theta=nan), p),
-                ("theta=nan", rc.step, rc.State(theta=nan), p, 1e-3),
-                ("wZ=nan", rc.orbit, rc.State(wZ=nan), p),
-                ("radius=nan", rc.energy, s, rc.Params(1, nan, 1, 1, 1)),
-                (r"range: Losses\(dry=nan", rc.settle, s, p,
-                 rc.Losses(dry=nan), 1),
-                ("mu_kinetic=0.4", rc.move, b, p, rc.Table(0.3, 0.4), 1),
-                ("vy=nan", rc.body_energy, rc.Body(s, vy=nan), p),
+                ("theta of State.*nan", rc.energy, rc.State(theta=nan), p),
+                ("theta of State.*20", rc.step, rc.State(theta=20), p, 1e-3),
+                ("wZ of State.*nan", rc.orbit, rc.State(wZ=nan), p),
+                ("radius of P.*nan", rc.energy, s, rc.Params(1, nan, 1, 1, 1)),
+                ("mass of Params", rc.energy, s, rc.Params(0, 1, 1, 1, 1)),
+                ("range: dry of Losses.*-1", rc.settle, s, p,
+                 rc.Losses(dry=-1, rolling=1e-6), 1),
+                ("mu_kinetic of Table", rc.move, b, p, rc.Table(0.3, 0.4), 1),
+                ("vy of Body", rc.body_energy, rc.Body(s, 1, vy=nan), p),
+                ("q = .0.0, 0.0, 0.0, 0.0", rc.state_from_motion, p,
+                 (0, 0, 0, 0), (1, 1, 1)),
                 ("mass = -1", rc.disc, -1, 1, 1),
                 ("t = nan", rc.advance, s, p, nan),
                 (r"call advance\(\): method = 0, dt = 9", rc.run, s, p, rc.RK4,
@@ -216,6 +219,7 @@ class Errors(unittest.TestCase):
                 ("^losses: int where a Losses", rc.settle, s, p, 1, 1),
                 ("body_from_state", rc.move, s, p, rc.Table(), 1),
                 ("its .s is one", rc.energy, b, p),
+                ("run_batch", rc.run, numpy.zeros(2, rc.State), p, 0, 0, 1),
                 ("^p: State where Params", rc.energy, p, s)):
             with self.assertRaisesRegex(TypeError, words):
                 function(*arguments)
@@ -674,7 +678,8 @@ class Tables(unittest.TestCase):
                 getattr(rc, name)(table, p)
             self.assertEqual((caught.exception.status, caught.exception.index),
                              (rc.ESTATE, 70))
-            self.assertIn("row 70", str(caught.exception))
+            self.assertRegex(str(caught.exception),
+                             "^row 70: .*: theta of State")
             found = getattr(rc, name)(table, p, status=status)
             self.assertEqual(list(numpy.nonzero(status)[0]), [70, 150])
             numbers = found.view(numpy.float64).reshape(200, -1)

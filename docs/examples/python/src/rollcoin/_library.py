@@ -5,8 +5,8 @@ from __future__ import annotations
 import ctypes
 import pathlib
 import re
-from ctypes import (byref, c_char_p, c_double, c_float, c_int32, c_size_t,
-                    c_void_p)
+from ctypes import (Array, byref, c_char_p, c_double, c_float, c_int32,
+                    c_size_t, c_void_p)
 from typing import Any, Optional, Sequence
 
 from . import _declarations as declared
@@ -40,6 +40,13 @@ class Error(ValueError):
         self.done = done
         self.index = index
 
+    def about(self, coin: Any, inputs: Sequence[Any]) -> Error:
+        """The same, with what was out of range: of a row of a table."""
+        structs = [each for each in (coin, *inputs)
+                   if isinstance(each, ctypes.Structure)]
+        return Error(self.status, self.done, self.index,
+                     given(self.status, dict(enumerate(structs))))
+
     def __str__(self) -> str:
         row = "" if self.index is None else f"row {self.index}: "
         given = self.args[3] and ": " + self.args[3]
@@ -59,21 +66,62 @@ BLAMED = {declared.ESTATE: (declared.State, declared.Statef, declared.Body),
                              declared.Losses, declared.Table)}
 
 
+CHECKS = {declared.State: "coin_state_check",
+          declared.Statef: "coinf_state_check",
+          declared.Losses: "coin_losses_check",
+          declared.Table: "coin_table_check",
+          declared.Params: "coin_params_check",
+          declared.Paramsf: "coinf_params_check"}
+
+
+def _in_range(target: Any, p: Any) -> bool:
+    if isinstance(target, declared.Body):
+        energy: float = raw.coin_body_energy(byref(target), byref(p))
+        return energy == energy
+    arguments = [target] if type(target) is type(p) else [target, p]
+    status: int = getattr(raw, CHECKS[type(target)])(*map(byref, arguments))
+    return status >= 0
+
+
+def _wrong(target: Any, p: Any) -> str:
+    """A struct that is out of range, after the member that is, if the others
+    are in range; nothing if all are."""
+    if _in_range(target, p):
+        return ""
+    for name, value in target._members():
+        trial = type(target).from_buffer_copy(target)
+        setattr(trial, name, getattr(type(target)(), name))
+        if (not value > 0 if target is p and name != "reserved"
+                else _in_range(trial, p)):
+            return f"{name} of {target!r}"
+    return repr(target)
+
+
+def given(status: int, targets: dict[Any, Any]) -> str:
+    """The struct that a status is about, and its member; or else the numbers
+    that were given."""
+    p = next((target for target in targets.values()
+              if isinstance(target, (declared.Params, declared.Paramsf))), None)
+    kinds = BLAMED.get(declared.Status(status), ())
+    shown = [_wrong(target, p) if p else repr(target)
+             for target in targets.values() if isinstance(target, kinds)]
+    return next(filter(None, shown), "") or ", ".join(
+        f"{argument} = {target}" for argument, target in targets.items()
+        if isinstance(target, (int, float, tuple)))
+
+
 def _given(status: int, name: str, arguments: Sequence[Any]) -> str:
-    """The structs that a status is about, those with a NaN if there are; or
-    else the numbers that were given."""
-    kinds = declared.PROTOTYPES[name][1]
-    targets = {argument: getattr(value, "_obj", value)
-               for argument, value in zip(kinds, arguments)}
-    shown = [repr(target) for argument, target in targets.items()
-             if isinstance(target, BLAMED.get(declared.Status(status), ()))
-             and (status != declared.EPARAMS
-                  or not isinstance(kinds[argument], Out))]
-    return ", ".join(
-        [text for text in shown if "=nan" in text] or shown or
-        [f"{argument} = {target}"
-         for argument, target in targets.items()
-         if isinstance(target, (int, float))])
+    """given() of the arguments of a function, but what it only writes."""
+    targets = {}
+    for (argument, kind), value in zip(declared.PROTOTYPES[name][1].items(),
+                                       arguments):
+        target = getattr(value, "_obj", value)
+        if not isinstance(kind, Out):
+            targets[argument] = (tuple(target) if isinstance(target, Array)
+                                 else target)
+        elif status != declared.EPARAMS:
+            targets[argument] = target
+    return given(status, targets)
 
 
 def _no_error(status: int, function: Any, arguments: Sequence[Any]) -> int:
@@ -172,4 +220,6 @@ def _load() -> ctypes.CDLL:
 
 
 lib = _load()
+raw = ctypes.CDLL(lib._name)  # whose functions raise nothing
+raw.coin_body_energy.restype = c_double
 """Every function of coin.h and coinf.h by its own name: errors are raised."""

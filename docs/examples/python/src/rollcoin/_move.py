@@ -232,5 +232,6 @@ def _moved_table(name: str, s: Any, inputs: Tuple[Any, ...],
     bad = said.reshape(-1) < 0
     if status is None and bad.any():
         index = int(numpy.argmax(bad))
-        raise Error(int(said.flat[index]), reached.flat[index], index)
+        raise Error(int(said.flat[index]), reached.flat[index], index).about(
+            where.part(index, 1)[0], inputs)
     return said, reached

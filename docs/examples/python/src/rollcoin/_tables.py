@@ -88,7 +88,8 @@ def coin(value: Any, kind: Type[Any], write: bool = False) -> Any:
     found = one(value, kind, write)
     if found is None:
         raise TypeError(f"{type(value).__name__} where a {kind.__name__} "
-                        "belongs")
+                        "belongs: run_batch(), advance(), settle() and move() "
+                        "take tables")
     return found
 
 
@@ -277,8 +278,11 @@ def read(name: str, s: Any, *inputs: Any, status: Any = None,
     function(name, coins.kind)
     full = _prefix(coins.kind) + name
     size = sizeof(coins.kind)
-    return _rows_of(full, "each_", coins.shape, status, lambda first: (
-        coins.address + first * size, *inputs), 0 if write else math.nan)
+    try:
+        return _rows_of(full, "each_", coins.shape, status, lambda first: (
+            coins.address + first * size, *inputs), 0 if write else math.nan)
+    except Error as error:
+        raise error.about(coins.part(error.index or 0, 1)[0], inputs) from None
 
 
 def times(name: str, t: Any, *inputs: Any, status: Any = None) -> Any:
