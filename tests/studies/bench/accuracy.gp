@@ -73,8 +73,8 @@ set terminal svg size 800,520 font "sans,13" background rgb "white"
 set output to."/speed.svg"
 stem = from."/second"
 lines = system("cat ".stem.".styles")
-set lmargin at screen 0.095
-set rmargin at screen 0.095 + 690.0 / 800
+set lmargin at screen 0.115
+set rmargin at screen 0.115 + 670.0 / 800
 set tmargin at screen 0.985
 set bmargin at screen 0.985 - 440.0 / 520
 unset title

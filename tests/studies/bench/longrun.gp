@@ -24,23 +24,23 @@ do for [name in "energy integrals phase"] {
     set output to."/longrun_".name.".svg"
     unset label
     if (name eq "energy") {
-        set yrange [1e-17:1]
+        set yrange [1e-18:1]
         set ylabel "|energy error|, relative" offset 1.5,0
     }
     if (name eq "integrals") {
-        set yrange [1e-17:1]
+        set yrange [1e-18:1]
         set ylabel "error of KY or KZ, the larger, relative" offset 1.5,0
     }
     if (name eq "phase") {
-        set yrange [1e-14:1e5]
+        set yrange [1e-16:1e5]
         set ylabel "error of the nutation's phase [rad]" offset 1.5,0
     }
-    first = name eq "phase" ? 3e-14 : 1e-16
+    first = name eq "phase" ? 1e-15 : 1e-17
     low = name eq "phase" ? 1 : 0.5
     high = name eq "phase" ? 2 : 1
     set label 1 (low == 1 ? "t" : "sqrt(t)") at 2e5,guide(2e5, first, low)*0.4 \
         tc rgb "#909090"
-    set label 2 (high == 2 ? "t^2" : "t") at 4e5,guide(4e5, first, high)*0.35 \
+    set label 2 (high == 2 ? "t^2" : "t") at 2e4,guide(2e4, first, high)*0.2 \
         tc rgb "#909090"
     plot sample [50:1e7] '+' using 1:(guide($1, first, low)) \
             with lines ls 20, \
