@@ -8,7 +8,7 @@
 #   make O=dir                      the products elsewhere
 #   make -f ../rollcoin/Makefile    the same from another folder
 #   make install PREFIX=/usr DESTDIR=/tmp/stage
-#   make check TESTS=tests/test_energy.c
+#   make check TESTS=tests/test_run.c
 #   make V=1                        show the commands
 
 # ------------------------------------------------------------- where things are

@@ -325,14 +325,14 @@ COIN_API int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
 /** The angular velocity in the table frame.  Eq. (7).
  * @param[out] omega  [3] along x, y, z [1/T]
  * @return COIN_ESTATE also if a component would overflow.
- * Accuracy: 8 u of the terms (test_pose). */
+ * Accuracy: 8 u of the terms (test_observe). */
 COIN_API int32_t coin_angular_velocity(const coin_state *s, double omega[3]);
 
 /* ---------------------------------------------------------- observables -- */
 
 /** The energy, constant along every motion: 0 at rest with the centre at the
  * table's height [M L^2/T^2].  Eq. (23).
- * Accuracy: 8 u of E (test_energy). */
+ * Accuracy: 8 u of E (test_observe). */
 COIN_API double coin_energy(const coin_state *s, const coin_params *p);
 
 /** The two linear integrals, constant along every motion: the values of wY and
@@ -359,13 +359,13 @@ COIN_API int32_t coin_rates(const coin_state *s, const coin_params *p,
 
 /** The centre of mass.
  * @param[out] r  [3] x, y, z; y = radius cos(theta) [L]
- * Accuracy: 4 u (test_pose). */
+ * Accuracy: 4 u (test_observe). */
 COIN_API int32_t coin_center(const coin_state *s, const coin_params *p,
                              double r[3]);
 
 /** The velocity of the centre of mass.  Eq. (20).
  * @param[out] v  [3] along x, y, z [L/T]
- * Accuracy: 8 u of the terms (test_pose). */
+ * Accuracy: 8 u of the terms (test_observe). */
 COIN_API int32_t coin_velocity(const coin_state *s, const coin_params *p,
                                double v[3]);
 
@@ -373,19 +373,19 @@ COIN_API int32_t coin_velocity(const coin_state *s, const coin_params *p,
  * point: the coin's own material there is at rest).  Eq. (21), (22).
  * @param[out] r  [3] the point, y = 0 [L]
  * @param[out] v  [3] its velocity, y = 0 [L/T]
- * Accuracy: 8 u of the terms (test_pose). */
+ * Accuracy: 8 u of the terms (test_observe). */
 COIN_API int32_t coin_contact(const coin_state *s, const coin_params *p,
                               double r[3], double v[3]);
 
 /** The coin's frame.  Eq. (7).
  * @param[out] R  [9] rows e_X, e_Y, e_Z, each along x, y, z [1]
- * Accuracy: 4 u (test_pose). */
+ * Accuracy: 4 u (test_observe). */
 COIN_API int32_t coin_axes(const coin_state *s, double R[9]);
 
 /** The rotation of the body, the roll included.  Eq. (30).
  * @param[out] q  [4] w, x, y, z, unit norm, body to table; continuous in the
  *                angles, so q and -q both occur [1]
- * Accuracy: 4 u (test_pose). */
+ * Accuracy: 4 u (test_observe). */
 COIN_API int32_t coin_quaternion(const coin_state *s, double q[4]);
 
 /** The pose as one matrix, as a renderer loads it: body to table, the roll

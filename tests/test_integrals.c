@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/check.h"
-#include "support/difference.h"
 #include "support/observable.h"
 #include "support/random.h"
 
@@ -67,41 +66,6 @@ TEST(upright_they_are_wY_and_wZ)
         s.theta = 0;
         check_status(coin_integrals(&s, &p, K), COIN_OK);
         check(K[0] == s.wY && K[1] == s.wZ);
-    }
-}
-
-TEST(a_step_does_not_move_them)
-{
-    struct random r = random_begin(13);
-    for (int i = 0; i < 20; ++i) {
-        const coin_params p = random_coin(&r);
-        const coin_state s = random_state(&r, &p, 1);
-        const double T = natural_time(&p);
-        double rate[OBSERVABLE_MAX];
-        difference_along(&s, &p, values, 2, rate);
-        check_near(rate[0], 0, DIFFERENCE_BOUND / (T * T));
-        check_near(rate[1], 0, DIFFERENCE_BOUND / (T * T));
-    }
-}
-
-/* At sin(theta) = 0.7 one series takes over from the other. */
-TEST(the_two_series_agree_where_they_meet)
-{
-    struct random r = random_begin(14);
-    for (int i = 0; i < 200; ++i) {
-        const coin_params p = random_coin(&r);
-        coin_state s = random_state(&r, &p, 1);
-        double inside[2], outside[2], size[2], size_outside[2];
-        /* A part in 1e14 of theta moves the terms by a few parts in 1e14. */
-        s.theta = asin(0.7) * (1 - 1e-14);
-        values(&s, &p, inside);
-        terms(&s, &p, size);
-        s.theta = asin(0.7) * (1 + 1e-14);
-        values(&s, &p, outside);
-        terms(&s, &p, size_outside);
-        for (int k = 0; k < 2; ++k)
-            check_near(inside[k], outside[k],
-                       12 * U * (size[k] + size_outside[k]) + 1e-13 * size[k]);
     }
 }
 

@@ -6,7 +6,7 @@ Comments in lib/ and include/ cite equations as (14), or (20)-(22) for all
 between; docs/physics.md introduces each as **(14)**, and marks those that the
 code computes as **(14)** [code].  Every equation cited must be introduced,
 and every marked one cited.  Every test that coin.h or lib/ names as evidence,
-such as test_energy, must be a file of tests/.
+such as test_observe, must be a file of tests/.
 
     citations.py SRC
 """

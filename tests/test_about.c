@@ -1,8 +1,64 @@
 /* SPDX-License-Identifier: MIT */
+/* What the library says of itself: version, sizes, statuses, methods. */
 #include "support/check.h"
 
+#include <coinf.h>
+
+#include <stdio.h>
 #include <string.h>
 
+/* ------------------------------------------------------------------ version */
+TEST(the_number_is_that_of_the_header)
+{
+    const uint32_t v = coin_version();
+    check(v >> 16 == COIN_VERSION_MAJOR);
+    check((v >> 8 & 0xff) == COIN_VERSION_MINOR);
+    check((v & 0xff) == COIN_VERSION_PATCH);
+}
+
+TEST(the_text_says_the_same)
+{
+    char want[32];
+    snprintf(want, sizeof want, "%d.%d.%d", COIN_VERSION_MAJOR,
+             COIN_VERSION_MINOR, COIN_VERSION_PATCH);
+    check(strcmp(coin_version_string(), want) == 0);
+}
+
+/* -------------------------------------------------------------------- sizes */
+TEST(the_sizes_are_those_of_the_headers)
+{
+    const struct {
+        const char *type;
+        size_t stated, compiled;
+    } of[] = {
+        {"coin_params", 64, sizeof(coin_params)},
+        {"coin_state", 64, sizeof(coin_state)},
+        {"coin_force", 48, sizeof(coin_force)},
+        {"coin_losses", 96, sizeof(coin_losses)},
+        {"coin_table", 160, sizeof(coin_table)},
+        {"coin_body", 128, sizeof(coin_body)},
+        {"coin_orbit", 32768, sizeof(coin_orbit)},
+        {"coinf_params", 32, sizeof(coinf_params)},
+        {"coinf_state", 64, sizeof(coinf_state)},
+        {"coinf_force", 24, sizeof(coinf_force)},
+    };
+    for (size_t i = 0; i < sizeof of / sizeof *of; ++i) {
+        check_note("%s", of[i].type);
+        check(coin_sizeof(of[i].type) == of[i].stated);
+        check(of[i].compiled == of[i].stated);
+    }
+}
+
+TEST(what_is_no_type_has_no_size)
+{
+    check(coin_sizeof(NULL) == 0);
+    check(coin_sizeof("") == 0);
+    check(coin_sizeof("coin_stat") == 0);
+    check(coin_sizeof("coin_states") == 0);
+    check(coin_sizeof("COIN_STATE") == 0);
+}
+
+/* ----------------------------------------------------------------- statuses */
 enum { ALL_WARNINGS = 15 };
 
 static const struct {
@@ -102,5 +158,32 @@ TEST(any_other_number_is_unknown)
     for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
         check_note("%d", (int)others[i]);
         check(strcmp(coin_status_string(others[i]), "unknown status") == 0);
+    }
+}
+
+/* ------------------------------------------------------------------ methods */
+TEST(each_method_has_its_name)
+{
+    const struct {
+        int32_t method;
+        const char *name;
+    } of[] = {
+        {COIN_RK4, "rk4"},
+        {COIN_RK8, "rk8"},
+        {COIN_SYMPLECTIC2, "symplectic2"},
+        {COIN_SYMPLECTIC4, "symplectic4"},
+    };
+    for (size_t i = 0; i < sizeof of / sizeof *of; ++i) {
+        check_note("%s", of[i].name);
+        check(strcmp(coin_method_name(of[i].method), of[i].name) == 0);
+    }
+}
+
+TEST(other_numbers_are_no_methods)
+{
+    const int32_t absurd[] = {-1, 4, 1000, INT32_MIN, INT32_MAX};
+    for (size_t i = 0; i < sizeof absurd / sizeof *absurd; ++i) {
+        check_note("method %d", (int)absurd[i]);
+        check(coin_method_name(absurd[i]) == NULL);
     }
 }

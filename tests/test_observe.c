@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
+/* What can be read off a state, but for its rates and integrals. */
 #include "support/check.h"
-#include "support/difference.h"
+#include "support/coins.h"
 #include "support/observable.h"
 #include "support/random.h"
 
@@ -103,28 +104,89 @@ static void turning_terms(const coin_state *s, const coin_params *p,
     out[2] = r.wX * r.sph + (r.wY * r.sth + r.wZ * r.cth) * r.cph;
 }
 
+static void energy(const coin_state *s, const coin_params *p, double *out)
+{
+    out[0] = coin_energy(s, p);
+}
+
+/* Of the source's form: 1/2 M v^2, the turning, and M g a cos theta. */
+static void energy_terms(const coin_state *s, const coin_params *p, double *out)
+{
+    const struct parts r = parts_of(s, p);
+    const double moving = r.m * (r.wX * r.wX + r.wZ * r.wZ);
+    const double turning =
+        r.IX * (r.wX * r.wX + r.wY * r.wY) + r.IZ * r.wZ * r.wZ;
+    out[0] = (moving + turning) / 2 + r.M * r.g * r.a * r.cth;
+}
+
+static void rate(const coin_state *s, const coin_params *p, double *out)
+{
+    out[0] = coin_fastest_rate(s, p);
+}
+
+/* All rate_terms of W^2 are positive: W itself is their size. */
+static void rate_terms(const coin_state *s, const coin_params *p, double *out)
+{
+    const struct parts r = parts_of(s, p);
+    const double turn = hypot(hypot(r.wX, r.wY) / r.cth, r.wZ);
+    out[0] = hypot(turn, sqrt(r.g / (r.a * r.cth)));
+}
+
+static coin_force force_on(const coin_state *s, const coin_params *p)
+{
+    coin_force f;
+    check_status(coin_reaction(s, p, &f), COIN_OK);
+    return f;
+}
+
+static void force(const coin_state *s, const coin_params *p, double *out)
+{
+    const coin_force f = force_on(s, p);
+    for (int i = 0; i < 3; ++i)
+        out[i] = f.R[i];
+    out[3] = f.friction;
+}
+
+static void force_terms(const coin_state *s, const coin_params *p, double *out)
+{
+    const struct parts r = parts_of(s, p);
+    const double Ma = r.M * r.a;
+    const double RX = Ma * r.wX * r.wY * r.IZ / r.K;
+    const double Rh =
+        Ma * (r.wX * r.wX * r.sth + r.dwX * r.cth + r.wY * r.wZ / r.cth);
+    out[0] = RX * r.cph + Rh * r.sph;
+    out[1] = r.M * r.g + Ma * (r.wX * r.wX * r.cth + r.dwX * r.sth);
+    out[2] = RX * r.sph + Rh * r.cph;
+    out[3] = hypot(RX, Rh);
+}
+
+/* The last four are in the files of scenes too. */
 static const struct observable all[] = {
     {centre, centre_terms, 4, {"y"}},
     {velocity, velocity_terms, 8, {"vx", "vy", "vz"}},
-    {contact, contact_terms, 8, {"xc", "zc", "vxc", "vzc"}},
     {axes,
      ones,
      4,
      {"eXx", "eXy", "eXz", "eYx", "eYy", "eYz", "eZx", "eZy", "eZz"}},
-    {quaternion, ones, 4, {"q0", "q1", "q2", "q3"}},
     {turning, turning_terms, 8, {"ox", "oy", "oz"}},
+    {rate, rate_terms, 4, {"W"}},
+    {contact, contact_terms, 8, {"xc", "zc", "vxc", "vzc"}},
+    {quaternion, ones, 4, {"q0", "q1", "q2", "q3"}},
+    {energy, energy_terms, 8, {"E"}},
+    {force, force_terms, 8, {"Rx", "Ry", "Rz", "F"}},
 };
+enum { ALL = sizeof all / sizeof *all, IN_SCENES = 4 };
 
-TEST(the_pose_is_the_reference_s)
+TEST(they_are_the_reference_s)
 {
-    for (size_t i = 0; i < sizeof all / sizeof *all; ++i)
+    for (int i = 0; i < ALL; ++i)
         observable_at_exact_states(&all[i]);
 }
 
-TEST(contact_and_quaternion_follow_the_reference_paths)
+TEST(they_follow_the_reference_paths)
 {
-    observable_along_scenes(&all[2]);
-    observable_along_scenes(&all[4]);
+    for (int i = ALL - IN_SCENES; i < ALL; ++i)
+        observable_along_scenes(&all[i]);
 }
 
 /* ------------------------------------------------------ among one another */
@@ -199,34 +261,6 @@ TEST(the_material_at_the_contact_is_at_rest)
     }
 }
 
-static void members_of_pose(const coin_state *s, const coin_params *p,
-                            double *out)
-{
-    double r[3], v[3];
-    check_status(coin_center(s, p, out), COIN_OK);
-    check_status(coin_contact(s, p, r, v), COIN_OK);
-    for (int i = 0; i < 3; ++i)
-        out[3 + i] = r[i];
-}
-
-TEST(centre_and_contact_move_with_their_velocities)
-{
-    struct random r = random_begin(19);
-    for (int n = 0; n < 20; ++n) {
-        const coin_params p = random_coin(&r);
-        const coin_state s = random_state(&r, &p, 1);
-        const double unit = p.radius / natural_time(&p);
-        double want[OBSERVABLE_MAX], v[3], at[3], vc[3];
-        difference_along(&s, &p, members_of_pose, 6, want);
-        check_status(coin_velocity(&s, &p, v), COIN_OK);
-        check_status(coin_contact(&s, &p, at, vc), COIN_OK);
-        for (int i = 0; i < 3; ++i) {
-            check_near(v[i], want[i], DIFFERENCE_BOUND * unit);
-            check_near(vc[i], want[3 + i], DIFFERENCE_BOUND * unit);
-        }
-    }
-}
-
 static void check_axes(const coin_state *s, const double want[9])
 {
     double R[9];
@@ -248,4 +282,117 @@ TEST(the_frame_is_the_header_s)
     check_axes(&upright, unit);
     check_axes(&leans, leaning);
     check_axes(&turns, turned);
+}
+
+/* ------------------------------------------------------------------- energy */
+/* 1/2 M v^2 from the velocity that coin_velocity() gives. */
+static double kinetic(const coin_state *s, const coin_params *p)
+{
+    double v[3];
+    check_status(coin_velocity(s, p, v), COIN_OK);
+    const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const double turning = p->inertia_X * (s->wX * s->wX + s->wY * s->wY) +
+                           p->inertia_Z * s->wZ * s->wZ;
+    return (p->mass * v2 + turning) / 2;
+}
+
+TEST(energy_is_that_of_moving_turning_and_standing_high)
+{
+    struct random r = random_begin(1);
+    for (int i = 0; i < 200; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, 1.5);
+        double centre[3];
+        check_status(coin_center(&s, &p, centre), COIN_OK);
+        const double height = p.mass * p.gravity * centre[1];
+        /* 8 u each for the energy and for v, which enters squared. */
+        const double E = coin_energy(&s, &p);
+        double size;
+        energy_terms(&s, &p, &size);
+        check_near(E, kinetic(&s, &p) + height, 24 * U * size);
+    }
+}
+
+TEST(an_upright_coin_at_rest_has_m_g_a)
+{
+    coin_params p;
+    const coin_state rest = {0, 1, 2, 3, 4, 0, 0, 0};
+    check_status(coin_params_disc(&p, 2, 4, 8), COIN_OK);
+    check(coin_energy(&rest, &p) == 2 * 4 * 8);
+}
+
+/* -------------------------------------------------------------- fastest rate
+ */
+/* What coin.h says of COIN_COARSE holds for the W that this function gives. */
+TEST(steps_are_coarse_beyond_the_limits_over_it)
+{
+    static const double limits[] = {0.35, 1, 0.08, 0.16};
+    struct random r = random_begin(31);
+    for (int i = 0; i < 400; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, 1.5);
+        const double dt = (i & 4 ? -limits[i % 4] : limits[i % 4]) /
+                          coin_fastest_rate(&s, &p);
+        const double mu = INFINITY;
+        check((coin_check(&s, &p, i % 4, dt * (1 - 8 * U), mu) & COIN_COARSE) ==
+              0);
+        check(coin_check(&s, &p, i % 4, dt * (1 + 8 * U), mu) & COIN_COARSE);
+    }
+}
+
+/* Straight rolling at wZ: sqrt(wZ^2 + g/a). */
+TEST(it_is_known_of_an_upright_coin)
+{
+    coin_params p;
+    const coin_state s = {0, 1, 2, 3, 4, 0, 0, 4};
+    check_status(coin_params_disc(&p, 7, 0.5, 4.5), COIN_OK);
+    check(coin_fastest_rate(&s, &p) == 5);
+}
+
+/* -------------------------------------------------------------------- force */
+TEST(the_parts_of_a_force_belong_together)
+{
+    struct random r = random_begin(10);
+    for (int i = 0; i < 500; ++i) {
+        const coin_params p = random_coin(&r);
+        const coin_state s = random_state(&r, &p, 1.5);
+        const coin_force f = force_on(&s, &p);
+        double size[OBSERVABLE_MAX];
+        force_terms(&s, &p, size);
+        check(f.normal == f.R[1]);
+        check_near(f.friction, hypot(f.R[0], f.R[2]), 24 * U * size[3]);
+        if (f.normal > 0)
+            check_near(f.ratio, f.friction / f.normal, 2 * U * f.ratio);
+        else
+            check(f.ratio == INFINITY);
+    }
+}
+
+/* Upright and falling at sqrt(g/a), nothing holds the coin down: N and F are 0
+ * to the bit, and no friction is enough. */
+TEST(a_coin_that_does_not_press_needs_infinite_friction)
+{
+    const coin_params p = disc();
+    const coin_state s = {0, 0.3, 0, 0, 0, 1, 0, 0};
+    const coin_force f = force_on(&s, &p);
+    check(f.normal == 0 && f.friction == 0);
+    check(f.ratio == (double)INFINITY);
+}
+
+/* The squares in sqrt(R_x^2 + R_z^2) must not leave the range of doubles where
+ * the force does not. */
+TEST(friction_scales_with_any_mass)
+{
+    const coin_state s = {0.5, 0.7, 0, 0, 0, 0.1, 0.8, 1.2};
+    const double masses[] = {0x1p-49, 0x1p49};
+    coin_params one, p;
+    check_status(coin_params_disc(&one, 1, 1, 1), COIN_OK);
+    const coin_force want = force_on(&s, &one);
+    for (int i = 0; i < 2; ++i) {
+        check_status(coin_params_disc(&p, masses[i], 1, 1), COIN_OK);
+        const coin_force f = force_on(&s, &p);
+        check_note("mass %g", masses[i]);
+        check_near(f.friction / masses[i], want.friction, 8 * U);
+        check_near(f.ratio, want.ratio, 8 * U);
+    }
 }
