@@ -70,36 +70,6 @@ TEST(at_1e_9_it_is_one_step_in_tau)
     }
 }
 
-/* Leans, headings and rolls that turn fast or slowly beside each other: within
- * tol for each radian that W turns, beside 400 steps of RK8, which err by less
- * than 400^-8 of what one would. */
-TEST(however_a_coin_turns_the_error_is_below_tol_per_radian)
-{
-    const double tols[] = {1e-3, 1e-5, 1e-6, 1e-7, 1e-9, 1e-11};
-    const int count = tries_asked(900);
-    struct random r = random_begin(93);
-    for (int i = 0; i < count; ++i) {
-        const coin_params p = ring(random_between(&r, 0, 1));
-        const double theta = random_between(&r, -1.2, 1.2);
-        const double slow = cos(theta) * exp(random_between(&r, -3, 0.7));
-        const coin_state start = {
-            .theta = theta,
-            .wX = random_between(&r, -slow, slow),
-            .wY = random_between(&r, -slow, slow),
-            .wZ = random_between(&r, -4, 4),
-        };
-        const double t = random_between(&r, 0.05, 0.8);
-        const double tol = tols[i % 6];
-        coin_state s = start, exact = start;
-        check_note("motion %d, tol %g, t %g", i, tol, t);
-        check_status(coin_advance(&s, &p, t, tol, NULL), COIN_OK);
-        check_status(coin_run(&exact, &p, COIN_RK8, t / 400, 400, NULL),
-                     COIN_OK);
-        const double turned = t * fastest_rate(&start, &p);
-        check_within(path_apart(&s, &exact, &p), 0, tol * turned + 4e-15);
-    }
-}
-
 /* In these motions, the worst of a search, one step of RK8 errs by 4 to 8 tol
  * per unit: by less than tol for each radian that W turns. */
 TEST(fast_spins_err_by_less_than_tol_per_radian)

@@ -172,34 +172,6 @@ TEST(radii_are_the_reference_s)
     }
 }
 
-/* Half a turn of the heading takes a point to the other end of its circle's
- * diameter. */
-TEST(radii_are_those_of_the_path_that_a_run_takes)
-{
-    struct random r = random_begin(27);
-    for (int i = 0; i < 40; ++i) {
-        const coin_params p = random_coin(&r);
-        const double theta = random_between(&r, 0.1, 1.4), steps = 2000;
-        const double w = 1 / natural_time(&p);
-        const coin_state s =
-            circle(&p, theta, random_between(&r, w / 2, w), i % 2 ? 1 : -1);
-        coin_state end = s;
-        double center, contact, from[3], to[3], v[3];
-        const double half_turn = 3.141592653589793 / (s.wY / cos(theta));
-        check_status(coin_steady_radii(&s, &p, &center, &contact), COIN_OK);
-        check_status(coin_run(&end, &p, COIN_RK4, half_turn / steps,
-                              (uint64_t)steps, NULL),
-                     COIN_OK);
-        check_status(coin_contact(&s, &p, from, v), COIN_OK);
-        check_status(coin_contact(&end, &p, to, v), COIN_OK);
-        /* Simpson's rule on a half circle leaves (pi/2000)^4/2880 = 2e-15. */
-        check_near(hypot(end.x, end.z) / 2, center,
-                   1e-12 * (center + p.radius));
-        check_near(hypot(to[0] - from[0], to[2] - from[2]) / 2, contact,
-                   1e-12 * (center + p.radius));
-    }
-}
-
 TEST(straight_and_resting_motions_have_plain_radii)
 {
     const coin_params p = disc();

@@ -257,55 +257,6 @@ TEST(the_circle_is_that_of_the_slow_branch)
     }
 }
 
-/* As long as it is stable, coin_advance() keeps it: the lean to rounding, and
- * the place where coin_steady_at() has it. */
-TEST(a_stable_circle_stays_as_it_is)
-{
-    struct random r = random_begin(97);
-    int stable = 0;
-    for (int i = 0; i < 100; ++i) {
-        const coin_params p = random_coin(&r);
-        const struct asked c = random_circle(&r, &p);
-        const double t = 20 * natural_time(&p);
-        coin_state s, run, at;
-        double lambda2;
-        check_status(coin_steady_turn(&s, &p, c.lean, c.radius), COIN_OK);
-        check_status(coin_stability(&s, &p, &lambda2), COIN_OK);
-        if (!(lambda2 * t * t < -400))
-            continue;
-        run = s;
-        check_note("lean %g, radius %g", c.lean, c.radius);
-        check_status(coin_advance(&run, &p, t, 1e-12, NULL), COIN_OK);
-        check_status(coin_steady_at(&s, &p, t, &at), COIN_OK);
-        check_near(run.theta, s.theta, 1e-11);
-        check_near(run.x, at.x, 1e-9 * (p.radius + fabs(s.wZ) * p.radius * t));
-        check_near(run.z, at.z, 1e-9 * (p.radius + fabs(s.wZ) * p.radius * t));
-        ++stable;
-    }
-    check(stable > 30);
-}
-
-TEST(any_units_give_the_same_circle)
-{
-    const double mass[] = {1e-12, 1, 1e12}, length[] = {1e-12, 1, 1e12};
-    const coin_params p = disc();
-    coin_state want, ride;
-    check_status(coin_steady_turn(&want, &p, 0.5, 3), COIN_OK);
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) {
-            const double a = length[k], w = sqrt(9.8 / a);
-            coin_params q;
-            coin_state s;
-            check_note("mass %g, length %g", mass[i], a);
-            check_status(coin_params_disc(&q, mass[i], a, 9.8), COIN_OK);
-            check_status(coin_steady_turn(&s, &q, 0.5, 3 * a), COIN_OK);
-            check_near(s.wY, want.wY * w, 16 * U * s.wY);
-            check_near(s.wZ, want.wZ * w, 16 * U * s.wZ);
-            check_status(coin_steady_ride(&ride, &q, a * s.wZ, 3 * a), COIN_OK);
-            check_near(ride.theta, 0.5, 32 * U);
-        }
-}
-
 /* ---------------------------------------------------------------- refusals */
 TEST(a_bad_turn_is_refused_in_order)
 {

@@ -22,78 +22,6 @@ static const struct {
     [COIN_SYMPLECTIC4] = {4, 0.04},
 };
 
-/* ------------------------------------------------------------------ the truth
- */
-/* Eq. (14)-(20) in long double, in the order of coin_state. */
-enum { MEMBERS = 8 };
-struct exact {
-    long double y[MEMBERS];
-};
-
-static struct exact rates_of(const struct exact *s, const coin_params *p)
-{
-    const long double M = p->mass, a = p->radius, g = p->gravity;
-    const long double IX = p->inertia_X, IZ = p->inertia_Z, m = M * a * a;
-    const long double wX = s->y[5], wY = s->y[6], wZ = s->y[7];
-    const long double sth = sinl(s->y[0]), cth = cosl(s->y[0]);
-    const long double sph = sinl(s->y[1]), cph = cosl(s->y[1]);
-    const long double tth = sth / cth;
-    const struct exact d = {{
-        wX,
-        wY / cth,
-        wZ + wY * tth,
-        a * (-wZ * cph + wX * cth * sph),
-        a * (wZ * sph + wX * cth * cph),
-        (M * a * g * sth - (IZ + m) * wY * wZ - IX * wY * wY * tth) / (IX + m),
-        wX * wY * tth + IZ / IX * wZ * wX,
-        m / (IZ + m) * wX * wY,
-    }};
-    return d;
-}
-
-static struct exact moved(const struct exact *s, long double h,
-                          const struct exact *d)
-{
-    struct exact r;
-    for (int i = 0; i < MEMBERS; ++i)
-        r.y[i] = s->y[i] + h * d->y[i];
-    return r;
-}
-
-static struct exact classical(struct exact s, const coin_params *p,
-                              long double t, int n)
-{
-    const long double h = t / n;
-    for (; n > 0; --n) {
-        const struct exact k1 = rates_of(&s, p);
-        const struct exact y2 = moved(&s, h / 2, &k1), k2 = rates_of(&y2, p);
-        const struct exact y3 = moved(&s, h / 2, &k2), k3 = rates_of(&y3, p);
-        const struct exact y4 = moved(&s, h, &k3), k4 = rates_of(&y4, p);
-        s = moved(&s, h / 6, &k1);
-        s = moved(&s, h / 3, &k2);
-        s = moved(&s, h / 3, &k3);
-        s = moved(&s, h / 6, &k4);
-    }
-    return s;
-}
-
-/* By 16 and by 32 parts, extrapolated: the rest is below 1e-2 of any law
- * here. */
-static coin_state truth(const coin_state *s, const coin_params *p, double dt)
-{
-    const struct exact start = {
-        {s->theta, s->phi, s->psi, s->x, s->z, s->wX, s->wY, s->wZ}};
-    const struct exact one = classical(start, p, dt, 16);
-    struct exact two = classical(start, p, dt, 32);
-    for (int i = 0; i < MEMBERS; ++i)
-        two.y[i] += (two.y[i] - one.y[i]) / 15;
-    const coin_state end = {
-        (double)two.y[0], (double)two.y[1], (double)two.y[2], (double)two.y[3],
-        (double)two.y[4], (double)two.y[5], (double)two.y[6], (double)two.y[7],
-    };
-    return end;
-}
-
 /* ------------------------------------------------------------------ the steps
  */
 static double apart(const coin_state *s, const coin_state *t,
@@ -141,7 +69,8 @@ static double used(const coin_state *from, const coin_params *p, int32_t method,
     coin_state s = *from;
     if (coin_run(&s, p, method, dt, 1, NULL) != COIN_OK)
         return 0;
-    const coin_state want = truth(from, p, dt);
+    coin_state want = *from;
+    check_status(coin_advance(&want, p, dt, 1e-13, NULL), COIN_OK);
     const double W = fmax(fastest_rate(from, p), fastest_rate(&s, p));
     const double law =
         laws[method].C * pow(fabs(dt) * W, laws[method].order + 1);
