@@ -204,21 +204,21 @@ $(foreach m,$(CROSS),$(eval $(call fw_part_of,$m)))
 fw_needs    = $(foreach m,$1,$(FW_OUT)/$m/objects \
                 $(FW_ENTRIES:%=$(FW_OUT)/$m/reach_%) \
                 $(if $(filter wasm32,$m),,$(FW_OUT)/$m/counts.txt))
-fw_figures  = $(PYTHON) $(FW)/figures.py $1 $(FW_OUT) $(SRC)/docs/embedding.md \
+fw_figures  = $(PYTHON) $(FW)/figures.py $1 $(FW_OUT) $(SRC)/$3 \
               '$(notdir $(basename $(SOURCES)))' \
               $(foreach m,$2,$m=$(call FW_TOOLS,$m))
 
 .PHONY: firmware firmware-update cross cross-update cross-x87
 firmware: $(BOARDS:%=$(FW_OUT)/%/same) $(BOARDS:%=$(FW_OUT)/%/as-host)
 firmware: $(FW_OUT)/m0/late.txt $(call fw_needs,$(BOARDS)) ## equal hashes without an operating system
-	$(call fw_figures,firmware,$(BOARDS))
+	$(call fw_figures,firmware,$(BOARDS),docs/embedding.md)
 	+$(GATE) sh $(FW)/page.sh
 
 firmware-update: $(call fw_needs,$(BOARDS)) ## write docs/embedding.md's tables
-	$(call fw_figures,firmware,$(BOARDS)) --update
+	$(call fw_figures,firmware,$(BOARDS),docs/embedding.md) --update
 
 cross: $(CROSS:%=$(FW_OUT)/%/same) $(call fw_needs,$(CROSS)) cross-x87 ## equal hashes from other processors, and wasm
-	$(call fw_figures,cross,$(CROSS))
+	$(call fw_figures,cross,$(CROSS),tests/studies/tables.md)
 
 # The x87 keeps more digits than a double has: every source refuses it, and says
 # which flags help.
@@ -229,5 +229,5 @@ cross-x87: | $(O)
 	        { echo "$$source compiles for the x87"; exit 1; }; done
 	echo "i686 without SSE2 is refused, by all of $(words $(SOURCES)) sources"
 
-cross-update: $(call fw_needs,$(CROSS)) ## write docs/embedding.md's tables of them
-	$(call fw_figures,cross,$(CROSS)) --update
+cross-update: $(call fw_needs,$(CROSS)) ## write their tables in tests/studies/tables.md
+	$(call fw_figures,cross,$(CROSS),tests/studies/tables.md) --update
