@@ -70,7 +70,7 @@ static double without_turns(double x)
 /* Sine and cosine from a multiple of them. */
 static coin_priv_sc unit(double s, double c)
 {
-    const double size = coin_priv_hypot(s, c);
+    const double size = sqrt(s * s + c * c);
     const coin_priv_sc r = {s / size, c / size};
     return r;
 }
@@ -87,7 +87,7 @@ void coin_priv_fly(coin_body *b, coin_priv_attitude *at,
     turn_by(X, f->X, f->k, half);
     turn_by(n, f->n, f->k, half);
     /* Where the face is horizontal any heading is as good: d follows it. */
-    const double level = coin_priv_hypot(n[0], n[2]);
+    const double level = sqrt(n[0] * n[0] + n[2] * n[2]);
     const coin_priv_sc ph = unit(n[0], n[2] + ANY);
     const coin_priv_sc th = unit(-n[1], level);
     const double along = ph.s * X[0] + ph.c * X[2];

@@ -37,7 +37,7 @@ void coin_priv_impact(coin_body *b, const coin_priv_attitude *at, double IX,
     const double N = (1 + law->restitution) * -u.y / wy;     /* (107) */
     const double dX = -u.X / (1 + kz);                       /* (107) */
     const double dh = -wy / (1 + kx) * (u.h + o * u.y);      /* (107) */
-    const double f = part(law, N, coin_priv_hypot(dX, dh), o * dh);
+    const double f = part(law, N, sqrt(dX * dX + dh * dh), o * dh);
     const double pX = f * dX, along = f * dh, py = N + o * along;
     b->vx += pX * ph.c + along * ph.s;
     b->vz += along * ph.c - pX * ph.s;

@@ -40,7 +40,7 @@ static void arc_of(struct arc *r, const coin_priv_flight *f)
         r->c1[i] = q[2 * i];
         r->c2[i] = k[2 * i] * along - n[2 * i];
     }
-    const double kh = coin_priv_hypot(k[0], k[2]);
+    const double kh = sqrt(k[0] * k[0] + k[2] * k[2]);
     const double across = sqrt(coin_priv_dot(q, q));
     const double A = along * k[1], D = kh * across;
     r->y = f->y;
@@ -48,7 +48,7 @@ static void arc_of(struct arc *r, const coin_priv_flight *f)
     r->rate = w;
     r->top = 1;
     if (w == 0)
-        r->top = coin_priv_hypot(n[0], n[2]);
+        r->top = sqrt(n[0] * n[0] + n[2] * n[2]);
     else if (fabs(A) > D)
         r->top = kh * fabs(along) + fabs(k[1]) * across; /* (102) */
     const double fall = sqrt(f->vy * f->vy + 2 * f->y);
@@ -128,7 +128,9 @@ coin_priv_touch coin_priv_first_touch(const coin_priv_flight *f, double t,
                                       int leaves)
 {
     struct arc r;
-    coin_priv_touch found = {0, 0, 0};
+    coin_priv_touch found = {0, 0, 0}, none = {t, 0, 0};
+    if (f->y > 1 && f->y + t * (f->vy - t / 2) > 1)
+        return none; /* the rim is at most 1 below the centre */
     arc_of(&r, f);
     const double v = r.vy, above = r.y - r.top, square = v * v + 2 * above;
     const double root = square > 0 ? sqrt(square) : 0;
