@@ -79,7 +79,7 @@ set label 1 "dry" at 4e-3,230 center tc rgb hue[1]
 set label 2 "viscous" at 1.7e-3,90 center tc rgb hue[2]
 set label 3 "layer" at 7e-3,47 center tc rgb hue[3]
 set label 4 "gap" at 1.6e-2,26 center tc rgb hue[4]
-set label 5 "rolling, until it rattles" at 0.16,260 left tc rgb hue[5]
+set label 5 "rolling, until it rattles" at 0.27,130 left tc rgb hue[5]
 set label 6 "damping" at 0.14,1000 right tc rgb hue[6]
 set label 7 "the contact stops" at 3.8e-3,9.3 right tc rgb "#404040"
 plot for [k=1:6] file index k+5 using \
