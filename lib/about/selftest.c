@@ -5,7 +5,7 @@
 
 /* The hash that every build must give.  tests/repro prints it.  It changes only
  * together with an entry in CHANGELOG.md. */
-#define PINNED UINT64_C(0x2c621d742180afad)
+#define PINNED UINT64_C(0xf579272d5728be1a)
 
 /* FNV-1a over the bits of a state, low byte first whatever the machine. */
 static uint64_t hashed(uint64_t hash, const coin_state *s)

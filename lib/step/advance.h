@@ -7,6 +7,7 @@
 #include "../motion/number.h"
 
 #include "extrapolation.h"
+#include "rk4.h"
 #include "sundman.h"
 
 /* The most steps of a call.  They take 0.2 s. */
@@ -48,8 +49,8 @@
 typedef struct coin_priv_lengths {
     double tol;
     double stride; /* the longest */
-    double rk8; /* the root of the most rem^2 (W^2 + TURN_WEIGHT w^2) of RK8 */
-    double rk4; /* the most |rem| W of RK4 */
+    double rk8_2;  /* the most rem^2 (W^2 + TURN_WEIGHT w^2) of RK8 */
+    double rk4_2;  /* the most rem^2 W^2 of RK4 */
 } coin_priv_lengths;
 
 /* The steps in tau of a call.  A stride is a tau times the rate. */
@@ -68,12 +69,14 @@ COIN_PRIV_INLINE double coin_priv_root28(double x)
 
 COIN_PRIV_INLINE coin_priv_lengths coin_priv_lengths_of(double tol)
 {
-    const double r4 = sqrt(sqrt(tol)), r28 = coin_priv_root28(tol);
+    const double r2 = sqrt(tol), r28 = coin_priv_root28(tol);
+    const double rk8 = COIN_PRIV_LAST_RK8, rk4 = COIN_PRIV_LAST_RK4;
     const coin_priv_lengths r = {
         tol,
         coin_priv_lesser(COIN_PRIV_START * (r28 * r28), COIN_PRIV_LONGEST),
-        coin_priv_lesser(COIN_PRIV_LAST_RK8 * sqrt(r4), COIN_PRIV_LAST_MOST),
-        COIN_PRIV_LAST_RK4 * r4,
+        coin_priv_lesser(rk8 * rk8 * sqrt(r2),
+                         COIN_PRIV_LAST_MOST * COIN_PRIV_LAST_MOST),
+        rk4 * rk4 * r2,
     };
     return r;
 }
@@ -111,14 +114,14 @@ COIN_PRIV_INLINE double coin_priv_left2(const coin_priv_run *r, double rem)
 COIN_PRIV_INLINE int coin_priv_one_step_suffices(
     const coin_priv_run *r, const coin_priv_lengths *lengths, double rem)
 {
-    const double left2 = coin_priv_left2(r, rem), most = lengths->rk8;
-    if (!(left2 <= most * most))
+    const double left2 = coin_priv_left2(r, rem), most2 = lengths->rk8_2;
+    if (!(left2 <= most2))
         return 0;
-    if ((1 + COIN_PRIV_TURN_WEIGHT) * left2 <= most * most)
+    if ((1 + COIN_PRIV_TURN_WEIGHT) * left2 <= most2)
         return 1; /* w is hardly ever above W */
     const double tau = rem * r->g.y.q;
     const double turn2 = tau * tau * coin_priv_turn2(r, tau / 2);
-    return left2 + COIN_PRIV_TURN_WEIGHT * turn2 <= most * most;
+    return left2 + COIN_PRIV_TURN_WEIGHT * turn2 <= most2;
 }
 
 /* A step in tau, shorter and shorter until its error is accepted.  *r stays
@@ -158,23 +161,22 @@ COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r,
     return COIN_OK;
 }
 
-/* One step in t over the time left. */
-COIN_PRIV_INLINE int32_t coin_priv_last_step(coin_priv_run *r,
-                                             const coin_priv_lengths *lengths,
-                                             coin_priv_sum *rem)
+/* One step in t over the time left.  Returns whether it was made. */
+COIN_PRIV_INLINE int coin_priv_last_step(coin_priv_run *r,
+                                         const coin_priv_lengths *lengths,
+                                         double rem)
 {
     const uint64_t before = r->steps;
-    r->dt = rem->sum;
-    if (rem->sum == 0)
-        return COIN_OK;
-    if (coin_priv_left2(r, rem->sum) <= lengths->rk4 * lengths->rk4)
-        coin_priv_rk4(r, 1);
-    else
-        coin_priv_rk8(r, 1);
-    if (r->steps == before)
-        return COIN_ESTEP;
-    rem->sum = 0;
-    return COIN_OK;
+    if (coin_priv_left2(r, rem) <= lengths->rk4_2) {
+        const coin_priv_rk4_fields k = coin_priv_rk4_fields_of(&r->b, rem);
+        coin_priv_step_end end;
+        coin_priv_variables next;
+        coin_priv_rk4_step(&end, &next, &r->g.y, &k);
+        return coin_priv_accept_step(r, &next, &end.adds);
+    }
+    r->dt = rem;
+    coin_priv_rk8(r, 1);
+    return r->steps > before;
 }
 
 /* The part of t that has passed if *rem is left.  Its low part counts where t
