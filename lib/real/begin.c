@@ -38,9 +38,7 @@ void coin_priv_begin(coin_priv_moving *g, const coin_state *s, double time,
     g->time = time;
     g->stop = g->event = 0;
     g->mode = g->changed = 0;
-    g->slope_mode = COIN_PRIV_NO_MODE;
-    g->margin = g->waiting = 0;
-    g->stride = coin_priv_first_stride(tol);
+    g->margin = g->waiting = g->stride = 0;
 }
 
 void coin_priv_end(const coin_priv_moving *g, coin_state *s)

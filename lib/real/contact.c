@@ -157,20 +157,17 @@ void coin_priv_rates(double *d, const double *y, const coin_priv_law *l,
                      int mode, int in_t)
 {
     coin_priv_direction n = {0, 0};
-    double by = in_t && !(mode & COIN_PRIV_HELD) ? 1 / y[COIN_PRIV_C] : 1;
-    if (mode == COIN_PRIV_SLIPS) {
+    double by = 1;
+    if (mode & COIN_PRIV_SLIPS) {
         const double u = direction(&n, y);
-        by = in_t ? by : u / (u + 1); /* (83) */
-        (void)contact(d, y, l, COIN_PRIV_SLIPS, n, by);
-    } else if (mode == 0 && !in_t) {
-        (void)contact(d, y, l, 0, n, 1);
-    } else {
-        if (mode & COIN_PRIV_SLIPS) {
-            const double u = direction(&n, y);
-            by = in_t ? by : u / (u + 1); /* (83) */
-        }
-        (void)contact(d, y, l, mode, n, by);
+        by = u / (u + 1); /* (83) */
     }
+    if (in_t)
+        by = mode & COIN_PRIV_HELD ? 1 : 1 / y[COIN_PRIV_C];
+    if (mode == 0 && !in_t) /* most often: without the branches of the rest */
+        (void)contact(d, y, l, 0, n, 1);
+    else
+        (void)contact(d, y, l, mode, n, by);
 }
 
 coin_priv_push coin_priv_push_of(const double *y, const coin_priv_law *l,

@@ -188,11 +188,6 @@ double coin_priv_try_step(coin_priv_dop853 *w, double h)
     return sum > 0 ? by5 / sqrt(sum) : sum;
 }
 
-void coin_priv_end_slopes(coin_priv_dop853 *w)
-{
-    w->of.rates(w->slope[12], w->end, w->of.law, w->of.mode, w->of.in_t);
-}
-
 /* Sets a coefficient of the polynomial to a row of D. */
 COIN_PRIV_INLINE void set_dense(coin_priv_dop853 *w, const double *row, int r)
 {
@@ -207,6 +202,7 @@ static void make_dense(coin_priv_dop853 *w)
 {
     const double h = w->h;
     w->has_dense = 1;
+    w->of.rates(w->slope[12], w->end, w->of.law, w->of.mode, w->of.in_t);
     for (int i = 0; i < ALL * LANES; i += LANES) {
         const lanes dy = load(&w->end[i]) - load(&w->y[i]);
         const lanes first = h * load(&w->slope[0][i]);

@@ -22,8 +22,8 @@ typedef struct coin_priv_problem {
     double most; /* a stage whose rates add up to more has run away */
 } coin_priv_problem;
 
-/* A step from y to end.  slope[0] are the slopes at y, slope[12] those at
- * end. */
+/* A step from y to end.  slope[0] are the slopes at y, slope[12] those at end
+ * for dense[]. */
 typedef struct coin_priv_dop853 {
     coin_priv_problem of;
     double h;
@@ -39,11 +39,8 @@ typedef struct coin_priv_dop853 {
  * lies below the table. */
 double coin_priv_try_step(coin_priv_dop853 *w, double h);
 
-/* Sets w->slope[12]. */
-void coin_priv_end_slopes(coin_priv_dop853 *w);
-
 /* Sets `to` to the variables at the part x of the step, from 0 to 1.
- * w->slope[12] is set. */
+ */
 void coin_priv_within(double *to, coin_priv_dop853 *w, double x);
 
 #endif

@@ -25,6 +25,9 @@
 /* A trial runs away if a stage has so many times the rates of the start. */
 #define RUNAWAY 1e6
 
+/* The first stride over the eighth root of tol over the size of the motion. */
+#define FIRST 4
+
 /* The last step of a call is made in t, where cos theta and a slip's speed
  * change by less than this part of themselves in it. */
 #define IN_T 0.25
@@ -122,13 +125,26 @@ static int passed_kink(const coin_priv_moving *g)
     return (u0 < 0) != (u1 < 0) && fabs(u0) > least && fabs(u1) > least;
 }
 
+/* The stride of a first step, from the slopes and the rate: that of a sine with
+ * as large a slope.  One motion of twenty admits no longer one. */
+static double first_stride(const coin_priv_moving *g, double rate)
+{
+    const double *d = g->step.slope[0];
+    double sum = 0;
+    for (int i = 0; i < COIN_PRIV_READ; ++i)
+        sum += d[i] * d[i];
+    const double part = g->tol / (g->tol + sqrt(sum) / rate);
+    return coin_priv_lesser(COIN_PRIV_MOST_STRIDE,
+                            FIRST * sqrt(sqrt(sqrt(part))));
+}
+
 /* What a step is chosen by: the rate of the motion, and the longest step, in
  * the time that it is made in. */
 typedef struct plan {
     double rate, h;
 } plan;
 
-static plan plan_step(const coin_priv_moving *g)
+static plan plan_step(coin_priv_moving *g)
 {
     const coin_priv_law *l = &g->law;
     const double *y = g->y, *d = g->step.slope[0];
@@ -147,6 +163,8 @@ static plan plan_step(const coin_priv_moving *g)
             rate * u / (u + 1) + RELAX * (l->mu_kinetic * N * across / (u + 1) +
                                           slip_rate); /* (87) */
     }
+    if (g->stride == 0)
+        g->stride = first_stride(g, rate);
     plan r = {rate, g->stride / rate};
     if (turns_round(g)) {
         const double du = fabs(roll_slope(y, d)), far = TURN_ROUND * way(g);
@@ -209,7 +227,13 @@ static void end_in_t(coin_priv_moving *g, plan *p, double left)
         g->step.slope[0][i] *= per;
     p->rate *= per;
     p->h = left;
-    g->slope_mode = COIN_PRIV_NO_MODE;
+}
+
+/* Sets the slopes that a step begins with, in the time of the mode. */
+static void first_slopes(coin_priv_moving *g)
+{
+    g->step.of.in_t = 0;
+    coin_priv_rates(g->step.slope[0], g->y, &g->law, g->mode, 0);
 }
 
 /* A step whose error is allowed, not beyond the end of the call.  Returns its
@@ -221,10 +245,6 @@ static double try_steps(coin_priv_moving *g, int *ends)
     double most_h = (double)INFINITY;
     *ends = 0;
     while (g->tries > 0) {
-        if (g->slope_mode != g->mode)
-            coin_priv_rates(w->slope[0], g->y, &g->law, g->mode, 0);
-        g->slope_mode = g->mode;
-        w->of.in_t = 0;
         plan p = plan_step(g);
         p.h = coin_priv_lesser(p.h, most_h);
         *ends = can_end_in_t(g, &p, left);
@@ -243,11 +263,12 @@ static double try_steps(coin_priv_moving *g, int *ends)
             error <= most && !*ends && w->end[COIN_PRIV_ADDS_T] > left;
         if (over) {
             most_h = 0.9 * p.h * (left / w->end[COIN_PRIV_ADDS_T]);
-            continue;
+        } else {
+            next_stride(g, used, error, most);
+            if (error <= most)
+                return used;
         }
-        next_stride(g, used, error, most);
-        if (error <= most)
-            return used;
+        first_slopes(g);
     }
     return 0;
 }
@@ -274,7 +295,6 @@ int32_t coin_priv_accept(coin_priv_moving *g, const double *y)
         g->y[i] = 0;
     coin_priv_normalize_pairs(g->y);
     g->changed = 1;
-    g->slope_mode = COIN_PRIV_NO_MODE;
     return COIN_OK;
 }
 
@@ -292,7 +312,6 @@ static int32_t make_step(coin_priv_moving *g)
     const double stride = try_steps(g, &ends);
     if (stride == 0)
         return COIN_ESTEP;
-    coin_priv_end_slopes(w);
     double cut[COIN_PRIV_WIDE];
     const int whole = !coin_priv_first_event(cut, g, stride);
     const int32_t status = coin_priv_accept(g, whole ? w->end : cut);
@@ -301,11 +320,6 @@ static int32_t make_step(coin_priv_moving *g)
     if (whole && ends) {
         g->pose[4].sum = g->time;
         g->pose[4].low = 0;
-    }
-    if (whole && !w->of.in_t) { /* the last slopes are the first of the next */
-        for (int i = 0; i < COIN_PRIV_SIZE; ++i)
-            w->slope[0][i] = w->slope[12][i];
-        g->slope_mode = g->mode;
     }
     return COIN_OK;
 }
@@ -392,6 +406,7 @@ int32_t coin_priv_go(coin_priv_moving *g)
             g->mode = next;
         if (found || g->mode & COIN_PRIV_AIR || !(coin_priv_time_left(g) > 0))
             return found;
+        first_slopes(g);
         if (g->tries <= 0)
             status = COIN_ESTEP;
         else if (next != g->mode)

@@ -18,9 +18,6 @@
  * rounded. */
 #define COIN_PRIV_NEARLY (COIN_PRIV_NEARLY_FLAT - 8 * DBL_EPSILON)
 
-/* No mode: there are no slopes. */
-#define COIN_PRIV_NO_MODE (-1)
-
 /* The slip speed below which a coin rolls, in natural units, besides the
  * rounding of the speeds whose difference it is. */
 #define COIN_PRIV_SLIP_LEAST 1e-10
@@ -41,11 +38,9 @@ typedef struct coin_priv_moving {
 
     double waiting; /* the speed that a slip has gained that waits
                        to begin: onset.c */
-    double stride;  /* the length of steps, over 1/rate */
-    int slope_mode; /* step.slope[0] are the slopes at y in this
-                       mode */
+    double stride;  /* the length of steps, over 1/rate; 0 is not known */
     double margin;  /* coin_priv_contact_margin() at y */
-    coin_priv_dop853 step;
+    coin_priv_dop853 step; /* its slope[0] is set where a step begins */
 } coin_priv_moving;
 
 /* begin.c: scales a state to units in which lengths and rates are these times
@@ -99,13 +94,6 @@ COIN_PRIV_INLINE void coin_priv_normalize_pairs(double *y)
     y[COIN_PRIV_C] *= th;
     y[COIN_PRIV_SPH] *= ph;
     y[COIN_PRIV_CPH] *= ph;
-}
-
-/* The stride of the first step of a call: most motions admit it. */
-COIN_PRIV_INLINE double coin_priv_first_stride(double tol)
-{
-    const double first = 4 * sqrt(sqrt(sqrt(tol)));
-    return first < COIN_PRIV_MOST_STRIDE ? first : COIN_PRIV_MOST_STRIDE;
 }
 
 /* The time left of the call. */

@@ -83,21 +83,17 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     const int32_t status = coin_priv_accept(g, y);
     if (status == COIN_OK && slips) {
         g->mode |= COIN_PRIV_SLIPS;
-        g->stride = coin_priv_first_stride(g->tol);
+        g->stride = 0;
     }
     return status;
 }
 
 int coin_priv_end_slip(coin_priv_moving *g)
 {
-    coin_priv_dop853 *const w = &g->step;
     double to[COIN_PRIV_WIDE];
     if (!(g->mode & COIN_PRIV_SLIPS))
         return 0;
-    if (g->slope_mode != g->mode)
-        coin_priv_rates(w->slope[0], g->y, &g->law, g->mode, 0);
-    g->slope_mode = g->mode;
-    const double *y = g->y, *d = w->slope[0];
+    const double *y = g->y, *d = g->step.slope[0];
     const double u = sqrt(y[COIN_PRIV_UX] * y[COIN_PRIV_UX] +
                           y[COIN_PRIV_UH] * y[COIN_PRIV_UH]);
     const double nX = y[COIN_PRIV_UX] / u, nh = y[COIN_PRIV_UH] / u;
@@ -124,6 +120,6 @@ int coin_priv_end_slip(coin_priv_moving *g)
     if (coin_priv_accept(g, to) != COIN_OK)
         return 0;
     g->mode &= ~(COIN_PRIV_SLIPS | COIN_PRIV_HELD);
-    g->stride = coin_priv_first_stride(g->tol);
+    g->stride = 0;
     return 1;
 }
