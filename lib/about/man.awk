@@ -110,7 +110,7 @@ BEGIN {
     print ".\\\" From coin.h, by lib/about/man.awk."
     print ".TH ROLLCOIN 3 \"" date "\" \"rollcoin " version "\" \"Library functions\""
     print ".SH NAME"
-    print "rollcoin \\- the motion of a coin that rolls without slipping"
+    print "rollcoin \\- the motion of a coin, a disc or a ring on a table"
     print ".SH SYNOPSIS"
     print ".nf"
     print "#include <coin.h>"

@@ -268,10 +268,9 @@ function end_floats(    file)
 function introduction(version,    n)
 {
     put("/* SPDX-License-Identifier: MIT */")
-    put("/* librollcoin " version " as one header: the motion of a coin that " \
-        "rolls without")
-    put(" * slipping.  Include it wherever its functions are called, and " \
-        "in one file, of")
+    put("/* librollcoin " version " as one header: the motion of a coin on a " \
+        "table.")
+    put(" * Include it wherever its functions are called, and in one file, of")
     put(" * C99 or C++11 and later, write before that, and before any macro " \
         "of your own,")
     put(" *")

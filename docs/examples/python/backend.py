@@ -28,7 +28,7 @@ METADATA = """\
 Metadata-Version: 2.1
 Name: rollcoin
 Version: {version}
-Summary: Coins that roll without slipping: librollcoin in Python
+Summary: The motion of a coin on a table: librollcoin in Python
 License: MIT
 Requires-Python: >=3.9
 Provides-Extra: tables

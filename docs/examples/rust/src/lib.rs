@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-//! librollcoin in Rust: coins that roll without slipping.
+//! librollcoin in Rust: the motion of a coin on a table.
 //!
 //! ```
 //! use rollcoin::{Method, Params, State};

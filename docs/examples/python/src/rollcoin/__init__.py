@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""librollcoin in Python: coins that roll without slipping.
+"""librollcoin in Python: the motion of a coin on a table.
 
     import rollcoin as rc
 
