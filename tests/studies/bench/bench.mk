@@ -28,7 +28,6 @@ LIBS_cvode   := -lsundials_cvode -lsundials_nvecserial \
                 -lsundials_sunnonlinsolfixedpoint
 LIBS_ode     := -lode -lstdc++
 LIBS_mujoco  := -lmujoco
-LIBS_orbit   := $(LIBS_gsl)
 LIBS_slide   := -lsundials_cvode -lsundials_nvecserial \
                 -lsundials_sunlinsoldense -lsundials_sunmatrixdense
 
@@ -146,7 +145,7 @@ batch: $(BUILDS:%=$(BENCH_OUT)/%/bench_batch) need-charts need-bits ## many coin
 	$(call RESULT,batch,echo $(BATCH_HEAD); $(EACH_BUILD) \
 	    $(BENCH_OUT)/$$b/bench_batch $$b || exit 1; done)
 
-orbits: $(BENCH_OUT)/portable/peer_orbit need-charts need-bits ## an orbit beside steps (1 minute)
+orbits: $(BENCH_OUT)/portable/bench_orbit need-charts need-bits ## an orbit beside steps (1 minute)
 	$(call RESULT,orbit_costs,$<)
 
 slides: $(BENCH_OUT)/native/peer_slide need-charts need-bits ## coins that slip, beside other methods (2 minutes)
@@ -171,7 +170,6 @@ $(BENCH_OUT)/site: $(LIB_A) $(LIB_SO)
 	touch $@
 
 TIMED = build-bench need-charts need-bits $(BENCH_OUT)/site \
-        $(BENCH_OUT)/portable/peer_orbit \
         $(foreach b,$(BUILDS),$(PEERS:%=$(BENCH_OUT)/$b/peer_%)) \
         $(FUSED:%=$(BENCH_OUT)/native/fused_%)
 

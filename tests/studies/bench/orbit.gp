@@ -8,9 +8,8 @@ set logscale xy
 set format "10^{%T}"
 costs = results."/orbit_costs.csv"
 
-array way[6] = ["orbit", "rk4", "rk8", "coin_advance", "textbook RK4", \
-                "GSL rk8pd"]
-array look[6] = [14, 2, 3, 4, 1, 7]
+array way[4] = ["orbit", "rk8", "coin_advance", "textbook RK4"]
+array look[4] = [14, 3, 4, 1]
 only(k, column, value, x) = \
     strcol(1) eq way[k] && column(column) == value ? column(x) : NaN
 
@@ -22,12 +21,12 @@ set yrange [1e-6:10]
 set key top left Left reverse samplen 2 font ",11"
 set xlabel "frames n, of 100 natural units in all" offset 0,0.4
 set ylabel "cost [s]" offset 1.5,0
-plot for [k=1:6] costs using (only(k, 2, 100, 3)):($5*1e-9) \
+plot for [k=1:4] costs using (only(k, 2, 100, 3)):($5*1e-9) \
     with linespoints ls look[k] title way[k] noenhanced
 unset key
 unset ylabel
 set format y ""
 set xlabel "time T of 100 frames [natural units]" offset 0,0.4
-plot for [k=1:6] costs using (only(k, 3, 100, 2)):($5*1e-9) \
+plot for [k=1:4] costs using (only(k, 3, 100, 2)):($5*1e-9) \
     with linespoints ls look[k]
 unset multiplot

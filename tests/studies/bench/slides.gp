@@ -9,9 +9,8 @@ file = "<grep -v '^#' '".results."/slides.csv' | tail -n +2"
 array scene[3] = ["thrown", "tumble", "ring"]
 array says[3] = ["thrown, slides and rolls", "rolls, slips, rolls", \
                  "a slip that nearly ends"]
-array method[4] = ["located", "regularised RK4", "regularised BDF", \
-                   "time stepping"]
-array style[4] = [4, 7, 8, 12]
+array method[3] = ["located", "regularised BDF", "time stepping"]
+array style[3] = [4, 7, 12]
 is(k, m) = strcol(1) eq scene[k] && strcol(2) eq method[m]
 set logscale xy
 set xrange [1e-12:1]
@@ -29,9 +28,8 @@ do for [k=1:3] {
     if (k == 1) {
         set ylabel "cost in textbook steps" offset 1.5,0
         set label 1 "coin\\_move" at 2e-11,4e2 left tc rgb colour[4]
-        set label 2 "friction regularised," at 3e-4,6e6 right tc rgb colour[7]
-        set label 3 "by RK4" at 3e-4,3e6 right tc rgb colour[7]
-        set label 4 "by BDF" at 8e-4,5e4 right tc rgb colour[7]
+        set label 2 "friction" at 3e-4,2e5 right tc rgb colour[7]
+        set label 3 "regularised" at 3e-4,1e5 right tc rgb colour[7]
     } else {
         unset label
         unset ylabel
@@ -40,7 +38,7 @@ do for [k=1:3] {
     if (k == 2) {
         set label 1 "time stepping" at 3e-4,1e5 right tc rgb colour[12]
     }
-    plot for [m=1:4] file using (is(k, m) ? $5 : NaN):6 with lines \
+    plot for [m=1:3] file using (is(k, m) ? $5 : NaN):6 with lines \
         ls style[m]
 }
 unset multiplot

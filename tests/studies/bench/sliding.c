@@ -46,16 +46,14 @@ static inline double grip(const struct sliding *of, double uX, double uh)
 {
     const double u2 = uX * uX + uh * uh, delta = of->delta;
     const double d2 = delta * delta, sum = u2 + d2;
-    if (of->usual)
-        return of->mu_k / sqrt(sum);
     if (u2 <= d2)
         return 2 * of->mu_s * delta / sum;
     const double u = sqrt(u2), more = of->mu_s - of->mu_k;
     return of->mu_k / u + (more > 0 ? more * 4 * u * d2 / (sum * sum) : 0);
 }
 
-static inline void slopes(double *d, const double *y, const struct sliding *of,
-                          int has_friction)
+void sliding_slopes(double d[SLIDING], const double y[SLIDING],
+                    const struct sliding *of)
 {
     const double wX = y[WX], wY = y[WY], wZ = y[WZ], vX = y[VX], vh = y[VH];
     const double s = y[STH], c = y[CTH], sph = y[SPH], cph = y[CPH];
@@ -63,7 +61,7 @@ static inline void slopes(double *d, const double *y, const struct sliding *of,
     const double roll = of->IZ * k * wZ + s * turn, gX = -wY * roll;
     const double weight = 1 - wX * wX * c - s * gX;
     const double uX = vX + wZ, uh = vh - wX * c;
-    const double g = has_friction ? grip(of, uX, uh) : 0;
+    const double g = grip(of, uX, uh);
     const double N = weight / (1 + k * s * (s + g * uh * c));
     const double FX = -g * N * uX, Fh = -g * N * uh;
     d[WX] = gX + k * (N * s - Fh * c);
@@ -79,38 +77,6 @@ static inline void slopes(double *d, const double *y, const struct sliding *of,
     d[PSI] = wZ + s * turn;
     d[AT_X] = vX * cph + vh * sph;
     d[AT_Z] = vh * cph - vX * sph;
-}
-
-void sliding_slopes(double d[SLIDING], const double y[SLIDING],
-                    const struct sliding *of)
-{
-    slopes(d, y, of, of->delta > 0);
-}
-
-double sliding_rate(const struct sliding *of)
-{
-    const double f = of->usual ? of->mu_k : 2 * of->mu_s;
-    return f * (1 + 1 / of->IX) / of->delta;
-}
-
-void sliding_rk4(double y[SLIDING], const struct sliding *of, double h,
-                 long steps)
-{
-    double k1[SLIDING], k2[SLIDING], k3[SLIDING], k4[SLIDING], at[SLIDING];
-    while (steps-- > 0) {
-        slopes(k1, y, of, 1);
-        for (int i = 0; i < SLIDING; ++i)
-            at[i] = y[i] + h / 2 * k1[i];
-        slopes(k2, at, of, 1);
-        for (int i = 0; i < SLIDING; ++i)
-            at[i] = y[i] + h / 2 * k2[i];
-        slopes(k3, at, of, 1);
-        for (int i = 0; i < SLIDING; ++i)
-            at[i] = y[i] + h * k3[i];
-        slopes(k4, at, of, 1);
-        for (int i = 0; i < SLIDING; ++i)
-            y[i] += h / 6 * ((k1[i] + k4[i]) + 2 * (k2[i] + k3[i]));
-    }
 }
 
 /* The impulse of the table in a time h, over M; friction along e_X, e_h. */

@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Coins that slip: coin_move() beside friction regularised, by RK4 and
- * by CVODE (BDF), and beside time stepping, as CSV.
+/* Coins that slip: coin_move() beside friction regularised, by CVODE (BDF), and
+ * beside time stepping, as CSV.
  *
- * Each rival is run with every delta and step, or tolerance, of a grid; its
+ * Each rival is run with every delta and tolerance, or step, of a grid; its
  * rows are those which no other of its runs beats in error and time; step is a
- * tolerance where the method has one.  "usual RK4" has the usual law of
- * friction (sliding.h), for the scene with one coefficient; the methods called
- * regularised have the other.
+ * tolerance where the method has one.
  *
  * An error is the largest of theta, phi, psi, x and z at eight times.  Natural
  * units; textbook_steps is the least time of many runs over that of a step of
@@ -60,7 +58,6 @@ static struct {
 /* A run, and what came out. */
 struct run {
     double delta, step, error, seconds;
-    int usual; /* the law of friction */
 };
 
 typedef double run_to_ends(const struct run *r, int ends);
@@ -95,40 +92,27 @@ static double located(const struct run *r, int ends)
     return error;
 }
 
-static struct sliding rival(double delta, int usual)
+static struct sliding rival(double delta)
 {
     const coin_table *f = &at.table;
     const struct sliding of = {at.p.inertia_X, at.p.inertia_Z, f->mu_static,
-                               f->mu_kinetic,  delta,          usual};
+                               f->mu_kinetic, delta};
     return of;
-}
-
-typedef void fixed_steps(double *, const struct sliding *, double, long);
-
-static double fixed(const struct run *r, fixed_steps *go)
-{
-    const struct sliding of = rival(r->delta, r->usual);
-    const long n = (long)ceil(end_of(0) / r->step);
-    double y[SLIDING], error = 0;
-    sliding_start(y, &at.start);
-    for (int k = 0; k < ENDS; ++k) {
-        go(y, &of, end_of(0) / (double)n, n);
-        const coin_state s = sliding_state(y);
-        error = fmax(error, apart(&s, &at.truth[k]));
-    }
-    return error;
-}
-
-static double regularised(const struct run *r, int ends)
-{
-    (void)ends;
-    return fixed(r, sliding_rk4);
 }
 
 static double time_stepping(const struct run *r, int ends)
 {
+    const struct sliding of = rival(0);
+    const long n = (long)ceil(end_of(0) / r->step);
+    double y[SLIDING], error = 0;
     (void)ends;
-    return fixed(r, sliding_stepping);
+    sliding_start(y, &at.start);
+    for (int k = 0; k < ENDS; ++k) {
+        sliding_stepping(y, &of, end_of(0) / (double)n, n);
+        const coin_state s = sliding_state(y);
+        error = fmax(error, apart(&s, &at.truth[k]));
+    }
+    return error;
 }
 
 static void must(int failed)
@@ -173,7 +157,7 @@ static double by_bdf(const struct run *r, int ends)
     double t, error = 0;
     if (!bdf.cvode)
         set_up();
-    bdf.of = rival(r->delta, r->usual);
+    bdf.of = rival(r->delta);
     sliding_start(N_VGetArrayPointer(bdf.y), &at.start);
     must(CVodeReInit(bdf.cvode, 0, bdf.y));
     must(CVodeSStolerances(bdf.cvode, r->step, r->step));
@@ -200,26 +184,6 @@ static double least_time(const struct run *r, run_to_ends *go)
     } while (clock_ns() - begin < 1e9 * BUSY);
     (void)used;
     return least;
-}
-
-static void measure(struct run *r, run_to_ends *go)
-{
-    r->error = go(r, 1);
-    r->seconds = r->error < WORST ? least_time(r, go) : INFINITY;
-}
-
-/* Steps of a fixed length all cost the same: what one does, from a short run,
- * which nothing interrupts. */
-static double step_time(double delta, int usual, run_to_ends *go)
-{
-    const struct run few = {delta, at.scene->t / 1000, 0, 0, usual};
-    return least_time(&few, go) / 1000;
-}
-
-static void measure_fixed(struct run *r, run_to_ends *go, double per_step)
-{
-    r->error = go(r, 1);
-    r->seconds = per_step * ENDS * ceil(end_of(0) / r->step);
 }
 
 static int compare(const void *a, const void *b)
@@ -249,59 +213,40 @@ static void print_best(const char *method, struct run *r, int n)
 
 static struct run rows[ROWS];
 
-static void sweep_located(void)
+static void sweep(const char *method, run_to_ends *go, int runs)
 {
-    int n = 0;
-    for (int i = 0; i <= 40; ++i) {
-        rows[n].delta = 0;
-        rows[n].step = fmax(1e-2 * pow(10, -i / 4.0), 1e-12);
-        measure(&rows[n++], located);
+    for (int i = 0; i < runs; ++i) {
+        rows[i].error = go(&rows[i], 1);
+        rows[i].seconds =
+            rows[i].error < WORST ? least_time(&rows[i], go) : INFINITY;
     }
-    print_best("located", rows, n);
+    print_best(method, rows, runs);
 }
 
 /* delta is lessened by a factor of 10^(1/4) at a time. */
 #define LESS 1.7782794100389228
 
-static void sweep_regularised(const char *method, int usual)
-{
-    static const double of_rate[] = {2.6, 2.2, 1.8};
-    const double per_step = step_time(0.1, usual, regularised);
-    int n = 0;
-    for (double delta = 0.1; delta > 3e-6; delta /= LESS)
-        for (int i = 0; i < 3; ++i) {
-            const struct sliding of = rival(delta, usual);
-            rows[n].delta = delta;
-            rows[n].usual = usual;
-            rows[n].step = of_rate[i] / sliding_rate(&of);
-            measure_fixed(&rows[n++], regularised, per_step);
-        }
-    print_best(method, rows, n);
-}
-
-static void sweep_bdf(void)
+static void sweep_all(void)
 {
     int n = 0;
+    for (; n <= 40; ++n) {
+        rows[n].delta = 0;
+        rows[n].step = fmax(1e-2 * pow(10, -n / 4.0), 1e-12);
+    }
+    sweep("located", located, n);
+    n = 0;
     for (double delta = 0.1; delta > 9e-6; delta /= LESS)
-        for (int i = 0; i <= 12; ++i) {
+        for (int i = 0; i <= 12; ++i, ++n) {
             rows[n].delta = delta;
-            rows[n].usual = 0;
             rows[n].step = 1e-2 * pow(10, -i / 2.0);
-            measure(&rows[n++], by_bdf);
         }
-    print_best("regularised BDF", rows, n);
-}
-
-static void sweep_stepping(void)
-{
-    const double per_step = step_time(0, 0, time_stepping);
-    int n = 0;
-    for (double h = 0.1; h > 3e-6; h /= LESS) {
+    sweep("regularised BDF", by_bdf, n);
+    n = 0;
+    for (double h = 0.1; h > 3e-6; h /= LESS, ++n) {
         rows[n].delta = 0;
         rows[n].step = h;
-        measure_fixed(&rows[n++], time_stepping, per_step);
     }
-    print_best("time stepping", rows, n);
+    sweep("time stepping", time_stepping, n);
 }
 
 static void begin(const struct slide_scene *scene)
@@ -343,12 +288,7 @@ int main(int argc, char **argv)
             continue;
         begin(&scenes[i]);
         time_textbook();
-        sweep_located();
-        sweep_regularised("regularised RK4", 0);
-        if (scenes[i].mu_static == scenes[i].mu_kinetic)
-            sweep_regularised("usual RK4", 1);
-        sweep_bdf();
-        sweep_stepping();
+        sweep_all();
     }
     return 0;
 }
