@@ -13,6 +13,14 @@
 #include <stdlib.h>
 #include <valgrind/callgrind.h>
 
+/* Counts what one statement executes, and nothing else. */
+#define COUNTED(...)                                                           \
+    do {                                                                       \
+        CALLGRIND_ZERO_STATS;                                                  \
+        __VA_ARGS__;                                                           \
+        CALLGRIND_DUMP_STATS;                                                  \
+    } while (0)
+
 static void row(const char *need, const char *call, double parts, double error)
 {
     printf("%s | %s | %.17g | %.1g\n", need, call, parts, error);
@@ -48,14 +56,17 @@ static double after_3_5(const coin_state *s)
     return scene_error(&quarter, quarter.rows.rows - 1, s);
 }
 
-typedef void frame_call(coin_state *s, double dt);
+/* Frames of dt, which move s. */
+#define FRAMES(need, text, rate, call)                                         \
+    do {                                                                       \
+        const int n = (rate)*7 / 2;                                            \
+        const double dt = 1.0 / (rate);                                        \
+        coin_state s = scene_state(&quarter, 0);                               \
+        COUNTED(for (int i = 0; i < n; ++i) call);                             \
+        row(need, text, n, after_3_5(&s));                                     \
+    } while (0)
 
-static void by_step(coin_state *s, double dt)
-{
-    coin_step(s, &quarter.params, dt);
-}
-
-static void by_step_checked(coin_state *s, double dt)
+static void step_checked(coin_state *s, double dt)
 {
     coin_step(s, &quarter.params, dt);
     coin_check(s, &quarter.params, COIN_RK4, dt, 0.3);
@@ -66,38 +77,14 @@ static void by_rk8(coin_state *s, double dt)
     coin_run(s, &quarter.params, COIN_RK8, dt, 1, NULL);
 }
 
-static void by_advance_1e_6(coin_state *s, double dt)
-{
-    coin_advance(s, &quarter.params, dt, 1e-6, NULL);
-}
-
-static void by_advance_1e_9(coin_state *s, double dt)
-{
-    coin_advance(s, &quarter.params, dt, 1e-9, NULL);
-}
-
-static void frames(const char *need, const char *call, frame_call *each,
-                   int rate)
-{
-    const int n = rate * 7 / 2;
-    coin_state s = scene_state(&quarter, 0);
-    CALLGRIND_ZERO_STATS;
-    for (int i = 0; i < n; ++i)
-        each(&s, 1.0 / rate);
-    CALLGRIND_DUMP_STATS;
-    row(need, call, n, after_3_5(&s));
-}
-
 static void frames_of_move(const char *need)
 {
     const coin_table table = {.mu_static = 0.4, .mu_kinetic = 0.3};
     const coin_state start = scene_state(&quarter, 0);
     coin_body b;
     coin_body_from_state(&b, &start, &quarter.params);
-    CALLGRIND_ZERO_STATS;
-    for (int i = 0; i < 210; ++i)
-        coin_move(&b, &quarter.params, &table, 1.0 / 60, 1e-6, 0, NULL);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(for (int i = 0; i < 210; ++i) coin_move(&b, &quarter.params, &table,
+                                                    1.0 / 60, 1e-6, 0, NULL));
     row(need, "`coin_move` at 1e-6, a call per frame", 210, after_3_5(&b.s));
 }
 
@@ -132,9 +119,7 @@ static void floats(const char *need)
 static void one_call(const char *need, double tol, const char *call)
 {
     coin_state s = scene_state(&quarter, 0);
-    CALLGRIND_ZERO_STATS;
-    coin_advance(&s, &quarter.params, 3.5, tol, NULL);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(coin_advance(&s, &quarter.params, 3.5, tol, NULL));
     row(need, call, 3.5 / natural_time(&quarter.params), after_3_5(&s));
 }
 
@@ -155,27 +140,18 @@ static void exhibit(const char *need)
     const double t_soon = table_at(&t, last, "t");
     const double t_late = table_at(&t, last + 1, "t");
     coin_state s = start;
-    CALLGRIND_ZERO_STATS;
-    for (int i = 0; i < 2110; ++i)
-        by_rk8(&s, t_soon / 2110);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(for (int i = 0; i < 2110; ++i) by_rk8(&s, t_soon / 2110));
     row(need, "`coin_run`, one step of `COIN_RK8` per frame, 35 s", 2110,
         apart(&s, &soon, a));
     s = start;
-    CALLGRIND_ZERO_STATS;
-    for (int i = 0; i < 2110; ++i)
-        by_advance_1e_9(&s, t_soon / 2110);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(for (int i = 0; i < 2110; ++i)
+                coin_advance(&s, &quarter.params, t_soon / 2110, 1e-9, NULL));
     row(need, "`coin_advance` at 1e-9, a call per frame, 35 s", 2110,
         apart(&s, &soon, a));
-    CALLGRIND_ZERO_STATS;
-    coin_orbit_init(&o, &start, &quarter.params);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(coin_orbit_init(&o, &start, &quarter.params));
     row(need, "`coin_orbit_init`, once", 1, NAN);
-    CALLGRIND_ZERO_STATS;
-    for (int i = 0; i <= 1000; ++i)
-        coin_orbit_at(&o, t_late * i / 1000, &s);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(for (int i = 0; i <= 1000; ++i)
+                coin_orbit_at(&o, t_late * i / 1000, &s));
     row(need, "`coin_orbit_at` per frame, 9.8 hours", 1001,
         apart(&s, &late, a));
 }
@@ -194,9 +170,7 @@ static void disk(const char *need)
     coin_settle(&s, &p, &l, INFINITY, 1e-12, &truth);
     for (int k = 0; k < 2; ++k) {
         s = start;
-        CALLGRIND_ZERO_STATS;
-        coin_settle(&s, &p, &l, INFINITY, k ? 1e-9 : 1e-6, &when);
-        CALLGRIND_DUMP_STATS;
+        COUNTED(coin_settle(&s, &p, &l, INFINITY, k ? 1e-9 : 1e-6, &when));
         row(need,
             k ? "`coin_settle` at 1e-9, a whole life"
               : "`coin_settle` at 1e-6, a whole life",
@@ -205,17 +179,13 @@ static void disk(const char *need)
     int calls = 0;
     double sum = 0, moved;
     s = start;
-    CALLGRIND_ZERO_STATS;
-    while (coin_settle(&s, &p, &l, 1.0 / 60, 1e-6, &moved) == COIN_OK) {
+    COUNTED(while (coin_settle(&s, &p, &l, 1.0 / 60, 1e-6, &moved) == COIN_OK) {
         ++calls;
         sum += moved;
-    }
-    CALLGRIND_DUMP_STATS;
+    });
     row(need, "`coin_settle` at 1e-6, a call per frame", calls + 1,
         fabs(sum + moved - truth) / truth);
-    CALLGRIND_ZERO_STATS;
-    when = coin_time_to_rest(&start, &p, &l);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(when = coin_time_to_rest(&start, &p, &l));
     row(need, "`coin_time_to_rest`", 1, fabs(when - truth) / truth);
 }
 
@@ -239,10 +209,8 @@ static void toss(const char *need)
         b[n] = body_in_row(&t, n, "");
         errors[n] = table_at(&t, n, "t_end");
     }
-    CALLGRIND_ZERO_STATS;
-    for (size_t i = 0; i < n; ++i)
-        coin_move(&b[i], &p[i], &on[i], errors[i], 1e-6, 0, NULL);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(for (size_t i = 0; i < n; ++i)
+                coin_move(&b[i], &p[i], &on[i], errors[i], 1e-6, 0, NULL));
     for (size_t i = 0; i < n; ++i) {
         const coin_body end = body_in_row(&t, i, "1");
         errors[i] = bodies_apart(&b[i], &end);
@@ -275,9 +243,7 @@ static void sweep(const char *need)
         truth[i] = s[i];
         coin_advance(&truth[i], &p, 24, 1e-13, NULL);
     }
-    CALLGRIND_ZERO_STATS;
-    coin_batch_run(s, COINS, &p, COIN_RK8, 0.1, 240, status);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(coin_batch_run(s, COINS, &p, COIN_RK8, 0.1, 240, status));
     size_t kept = 0;
     for (int i = 0; i < COINS; ++i)
         if (status[i] >= 0)
@@ -286,10 +252,8 @@ static void sweep(const char *need)
         nine_of_ten(errors, kept));
     for (int i = 0; i < COINS; ++i)
         launch(&s[i], i);
-    CALLGRIND_ZERO_STATS;
-    for (int i = 0; i < COINS; ++i)
-        coin_advance(&s[i], &p, 24, 1e-6, NULL);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(for (int i = 0; i < COINS; ++i)
+                coin_advance(&s[i], &p, 24, 1e-6, NULL));
     for (int i = 0; i < COINS; ++i)
         errors[i] = apart(&s[i], &truth[i], 1);
     row(need, "`coin_advance` at 1e-6, each coin", COINS,
@@ -303,15 +267,11 @@ static void energy(const char *need)
     const coin_state start = {.theta = 0.5, .wX = 0.1, .wY = 0.8, .wZ = 1.2};
     const double E = coin_energy(&start, &p);
     coin_state s = start;
-    CALLGRIND_ZERO_STATS;
-    coin_run(&s, &p, COIN_SYMPLECTIC4, 0.1, 100000, NULL);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(coin_run(&s, &p, COIN_SYMPLECTIC4, 0.1, 100000, NULL));
     row(need, "`coin_run` by `COIN_SYMPLECTIC4`, steps of 0.1", 1e4,
         fabs(coin_energy(&s, &p) / E - 1));
     s = start;
-    CALLGRIND_ZERO_STATS;
-    coin_advance(&s, &p, 1e4, 1e-6, NULL);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(coin_advance(&s, &p, 1e4, 1e-6, NULL));
     row(need, "`coin_advance` at 1e-6", 1e4, fabs(coin_energy(&s, &p) / E - 1));
 }
 
@@ -324,9 +284,7 @@ static void steady(const char *need)
     const coin_state start = scene_state(&circle, 0);
     const double t = scene_at(&circle, last, "t");
     coin_state s = start;
-    CALLGRIND_ZERO_STATS;
-    coin_steady_at(&start, &circle.params, t, &s);
-    CALLGRIND_DUMP_STATS;
+    COUNTED(coin_steady_at(&start, &circle.params, t, &s));
     row(need, "`coin_steady_at`", 1, scene_error(&circle, last, &s));
 }
 
@@ -396,18 +354,20 @@ int main(int argc, char **argv)
     scene_load(&quarter, "quarter");
     const char *need = "a prop in a game: a US quarter, 60 frames a second, "
                        "after 3.5 s";
-    frames(need, "`coin_run`, one step of `COIN_RK8` per frame", by_rk8, 60);
-    frames(need, "`coin_advance` at 1e-6, a call per frame", by_advance_1e_6,
-           60);
+    FRAMES(need, "`coin_run`, one step of `COIN_RK8` per frame", 60,
+           by_rk8(&s, dt));
+    FRAMES(need, "`coin_advance` at 1e-6, a call per frame", 60,
+           coin_advance(&s, &quarter.params, dt, 1e-6, NULL));
     frames_of_move(need);
     toss("a coin toss, to its third bounce");
     disk("Euler's disk, to rest; the error is that of the time of rest");
     exhibit("an exhibit that rolls for hours");
     steady("a steady circle");
     need = "a controller at 1 kHz, after 3.5 s";
-    frames(need, "`coin_step` every ms", by_step, 1000);
-    frames(need, "`coin_step` and `coin_check` every ms", by_step_checked,
-           1000);
+    FRAMES(need, "`coin_step` every ms", 1000,
+           coin_step(&s, &quarter.params, dt));
+    FRAMES(need, "`coin_step` and `coin_check` every ms", 1000,
+           step_checked(&s, dt));
     floats("firmware without doubles, after 3.5 s");
     sweep("a sweep: launches of 24 natural units, of each coin");
     need = "a figure in a paper, per natural unit of time";
