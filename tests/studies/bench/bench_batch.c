@@ -65,63 +65,44 @@ static struct kind kind_of(const char *name)
     return k;
 }
 
-static double loop(const struct kind *k, int32_t method, double dt,
-                   unsigned steps)
+enum way { ALONE, ABREAST, TEXTBOOK, WAYS };
+
+/* A call for all coins [ns]. */
+static double call(enum way way, const struct kind *k, int32_t method,
+                   double dt, unsigned steps)
 {
     coin_state s[COINS];
     memcpy(s, k->s, sizeof s);
     const double begin = clock_ns();
-    for (int i = 0; i < COINS; ++i)
+    if (way == ABREAST)
+        coin_batch_run(s, COINS, &k->p, method, dt, steps, NULL);
+    for (int i = 0; i < COINS && way == ALONE; ++i)
         coin_run(&s[i], &k->p, method, dt, steps, NULL);
-    return clock_ns() - begin;
-}
-
-static double batch(const struct kind *k, int32_t method, double dt,
-                    unsigned steps)
-{
-    coin_state s[COINS];
-    memcpy(s, k->s, sizeof s);
-    const double begin = clock_ns();
-    coin_batch_run(s, COINS, &k->p, method, dt, steps, NULL);
-    return clock_ns() - begin;
-}
-
-static double textbook(const struct kind *k, int32_t method, double dt,
-                       unsigned steps)
-{
-    coin_state s[COINS];
-    (void)method;
-    memcpy(s, k->s, sizeof s);
-    const double begin = clock_ns();
-    for (int i = 0; i < COINS; ++i)
+    for (int i = 0; i < COINS && way == TEXTBOOK; ++i)
         textbook_run(&s[i], &k->p, dt, steps);
     return clock_ns() - begin;
 }
 
-/* The least times of a call [ns], so far. */
-struct cell {
-    double alone, abreast, book;
-};
-
-/* They take turns. */
-static void measure(struct cell *c, const struct kind *k, int32_t method,
+/* The ways take turns; least[] takes the least time of each so far. */
+static void measure(double *least, const struct kind *k, int32_t method,
                     unsigned steps, double dt)
 {
     const double begin = clock_ns();
-    do {
-        c->alone = fmin(c->alone, loop(k, method, dt, steps));
-        c->abreast = fmin(c->abreast, batch(k, method, dt, steps));
-        c->book = fmin(c->book, textbook(k, method, dt, steps));
-    } while (clock_ns() - begin < PATIENCE);
+    do
+        for (int way = 0; way < WAYS; ++way)
+            least[way] =
+                fmin(least[way], call((enum way)way, k, method, dt, steps));
+    while (clock_ns() - begin < PATIENCE);
 }
 
-static void print(const struct cell *c, const char *build, const struct kind *k,
+static void print(const double *least, const char *build, const struct kind *k,
                   int32_t method, unsigned steps, double dtW, double tare)
 {
-    const double each = COINS * steps;
-    printf("%s,%s,%s,%u,%g,%.3g,%.3g,%.3g\n", build, k->name,
-           coin_method_name(method), steps, dtW, (c->alone - tare) / each,
-           (c->abreast - tare) / each, (c->book - tare) / each);
+    printf("%s,%s,%s,%u,%g", build, k->name, coin_method_name(method), steps,
+           dtW);
+    for (int way = 0; way < WAYS; ++way)
+        printf(",%.3g", (least[way] - tare) / (COINS * steps));
+    puts("");
 }
 
 int main(int argc, char **argv)
@@ -129,7 +110,7 @@ int main(int argc, char **argv)
     static const double dtW[] = {0.02, 0.05, 0.1, 0.15, 0.2,
                                  0.25, 0.35, 0.5, 0.7,  1};
     static const unsigned calls[] = {1, 64};
-    static struct cell cells[2][2][2][10];
+    static double least[2][2][2][10][WAYS];
     const char *build = argc > 1 ? argv[1] : "unnamed";
     const struct kind kinds[] = {kind_of("quarter"), kind_of("any")};
     const double tare = clock_cost();
@@ -138,12 +119,13 @@ int main(int argc, char **argv)
             for (int32_t m = COIN_RK4; m <= COIN_RK8; ++m)
                 for (int n = 0; n < 2; ++n)
                     for (int i = 0; i < (m == COIN_RK4 ? 7 : 10); ++i) {
-                        struct cell *c = &cells[k][m][n][i];
-                        if (round == 0)
-                            *c = (struct cell){INFINITY, INFINITY, INFINITY};
-                        measure(c, &kinds[k], m, calls[n], dtW[i] / kinds[k].W);
+                        double *const at = least[k][m][n][i];
+                        for (int way = 0; way < WAYS && round == 0; ++way)
+                            at[way] = INFINITY;
+                        measure(at, &kinds[k], m, calls[n],
+                                dtW[i] / kinds[k].W);
                         if (round == ROUNDS - 1)
-                            print(c, build, &kinds[k], m, calls[n], dtW[i],
+                            print(at, build, &kinds[k], m, calls[n], dtW[i],
                                   tare);
                     }
     return 0;
