@@ -204,8 +204,8 @@ int replay(const std::vector<row> &rows, const char *file)
 int main(int argc, char **argv)
 {
     std::vector<row> rows;
-    for (const auto &of : {observables, steady_motions, steps, rolling_motions,
-                           losses_of_energy, slips, throws}) {
+    for (const auto &of :
+         {observables, exact_motions, steps, rolling_motions, slips, throws}) {
         const std::vector<row> some = of();
         rows.insert(rows.end(), some.begin(), some.end());
     }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What can be read off a state, against the textbook's forms. */
+#include "losses.hpp"
 #include "row.hpp"
 
 namespace
@@ -207,6 +208,77 @@ template <class T, class R> bool from_motion(trial<T, R> &a)
     return true;
 }
 
+/* ---------------------------------------------------------------- losses */
+
+/* Holds an output within so many u of its terms, and of the normal numbers. */
+template <class T, class R>
+void holds_terms(trial<T, R> &q, double output, const terms<R> &truth,
+                 int units = 16)
+{
+    q.hold(R(output), truth.value, units * (q.u * truth.size + 16 * q.normal));
+}
+
+template <class T, class R>
+slowing<R> slowed(const trial<T, R> &q, const coin_losses &l)
+{
+    const moment<R> &y = q.at;
+    const losses<R> of(l, softening(l, q.p), 1, 1, 1);
+    return of.at(y.IX, y.IZ, y.J, y.K, y.s, y.c, y.wX, y.wY, y.wZ);
+}
+
+template <class T, class R> bool losses_power(trial<T, R> &q)
+{
+    const coin_losses l = losses_of(q.s);
+    const double P = coin_losses_power(&q.y, &q.p, &l);
+    holds_terms(q, P, slowed(q, l).power, 24);
+    return P == P;
+}
+
+template <class T, class R> bool losses_rates(trial<T, R> &q)
+{
+    const coin_losses l = losses_of(q.s);
+    coin_state d;
+    if (coin_losses_rates(&q.y, &q.p, &l, &d) != COIN_OK)
+        return false;
+    const slowing<R> by = slowed(q, l);
+    terms<R> want[8];
+    rates_of(q.at, want);
+    holds_terms(q, d.wX, want[5].add(by.wX, R(1)));
+    holds_terms(q, d.wY, want[6].add(by.wY, R(1)));
+    holds_terms(q, d.wZ, want[7].add(by.wZ, R(1)));
+    return true;
+}
+
+template <class T, class R> bool losses_reaction(trial<T, R> &q)
+{
+    const coin_losses l = losses_of(q.s);
+    coin_force f;
+    if (coin_losses_reaction(&q.y, &q.p, &l, &f) != COIN_OK)
+        return false;
+    const slowing<R> by = slowed(q, l);
+    const moment<R> &y = q.at;
+    const R Ma = y.M * y.a;
+    table_force<R> F = force_of(y);
+    /* M a (-dwZ e_X + dwX e_Z) */
+    F.Rx.add(by.wZ, -Ma * y.cph).add(by.wX, Ma * y.c * y.sph);
+    F.normal.add(by.wX, -Ma * y.s);
+    F.Rz.add(by.wZ, Ma * y.sph).add(by.wX, Ma * y.c * y.cph);
+    holds_terms(q, f.R[0], F.Rx);
+    holds_terms(q, f.normal, F.normal);
+    holds_terms(q, f.R[2], F.Rz);
+    return true;
+}
+
+/* Any state, and losses from 1e-8 to 0.1; soft, where it is not the usual, from
+ * 1e-9 to 1. */
+void some_losses(scene *s, const double *g, int)
+{
+    s->steps = std::floor(512 * g[23]);
+    for (int i = 0; i < 4; ++i)
+        s->q[i] = std::pow(10, 7 * g[26 + i] - 8);
+    s->tol = std::pow(10, 9 * g[24] - 9);
+}
+
 /* ---------------------------------------------------------------- check() */
 
 constexpr double LIMITS[] = {0.35, 1, 0.08, 0.16};
@@ -273,6 +345,8 @@ template <class T, class R> bool params_ring(trial<T, R> &q)
 #define TWINS_LAW(name, bound, law)                                            \
     LAW(doubles, "coin_" name, bound, 1, nullptr, 0, law),                     \
         LAW(floats, "coinf_" name, bound, 1, nullptr, 0, law)
+#define LOSSES(name, bound, law)                                               \
+    LAW(doubles, "coin_losses_" name, bound, 1, some_losses, 0, law)
 } // namespace
 
 std::vector<row> observables()
@@ -297,6 +371,9 @@ std::vector<row> observables()
             from_motion),
         LAW(floats, "coinf_state_from_motion", turns, 1, near_a_rotation, 0,
             from_motion),
+        LOSSES("power", "24 u of the terms", losses_power),
+        LOSSES("rates", "16 u of the terms", losses_rates),
+        LOSSES("reaction", "16 u of the terms", losses_reaction),
         LAW(doubles, "coin_check", bits, 1, at_the_limits<doubles>, 0, check),
         LAW(floats, "coinf_check", bits, 1, at_the_limits<floats>, 0, check),
     };

@@ -1,41 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* What follows a coin that rolls: one call, many short calls, orbits.  What a
+/* What follows a coin that rolls: one call, and many short
+ * ones; the time to rest.  What a
  * call returns has to mean to the next what its status says. */
 #include "body.hpp"
 #include "motion.hpp"
 
 namespace
 {
-/* What a mover may err by: 2 tol a radius of speed, and rounding in parts of a
- * natural time. */
-template <class R> R allowed(const motion<R> &from, R t, R tol, R rounding)
-{
-    return 2 * tol * (1 + from.turned(t)) +
-           rounding * (1 + magnitude(t) * from.w) +
-           16 * R(doubles::u) * from.largest_of_pose();
-}
-
-/* ----------------------------------------------------------------- one call */
-
-template <class T, class R> bool advance(trial<T, R> &q)
-{
-    const scene &s = q.s;
-    coin_state end = q.y;
-    motion<R> truth(q.p, q.y);
-    const R t = s.t;
-    if (truth.is_long(t) ||
-        coin_advance(&end, &q.p, s.t, s.tol, nullptr) != COIN_OK)
-        return false;
-    const R turned = truth.turned(t), natural = magnitude(t) * truth.w;
-    if (!truth.follow(t))
-        return false;
-    const R bound = 2 * R(s.tol) * (1 + turned) + R(1e-15) * natural +
-                    16 * q.u * truth.largest_of_pose();
-    q.is(unamplified(ratio_of(truth.off(end), bound), q.enough, {q.p, q.y},
-                     s.t / 16, 16));
-    return bound < 1;
-}
-
 /* No excursion that exceeds mu by 1e-4 of it lies before the moment reached;
  * looked for at 48 moments, of motions that amplify errors little.  A lift-off
  * may be brief: where mu is large, there are 500. */
@@ -70,30 +41,44 @@ template <class T, class R> bool until(trial<T, R> &q)
     return q.is(double(worst / R(1e-4)));
 }
 
-/* --------------------------------------------------------- many short calls */
+/* --------------------------------------------- one call, or many short ones */
 
-enum mover { ADVANCE, SETTLE, MOVE };
+enum mover { ADVANCE, ADVANCE_CALLS, SETTLE, SETTLE_CALLS, MOVE_CALLS };
+
+/* What it may err by: so many tol a radius of speed; and u, so many in a
+ * natural time, at once, and in each of many calls over cos theta. */
+constexpr struct claim {
+    double tol, in_time, at_once, each;
+} CLAIMS[] = {{2, 9, 0, 0},
+              {2, 90, 90, 8},
+              {20, 90, 90, 0},
+              {2, 90, 90, 8},
+              {2, 90, 90, 8}};
 
 struct calls : given {
-    int count;
+    int kind, count;
     double dt;
-    coin_losses l;
+    coin_losses l = {};
 
-    calls(const scene &s, int kind)
-        : given(s, s.tol), count(int(s.steps)), dt(s.t)
+    calls(const scene &s, int mover)
+        : given(s, s.tol), kind(mover),
+          count(CLAIMS[mover].each > 0 ? int(s.steps) : 1), dt(s.t)
     {
         scene of = s;
-        of.steps = kind == ADVANCE ? 0 : s.q[3];
-        std::fill(of.q, of.q + 4, s.q[2]);
-        l = table.losses = losses_of(of);
+        if (kind > SETTLE) {
+            of.steps = s.q[3];
+            std::fill(of.q, of.q + 4, s.q[2]);
+        }
+        if (kind >= SETTLE)
+            l = table.losses = losses_of(of);
         table.mu_static = s.q[1];
         table.mu_kinetic = s.q[0];
     }
-    int32_t call(int kind)
+    int32_t call()
     {
-        return kind == ADVANCE  ? coin_advance(&b.s, &p, dt, tol, nullptr)
-               : kind == SETTLE ? coin_settle(&b.s, &p, &l, dt, tol, nullptr)
-                                : move(&b, dt);
+        return kind < SETTLE       ? coin_advance(&b.s, &p, dt, tol, nullptr)
+               : kind < MOVE_CALLS ? coin_settle(&b.s, &p, &l, dt, tol, nullptr)
+                                   : move(&b, dt);
     }
     /* The slip of a body that rolls, in parts of what rounding may leave. */
     double slip_left() const
@@ -130,12 +115,13 @@ bool follow_in_cone(motion<R> *at, R t, R mu, motion<R> *tightest, int *looks)
 template <class T, class R> bool rolls(trial<T, R> &q)
 {
     calls c(q.s, q.kind);
-    const bool may_slip = q.kind == MOVE;
+    const claim &may = CLAIMS[q.kind];
+    const bool may_slip = q.kind == MOVE_CALLS;
     const R dt = c.dt, t = c.count * dt, mu = c.table.mu_static;
     motion<R> truth(c.p, c.b.s);
     motion<long double> start(c.p, c.b.s);
-    const R natural = t * truth.w, turned = truth.turned(t);
-    if (q.kind != ADVANCE) {
+    const R natural = magnitude(t) * truth.w, turned = truth.turned(t);
+    if (q.kind >= SETTLE) {
         truth.slow_by(c.l, c.p);
         start.slow_by(c.l, c.p);
     }
@@ -150,14 +136,15 @@ template <class T, class R> bool rolls(trial<T, R> &q)
             return false;
         least = lesser(least, truth.at(truth.C));
     }
-    const R bound = 2 * R(q.s.tol) * (1 + turned) +
-                    q.u * (90 * (1 + natural) + 16 * truth.largest_of_pose() +
-                           8 * c.count / least);
+    const R bound =
+        may.tol * R(q.s.tol) * (1 + turned) +
+        q.u * (may.at_once + may.in_time * natural +
+               16 * truth.largest_of_pose() + may.each * c.count / least);
     const double sixteenth = double(t) / 16;
     if (bound >= 1)
         return false;
     for (int i = 0; i < c.count; ++i) {
-        const int32_t status = c.call(q.kind);
+        const int32_t status = c.call();
         if (may_slip && (status == COIN_SLIPS || status == COIN_LIFTS)) {
             const auto left = [mu](const motion<R> &m) { return m.left(mu); };
             const double near =
@@ -192,174 +179,69 @@ void short_calls(scene *s, const double *g, int)
     near_pose(s, g);
 }
 
-/* ------------------------------------------------------------------ orbits */
-
-/* As follow(), for a time of up to so many times what follow() takes. */
-template <class R> bool follow_in_pieces(motion<R> *now, R t)
-{
-    constexpr int MOST_PIECES = 4;
-    const R turn = magnitude(t * now->w) * now->fastest();
-    const R pieces = 1 + 2 * turn / motion<R>::MOST_TURN;
-    if (!(pieces < MOST_PIECES))
-        return false;
-    for (int k = 0, n = int(pieces); k < n; ++k)
-        if (!now->follow(t / n))
-            return false;
-    return true;
-}
-
-/* From `guess` on to the time at which lean and rates are again those of begin,
- * by Newton's rule along the motion; 0 if that is not found. */
-template <class R>
-R period_of(const motion<R> &begin, R guess, motion<R> *whole)
-{
-    const R W = begin.fastest(), X = begin.at(begin.WX) / W,
-            P = begin.slopes()[begin.WX] / (W * W);
-    R period = 0, step = guess, before;
-    *whole = begin;
-    do {
-        before = magnitude(step);
-        if (!follow_in_pieces(whole, step))
-            return 0;
-        period += step;
-        const R speed = (whole->at(begin.WX) - begin.at(begin.WX)) / W;
-        step = -(whole->lean_apart(begin) * X + speed * P) /
-               ((X * X + P * P) * W * begin.w);
-    } while (magnitude(step) < before / 2);
-    R off = magnitude(whole->lean_apart(begin)) / begin.at(begin.C);
-    for (int i = begin.WX; i <= begin.WZ; ++i)
-        off = larger(off, magnitude(whole->at(i) - begin.at(i)) / W);
-    return off < 1024 * precision<R> &&
-                   magnitude(period - guess) < magnitude(guess) / 2
-               ? period
-               : R(0);
-}
-
-/* As follow(), for any time: lean and rates of a swing return after a period,
- * and each period turns and moves the coin as the one before.  The guess is of
- * a period. */
-template <class R> bool follow_far(motion<R> *now, R t, R guess)
-{
-    if (!now->is_long(t))
-        return now->follow(t);
-    motion<R> whole = *now;
-    const R period = period_of(*now, t < 0 ? -guess : guess, &whole);
-    const R times = period == 0 ? R(0) : whole_part(t / period);
-    if (times == 0 || !follow_in_pieces(now, t - times * period))
-        return false;
-    now->repeat(whole, times);
-    return true;
-}
-
-/* What the residue of a steady motion, up to 8 u of its terms, does to the
- * lean, and to the heading in a natural time. */
-template <class R> R residue_of(const moment<R> &y, R W, R time)
-{
-    const R L = magnitude(lambda2_of(y).value);
-    const R lean = 16 * R(doubles::u) * larger(dwX_of(y).size, L) / L;
-    return lean * (1 + 4 * W * time / y.c);
-}
-
-/* What is added to the error of the place for each period that an orbit repeats
- * with nearly the heading of the last, in radii: `sum` is the error of angles.
+/* ---------------------------------------------------------- the time to rest
  */
-double drift_of(const coin_orbit &o, double sum, double turn)
-{
-    const double b =
-        std::fabs(std::remainder(o.heading_per_period, 6.283185307179586));
-    const double swing = (o.theta_max - o.theta_min) * turn;
-    return o.period > 0 ? std::fmin(sum / b, swing) : 0;
-}
 
-/* A state that an orbit tells of a time t, over the law of coin_orbit_at(): an
- * error e in the angles is one of e (1 + radius_max/a) radii in the place and
- * of e W in the rates.  `far` is that radius, or less than 0 to leave out the
- * place. */
-template <class T, class R>
-bool told(trial<T, R> &q, const coin_orbit &o, double t, const coin_state &out,
-          R far)
+/* Follows a path for a time, or until cos theta comes below `flat`; how long.
+ * *least: the smallest cos theta of a swing before; negative if that takes too
+ * long. */
+template <class R> R until_flat(motion<R> *at, R t, R flat, R *least)
 {
-    motion<R> truth(q.p, q.y);
-    const bool is_far = truth.is_long(R(t));
-    if (!follow_far(&truth, R(t), R(o.period)))
-        return false;
-    const double periods = o.period > 0 ? std::fabs(t) / o.period : 0;
-    const double time = (std::fabs(t) + o.period) * double(truth.w);
-    R W = truth.most_W;
-    const R residue = o.period > 0 ? R(0) : residue_of(q.at, W, R(time));
-    double amplified = 0;
-    const auto ratio = [&] {
-        const double bound = 1e-14 + 1e-15 * o.conditioning * periods +
-                             4 * doubles::u * double(W) * time +
-                             double(residue) + amplified;
-        const double turn = double(W) * std::fabs(t) * double(truth.w);
-        const R wide = 1 + far + R(drift_of(o, bound, turn) / bound);
-        R off[8], worst = 0;
-        truth.apart(out, W, off);
-        for (int i = 0; i < 8; ++i)
-            if (i < 3 || i > 4)
-                worst = larger(worst, magnitude(off[i]));
-            else if (far >= 0)
-                worst = larger(worst, magnitude(off[i]) / wide);
-        return bound < 1 ? ratio_of(worst, R(bound)) : NO_CLAIM;
+    const auto above = [flat](const motion<R> &m) {
+        return !(m.at(m.C) < flat);
     };
-    if (ratio() > UNAMPLIFIED) {
-        motion<R> ahead = truth;
-        ahead.follow(R(o.period));
-        W = ahead.most_W;
+    R gone = 0, before = 1, last = 1;
+    *least = 1;
+    for (int i = 0; gone < t; ++i) {
+        const motion<R> from = *at;
+        const R h = lesser(t - gone, R(0.1) / (at->fastest() * at->w));
+        if (i > 4000)
+            return -1;
+        if (!at->follow(h) || !above(*at))
+            return gone + at->cross(from, h * at->w, above) / at->w;
+        const R now = at->at(at->C);
+        if (last <= before && last <= now)
+            *least = lesser(*least, last);
+        before = last;
+        last = now;
+        gone += h;
     }
-    if (ratio() > larger(q.enough, UNAMPLIFIED))
-        amplified = 4 * doubles::u * (is_far ? 1 + periods : 1) *
-                    growth({q.p, q.y}, (is_far ? o.period : t) / 16, 16, 1e30);
-    return q.is(ratio());
+    return gone;
 }
 
-/* The orbit of a scene; its period is 0 where there is none. */
-template <class T, class R>
-const coin_orbit &orbit_of(const trial<T, R> &q, bool is_far)
+/* What a time of rest errs by, in radians of the fall, where a coin falls
+ * steeply through `flat`; no claim where an earlier swing nearly ended there.
+ */
+template <class T, class R> bool time_to_rest(trial<T, R> &q)
 {
-    static coin_orbit o;
-    if (motion<long double>(q.p, q.y).is_long(q.s.t) != is_far ||
-        coin_orbit_init(&o, &q.y, &q.p) != COIN_OK)
-        o = coin_orbit();
-    return o;
-}
-
-enum { NEAR, FAR };
-
-/* At times that are followed, or farther. */
-template <class T, class R> bool orbit(trial<T, R> &q)
-{
-    const coin_orbit &o = orbit_of(q, q.kind == FAR);
-    coin_state out;
-    if ((q.kind == FAR && !(o.period > 0)) ||
-        coin_orbit_at(&o, q.s.t, &out) != COIN_OK)
+    const coin_losses l = losses_of(q.s);
+    motion<R> truth(q.p, q.y);
+    if (truth.is_long(R(q.s.t)))
         return false;
-    const R far = o.radius_max > 0 ? R(o.radius_max) / q.s.a : R(0);
-    return told(q, o, q.s.t, out, far);
-}
-
-/* After a period lean and rates are those of the start, and heading and roll
- * have gained what the orbit states. */
-template <class T, class R> bool orbit_init(trial<T, R> &q)
-{
-    const coin_orbit &o = orbit_of(q, false);
-    coin_state out = q.y;
-    out.phi += o.heading_per_period;
-    out.psi += o.roll_per_period;
-    return o.period > 0 && told(q, o, o.period, out, R(-1));
+    const double when = coin_time_to_rest(&q.y, &q.p, &l);
+    const R flat = l.flat > 0 ? l.flat : 1e-6;
+    const R late = R(1.05) * R(when);
+    const R bound =
+        2e-6 * (1 + truth.turned(R(when))) +
+        q.u * (90 * (1 + R(when) * truth.w) + 16 * truth.largest_of_pose());
+    if (!(when > 0 && when < 1e300) || truth.is_long(R(when)) ||
+        truth.at(truth.C) < 2 * flat)
+        return false;
+    motion<long double> start(q.p, q.y);
+    truth.slow_by(l, q.p);
+    start.slow_by(l, q.p);
+    R least;
+    const R took = until_flat(&truth, late, flat, &least);
+    const R fall = magnitude(truth.at(truth.WX));
+    if (took < 0 || !(bound < R(1e-3) * flat) || least < 2 * flat)
+        return false;
+    const R off = magnitude(took - R(when)) * truth.w;
+    return q.is(took < late ? unamplified(double(off * fall / bound), q.enough,
+                                          start, 0.999 * when / 16, 16)
+                            : BROKEN);
 }
 
 /* ------------------------------------------------------------------- edges */
-
-/* The pose of order one, and a horizon of 0.01 to 60 natural units. */
-void horizon(scene *s, const double *g, int)
-{
-    const double unit = std::sqrt(s->a / s->g);
-    const double part = g[22] < 0.5 ? 2 * g[22] : 2 * g[22] - 1;
-    s->t = unit * (g[22] < 0.5 ? 1 : -1) * std::pow(10, 3.8 * part - 2);
-    near_pose(s, g);
-}
 
 /* The friction coefficient; a large one also of coins so slow that they fall,
  * bounce near flat and lift off. */
@@ -377,30 +259,39 @@ void until_it_slips(scene *s, const double *g, int)
     s->wZ = w * (g[13] - 0.5) * (g[16] < 0.5);
 }
 
-/* A horizon, and most beside a steady circle: the leans and rolls between which
- * some are unstable.  Far: times of up to 1e6 natural units. */
-void about_circles(scene *s, const double *g, int kind)
+/* Forward, 0.01 to 30 natural units; losses up to 0.03.  Half roll slowly at
+ * first, so that the contact soon turns round.  A fifth hardly spin. */
+void launches(scene *s, const double *g, int)
 {
-    horizon(s, g, 0);
-    s->tol = std::pow(10, 6 * g[24] - 7);
-    const double m = s->M * s->a * s->a, K = s->IZ + m,
-                 Mga = s->M * s->g * s->a;
-    const double w = std::sqrt(s->g / s->a);
-    if (g[28] <= 0.7) {
-        s->t = (g[22] < 0.5 ? 70 : -70) * g[23] / w;
-        s->theta = 0.01 + 0.4 * g[8];
-        s->wX = w * (g[29] < 0.5 ? 0 : std::pow(10, -16 * g[30]));
-        s->wZ = w * 0.7 * g[9];
-        const double sth = std::sin(s->theta), T = std::tan(s->theta);
-        const double b = K * s->wZ;
-        s->wY =
-            2 * Mga * sth / (b + std::sqrt(b * b + 4 * s->IX * Mga * sth * T));
-        if (g[31] > 0.5)
-            s->wY *= 1 + std::pow(10, -17 * g[27]);
+    if (g[25] < 0.5)
+        s->wZ = 0.2 * s->wZ - s->wY * std::tan(s->theta);
+    if (g[25] > 0.8) {
+        const double part = std::pow(10, -50 * (g[25] - 0.8));
+        s->wY *= part;
+        s->wZ *= part;
     }
-    if (kind == FAR)
-        s->t = (g[22] < 0.5 ? 1 : -1) * std::pow(10, 7 * g[23] - 1) *
-               std::sqrt(s->a / s->g);
+    const int which = int(1024 * g[23]); /* with flat, also angular */
+    s->steps = which % 128 + which / 128 % 4 * 256;
+    s->method = std::pow(10, 2 * g[6] - 4);
+    for (int i = 0; i < 4; ++i)
+        s->q[i] = std::pow(10, 5 * g[26 + i] - 6.5);
+    s->tol = std::pow(10, 9 * g[24] - 12);
+    s->t = std::sqrt(s->a / s->g) * std::pow(10, 3.5 * g[22] - 2);
+    near_pose(s, g);
+}
+
+/* As many, that lie flat from 1e-4 to 1e-2 rad on, and often fall; with losses
+ * from 1e-4 on, so that most rest soon. */
+void falls(scene *s, const double *g, int)
+{
+    launches(s, g, 0);
+    s->steps = int(s->steps) % 512 + 512;
+    for (int i = 0; i < 4; ++i)
+        s->q[i] = std::pow(10, 3 * g[26 + i] - 4);
+    if (g[14] < 0.5) {
+        s->wY *= 0.01 * g[17];
+        s->wZ *= 0.01 * g[17];
+    }
 }
 
 #define ROLLING(name, bound, share, edge, kind, law)                           \
@@ -411,23 +302,19 @@ std::vector<row> rolling_motions()
 {
     const char *moved = "2 tol a radius of speed + rounding";
     return {
-        ROLLING("advance", moved, 10, horizon, 0, advance),
+        ROLLING("advance", moved, 10, horizon, ADVANCE, rolls),
+        ROLLING("settle", "20 tol a radius of speed + rounding", 25, launches,
+                SETTLE, rolls),
         ROLLING("move_until", "F/N over mu by 1e-4 of mu", 10, until_it_slips,
                 0, until),
-        ROLLING("orbit_at",
-                "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + "
-                "period) + 4 u amplified",
-                20, about_circles, NEAR, orbit),
-        ROLLING("orbit_at_far", "the same; up to 1e6 units", 20, about_circles,
-                FAR, orbit),
-        ROLLING("orbit_init",
-                "lean; rates; heading and roll after a period as coin_orbit_at",
-                20, about_circles, NEAR, orbit_init),
-        ROLLING("advance_calls", moved, 50, short_calls, ADVANCE, rolls),
-        ROLLING("settle_calls", moved, 50, short_calls, SETTLE, rolls),
+        ROLLING("time_to_rest",
+                "2 tol a radius of speed, of the fall; tol = 1e-6", 1000, falls,
+                0, time_to_rest),
+        ROLLING("advance_calls", moved, 50, short_calls, ADVANCE_CALLS, rolls),
+        ROLLING("settle_calls", moved, 50, short_calls, SETTLE_CALLS, rolls),
         ROLLING("move_calls",
                 "2 tol a radius of speed + rounding; rolls where the truth "
                 "does",
-                50, short_calls, MOVE, rolls),
+                50, short_calls, MOVE_CALLS, rolls),
     };
 }

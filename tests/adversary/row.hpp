@@ -140,10 +140,9 @@ double judged(const scene &s, int kind, double enough)
     }
 
 std::vector<row> observables();
-std::vector<row> steady_motions();
+std::vector<row> exact_motions();
 std::vector<row> steps();
 std::vector<row> rolling_motions();
-std::vector<row> losses_of_energy();
 std::vector<row> slips();
 std::vector<row> throws();
 

@@ -185,6 +185,14 @@ void near_pose(scene *s, const double *genes)
     s->z = s->a * (6 * genes[21] - 3);
 }
 
+void horizon(scene *s, const double *g, int)
+{
+    const double unit = std::sqrt(s->a / s->g);
+    const double part = g[22] < 0.5 ? 2 * g[22] : 2 * g[22] - 1;
+    s->t = unit * (g[22] < 0.5 ? 1 : -1) * std::pow(10, 3.8 * part - 2);
+    near_pose(s, g);
+}
+
 scene scene_of(const genome &genes, bool narrow)
 {
     const double *g = genes.data();

@@ -27,9 +27,11 @@ using genome = std::array<double, GENES>;
 /* The scene of a genome; narrow: within the range of floats. */
 scene scene_of(const genome &genes, bool narrow);
 
-/* W of (47) of a scene; the pose of order one. */
+/* W of (47) of a scene; the pose of order one; that, and a horizon of 0.01 to
+ * 60 natural units. */
 double fastest_of(const scene &s);
 void near_pose(scene *s, const double *genes);
+void horizon(scene *s, const double *genes, int kind);
 
 /* One line of hexadecimal numbers, and back; false if the line holds fewer. */
 std::string text_of(const scene &s);
