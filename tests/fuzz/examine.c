@@ -63,6 +63,21 @@ int same(const void *a, const void *b, size_t size)
     return memcmp(a, b, size) == 0;
 }
 
+double reached_by(const struct outcome *o, int t, int progress)
+{
+    const double asked = o->given[t].d;
+    double reached;
+    memcpy(&reached, o->left[progress].p, sizeof reached);
+    if (o->result < 0 && same(&reached, o->given[progress].p, sizeof reached)) {
+        demand(same(o->left[0].p, o->given[0].p, sizeof(coin_state)));
+        return (double)NAN;
+    }
+    demand(fabs(reached) <= fabs(asked) &&
+           (asked < 0 ? reached <= 0 : reached >= 0));
+    demand(coin_state_check(o->left[0].p, &o->world->p) == COIN_OK);
+    return reached;
+}
+
 static int is_all(const void *of, unsigned char byte, size_t size)
 {
     const unsigned char *const at = of;
@@ -243,7 +258,7 @@ static void outputs_are_sound(const struct subject *s, size_t null,
         if (i == null || k->role == SCALAR || !k->sound)
             continue;
         demand(same(s->a[FIRST][i].p, s->a[SECOND][i].p, k->size));
-        demand(k->sound(s->a[FIRST][i].p, w));
+        demand(k->sound(s->a[FIRST][i].p, k->size, w));
     }
 }
 

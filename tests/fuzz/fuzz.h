@@ -61,15 +61,10 @@ struct kind {
     enum role role;
     size_t size; /* of what it points to */
     void (*take)(struct bytes *b, const struct world *w, void *to);
-    int (*sound)(const void *of, const struct world *w);
+    int (*sound)(const void *of, size_t size, const struct world *w);
 };
 
 const struct kind *kind_of(char letter);
-extern const struct kind single_kinds[];
-extern const size_t single_kind_count;
-
-/* Whether all are finite. */
-int finite_all(const double *x, size_t count);
 
 /* A call that was made, with the arguments as given and as left behind. */
 struct outcome {
@@ -120,6 +115,10 @@ extern const size_t fuzz_count;
 /* Ends the program, and says of which function, unless it holds. */
 #define demand(holds) demand_that((holds) ? 1 : 0, #holds, __FILE__, __LINE__)
 void demand_that(int holds, const char *what, const char *file, int line);
+
+/* How far a call came that moves a[0], asked for the time a[t]: not beyond it,
+ * to a sound state.  NaN if it did not begin. */
+double reached_by(const struct outcome *o, int t, int progress);
 
 /* Bit for bit. */
 int same(const void *a, const void *b, size_t size);

@@ -30,7 +30,7 @@ FUZZ_SANITIZE := -fsanitize=address,undefined,float-cast-overflow \
                  -fno-sanitize-recover=all
 FUZZ_TOLD := -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp
 FUZZ_LIB   = $(patsubst %.c,$(FUZZ_OUT)/lib/%.o,$(notdir $(SOURCES)))
-FUZZ_BOTH := $(patsubst %,$(FUZZ_OUT)/%.o,bytes kinds kinds_single examine)
+FUZZ_BOTH := $(patsubst %,$(FUZZ_OUT)/%.o,bytes kinds examine)
 
 $(FUZZ_OUT) $(FUZZ_OUT)/lib:
 	mkdir -p $@

@@ -2,7 +2,6 @@
 /* Version, parameters, states, methods' names. */
 #include "fuzz.h"
 
-#include <math.h>
 #include <string.h>
 
 CALL(coin_version, ())
@@ -19,27 +18,16 @@ static double text(const char *t)
     return t && strlen(t) > 2 ? COIN_OK : COIN_EARG;
 }
 
-static double do_coin_version_string(const union argument *a)
-{
-    (void)a;
-    return text(coin_version_string());
-}
-
-static double do_coin_status_string(const union argument *a)
-{
-    return text(coin_status_string(a[0].i));
-}
-
-static double do_coin_method_name(const union argument *a)
-{
-    return text(coin_method_name(a[0].i));
-}
+CALL_AS(coin_version_string, text, (coin_version_string()))
+CALL_AS(coin_status_string, text, (coin_status_string(a[0].i)))
+CALL_AS(coin_method_name, text, (coin_method_name(a[0].i)))
 
 /* 0 counts as an error. */
-static double do_coin_sizeof(const union argument *a)
+static double size_of(const char *type)
 {
-    return coin_sizeof(a[0].p) > 0 ? COIN_OK : COIN_EARG;
+    return coin_sizeof(type) > 0 ? COIN_OK : COIN_EARG;
 }
+CALL_AS(coin_sizeof, size_of, (a[0].p))
 
 /* Exactly the four methods have a name. */
 static void judge_method(const struct outcome *o)
@@ -49,20 +37,15 @@ static void judge_method(const struct outcome *o)
 }
 
 /* Angles within half a turn, and the centre as given. */
-static void judge_made(const struct outcome *o, int x, int z)
+static void judge_from_motion(const struct outcome *o)
 {
     const coin_state *s = o->left[0].p;
     const double pi = 2 * 1.5707963267948966;
     if (o->result < 0)
         return;
     demand(s->phi > -pi && s->phi <= pi && s->psi > -pi && s->psi <= pi);
-    demand(same(&s->x, &o->given[x].d, sizeof s->x));
-    demand(same(&s->z, &o->given[z].d, sizeof s->z));
-}
-
-static void judge_from_motion(const struct outcome *o)
-{
-    judge_made(o, 4, 5);
+    demand(same(&s->x, &o->given[4].d, sizeof s->x));
+    demand(same(&s->z, &o->given[5].d, sizeof s->z));
 }
 
 #define MAKES (BIT(COIN_EARG) | BIT(COIN_EPARAMS))

@@ -57,6 +57,18 @@ static void judge_run(const struct outcome *o)
         demand(o->result < 0);
 }
 
+static void judge_step(const struct outcome *o)
+{
+    coinf_state s = o->world->sf;
+    const int32_t status =
+        coinf_run(&s, &o->world->pf, COIN_RK4, f(o->given[2]), 1, NULL);
+    if (o->result < 0)
+        s = o->world->sf;
+    else
+        demand(status == o->result);
+    demand(same(&s, o->left[0].p, sizeof s));
+}
+
 #define MAKES (BIT(COIN_EARG) | BIT(COIN_EPARAMS))
 #define NO_PARAMS (BIT(COIN_EARG) | BIT(COIN_ESTATE))
 #define STEPS (USUAL | BIT(COIN_ESTEP))
@@ -70,7 +82,7 @@ const struct function fuzz_functions[] = {
     ROW(coinf_state_check, "gf", USUAL, 0, PLAIN),
     ROW(coinf_state_from_motion, "hfQWdd", USUAL, 0, PLAIN),
     ROW(coinf_angular_velocity, "gC", NO_PARAMS, 0, PLAIN),
-    ROW(coinf_step, "Hft", STEPS, COIN_COARSE, PLAIN),
+    ROW(coinf_step, "Hft", STEPS, COIN_COARSE, 0, judge_step, 0),
     ROW(coinf_run, "Hfitun", STEPS, COIN_COARSE, BIT(COIN_ESTEP), judge_run, 0),
     ROW(coinf_energy, "gf", NUMBER),
     ROW(coinf_fastest_rate, "gf", NUMBER),

@@ -4,7 +4,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 CALL(coin_table_check, (a[0].p, a[1].p))
 CALL(coin_body_from_state, (a[0].p, a[1].p, a[2].p))
@@ -51,15 +50,10 @@ static void judge_move(const struct outcome *o)
     const double t = o->given[3].d;
     const int32_t stop = o->given[5].i;
     const coin_body *d = o->left[0].p;
-    double reached;
-    memcpy(&reached, o->left[6].p, sizeof reached);
-    const int untouched =
-        o->result < 0 && same(&reached, o->given[6].p, sizeof reached);
-    if (untouched)
+    const double reached = reached_by(o, 3, 6);
+    if (isnan(reached))
         return;
     no_energy_is_gained(o);
-    demand(reached >= 0 && reached <= t &&
-           coin_state_check(&d->s, &o->world->p) == COIN_OK);
     const int32_t mode = (int32_t)o->result;
     if (mode >= 0 && reached > 0)
         it_is_what_it_says(d, &o->world->p, mode);

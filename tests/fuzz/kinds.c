@@ -2,15 +2,29 @@
 /* What arguments are: how bytes become one, and what an output has to be. */
 #include "fuzz.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
-int finite_all(const double *x, size_t count)
+/* Whether all are finite. */
+static int doubles(const void *of, size_t size, const struct world *w)
 {
-    for (size_t i = 0; i < count; ++i)
-        if (!isfinite(x[i]))
-            return 0;
-    return 1;
+    const double *const x = of;
+    int good = 1;
+    (void)w;
+    for (size_t i = 0; i < size / sizeof *x; ++i)
+        good &= isfinite(x[i]) != 0;
+    return good;
+}
+
+static int floats(const void *of, size_t size, const struct world *w)
+{
+    const float *const x = of;
+    int good = 1;
+    (void)w;
+    for (size_t i = 0; i < size / sizeof *x; ++i)
+        good &= isfinite(x[i]) != 0;
+    return good;
 }
 
 /* ------------------------------------------------------------- taking each */
@@ -149,71 +163,6 @@ static void take_r(struct bytes *b, const struct world *w, void *to)
         r[i] = w->p.radius * (i == 1) + perhaps(b, w->p.radius * take_part(b));
 }
 
-static void take_d(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    (void)w;
-    a->d = take_number(b);
-}
-
-static void take_angle(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    (void)w;
-    a->d = take_lean(b);
-}
-
-static void take_omega_Z(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    a->d = take_rate(b, sqrt(w->p.gravity / w->p.radius));
-}
-
-/* From a thousandth of the coin's radius to a hundred radii. */
-static void take_length(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    const double part = ldexp(take_part(b), 7 - take_byte(b) % 18);
-    a->d = perhaps(b, w->p.radius * part);
-}
-
-static void take_speed(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    take_omega_Z(b, w, to);
-    a->d *= w->p.radius;
-}
-
-/* A step, from far too short to far too long for this state. */
-static void take_dt(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    const uint8_t how = take_byte(b);
-    const double part = take_part(b);
-    a->d = how < 232 ? ldexp(part, 2 - how % 24) / w->W : take_number(b);
-}
-
-/* A time: up to a few tens of such steps, or so long that it is refused; what
- * lies between would be moved, for hours. */
-static void take_time(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    take_dt(b, w, to);
-    const double units = fabs(a->d) * sqrt(w->p.gravity / w->p.radius);
-    if (fabs(a->d) * w->W <= 4)
-        a->d *= 8;
-    else if (units <= 1e15)
-        a->d = copysign(32 / w->W, a->d);
-}
-
-static void take_tol(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    const uint8_t how = take_byte(b);
-    (void)w;
-    a->d = how < 240 ? ldexp(1, -(7 + how % 37)) : take_number(b);
-}
-
 /* The world's orbit, or that of a rolling coin if it has none; now and then
  * with another number before the pieces. */
 static void take_orbit(struct bytes *b, const struct world *w, void *to)
@@ -228,55 +177,6 @@ static void take_orbit(struct bytes *b, const struct world *w, void *to)
         memcpy((char *)to + (which - 192) * sizeof any, &any, sizeof any);
 }
 
-/* Methods, branches: near 0, or anything. */
-static void take_i(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    const uint8_t how = take_byte(b);
-    (void)w;
-    if (how < 224)
-        a->i = how % 4;
-    else if (how < 248)
-        a->i = how % 8 - 2;
-    else
-        a->i = (int32_t)(0x01010101u * take_byte(b));
-}
-
-/* Bits of stop, or anything. */
-#define STOP_BITS                                                              \
-    (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_ROLLS | COIN_TOUCHES)
-
-static void take_bits(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    const uint8_t how = take_byte(b);
-    (void)w;
-    a->i = how < 224 ? how & STOP_BITS : (int32_t)(0x01010101u * take_byte(b));
-}
-
-static void take_branch(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    take_i(b, w, to);
-    a->i = a->i >= 0 && a->i < 4 ? a->i % 2 * 2 - 1 : a->i;
-}
-
-/* Few, or so many that sums are settled on the way. */
-static void take_u(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    const uint8_t how = take_byte(b);
-    (void)w;
-    a->u = how < 224 ? how % 4 : 30 + how % 40;
-}
-
-static void take_count(struct bytes *b, const struct world *w, void *to)
-{
-    union argument *const a = to;
-    (void)w;
-    a->u = take_byte(b) % (SAMPLES + 1);
-}
-
 /* The name of a type, or nearly one. */
 static void take_text(struct bytes *b, const struct world *w, void *to)
 {
@@ -289,79 +189,220 @@ static void take_text(struct bytes *b, const struct world *w, void *to)
         text[take_byte(b) % 15] = (char)take_byte(b);
 }
 
-/* ------------------------------------------------------- what is an output */
-static int sound_params(const void *of, const struct world *w)
+/* ----------------------------------------------------------------- scalars */
+static double natural_rate(const struct world *w)
 {
-    (void)w;
-    return coin_params_check(of) == COIN_OK;
+    return sqrt(w->p.gravity / w->p.radius);
 }
 
-static int sound_state(const void *of, const struct world *w)
+/* A step, from far too short to far too long for this state. */
+static double step(struct bytes *b, const struct world *w)
 {
+    const uint8_t how = take_byte(b);
+    const double part = take_part(b);
+    return how < 232 ? ldexp(part, 2 - how % 24) / w->W : take_number(b);
+}
+
+/* A time: up to a few tens of such steps, or so long that it is refused; what
+ * lies between would be moved, for hours. */
+static double time_of(struct bytes *b, const struct world *w)
+{
+    const double t = step(b, w);
+    if (fabs(t) * w->W <= 4)
+        return 8 * t;
+    return fabs(t) * natural_rate(w) <= 1e15 ? copysign(32 / w->W, t) : t;
+}
+
+/* From a thousandth of the coin's radius to a hundred radii. */
+static double length(struct bytes *b, const struct world *w)
+{
+    const double part = ldexp(take_part(b), 7 - take_byte(b) % 18);
+    return perhaps(b, w->p.radius * part);
+}
+
+static double tolerance(struct bytes *b)
+{
+    const uint8_t how = take_byte(b);
+    return how < 240 ? ldexp(1, -(7 + how % 37)) : take_number(b);
+}
+
+/* Methods: near 0, or anything. */
+static int32_t method(struct bytes *b)
+{
+    const uint8_t how = take_byte(b);
+    if (how < 248)
+        return how < 224 ? how % 4 : how % 8 - 2;
+    return (int32_t)(0x01010101u * take_byte(b));
+}
+
+/* Bits of stop, or anything. */
+static int32_t stop_bits(struct bytes *b)
+{
+    const int32_t stop =
+        COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_ROLLS | COIN_TOUCHES;
+    const uint8_t how = take_byte(b);
+    return how < 224 ? how & stop : (int32_t)(0x01010101u * take_byte(b));
+}
+
+static int32_t branch(struct bytes *b)
+{
+    const int32_t i = method(b);
+    return i >= 0 && i < 4 ? i % 2 * 2 - 1 : i;
+}
+
+/* Few, or so many that sums are settled on the way. */
+static uint64_t steps(struct bytes *b)
+{
+    const uint8_t how = take_byte(b);
+    return how < 224 ? how % 4 : 30 + how % 40;
+}
+
+#define SCALAR_OF(name, type, value)                                           \
+    static void take_##name(struct bytes *b, const struct world *w, void *to)  \
+    {                                                                          \
+        (void)w;                                                               \
+        *(type *)to = value;                                                   \
+    }
+SCALAR_OF(d, double, take_number(b))
+SCALAR_OF(angle, double, take_lean(b))
+SCALAR_OF(omega_Z, double, take_rate(b, natural_rate(w)))
+SCALAR_OF(speed, double, take_rate(b, natural_rate(w)) * w->p.radius)
+SCALAR_OF(length, double, length(b, w))
+SCALAR_OF(dt, double, step(b, w))
+SCALAR_OF(time, double, time_of(b, w))
+SCALAR_OF(tol, double, tolerance(b))
+SCALAR_OF(i, int32_t, method(b))
+SCALAR_OF(branch, int32_t, branch(b))
+SCALAR_OF(bits, int32_t, stop_bits(b))
+SCALAR_OF(u, uint64_t, steps(b))
+SCALAR_OF(count, uint64_t, take_byte(b) % (SAMPLES + 1))
+
+/* -------------------------------------------------------- single precision */
+/* Beyond a float's range: infinite. */
+static void narrow(void *to, const double *x, size_t count)
+{
+    float *const f = to;
+    for (size_t i = 0; i < count; ++i)
+        f[i] = fabs(x[i]) > FLT_MAX ? (float)copysign(INFINITY, x[i])
+                                    : (float)x[i];
+}
+
+static void take_params_single(struct bytes *b, const struct world *w, void *to)
+{
+    (void)b;
+    memcpy(to, &w->pf, sizeof w->pf);
+}
+
+static void take_state_single(struct bytes *b, const struct world *w, void *to)
+{
+    (void)b;
+    memcpy(to, &w->sf, sizeof w->sf);
+}
+
+static void take_q_single(struct bytes *b, const struct world *w, void *to)
+{
+    double q[4];
+    take_q(b, w, q);
+    narrow(to, q, 4);
+}
+
+static void take_omega_single(struct bytes *b, const struct world *w, void *to)
+{
+    double omega[3];
+    take_omega(b, w, omega);
+    narrow(to, omega, 3);
+}
+
+/* What is left out of a float: nothing, half a unit at most, or any number. */
+void take_single(struct world *w, struct bytes *b)
+{
+    float member[8];
+    narrow(&w->pf, &w->p.mass, 8);
+    narrow(member, &w->s.theta, 8);
+    memset(&w->sf, 0, sizeof w->sf);
+    memcpy(&w->sf, member, sizeof member);
+    for (int i = 0; i < 8; ++i) {
+        const uint8_t how = take_byte(b);
+        const double any =
+            how < 250 ? member[i] * 0x1p-24 * take_part(b) : take_number(b);
+        if (how >= 128)
+            narrow(&w->sf.low[i], &any, 1);
+    }
+}
+
+/* ------------------------------------------------------- what is an output */
+static int sound_params(const void *of, size_t size, const struct world *w)
+{
+    (void)w;
+    return size == sizeof(coin_params) ? coin_params_check(of) == COIN_OK
+                                       : coinf_params_check(of) == COIN_OK;
+}
+
+static int sound_state(const void *of, size_t size, const struct world *w)
+{
+    (void)size;
     return coin_state_check(of, &w->p) == COIN_OK;
 }
 
-static int sound_8(const void *of, const struct world *w)
+static int sound_single(const void *of, size_t size, const struct world *w)
 {
-    (void)w;
-    return finite_all(of, 8);
+    (void)size;
+    return coinf_state_check(of, &w->pf) == COIN_OK;
 }
 
-static int sound_force(const void *of, const struct world *w)
+/* All but the ratio finite. */
+#define IS_FORCE(f, kind, finite)                                              \
+    (finite((f)->R, offsetof(kind, ratio), w) && (f)->normal == (f)->R[1] &&   \
+     (f)->friction >= 0 &&                                                     \
+     ((f)->normal > 0 ? (f)->ratio >= 0                                        \
+                      : isinf((f)->ratio) && (f)->ratio > 0))
+
+static int sound_force(const void *of, size_t size, const struct world *w)
 {
-    const coin_force *f = of;
-    (void)w;
-    return finite_all(f->R, 3) && f->normal == f->R[1] && f->friction >= 0 &&
-           isfinite(f->friction) &&
-           (f->normal > 0 ? f->ratio >= 0 : f->ratio == (double)INFINITY);
+    const coin_force *const f = of;
+    const coinf_force *const s = of;
+    return size == sizeof *f ? IS_FORCE(f, coin_force, doubles)
+                             : IS_FORCE(s, coinf_force, floats);
 }
 
-#define SOUND(count)                                                           \
-    static int sound_##count(const void *of, const struct world *w)            \
-    {                                                                          \
-        (void)w;                                                               \
-        return finite_all(of, count);                                          \
-    }
-SOUND(1)
-SOUND(2)
-SOUND(3)
-SOUND(4)
-SOUND(9)
-SOUND(16)
-
-static int sound_radius(const void *of, const struct world *w)
+static int sound_radius(const void *of, size_t size, const struct world *w)
 {
     const double *r = of;
+    (void)size;
     (void)w;
     return *r >= 0;
 }
 
 /* Of an orbit's own coin, which need not be the world's. */
-static int sound_members(const void *of, const struct world *w)
+static int sound_members(const void *of, size_t size, const struct world *w)
 {
     double R[9];
+    (void)size;
     (void)w;
     return coin_axes(of, R) == COIN_OK;
 }
 
-static int sound_losses(const void *of, const struct world *w)
+static int sound_losses(const void *of, size_t size, const struct world *w)
 {
+    (void)size;
     return coin_losses_check(of, &w->p) == COIN_OK;
 }
 
-static int sound_body(const void *of, const struct world *w)
+static int sound_body(const void *of, size_t size, const struct world *w)
 {
     double u[2];
+    (void)size;
     return coin_body_slip(of, &w->p, u) == COIN_OK;
 }
 
-static int sound_orbit(const void *of, const struct world *w)
+static int sound_orbit(const void *of, size_t size, const struct world *w)
 {
     const coin_orbit *o = of;
-    (void)w;
-    return finite_all(&o->period, 5) && finite_all(o->drift, 2) &&
-           o->period >= 0 && o->theta_min <= o->theta_max &&
-           !(o->radius_min > o->radius_max) && o->conditioning >= 1;
+    (void)size;
+    return doubles(&o->period, 5 * sizeof(double), w) &&
+           doubles(o->drift, 2 * sizeof(double), w) && o->period >= 0 &&
+           o->theta_min <= o->theta_max && !(o->radius_min > o->radius_max) &&
+           o->conditioning >= 1;
 }
 
 static const struct kind kinds[] = {
@@ -372,7 +413,7 @@ static const struct kind kinds[] = {
     {'S', MOVED, sizeof(coin_state), take_s, sound_state},
     {'X', MOVED, SAMPLES * sizeof(coin_state), take_coins, NULL},
     {'O', WRITTEN, sizeof(coin_state), NULL, sound_state},
-    {'R', WRITTEN, sizeof(coin_state), NULL, sound_8}, /* rates */
+    {'R', WRITTEN, sizeof(coin_state), NULL, doubles}, /* rates */
     {'F', WRITTEN, sizeof(coin_force), NULL, sound_force},
     {'A', WRITTEN, SAMPLES * sizeof(coin_state), NULL, NULL},
     {'Y', WRITTEN, sizeof(coin_orbit), NULL, sound_orbit},
@@ -387,18 +428,33 @@ static const struct kind kinds[] = {
     {'-', READ, 3 * sizeof(double), take_r, NULL},
     {'q', READ, 4 * sizeof(double), take_q, NULL},
     {'w', READ, 3 * sizeof(double), take_omega, NULL},
-    {'1', WRITTEN, sizeof(double), NULL, sound_1},
-    {'2', WRITTEN, 2 * sizeof(double), NULL, sound_2},
-    {'3', WRITTEN, 3 * sizeof(double), NULL, sound_3},
-    {'4', WRITTEN, 4 * sizeof(double), NULL, sound_4},
-    {'9', WRITTEN, 9 * sizeof(double), NULL, sound_9},
-    {'M', WRITTEN, 16 * sizeof(double), NULL, sound_16},
+    {'1', WRITTEN, sizeof(double), NULL, doubles},
+    {'2', WRITTEN, 2 * sizeof(double), NULL, doubles},
+    {'3', WRITTEN, 3 * sizeof(double), NULL, doubles},
+    {'4', WRITTEN, 4 * sizeof(double), NULL, doubles},
+    {'9', WRITTEN, 9 * sizeof(double), NULL, doubles},
+    {'M', WRITTEN, 16 * sizeof(double), NULL, doubles},
     {'I', WRITTEN, sizeof(double), NULL, sound_radius},
     {'n', PROGRESS, sizeof(uint64_t), NULL, NULL},
     {'z', PROGRESS, sizeof(size_t), NULL, NULL},
     {'Z', PROGRESS, SAMPLES * sizeof(int32_t), NULL, NULL},
-    {'r', PROGRESS, sizeof(double), NULL, sound_1},
+    {'r', PROGRESS, sizeof(double), NULL, doubles},
     {'$', READ, 16, take_text, NULL},
+    {'f', READ, sizeof(coinf_params), take_params_single, NULL},
+    {'G', WRITTEN, sizeof(coinf_params), NULL, sound_params},
+    {'g', READ, sizeof(coinf_state), take_state_single, NULL},
+    {'H', MOVED, sizeof(coinf_state), take_state_single, sound_single},
+    {'h', WRITTEN, sizeof(coinf_state), NULL, sound_single},
+    {'j', WRITTEN, sizeof(coinf_state), NULL, floats}, /* rates */
+    {'m', WRITTEN, sizeof(coinf_force), NULL, sound_force},
+    {'Q', READ, 4 * sizeof(float), take_q_single, NULL},
+    {'W', READ, 3 * sizeof(float), take_omega_single, NULL},
+    {'B', WRITTEN, 2 * sizeof(float), NULL, floats},
+    {'C', WRITTEN, 3 * sizeof(float), NULL, floats},
+    {'D', WRITTEN, 4 * sizeof(float), NULL, floats},
+    {'K', PROGRESS, sizeof(float), NULL, floats},
+    {'N', WRITTEN, 9 * sizeof(float), NULL, floats},
+    {'U', WRITTEN, 16 * sizeof(float), NULL, floats},
     {'d', SCALAR, 0, take_d, NULL},
     {'a', SCALAR, 0, take_angle, NULL},
     {'v', SCALAR, 0, take_omega_Z, NULL},
@@ -419,8 +475,5 @@ const struct kind *kind_of(char letter)
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; ++i)
         if (kinds[i].letter == letter)
             return &kinds[i];
-    for (size_t i = 0; i < single_kind_count; ++i)
-        if (single_kinds[i].letter == letter)
-            return &single_kinds[i];
     return NULL;
 }

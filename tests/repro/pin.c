@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Prints the hash that lib/about/selftest.c has to pin: runs that very source,
- * with a print in the place of its verdict. */
-#include <coin.h>
+/* Prints the hash that lib/about/selftest.c has to pin, or with FLOATS that of
+ * lib/float/coinf_selftest.c: runs that very source, with a print in the place
+ * of its verdict. */
+#include <coinf.h>
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -15,9 +16,14 @@ static int32_t show(uint64_t hash)
 #define COIN_OK show(hash)
 #define COIN_EBUILD show(hash)
 #define coin_selftest shown_selftest
+#define coinf_selftest shown_selftest
+#ifdef FLOATS
+#include "../../lib/float/coinf_selftest.c"
+#else
 #include "../../lib/about/selftest.c"
+#endif
 
 int main(void)
 {
-    return coin_selftest();
+    return shown_selftest();
 }

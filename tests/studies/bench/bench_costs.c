@@ -54,71 +54,36 @@ EACH(check, coin_check(&along[i % COINS], &generic, COIN_RK4, DT, 1))
 EACH(energy, (sum += coin_energy(&along[i % COINS], &generic)) < 0)
 EACH(orbit_at, coin_orbit_at(&orbit, i * 0.1, &s))
 
-static int textbook(void)
-{
-    textbook_run(&s, &generic, FINE, CALLS);
-    return 0;
-}
+/* ONCE(name, failed): what one call, or many by another function, comes to. */
+#define ONCE(name, failed)                                                     \
+    static int name(void)                                                      \
+    {                                                                          \
+        return failed;                                                         \
+    }
 
 static int run(int32_t method)
 {
     return coin_run(&s, &generic, method, DT, CALLS, NULL) < 0;
 }
 
-static int run_rk4(void)
-{
-    return run(COIN_RK4);
-}
-
-static int run_rk8(void)
-{
-    return run(COIN_RK8);
-}
-
-static int run_symplectic2(void)
-{
-    return run(COIN_SYMPLECTIC2);
-}
-
-static int run_symplectic4(void)
-{
-    return run(COIN_SYMPLECTIC4);
-}
-
-static int run_single(void)
-{
-    return coinf_run(&sf, &single, COIN_RK4, (float)DT, CALLS, NULL) < 0;
-}
+ONCE(textbook, (textbook_run(&s, &generic, FINE, CALLS), 0))
+ONCE(run_rk4, run(COIN_RK4))
+ONCE(run_rk8, run(COIN_RK8))
+ONCE(run_symplectic2, run(COIN_SYMPLECTIC2))
+ONCE(run_symplectic4, run(COIN_SYMPLECTIC4))
+ONCE(run_single, coinf_run(&sf, &single, COIN_RK4, (float)DT, CALLS, NULL) < 0)
 
 static int batch(int32_t method, unsigned steps)
 {
     return coin_batch_run(coins, COINS, &generic, method, DT, steps, NULL) < 0;
 }
 
-static int batch_once(void)
-{
-    return batch(COIN_RK4, 1);
-}
-
-static int batch_rk4(void)
-{
-    return batch(COIN_RK4, 64);
-}
-
-static int batch_rk8(void)
-{
-    return batch(COIN_RK8, 64);
-}
-
-static int sample(void)
-{
-    return coin_sample(&s, &generic, COIN_RK4, DT, 1, CALLS, samples, NULL) < 0;
-}
-
-static int orbit_init(void)
-{
-    return coin_orbit_init(&orbit, &start, &generic) < 0;
-}
+ONCE(batch_once, batch(COIN_RK4, 1))
+ONCE(batch_rk4, batch(COIN_RK4, 64))
+ONCE(batch_rk8, batch(COIN_RK8, 64))
+ONCE(sample,
+     coin_sample(&s, &generic, COIN_RK4, DT, 1, CALLS, samples, NULL) < 0)
+ONCE(orbit_init, coin_orbit_init(&orbit, &start, &generic) < 0)
 
 /* --------------------------------------------------- a second of a quarter */
 static const coin_state rolls = {0.3, 0, 0, 0, 0, 0, 5, 40};
@@ -133,15 +98,8 @@ static int advance(double tol)
     return worst != COIN_OK;
 }
 
-static int advance6(void)
-{
-    return advance(1e-6);
-}
-
-static int advance9(void)
-{
-    return advance(1e-9);
-}
+ONCE(advance6, advance(1e-6))
+ONCE(advance9, advance(1e-9))
 
 static int move(const coin_table *table, double tol, int32_t mode, int frames)
 {
@@ -157,15 +115,8 @@ static int move_rolls(double tol)
            move(&rough, tol, COIN_OK, FRAMES);
 }
 
-static int move_rolls6(void)
-{
-    return move_rolls(1e-6);
-}
-
-static int move_rolls9(void)
-{
-    return move_rolls(1e-9);
-}
+ONCE(move_rolls6, move_rolls(1e-6))
+ONCE(move_rolls9, move_rolls(1e-9))
 
 /* It slides at 2 m/s, spinning about the vertical: it rolls after 0.7 s. */
 enum { SLIPS_FOR = 30 };
@@ -246,15 +197,8 @@ static int life(const coin_params *p, double dry, double angle)
     return coin_settle(&s, p, &l, INFINITY, 1e-9, NULL) != COIN_RESTS;
 }
 
-static int life_of_quarter(void)
-{
-    return life(&quarter, 8.5e-4, 0.5235987755982988);
-}
-
-static int life_of_disk(void)
-{
-    return life(&disk, 5.24e-5, 0.3054326190990077);
-}
+ONCE(life_of_quarter, life(&quarter, 8.5e-4, 0.5235987755982988))
+ONCE(life_of_disk, life(&disk, 5.24e-5, 0.3054326190990077))
 
 /* A row: what is called how often in a window.  The first is the unit. */
 static const struct row {

@@ -22,42 +22,20 @@ static coin_body real;
 static coin_losses slows;
 static double t;
 
-static int by_textbook(double dt)
-{
-    textbook_run(&s, &c.p, dt, 1);
-    return 0;
-}
-
-static int by_step(double dt)
-{
-    return coin_step(&s, &c.p, dt);
-}
-
-static int by_rk8(double dt)
-{
-    return coin_run(&s, &c.p, COIN_RK8, dt, 1, NULL);
-}
-
-static int by_advance6(double dt)
-{
-    return coin_advance(&s, &c.p, dt, 1e-6, NULL);
-}
-
-static int by_advance9(double dt)
-{
-    return coin_advance(&s, &c.p, dt, 1e-9, NULL);
-}
-
-static int by_orbit(double dt)
-{
-    t += dt;
-    return coin_orbit_at(&orbit, t, &s);
-}
-
-static int by_single(double dt)
-{
-    return coinf_step(&single, &body, (float)dt);
-}
+/* BY(name, call): one frame of dt. */
+#define BY(name, call)                                                         \
+    static int by_##name(double dt)                                            \
+    {                                                                          \
+        return call;                                                           \
+    }
+BY(textbook, (textbook_run(&s, &c.p, dt, 1), 0))
+BY(step, coin_step(&s, &c.p, dt))
+BY(rk8, coin_run(&s, &c.p, COIN_RK8, dt, 1, NULL))
+BY(advance6, coin_advance(&s, &c.p, dt, 1e-6, NULL))
+BY(advance9, coin_advance(&s, &c.p, dt, 1e-9, NULL))
+BY(orbit, coin_orbit_at(&orbit, t += dt, &s))
+BY(single, coinf_step(&single, &body, (float)dt))
+BY(settle, coin_settle(&s, &c.p, &slows, dt, 1e-6, NULL))
 
 static int by_move(double dt)
 {
@@ -65,11 +43,6 @@ static int by_move(double dt)
     const int32_t status = coin_move(&real, &c.p, &table, dt, 1e-6, 0, NULL);
     s = real.s;
     return status;
-}
-
-static int by_settle(double dt)
-{
-    return coin_settle(&s, &c.p, &slows, dt, 1e-6, NULL);
 }
 
 /* The first is the yardstick. */

@@ -23,9 +23,9 @@ coin_state sliding_state(const double y[SLIDING]);
 void sliding_slopes(double d[SLIDING], const double y[SLIDING],
                     const struct sliding *of);
 
-/* So many steps of h by time stepping, of order 1: velocities without friction,
- * then the impulse that stops the slip, or as much of it as friction gives, then
- * the pose. */
+/* So many steps of h by time stepping, of order 1: velocities without
+ * friction, then the impulse that stops the slip, or as much of it as friction
+ * gives, then the pose. */
 void sliding_stepping(double y[SLIDING], const struct sliding *of, double h,
                       long steps);
 

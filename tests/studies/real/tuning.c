@@ -86,17 +86,6 @@ static void report(const char *what, double tol, struct errors *e)
     e->n = e->other = 0;
 }
 
-/* Adds an error if both calls ended alike, and forgets what was counted since
- * `before`: the calls of a small tol. */
-static void note(struct errors *e, const double *before, int32_t status,
-                 int32_t wanted, double error)
-{
-    memcpy(counted, before, sizeof counted);
-    if (status == wanted && status >= 0)
-        e->at[e->n++] = error;
-    e->other += status != wanted;
-}
-
 /* A disc, or a ring, in natural units. */
 static coin_params body(struct random *r, int i)
 {
@@ -106,100 +95,97 @@ static coin_params body(struct random *r, int i)
 }
 
 /* ----------------------------------------------------------------- motions */
-enum { SLIPS, LIGHT, LOSSES };
+enum { SLIPS, LIGHT, LOSSES, SETTLE, REST, ADVANCE, THIN, UNTIL, KINDS };
 
-/* Coins that slip, for 3 units. */
-static void slips(struct errors *e, int n, int kind, double tol)
+/* Its name, how long it is, and the tol that is small. */
+static const struct kind {
+    const char *name;
+    double time, small;
+} kinds[KINDS] = {
+    {"slips", 3, 1e-12},  {"light", 3, 1e-12},   {"losses", 3, 1e-12},
+    {"settle", 5, 1e-12}, {"rest", 1000, 1e-12}, {"advance", 10, 1e-13},
+    {"thin", 10, 1e-13},  {"until", 10, 1e-12},
+};
+
+/* One of the motions: a body, what it starts from, and what slows it. */
+struct motion {
+    coin_params p;
+    coin_table table;
+    coin_body b;
+    double reached;
+};
+
+static struct motion draw(struct random *r, int kind, int i)
 {
-    static const char *const kinds[] = {"slips", "light", "losses"};
+    struct motion m = {.p = body(r, i), .reached = 0};
+    const double small = pow(10, random_between(r, -3, 0));
+    if (kind == LIGHT)
+        coin_params_body(&m.p, 1, 1, 1, 0.5 * small,
+                         small * random_between(r, 0.01, 1));
+    if (kind == THIN)
+        coin_params_body(&m.p, 1, 1, 1, 0.25, 0.5 * small);
+    m.table.mu_kinetic = random_between(r, 0.05, 0.6);
+    m.table.mu_static = m.table.mu_kinetic * random_between(r, 1, 2);
+    if (kind >= LOSSES && kind <= REST)
+        m.table.losses = random_losses(r, &m.p, 0.3);
+    if (kind == LOSSES)
+        m.table.losses.damping = 0;
+    const coin_state s = random_state(r, &m.p, kind == UNTIL ? 1 : 1.4);
+    if (kind <= LOSSES)
+        m.b = random_launch(r, &m.p);
+    else
+        coin_body_from_state(&m.b, &s, &m.p);
+    return m;
+}
+
+/* Moves it for its time, to rest, or until friction does not hold it. */
+static int32_t go(struct motion *m, int kind, double tol)
+{
+    const double t = kinds[kind].time;
+    const int32_t stop =
+        kind == UNTIL ? COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT : 0;
+    if (kind == SETTLE || kind == REST)
+        return coin_settle(&m->b.s, &m->p, &m->table.losses, t, tol,
+                           &m->reached);
+    if (kind == ADVANCE || kind == THIN)
+        return coin_advance(&m->b.s, &m->p, t, tol, &m->reached);
+    return coin_move(&m->b, &m->p, &m->table, t, tol, stop, &m->reached);
+}
+
+/* How far two are apart, per unit of time; of those that end by themselves also
+ * in when they do. */
+static double apart(const struct motion *a, const struct motion *b, int kind)
+{
+    const double late = fabs(a->reached - b->reached);
+    if (kind == REST || kind == UNTIL)
+        return late / fmax(b->reached, 1);
+    if (kind <= LOSSES)
+        return (slides_apart(&a->b, &b->b, &a->p) + late) / kinds[kind].time;
+    return states_apart(&a->b.s, &b->b.s, &a->p) / kinds[kind].time;
+}
+
+/* Adds an error if both calls ended alike, and forgets what the call of a small
+ * tol counted. */
+static void motions(struct errors *e, int n, int kind, double tol)
+{
     struct random r = random_begin(7);
     for (int i = 0; i < n; ++i) {
-        coin_params p = body(&r, i);
-        double before[COUNTED], a = 0, b = 0;
-        if (kind == LIGHT) {
-            const double IX = 0.5 * pow(10, random_between(&r, -2.6, 0));
-            coin_params_body(&p, 1, 1, 1, IX,
-                             2 * IX * random_between(&r, 0.01, 1));
-        }
-        coin_losses l = random_losses(&r, &p, 0.3);
-        const double mu = random_between(&r, 0.05, 0.6);
-        coin_table f = {.mu_static = mu,
-                        .mu_kinetic = mu * random_between(&r, 0.5, 1)};
-        if (kind == LOSSES)
-            f.losses = l;
-        f.losses.damping = 0;
-        coin_body d = random_launch(&r, &p), small = d;
-        const int32_t status = coin_move(&d, &p, &f, 3, tol, 0, &a);
-        memcpy(before, counted, sizeof before);
-        const int32_t wanted = coin_move(&small, &p, &f, 3, 1e-12, 0, &b);
-        note(e, before, status, wanted,
-             (slides_apart(&d, &small, &p) + fabs(a - b)) / (3 * tol));
-    }
-    report(kinds[kind], tol, e);
-}
-
-/* Coins with losses, for 5 units or to rest. */
-static void settles(struct errors *e, int n, double t, double tol)
-{
-    struct random r = random_begin(8);
-    for (int i = 0; i < n; ++i) {
-        const coin_params p = body(&r, i);
-        const coin_losses l = random_losses(&r, &p, 0.3);
-        coin_state s = random_state(&r, &p, 1.4), small = s;
-        double before[COUNTED], a = 0, b = 0;
-        const int32_t status = coin_settle(&s, &p, &l, t, tol, &a);
-        memcpy(before, counted, sizeof before);
-        const int32_t wanted = coin_settle(&small, &p, &l, t, 1e-12, &b);
-        const double late = fabs(a - b) / fmax(b, 1);
-        note(e, before, status, wanted,
-             (wanted == COIN_OK ? states_apart(&s, &small, &p) / t : late) /
-                 tol);
-    }
-    report(t > 5 ? "rest" : "settle", tol, e);
-}
-
-static void advances(struct errors *e, int n, int thin, double tol)
-{
-    struct random r = random_begin(10);
-    for (int i = 0; i < n; ++i) {
-        coin_params p = body(&r, i);
+        struct motion m = draw(&r, kind, i), small = m;
         double before[COUNTED];
-        if (thin)
-            coin_params_body(&p, 1, 1, 1, 0.25,
-                             0.5 * pow(10, random_between(&r, -3, 0)));
-        coin_state s = random_state(&r, &p, 1.4), small = s;
-        const int32_t status = coin_advance(&s, &p, 10, tol, NULL);
+        const int32_t status = go(&m, kind, tol);
         memcpy(before, counted, sizeof before);
-        const int32_t wanted = coin_advance(&small, &p, 10, 1e-13, NULL);
-        note(e, before, status, wanted,
-             states_apart(&s, &small, &p) / (10 * tol));
+        const int32_t wanted = go(&small, kind, kinds[kind].small);
+        memcpy(counted, before, sizeof counted);
+        if (status == wanted && status >= 0)
+            e->at[e->n++] = apart(&m, &small, kind) / tol;
+        e->other += status != wanted;
     }
-    report(thin ? "thin" : "advance", tol, e);
+    report(kinds[kind].name, tol, e);
 }
 
-static void untils(struct errors *e, int n, double tol)
-{
-    const int32_t bits = COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT;
-    struct random r = random_begin(12);
-    for (int i = 0; i < n; ++i) {
-        const coin_params p = body(&r, i);
-        const coin_state s = random_state(&r, &p, 1);
-        const double mu = random_between(&r, 0.1, 1);
-        const coin_table f = {.mu_static = mu, .mu_kinetic = 0.1};
-        coin_body d, small;
-        coin_body_from_state(&d, &s, &p);
-        small = d;
-        double before[COUNTED], a = 0, b = 0;
-        const int32_t status = coin_move(&d, &p, &f, 10, tol, bits, &a);
-        memcpy(before, counted, sizeof before);
-        const int32_t wanted = coin_move(&small, &p, &f, 10, 1e-12, bits, &b);
-        note(e, before, status, wanted, fabs(a - b) / tol);
-    }
-    report("until", tol, e);
-}
-
-/* Orbits; of coins that start next to flat without falling if `falls`.  The
- * errors of the others are in units of 1e-13 per unit. */
+/* Orbits; of coins that start next to flat without falling if `falls`, whose
+ * errors are not looked at.  The errors of the others are in units of 1e-13 per
+ * unit. */
 static void orbits(struct errors *e, int n, int falls)
 {
     static coin_orbit o;
@@ -223,9 +209,8 @@ static void orbits(struct errors *e, int n, int falls)
         if (falls)
             continue;
         coin_orbit_at(&o, 10, &at);
-        const int32_t wanted = coin_advance(&small, &p, 10, 1e-13, NULL);
-        note(e, counted, COIN_OK, wanted,
-             states_apart(&at, &small, &p) / 1e-12);
+        coin_advance(&small, &p, 10, 1e-13, NULL);
+        e->at[e->n++] = states_apart(&at, &small, &p) / 1e-12;
     }
     memset(counted, 0, sizeof counted);
     printf("refused %d, pieces %.0f, at most %.0f: ", refused, pieces, most);
@@ -242,23 +227,9 @@ int main(int argc, char **argv)
 #define IS(name) (strcmp(what, "all") == 0 || strcmp(what, name) == 0)
     for (int k = 0; k < 3; ++k) {
         static const double tols[] = {1e-2, 1e-4, 1e-9};
-        const double tol = tols[k];
-        if (IS("slips"))
-            slips(&e, n, SLIPS, tol);
-        if (IS("light"))
-            slips(&e, n, LIGHT, tol);
-        if (IS("losses"))
-            slips(&e, n, LOSSES, tol);
-        if (IS("settle"))
-            settles(&e, n, 5, tol);
-        if (IS("rest"))
-            settles(&e, n, 1000, tol);
-        if (IS("advance"))
-            advances(&e, n, 0, tol);
-        if (IS("thin"))
-            advances(&e, n, 1, tol);
-        if (IS("until"))
-            untils(&e, n, tol);
+        for (int kind = 0; kind < KINDS; ++kind)
+            if (IS(kinds[kind].name))
+                motions(&e, n, kind, tols[k]);
     }
     if (IS("orbit"))
         orbits(&e, n, 0);
