@@ -9,7 +9,7 @@ import cmath
 import math
 import re
 
-from forms import DISC, PI, Leaf, Pairs, height_of, near
+from forms import DISC, PI, Leaf, Pairs, height_of, near, needed
 
 # What animation.h says of itself.
 LEAN, SWINGS, TURNS, ROLLS = 0.6, 7, 3, 8
@@ -26,7 +26,7 @@ def swing(wY, wZ, parts=200):
     leaf = Leaf.through(DISC, PAIRS, LEAN, wY, wZ)
     y = height_of(LEAN)
     ends = y, leaf.end(y - 1e-9, leaf.potential(y), -1), leaf.potential(y)
-    gains = [sum(gain) for gain in zip(*leaf.way(*ends, parts))]
+    gains = [sum(gain) for gain in zip(*leaf.way(*ends, parts))][1:]
     return leaf, ends, gains
 
 
@@ -45,27 +45,10 @@ def rates():
     return wY, wZ
 
 
-def half_period(leaf, ends, parts=400):
-    """dt = dphi c/wY = dphi c^2/p."""
-    start, end, E = ends
-    time = 0
-    for k in range(parts):
-        x = math.cos(PI*(k + 0.5)/parts)
-        y = (start + end + x*(start - end))/2
-        wX = math.sqrt(2*(E - leaf.potential(y))/DISC.J)
-        time += (PI/parts*math.sqrt(1 - x*x)*abs(start - end)/2
-                 / (wX*math.cosh(y)))
-    return time
-
-
 def friction(leaf, y, E):
-    """F/N by (14), (16), (25)-(28)."""
-    b, s, c = DISC, math.tanh(y), 1/math.cosh(y)
     p, wZ = leaf.p_wZ(y)
-    wY, wX = p/c, math.sqrt(max(2*(E - leaf.potential(y))/b.J, 0))
-    dwX = (-b.K*wY*wZ - b.IX*wY**2*s/c + s)/b.J
-    N = 1 - (wX**2*c + dwX*s)
-    return math.hypot(wX*wY*b.IZ/b.K, wX**2*s - dwX*c - wY*wZ/c)/N
+    return needed(DISC, math.asin(math.tanh(y)),
+                  max(2*(E - leaf.potential(y))/DISC.J, 0), p*math.cosh(y), wZ)
 
 
 def seen(z, y=0):
@@ -81,7 +64,7 @@ def contact_path(leaf, ends, parts=2000):
     """Of half a swing, its rosette's centre in the middle: (21), (22).  The
     rosette's next half is the mirror image in the line of the heading there."""
     path, phi = [0], 0
-    for dphi, dpsi in leaf.way(*ends, parts):
+    for _, dphi, dpsi in leaf.way(*ends, parts):
         path.append(path[-1] - 1j*dpsi*cmath.exp(1j*(phi + dphi/2)))
         phi += dphi
     # The centre lies on both lines across the contact's way, at either end.
@@ -164,7 +147,7 @@ def document(text):
 def animation(text):
     document(text)
     leaf, ends, _ = swing(*rates())
-    seconds = 2*SWINGS*half_period(leaf, ends)*SECONDS*SLOWER
+    seconds = 2*SWINGS*sum(dt for dt, *_ in leaf.way(*ends, 400))*SECONDS*SLOWER
     for dur in re.findall(r'dur="([0-9.]+)s"', text):
         near("animation, duration", float(dur), seconds, 0.02)
     heights = [float(v) for v in re.search(r'"cy" dur.*values="([^"]*)"',

@@ -16,8 +16,8 @@ import sys
 
 from animation import animation
 from forms import (DISC, PI, Body, Leaf, Pairs, apart, height_of, lambda2,
-                   lines, near, on_leaf, pair, potential, slope, slow_circle,
-                   unlike)
+                   lines, near, on_leaf, pair, potential, root, slope,
+                   slow_circle, unlike)
 from rest import fixed, rest
 from slip import drawn_slides, slides, slip_map
 from sweep import sweep
@@ -58,15 +58,10 @@ def half_petal(inner, theta, wZ, low, high, turns, petals):
         leaf, *swing = dropped(b, pairs, theta, wY, wZ)
         return leaf.turn(*swing) - 2*PI*turns/petals
     below = excess(low)
-    for _ in range(30):
-        middle = (low + high)/2
-        if excess(middle)*below > 0:
-            low = middle
-        else:
-            high = middle
+    low = root(lambda wY: excess(wY)*below <= 0, low, high)
     leaf, *swing = dropped(b, pairs, theta, low, wZ)
     path, phi = [complex(-math.sin(theta), 0)], 0
-    for dphi, dpsi in leaf.way(*swing, 400):
+    for _, dphi, dpsi in leaf.way(*swing, 400):
         path.append(path[-1] - 1j*dpsi*cmath.exp(1j*(phi + dphi/2)))  # (22)
         phi += dphi
     return path
@@ -174,13 +169,8 @@ def steady_lean(KY, KZ):
         for side in (0.01, -0.01):
             low, high = k*side, (k + 1)*side
             if push(low)*push(high) <= 0:
-                for _ in range(60):
-                    middle = (low + high)/2
-                    if push(low)*push(middle) > 0:
-                        low = middle
-                    else:
-                        high = middle
-                return low
+                return root(lambda theta: push(low)*push(theta) <= 0, low,
+                            high)
 
 
 def small_nods(KY, KZ):

@@ -48,15 +48,54 @@ def on_leaf(b, theta, KY, KZ):
     return rates(b, theta, pair(b, theta), KY, KZ)
 
 
-def potential(b, theta, KY, KZ):
-    wY, wZ = on_leaf(b, theta, KY, KZ)
+def energy(b, theta, wY, wZ):
+    """Of a coin whose lean does not change."""
     return (b.IX*wY**2 + b.K*wZ**2)/2 + math.cos(theta)          # (48)
 
 
-def slope(b, theta, KY, KZ):
-    wY, wZ = on_leaf(b, theta, KY, KZ)
+def push(b, theta, wY, wZ):
+    """-J wX'."""
     return (b.K*wY*wZ + b.IX*wY**2*math.tan(theta)
             - math.sin(theta))                                   # (39)
+
+
+def potential(b, theta, KY, KZ):
+    return energy(b, theta, *on_leaf(b, theta, KY, KZ))
+
+
+def slope(b, theta, KY, KZ):
+    return push(b, theta, *on_leaf(b, theta, KY, KZ))
+
+
+def needed(b, theta, wX2, wY, wZ):
+    """F over N of a coin that rolls; infinite if N is not above 0."""
+    s, c = math.sin(theta), math.cos(theta)
+    dwX = -push(b, theta, wY, wZ)/b.J
+    N = 1 - wX2*c - dwX*s                                        # (27)
+    if N <= 0:
+        return math.inf
+    return math.hypot(math.sqrt(wX2)*wY*b.IZ/b.K,
+                      wX2*s - dwX*c - wY*wZ/c)/N                 # (25), (26)
+
+
+def root(rises, low, high):
+    """Where something between begins to hold that does not hold at `low`."""
+    for _ in range(60):
+        middle = (low + high)/2
+        low, high = (low, middle) if rises(middle) else (middle, high)
+    return low
+
+
+def rk4(slopes, y, h):
+    """A step; slopes gives those of y, and may give more."""
+    def at(k, part):
+        return slopes([a + part*h*b for a, b in zip(y, k)])
+    k1 = slopes(y)
+    k2 = at(k1, 0.5)
+    k3 = at(k2, 0.5)
+    k4 = at(k3, 1)
+    return [a + h/6*(p + 2*q + 2*r + v)
+            for a, p, q, r, v in zip(y, k1, k2, k3, k4)]
 
 
 def lambda2(b, theta, wY, wZ):
@@ -129,14 +168,7 @@ class Pairs:
         return self.kap*Wo*c2, We*c2, self.kap*Po, Pe
 
     def step(self, y, h, of):
-        def moved(by, d):
-            return [v + by*w for v, w in zip(of, d)]
-        d1 = self.slope(y, of)
-        d2 = self.slope(y + h/2, moved(h/2, d1))
-        d3 = self.slope(y + h/2, moved(h/2, d2))
-        d4 = self.slope(y + h, moved(h, d3))
-        return moved(h/6, [p + 2*q + 2*r + s
-                           for p, q, r, s in zip(d1, d2, d3, d4)])
+        return rk4(lambda y: (1, *self.slope(y[0], y[1:])), [y, *of], h)[1:]
 
     def at(self, y):
         k = int(abs(y)/self.H)
@@ -175,17 +207,10 @@ class Leaf:
         step = 0.05*side
         while self.potential(y + step) <= E:
             y += step
-        out = y + step
-        for _ in range(60):
-            middle = (y + out)/2
-            if self.potential(middle) <= E:
-                y = middle
-            else:
-                out = middle
-        return y
+        return root(lambda y: self.potential(y) > E, y, y + step)
 
     def way(self, start, end, E, n):
-        """dphi and dpsi of (55) from one end of a swing to the other, in n
+        """dt, dphi and dpsi of (55) from one end of a swing to the other, in n
         parts, the same angles of Chebyshev's."""
         for k in range(n):
             x = math.cos(PI*(k + 0.5)/n)
@@ -193,14 +218,14 @@ class Leaf:
             p, wZ = self.p_wZ(y)
             wX = math.sqrt(2*(E - self.potential(y))/self.b.J)
             part = PI/n*math.sqrt(1 - x*x)*abs(start - end)/2/wX
-            yield (part*p*math.cosh(y),
+            yield (part/math.cosh(y), part*p*math.cosh(y),
                    part*(wZ/math.cosh(y) + p*math.sinh(y)))
 
     def turn(self, start, end, E):
         """Of the heading, there and back; to 1e-7."""
         n, last = 50, math.inf
         while True:
-            turn = 2*sum(dphi for dphi, _ in self.way(start, end, E, n))
+            turn = 2*sum(dphi for _, dphi, _ in self.way(start, end, E, n))
             if abs(turn - last) < 1e-7:
                 return turn
             n, last = 2*n, turn

@@ -5,27 +5,28 @@ import bisect
 import math
 import re
 
-from forms import DISC, height_of, integrals, lines, near, rates, unlike
+from forms import (DISC, energy, height_of, integrals, lines, near, needed,
+                   push, rates, rk4, unlike)
 from sweep import HERE, LEANS, PAIRS
 
 STATIC, KINETIC = 0.3, 0.27
 IX, IZ, J, K = DISC.IX, DISC.IZ, DISC.J, DISC.K
 
 
-def accelerations(theta, wX, wY, wZ, push):
-    """wX', wY', wZ', N, for friction of push[0] N along e_X and push[1] N along
+def accelerations(theta, wX, wY, wZ, pull):
+    """wX', wY', wZ', N, for friction of pull[0] N along e_X and pull[1] N along
     e_h = s e_Y + c e_Z: L' = -e_Y x R, (2), and the centre's height is cos
     theta."""
     s, c, T = math.sin(theta), math.cos(theta), math.tan(theta)
     free = -wY*(IZ*wZ + IX*wY*T)/IX
-    per_N = (s - push[1]*c)/IX
+    per_N = (s - pull[1]*c)/IX
     N = (1 - s*free - c*wX*wX)/(1 + s*per_N)
-    return (free + per_N*N, wX*(wY*T + IZ/IX*wZ), push[0]*N/IZ, N)
+    return (free + per_N*N, wX*(wY*T + IZ/IX*wZ), pull[0]*N/IZ, N)
 
 
 def slipping(y, soft):
-    """The slopes of theta, phi, wX, wY, wZ, vX, vh, x, z; soft rounds the corner
-    of Coulomb's law."""
+    """The slopes of theta, phi, wX, wY, wZ, vX, vh, x, z, and N; soft rounds the
+    corner of Coulomb's law."""
     theta, phi, wX, wY, wZ, vX, vh, _, _ = y
     c = math.cos(theta)
     uX, uh = vX + wZ, vh - wX*c                                  # (77)
@@ -34,7 +35,7 @@ def slipping(y, soft):
     turn = wY/c
     return (wX, turn, dX, dY, dZ, k*uX*N - turn*vh, k*uh*N + turn*vX,
             vX*math.cos(phi) + vh*math.sin(phi),
-            vh*math.cos(phi) - vX*math.sin(phi)), N
+            vh*math.cos(phi) - vX*math.sin(phi), N)
 
 
 def rolling(y):
@@ -44,18 +45,7 @@ def rolling(y):
     vX, vh = -wZ, wX*c
     return (wX, wY/c, (s - K*wY*wZ - IX*wY*wY*T)/J, wX*(wY*T + IZ/IX*wZ),
             wX*wY/K, vX*math.cos(phi) + vh*math.sin(phi),
-            vh*math.cos(phi) - vX*math.sin(phi)), None
-
-
-def rk4(slopes, y, h):
-    def at(k, part):
-        return slopes([a + part*h*b for a, b in zip(y, k)])[0]
-    k1 = slopes(y)[0]
-    k2 = at(k1, 0.5)
-    k3 = at(k2, 0.5)
-    k4 = at(k3, 1)
-    return [a + h/6*(p + 2*q + 2*r + v)
-            for a, p, q, r, v in zip(y, k1, k2, k3, k4)]
+            vh*math.cos(phi) - vX*math.sin(phi))
 
 
 def moved(slopes, y, t, longest):
@@ -144,40 +134,27 @@ def launch(column, row, wZ, low):
             low + (row + 0.5)*SPIN/ROWS, wZ)
 
 
-def needed(theta, wX2, wY, wZ):
-    """F over N of a coin that rolls; infinite if N is not above 0."""
-    s, c, T = math.sin(theta), math.cos(theta), math.tan(theta)
-    dX = (s - K*wY*wZ - IX*wY*wY*T)/J
-    N = 1 - s*dX - c*wX2
-    if N <= 0:
-        return math.inf
-    Fh = (N*s - IX*dX - wY*(IZ*wZ + IX*wY*T))/c
-    return math.hypot(IZ/K*math.sqrt(wX2)*wY, Fh)/N
-
-
 def slips_at(theta, wY, wZ):
     """When a coin let go first needs more friction than STATIC, or infinity, and
     how close to STATIC the most of a swing comes: from its integrals, as
     sweep.Swing."""
-    def V(at, wY, wZ):
-        return (IX*wY*wY + K*wZ*wZ)/2 + math.cos(at)
     KYZ = integrals(PAIRS.at(height_of(theta)), wY*math.cos(theta), wZ, DISC)
-    E, here = V(theta, wY, wZ), bisect.bisect(LEANS, theta)
-    falls = K*wY*wZ + IX*wY*wY*math.tan(theta) < math.sin(theta)
+    E, here = energy(DISC, theta, wY, wZ), bisect.bisect(LEANS, theta)
+    falls = push(DISC, theta, wY, wZ) < 0
     way = range(here, len(LEANS)) if falls else range(here - 1, -1, -1)
-    most, when, t, last, left = needed(theta, 0, wY, wZ), math.inf, 0, theta, 0
+    most, when, t, last, left = needed(DISC, theta, 0, wY, wZ), math.inf, 0, theta, 0
     for k in way:
         at = rates(DISC, LEANS[k], HERE[k], *KYZ)
-        more = E - V(LEANS[k], *at)
+        more = E - energy(DISC, LEANS[k], *at)
         if more < 0 or most > 1.1*STATIC:
             break
         t += abs(LEANS[k] - last)*math.sqrt(2*J)/(math.sqrt(left)
                                                   + math.sqrt(more))
         last, left = LEANS[k], more
-        most = max(most, needed(last, 2*more/J, *at))
+        most = max(most, needed(DISC, last, 2*more/J, *at))
         if most > STATIC:
             when = min(when, t)
-    return (0 if needed(theta, 0, wY, wZ) > STATIC else when,
+    return (0 if needed(DISC, theta, 0, wY, wZ) > STATIC else when,
             abs(most/STATIC - 1))
 
 
@@ -185,7 +162,7 @@ def lifts(theta, wY, wZ):
     """Whether it does within TIME, by Coulomb's law with a round corner."""
     y, t, soft = [theta, 0, 0, wY, wZ, -wZ, 0, 0, 0], 0, 2e-3
     while t < TIME:
-        slopes, N = slipping(y, soft)
+        *_, N = slipping(y, soft)
         if N <= 0:
             return True
         rate = KINETIC*N*(1 + 1/IX)/math.hypot(speed(y), soft)

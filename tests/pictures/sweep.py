@@ -8,7 +8,8 @@ is reached: so who falls, when, and how far the others nod.
 import bisect
 import math
 
-from forms import DISC, PI, Pairs, height_of, integrals, near, rates
+from forms import (DISC, PI, Pairs, energy, height_of, integrals, near, push,
+                   rates)
 
 # What sweep.c says of itself: the spin, the rate beyond which a step is coarse
 # and a coin counts as fallen, the calls and their time, the two scales.
@@ -41,11 +42,6 @@ def meanings():
                     for k in range(1, CALLS + 1)}
 
 
-def push(theta, wY, wZ):
-    return (DISC.K*wY*wZ + DISC.IX*wY**2*math.tan(theta)
-            - math.sin(theta))                                   # (39)
-
-
 class Swing:
     """From a lean to the other end: fastest, the largest W on the way; fell,
     when it was FALLEN; end and until, the last lean and when; pull, the wX' of
@@ -53,20 +49,16 @@ class Swing:
 
     def __init__(self, theta, wY, wZ, of):
         K = integrals(of, wY*math.cos(theta), wZ, DISC)
-        self.height = self.potential(theta, wY, wZ)
+        self.height = energy(DISC, theta, wY, wZ)
         self.fastest, self.fell, self.until = 0, math.inf, 0
         self.end, self.left = theta, 0
         self.look(theta, 0, wY, wZ)
         here = bisect.bisect(LEANS, theta)
-        for k in (range(here - 1, -1, -1) if push(theta, wY, wZ) > 0
+        for k in (range(here - 1, -1, -1) if push(DISC, theta, wY, wZ) > 0
                   else range(here, len(LEANS))):
             if not self.go(LEANS[k], *rates(DISC, LEANS[k], HERE[k], *K)):
                 return
         self.fell = min(self.fell, self.until)
-
-    @staticmethod
-    def potential(theta, wY, wZ):
-        return (DISC.IX*wY**2 + DISC.K*wZ**2)/2 + math.cos(theta)     # (48)
 
     def look(self, theta, wX2, wY, wZ):
         c = math.cos(theta)
@@ -74,11 +66,11 @@ class Swing:
         self.fastest = max(self.fastest, math.sqrt(W2))
         if W2 > FALLEN**2:
             self.fell = min(self.fell, self.until)
-        self.pull = abs(push(theta, wY, wZ))/DISC.J
+        self.pull = abs(push(DISC, theta, wY, wZ))/DISC.J
 
     def go(self, theta, wY, wZ):
         """To the next lean; false if the swing ends before."""
-        more = self.height - self.potential(theta, wY, wZ)
+        more = self.height - energy(DISC, theta, wY, wZ)
         on = theta - self.end
         if more < 0:
             on *= self.left/(self.left - more)

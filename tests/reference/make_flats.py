@@ -24,7 +24,6 @@ import make_reference
 
 HERE = pathlib.Path(__file__).resolve().parent
 STARTS = 24
-ORDER_OF_SERIES = "theta wX wY wZ phi psi x z".split()
 STATE = "theta phi psi x z wX wY wZ".split()
 
 
@@ -46,21 +45,13 @@ def spin(b, theta, wX, wZ, far):
     return float((wanted - none) / slope / mp.cos(theta))
 
 
-def integrate(start, digits, order, times, turns=None):
-    scene = ("", 1.0, 1.0, start[0], 1.0) + start[1:] + (times, "flat")
-    number = make_reference.Num(digits)
-    ys = make_reference.integrate(scene, digits, order, times, turns=turns)
-    return [dict(zip(ORDER_OF_SERIES, [number.out(v) for v in y]))
-            for y in ys]
-
-
 def first_pass(start):
     """When it passes the table, how far from it, and how fast."""
     turns = []
-    integrate(start, 30, 34, [8.0], turns)
+    make_reference.motion(start, [8.0], turns=turns)
     turn = next(t for t in turns if mp.pi / 2 - abs(t[1]) < 0.02)
     time = float(turn[0])
-    y = integrate(start, 30, 34, [time])[0]
+    y = make_reference.motion(start, [time])[0]
     d = mp.pi / 2 - abs(y["theta"])
     W = mp.sqrt((y["wX"] ** 2 + y["wY"] ** 2) / mp.sin(d) ** 2)
     return time, d, W
@@ -82,14 +73,11 @@ def rows(r, i):
     middle, d, W = first_pass(start)
     near = [float(middle + k / W) for k in (-1, 0, 2, 100)]
     back = (b, theta, -wX, start[3], wZ)
-    ahead = integrate(start, 30, 34, near + [20.0])
-    mirror = integrate(back, 30, 34, [15.0])[0]
+    ahead = make_reference.motion_twice(start, near + [20.0], STATE[:5],
+                                        i % 4 == 0)
+    mirror = make_reference.motion(back, [15.0])[0]
     for name in ("wX", "phi", "psi", "x"):
         mirror[name] = -mirror[name]
-    if i % 4 == 0:
-        again = integrate(start, 34, 39, near + [20.0])
-        assert max(abs(a[n] - c[n]) for a, c in zip(ahead, again)
-                   for n in ("theta", "phi", "psi", "x", "z")) < 1e-18
     print(i, nstr(d, 3), nstr(W, 3), middle, flush=True)
     for t, y in zip(near + [20.0, -15.0], ahead + [mirror]):
         yield ([repr(v) for v in start] + [nstr(d, 6), nstr(W, 6), repr(t)] +

@@ -16,9 +16,10 @@ usage: make_orbits.py [FILE]    (needs python3-mpmath)
 import pathlib
 import sys
 
-from mpmath import mp, mpf, mpc, nstr
+from mpmath import mp, mpf, mpc
 
 import make_reference
+from make_reference import number
 
 HERE = pathlib.Path(__file__).resolve().parent
 DIGITS, ORDER = 60, 72
@@ -71,13 +72,9 @@ def quadrature(scene, low, high):
 
 
 def integrate(scene, times, turns=None):
-    number = make_reference.Num(DIGITS)
+    N = make_reference.Num(DIGITS)
     ys = make_reference.integrate(scene, DIGITS, ORDER, times, turns=turns)
-    return [[number.out(v) for v in y] for y in ys]
-
-
-def out(v):
-    return nstr(v, 17, min_fixed=1, max_fixed=0)
+    return [[N.out(v) for v in y] for y in ys]
 
 
 def period_of(name, scene, compare=True):
@@ -108,7 +105,7 @@ def main():
                 " number, in this order:\n# " + " ".join(SCENES) + "\n")
         f.write("scene,period,heading,roll,theta_min,theta_max,"
                 "t,theta,phi,psi,x,z,wX,wY,wZ\n")
-        for number, name in enumerate(SCENES):
+        for which, name in enumerate(SCENES):
             scene = scenes[name]
             # In nearflat the rule would need 1e4 points.
             T, end, low, high = period_of(name, scene, name != "nearflat")
@@ -124,7 +121,7 @@ def main():
                 at = fixed + mp.expjpi(n * end[4] / mp.pi) * (mpc(z, x) - fixed)
                 row = [T, end[4], end[5], low, high, t, th, phi + n * end[4],
                        psi + n * end[5], at.imag, at.real, wX, wY, wZ]
-                f.write(",".join([str(number)] + [out(v) for v in row]) + "\n")
+                f.write(",".join([str(which)] + [number(v) for v in row]) + "\n")
                 f.flush()
 
 

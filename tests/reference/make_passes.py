@@ -17,17 +17,15 @@ usage: make_passes.py [FOLDER]    (needs python3-mpmath)
 import pathlib
 import sys
 
-from mpmath import mp, mpf, nstr
+from mpmath import mp, mpf
 
 import make_reference
+from make_reference import number
 
 HERE = pathlib.Path(__file__).resolve().parent
 THETA = 0.3
+STATE = "theta phi psi x z wX wY wZ".split()
 DIGITS, ORDER = 45, 52
-
-
-def number(v):
-    return nstr(v, 17, min_fixed=1, max_fixed=0)
 
 
 def body(b):
@@ -39,10 +37,10 @@ def body(b):
 
 def motion(b, s, time):
     """The state after a time, and the turning points on the way."""
-    scene = ("", 1.0, 1.0, b, 1.0, THETA, 0.0, s, s, [time], "pass")
     turns = []
-    y = make_reference.integrate(scene, DIGITS, ORDER, turns=turns)[-1]
-    return y, turns
+    state, = make_reference.motion((b, THETA, 0.0, s, s), [time], DIGITS, ORDER,
+                                   turns)
+    return state, turns
 
 
 def by_quadrature(b, s, d):
@@ -94,9 +92,7 @@ def passes():
             t = turns[1][0]
             # The state at the double next to t, as a test can ask for it.
             time = float(t)
-            y, _ = motion(b, s, time)
-            N = make_reference.Num(DIGITS)
-            end = [N.out(v) for v in y]
+            end, _ = motion(b, s, time)
             yield b, s, d, time, t, turns[1], end
             print(b, s, number(d), flush=True)
 
@@ -140,9 +136,8 @@ def main():
         t2, phi2 = by_quadrature(b, mpf(s), d)
         print("   ", mp.nstr(t2 - t, 3), mp.nstr(phi2 - turn[2], 3))
         assert abs(t2 - t) < 1e-20 and abs(phi2 - turn[2]) < 1e-20
-        theta, wX, wY, wZ, phi, psi, x, z = end
         rows.append([repr(b), repr(s), repr(time), number(d)] +
-                    [number(v) for v in (theta, phi, psi, x, z, wX, wY, wZ)])
+                    [number(end[n]) for n in STATE])
     write(folder, "passes.csv", "# see make_passes.py\n"
           "b,s,t,d,theta,phi,psi,x,z,wX,wY,wZ", rows)
 

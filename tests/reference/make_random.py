@@ -17,26 +17,18 @@ import subprocess
 import sys
 import tempfile
 
-from mpmath import mp, nstr
+from mpmath import nstr
 
-import make_reference
+from make_reference import motion_twice, number
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCENES, TIME = 100, 100.0
 STATE = "theta phi psi x z wX wY wZ".split()
-ORDER_OF_SERIES = "theta wX wY wZ phi psi x z".split()
 
 
 def start(r):
     u = r.uniform
     return (u(0, 1), u(-1, 1), u(-2, 2), u(-2, 2), u(-2, 2))
-
-
-def end(b, theta, wX, wY, wZ, digits, order):
-    scene = ("", 1.0, 1.0, b, 1.0, theta, wX, wY, wZ, [TIME], "random")
-    y = make_reference.integrate(scene, digits, order)[-1]
-    number = make_reference.Num(digits)
-    return dict(zip(ORDER_OF_SERIES, [number.out(v) for v in y]))
 
 
 def amp(b, theta, wX, wY, wZ, last):
@@ -63,13 +55,9 @@ def main():
                       STATE + ["amp"])]
     for i in range(SCENES):
         scene = start(r)
-        last = end(*scene, 30, 34)
-        if i % 10 == 0:
-            again = end(*scene, 34, 39)
-            mp.dps = 34
-            assert max(abs(last[n] - again[n]) for n in STATE) < 1e-18
+        last, = motion_twice(scene, [TIME], STATE, i % 10 == 0)
         cells = [repr(v) for v in scene]
-        cells += [nstr(last[n], 16, min_fixed=1, max_fixed=0) for n in STATE]
+        cells += [number(last[n], 16) for n in STATE]
         lines.append(",".join(cells + [amp(*scene, last)]))
         print(i, lines[-1][-8:], flush=True)
     pathlib.Path(out).write_text("\n".join(lines) + "\n")

@@ -165,6 +165,21 @@ def integrate(sc, digits=60, order=72, times=None, y0=None, turns=None, safety=0
     integrate.steps = nsteps
     return out
 
+SERIES = 'theta wX wY wZ phi psi x z'.split()
+def motion(start, times, digits=30, order=34, turns=None):
+    """The states at the times, by name, of a ring b with M = a = g = 1 and the pose 0 that starts with theta, wX, wY, wZ."""
+    N = Num(digits)
+    ys = integrate(('', 1.0, 1.0, start[0], 1.0, *start[1:], times, ''), digits, order, turns=turns)
+    return [dict(zip(SERIES, map(N.out, y))) for y in ys]
+
+def motion_twice(start, times, names, again=True):
+    """The same; if again, by a series of other order and digits too, which must agree to 1e-18."""
+    rows = motion(start, times)
+    if again:
+        others = motion(start, times, 34, 39)
+        assert max(abs(a[n] - b[n]) for a, b in zip(rows, others) for n in names) < 1e-18
+    return rows
+
 def log_abs(v, N):
     if HAVE:
         m, e = gmpy2.frexp(v)[1], gmpy2.frexp(v)[0]
@@ -209,10 +224,13 @@ HEAD = """# rolling coin reference trajectory, scene %(name)s: %(note)s
 # KY,KZ: the two linear integrals = wY and wZ carried along the orbit to theta=0 (physics.md).
 # xc,zc: contact point. q0..q3: orientation quaternion (1,i,j,k), q=q_y(phi) q_x(theta) q_z(psi).
 """
+def number(v, digits=17):
+    return mpmath.nstr(v, digits, min_fixed=1, max_fixed=0)
+
 def fmt(v):
+    """The same with an exponent always."""
     if v == 0: return '0'
-    s = mpmath.nstr(v, 17, min_fixed=1, max_fixed=0)
-    m, _, e = s.partition('e')
+    m, _, e = number(v).partition('e')
     return m + 'e' + (e or '+0')
 
 def main():

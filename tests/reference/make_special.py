@@ -15,7 +15,7 @@ import os
 
 from mpmath import mp, mpf
 
-from make_reference import phi_matrix
+from make_reference import fmt, phi_matrix
 
 mp.dps = 60
 HEAD = """\
@@ -53,13 +53,6 @@ def row(b, u):
     return [kappa] + list(phi_matrix(kappa, mpf(u))) + [R, S, PR, PS]
 
 
-def number(v):
-    if v == 0:
-        return '0'
-    text = mp.nstr(v, 17, min_fixed=1, max_fixed=0)
-    return text if 'e' in text else text + 'e+0'
-
-
 def main():
     ap = argparse.ArgumentParser()
     ap.add_argument('--out', default=os.path.dirname(os.path.abspath(__file__)))
@@ -68,7 +61,7 @@ def main():
         for b in (0.0, 0.5, 1.0):
             for u in LEANS:
                 f.write(','.join([repr(b), repr(u)] +
-                                 [number(v) for v in row(b, u)]) + '\n')
+                                 [fmt(v) for v in row(b, u)]) + '\n')
 
 
 if __name__ == '__main__':

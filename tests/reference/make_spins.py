@@ -13,23 +13,13 @@ usage: make_spins.py [FILE]    (needs python3-mpmath)
 import pathlib
 import sys
 
-from mpmath import mp, nstr
-
-import make_reference
+from make_reference import motion_twice, number
 
 HERE = pathlib.Path(__file__).resolve().parent
 LEANS = (1e-9, 1e-7, 1e-5, 1e-3, 0.02, 0.2)
 SPINS = (1.5, 5.0, 22.0)
 TIMES = [1.0, 8.0]
 STATE = "theta phi psi x z".split()
-ORDER_OF_SERIES = "theta wX wY wZ phi psi x z".split()
-
-
-def ends(b, theta, wX, wY, wZ, digits, order):
-    scene = ("", 1.0, 1.0, b, 1.0, theta, wX, wY, wZ, TIMES, "spin")
-    number = make_reference.Num(digits)
-    return [dict(zip(ORDER_OF_SERIES, [number.out(v) for v in y]))
-            for y in make_reference.integrate(scene, digits, order)]
 
 
 def main():
@@ -42,16 +32,11 @@ def main():
     for i, (b, lean, wY) in enumerate(starts):
         nudge = lean * wY
         scene = (b, lean, nudge * (i % 3 - 1), wY, nudge * (i // 3 % 3 - 1))
-        rows = ends(*scene, 30, 34)
-        if i % 6 == 0:
-            again = ends(*scene, 34, 39)
-            mp.dps = 34
-            assert max(abs(r[n] - s[n]) for r, s in zip(rows, again)
-                       for n in STATE) < 1e-18
+        rows = motion_twice(scene, TIMES, STATE, i % 6 == 0)
         for t, row in zip(TIMES, rows):
             lines.append(",".join(
                 [repr(v) for v in scene] + [repr(t)] +
-                [nstr(row[n], 17, min_fixed=1, max_fixed=0) for n in STATE]))
+                [number(row[n]) for n in STATE]))
     pathlib.Path(out).write_text("\n".join(lines) + "\n")
 
 
