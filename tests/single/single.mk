@@ -3,8 +3,7 @@
 # The library as one header: included by the Makefile.
 
 .PHONY: single-check
-single-check: dist build-tests ## all tests on the single header, as C and C++
-	+$(GATE) SINGLE=$(abspath $(SINGLE)) RELEASE=$(abspath $(SINGLES)) PROGS='$(abspath $(TEST_PROGS))' \
-	    SUPPORT='$(abspath $(TEST_EXTRA))' SEES='$(subst ','\'',$(TEST_SEES))' \
-	    CMOCKA="$(CMOCKA)" CMOCKA_LIBS="$(CMOCKA_LIBS)" \
-	    sh $(SRC)/tests/single/single.sh
+single-check: dist build-tests ## all tests on the single header, as C++
+	+$(GATE) SINGLE=$(abspath $(SINGLE)) RELEASE=$(abspath $(SINGLES)) \
+	    PROGS='$(abspath $(TEST_PROGS))' SUPPORT='$(abspath $(TEST_EXTRA))' \
+	    CMOCKA_LIBS="$(CMOCKA_LIBS)" sh $(SRC)/tests/single/single.sh

@@ -1,10 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The whole library as one header, by a user's own flags: all tests pass on it,
-# in the user's file and as a file of its own, as C and as C++; it moves coins
-# by the pinned bits; it keeps its names and its flags to itself.
-# From `make single-check`: CC SRC OUT SINGLE RELEASE PROGS SUPPORT SEES CMOCKA
-# CMOCKA_LIBS.
+# compiled as C++; it moves coins by the pinned bits, inside the user's file; it
+# keeps its names, its macros and its flags to itself.
+# From `make single-check`: CC SRC OUT SINGLE RELEASE PROGS SUPPORT CMOCKA_LIBS.
 set -eu
 work=$OUT/single/check
 here=$(dirname "$SINGLE")
@@ -13,25 +12,6 @@ mkdir -p "$work"
 . "$SRC/tests/at_once.sh"
 
 fail() { echo "FAILED: $*" | tee -a "$work/failed"; }
-
-# passes PROGRAM NAME: runs a test.
-passes()
-{
-    "$1" >"$1.log" 2>&1 && return
-    tail -5 "$1.log"
-    fail "$2: $(basename "$1")"
-}
-
-# programs LEFT_OUT: the names of the tests but those left out.
-programs()
-{
-    for program in $PROGS; do
-        case " $1 " in
-        *" $(basename "$program") "*) ;;
-        *) basename "$program" ;;
-        esac
-    done
-}
 
 # ------------------------------------------------------------------- dialects --
 # Clean under a user's warnings, with the code, which is C99 or C++11, and
@@ -78,34 +58,20 @@ for compiler in "gcc -O2 -std=c99" "clang -O2" "g++ -x c++" "clang++ -x c++ -O2"
 done
 echo "the release of the header compiles without a warning"
 
-# ---------------------------------------------------- tests, in the user's file
-# What sources share is extern here, since tests/support calls some of it.
-rooms=$(for room in "$SRC"/lib/*/; do printf '%s ' "-I'$room'"; done)
-mkdir "$work/inside"
-for file in "$SRC"/tests/support/*.c; do
-    # shellcheck disable=SC2086
-    eval $CC -std=c11 -w -O1 -I"$here" "$rooms" "$SEES" $CMOCKA -c "$file" \
-        -o "$work/inside/$(basename "$file" .c).o"
-done
-# inside NUMBER TEST: a test with the code in its own file, and after it the
-# macros of kind.h, which the code takes back and headers of lib/ that it holds
-# use.
-inside()
+# ------------------------------------------------------------------ its macros --
+# Beyond those of the C library's headers each has a name of the library's own.
+macros()
 {
-    # shellcheck disable=SC2086
-    eval clang -std=c99 -w -O0 -D_POSIX_C_SOURCE=200809L -DCOIN_IMPLEMENTATION \
-        -DCOIN_PRIV=extern -include "$SINGLE" -include kind.h \
-        -I"$here" "$rooms" -I"$SRC/tests/support" "$SEES" $CMOCKA \
-        "$SRC/tests/$2.c" "$work/inside/*.o" -o "$work/inside/$2" \
-        $CMOCKA_LIBS -lm && passes "$work/inside/$2" inside || fail "inside: $2"
+    $CC -dM -E "$@" - | sed 's/^#define \([A-Za-z_0-9]*\).*/\1/' |
+        LC_ALL=C sort
 }
-# Three tests compile what the header has compiled already, and so would define
-# it twice, or not at all: lib/motion/angles.t.h for lanes, lib/step/lanes.c, and
-# lib/step/advance.h with its steps counted.
-programs "test_angles test_batch test_passes" >"$work/names"
-test -s "$work/names" || fail "no test"
-at_once inside <"$work/names"
-echo "$(wc -l <"$work/names") tests run, each with the code inside"
+grep '^ *#include <' "$SINGLE" | macros >"$work/theirs"
+echo '#include <coin.h>' | macros -I"$here" -DCOIN_IMPLEMENTATION |
+    LC_ALL=C comm -13 "$work/theirs" - >"$work/macros"
+grep -q COIN_IMPLEMENTED "$work/macros" &&
+    ! grep -vE '^(COINF?_|ROLLCOIN_|coinf?_priv_)' "$work/macros" ||
+    fail "its macros"
+echo "leaves $(wc -l <"$work/macros") macros, by names of its own"
 
 # -------------------------------------------------- tests, by a file of its own
 # As C++ all of them; by clang those that look at exceptions, which it raises
@@ -127,8 +93,8 @@ linked()
     program=$work/$1/$4
     # shellcheck disable=SC2086
     $CC "$(dirname "${PROGS%% *}")/$4.o" $SUPPORT "$work/$1/coin.o" \
-        $CMOCKA_LIBS -lm -o "$program" && passes "$program" "$2" ||
-        fail "$4, $2"
+        $CMOCKA_LIBS -lm -o "$program" && "$program" >"$program.log" 2>&1 ||
+        { tail -5 "$program.log"; fail "$4, $2"; }
 }
 cat >"$work/apart" <<'END'
 clang -x c -std=c99 -O3 -march=native -ffp-exception-behavior=maytrap -DCOIN_PRIV=extern
@@ -140,7 +106,7 @@ while read -r compiler; do
     folder=$((folder + 1))
     case $compiler in
     clang*) printf '%s\n' $traps ;;
-    *) programs "" ;;
+    *) printf '%s\n' $PROGS | sed 's,.*/,,' ;;
     esac >"$work/names"
     at_once linked $folder "$compiler" <"$work/names"
     echo "$(wc -l <"$work/names") tests run, $compiler"
@@ -166,9 +132,6 @@ gcc -std=gnu11 -O3 -march=native -ffp-contract=fast
 g++ -x c++ -O3 -march=native
 clang -std=gnu11 -O3 -march=native
 clang++ -x c++ -O3 -march=native
-gcc -O2 -flto
-musl-gcc -O2 -static
-gcc -O0
 tcc
 END
 
