@@ -318,7 +318,7 @@ debian-check: dist ## Debian packages from docs/examples/debian, their test, lin
 windows: ## the DLL and the tests, by mingw-w64 and wine
 	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/windows.sh
 
-distcheck: dist ## the tarball builds, passes and makes itself again
+distcheck: dist all ## the tarball builds, passes and makes itself again
 	+$(GATE) TARBALL=$(abspath $(TARBALL)) sh $(SRC)/tests/install/dist.sh
 
 # ------------------------------------------------------------------------ gates
@@ -396,7 +396,7 @@ lint-quick: all ## lint without the static analysis
 header-check: ## coin.h in every dialect of C and C++
 	sh $(SRC)/tests/lint/header.sh $(SRC)/include
 
-repro: ## one hash of many motions, and equal bytes, from every compiler
+repro: all ## one hash of many motions, and equal bytes, from every compiler
 	+$(GATE) sh $(SRC)/tests/repro/hash.sh
 	+$(GATE) sh $(SRC)/tests/repro/fused.sh
 	+$(GATE) sh $(SRC)/tests/repro/rebuild.sh
