@@ -363,9 +363,9 @@ list-gates list-gates-beside: # their names, for .ci/run
 check-long: ## the tests with eight times the random cases, and a million steps
 	+ROLLCOIN_TRIES=8 ROLLCOIN_LONG=1 $(AGAIN) check
 
-SANITIZE := -O1 -g -fsanitize=address,undefined,float-cast-overflow \
+SANITIZE := -O1 -g -Werror -fsanitize=address,undefined,float-cast-overflow \
             -fno-sanitize-recover=all
-sanitize: ## the tests, under the sanitizers
+sanitize: ## the tests, under the sanitizers; gcc warns of nothing
 	+$(AGAIN) O=$(O)/sanitize check CFLAGS='$(SANITIZE)'
 
 valgrind: ## the tests under valgrind
@@ -388,7 +388,7 @@ coverage: ## lines and branches of lib/ that run; the missing are listed
 	    { $(COVERED); exit 1; }
 
 lint: all ## style, layers, citations, symbols, static analysis
-	+$(GATE) sh $(SRC)/tests/lint/lint.sh
+	+$(GATE) WARN='$(WARN)' sh $(SRC)/tests/lint/lint.sh
 
 lint-quick: all ## lint without the static analysis
 	+$(GATE) sh $(SRC)/tests/lint/lint.sh quick

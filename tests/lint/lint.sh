@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Runs every lint, or those that take a moment; fails at the end if one did.
 #     lint.sh [quick]
-# From `make lint`: MAKE CC SRC OUT.
+# From `make lint`: MAKE CC SRC OUT WARN.
 set -eu
 here=$SRC/tests/lint
 failed=

@@ -7,12 +7,12 @@
 #
 # What the memory sanitizer did not compile it does not see write, and so it
 # warns of nothing: the tests run on a cmocka of one page, compiled with them.
+# To see where such memory came from, -fsanitize-memory-track-origins in MSAN.
 
-MSAN := -O1 -g -fsanitize=memory -fsanitize-memory-track-origins \
-        -fno-omit-frame-pointer
+MSAN := -O1 -g -Werror -fsanitize=memory -fno-omit-frame-pointer
 
 .PHONY: msan tsan
-msan: ## the tests under the memory sanitizer
+msan: ## the tests under the memory sanitizer; clang warns of nothing
 	+$(AGAIN) O=$(O)/msan check CC=clang CFLAGS='$(MSAN)' PKG_CONFIG=true \
 	    CMOCKA=-I$(SRC)/tests/memory CMOCKA_LIBS=
 
