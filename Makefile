@@ -274,19 +274,25 @@ TARBALL := $(O)/rollcoin-$(VERSION).tar.xz
 SINGLES := $(O)/rollcoin-single-$(VERSION).tar.xz
 PACKED   = --no-recursion --format=ustar --mtime='$(DATE) 00:00Z' --owner=0 \
            --group=0 --numeric-owner --mode=u=rwX,go=rX
+# Of this make alone: several may pack at once.
+PACKING  = $(abspath $(O))/packing.$$PPID
 
 .PHONY: dist need-dist distcheck installcheck consumers hwcaps debian-check \
         windows
 dist: need-dist $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, and the single header's
+	mkdir -p $(PACKING)
 	cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
 	    .clang-format .gitignore CHANGELOG.md LICENSE Makefile README.md docs \
-	    include lib pkgconfig tests $(SOURCES_ONLY); fi >$(abspath $(O)/files)
-	LC_ALL=C sort -o $(O)/files $(O)/files
-	tar -C $(SRC) -cf $(TARBALL:.xz=) $(PACKED) -T $(O)/files \
-	    --transform='flags=r;s,^,rollcoin-$(VERSION)/,'
-	tar -C $(O)/single -cf $(SINGLES:.xz=) $(PACKED) README.md coin.h coinf.h \
+	    include lib pkgconfig tests $(SOURCES_ONLY); fi >$(PACKING)/files
+	LC_ALL=C sort -o $(PACKING)/files $(PACKING)/files
+	tar -C $(SRC) -cf $(TARBALL:$(O)/%.xz=$(PACKING)/%) $(PACKED) \
+	    -T $(PACKING)/files --transform='flags=r;s,^,rollcoin-$(VERSION)/,'
+	tar -C $(O)/single -cf $(SINGLES:$(O)/%.xz=$(PACKING)/%) $(PACKED) \
+	    README.md coin.h coinf.h \
 	    --transform='flags=r;s,^,rollcoin-single-$(VERSION)/,'
-	xz -fT1 $(TARBALL:.xz=) $(SINGLES:.xz=)
+	xz -T1 $(PACKING)/*.tar
+	mv $(PACKING)/*.xz $(O)
+	rm -r $(PACKING)
 	wc -c $(TARBALL) $(SINGLES)
 	test $$(wc -c <$(TARBALL)) -le 3000000 || echo 'warning: more than 3 MB'
 
@@ -334,15 +340,14 @@ GATES_merge   := adversary-replay bound debian-check tsan fuzz windows msan \
                  repro single-check cross firmware
 GATES_release := results-check abi-seeds bindings-seeds sweeps \
                  endurance valgrind adversary mutants
-# lint has all of lint-quick.
-GATES_CI       = $(filter-out lint-quick,$(GATES_commit) $(GATES_push) \
+# check-long has all of check, and lint all of lint-quick.
+GATES_CI       = $(filter-out check lint-quick,$(GATES_commit) $(GATES_push) \
                    $(GATES_merge))
-# Gates that keep one processor busy, and do not touch what others make.
-GATES_BESIDE  := bindings bound consumers hwcaps pictures-check page-check \
-                 demo-check float-check installcheck first-hour site
+# Made before gates run side by side, each of which then writes files of its own.
+GATES_SHARE   := all $(EXAMPLES) build-tests studies-build dist
 EACH  = for gate in $1; do echo "=== $$gate"; $(AGAIN) $$gate || exit 1; done
 
-.PHONY: before-commit before-push before-merge before-release list-gates
+.PHONY: before-commit before-push before-merge before-release list-gates shared
 before-commit: ## the gates of a commit: under a minute
 	+$(call EACH,$(GATES_commit))
 
@@ -355,8 +360,10 @@ before-merge: before-push ## every gate of CI: 20 minutes on two cores
 before-release: before-merge ## those, long searches, all mutants: two hours
 	+$(call EACH,$(GATES_release))
 
-list-gates list-gates-beside: # their names, for .ci/run
-	echo $(if $(filter %-beside,$@),$(GATES_BESIDE),$(GATES_CI))
+list-gates: # their names, for .ci/run
+	echo $(GATES_CI)
+
+shared: $(GATES_SHARE) # what gates share, for .ci/run
 
 .PHONY: check-long sanitize valgrind coverage lint lint-quick header-check \
         repro repro-update

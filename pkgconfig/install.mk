@@ -6,8 +6,11 @@
 #   make install URL=https://...    a home page, for rollcoin.pc
 #   make install HWCAPS=1           also for newer x86-64 processors, below
 #   make install LDCONFIG=:         without telling the dynamic linker
+#   make install FILLED=dir         makes the files that name the prefix there:
+#                                   two installs at once need two folders
 
-URL ?=
+URL    ?=
+FILLED ?= $(O)
 
 # ------------------------------------------------------------------- files made
 # Folders below the prefix are written relative to it, so that the whole can be
@@ -32,19 +35,19 @@ FILL = sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' \
            -e 's|@SHARED@|$(REAL_SO)|' -e 's|@IMPORT@|$(IMPORT)|'
 
 CMAKE_FILES := rollcoin-config.cmake rollcoin-config-version.cmake
-GENERATED   := $(addprefix $(O)/,rollcoin.pc rollcoin.3 $(CMAKE_FILES))
+GENERATED   := $(addprefix $(FILLED)/,rollcoin.pc rollcoin.3 $(CMAKE_FILES))
 all: $(GENERATED)
 
-$(O)/rollcoin.pc: $(SRC)/pkgconfig/rollcoin.pc.in force | $(O)
+$(FILLED)/rollcoin.pc: $(SRC)/pkgconfig/rollcoin.pc.in force | $(O)
 	$(FILL) $< >$@.$$PPID
 	$(if_new)
 
-$(CMAKE_FILES:%=$(O)/%): $(O)/%: $(SRC)/pkgconfig/cmake/%.in force | $(O)
+$(CMAKE_FILES:%=$(FILLED)/%): $(FILLED)/%: $(SRC)/pkgconfig/cmake/%.in force | $(O)
 	$(FILL) $< >$@.$$PPID
 	$(if_new)
 
 # A manual page from the groups of coin.h.
-$(O)/rollcoin.3: $(SRC)/lib/about/man.awk $(SRC)/include/coin.h force | $(O)
+$(FILLED)/rollcoin.3: $(SRC)/lib/about/man.awk $(SRC)/include/coin.h force | $(O)
 	LC_ALL=C awk -v version=$(VERSION) -v date=$(DATE) -v docs=$(DOCDIR) \
 	    -f $(filter-out force,$^) >$@.$$PPID
 	$(if_new)
@@ -68,9 +71,9 @@ PLACES := $(INCLUDEDIR) $(LIBDIR) $(RUNDIR) $(PKGCONFIGDIR) $(CMAKEDIR) \
 
 in.$(INCLUDEDIR)   += $(addprefix $(SRC)/,include/coin.h include/coinf.h \
                         docs/examples/cpp/rollcoin.hpp)
-in.$(PKGCONFIGDIR) += $(O)/rollcoin.pc
-in.$(CMAKEDIR)     += $(addprefix $(O)/,$(CMAKE_FILES))
-in.$(MANDIR)/man3  += $(O)/rollcoin.3
+in.$(PKGCONFIGDIR) += $(FILLED)/rollcoin.pc
+in.$(CMAKEDIR)     += $(addprefix $(FILLED)/,$(CMAKE_FILES))
+in.$(MANDIR)/man3  += $(FILLED)/rollcoin.3
 in.$(LIBDIR)       += $(LIB_A) $(addprefix $(O)/,$(IMPORT))
 in.$(RUNDIR)       += $(O)/$(REAL_SO)
 $(foreach level,$(LEVELS),$(eval \

@@ -22,7 +22,8 @@ installs()
 # coin_run is in the package, or is not.
 defines() { nm -D "$work/$1/rollcoin/_native.so" | grep -q ' T coin_run'; }
 
-${MAKE:-make} -s -f "$SRC/Makefile" O="$OUT" install PREFIX="$work/stage"
+${MAKE:-make} -s -f "$SRC/Makefile" O="$OUT" FILLED="$work" install \
+    PREFIX="$work/stage"
 ROLLCOIN_SYSTEM=1 PKG_CONFIG_PATH="$work/stage/lib/pkgconfig" \
     installs system "$folder"
 ! defines system || { echo "the library is compiled twice"; exit 1; }

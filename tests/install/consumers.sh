@@ -18,7 +18,8 @@ unset DESTDIR PKG_CONFIG_PATH PKG_CONFIG_LIBDIR PKG_CONFIG_SYSROOT_DIR MAKEFLAGS
 for tool in cmake meson ninja; do
     command -v $tool >/dev/null || die "needs $tool"
 done
-make="$MAKE --no-print-directory -f $SRC/Makefile O=$OUT LDCONFIG=:"
+make="$MAKE --no-print-directory -f $SRC/Makefile O=$OUT FILLED=$work"
+make="$make LDCONFIG=:"
 $make PREFIX="$work/first" install
 mv "$work/first" "$work/moved"
 

@@ -21,8 +21,8 @@ x86_64-*linux*) ;;
     exit
     ;;
 esac
-make="$MAKE --no-print-directory -f $SRC/Makefile O=$OUT LDCONFIG=:"
-make="$make HWCAPS=1 PREFIX=$work/prefix"
+make="$MAKE --no-print-directory -f $SRC/Makefile O=$OUT FILLED=$work"
+make="$make LDCONFIG=: HWCAPS=1 PREFIX=$work/prefix"
 $make install
 $CC -O1 -I"$SRC/include" "$SRC/tests/repro/hash.c" -L"$lib" -lrollcoin -lm \
     -o "$work/hash"
