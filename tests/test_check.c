@@ -123,44 +123,6 @@ TEST(a_falling_coin_slips_before_the_peak_of_its_friction)
         check_status(bits_fallen(0.5 + 0.01 / mu, 0.25, mu), COIN_SLIPS);
 }
 
-/* The angle in degrees of the first sample of a fall with that bit, and of the
- * last before it ends; -1 if there is none. */
-struct stretch {
-    double from, to;
-};
-
-static struct stretch stretch_of(int32_t bit, double mu)
-{
-    const coin_params p = disc();
-    const double degree = acos(-1) / 180;
-    struct stretch found = {-1, -1};
-    coin_state s = {.theta = 1e-4};
-    while (s.theta < 88 * degree) {
-        if (bits(&s, &p, 0, mu) & bit) {
-            found.to = s.theta / degree;
-            found.from = found.from < 0 ? found.to : found.from;
-        } else if (found.from > 0)
-            break;
-        const double t = s.wX > 0.01 ? 0.01 * degree / s.wX : 0.1;
-        check_status(coin_advance(&s, &p, t, 1e-10, NULL), COIN_OK);
-    }
-    return found;
-}
-
-/* By the motion itself; samples lie 0.01 degrees apart. */
-TEST(a_run_of_a_fall_slips_and_lifts_off_there_too)
-{
-    const struct stretch lifts = stretch_of(COIN_LIFTS, INFINITY);
-    check_within(lifts.from, 60, 60.011);
-    check_within(lifts.to, 80.395, 80.406);
-    const struct stretch early = stretch_of(COIN_SLIPS, 0.4215);
-    check_within(early.from, 35.5, 36.21);
-    check_within(early.to, 36.21, 37);
-    const struct stretch late = stretch_of(COIN_SLIPS, 0.4217);
-    check_within(late.from, 48.2, 60);
-    check_within(late.to, 59.98, 60);
-}
-
 /* Any body: upright N = M g - M a wX^2, whatever wY and wZ; wX = 1.5 does. */
 TEST(upright_every_coin_lifts_off_that_leans_fast_enough)
 {

@@ -36,22 +36,6 @@ TEST(pushes_below_the_normal_numbers_stay_small)
     }
 }
 
-/* Upright it turns on the spot. */
-TEST(a_fast_spin_turns_as_it_says)
-{
-    const coin_params p = disc();
-    for (int32_t method = 0; method <= METHODS; ++method)
-        for (double rate = 1e3; rate < 2e6; rate *= 10) {
-            coin_state s = {0, 0, 0, 0, 0, 0, -rate, 0};
-            const double dt = 0.05 / rate;
-            check_note("method %d, %g rad a unit", (int)method, rate);
-            check_status(move(&s, &p, method, dt, 1000), COIN_OK);
-            check_near(s.phi, -50, 50e-6);
-            check(s.theta == 0 && s.psi == 0 && s.x == 0 && s.z == 0);
-            check(s.wX == 0 && s.wY == -rate && s.wZ == 0);
-        }
-}
-
 /* A fast coin is one that hardly feels gravity: in a unit of time that is a
  * power of two the two are the same motion, to the last bit. */
 TEST(a_fast_coin_moves_as_without_gravity)

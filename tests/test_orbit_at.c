@@ -102,28 +102,6 @@ TEST(an_orbit_from_a_later_state_goes_on)
     }
 }
 
-TEST(energy_and_integrals_stay)
-{
-    struct random r = random_begin(82);
-    for (int i = 0; i < 100; ++i) {
-        coin_params p;
-        coin_state s;
-        const coin_orbit o = random_orbit(&r, &p, &s);
-        const double E = coin_energy(&s, &p);
-        double K[2], now[2];
-        check_status(coin_integrals(&s, &p, K), COIN_OK);
-        const double size = (fabs(K[0]) + fabs(K[1])) * 20;
-        for (int k = 0; k < 20; ++k) {
-            const coin_state x = at(&o, random_between(&r, -3, 3) * o.period);
-            const double near = 1 / cos(x.theta); /* theta rounded: u/cos */
-            check_near(coin_energy(&x, &p), E, 128 * U * E * near);
-            check_status(coin_integrals(&x, &p, now), COIN_OK);
-            check_near(now[0], K[0], 64 * U * size * near);
-            check_near(now[1], K[1], 64 * U * size * near);
-        }
-    }
-}
-
 /* Nothing jumps where pieces meet, nor at the turning points: a step of 1e-9
  * across is what the rates make of it, to rounding. */
 TEST(pieces_join)

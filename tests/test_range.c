@@ -13,7 +13,7 @@
 #include <math.h>
 
 /* --------------------------------------------------------- heading and roll */
-enum { BLOCKS = 3, STEPS = 64 * BLOCKS, COINS = 16 };
+enum { BLOCKS = 3, STEPS = 64 * BLOCKS };
 
 /* Upright at 1000 rad per unit of time, 0.9 rad a step, gap before 2^31, or
  * before -2^31 if side is -1: in heading, or in roll. */
@@ -78,44 +78,6 @@ TEST(a_body_of_any_I_Z_is_told_that_its_roll_ends)
     }
 }
 
-TEST(a_batch_stops_each_coin_there)
-{
-    const coin_params p = disc();
-    const int32_t methods[] = {COIN_RK4, COIN_RK8};
-    for (int m = 0; m < 2; ++m)
-        for (int rolls = 0; rolls < 2; ++rolls) {
-            coin_state s[COINS], alone[COINS];
-            for (int i = 0; i < COINS; ++i) {
-                alone[i] = s[i] = near_the_edge(rolls, gap_of(11 * i + 1), 1);
-                coin_run(&alone[i], &p, methods[m], turn / 1000, STEPS, NULL);
-            }
-            check_status(coin_batch_run(s, COINS, &p, methods[m], turn / 1000,
-                                        STEPS, NULL),
-                         COIN_ERANGE);
-            check_same(s, alone, sizeof s);
-            for (int i = 0; i < COINS; ++i)
-                check_status(coin_state_check(&s[i], &p), COIN_OK);
-        }
-}
-
-/* The roll grows by 1.154, and by 1.059 until the end: it leaves its range and
- * would be back. */
-TEST(a_batch_sees_a_roll_that_leaves_and_comes_back)
-{
-    const coin_params p = disc();
-    coin_state s[COINS], alone[COINS];
-    for (int i = 0; i < COINS; ++i) {
-        const coin_state from = {.theta = 0.1, .wX = 0.3, .wY = 3};
-        alone[i] = s[i] = from;
-        alone[i].psi = s[i].psi = 0x1p31 - 1.11;
-        check_status(coin_run(&alone[i], &p, COIN_RK4, 0.02, STEPS, NULL),
-                     COIN_ERANGE);
-    }
-    check_status(coin_batch_run(s, COINS, &p, COIN_RK4, 0.02, STEPS, NULL),
-                 COIN_ERANGE);
-    check_same(s, alone, sizeof s);
-}
-
 /* ------------------------------------------------------------------- places */
 /* Upright at 1000 sqrt(g/a), 0.9 radii a step, gap radii before x or z ends. */
 static coin_state near_the_end(const coin_params *p, int along_z, double gap)
@@ -142,24 +104,6 @@ TEST(a_run_stops_where_a_place_leaves_its_range)
                 check_note("method %d, %d steps fit", (int)method, fit);
                 check_end(&s, &p, method, dt, (uint64_t)fit);
             }
-}
-
-TEST(a_batch_stops_each_coin_at_its_place)
-{
-    const coin_params p = disc();
-    const int32_t methods[] = {COIN_RK4, COIN_RK8};
-    for (int m = 0; m < 2; ++m)
-        for (int along_z = 0; along_z < 2; ++along_z) {
-            coin_state s[COINS], alone[COINS];
-            for (int i = 0; i < COINS; ++i) {
-                alone[i] = s[i] = near_the_end(&p, along_z, gap_of(11 * i + 1));
-                coin_run(&alone[i], &p, methods[m], turn / 1000, STEPS, NULL);
-            }
-            check_status(coin_batch_run(s, COINS, &p, methods[m], turn / 1000,
-                                        STEPS, NULL),
-                         COIN_ERANGE);
-            check_same(s, alone, sizeof s);
-        }
 }
 
 /* ------------------------------------------------- the table of the ranges */

@@ -116,24 +116,6 @@ TEST(a_run_that_fails_keeps_the_steps_before)
 }
 
 /* ----------------------------------------------------------------- warnings */
-/* Near flat and fast at first, high and slow later. */
-TEST(one_coarse_step_in_a_run_is_enough)
-{
-    coin_state s;
-    scene_load(&scene, "nearflat");
-    /* The third turning point of nearflat.csv is its lowest. */
-    const coin_state start = scene_state(&scene, 5);
-    s = start;
-    check(fabs(s.theta) > 1.4);
-    check_status(run(&s, 0.004, 1, NULL), COIN_COARSE);
-    check_status(run(&s, 0.004, 200, NULL), COIN_COARSE);
-    check(fabs(s.theta) < 1.3);
-    check_status(run(&s, 0.004, 1, NULL), COIN_OK);
-    s = start;
-    check_status(run(&s, 0.004, 201, NULL), COIN_COARSE);
-    load();
-}
-
 /* ------------------------------------------------------------ bad arguments */
 TEST(bad_runs_touch_nothing)
 {

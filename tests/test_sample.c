@@ -178,16 +178,4 @@ TEST(bad_arguments_touch_no_sample)
         }
 }
 
-/* The spin's W is sqrt(5/cos 0.6) all along. */
-TEST(a_coarse_step_between_samples_is_said)
-{
-    coin_state start, out[3];
-    check_status(coin_steady_spin(&start, &scene.params, 0.6), COIN_OK);
-    const double dt = 0.35 / sqrt(5 / cos(0.6));
-    for (int side = -1; side <= 1; side += 2)
-        check_status(coin_sample(&start, &scene.params, COIN_RK4,
-                                 dt * (1 + side * 1e-6), 5, 3, out, NULL),
-                     side < 0 ? COIN_OK : COIN_COARSE);
-}
-
 #undef TEST

@@ -278,20 +278,6 @@ TEST(the_twin_takes_the_textbook_s_steps_on_spins)
     check(told >= 30);
 }
 
-TEST(the_twin_takes_them_on_the_public_scenes)
-{
-    told = 0;
-    for (int i = 0; i < SCENES; ++i) {
-        scene_load(&scene, scene_names[i]);
-        const coin_state start = scene_state(&scene, 0);
-        const double time = 5 * natural_time(&scene.params);
-        const double W = fastest_ahead(&start, &scene.params, time);
-        twin_for(&scene.params, &start, W, horizon(W, &scene.params));
-    }
-
-    check(told >= 12);
-}
-
 TEST(the_twin_takes_them_on_random_motions)
 {
     enum { MOTIONS = 60 };
