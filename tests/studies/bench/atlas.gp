@@ -40,7 +40,7 @@ do for [f=1:4] {
     unset label
     unset object
     unset logscale
-    set xtics 0,0.5 format "%g"
+    set xtics 0.5,0.5,1 format "%g"
     set logscale y
     if (f > 2) {
         set logscale x
