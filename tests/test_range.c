@@ -13,7 +13,9 @@
 #include <math.h>
 
 /* --------------------------------------------------------- heading and roll */
-enum { BLOCKS = 3, STEPS = 64 * BLOCKS };
+/* So many blocks that a run is far from the edge at first, where no step is
+ * looked at alone. */
+enum { BLOCKS = 6, STEPS = 64 * BLOCKS };
 
 /* Upright at 1000 rad per unit of time, 0.9 rad a step, gap before 2^31, or
  * before -2^31 if side is -1: in heading, or in roll. */

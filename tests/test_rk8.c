@@ -10,9 +10,10 @@
 /* The step of lib/step/rk8.t.h, given slopes that are no motion but show which
  * coefficient goes where. */
 #include "run.h"
-#define SLOPES probe_slopes
-#define POSE_SLOPES probe_path
-#define EACH_POSE(F) F(theta) F(phi) F(psi) F(x) F(z) F(t)
+#undef coin_priv_slopes_at
+#undef coin_priv_pose_slopes
+#define coin_priv_slopes_at probe_slopes
+#define coin_priv_pose_slopes probe_path
 static coin_priv_variables probe_slopes(const coin_priv_field *f,
                                         const coin_priv_variables *y);
 static coin_priv_pose probe_path(const coin_priv_field *f,
@@ -83,22 +84,19 @@ static void read_column(struct tableau *t, int j)
     coin_priv_pose adds;
     probe.shown = j;
     probe.stage = 0;
-    const double lowest = rk8_sums(&end, &adds, &zero, &one);
+    rk8_sums(&end, &adds, &zero, &one);
     check(probe.stage == STAGES);
     t->b[j] = end.wX;
-    const double weights[] = {end.wY,  end.wZ,  end.sth,    end.cth,  end.q,
-                              end.sph, end.cph, adds.theta, adds.phi, adds.psi,
-                              adds.x,  adds.z,  adds.t};
+    const double weights[] = {end.wY,   end.wZ,   end.sth, end.cth,
+                              end.q,    end.sph,  end.cph, adds.theta,
+                              adds.phi, adds.psi, adds.x,  adds.z};
     for (size_t k = 0; k < sizeof weights / sizeof *weights; ++k)
         check(weights[k] == t->b[j]);
-    double least = 0;
     for (int i = 0; i < STAGES; ++i) {
         t->a[i][j] = probe.seen[i][0];
-        least = fmin(least, t->a[i][j]);
         for (int k = 1; k < MEMBERS; ++k)
             check(probe.seen[i][k] == t->a[i][j]);
     }
-    check(lowest == least);
 }
 
 static struct tableau in_use(void)

@@ -3,6 +3,5 @@
 
 #include "../motion/angles.c"
 #include "../motion/body.c"
-#include "../motion/equations.c"
 #include "../motion/legendre.c"
 #include "../motion/state.c"

@@ -3,7 +3,6 @@
 
 #include "../observe/check.c"
 #include "../observe/energy.c"
-#include "../observe/fastest_rate.c"
 #include "../observe/integrals.c"
 #include "../observe/pose.c"
 #include "../observe/rates.c"

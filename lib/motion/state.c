@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "state.h"
+#include "equations.h"
 
 int32_t coin_priv_check(const coin_state *s, const coin_params *p,
                         coin_priv_body *b)
@@ -15,6 +16,11 @@ int32_t coin_priv_refusal(const coin_state *s, number a)
     const int at_edge = FABS(s->phi) > last || FABS(s->psi) > last ||
                         FABS(s->x) > far || FABS(s->z) > far;
     return at_edge ? COIN_ERANGE : COIN_ESTEP;
+}
+
+coin_priv_variables coin_priv_variables_of(const coin_state *s)
+{
+    return coin_priv_variables_inline(s);
 }
 
 int32_t coin_state_check(const coin_state *s, const coin_params *p)

@@ -21,3 +21,12 @@ int32_t coin_rates(const coin_state *s, const coin_params *p, coin_state *out)
     *out = rates;
     return COIN_OK;
 }
+
+number coin_fastest_rate(const coin_state *s, const coin_params *p)
+{
+    coin_priv_body b;
+    if (coin_priv_check(s, p, &b) != COIN_OK)
+        return NAN;
+    const coin_priv_variables y = coin_priv_variables_of(s);
+    return SQRT(coin_priv_rate2(b.g_a, &y));
+}

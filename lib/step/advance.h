@@ -59,8 +59,8 @@ typedef struct coin_priv_pace {
     double tau;    /* of the step made last */
 } coin_priv_pace;
 
-/* x^(1/28), to 0.3 %, for any x >= 0: the exponent of a double and its mantissa
- * together are nearly a logarithm. */
+/* x^(1/28), or up to 6 % more, for any x >= 0: the exponent of a double and its
+ * mantissa together are nearly a logarithm. */
 COIN_PRIV_INLINE double coin_priv_root28(double x)
 {
     const int64_t one = coin_priv_bits(1);

@@ -28,8 +28,6 @@
 #undef COIN_PRIV_ABREAST
 #include "../motion/kind.h"
 
-typedef coin_lanes_integer mask;
-
 /* A vector with x in every lane.  A difference: 0 + x would turn -0 into 0. */
 COIN_PRIV_INLINE coin_lanes all(double x)
 {
@@ -53,20 +51,15 @@ struct shared {
     double dt;
     uint64_t steps;
     int32_t method;
+    coin_lanes_rk4_fields fields; /* fields.full is RK8's */
 };
 
 /* A group of coins side by side. */
 struct group {
-    coin_state *coin[COIN_PRIV_LANES]; /* null where the lane is empty */
-    int32_t status[COIN_PRIV_LANES];   /* where the coin has left its lane */
-    int size;                          /* coins in lanes */
     coin_lanes_progress g;
     coin_lanes_limits limits;
     uint64_t steps; /* done so far */
 };
-
-/* Fewer coins than this go one by one, which takes less time. */
-enum { ENOUGH = (COIN_PRIV_LANES + 2) / 4 + 1 };
 
 enum { THETA, PHI, PSI, X, Z, WX, WY, WZ };
 
@@ -80,22 +73,10 @@ COIN_PRIV_INLINE coin_lanes member(const coin_state *const *from, int i)
     return of_all;
 }
 
-/* Puts the next coins into lanes, but for those that are no state.  In an empty
- * lane a coin stands upright at rest: a step that is too long for it is too
- * long for every coin. */
-COIN_PRIV_INLINE void gather(struct group *c, coin_state *s, size_t left,
+/* Puts coins into lanes. */
+COIN_PRIV_INLINE void gather(struct group *c, const coin_state *const *from,
                              const struct shared *shared)
 {
-    static const coin_state standing = {0, 0, 0, 0, 0, 0, 0, 0};
-    const coin_state *from[COIN_PRIV_LANES];
-    c->size = 0;
-    for (size_t k = 0; k < COIN_PRIV_LANES; ++k) {
-        const int runs = k < left && coin_priv_state_holds(&s[k], shared->b);
-        c->coin[k] = runs ? &s[k] : NULL;
-        from[k] = runs ? &s[k] : &standing;
-        c->status[k] = COIN_ESTATE;
-        c->size += runs;
-    }
     const coin_lanes_limits limits = {
         all(shared->limits.g_a),
         all(shared->limits.coarse2),
@@ -125,14 +106,34 @@ COIN_PRIV_INLINE void gather(struct group *c, coin_state *s, size_t left,
     c->steps = 0;
 }
 
-/* The coin of lane k completes its run by itself, from where it is, and leaves
- * its lane empty. */
-static void leave(struct group *c, int k, const struct shared *shared)
+/* Steps side by side until all are done, or the next one is refused for one of
+ * the coins. */
+COIN_PRIV_INLINE void run_group(struct group *c, const struct shared *shared,
+                                coin_lanes_step *step, const void *coefficients)
+{
+    coin_lanes_integer sound = coin_lanes_admit_start(&c->limits, &c->g.y);
+    while (coin_lanes_every(sound != 0) && c->steps < shared->steps)
+        sound = coin_lanes_block(&c->g, &c->limits, &c->steps,
+                                 shared->steps - c->steps, step, coefficients);
+}
+
+/* A function for each method, with registers of its own. */
+COIN_PRIV_NOINLINE void rk4(struct group *c, const struct shared *shared)
+{
+    run_group(c, shared, coin_lanes_rk4_step, &shared->fields);
+}
+
+COIN_PRIV_NOINLINE void rk8(struct group *c, const struct shared *shared)
+{
+    run_group(c, shared, coin_lanes_rk8_step, &shared->fields.full);
+}
+
+/* The coin *s of lane k completes its run by itself, from where it is. */
+COIN_PRIV_NOINLINE int32_t complete(const struct group *c, size_t k,
+                                    const struct shared *shared, coin_state *s)
 {
     enum { NUMBERS = sizeof(coin_priv_progress) / sizeof(double) };
-    const coin_priv_variables upright = {0, 0, 0, 0, 1, 1, 0, 0, 1};
-    coin_lanes *const lanes = (coin_lanes *)&c->g;
-    coin_state *const s = c->coin[k];
+    const coin_lanes *const lanes = (const coin_lanes *)&c->g;
     coin_priv_run r;
     coin_priv_copy_state(&r.start, s);
     r.b = *shared->b;
@@ -144,90 +145,56 @@ static void leave(struct group *c, int k, const struct shared *shared)
     r.steps = c->steps;
     for (int i = 0; i < NUMBERS; ++i)
         ((double *)&r.g)[i] = lanes[i][k];
-    c->status[k] =
-        coin_priv_run_to_end(&r, shared->method, shared->steps, s, NULL);
-    coin_priv_progress_begin(&r.g, &upright, 0, 0, 0);
-    for (int i = 0; i < NUMBERS; ++i)
-        lanes[i][k] = ((const double *)&r.g)[i];
-    c->limits.coarse[k] = 0;
-    c->coin[k] = NULL;
-    --c->size;
+    return coin_priv_run_to_end(&r, shared->method, shared->steps, s, NULL);
 }
 
-/* The coins leave whose lanes are 0 in `stay`. */
-static void keep(struct group *c, mask stay, const struct shared *shared)
+/* Writes the state that lane k has come to, if it is in range. */
+COIN_PRIV_INLINE int store(coin_state *s, const coin_lanes *members, size_t k,
+                           const coin_priv_body *b)
 {
-    for (int k = 0; k < COIN_PRIV_LANES; ++k)
-        if (c->coin[k] && !stay[k])
-            leave(c, k, shared);
+    coin_state end;
+    for (int i = 0; i < 8; ++i)
+        ((double *)&end)[i] = members[i][k];
+    if (!coin_priv_state_holds(&end, b))
+        return 0;
+    coin_priv_copy_state(s, &end);
+    return 1;
 }
 
-/* Writes the states at the end.  A coin with a rate out of range, or whose lean
- * is rounded to flat, leaves instead. */
-static void store(struct group *c, const struct shared *shared)
+/* Runs the coins of one group, the first of which is the i-th of the batch.  In
+ * the lane of one that is no state, and in an empty one, a coin stands upright
+ * at rest: a step that is too long for it is too long for every coin. */
+static void run(coin_priv_batch *batch, size_t i, const struct shared *shared)
 {
-    const coin_lanes_pose to = coin_lanes_pose_of(&c->g, all(shared->b->a));
-    const coin_lanes s[8] = {
-        to.theta,           to.phi,    to.psi,    c->limits.x + to.x,
-        c->limits.z + to.z, c->g.y.wX, c->g.y.wY, c->g.y.wZ,
-    };
-    keep(c,
-         (coin_lanes_magnitude(s[THETA]) < COIN_PRIV_HALF_PI) &
-             (s[WX] * s[WX] <= shared->b->w2_max) &
-             (s[WY] * s[WY] <= shared->b->w2_max) &
-             (s[WZ] * s[WZ] <= shared->b->w2_max),
-         shared);
-    for (int k = 0; k < COIN_PRIV_LANES; ++k)
-        if (c->coin[k]) {
-            for (int i = 0; i < 8; ++i)
-                ((double *)c->coin[k])[i] = s[i][k];
-            c->status[k] = (int32_t)(c->limits.coarse[k] & COIN_COARSE);
-        }
-}
-
-/* Steps side by side until all are done, or too few coins are left.  A coin
- * leaves before a step that is refused for it. */
-COIN_PRIV_INLINE void run_group(struct group *c, const struct shared *shared,
-                                coin_lanes_step *step, const void *coefficients)
-{
-    const mask none = {0};
-    keep(c, coin_lanes_admit_start(&c->limits, &c->g.y), shared);
-    while (c->size >= ENOUGH && c->steps < shared->steps)
-        keep(c,
-             coin_lanes_block(&c->g, &c->limits, &c->steps,
-                              shared->steps - c->steps, step, coefficients),
-             shared);
-    if (c->size >= ENOUGH)
-        store(c, shared);
-    else
-        keep(c, none, shared);
-}
-
-/* The same by a method. */
-typedef void run_of_group(struct group *c, const struct shared *shared,
-                          const void *coefficients);
-
-static void rk4(struct group *c, const struct shared *shared,
-                const void *fields)
-{
-    run_group(c, shared, coin_lanes_rk4_step, fields);
-}
-
-static void rk8(struct group *c, const struct shared *shared, const void *field)
-{
-    run_group(c, shared, coin_lanes_rk8_step, field);
-}
-
-static void run(coin_priv_batch *batch, const struct shared *shared,
-                run_of_group *by_method, const void *coefficients)
-{
+    static const coin_state standing = {0, 0, 0, 0, 0, 0, 0, 0};
+    const coin_state *from[COIN_PRIV_LANES];
+    coin_state *const s = &batch->s[i];
+    const size_t left = batch->count - i;
     struct group c;
-    for (size_t i = 0; i < batch->count; i += COIN_PRIV_LANES) {
-        const size_t left = batch->count - i;
-        gather(&c, &batch->s[i], left, shared);
-        by_method(&c, shared, coefficients);
-        for (size_t k = 0; k < COIN_PRIV_LANES && k < left; ++k)
-            coin_priv_note(batch, i + k, c.status[k]);
+    int coins = 0;
+    for (size_t k = 0; k < COIN_PRIV_LANES; ++k) {
+        const int runs = k < left && coin_priv_state_holds(&s[k], shared->b);
+        from[k] = runs ? &s[k] : &standing;
+        coins += runs;
+    }
+    gather(&c, from, shared);
+    if (coins > 0 && shared->method == COIN_RK4)
+        rk4(&c, shared);
+    else if (coins > 0)
+        rk8(&c, shared);
+    const coin_lanes_pose to = coin_lanes_pose_of(&c.g, all(shared->b->a));
+    const coin_lanes members[8] = {
+        to.theta,          to.phi,   to.psi,   c.limits.x + to.x,
+        c.limits.z + to.z, c.g.y.wX, c.g.y.wY, c.g.y.wZ,
+    };
+    const int done = c.steps == shared->steps;
+    for (size_t k = 0; k < COIN_PRIV_LANES && k < left; ++k) {
+        int32_t status = (int32_t)(c.limits.coarse[k] & COIN_COARSE);
+        if (from[k] == &standing)
+            status = COIN_ESTATE;
+        else if (!done || !store(&s[k], members, k, shared->b))
+            status = complete(&c, k, shared, &s[k]);
+        coin_priv_note(batch, i + k, status);
     }
 }
 
@@ -235,19 +202,14 @@ int coin_priv_run_abreast(coin_priv_batch *batch, const coin_priv_body *b,
                           int32_t method, double dt, uint64_t steps)
 {
     const struct shared shared = {
-        b, coin_priv_limits_of(b, method, dt), dt, steps, method,
+        b,      coin_priv_limits_of(b, method, dt),
+        dt,     steps,
+        method, {field_of(b, dt / 2), field_of(b, dt), field_of(b, dt / 6)},
     };
-    const coin_lanes_rk4_fields k = {
-        field_of(b, dt / 2),
-        field_of(b, dt),
-        field_of(b, dt / 6),
-    };
-    if (method == COIN_RK4)
-        run(batch, &shared, rk4, &k);
-    else if (method == COIN_RK8)
-        run(batch, &shared, rk8, &k.full);
-    else
+    if (method != COIN_RK4 && method != COIN_RK8)
         return 0;
+    for (size_t i = 0; i < batch->count; i += COIN_PRIV_LANES)
+        run(batch, i, &shared);
     return 1;
 }
 

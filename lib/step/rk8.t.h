@@ -1,29 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The 12-stage formula of order 8 of Dormand and Prince, as in DOP853 (Hairer,
  * Norsett, Wanner, Solving Ordinary Differential Equations I), without its
- * error estimate; test_rk8 holds it against the published coefficients.
- *
- * A source defines SLOPES and POSE_SLOPES, which give the slopes times h of the
- * variables and of the pose, in t or in tau, and EACH_POSE(F), the members of
- * the pose that POSE_SLOPES sets besides x and z; and FIRST_SLOPES, if the
- * slopes at the start are those of another function.  This file then defines
- * rk8_sums().  If the source defines ERROR_TO(f, e5, e3) too, rk8_sums() calls
- * it with the two sums of slopes that estimate the error of a step, for each
- * variable (ibid., II.5).
- */
+ * error estimate; test_rk8 holds it against the conditions of order. */
 #include "../motion/equations.h"
 
 #include "../motion/kind.h"
-
-#ifndef SLOPES
-#define SLOPES coin_priv_slopes_at
-#define POSE_SLOPES coin_priv_pose_slopes
-#define EACH_POSE(F) F(theta) F(phi) F(psi)
-#define OF_THE_MOTION
-#endif
-#ifndef FIRST_SLOPES
-#define FIRST_SLOPES SLOPES
-#endif
 
 #include "tableau.t.h"
 
@@ -178,33 +159,21 @@ COIN_PRIV_INLINE coin_priv_variables variables_of_row(const struct row *r)
     EACH(ROW##i)                                                               \
     SUM_OLD(j);                                                                \
     const coin_priv_variables s##i = variables_of_row(&y),                     \
-                              k##i = SLOPES(f, &s##i);                         \
-    const struct row d##i = row_of(&k##i);                                     \
-    least_cth = coin_priv_lesser(least_cth, s##i.cth)
-#define PATH(i) const coin_priv_pose v##i = POSE_SLOPES(f, &s##i)
-
-#ifdef ERROR_TO
-#define SUM_E5(m)                                                              \
-    e5.v[m] = E5[0] * d1.v[m] + E5[1] * d6.v[m] + E5[2] * d7.v[m] +            \
-              E5[3] * d8.v[m] + E5[4] * d9.v[m] + E5[5] * d10.v[m] +           \
-              E5[6] * d11.v[m] + E5[7] * d12.v[m];
-#define SUM_E3(m)                                                              \
-    e3.v[m] = (y.v[m] - y0.v[m]) -                                             \
-              (E3[0] * d1.v[m] + E3[1] * d9.v[m] + E3[2] * d12.v[m]);
-#endif
+                              k##i = coin_priv_slopes_at(f, &s##i);            \
+    const struct row d##i = row_of(&k##i)
+#define PATH(i) const coin_priv_pose v##i = coin_priv_pose_slopes(f, &s##i)
 
 /* One step h from *y1.  Sets *end to the variables at its end, each by the sum
- * of its own slopes, and *adds to what the step adds to the pose.  Returns the
- * least cos theta of the stages.  In each row the newest slope is added last,
- * so that the sum of the others does not wait for it. */
-COIN_PRIV_INLINE number rk8_sums(coin_priv_variables *end, coin_priv_pose *adds,
-                                 const coin_priv_variables *y1,
-                                 const coin_priv_field *f)
+ * of its own slopes, and *adds to what the step adds to the pose.  In each row
+ * the newest slope is added last, so that the sum of the others does not wait
+ * for it. */
+COIN_PRIV_INLINE void rk8_sums(coin_priv_variables *end, coin_priv_pose *adds,
+                               const coin_priv_variables *y1,
+                               const coin_priv_field *f)
 {
-    const coin_priv_variables s1 = *y1, k1 = FIRST_SLOPES(f, &s1);
+    const coin_priv_variables s1 = *y1, k1 = coin_priv_slopes_at(f, &s1);
     const struct row y0 = row_of(&s1), d1 = row_of(&k1);
     struct row y;
-    number least_cth = s1.cth;
     PATH(1);
     STAGE(2, 3);
     STAGE(3, 4);
@@ -225,21 +194,13 @@ COIN_PRIV_INLINE number rk8_sums(coin_priv_variables *end, coin_priv_pose *adds,
     STAGE(12, 13);
     PATH(12);
     EACH(SUM)
-#ifdef ERROR_TO
-    struct row e5, e3;
-    EACH(SUM_E5)
-    EACH(SUM_E3)
-    const coin_priv_variables by5 = variables_of_row(&e5);
-    const coin_priv_variables by3 = variables_of_row(&e3);
-    ERROR_TO(f, &by5, &by3);
-#endif
-    EACH_POSE(SUM_POSE)
+    SUM_POSE(theta)
+    SUM_POSE(phi)
+    SUM_POSE(psi)
     SUM_PATH
     *end = variables_of_row(&y);
-    return least_cth;
 }
 
-#ifdef OF_THE_MOTION
 COIN_PRIV_INLINE void coin_priv_rk8_step(coin_priv_step_end *end,
                                          coin_priv_variables *next,
                                          const coin_priv_variables *y,
@@ -252,4 +213,3 @@ COIN_PRIV_INLINE void coin_priv_rk8_step(coin_priv_step_end *end,
     end->wZ = sums.wZ;
     *next = coin_priv_variables_after(y, end);
 }
-#endif

@@ -25,7 +25,7 @@ OTHER_FORMS = {
         "one power of a power series of the motion"),
     "series.c coin_priv_series_expand_path": ("test_series",
         "the same, for the path"),
-    "step.h coinf_priv_slope_at": ("test_float_run",
+    "coinf_step.c coinf_priv_slope_at": ("test_float_run",
         "has the remainder of phi' give that of psi'"),
     "symplectic.c modified_kick": ("test_symplectic",
         "(50) has two kicks"),

@@ -107,7 +107,7 @@ class Copy:
 
     def own_tests(self, file):
         """The test programs named after a source or its room: of
-        float/coinf_run.c test_float_run, test_run and test_float, of
+        float/coinf_step.c test_float_step, test_step and test_float, of
         step/rk4.t.h test_rk4."""
         *_, room, name = ["", *pathlib.Path(file).parts]
         stem = name.split(".")[0].removeprefix("coinf_")
