@@ -126,6 +126,24 @@ TEST(angular_damping_brakes_the_turn_of_a_held_contact)
     }
 }
 
+/* A quarter for 1/60 s. */
+TEST(a_frame_that_rolls_is_one_step)
+{
+    const double w0 = sqrt(9.81 / 0.01213);
+    const coin_params p = disc();
+    const coin_losses none = {0};
+    const coin_state s = {.theta = 0.3, .wY = 5 / w0, .wZ = 40 / w0};
+    static coin_priv_moving g;
+    coin_priv_body b;
+    check_status(coin_priv_check_body(&b, &p), COIN_OK);
+    check_status(coin_priv_law_of(&g.law, &none, &b), COIN_OK);
+    coin_priv_begin(&g, &s, w0 / 60, 1e-6);
+    g.tries = 100;
+    check_status(coin_priv_go(&g), COIN_OK);
+    check(g.tries == 99);
+    check(coin_priv_time_left(&g) == 0);
+}
+
 TEST(a_slip_does_not_end_where_a_rate_leaves_its_range)
 {
     static coin_priv_moving g;

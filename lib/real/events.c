@@ -120,11 +120,7 @@ static double first_zero(event *of, coin_priv_moving *g)
 /* Whether cos theta surely stays above a limit. */
 static int stays_above(const coin_priv_dop853 *w, double limit)
 {
-    const double c0 = w->y[COIN_PRIV_C], c1 = w->end[COIN_PRIV_C];
-    const double fall = w->y[COIN_PRIV_S] * w->y[COIN_PRIV_WX];
-    const double later = w->end[COIN_PRIV_S] * w->end[COIN_PRIV_WX];
-    const double least = c0 < c1 ? c0 : c1;
-    return least > 2 * limit || (least > limit && !(fall > 0 && later < 0));
+    return coin_priv_lesser(w->y[COIN_PRIV_C], w->end[COIN_PRIV_C]) > 2 * limit;
 }
 
 /* Whether the force surely stays within the cone of friction: it may dip

@@ -17,10 +17,8 @@
 #define BRIEF 0.03
 
 /* Contour friction is not smooth where the contact turns round, d(psi)/dt = 0.
- * A step is planned to cover TURN_ROUND of the way to there, and refused if it
- * turns out to cover more than TURNED of it. */
+ * A step is planned to cover TURN_ROUND of the way to there. */
 #define TURN_ROUND 0.5
-#define TURNED 0.7
 
 /* A trial runs away if a stage has so many times the rates of the start. */
 #define RUNAWAY 1e6
@@ -88,18 +86,6 @@ static double way(const coin_priv_moving *g)
     const double u = coin_priv_roll_speed(g->y);
     const double z = g->law.soft * g->y[COIN_PRIV_C];
     return sqrt(u * u + z * z);
-}
-
-/* The part of the way to where the contact turns round that the step covers.
- * Within it u is taken as a parabola: it begins with the slope of u, which is
- * almost 0 where the contact rolls fastest. */
-static double part_of_way(const coin_priv_moving *g)
-{
-    const coin_priv_dop853 *w = &g->step;
-    const double a = w->h * roll_slope(w->y, w->slope[0]), far = way(g);
-    const double b =
-        coin_priv_roll_speed(w->end) - coin_priv_roll_speed(w->y) - a;
-    return (fabs(a) + sqrt(a * a + 4 * far * fabs(b))) / (2 * far);
 }
 
 /* Whether a step comes to where the contact turns round and a loss without a
@@ -195,8 +181,8 @@ static void next_stride(coin_priv_moving *g, double used, double error,
                         double most)
 {
     const double ratio = most / coin_priv_larger(error, 1e-9 * most);
-    double factor = coin_priv_lesser(2, 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio))));
-    factor = error > most ? coin_priv_lesser(factor, TURNED) : factor;
+    const double factor =
+        coin_priv_lesser(2, 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio))));
     const double next = coin_priv_lesser(COIN_PRIV_MOST_STRIDE, used * factor);
     if (error > most || next > g->stride || used > 0.999 * g->stride)
         g->stride = next;
@@ -252,9 +238,6 @@ static double try_steps(coin_priv_moving *g, int *ends)
             end_in_t(g, &p, left);
         --g->tries;
         double error = coin_priv_try_step(w, p.h);
-        if (error < (double)INFINITY && turns_round(g) &&
-            part_of_way(g) > TURNED)
-            error = (double)INFINITY;
         if (error < (double)INFINITY && has_kink(g) && passed_kink(g))
             error = (double)INFINITY;
         const double most = error < (double)INFINITY ? allowed(g) : g->tol;
