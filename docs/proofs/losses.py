@@ -12,7 +12,7 @@ from sympy import Rational, diff, sqrt
 
 sys.dont_write_bytecode = True
 from derivation import (E, IX, IZ, J, K, M, T, a, accel, c, column, count, dX,
-                        dY, dZ, eq14, eq15, eq16, euler, g, holds, m, s, th, up,
+                        dY, dZ, eq14, eq15, eq16, euler, g, holds, s, th, up,
                         w, wX, wY, wZ)
 
 count.clear()

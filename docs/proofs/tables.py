@@ -40,17 +40,6 @@ class Body:
         return (re(sqrt(pi)/(gamma(.75 + it)*gamma(.75 - it))),
                 re(sqrt(pi)/(gamma(1.25 + it)*gamma(1.25 - it)))/2)
 
-    def JL(self, th, wY, wZ):
-        """J lambda^2 of (44)."""
-        T = tan(th)
-        return (cos(th) - (self.IX*(1 + 3*T*T) + 1)*wY**2
-                - (3*self.IZ + 1)*T*wY*wZ - self.K*self.k1*wZ**2)
-
-    def circle(self, th, wZ, branch):
-        """f+ or f- of (40)."""
-        T, B = tan(th), self.K*wZ
-        return (-B + branch*sqrt(B*B + 4*self.IX*sin(th)*T))/(2*self.IX*T)
-
     def window(self, th):
         """The ends of wZ/wY between which a circle is unstable."""
         T, m3 = tan(th), 3*self.IZ + 1
@@ -118,34 +107,6 @@ class Motion:
                 total[i] += 2*pi/n*f*w
         return total
 
-    def contact(self, th):
-        """N and F/N of (25)-(28) where the swing passes th."""
-        b, s, c = self.b, sin(th), cos(th)
-        p, wZ = self.pair(th)
-        wY, wX2 = p/c, 2*max(self.E - self.V(th), mpf(0))/b.J
-        dwX = (s - b.K*wY*wZ - b.IX*wY**2*s/c)/b.J
-        N = 1 - wX2*c - dwX*s
-        F = sqrt(wX2*(wY*b.IZ/b.K)**2 + (wX2*s - dwX*c - wY*wZ/c)**2)
-        return N, F/N if N > 0 else mp.inf
-
-    def extremes(self, n):
-        """Least and largest N, largest F/N: by n leans, then by halving."""
-        mid, half = (self.lo + self.hi)/2, (self.hi - self.lo)/2
-
-        def largest(f):
-            def at(al):
-                return f(*self.contact(mid - half*cos(al)))
-
-            near = max(range(n + 1), key=lambda k: at(pi*k/n))
-            al, step = pi*near/n, pi/n
-            while step > mpf('1e-9') and at(al) < mp.inf:
-                al = max((al - step, al, al + step), key=at)
-                step /= 2
-            return at(al)
-
-        return (-largest(lambda N, _: -N), largest(lambda N, _: N),
-                largest(lambda _, ratio: ratio))
-
 
 def show(title, head, rows):
     print('\n' + title + '\n' + head)
@@ -168,16 +129,6 @@ def at_table(b):
     return b, Body(b).kap, Pe, Po, -2*Po/Pe, pi*sqrt(Body(b).J/Body(b).IX)
 
 
-def circle(b, th, wZ, branch):
-    o, th_, wZ_ = Body(b), mpf(th), mpf(wZ)
-    wY = o.circle(th_, wZ_, branch)
-    L = o.JL(th_, wY, wZ_)/o.J
-    RG = abs(wZ_*cos(th_)/wY)
-    return (b, th, wZ, '%+d' % branch, wY, L,
-            2*pi/sqrt(-L) if L < 0 else sqrt(L), RG,
-            abs(wZ_*cos(th_)/wY + sin(th_)), abs(wY*wZ_)/cos(th_))
-
-
 # name, b/a, (theta, wX, wY, wZ), points of the midpoint rule
 SCENES = (('wobble', 0, (.1, 0, 0, 1), 60),
           ('generic', 0, (.5, .1, .8, 1.2), 60),
@@ -188,7 +139,7 @@ SCENES = (('wobble', 0, (.1, 0, 0, 1), 60),
 
 def scene(name, b, start, n):
     m = Motion(Body(b), *start)
-    return [name, m.lo, m.hi] + m.swing(n) + list(m.extremes(100))
+    return [name, m.lo, m.hi] + m.swing(n)
 
 
 def fall(b):
@@ -215,13 +166,8 @@ def main():
          map(thresholds, ('0', '0.5', '0.9', '1')))
     show('At the table', 'b/a | kap | Pe(1) | Po(1) | KY/KZ to fall | turn',
          map(at_table, ('0', '0.5', '0.9', '1')))
-    show('Circles', 'b/a | theta | wZ | f | wY | lambda^2 | T or rate | R_G '
-         '| R_C | mu', (circle(*row) for row in (
-             ('0', '0.4', '1', 1), ('0', '0.4', '1', -1),
-             ('0', '0.15', '0.5', 1), ('0', '0.15', '0.6', 1),
-             ('0.9', '0.15', '0.5', 1), ('1', '0.8', '2', -1))))
-    show('Swings', 'scene | lo | hi | T | dphi | dpsi | min N | max N | '
-         'max F/N', (scene(*row) for row in SCENES))
+    show('Swings', 'scene | lo | hi | T | dphi | dpsi',
+         (scene(*row) for row in SCENES))
     show('Falls from upright rest',
          'b/a | peak | F/N | F = 0 | N < 0 from | to',
          map(fall, ('0', '0.5', '1')))
