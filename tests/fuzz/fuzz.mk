@@ -14,12 +14,9 @@
 
 FUZZ_SRC     := $(SRC)/tests/fuzz
 FUZZ_OUT      = $(O)/fuzz
-FUZZ_ALL     := $(patsubst $(FUZZ_SRC)/fuzz_%.c,%,\
-                           $(wildcard $(FUZZ_SRC)/fuzz_*.c))
 FUZZ_SECONDS ?= 60
-# The calls of settling are slow, and what FUZZ_TARGETS=losses finds in
-# them is not cured yet.
-FUZZ_TARGETS ?= $(filter-out losses,$(FUZZ_ALL))
+FUZZ_TARGETS ?= $(patsubst $(FUZZ_SRC)/fuzz_%.c,%,\
+                           $(wildcard $(FUZZ_SRC)/fuzz_*.c))
 
 # Only the library tells the fuzzer where it has been; comparisons of doubles
 # tell it little for a third of the time.
