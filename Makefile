@@ -386,7 +386,7 @@ COVERED = gcovr -j 2 --root $(SRC) --filter '$(SRC)/lib/' $(O)/coverage/objects
 # figures may only rise.
 # A copy of a function for each of its callers would have branches of its own
 # that no argument of that caller takes: here nothing is always_inline.
-COVER   = -O0 -g --coverage -fprofile-abs-path -Dalways_inline=unused
+COVER   = -O0 --coverage -fprofile-abs-path -Dalways_inline=unused
 coverage: ## lines and branches of lib/ that run; the missing are listed
 	rm -rf $(O)/coverage
 	+ROLLCOIN_LONG=1 $(AGAIN) O=$(O)/coverage check MAPS= \

@@ -21,7 +21,7 @@ lanes: $(LANES:%=lanes-%) ## the tests of batches by vectors of 32 and 64 bytes
 $(LANES:%=lanes-%): lanes-%:
 	+if $(PROCESSOR) | grep -qw $*; then \
 	    $(AGAIN) O=$(O)/lanes-$* check TESTS='$(LANES_TESTS)' \
-	        CFLAGS='-O2 -g -m$*' && echo "lanes: $* passed"; \
+	        CFLAGS='-O2 -m$*' && echo "lanes: $* passed"; \
 	else echo "lanes: *** NOT TESTED: this processor has no $* ***"; fi
 
 .PHONY: run-batches sweep

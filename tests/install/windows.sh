@@ -27,7 +27,7 @@ done
 left_out="test_pages test_integrals test_sincos test_steady_at"
 
 make="$MAKE --no-print-directory -f $SRC/Makefile O=$work CC=$cc"
-make="$make AR=$host-ar PKG_CONFIG=true CMOCKA=-I$SRC/tests/memory CMOCKA_LIBS="
+make="$make CFLAGS=-O2 AR=$host-ar PKG_CONFIG=true CMOCKA=-I$SRC/tests/memory CMOCKA_LIBS="
 $make all LDCONFIG=: PREFIX="$work/prefix" install
 tests=
 for source in "$SRC"/tests/test_*.c; do
