@@ -196,17 +196,15 @@ static int add_next_piece(coin_priv_half_period *h, int from, double side)
         add_piece(h, end, 0, path);
         return 1;
     }
-    double step = center_after(h->reach[from], reach), back = 0;
-    while (step > REACH_MARGIN * back) {
-        const double before = step,
-                     center = end + side * (back > 0 ? back : step);
+    double back = center_after(h->reach[from], reach), step = DBL_MAX;
+    do {
+        const double before = step, center = end + side * back;
         step = fabs(center - end);
         /* Gives up if rounding keeps the step from getting shorter. */
-        const int stuck = (back > 0) & (step >= before);
-        if (stuck | (begin_at(h, &h->now, between, center - end) == 0))
+        if (step >= before || !begin_at(h, &h->now, between, center - end))
             return 0;
         back = reach_about(h, &h->now);
-    }
+    } while (step > REACH_MARGIN * back);
     add_piece(h, end + side * step, -side * step, path);
     return 1;
 }
