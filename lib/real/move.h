@@ -4,7 +4,7 @@
 #ifndef ROLLCOIN_MOVE_H
 #define ROLLCOIN_MOVE_H
 
-#include "../step/loop.h"
+#include "../step/run.h"
 
 #include "../motion/rest.h"
 #include "dop853.h"

@@ -11,8 +11,8 @@
                      "schedule-insns", "sched-pressure")
 #endif
 
-#include "loop.h"
 #include "rk4.h"
+#include "run.h"
 
 void coin_priv_rk4(coin_priv_run *r, uint64_t n)
 {

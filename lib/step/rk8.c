@@ -20,8 +20,8 @@
 #define COIN_PRIV_TURN_BY_PAIRS
 #endif
 
-#include "loop.h"
 #include "rk8.t.h"
+#include "run.h"
 
 void coin_priv_rk8(coin_priv_run *r, uint64_t n)
 {

@@ -3,7 +3,7 @@
 
 #include "../motion/legendre.h"
 
-#include "loop.h"
+#include "run.h"
 
 /* The two parts of the motion that can each be solved exactly: a kick changes
  * wX alone, a drift everything else with wX held.  Along a drift wY cos theta
