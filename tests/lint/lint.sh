@@ -17,7 +17,7 @@ run()
 
 run "the sources' sizes" python3 "$here/sizes.py" "$SRC"
 run "layers of lib/" python3 "$here/layers.py" "$SRC/lib"
-run "each file of lib/ alone" sh "$here/alone.sh"
+run "each header of lib/ alone" sh "$here/alone.sh"
 run "names of floats and vectors" python3 "$here/names.py" "$SRC" "$CC"
 run "homes of equations" python3 "$here/homes.py" "$SRC"
 run "mutants' texts" python3 "$SRC/tests/mutants/mutants.py" "$SRC"
