@@ -53,11 +53,13 @@ coin_priv_method coin_priv_symplectic2, coin_priv_symplectic4;
 int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
                             const coin_params *p, int32_t method, double dt);
 
-/* Up to n steps of dt, which is not 0; returns how many were done. */
-COIN_PRIV_INLINE uint64_t coin_priv_run_by(coin_priv_run *r, int32_t method,
+/* Up to n steps of dt; returns how many were done.  If dt is 0, all count. */
+COIN_PRIV_INLINE uint64_t coin_priv_run_on(coin_priv_run *r, int32_t method,
                                            uint64_t n)
 {
     const uint64_t before = r->steps;
+    if (r->dt == 0 || n == 0)
+        return n;
     switch (method) {
     case COIN_RK4:
         coin_priv_rk4(r, n);
@@ -72,13 +74,6 @@ COIN_PRIV_INLINE uint64_t coin_priv_run_by(coin_priv_run *r, int32_t method,
         coin_priv_symplectic4(r, n);
     }
     return r->steps - before;
-}
-
-/* The same for any dt.  If dt is 0, all steps count as done. */
-COIN_PRIV_INLINE uint64_t coin_priv_run_on(coin_priv_run *r, int32_t method,
-                                           uint64_t n)
-{
-    return r->dt == 0 || n == 0 ? n : coin_priv_run_by(r, method, n);
 }
 
 /* The state of a run; before the first step that is its start, to the bit. */
