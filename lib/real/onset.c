@@ -109,10 +109,7 @@ int coin_priv_end_slip(coin_priv_moving *g)
                         coin_priv_loss_rate(y, &g->law, g->mode);
     const int is_short = u < part && scale * rate * h < part;
     const int is_straight = aside <= part * -grows;
-    const int is_least =
-        u < COIN_PRIV_SLIP_LEAST && aside * u <= -grows * COIN_PRIV_SLIP_LEAST;
-    if (!(is_short && (is_straight || is_least) &&
-          h * d[COIN_PRIV_ADDS_T] <= left))
+    if (!(is_short && is_straight && h * d[COIN_PRIV_ADDS_T] <= left))
         return 0;
     for (int i = 0; i < COIN_PRIV_WIDE; ++i)
         to[i] = y[i] + h * d[i];
