@@ -27,6 +27,9 @@ struct subject {
     uint64_t done, refused;
 };
 
+struct function fuzz_functions[MOST_FUNCTIONS];
+size_t fuzz_count;
+
 static struct subject *subjects;
 static const struct subject *current;
 static struct world world;

@@ -2,8 +2,8 @@
 /* Fuzzing of the public functions: bytes become arguments, and what a call
  * leaves behind is held against what coin.h promises of every call.
  *
- * A target is a table of functions.  For a new one: a CALL line, a row in the
- * table of its group, and a judge if it promises more than others do. */
+ * A target is a file of functions.  For a new one: a row in the file of its
+ * group, and a judge if it promises more than others do. */
 #ifndef ROLLCOIN_TESTS_FUZZ_H
 #define ROLLCOIN_TESTS_FUZZ_H
 
@@ -13,7 +13,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { ARGUMENTS = 8, SAMPLES = 4, STEPS_MAX = 70 };
+enum { ARGUMENTS = 8, SAMPLES = 4, MOST_FUNCTIONS = 32 };
 
 union argument {
     void *p;
@@ -93,24 +93,21 @@ struct function {
 #define PLAIN 0, NULL, 0
 #define NUMBER 0, 0, 0, NULL, 1
 
-/* What a row calls, its arguments in a[], and the row. */
-#define CALL(name, arguments) CALL_AS(name, name, arguments)
-#define CALL_AS(name, function, arguments)                                     \
+/* A function: its name, what its arguments a[] are, a call, and the rest of its
+ * row. */
+#define FUNCTION(name, signature, value, ...)                                  \
     static double do_##name(const union argument *a)                           \
     {                                                                          \
         (void)a;                                                               \
-        return (double)function arguments;                                     \
-    }
-#define ROW(name, signature, ...)                                              \
+        return (double)(value);                                                \
+    }                                                                          \
+    __attribute__((constructor)) static void add_##name(void)                  \
     {                                                                          \
-#name, signature, do_##name, __VA_ARGS__                               \
+        const struct function f = {#name, signature, do_##name, __VA_ARGS__};  \
+        fuzz_functions[fuzz_count++] = f;                                      \
     }
-
-/* Each target defines these. */
-extern const struct function fuzz_functions[];
-extern const size_t fuzz_count;
-#define END_OF_TABLE                                                           \
-    const size_t fuzz_count = sizeof fuzz_functions / sizeof *fuzz_functions
+extern struct function fuzz_functions[MOST_FUNCTIONS];
+extern size_t fuzz_count;
 
 /* Ends the program, and says of which function, unless it holds. */
 #define demand(holds) demand_that((holds) ? 1 : 0, #holds, __FILE__, __LINE__)

@@ -4,30 +4,17 @@
 
 #include <string.h>
 
-CALL(coin_version, ())
-CALL(coin_params_disc, (a[0].p, a[1].d, a[2].d, a[3].d))
-CALL(coin_params_ring, (a[0].p, a[1].d, a[2].d, a[3].d, a[4].d))
-CALL(coin_params_body, (a[0].p, a[1].d, a[2].d, a[3].d, a[4].d, a[5].d))
-CALL(coin_params_check, (a[0].p))
-CALL(coin_state_check, (a[0].p, a[1].p))
-CALL(coin_state_from_motion, (a[0].p, a[1].p, a[2].p, a[3].p, a[4].d, a[5].d))
-
 /* Texts count as done if there is one. */
 static double text(const char *t)
 {
     return t && strlen(t) > 2 ? COIN_OK : COIN_EARG;
 }
 
-CALL_AS(coin_version_string, text, (coin_version_string()))
-CALL_AS(coin_status_string, text, (coin_status_string(a[0].i)))
-CALL_AS(coin_method_name, text, (coin_method_name(a[0].i)))
-
 /* 0 counts as an error. */
 static double size_of(const char *type)
 {
     return coin_sizeof(type) > 0 ? COIN_OK : COIN_EARG;
 }
-CALL_AS(coin_sizeof, size_of, (a[0].p))
 
 /* Exactly the four methods have a name. */
 static void judge_method(const struct outcome *o)
@@ -50,18 +37,23 @@ static void judge_from_motion(const struct outcome *o)
 
 #define MAKES (BIT(COIN_EARG) | BIT(COIN_EPARAMS))
 
-const struct function fuzz_functions[] = {
-    ROW(coin_version, "", 0, INT32_MAX, PLAIN),
-    ROW(coin_version_string, "", 0, 0, PLAIN),
-    ROW(coin_status_string, "i", 0, 0, PLAIN),
-    ROW(coin_sizeof, "$", BIT(COIN_EARG), 0, PLAIN),
-    ROW(coin_params_disc, "Pddd", MAKES, 0, PLAIN),
-    ROW(coin_params_ring, "Pdddd", MAKES, 0, PLAIN),
-    ROW(coin_params_body, "Pddddd", MAKES, 0, PLAIN),
-    ROW(coin_params_check, "p", MAKES, 0, PLAIN),
-    ROW(coin_state_check, "sp", USUAL, 0, PLAIN),
-    ROW(coin_state_from_motion, "Opqwdd", USUAL, 0, 0, judge_from_motion, 0),
-    ROW(coin_method_name, "i", BIT(COIN_EARG), 0, 0, judge_method, 0),
-};
-
-END_OF_TABLE;
+FUNCTION(coin_version, "", coin_version(), 0, INT32_MAX, PLAIN)
+FUNCTION(coin_version_string, "", text(coin_version_string()), 0, 0, PLAIN)
+FUNCTION(coin_status_string, "i", text(coin_status_string(a[0].i)), 0, 0, PLAIN)
+FUNCTION(coin_sizeof, "$", size_of(a[0].p), BIT(COIN_EARG), 0, PLAIN)
+FUNCTION(coin_params_disc, "Pddd",
+         coin_params_disc(a[0].p, a[1].d, a[2].d, a[3].d), MAKES, 0, PLAIN)
+FUNCTION(coin_params_ring, "Pdddd",
+         coin_params_ring(a[0].p, a[1].d, a[2].d, a[3].d, a[4].d), MAKES, 0,
+         PLAIN)
+FUNCTION(coin_params_body, "Pddddd",
+         coin_params_body(a[0].p, a[1].d, a[2].d, a[3].d, a[4].d, a[5].d),
+         MAKES, 0, PLAIN)
+FUNCTION(coin_params_check, "p", coin_params_check(a[0].p), MAKES, 0, PLAIN)
+FUNCTION(coin_state_check, "sp", coin_state_check(a[0].p, a[1].p), USUAL, 0,
+         PLAIN)
+FUNCTION(coin_state_from_motion, "Opqwdd",
+         coin_state_from_motion(a[0].p, a[1].p, a[2].p, a[3].p, a[4].d, a[5].d),
+         USUAL, 0, 0, judge_from_motion, 0)
+FUNCTION(coin_method_name, "i", text(coin_method_name(a[0].i)), BIT(COIN_EARG),
+         0, 0, judge_method, 0)

@@ -2,9 +2,6 @@
 /* Calls that take many steps. */
 #include "fuzz.h"
 
-CALL(coin_selftest, ())
-CALL(coin_advance, (a[0].p, a[1].p, a[2].d, a[3].d, a[4].p))
-
 static void judge_advance(const struct outcome *o)
 {
     const double reached = reached_by(o, 2, 4);
@@ -13,9 +10,7 @@ static void judge_advance(const struct outcome *o)
 
 #define LANDS (STOPS | BIT(COIN_EFLAT))
 
-const struct function fuzz_functions[] = {
-    ROW(coin_advance, "SpTer", USUAL | LANDS, 0, LANDS, judge_advance, 0),
-    ROW(coin_selftest, "", 0, 0, PLAIN),
-};
-
-END_OF_TABLE;
+FUNCTION(coin_advance, "SpTer",
+         coin_advance(a[0].p, a[1].p, a[2].d, a[3].d, a[4].p), USUAL | LANDS, 0,
+         LANDS, judge_advance, 0)
+FUNCTION(coin_selftest, "", coin_selftest(), 0, 0, PLAIN)

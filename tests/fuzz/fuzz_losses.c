@@ -4,11 +4,6 @@
 
 #include <math.h>
 
-CALL(coin_losses_check, (a[0].p, a[1].p))
-CALL(coin_losses_power, (a[0].p, a[1].p, a[2].p))
-CALL(coin_losses_rates, (a[0].p, a[1].p, a[2].p, a[3].p))
-CALL(coin_losses_reaction, (a[0].p, a[1].p, a[2].p, a[3].p))
-
 static int is_sound(const coin_state *s, const coin_params *p,
                     const coin_losses *l)
 {
@@ -30,7 +25,6 @@ static int32_t settle(coin_state *s, const coin_params *p, const coin_losses *l,
     return coin_settle(s, p, l, is_sound(s, p, l) ? brief(t, s, p) : t, tol,
                        reached);
 }
-CALL_AS(coin_settle, settle, (a[0].p, a[1].p, a[2].p, a[3].d, a[4].d, a[5].p))
 
 static void judge_power(const struct outcome *o)
 {
@@ -55,13 +49,14 @@ static void judge_settle(const struct outcome *o)
         demand(s->wY == 0 && s->wX * s->theta >= 0 && fabs(s->theta) > 1.57);
 }
 
-const struct function fuzz_functions[] = {
-    ROW(coin_losses_check, "lp", BIT(COIN_EARG) | BIT(COIN_EPARAMS), 0, PLAIN),
-    ROW(coin_losses_power, "spl", 0, 0, 0, judge_power, 1),
-    ROW(coin_losses_rates, "splR", USUAL, 0, PLAIN),
-    ROW(coin_losses_reaction, "splF", USUAL, 0, PLAIN),
-    ROW(coin_settle, "SplTer", USUAL | STOPS, COIN_RESTS, STOPS, judge_settle,
-        0),
-};
-
-END_OF_TABLE;
+FUNCTION(coin_losses_check, "lp", coin_losses_check(a[0].p, a[1].p),
+         BIT(COIN_EARG) | BIT(COIN_EPARAMS), 0, PLAIN)
+FUNCTION(coin_losses_power, "spl", coin_losses_power(a[0].p, a[1].p, a[2].p), 0,
+         0, 0, judge_power, 1)
+FUNCTION(coin_losses_rates, "splR",
+         coin_losses_rates(a[0].p, a[1].p, a[2].p, a[3].p), USUAL, 0, PLAIN)
+FUNCTION(coin_losses_reaction, "splF",
+         coin_losses_reaction(a[0].p, a[1].p, a[2].p, a[3].p), USUAL, 0, PLAIN)
+FUNCTION(coin_settle, "SplTer",
+         settle(a[0].p, a[1].p, a[2].p, a[3].d, a[4].d, a[5].p), USUAL | STOPS,
+         COIN_RESTS, STOPS, judge_settle, 0)

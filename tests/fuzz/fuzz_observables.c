@@ -4,20 +4,6 @@
 
 #include <math.h>
 
-CALL(coin_angular_velocity, (a[0].p, a[1].p))
-CALL(coin_energy, (a[0].p, a[1].p))
-CALL(coin_fastest_rate, (a[0].p, a[1].p))
-CALL(coin_integrals, (a[0].p, a[1].p, a[2].p))
-CALL(coin_reaction, (a[0].p, a[1].p, a[2].p))
-CALL(coin_rates, (a[0].p, a[1].p, a[2].p))
-CALL(coin_center, (a[0].p, a[1].p, a[2].p))
-CALL(coin_velocity, (a[0].p, a[1].p, a[2].p))
-CALL(coin_contact, (a[0].p, a[1].p, a[2].p, a[3].p))
-CALL(coin_axes, (a[0].p, a[1].p))
-CALL(coin_quaternion, (a[0].p, a[1].p))
-CALL(coin_matrix, (a[0].p, a[1].p, a[2].p))
-CALL(coin_check, (a[0].p, a[1].p, a[2].i, a[3].d, a[4].d))
-
 /* Rows of unit length: 3 products and as many sums of 4 u. */
 #define UNIT (32 * 0x1p-53)
 
@@ -81,20 +67,27 @@ static void judge_check(const struct outcome *o)
 #define NO_PARAMS (BIT(COIN_EARG) | BIT(COIN_ESTATE))
 #define CHECKED (USUAL | BIT(COIN_ESTEP))
 
-const struct function fuzz_functions[] = {
-    ROW(coin_angular_velocity, "s3", NO_PARAMS, 0, PLAIN),
-    ROW(coin_energy, "sp", NUMBER),
-    ROW(coin_fastest_rate, "sp", NUMBER),
-    ROW(coin_integrals, "sp2", USUAL, 0, PLAIN),
-    ROW(coin_reaction, "spF", USUAL, 0, PLAIN),
-    ROW(coin_rates, "spR", USUAL, 0, PLAIN),
-    ROW(coin_center, "sp3", USUAL, 0, 0, judge_center, 0),
-    ROW(coin_velocity, "sp3", USUAL, 0, PLAIN),
-    ROW(coin_contact, "sp33", USUAL, 0, 0, judge_contact, 0),
-    ROW(coin_axes, "s9", NO_PARAMS, 0, 0, judge_axes, 0),
-    ROW(coin_quaternion, "s4", NO_PARAMS, 0, 0, judge_quaternion, 0),
-    ROW(coin_matrix, "spM", USUAL, 0, 0, judge_matrix, 0),
-    ROW(coin_check, "spitd", CHECKED, 15, 0, judge_check, 0),
-};
-
-END_OF_TABLE;
+FUNCTION(coin_angular_velocity, "s3", coin_angular_velocity(a[0].p, a[1].p),
+         NO_PARAMS, 0, PLAIN)
+FUNCTION(coin_energy, "sp", coin_energy(a[0].p, a[1].p), NUMBER)
+FUNCTION(coin_fastest_rate, "sp", coin_fastest_rate(a[0].p, a[1].p), NUMBER)
+FUNCTION(coin_integrals, "sp2", coin_integrals(a[0].p, a[1].p, a[2].p), USUAL,
+         0, PLAIN)
+FUNCTION(coin_reaction, "spF", coin_reaction(a[0].p, a[1].p, a[2].p), USUAL, 0,
+         PLAIN)
+FUNCTION(coin_rates, "spR", coin_rates(a[0].p, a[1].p, a[2].p), USUAL, 0, PLAIN)
+FUNCTION(coin_center, "sp3", coin_center(a[0].p, a[1].p, a[2].p), USUAL, 0, 0,
+         judge_center, 0)
+FUNCTION(coin_velocity, "sp3", coin_velocity(a[0].p, a[1].p, a[2].p), USUAL, 0,
+         PLAIN)
+FUNCTION(coin_contact, "sp33", coin_contact(a[0].p, a[1].p, a[2].p, a[3].p),
+         USUAL, 0, 0, judge_contact, 0)
+FUNCTION(coin_axes, "s9", coin_axes(a[0].p, a[1].p), NO_PARAMS, 0, 0,
+         judge_axes, 0)
+FUNCTION(coin_quaternion, "s4", coin_quaternion(a[0].p, a[1].p), NO_PARAMS, 0,
+         0, judge_quaternion, 0)
+FUNCTION(coin_matrix, "spM", coin_matrix(a[0].p, a[1].p, a[2].p), USUAL, 0, 0,
+         judge_matrix, 0)
+FUNCTION(coin_check, "spitd",
+         coin_check(a[0].p, a[1].p, a[2].i, a[3].d, a[4].d), CHECKED, 15, 0,
+         judge_check, 0)

@@ -69,17 +69,13 @@ static int32_t losses_fit(coin_losses *l, const coin_state *s,
         demand(same(&fitted, &more, sizeof more));
     return status;
 }
-CALL_AS(coin_time_to_rest, time_to_rest, (a[0].p, a[1].p, a[2].p))
-CALL_AS(coin_losses_fit, losses_fit, (a[0].p, a[1].p, a[2].p, a[3].d))
 
 static void judge_time(const struct outcome *o)
 {
     demand(!(o->result < 0));
 }
 
-const struct function fuzz_functions[] = {
-    ROW(coin_time_to_rest, "spl", 0, 0, 0, judge_time, 2),
-    ROW(coin_losses_fit, "LEpT", USUAL | BIT(COIN_EDOMAIN), 0, PLAIN),
-};
-
-END_OF_TABLE;
+FUNCTION(coin_time_to_rest, "spl", time_to_rest(a[0].p, a[1].p, a[2].p), 0, 0,
+         0, judge_time, 2)
+FUNCTION(coin_losses_fit, "LEpT", losses_fit(a[0].p, a[1].p, a[2].p, a[3].d),
+         USUAL | BIT(COIN_EDOMAIN), 0, PLAIN)

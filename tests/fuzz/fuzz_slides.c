@@ -5,15 +5,6 @@
 #include <float.h>
 #include <math.h>
 
-CALL(coin_table_check, (a[0].p, a[1].p))
-CALL(coin_body_from_state, (a[0].p, a[1].p, a[2].p))
-CALL(coin_body_from_motion, (a[0].p, a[1].p, a[2].p, a[3].p, a[4].p, a[5].p))
-CALL(coin_move, (a[0].p, a[1].p, a[2].p, a[3].d, a[4].d, a[5].i, a[6].p))
-CALL(coin_body_energy, (a[0].p, a[1].p))
-CALL(coin_body_reaction, (a[0].p, a[1].p, a[2].p, a[3].p))
-CALL(coin_body_slip, (a[0].p, a[1].p, a[2].p))
-CALL(coin_body_matrix, (a[0].p, a[1].p, a[2].p))
-
 /* Friction and losses take energy: what is gained is error.  A step errs by tol
  * per natural unit of time, in units of the energy or of Mga. */
 static void no_energy_is_gained(const struct outcome *o)
@@ -73,15 +64,20 @@ static void judge_move(const struct outcome *o)
     (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_RESTS | COIN_ROLLS |    \
      COIN_TOUCHES)
 
-const struct function fuzz_functions[] = {
-    ROW(coin_table_check, "%p", BIT(COIN_EARG) | BIT(COIN_EPARAMS), 0, PLAIN),
-    ROW(coin_body_from_state, ">sp", USUAL, 0, PLAIN),
-    ROW(coin_body_from_motion, ">pqw--", USUAL, 0, PLAIN),
-    ROW(coin_move, "=p%Texr", USUAL | STOPS, MODES, STOPS, judge_move, 0),
-    ROW(coin_body_energy, "<p", NUMBER),
-    ROW(coin_body_reaction, "<p%F", USUAL, 0, PLAIN),
-    ROW(coin_body_slip, "<p2", USUAL, 0, PLAIN),
-    ROW(coin_body_matrix, "<pM", USUAL, 0, PLAIN),
-};
-
-END_OF_TABLE;
+FUNCTION(coin_table_check, "%p", coin_table_check(a[0].p, a[1].p),
+         BIT(COIN_EARG) | BIT(COIN_EPARAMS), 0, PLAIN)
+FUNCTION(coin_body_from_state, ">sp",
+         coin_body_from_state(a[0].p, a[1].p, a[2].p), USUAL, 0, PLAIN)
+FUNCTION(coin_body_from_motion, ">pqw--",
+         coin_body_from_motion(a[0].p, a[1].p, a[2].p, a[3].p, a[4].p, a[5].p),
+         USUAL, 0, PLAIN)
+FUNCTION(coin_move, "=p%Texr",
+         coin_move(a[0].p, a[1].p, a[2].p, a[3].d, a[4].d, a[5].i, a[6].p),
+         USUAL | STOPS, MODES, STOPS, judge_move, 0)
+FUNCTION(coin_body_energy, "<p", coin_body_energy(a[0].p, a[1].p), NUMBER)
+FUNCTION(coin_body_reaction, "<p%F",
+         coin_body_reaction(a[0].p, a[1].p, a[2].p, a[3].p), USUAL, 0, PLAIN)
+FUNCTION(coin_body_slip, "<p2", coin_body_slip(a[0].p, a[1].p, a[2].p), USUAL,
+         0, PLAIN)
+FUNCTION(coin_body_matrix, "<pM", coin_body_matrix(a[0].p, a[1].p, a[2].p),
+         USUAL, 0, PLAIN)

@@ -4,20 +4,6 @@
 
 #include <math.h>
 
-CALL(coin_steady_roll, (a[0].p, a[1].p, a[2].d))
-CALL(coin_steady_spin, (a[0].p, a[1].p, a[2].d))
-CALL(coin_steady_upright_spin, (a[0].p, a[1].p, a[2].d))
-CALL(coin_steady_circle, (a[0].p, a[1].p, a[2].d, a[3].d, a[4].i))
-CALL(coin_steady_turn, (a[0].p, a[1].p, a[2].d, a[3].d))
-CALL(coin_steady_ride, (a[0].p, a[1].p, a[2].d, a[3].d))
-CALL(coin_steady_radii, (a[0].p, a[1].p, a[2].p, a[3].p))
-CALL(coin_steady_at, (a[0].p, a[1].p, a[2].d, a[3].p))
-CALL(coin_orbit_init, (a[0].p, a[1].p, a[2].p))
-CALL(coin_orbit_at, (a[0].p, a[1].d, a[2].p))
-CALL(coin_stability, (a[0].p, a[1].p, a[2].p))
-CALL(coin_critical_roll, (a[0].p))
-CALL(coin_critical_spin, (a[0].p))
-
 /* Eq. (39), to the 1e-9 of its largest term that steady means: what rounds here
  * besides is far below. */
 static int is_steady(const coin_state *s, const coin_params *p)
@@ -72,22 +58,32 @@ static void judge_at(const struct outcome *o)
 
 #define IS_STEADY (USUAL | BIT(COIN_EDOMAIN))
 
-const struct function fuzz_functions[] = {
-    ROW(coin_steady_roll, "Opv", USUAL, 0, 0, judge_steady, 0),
-    ROW(coin_steady_spin, "Opa", USUAL, 0, 0, judge_steady, 0),
-    ROW(coin_steady_upright_spin, "Opv", USUAL, 0, 0, judge_steady, 0),
-    ROW(coin_steady_circle, "Opavb", IS_STEADY, 0, 0, judge_steady, 0),
-    ROW(coin_steady_turn, "Opa~", IS_STEADY, 0, 0, judge_turn, 0),
-    ROW(coin_steady_ride, "Op^~", IS_STEADY, 0, 0, judge_turn, 0),
-    ROW(coin_steady_radii, "spII", IS_STEADY, 0, 0, judge_is_steady, 0),
-    ROW(coin_steady_at, "spTO", IS_STEADY | BIT(COIN_ESTEP) | BIT(COIN_ERANGE),
-        0, 0, judge_at, 0),
-    ROW(coin_orbit_init, "Ysp", IS_STEADY, 0, PLAIN),
-    ROW(coin_orbit_at, "yTV",
-        BIT(COIN_EARG) | BIT(COIN_ESTEP) | BIT(COIN_ERANGE), 0, PLAIN),
-    ROW(coin_stability, "sp1", IS_STEADY, 0, 0, judge_is_steady, 0),
-    ROW(coin_critical_roll, "p", NUMBER),
-    ROW(coin_critical_spin, "p", NUMBER),
-};
-
-END_OF_TABLE;
+FUNCTION(coin_steady_roll, "Opv", coin_steady_roll(a[0].p, a[1].p, a[2].d),
+         USUAL, 0, 0, judge_steady, 0)
+FUNCTION(coin_steady_spin, "Opa", coin_steady_spin(a[0].p, a[1].p, a[2].d),
+         USUAL, 0, 0, judge_steady, 0)
+FUNCTION(coin_steady_upright_spin, "Opv",
+         coin_steady_upright_spin(a[0].p, a[1].p, a[2].d), USUAL, 0, 0,
+         judge_steady, 0)
+FUNCTION(coin_steady_circle, "Opavb",
+         coin_steady_circle(a[0].p, a[1].p, a[2].d, a[3].d, a[4].i), IS_STEADY,
+         0, 0, judge_steady, 0)
+FUNCTION(coin_steady_turn, "Opa~",
+         coin_steady_turn(a[0].p, a[1].p, a[2].d, a[3].d), IS_STEADY, 0, 0,
+         judge_turn, 0)
+FUNCTION(coin_steady_ride, "Op^~",
+         coin_steady_ride(a[0].p, a[1].p, a[2].d, a[3].d), IS_STEADY, 0, 0,
+         judge_turn, 0)
+FUNCTION(coin_steady_radii, "spII",
+         coin_steady_radii(a[0].p, a[1].p, a[2].p, a[3].p), IS_STEADY, 0, 0,
+         judge_is_steady, 0)
+FUNCTION(coin_steady_at, "spTO", coin_steady_at(a[0].p, a[1].p, a[2].d, a[3].p),
+         IS_STEADY | BIT(COIN_ESTEP) | BIT(COIN_ERANGE), 0, 0, judge_at, 0)
+FUNCTION(coin_orbit_init, "Ysp", coin_orbit_init(a[0].p, a[1].p, a[2].p),
+         IS_STEADY, 0, PLAIN)
+FUNCTION(coin_orbit_at, "yTV", coin_orbit_at(a[0].p, a[1].d, a[2].p),
+         BIT(COIN_EARG) | BIT(COIN_ESTEP) | BIT(COIN_ERANGE), 0, PLAIN)
+FUNCTION(coin_stability, "sp1", coin_stability(a[0].p, a[1].p, a[2].p),
+         IS_STEADY, 0, 0, judge_is_steady, 0)
+FUNCTION(coin_critical_roll, "p", coin_critical_roll(a[0].p), NUMBER)
+FUNCTION(coin_critical_spin, "p", coin_critical_spin(a[0].p), NUMBER)

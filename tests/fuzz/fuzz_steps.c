@@ -4,12 +4,6 @@
 
 #include <string.h>
 
-CALL(coin_step, (a[0].p, a[1].p, a[2].d))
-CALL(coin_run, (a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].p))
-CALL(coin_batch_run, (a[0].p, a[1].u, a[2].p, a[3].i, a[4].d, a[5].u, a[6].p))
-CALL(coin_sample,
-     (a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].u, a[6].p, a[7].p))
-
 /* The progress of a call: all of it, or none because the step is no number, or
  * so much. */
 static uint64_t progress(const struct outcome *o, double dt, uint64_t asked,
@@ -100,12 +94,15 @@ static void judge_sample(const struct outcome *o)
 
 #define STEPS (USUAL | STOPS)
 
-const struct function fuzz_functions[] = {
-    ROW(coin_step, "Spt", STEPS, COIN_COARSE, 0, judge_step, 0),
-    ROW(coin_run, "Spitun", STEPS, COIN_COARSE, STOPS, judge_run, 0),
-    ROW(coin_batch_run, "XcpituZ", STEPS, COIN_COARSE, STOPS | BIT(COIN_ESTATE),
-        judge_batch_run, 0),
-    ROW(coin_sample, "spitucAz", STEPS, COIN_COARSE, STOPS, judge_sample, 0),
-};
-
-END_OF_TABLE;
+FUNCTION(coin_step, "Spt", coin_step(a[0].p, a[1].p, a[2].d), STEPS,
+         COIN_COARSE, 0, judge_step, 0)
+FUNCTION(coin_run, "Spitun",
+         coin_run(a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].p), STEPS,
+         COIN_COARSE, STOPS, judge_run, 0)
+FUNCTION(coin_batch_run, "XcpituZ",
+         coin_batch_run(a[0].p, a[1].u, a[2].p, a[3].i, a[4].d, a[5].u, a[6].p),
+         STEPS, COIN_COARSE, STOPS | BIT(COIN_ESTATE), judge_batch_run, 0)
+FUNCTION(coin_sample, "spitucAz",
+         coin_sample(a[0].p, a[1].p, a[2].i, a[3].d, a[4].u, a[5].u, a[6].p,
+                     a[7].p),
+         STEPS, COIN_COARSE, STOPS, judge_sample, 0)

@@ -4,7 +4,7 @@
 #     named.sh SRC
 set -eu
 src=$1
-named=$(sed -n 's/^ *ROW(\(coinf*_[a-z_A-Z0-9]*\),.*/\1/p' \
+named=$(sed -n 's/^FUNCTION(\(coinf*_[a-z_A-Z0-9]*\),.*/\1/p' \
     "$src"/tests/fuzz/fuzz_*.c | LC_ALL=C sort)
 public=$(sed -n '/global:/,/local:/s/^ *\(coinf*_[A-Za-z_0-9]*\);.*/\1/p' \
     "$src/lib/about/rollcoin.map" | LC_ALL=C sort)

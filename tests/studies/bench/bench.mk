@@ -21,7 +21,7 @@ FUSED          := gsl odeint
 FLAGS_fused    := $(FLAGS_native) -ffp-contract=fast
 
 BENCHES := $(patsubst $(BENCH_SRC)/%.c,%,$(wildcard $(BENCH_SRC)/bench_*.c))
-SHARED_BY_BENCHES := scene workprec atlas movers textbook sliding
+SHARED_BY_BENCHES := scene workprec atlas textbook sliding
 PEERS        := gsl odeint cvode ode mujoco
 LIBS_gsl     := -lgsl -lgslcblas
 LIBS_cvode   := -lsundials_cvode -lsundials_nvecserial \

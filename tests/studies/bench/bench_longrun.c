@@ -4,8 +4,11 @@
  * goes on to 1e8.
  *     bench_longrun            CSV of drifts
  *     bench_longrun damping    CSV of the nutation's amplitude */
-#include "movers.h"
 #include "scene.h"
+
+#include <extrapolation.h>
+#include <run.h>
+#include <sundman.h>
 
 #include <math.h>
 #include <stdio.h>
@@ -25,6 +28,53 @@ enum { MARKS = (LAST - FIRST) * PER_DECADE + 1 };
 #define TURN 6.283185307179586
 
 enum { ENERGY, K_Y, K_Z, PHASE, DRIFTS };
+
+/* A coin under fixed steps of h: by a method in t, or, as coin_advance() steps,
+ * in tau. */
+enum { IN_TAU = 100 };
+
+typedef struct mover {
+    int32_t method;
+    coin_params p;
+    coin_state s;
+    double h;
+    long double t;     /* since the start */
+    coin_priv_run run; /* in tau */
+} mover;
+
+static const char *name_of(int32_t method)
+{
+    return method == IN_TAU ? "order 14 in tau" : coin_method_name(method);
+}
+
+static mover mover_at(int32_t method, const coin_state *s, const coin_params *p,
+                      double h)
+{
+    mover m = {.method = method, .p = *p, .s = *s, .h = h};
+    if (coin_priv_check(s, p, &m.run.b) == COIN_OK)
+        coin_priv_run_unlimited(&m.run, s);
+    return m;
+}
+
+/* n steps; 0, or a step failed.  The time in tau is summed apart, or the sum's
+ * rounding would soon be all that one sees of the phase. */
+static int mover_go(mover *m, unsigned long n)
+{
+    if (m->method != IN_TAU) {
+        m->t += (long double)m->h * (long double)n;
+        return coin_run(&m->s, &m->p, m->method, m->h, n, NULL) < 0;
+    }
+    for (; n > 0; --n) {
+        double error = 1;
+        if (!coin_priv_extrapolate(&m->run, m->h, &error))
+            return 1;
+    }
+    m->t += m->run.g.added.t;
+    m->run.g.added.t = 0;
+    coin_priv_read_lean(&m->run.g);
+    m->s = coin_priv_run_state(&m->run);
+    return 0;
+}
 
 /* One start: what is exact, and how far off a run has been. */
 struct track {
@@ -69,8 +119,7 @@ static double to_top(coin_state *s, const coin_params *p)
 }
 
 /* All starts but the first are moved by up to a thousandth. */
-static struct track begin(enum mover_kind kind, double h, const scene *c,
-                          int index)
+static struct track begin(int32_t method, double h, const scene *c, int index)
 {
     const double by = index == 0 ? 0 : 1e-3;
     coin_state s = c->row[0].s;
@@ -78,7 +127,7 @@ static struct track begin(enum mover_kind kind, double h, const scene *c,
     s.wX *= 1 + by * uniform();
     s.wY *= 1 + by * uniform();
     s.wZ *= 1 + by * uniform();
-    struct track k = {.m = mover_at(kind, &s, &c->p, h)};
+    struct track k = {.m = mover_at(method, &s, &c->p, h)};
     k.energy = coin_energy(&s, &c->p);
     coin_integrals(&s, &c->p, k.K);
     k.top = to_top(&s, &c->p);
@@ -126,12 +175,12 @@ static int follow(struct track *k, int marks, double out[][DRIFTS])
     return marks;
 }
 
-static void drifts(enum mover_kind kind, double h, const scene *c)
+static void drifts(int32_t method, double h, const scene *c)
 {
     static double all[STARTS][MARKS][DRIFTS];
     int reached[STARTS];
     for (int i = 0; i < STARTS; ++i) {
-        struct track k = begin(kind, h, c, i);
+        struct track k = begin(method, h, c, i);
         const int marks = i == 0 ? MARKS : (ALL - FIRST) * PER_DECADE + 1;
         reached[i] = follow(&k, marks, all[i]);
     }
@@ -145,7 +194,7 @@ static void drifts(enum mover_kind kind, double h, const scene *c)
                 widen(&worst[d], all[i][j][d]);
             }
         }
-        printf("%s,%g,%.0f,%.6g,%d", mover_name(kind), h, mark(j), mark(j) * h,
+        printf("%s,%g,%.0f,%.6g,%d", name_of(method), h, mark(j), mark(j) * h,
                n);
         for (int d = 0; d < DRIFTS; ++d)
             printf(",%.3g,%.3g", sqrt(square[d] / n), worst[d]);
@@ -156,10 +205,10 @@ static void drifts(enum mover_kind kind, double h, const scene *c)
 
 /* Twice the nutation's amplitude in windows of three periods or so: a hundred
  * windows, evenly spaced in the logarithm of time. */
-static void damping(enum mover_kind kind, double h, const scene *c)
+static void damping(int32_t method, double h, const scene *c)
 {
     const int window = (int)(12 / h);
-    mover m = mover_at(kind, &c->row[0].s, &c->p, h);
+    mover m = mover_at(method, &c->row[0].s, &c->p, h);
     double next = 10;
     while (next < 1e6) {
         double low = INFINITY, high = -INFINITY;
@@ -169,7 +218,7 @@ static void damping(enum mover_kind kind, double h, const scene *c)
             low = fmin(low, m.s.theta);
             high = fmax(high, m.s.theta);
         }
-        printf("%s,%g,%.6g,%.4g\n", mover_name(kind), h, (double)m.t,
+        printf("%s,%g,%.6g,%.4g\n", name_of(method), h, (double)m.t,
                high - low);
         for (next *= 1.12; m.t < next;)
             if (mover_go(&m, (unsigned long)window))
@@ -181,30 +230,29 @@ static void damping(enum mover_kind kind, double h, const scene *c)
 int main(int argc, char **argv)
 {
     static const struct {
-        enum mover_kind kind;
+        int32_t method;
         double h;
     } long_runs[] =
         {
-            {MOVER_RK4, 0.05},         {MOVER_RK4, 0.01},
-            {MOVER_RK8, 0.1},          {MOVER_RK8, 0.05},
-            {MOVER_SUNDMAN, 0.1},      {MOVER_SUNDMAN, 0.05},
-            {MOVER_SYMPLECTIC2, 0.05}, {MOVER_SYMPLECTIC4, 0.1},
+            {COIN_RK4, 0.05},         {COIN_RK4, 0.01},        {COIN_RK8, 0.1},
+            {COIN_RK8, 0.05},         {IN_TAU, 0.1},           {IN_TAU, 0.05},
+            {COIN_SYMPLECTIC2, 0.05}, {COIN_SYMPLECTIC4, 0.1},
         },
       coarse[] = {
-          {MOVER_RK4, 0.2}, {MOVER_RK4, 0.1},         {MOVER_RK4, 0.05},
-          {MOVER_RK8, 0.2}, {MOVER_SYMPLECTIC2, 0.1}, {MOVER_SYMPLECTIC4, 0.2},
+          {COIN_RK4, 0.2}, {COIN_RK4, 0.1},         {COIN_RK4, 0.05},
+          {COIN_RK8, 0.2}, {COIN_SYMPLECTIC2, 0.1}, {COIN_SYMPLECTIC4, 0.2},
       };
     scene c;
     scene_load(&c, "generic", 20);
     if (argc > 1 && strcmp(argv[1], "damping") == 0) {
         puts("method,h,t,swing");
         for (unsigned i = 0; i < sizeof coarse / sizeof *coarse; ++i)
-            damping(coarse[i].kind, coarse[i].h, &c);
+            damping(coarse[i].method, coarse[i].h, &c);
         return 0;
     }
     puts("method,h,steps,t,starts,energy_rms,energy_worst,KY_rms,KY_worst,"
          "KZ_rms,KZ_worst,phase_rms,phase_worst");
     for (unsigned i = 0; i < sizeof long_runs / sizeof *long_runs; ++i)
-        drifts(long_runs[i].kind, long_runs[i].h, &c);
+        drifts(long_runs[i].method, long_runs[i].h, &c);
     return 0;
 }
