@@ -80,9 +80,7 @@ template <class T, class R> bool ride(trial<T, R> &q)
 /* A steady state to rounding, or off by up to 1e-9. */
 void steady_edge(scene *s, const double *g, int)
 {
-    const coin_params p = params_of<doubles>(*s);
-    const moment<long double> y(p, state_of<doubles>(*s));
-    long double large, slow;
+    double large, slow;
     near_pose(s, g);
     s->wX = 0;
     if (g[28] < 0.15) {
@@ -90,10 +88,10 @@ void steady_edge(scene *s, const double *g, int)
         *(g[28] < 0.07 ? &s->wY : &s->wZ) = 0;
     } else if (g[28] < 0.3) {
         s->wZ = 0;
-        s->wY = double(root(y.Mga * y.c / y.IX));
+        s->wY = std::sqrt(s->M * s->g * s->a * std::cos(s->theta) / s->IX);
     } else {
-        roots_of(y, &large, &slow);
-        s->wY = double(g[28] < 0.7 ? slow : large);
+        circles_of(*s, &large, &slow);
+        s->wY = g[28] < 0.7 ? slow : large;
     }
     if (g[29] < 0.5)
         s->wY *= 1 + 1e-9 * s->q[0];
@@ -324,18 +322,15 @@ void about_circles(scene *s, const double *g, int kind)
 {
     horizon(s, g, 0);
     s->tol = std::pow(10, 6 * g[24] - 7);
-    const double m = s->M * s->a * s->a, K = s->IZ + m,
-                 Mga = s->M * s->g * s->a;
     const double w = std::sqrt(s->g / s->a);
+    double large, slow;
     if (g[28] <= 0.7) {
         s->t = (g[22] < 0.5 ? 70 : -70) * g[23] / w;
         s->theta = 0.01 + 0.4 * g[8];
         s->wX = w * (g[29] < 0.5 ? 0 : std::pow(10, -16 * g[30]));
         s->wZ = w * 0.7 * g[9];
-        const double sth = std::sin(s->theta), T = std::tan(s->theta);
-        const double b = K * s->wZ;
-        s->wY =
-            2 * Mga * sth / (b + std::sqrt(b * b + 4 * s->IX * Mga * sth * T));
+        circles_of(*s, &large, &slow);
+        s->wY = slow;
         if (g[31] > 0.5)
             s->wY *= 1 + std::pow(10, -17 * g[27]);
     }

@@ -342,9 +342,10 @@ template <class T, class R> bool params_ring(trial<T, R> &q)
     return true;
 }
 
-#define TWINS_LAW(name, bound, law)                                            \
-    LAW(doubles, "coin_" name, bound, 1, nullptr, 0, law),                     \
-        LAW(floats, "coinf_" name, bound, 1, nullptr, 0, law)
+#define TWINS_LAW(name, bound, law) AT_EDGE(name, bound, nullptr, nullptr, law)
+#define AT_EDGE(name, bound, edge, edge_of_floats, law)                        \
+    LAW(doubles, "coin_" name, bound, 1, edge, 0, law),                        \
+        LAW(floats, "coinf_" name, bound, 1, edge_of_floats, 0, law)
 #define LOSSES(name, bound, law)                                               \
     LAW(doubles, "coin_losses_" name, bound, 1, some_losses, 0, law)
 } // namespace
@@ -367,14 +368,12 @@ std::vector<row> observables()
         TWINS_LAW("quaternion", "4 u", quaternion),
         TWINS_LAW("matrix", "8 u", matrix),
         TWINS_LAW("angular_velocity", "8 u of the terms", angular_velocity),
-        LAW(doubles, "coin_state_from_motion", turns, 1, near_a_rotation, 0,
-            from_motion),
-        LAW(floats, "coinf_state_from_motion", turns, 1, near_a_rotation, 0,
-            from_motion),
+        AT_EDGE("state_from_motion", turns, near_a_rotation, near_a_rotation,
+                from_motion),
         LOSSES("power", "24 u of the terms", losses_power),
         LOSSES("rates", "16 u of the terms", losses_rates),
         LOSSES("reaction", "16 u of the terms", losses_reaction),
-        LAW(doubles, "coin_check", bits, 1, at_the_limits<doubles>, 0, check),
-        LAW(floats, "coinf_check", bits, 1, at_the_limits<floats>, 0, check),
+        AT_EDGE("check", bits, at_the_limits<doubles>, at_the_limits<floats>,
+                check),
     };
 }

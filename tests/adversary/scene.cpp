@@ -5,6 +5,16 @@
 #include <cstdio>
 #include <cstdlib>
 
+void circles_of(const scene &s, double *large, double *slow)
+{
+    const double K = s.IZ + s.M * s.a * s.a, Mga = s.M * s.g * s.a;
+    const double T = std::tan(s.theta), sth = std::sin(s.theta), b = K * s.wZ;
+    const double r = std::sqrt(b * b + 4 * s.IX * Mga * sth * T);
+    const double q = -(b + (b < 0 ? -r : r)) / 2;
+    *large = q / (s.IX * T);
+    *slow = -Mga * sth / q;
+}
+
 namespace
 {
 constexpr double FLAT = 1.5707963267948966;
@@ -107,56 +117,40 @@ double lean(const double *g)
 /* A circle at the lean of *s, off by a part. */
 void on_a_circle(scene *s, const double *g)
 {
-    const double m = s->M * s->a * s->a, K = s->IZ + m,
-                 Mga = s->M * s->g * s->a;
-    const double T = std::tan(s->theta), b = K * s->wZ;
-    const double r =
-        std::sqrt(b * b + 4 * s->IX * Mga * std::sin(s->theta) * T);
-    const double q = -(b + (b < 0 ? -r : r)) / 2;
-    const double wY =
-        g[0] < 0.3 ? q / (s->IX * T) : -Mga * std::sin(s->theta) / q;
+    double large, slow;
+    circles_of(*s, &large, &slow);
+    const double wY = g[0] < 0.3 ? large : slow;
     s->wY = std::isfinite(wY) ? wY * (1 + either(g[1], -18, 0)) : 0;
 }
 
 void choose_rates(scene *s, const double *g)
 {
-    const double w = std::sqrt(s->g / s->a), m = s->M * s->a * s->a;
+    const double w = std::sqrt(s->g / s->a);
     const double slowest[] = {-3, -3, -3, -3, -3, -3, -3, -12, -20, -3};
     const double fastest[] = {0.7, 0.7, 0.7, 0.7, 0.7, 0.7, 0.7, 0, 0, 6};
     const int k = kind(g[0], 10);
     s->wX = w * either(g[1], slowest[k], fastest[k]);
     s->wY = w * either(g[2], slowest[k], fastest[k]);
     s->wZ = w * either(g[3], slowest[k], fastest[k]);
-    switch (kind(g[4], 12)) {
-    case 0:
-    case 1:
+    const int what = kind(g[4], 12);
+    if (what < 5)
         s->wX = w * either(g[1], -17, -1);
-        on_a_circle(s, g + 5);
-        return;
-    case 2: /* a spin */
-        s->wX = w * either(g[1], -17, -1);
-        s->wZ = w * either(g[3], -17, -1);
-        s->wY = std::sqrt(s->M * s->g * s->a / s->IX * std::cos(s->theta)) *
-                (1 + either(g[6], -17, 0));
-        return;
-    case 3: /* about the critical roll */
-        s->wX = w * either(g[1], -17, -1);
-        s->wY = w * either(g[2], -17, -1);
-        s->wZ = std::sqrt(s->M * s->g * s->a * s->IX / s->IZ / (s->IZ + m)) *
-                (1 + either(g[6], -17, 0));
-        return;
-    case 4: /* about the critical spin */
-        s->wX = w * either(g[1], -17, -1);
-        s->wZ = w * either(g[3], -17, -1);
-        s->wY = std::sqrt(s->M * s->g * s->a / (s->IX + m)) *
-                (1 + either(g[6], -17, 0));
-        return;
-    case 5: /* dropped */
+    if (what == 5) /* dropped */
         s->wX = 0;
+    if (what < 2)
+        on_a_circle(s, g + 5);
+    if (what < 2 || what > 4)
         return;
-    default:
-        return;
-    }
+    /* A spin; about the critical roll; about the critical spin. */
+    const double Mga = s->M * s->g * s->a, m = s->M * s->a * s->a;
+    const double critical[] = {
+        std::sqrt(Mga / s->IX * std::cos(s->theta)),
+        std::sqrt(Mga * s->IX / s->IZ / (s->IZ + m)),
+        std::sqrt(Mga / (s->IX + m)),
+    };
+    const bool rolls = what == 3;
+    (rolls ? s->wY : s->wZ) = w * either(g[rolls ? 2 : 3], -17, -1);
+    (rolls ? s->wZ : s->wY) = critical[what - 2] * (1 + either(g[6], -17, 0));
 }
 
 double heading(double gene)

@@ -27,6 +27,9 @@ using genome = std::array<double, GENES>;
 /* The scene of a genome; narrow: within the range of floats. */
 scene scene_of(const genome &genes, bool narrow);
 
+/* wY of the two circles of a lean and a roll, (40). */
+void circles_of(const scene &s, double *large, double *slow);
+
 /* W of (47) of a scene; the pose of order one; that, and a horizon of 0.01 to
  * 60 natural units. */
 double fastest_of(const scene &s);
