@@ -339,34 +339,30 @@ void about_circles(scene *s, const double *g, int kind)
                std::sqrt(s->a / s->g);
 }
 
-#define STEADY(name, bound, edge, law)                                         \
-    LAW(doubles, "coin_" name, bound, 1, edge, 0, law)
-#define ORBIT(name, bound, share, edge, kind, law)                             \
-    LAW(doubles, "coin_" name, bound, share, edge, kind, law)
 } // namespace
 
 std::vector<row> exact_motions()
 {
     return {
-        STEADY("steady_spin", "8 u", nullptr, spin),
-        STEADY("steady_circle", "8 u", nullptr, circle),
-        STEADY("steady_turn", "8 u", nullptr, turn),
-        STEADY("steady_ride",
-               "16 u + u/cos theta of the speed; 16 u of the radius", nullptr,
-               ride),
-        STEADY("steady_radii", "8 u of the terms", steady_edge, radii),
-        STEADY("stability", "16 u of the terms", steady_edge, stability),
-        STEADY("critical_roll_and_spin", "8 u", nullptr, critical),
-        ORBIT("orbit_at",
-              "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + "
-              "period) + 4 u amplified",
-              20, about_circles, NEAR, orbit),
-        ORBIT("orbit_at_far", "the same; up to 1e6 units", 20, about_circles,
-              FAR, orbit),
-        ORBIT("orbit_init",
-              "lean; rates; heading and roll after a period as coin_orbit_at",
-              20, about_circles, NEAR, orbit_init),
-        STEADY("steady_at", "6 u of the angles and path", steady_edge,
-               steady_at),
+        ROW("steady_spin", "8 u", 1, nullptr, 0, spin),
+        ROW("steady_circle", "8 u", 1, nullptr, 0, circle),
+        ROW("steady_turn", "8 u", 1, nullptr, 0, turn),
+        ROW("steady_ride",
+            "16 u + u/cos theta of the speed; 16 u of the radius", 1, nullptr,
+            0, ride),
+        ROW("steady_radii", "8 u of the terms", 1, steady_edge, 0, radii),
+        ROW("stability", "16 u of the terms", 1, steady_edge, 0, stability),
+        ROW("critical_roll_and_spin", "8 u", 1, nullptr, 0, critical),
+        ROW("orbit_at",
+            "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + "
+            "period) + 4 u amplified",
+            20, about_circles, NEAR, orbit),
+        ROW("orbit_at_far", "the same; up to 1e6 units", 20, about_circles, FAR,
+            orbit),
+        ROW("orbit_init",
+            "lean; rates; heading and roll after a period as coin_orbit_at", 20,
+            about_circles, NEAR, orbit_init),
+        ROW("steady_at", "6 u of the angles and path", 1, steady_edge, 0,
+            steady_at),
     };
 }

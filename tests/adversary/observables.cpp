@@ -346,8 +346,6 @@ template <class T, class R> bool params_ring(trial<T, R> &q)
 #define AT_EDGE(name, bound, edge, edge_of_floats, law)                        \
     LAW(doubles, "coin_" name, bound, 1, edge, 0, law),                        \
         LAW(floats, "coinf_" name, bound, 1, edge_of_floats, 0, law)
-#define LOSSES(name, bound, law)                                               \
-    LAW(doubles, "coin_losses_" name, bound, 1, some_losses, 0, law)
 } // namespace
 
 std::vector<row> observables()
@@ -370,9 +368,12 @@ std::vector<row> observables()
         TWINS_LAW("angular_velocity", "8 u of the terms", angular_velocity),
         AT_EDGE("state_from_motion", turns, near_a_rotation, near_a_rotation,
                 from_motion),
-        LOSSES("power", "24 u of the terms", losses_power),
-        LOSSES("rates", "16 u of the terms", losses_rates),
-        LOSSES("reaction", "16 u of the terms", losses_reaction),
+        ROW("losses_power", "24 u of the terms", 1, some_losses, 0,
+            losses_power),
+        ROW("losses_rates", "16 u of the terms", 1, some_losses, 0,
+            losses_rates),
+        ROW("losses_reaction", "16 u of the terms", 1, some_losses, 0,
+            losses_reaction),
         AT_EDGE("check", bits, at_the_limits<doubles>, at_the_limits<floats>,
                 check),
     };

@@ -294,27 +294,24 @@ void falls(scene *s, const double *g, int)
     }
 }
 
-#define ROLLING(name, bound, share, edge, kind, law)                           \
-    LAW(doubles, "coin_" name, bound, share, edge, kind, law)
 } // namespace
 
 std::vector<row> rolling_motions()
 {
     const char *moved = "2 tol a radius of speed + rounding";
     return {
-        ROLLING("advance", moved, 10, horizon, ADVANCE, rolls),
-        ROLLING("settle", "20 tol a radius of speed + rounding", 25, launches,
-                SETTLE, rolls),
-        ROLLING("move_until", "F/N over mu by 1e-4 of mu", 10, until_it_slips,
-                0, until),
-        ROLLING("time_to_rest",
-                "2 tol a radius of speed, of the fall; tol = 1e-6", 1000, falls,
-                0, time_to_rest),
-        ROLLING("advance_calls", moved, 50, short_calls, ADVANCE_CALLS, rolls),
-        ROLLING("settle_calls", moved, 50, short_calls, SETTLE_CALLS, rolls),
-        ROLLING("move_calls",
-                "2 tol a radius of speed + rounding; rolls where the truth "
-                "does",
-                50, short_calls, MOVE_CALLS, rolls),
+        ROW("advance", moved, 10, horizon, ADVANCE, rolls),
+        ROW("settle", "20 tol a radius of speed + rounding", 25, launches,
+            SETTLE, rolls),
+        ROW("move_until", "F/N over mu by 1e-4 of mu", 10, until_it_slips, 0,
+            until),
+        ROW("time_to_rest", "2 tol a radius of speed, of the fall; tol = 1e-6",
+            1000, falls, 0, time_to_rest),
+        ROW("advance_calls", moved, 50, short_calls, ADVANCE_CALLS, rolls),
+        ROW("settle_calls", moved, 50, short_calls, SETTLE_CALLS, rolls),
+        ROW("move_calls",
+            "2 tol a radius of speed + rounding; rolls where the truth "
+            "does",
+            50, short_calls, MOVE_CALLS, rolls),
     };
 }

@@ -139,6 +139,10 @@ double judged(const scene &s, int kind, double enough)
             judged<T, quad, law<T, quad>>                                      \
     }
 
+/* A row of a function of coin.h. */
+#define ROW(name, bound, share, edge, kind, law)                               \
+    LAW(doubles, "coin_" name, bound, share, edge, kind, law)
+
 std::vector<row> observables();
 std::vector<row> exact_motions();
 std::vector<row> steps();

@@ -429,8 +429,6 @@ void thrown_with_losses(scene *s, const double *g, int kind)
     s->t = std::sqrt(angle * s->a / s->g) * std::pow(10, 3 * g[22] - 2);
 }
 
-#define BODY(name, bound, share, edge, kind, law)                              \
-    LAW(doubles, "coin_" name, bound, share, edge, kind, law)
 } // namespace
 
 std::vector<row> slips()
@@ -439,17 +437,17 @@ std::vector<row> slips()
     const char *when = "tol (1 + natural time) over the rate; before "
                        "amplification";
     return {
-        BODY("body_energy", "12 u of the terms", 1, nullptr, 0, energy),
-        BODY("body_slip", "8 u of the terms", 1, nullptr, 0, velocity),
-        BODY("body_from_state", "8 u of the terms", 1, nullptr, 0, from_state),
-        BODY("body_reaction", "32 u of the terms over cos theta; slipping", 1,
-             thrown, 0, reaction),
-        BODY("move_slips", way, 25, thrown, ONCE, slip),
-        BODY("move_ice", way, 25, thrown, ICE, slip),
-        BODY("move_slip_calls", way, 25, thrown_with_losses, CALLS, slip),
-        BODY("move_losses", way, 25, thrown_with_losses, LOSSES, slip),
-        BODY("move_begins", when, 10, thrown, EVENT, begins),
-        BODY("move_ends", when, 100, thrown, EVENT, ends),
-        BODY("move_lifts", when, 25, thrown, EVENT, lifts),
+        ROW("body_energy", "12 u of the terms", 1, nullptr, 0, energy),
+        ROW("body_slip", "8 u of the terms", 1, nullptr, 0, velocity),
+        ROW("body_from_state", "8 u of the terms", 1, nullptr, 0, from_state),
+        ROW("body_reaction", "32 u of the terms over cos theta; slipping", 1,
+            thrown, 0, reaction),
+        ROW("move_slips", way, 25, thrown, ONCE, slip),
+        ROW("move_ice", way, 25, thrown, ICE, slip),
+        ROW("move_slip_calls", way, 25, thrown_with_losses, CALLS, slip),
+        ROW("move_losses", way, 25, thrown_with_losses, LOSSES, slip),
+        ROW("move_begins", when, 10, thrown, EVENT, begins),
+        ROW("move_ends", when, 100, thrown, EVENT, ends),
+        ROW("move_lifts", when, 25, thrown, EVENT, lifts),
     };
 }

@@ -185,16 +185,18 @@ template <class T, class R> bool tosses(trial<T, R> &q)
                        sunk / (20 * doubles::u)));
 }
 
-#define THROW(name, bound, law)                                                \
-    LAW(doubles, "coin_move_" name, bound, 25, tossed, 0, law)
 } // namespace
 
 std::vector<row> throws()
 {
     return {
-        THROW("flies", "1e-15 a radian + 16 u of the way", flies),
-        THROW("touches", "a gap of 1e-15 a radian + 16 u of the way", touches),
-        THROW("hits", "1e-15 of the speeds over I_X and I_Z", hits),
-        THROW("tosses", "tol of the energy a natural unit; 20 u below", tosses),
+        ROW("move_flies", "1e-15 a radian + 16 u of the way", 25, tossed, 0,
+            flies),
+        ROW("move_touches", "a gap of 1e-15 a radian + 16 u of the way", 25,
+            tossed, 0, touches),
+        ROW("move_hits", "1e-15 of the speeds over I_X and I_Z", 25, tossed, 0,
+            hits),
+        ROW("move_tosses", "tol of the energy a natural unit; 20 u below", 25,
+            tossed, 0, tosses),
     };
 }

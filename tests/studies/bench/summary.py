@@ -177,7 +177,7 @@ def silent(key):
         for name in (r[key], "all"):
             sums = of.setdefault(name, dict.fromkeys(r, 0))
             for k in r:
-                if k not in ("method", "family", "closest"):
+                if k not in ("method", "family"):
                     sums[k] += int(r[k])
     of["all"] = of.pop("all", {})
     head = (key, "runs", "right", "nothing stated", "warned, right",

@@ -18,27 +18,7 @@
 
 static struct counts {
     unsigned long runs, of[STUDY_OUTCOMES];
-    unsigned long blind; /* wrong, with an energy as after fine steps */
-    unsigned long loud;  /* right, with another energy */
-    double closest;      /* the most of what is stated that a right run used,
-                            its amplification counted */
 } counts[STUDY_METHODS][STUDY_FAMILIES];
-
-static void count(struct counts *c, enum study_outcome outcome,
-                  const struct study_measure *m,
-                  const struct study_claim *claim)
-{
-    const double stated = claim->share * m->sum + m->rounding;
-    const double fine = claim->share * m->fine + m->rounding;
-    ++c->runs;
-    ++c->of[outcome];
-    if (outcome == STUDY_RIGHT && m->amplified > 1)
-        c->closest = fmax(c->closest, m->error / (m->amplified * stated));
-    if (outcome == STUDY_RIGHT)
-        c->loud += m->energy > stated;
-    if (outcome == STUDY_SILENT || outcome == STUDY_FLAGGED_WRONG)
-        c->blind += m->finished && m->energy <= fine;
-}
 
 static void tell(const struct study_run *r, uint64_t seed, uint64_t run,
                  const struct study_measure *m)
@@ -57,23 +37,23 @@ static int judge(uint64_t seed, uint64_t runs)
         const struct study_run r = study_draw(seed, i, MOST_STEPS, MOST_TURN);
         struct study_measure m;
         const enum study_outcome outcome = study_judge(&r, &m);
-        count(&counts[r.method][r.family], outcome, &m,
-              &study_claims[r.method]);
+        struct counts *c = &counts[r.method][r.family];
+        ++c->runs;
+        ++c->of[outcome];
         if (outcome == STUDY_SILENT) {
             tell(&r, seed, i, &m);
             silent = 1;
         }
     }
     puts("method,family,runs,right,orbit_right,unstated,silent,flagged_right,"
-         "flagged_wrong,refused_right,refused_wrong,energy_blind,energy_loud,"
-         "closest");
+         "flagged_wrong,refused_right,refused_wrong");
     for (int k = 0; k < STUDY_METHODS; ++k)
         for (int f = 0; f < STUDY_FAMILIES; ++f) {
             const struct counts *c = &counts[k][f];
             printf("%s,%s,%lu", study_methods[k], study_families[f], c->runs);
             for (int o = 0; o < STUDY_OUTCOMES; ++o)
                 printf(",%lu", c->of[o]);
-            printf(",%lu,%lu,%.2g\n", c->blind, c->loud, c->closest);
+            puts("");
         }
     return silent;
 }
@@ -90,7 +70,7 @@ static double upper(int bin)
 
 static struct bin {
     unsigned long runs, failed;
-    double worst, energy; /* over (|dt| W)^(order + 1) */
+    double worst; /* over (|dt| W)^(order + 1) */
 } bins[4][BINS];
 
 static struct bin *bin_of(int method, double dtW)
@@ -105,7 +85,6 @@ static void note(struct bin *b, const struct study_measure *m)
     const double over = (m->error - rounding) / (m->amplified * m->sum);
     ++b->runs;
     b->worst = fmax(b->worst, over);
-    b->energy = fmax(b->energy, (m->energy - m->rounding) / m->sum);
 }
 
 static int steps(uint64_t seed, uint64_t runs)
@@ -123,14 +102,12 @@ static int steps(uint64_t seed, uint64_t runs)
         else if (b)
             ++b->failed;
     }
-    static const int orders[] = {4, 8, 2, 4};
-    puts("method,dtW,runs,failed,worst,energy,a_step");
+    puts("method,dtW,runs,failed,worst");
     for (int k = 0; k < 4; ++k)
         for (int i = 0; i < BINS; ++i) {
             const struct bin *b = &bins[k][i];
-            printf("%s,%.3g,%lu,%lu,%.2g,%.2g,%.2g\n", coin_method_name(k),
-                   upper(i), b->runs, b->failed, b->worst, b->energy,
-                   b->worst * pow(upper(i), orders[k] + 1));
+            printf("%s,%.3g,%lu,%lu,%.2g\n", coin_method_name(k), upper(i),
+                   b->runs, b->failed, b->worst);
         }
     return 0;
 }
