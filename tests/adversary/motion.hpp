@@ -15,9 +15,9 @@
 template <class R> class motion
 {
   public:
-    /* The lean from base pi/2, sharp near flat too; what phi, psi, x, z have
-     * changed by; the rates; of a coin that slips the velocity of its centre
-     * along e_X and e_h; sines and cosines of lean and heading. */
+    /* The lean, whose sine and cosine are sharp near flat too; what phi, psi,
+     * x, z have changed by; the rates; of a coin that slips the velocity of its
+     * centre along e_X and e_h; sines and cosines of lean and heading. */
     enum { LEAN, PHI, PSI, PX, PZ, WX, WY, WZ, VX, VH, S, C, SPH, CPH, SIZE };
     using vector = std::array<R, SIZE>;
 
@@ -42,7 +42,8 @@ template <class R> class motion
         w = root(R(p.gravity) / a);
         pose0 = {R(s.phi), R(s.psi), R(s.x) / a, R(s.z) / a};
         y = {R(s.theta), 0, 0, 0, 0, R(s.wX) / w, R(s.wY) / w, R(s.wZ) / w};
-        rebase(s.theta);
+        y[S] = sine(R(s.theta));
+        y[C] = cosine(R(s.theta));
         look();
     }
 
@@ -67,13 +68,9 @@ template <class R> class motion
     {
         return y[size_t(i)];
     }
-    R lean() const
-    {
-        return base * half_pi<R> + y[LEAN];
-    }
     R lean_apart(const motion &o) const
     {
-        return (y[LEAN] - o.y[LEAN]) + (base - o.base) * half_pi<R>;
+        return y[S] * o.y[C] - y[C] * o.y[S];
     }
 
     /* W of (47). */
@@ -111,7 +108,7 @@ template <class R> class motion
     template <class S_> void apart(const S_ &s, R w1, R off[8]) const
     {
         const double is[] = {s.phi, s.psi, s.x, s.z, s.wX, s.wY, s.wZ};
-        off[0] = (base == 0 ? R(s.theta) : from_flat(R(s.theta))) - y[LEAN];
+        off[0] = R(s.theta) - y[LEAN];
         for (size_t i = 0; i < 4; ++i)
             off[1 + i] = R(is[i]) / (i < 2 ? R(1) : a) - pose0[i] - y[PHI + i];
         for (size_t i = 4; i < 7; ++i)
@@ -213,7 +210,12 @@ template <class R> class motion
     /* One of y, off by so much. */
     void nudge(int i, R size)
     {
+        const R s = sine(size), c = cosine(size), from = y[S];
         y[size_t(i)] += size;
+        if (i == LEAN) {
+            y[S] = from * c + y[C] * s;
+            y[C] = y[C] * c - from * s;
+        }
         look();
     }
     /* What drives it, and how large errors of it count: where it rolls, as
@@ -332,34 +334,18 @@ template <class R> class motion
 
     vector y;
     std::array<R, 4> pose0; /* phi, psi, x, z at the start */
-    int base = 0;
     bool slips = false, lossy = false;
     R mu = 0;
     losses<R> slow;
 
-    R from_flat(R theta) const
-    {
-        const R rest = cosine(half_pi<R>); /* of pi/2, beyond R */
-        return (theta - base * half_pi<R>)-base * rest;
-    }
-    void rebase(R theta)
-    {
-        if (base == 0 && magnitude(theta) > R(0.8)) {
-            base = theta < 0 ? -1 : 1;
-            y[LEAN] = from_flat(theta);
-        } else if (base != 0 && magnitude(theta) < R(0.75)) {
-            y[LEAN] = theta;
-            base = 0;
-        }
-    }
-
-    /* The sines and cosines here. */
+    /* The sine and cosine of the heading here; those of the lean stay on their
+     * circle. */
     void look()
     {
-        const R e = y[LEAN], phi = pose0[0];
+        const R one = root(y[S] * y[S] + y[C] * y[C]), phi = pose0[0];
         const R st = sine(y[PHI]), ct = cosine(y[PHI]);
-        y[S] = base == 0 ? sine(e) : base * cosine(e);
-        y[C] = base == 0 ? cosine(e) : -base * sine(e);
+        y[S] /= one;
+        y[C] /= one;
         y[SPH] = sine(phi) * ct + cosine(phi) * st;
         y[CPH] = cosine(phi) * ct - sine(phi) * st;
     }
@@ -402,7 +388,6 @@ template <class R> class motion
             const bool shortest = has_kinks() && halvings == HALVINGS;
             if (step(*h, shortest ? KINK : none) &&
                 (shortest || !has_kinks() || rolls() * roll > 0)) {
-                rebase(lean());
                 look();
                 return true;
             }
