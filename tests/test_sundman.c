@@ -7,7 +7,7 @@
 #include "support/observable.h"
 #include "support/random.h"
 
-#include "equations.h"
+#include "advance.h"
 
 #include <math.h>
 
@@ -105,5 +105,47 @@ TEST(a_heavy_rim_that_turns_fast_comes_to_the_end)
         check(reached == t);
         const double n = t * sqrt(2 * coin_energy(&start, &p));
         check_within(path_apart(&s, &exact, &p), 0, 2 * tol * (1 + n));
+    }
+}
+
+/* Bodies of any I_Z, that may roll far faster than they turn and fall. */
+static coin_priv_variables any_coin(struct random *r, coin_priv_body *b)
+{
+    coin_params p;
+    const double IX = pow(10, random_between(r, -3, 3));
+    const double part = 2 * pow(10, random_between(r, -3.3, 0));
+    check_status(coin_params_body(&p, 1, 1, 1, IX, part * IX), COIN_OK);
+    coin_state s = random_state(r, &p, 1.57);
+    s.wX *= pow(10, random_between(r, -4, 0));
+    s.wY *= pow(10, random_between(r, -4, 0));
+    s.wZ *= pow(10, random_between(r, 0, 2));
+    *b = coin_priv_body_of(&p);
+    return coin_priv_variables_of(&s);
+}
+
+/* So that phi and psi are watched closely enough near the ends of their range
+ * (coin_priv_refusal()). */
+TEST(no_step_in_tau_turns_or_rolls_by_16_rad)
+{
+    struct random r = random_begin(49);
+    for (int i = 0; i < 10000; ++i) {
+        coin_priv_body b;
+        const coin_priv_variables y = any_coin(&r, &b);
+        const double tau = coin_priv_sundman_tau(&b, &y, COIN_PRIV_LONGEST);
+        check_within(tau * (fabs(y.wY) + fabs(y.cth * y.wZ)), 0, 16);
+    }
+}
+
+/* Each step to an end that two steps reach leads on, whatever its series. */
+TEST(a_step_to_the_end_leads_on)
+{
+    struct random r = random_begin(50);
+    for (int i = 0; i < 10000; ++i) {
+        coin_priv_body b;
+        const coin_priv_variables y = any_coin(&r, &b);
+        const double full = coin_priv_sundman_tau(&b, &y, COIN_PRIV_LONGEST);
+        const double rem = random_between(&r, 0, 2) * full * y.cth;
+        check(coin_priv_tau_of(&b, &y, rem) > 0);
+        check(coin_priv_tau_of(&b, &y, -rem) < 0);
     }
 }
