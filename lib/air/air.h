@@ -34,9 +34,9 @@ void coin_priv_flight_of(coin_priv_flight *f, const coin_body *b,
                          const coin_priv_attitude *at, double IX, double IZ);
 
 /* Moves the body that the flight begins with by t, and sets its attitude.  phi
- * and psi come to lie in [-pi, pi], to rounding.  Pre: rate t and sigma t are
- * at most half of COIN_PRIV_ANGLE_MAX. Accuracy: 1e-15 (1 + (rate + |sigma|) t)
- * (test_flight). */
+ * and psi come to lie in [-pi, pi], to rounding.  Accuracy: 1e-15 (1 + (rate +
+ * |sigma|) t) (test_flight), also where that angle is so large that nothing is
+ * left of it: it is reduced to its rounding. */
 void coin_priv_fly(coin_body *b, coin_priv_attitude *at,
                    const coin_priv_flight *f, double t);
 

@@ -11,9 +11,6 @@
  * than `flat` lies down at it. */
 #define PLASTIC 1e-4
 
-/* Flights are made in parts that turn by at most this. */
-#define MOST_TURN (COIN_PRIV_ANGLE_MAX / 2)
-
 static double time_left(const coin_priv_thrown *w)
 {
     return (w->time - w->moved.sum) - w->moved.low;
@@ -79,10 +76,7 @@ static int32_t fly(coin_priv_thrown *w, int leaves)
 {
     coin_priv_flight f;
     flight_of(&f, w);
-    const double left = time_left(w);
-    const double most = MOST_TURN / (1 + f.rate + fabs(f.sigma));
-    const coin_priv_touch to =
-        coin_priv_first_touch(&f, coin_priv_lesser(left, most), leaves);
+    const coin_priv_touch to = coin_priv_first_touch(&f, time_left(w), leaves);
     return fly_for(w, &f, to.t, to.touches);
 }
 
