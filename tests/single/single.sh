@@ -127,7 +127,6 @@ same()
         echo "same bits  $2" || fail "other bits: $2"
 }
 at_once same <<END
-gcc -std=gnu11 -O3 -march=native
 gcc -std=gnu11 -O3 -march=native -ffp-contract=fast
 g++ -x c++ -O3 -march=native
 clang -std=gnu11 -O3 -march=native
