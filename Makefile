@@ -314,7 +314,7 @@ installcheck: all ## install, build a client by pkg-config, uninstall
 consumers: all ## CMake and Meson find it; CMake builds the same bits
 	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/consumers.sh
 
-hwcaps: all ## HWCAPS=1: each level of x86-64 is loaded, with the same bits
+hwcaps: all lanes ## lanes; HWCAPS=1: each level of x86-64 is loaded, with the same bits
 	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/hwcaps.sh
 
 debian-check: dist ## Debian packages from docs/examples/debian, their test, lintian
@@ -333,7 +333,7 @@ distcheck: dist all ## the tarball builds, passes and makes itself again
 # what measures, and what proves that other gates would notice.
 GATES_commit  := check format-check lint-quick
 GATES_push    := header-check examples demo-check first-hour site float-check \
-                 installcheck consumers hwcaps lanes abi pictures-check \
+                 installcheck consumers hwcaps abi pictures-check \
                  page-check js-check bindings studies-build check-long \
                  distcheck lint sanitize coverage
 GATES_merge   := adversary-replay bound debian-check tsan fuzz windows msan \
