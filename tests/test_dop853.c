@@ -132,7 +132,8 @@ TEST(a_frame_that_rolls_is_one_step)
     const double w0 = sqrt(9.81 / 0.01213);
     const coin_params p = disc();
     const coin_losses none = {0};
-    const coin_state s = {.theta = 0.3, .wY = 5 / w0, .wZ = 40 / w0};
+    const coin_state s = {
+        .theta = 0.3, .wX = 0.01, .wY = 5 / w0, .wZ = 40 / w0};
     static coin_priv_moving g;
     coin_priv_body b;
     check_status(coin_priv_check_body(&b, &p), COIN_OK);
