@@ -63,9 +63,10 @@ const area = (c, camera, outlines, color) =>
 
 // ------------------------------------------------------- the table, the trail --
 // What of the table is seen: a circle in radii.  It follows the path as that grows.
-const view = { x: 0, z: 0, R: 1 };
+const LEAST_SEEN = 2.4;
+const view = { x: 0, z: 0, R: LEAST_SEEN };
 function follow() {
-  const [x, z] = motion.center, R = Math.max(motion.reach + 0.8, 0.6 * motion.height, 2.4);
+  const [x, z] = motion.center, R = Math.max(motion.reach + 0.8, 0.6 * motion.height, LEAST_SEEN);
   const part = playing ? 0.1 : 1;
   for (const [name, value] of Object.entries({ x, z, R })) view[name] += part * (value - view[name]);
 }

@@ -108,7 +108,7 @@ static void search(coin_priv_touch *found, const struct arc *r, double end,
         struct look at = look_at(r, found->t);
         const int zero = at.G <= 4 * DBL_EPSILON * (at.y * at.y);
         ++found->looks;
-        found->touches = !leaves && (at.y <= 0 || zero);
+        found->touches = !leaves && zero;
         if (found->touches)
             return;
         if (leaves)

@@ -18,7 +18,6 @@
 /* A ring whose 1 - b^2/a^2 is less is computed as a hoop: (112) would divide
  * one small difference by another. */
 #define THIN 1e-5
-#define ROUNDING 1e-15
 
 /* A slide is pure if one speed is less than this part of the other. */
 #define NONE 1e-17
@@ -156,7 +155,7 @@ static void brake(double *y, double IZ, double end)
 /* Slides until `end`, until it stops or until no trials are left.  The speeds
  * fall: a step that would come to the end by those of its start ends before it,
  * and the next is much closer. */
-static void slide_on(coin_priv_moving *g, double tol, double end)
+static void slide_on(coin_priv_moving *g, double end)
 {
     coin_priv_dop853 *const w = &g->step;
     double *const y = w->y, h = 1;
@@ -173,8 +172,8 @@ static void slide_on(coin_priv_moving *g, double tol, double end)
         h = coin_priv_lesser(h, (end - y[TIME]) / (v + turn));
         rates(w->slope[0], y, &g->law, 0, 0);
         const double error = coin_priv_try_step(w, h);
-        const double ratio = tol / coin_priv_larger(error, 1e-9 * tol);
-        for (int i = 0; error <= tol && i < COIN_PRIV_READ; ++i)
+        const double ratio = TOL / coin_priv_larger(error, 1e-9 * TOL);
+        for (int i = 0; error <= TOL && i < COIN_PRIV_READ; ++i)
             y[i] = coin_priv_larger(w->end[i], 0);
         h *= coin_priv_lesser(2, 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio))));
     }
@@ -197,7 +196,7 @@ static void move_by(coin_body *b, double v, double path, double turn)
 
 double coin_priv_slide_flat(coin_body *b, coin_priv_moving *g, double t)
 {
-    const double mu = g->law.mu_kinetic, width = 1 - hole(g->law.IZ);
+    const double mu = g->law.mu_kinetic;
     const double v = sqrt(b->vx * b->vx + b->vz * b->vz);
     const double turn = fabs(b->s.wZ), S = v + turn;
     double *const y = g->step.y, end = t * mu / S;
@@ -212,8 +211,7 @@ double coin_priv_slide_flat(coin_body *b, coin_priv_moving *g, double t)
     y[COIN_PRIV_C] = 1; /* above the table, for the step */
     y[V] = v / S;
     y[W] = turn / S;
-    /* drag_of() divides by the width. */
-    slide_on(g, TOL + (width < THIN ? 0 : ROUNDING / width), end);
+    slide_on(g, end);
     move_by(b, v, y[PATH] * (S * S / mu), y[TURN] * (S * S / mu));
     const double slower = v > 0 ? y[V] * S / v : 0;
     b->vx *= slower;
