@@ -184,7 +184,7 @@ enum {
  * @param dt         the step; < 0 runs backward [T]
  * @return as coin_run(); after an error *s is unchanged.
  * Accuracy: that of a step of COIN_RK4 by coin_run().
- * Cost: 975 instructions, where a further step of coin_run() takes 596; at
+ * Cost: 955 instructions, where a further step of coin_run() takes 587; at
  *         most 832 bytes of stack on a Cortex-M4F (make firmware). */
 COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
 

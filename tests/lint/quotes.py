@@ -51,7 +51,7 @@ def same(said, truth):
 QUOTES = (
     ("README.md", r"`coin_step` takes (\d+) instructions; .*? takes (\d+)\.",
      cost("coin_step"), cost("textbook RK4, a step")),
-    ("README.md", r"(\d+) times as fast as a textbook's RK4 at an error of 1e-9",
+    ("README.md", r"([\d.]+) times as fast as a textbook's RK4 at an error of 1e-9",
      min(float(row["1e-09"].split()[0]) for row in RATIOS.values())),
     ("include/coin.h", r"Cost: ([\d,]+) instructions, where a further step of "
      r"coin_run\(\) takes (\d+);", cost("coin_step"),
