@@ -147,7 +147,7 @@ TEST(the_readme_s_program_prints_what_the_readme_shows)
     char *end;
     read_text("README.md", text);
     const char *program =
-        between(strstr(text, "## Ten lines"), "```c\n", "```", &end);
+        between(strstr(text, "## A whole program"), "```c\n", "```", &end);
     check_prints(program, between(end, "```", "```", &end));
 }
 

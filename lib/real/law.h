@@ -40,8 +40,8 @@ enum {
     COIN_PRIV_IDLE = 4,  /* the losses do not act, nor hold the contact: N would
                             be negative */
     COIN_PRIV_AIR = 8,   /* there is no contact */
-    COIN_PRIV_RESTS = 16, /* flat, and nothing moves */
-    COIN_PRIV_LIES = 32   /* flat, and slides on its face */
+    COIN_PRIV_RESTS = 16, /* flat, and of a body: nothing moves */
+    COIN_PRIV_LIES = 32   /* of a body: flat, and slides on its face */
 };
 
 /* The losses, the friction and the body. */

@@ -342,7 +342,7 @@ static void hold(coin_priv_moving *g)
 int coin_priv_next_mode(coin_priv_moving *g)
 {
     const coin_priv_direction none = {0, 0};
-    const int slips = g->mode | COIN_PRIV_SLIPS;
+    const int slipping = g->mode | COIN_PRIV_SLIPS;
     if (g->law.held_down)
         return g->mode;
     g->margin = coin_priv_contact_margin(g->y, &g->law, g->mode);
@@ -350,8 +350,8 @@ int coin_priv_next_mode(coin_priv_moving *g)
         return g->mode;
     if (coin_priv_leaves(g->y, &g->law))
         return g->mode | COIN_PRIV_AIR; /* it keeps its slip velocity */
-    if (coin_priv_slopes(0, g->y, &g->law, slips, none).N > 0)
-        return slips;
+    if (coin_priv_slopes(0, g->y, &g->law, slipping, none).N > 0)
+        return slipping;
     return (g->mode & COIN_PRIV_SLIPS) | COIN_PRIV_IDLE;
 }
 
