@@ -338,3 +338,14 @@ TEST(a_short_call_takes_all_its_time)
             check_near(s.theta, ideal.theta, 1e-14);
         }
 }
+
+/* Of two coins the one that has a roll passes at 1.4e-7 to 1.4e-9 from flat. */
+TEST(a_small_roll_passes_a_smaller_flat)
+{
+    const coin_params p = disc();
+    for (double tol = 1e-12; tol < 1e-2; tol *= 100) {
+        const coin_losses l = {.viscous = 1e-12, .flat = 1e-9};
+        coin_state s = {.theta = asin(1) - 0.04, .wX = 0.5, .wY = 4e-8};
+        check_status(coin_settle(&s, &p, &l, 0.5, tol, NULL), COIN_OK);
+    }
+}

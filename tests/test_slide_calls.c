@@ -280,6 +280,25 @@ TEST(many_calls_go_where_one_goes)
 }
 
 /* ---------------------------------------------------------------- symmetry */
+/* Friction turns the contact of this coin, which begins without a roll: a loss
+ * that could not hold it changes nothing. */
+TEST(a_weak_loss_does_not_hold_a_contact_that_friction_turns)
+{
+    const coin_params p = disc();
+    coin_body ends[2];
+    for (int weak = 0; weak < 2; ++weak) {
+        const coin_table table = {.mu_static = 0.3,
+                                  .mu_kinetic = 0.3,
+                                  .losses.viscous = weak ? 1e-12 : 0};
+        const coin_state s = {.theta = 1.525};
+        check_status(coin_body_from_state(&ends[weak], &s, &p), COIN_OK);
+        ends[weak].vx = 1;
+        check(coin_move(&ends[weak], &p, &table, 0.1, 1e-12, 0, NULL) >= 0);
+    }
+    check_near(ends[1].s.phi, ends[0].s.phi, 1e-9);
+    check_near(ends[1].s.psi, ends[0].s.psi, 1e-9);
+}
+
 TEST(mirror_heading_and_units_change_nothing)
 {
     struct random r = random_begin(177);

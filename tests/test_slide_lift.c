@@ -126,3 +126,36 @@ TEST(a_coin_slips_where_only_rolling_would_lift_it)
     }
     check(slip > 20);
 }
+
+/* The second derivative of the gap under the rim without a force, (96): by the
+ * members of a state, in natural units. */
+static double opens(const coin_state *s, const coin_params *p)
+{
+    const double c = cos(s->theta), sn = sin(s->theta);
+    const double up = p->inertia_Z / p->inertia_X * s->wZ + s->wY * sn / c;
+    return c * s->wX * s->wX - 1 - sn * s->wY * up;
+}
+
+TEST(a_coin_that_is_pressed_down_does_not_lift_off_at_any_lean)
+{
+    struct random r = random_begin(227);
+    int lifted = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const double c = pow(10, random_between(&r, -5, 0));
+        const coin_table table = {.mu_static = 0.3, .mu_kinetic = 0.2};
+        coin_params p;
+        coin_state s = {.theta = acos(c)};
+        coin_body b;
+        coin_params_ring(&p, 1, 1, random_between(&r, 0, 1), 1);
+        s.wX = random_between(&r, -3, 3);
+        s.wY = random_between(&r, -3, 3);
+        s.wZ = random_between(&r, -3, 3);
+        check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+        if (coin_move(&b, &p, &table, 0, 1e-6, 0, NULL) != COIN_LIFTS)
+            continue;
+        check_note("theta %.17g w %g %g %g", s.theta, s.wX, s.wY, s.wZ);
+        check(opens(&s, &p) >= -1e-9);
+        ++lifted;
+    }
+    check(lifted > 50);
+}

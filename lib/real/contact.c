@@ -194,6 +194,8 @@ int coin_priv_leaves(const double *y, const coin_priv_law *l)
     const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C], k1 = l->IZ / l->IX;
     const double weight = coin_priv_weight(y, l);
     double d[COIN_PRIV_SIZE];
+    if (weight > 0)
+        return 0;
     (void)coin_priv_slopes(d, y, l, COIN_PRIV_SLIPS | COIN_PRIV_IDLE, none);
     const double ds = d[COIN_PRIV_S], dc = d[COIN_PRIV_C];
     const double swY = ds * wY + s * d[COIN_PRIV_WY];

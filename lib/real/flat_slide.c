@@ -200,7 +200,7 @@ double coin_priv_slide_flat(coin_body *b, coin_priv_moving *g, double t)
     const double v = sqrt(b->vx * b->vx + b->vz * b->vz);
     const double turn = fabs(b->s.wZ), S = v + turn;
     double *const y = g->step.y, end = t * mu / S;
-    if (mu == 0) {
+    if (mu < TINY) {
         move_by(b, v, v * t, turn * t);
         return t;
     }

@@ -9,19 +9,22 @@
 /* A contact counts as stopped if it rolls at less than this part of the rates
  * of the fall.  Its roll is then left out, which would have turned the coin by
  * at most twice this part, in radians: by 4 tol.  MOST limits what is left out
- * at tol above 5e-8. */
+ * at tol above 5e-8.  By a roll of OF_FLAT times `flat` a coin passes at half
+ * of `flat` at most, NEAR_FLAT times that part: it lies flat in any case. */
 #define PART 2
 #define MOST 1e-7
+#define OF_FLAT 10
 
-/* (73), but for its third part: by a roll so small a coin passes nearer to flat
- * than `flat` in any case. */
+/* (73), but for its third part, which would let a small roll decay.  Friction
+ * turns the contact of a coin that slips: it is held only against that too. */
 int coin_priv_is_held(const double *y, const coin_priv_law *l, int mode,
                       double tol)
 {
     const int slips = mode & COIN_PRIV_SLIPS;
     const double IX = l->IX, IZ = l->IZ, J = l->J[slips], K = l->K[slips];
     const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C], wX = y[COIN_PRIV_WX];
-    const double part = PART * tol < MOST ? PART * tol : MOST;
+    const double least = coin_priv_lesser(PART * tol, OF_FLAT * l->flat);
+    const double part = coin_priv_lesser(least, MOST);
     const double small2 = part * part * (wX * wX + c / (IX + 1));
     const double u = coin_priv_roll_speed(y);
     if (!(l->lossy && c < NEAR_FLAT && u * u <= small2))
@@ -36,5 +39,6 @@ int coin_priv_is_held(const double *y, const coin_priv_law *l, int mode,
     const double need = fabs(turn * lever) * c * fastest +
                         fabs(turn) * pivot / D * (c * c); /* (73) */
     const double hold = small * coin_priv_grip(l, small, c);
-    return need <= hold;
+    const double pushed = slips ? l->mu_kinetic * IX / IZ * (c * c) : 0;
+    return need <= hold && pushed <= hold;
 }
