@@ -122,9 +122,9 @@ COIN_PRIV_INLINE coin_priv_slowing coin_priv_slowing_of(const coin_priv_law *l,
     return d;
 }
 
-/* contact.c: the slopes of a coin in this mode, times `pace`, and the force of
- * the table.  A slip has the direction n.  Without a slip n is not read.  A
- * null d leaves the slopes out. */
+/* contact.c: the slopes of a coin in this mode, and the force of the table.  A
+ * slip has the direction n.  Without a slip n is not read.  A null d leaves the
+ * slopes out. */
 coin_priv_push coin_priv_slopes(double *d, const double *y,
                                 const coin_priv_law *l, int mode,
                                 coin_priv_direction n);
