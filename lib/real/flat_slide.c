@@ -153,8 +153,8 @@ static void brake(double *y, double IZ, double end)
 }
 
 /* Slides until `end`, until it stops or until no trials are left.  The speeds
- * fall: a step that would come to the end by those of its start ends before it,
- * and the next is much closer. */
+ * fall, so that a step which would reach `end` at the speeds of its start falls
+ * short of it; the next step comes much closer. */
 static void slide_on(coin_priv_moving *g, double end)
 {
     coin_priv_dop853 *const w = &g->step;

@@ -128,7 +128,7 @@ COIN_PRIV_NOINLINE void rk8(struct group *c, const struct shared *shared)
     run_group(c, shared, coin_lanes_rk8_step, &shared->fields.full);
 }
 
-/* The coin *s of lane k completes its run by itself, from where it is. */
+/* Completes the run of lane k outside the lanes, from where its coin is. */
 COIN_PRIV_NOINLINE int32_t complete(const struct group *c, size_t k,
                                     const struct shared *shared, coin_state *s)
 {

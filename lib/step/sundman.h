@@ -19,7 +19,7 @@
  *
  * For bodies with I_Z far below I_X that frequency is low, and slope2, from the
  * slope of wX, Eq. (14), is larger: without it their errors reached 1e5 tol.
- * For rings it is never larger.  COIN_PRIV_WEIGHT_SLOPE is measured too.  With
+ * For rings slope2 never decides.  COIN_PRIV_WEIGHT_SLOPE is measured too. With
  * half of it thin bodies err up to 3 times as much; twice takes 4 % more steps
  * (make tuning).
  *
