@@ -2,14 +2,11 @@
 # SPDX-License-Identifier: MIT
 """Prints every number that physics.md tabulates.
 
-usage:  python3 docs/proofs/tables.py         needs mpmath; about two minutes
+usage:  python3 docs/proofs/tables.py         needs mpmath
 
-No equation of motion is integrated: motions come from the reduced problem,
-Eq. (33)-(35), (48), (55), with the hypergeometric functions of mpmath.  Unit
-system: M = a = g = 1.
+Unit system: M = a = g = 1.
 """
-from mpmath import (cos, findroot, gamma, hyp2f1, mp, mpf, pi, re, sin, sqrt,
-                    tan)
+from mpmath import cos, findroot, gamma, mp, mpf, pi, re, sin, sqrt, tan
 
 mp.dps = 30
 
@@ -23,16 +20,6 @@ class Body:
         self.J, self.K = self.IX + 1, self.IZ + 1
         self.k1, self.k2 = self.IZ/self.IX, 1/self.K
         self.kap = self.k1*self.k2
-
-    def basis(self, u):
-        """Pe, Po, We, Wo of (35)."""
-        nu = (-1 + sqrt(mpf(1) - 4*self.kap))/2
-        half = mpf(1)/2
-        return [re(f) for f in (
-            hyp2f1(-(nu + 1)/2, nu/2, half, u*u),
-            u*hyp2f1(-nu/2, (nu + 1)/2, 3*half, u*u),
-            hyp2f1(-nu/2, (nu + 1)/2, half, u*u),
-            u*hyp2f1((1 - nu)/2, (nu + 2)/2, 3*half, u*u))]
 
     def at_table(self):
         """Pe, Po at u = 1."""
@@ -58,56 +45,6 @@ class Body:
         return sqrt(sin(th)/(self.IX*tan(th) + self.K*r))
 
 
-class Motion:
-    """One motion by its integrals; theta swings between lo and hi."""
-
-    def __init__(self, body, th, wX, wY, wZ):
-        self.b = body
-        th, wX, wY, wZ = map(mpf, (th, wX, wY, wZ))
-        Pe, Po, We, Wo = body.basis(sin(th))
-        p = wY*cos(th)
-        self.KY, self.KZ = We*p - body.k1*Po*wZ, Pe*wZ - body.k2*Wo*p
-        self.E = body.J*wX**2/2 + self.V(th)
-        self.lo, self.hi = self.turning(th, wX, -1), self.turning(th, wX, 1)
-
-    def pair(self, th):
-        Pe, Po, We, Wo = self.b.basis(sin(th))
-        return (self.KY*Pe + self.b.k1*self.KZ*Po,
-                self.KZ*We + self.b.k2*self.KY*Wo)
-
-    def V(self, th):
-        p, wZ = self.pair(th)
-        return self.b.IX*(p/cos(th))**2/2 + self.b.K*wZ**2/2 + cos(th)
-
-    def turning(self, th, wX, side):
-        """The end of the swing on one side; the start may be an end."""
-        slope = (self.V(th + mpf('1e-12')) - self.V(th - mpf('1e-12')))*side
-        if wX == 0 and slope > 0:
-            return th
-        step, inside = mpf('0.01'), th + side*mpf('1e-4')
-        while self.V(inside) < self.E:
-            wall = inside + side*step
-            while abs(wall) >= pi/2:
-                wall, step = (wall + inside)/2, step/2
-            inside, last = wall, inside
-        return findroot(lambda t: self.V(t) - self.E, (last, inside),
-                        solver='anderson', tol=mpf('1e-40'))
-
-    def swing(self, n):
-        """(55) by the midpoint rule in alpha: period, d phi, d psi."""
-        mid, half = (self.lo + self.hi)/2, (self.hi - self.lo)/2
-        total = [mpf(0)]*3
-        for k in range(n):
-            al = pi*(k + mpf(1)/2)/n
-            th = mid - half*cos(al)
-            p, wZ = self.pair(th)
-            w = half*sin(al)/sqrt(2*(self.E - self.V(th))/self.b.J)
-            c2 = cos(th)**2
-            for i, f in enumerate((1, p/c2, wZ + p*sin(th)/c2)):
-                total[i] += 2*pi/n*f*w
-        return total
-
-
 def show(title, head, rows):
     print('\n' + title + '\n' + head)
     for row in rows:
@@ -127,19 +64,6 @@ def thresholds(b):
 def at_table(b):
     Pe, Po = Body(b).at_table()
     return b, Body(b).kap, Pe, Po, -2*Po/Pe, pi*sqrt(Body(b).J/Body(b).IX)
-
-
-# name, b/a, (theta, wX, wY, wZ), points of the midpoint rule
-SCENES = (('wobble', 0, (.1, 0, 0, 1), 60),
-          ('generic', 0, (.5, .1, .8, 1.2), 60),
-          ('ring', .9, (.5, .1, .8, 1.2), 60),
-          ('tumble', 0, (1e-3, 0, 0, .3), 900),
-          ('nearflat', 0, (.3, 0, .02, .02), 400))
-
-
-def scene(name, b, start, n):
-    m = Motion(Body(b), *start)
-    return [name, m.lo, m.hi] + m.swing(n)
 
 
 def fall(b):
@@ -166,8 +90,6 @@ def main():
          map(thresholds, ('0', '0.5', '0.9', '1')))
     show('At the table', 'b/a | kap | Pe(1) | Po(1) | KY/KZ to fall | turn',
          map(at_table, ('0', '0.5', '0.9', '1')))
-    show('Swings', 'scene | lo | hi | T | dphi | dpsi',
-         (scene(*row) for row in SCENES))
     show('Falls from upright rest',
          'b/a | peak | F/N | F = 0 | N < 0 from | to',
          map(fall, ('0', '0.5', '1')))
