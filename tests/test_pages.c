@@ -151,24 +151,6 @@ TEST(the_readme_s_program_prints_what_the_readme_shows)
     check_prints(program, between(end, "```", "```", &end));
 }
 
-TEST(the_readme_s_first_lines_move_the_quarter_by_a_second)
-{
-    static char text[TEXT], output[TEXT];
-    static struct scene quarter;
-    coin_state s;
-    char *end;
-    read_text("README.md", text);
-    const char *lines = between(text, "#include <coin.h>\n", "```", &end);
-    compile("#include <coin.h>\n#include <stdio.h>\nint main(void)\n{\n", lines,
-            PRINT_STATE);
-    run_program(output);
-    read_state(output, &s);
-    scene_load(&quarter, "quarter");
-    check(scene_at(&quarter, 6, "t") == 1);
-    /* What coin.h states, 2 tol (1 + n): the second has 28.4 natural units. */
-    check_within(scene_error(&quarter, 6, &s), 0, 2e-9 * 29.4);
-}
-
 /* 1000 steps in the quarter's first second. */
 TEST(the_header_s_example_rolls_the_quarter)
 {
@@ -201,7 +183,7 @@ TEST(each_part_shown_is_the_game_s)
         check_note("docs/games.md shows\n%s", code);
         check(strstr(program, code) || strstr(engine, code));
     }
-    check(shown >= 3);
+    check(shown >= 2);
 }
 
 TEST(the_game_prints_what_the_page_shows)
@@ -222,6 +204,28 @@ TEST(each_answer_s_program_prints_what_the_page_shows)
     for (const char *code; (code = block(&at, "\n```c\n")) != NULL; ++programs)
         check_prints(code, block(&at, "\n```\n"));
     check(programs >= 6);
+}
+
+/* Spun 0.3 rad from flat with a damping of 0.5, in steps of a millisecond. */
+#define SPIN_UNTIL_NEARLY_FLAT                                                 \
+    "int main(void)\n{\ncoinf_params p;\n"                                     \
+    "coinf_state s = {.theta = 1.2708f, .wY = 30.914f};\nint n = 0;\n"         \
+    "coinf_params_disc(&p, 0.00567f, 0.01213f, 9.80665f);\n"                   \
+    "while (moves(&s, &p, 1e-3f, 0.5f))\n++n;\nprintf(\"%d\", n);\n}\n"
+
+/* From 0.3 rad to COIN_NEARLY_FLAT, 0.01, by the law that the page states: of
+ * the start, not quite near flat, it is 1e-3 off. */
+TEST(the_toy_comes_to_rest_by_the_law_that_the_page_states)
+{
+    static char page[TEXT], output[TEXT];
+    read_text("docs/embedding.md", page);
+    char *at = strstr(page, "## A coin that comes to rest");
+    check(at != NULL);
+    compile("#include <coinf.h>\n#include <stdio.h>\n", block(&at, "\n```c\n"),
+            SPIN_UNTIL_NEARLY_FLAT);
+    run_program(output);
+    const double law = 1.5 / 0.5 * log(0.3 / 0.01);
+    check_within(atof(output) * 1e-3 / law, 1 - 5e-3, 1 + 5e-3);
 }
 
 TEST(the_check_of_a_coin_at_rest_says_more_than_that)
