@@ -17,13 +17,12 @@ static void make_step(coin_priv_moving *g, double h)
     coin_priv_body b;
     check_status(coin_priv_check_body(&b, &p), COIN_OK);
     check_status(coin_priv_law_of(&g->law, &none, &b), COIN_OK);
-    coin_priv_begin(g, &s, 1, 1e-9);
+    const coin_priv_variables v = coin_priv_variables_of(&s);
+    coin_priv_begin(g, &s, &v, 1, 1e-9);
     coin_priv_dop853 *const w = &g->step;
     w->of.mode = w->of.in_t = 0;
     w->of.most = 1e6;
-    for (int i = 0; i < COIN_PRIV_WIDE; ++i)
-        w->y[i] = g->y[i];
-    coin_priv_rates(w->slope[0], w->y, w->of.law, 0, 0);
+    coin_priv_rates(w->slope[0], w->y, w->of.law, 0);
     check(coin_priv_try_step(w, h) < 1e-6);
 }
 
@@ -138,7 +137,8 @@ TEST(a_frame_that_rolls_is_one_step)
     coin_priv_body b;
     check_status(coin_priv_check_body(&b, &p), COIN_OK);
     check_status(coin_priv_law_of(&g.law, &none, &b), COIN_OK);
-    coin_priv_begin(&g, &s, w0 / 60, 1e-6);
+    const coin_priv_variables v = coin_priv_variables_of(&s);
+    coin_priv_begin(&g, &s, &v, w0 / 60, 1e-6);
     g.tries = 100;
     check_status(coin_priv_go(&g), COIN_OK);
     check(g.tries == 99);
@@ -153,10 +153,10 @@ TEST(a_slip_does_not_end_where_a_rate_leaves_its_range)
         g.law.mu_kinetic = 0.3;
         g.mode = COIN_PRIV_SLIPS;
         for (int i = 0; i < COIN_PRIV_READ; ++i)
-            g.y[i] = i == COIN_PRIV_C || i == COIN_PRIV_CPH;
-        g.y[COIN_PRIV_WY] = beyond ? 1.1e6 : 0;
-        g.y[COIN_PRIV_UX] = 1e-12;
-        coin_priv_rates(g.step.slope[0], g.y, &g.law, g.mode, 0);
+            g.step.y[i] = i == COIN_PRIV_C || i == COIN_PRIV_CPH;
+        g.step.y[COIN_PRIV_WY] = beyond ? 1.1e6 : 0;
+        g.step.y[COIN_PRIV_UX] = 1e-12;
+        coin_priv_rates(g.step.slope[0], g.step.y, &g.law, g.mode);
         check(coin_priv_end_slip(&g) == !beyond);
         check(g.mode == (beyond ? COIN_PRIV_SLIPS : 0));
     }

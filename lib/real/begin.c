@@ -15,23 +15,25 @@ void coin_priv_scale(coin_state *s, double length, double rate)
     s->wZ *= rate;
 }
 
-void coin_priv_begin(coin_priv_moving *g, const coin_state *s, double time,
-                     double tol)
+void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
+                     const coin_priv_variables *v, double time, double tol)
 {
-    const coin_priv_variables v = coin_priv_variables_of(s);
-    const double y[COIN_PRIV_WIDE] = {
-        v.wX, v.wY, v.wZ, v.sth, v.cth, 0, 0, v.sph, v.cph, 0, 0, 0, 0, 0, 0, 0,
-    };
+    const coin_priv_sum none = {0, 0};
     const double start[5] = {s->phi, s->psi, s->x, s->z, 0};
+    double *const y = g->step.y;
     for (int i = 0; i < COIN_PRIV_WIDE; ++i)
-        g->y[i] = y[i];
+        y[i] = 0;
+    y[COIN_PRIV_WX] = v->wX;
+    y[COIN_PRIV_WY] = v->wY;
+    y[COIN_PRIV_WZ] = v->wZ;
+    y[COIN_PRIV_S] = v->sth;
+    y[COIN_PRIV_C] = v->cth;
+    y[COIN_PRIV_SPH] = v->sph;
+    y[COIN_PRIV_CPH] = v->cph;
     for (int i = 0; i < 5; ++i) {
         g->start[i] = start[i];
-        g->pose[i].sum = g->pose[i].low = 0;
+        g->pose[i] = none;
     }
-    for (int k = 0; k < COIN_PRIV_STAGES; ++k)
-        for (int i = COIN_PRIV_SIZE; i < COIN_PRIV_WIDE; ++i)
-            g->step.slope[k][i] = 0;
     g->step.of.law = &g->law;
     g->step.of.rates = coin_priv_rates;
     g->tol = tol;
@@ -46,15 +48,15 @@ void coin_priv_end(const coin_priv_moving *g, coin_state *s)
     double pose[4];
     for (int i = 0; i < 4; ++i)
         pose[i] = g->pose[i].sum + g->pose[i].low;
-    const coin_priv_sc th = {g->y[COIN_PRIV_S], g->y[COIN_PRIV_C]};
+    const coin_priv_sc th = {g->step.y[COIN_PRIV_S], g->step.y[COIN_PRIV_C]};
     s->theta = coin_priv_lean_within(coin_priv_angle(th));
     s->phi += pose[0];
     s->psi += pose[1];
     s->x += pose[2];
     s->z += pose[3];
-    s->wX = g->y[COIN_PRIV_WX];
-    s->wY = g->y[COIN_PRIV_WY];
-    s->wZ = g->y[COIN_PRIV_WZ];
+    s->wX = g->step.y[COIN_PRIV_WX];
+    s->wY = g->step.y[COIN_PRIV_WY];
+    s->wZ = g->step.y[COIN_PRIV_WZ];
 }
 
 double coin_priv_reached(const coin_priv_sum *moved, double time, double t,

@@ -232,22 +232,24 @@ static coin_priv_push touching_force(const coin_body *b, const coin_priv_law *l,
 {
     coin_priv_moving g;
     g.law = *l;
-    coin_priv_begin(&g, &b->s, 0, 1);
-    g.y[COIN_PRIV_UX] = u[0];
-    g.y[COIN_PRIV_UH] = u[1];
+    const coin_priv_variables v = coin_priv_variables_of(&b->s);
+    coin_priv_begin(&g, &b->s, &v, 0, 1);
+    g.step.y[COIN_PRIV_UX] = u[0];
+    g.step.y[COIN_PRIV_UH] = u[1];
     g.mode = mode;
     const int next = coin_priv_next_mode(&g);
     const coin_priv_push none = {0, 0, 0};
     if (next & COIN_PRIV_AIR)
         return none;
     coin_priv_push F =
-        coin_priv_push_of(g.y, l, mode | (next & COIN_PRIV_IDLE));
+        coin_priv_push_of(g.step.y, l, mode | (next & COIN_PRIV_IDLE));
     if (next & ~mode & COIN_PRIV_SLIPS) {
-        const coin_priv_direction n = coin_priv_onset(g.y, l, 0, F);
-        F = coin_priv_slopes(0, g.y, l, COIN_PRIV_SLIPS, n);
+        const coin_priv_direction n = coin_priv_onset(g.step.y, l, 0, F);
+        F = coin_priv_slopes(0, g.step.y, l, COIN_PRIV_SLIPS, n);
     }
-    const coin_priv_push r = {F.N / g.y[COIN_PRIV_C], F.X / g.y[COIN_PRIV_C],
-                              F.h / g.y[COIN_PRIV_C]};
+    const coin_priv_push r = {F.N / g.step.y[COIN_PRIV_C],
+                              F.X / g.step.y[COIN_PRIV_C],
+                              F.h / g.step.y[COIN_PRIV_C]};
     return r;
 }
 

@@ -101,6 +101,7 @@ COIN_PRIV_INLINE void slopes_of(double *d, const double *y,
     d[COIN_PRIV_ADDS_X] = by * (o->f * (vX * cph + vh * sph));
     d[COIN_PRIV_ADDS_Z] = by * (o->f * (vh * cph - vX * sph));
     d[COIN_PRIV_ADDS_T] = by * o->f;
+    d[COIN_PRIV_SIZE] = 0;
 }
 
 /* Slopes and force of one mode.  *d is what a step needs, times `by`. */
@@ -136,11 +137,19 @@ COIN_PRIV_INLINE coin_priv_push contact(double *d, const double *y,
     return F;
 }
 
+/* The same of any mode, in the code once. */
+COIN_PRIV_NOINLINE coin_priv_push any_contact(double *d, const double *y,
+                                              const coin_priv_law *l, int mode,
+                                              coin_priv_direction n, double by)
+{
+    return contact(d, y, l, mode, n, by);
+}
+
 coin_priv_push coin_priv_slopes(double *d, const double *y,
                                 const coin_priv_law *l, int mode,
                                 coin_priv_direction n)
 {
-    return contact(d, y, l, mode, n, 1);
+    return any_contact(d, y, l, mode, n, 1);
 }
 
 /* The direction of a slip with these variables, and its speed. */
@@ -154,20 +163,16 @@ static double direction(coin_priv_direction *n, const double *y)
 }
 
 void coin_priv_rates(double *d, const double *y, const coin_priv_law *l,
-                     int mode, int in_t)
+                     int mode)
 {
     coin_priv_direction n = {0, 0};
-    double by = 1;
-    if (mode & COIN_PRIV_SLIPS) {
-        const double u = direction(&n, y);
-        by = u / (u + 1); /* (83) */
-    }
-    if (in_t)
-        by = mode & COIN_PRIV_HELD ? 1 : 1 / y[COIN_PRIV_C];
-    if (mode == 0 && !in_t) /* most often: without the branches of the rest */
+    if (mode == 0) { /* most often: without the branches of the rest */
         (void)contact(d, y, l, 0, n, 1);
-    else
-        (void)contact(d, y, l, mode, n, by);
+        return;
+    }
+    const double u = mode & COIN_PRIV_SLIPS ? direction(&n, y) : 0;
+    const double by = mode & COIN_PRIV_SLIPS ? u / (u + 1) : 1; /* (83) */
+    (void)any_contact(d, y, l, mode, n, by);
 }
 
 coin_priv_push coin_priv_push_of(const double *y, const coin_priv_law *l,
@@ -193,7 +198,7 @@ int coin_priv_leaves(const double *y, const coin_priv_law *l)
     const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
     const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C], k1 = l->IZ / l->IX;
     const double weight = coin_priv_weight(y, l);
-    double d[COIN_PRIV_SIZE];
+    double d[COIN_PRIV_WIDE];
     if (weight > 0)
         return 0;
     (void)coin_priv_slopes(d, y, l, COIN_PRIV_SLIPS | COIN_PRIV_IDLE, none);
@@ -272,7 +277,7 @@ static coin_priv_direction direction_at(const struct sector *f, double part)
 static double turn_away(const void *sector, double part)
 {
     const struct sector *const f = (const struct sector *)sector;
-    double d[COIN_PRIV_SIZE];
+    double d[COIN_PRIV_WIDE];
     const coin_priv_direction n = direction_at(f, part);
     (void)coin_priv_slopes(d, f->y, f->l, f->mode, n);
     return f->sign * (d[COIN_PRIV_UX] * n.h - d[COIN_PRIV_UH] * n.X); /* (84) */
@@ -285,7 +290,7 @@ coin_priv_direction coin_priv_onset(const double *y, const coin_priv_law *l,
                                     int mode, coin_priv_push F)
 {
     const coin_priv_direction none = {0, 0};
-    double d[COIN_PRIV_SIZE];
+    double d[COIN_PRIV_WIDE];
     mode |= COIN_PRIV_SLIPS;
     (void)coin_priv_slopes(d, y, l, mode, none);
     const double dX = d[COIN_PRIV_UX], dh = d[COIN_PRIV_UH];

@@ -124,6 +124,23 @@ COIN_PRIV_INLINE int is_sound(const coin_priv_problem *of, const double *y)
     return above & isless(sum, of->most);
 }
 
+double coin_priv_by_t(double *d)
+{
+    const double per = 1 / d[COIN_PRIV_ADDS_T];
+#pragma GCC unroll 16
+    for (int i = 0; i < ALL * LANES; i += LANES)
+        store(d + i, per * load(d + i));
+    return per;
+}
+
+/* The slopes of the step, number `to`, at y. */
+static void set_slope(coin_priv_dop853 *w, int to, const double *y)
+{
+    w->of.rates(w->slope[to], y, w->of.law, w->of.mode);
+    if (w->of.in_t)
+        (void)coin_priv_by_t(w->slope[to]);
+}
+
 /* A stage: the slopes, number `to`, where a row of `count` leads; nothing if
  * they or those of a stage before are not sound. */
 static void stage(coin_priv_dop853 *w, const double *row, const stages of,
@@ -139,7 +156,7 @@ static void stage(coin_priv_dop853 *w, const double *row, const stages of,
         store(at + i * LANES, load(&w->y[i * LANES]) + w->h * sums[i]);
     w->sound = is_sound(&w->of, at);
     if (w->sound)
-        w->of.rates(w->slope[to], at, w->of.law, w->of.mode, w->of.in_t);
+        set_slope(w, to, at);
 }
 
 /* Stages 2 to 12. */
@@ -171,14 +188,17 @@ double coin_priv_try_step(coin_priv_dop853 *w, double h)
     sum_row(by, w, B, B_OF, 8, ALL);
     sum_row(e5, w, E5, B_OF, 8, READ);
     sum_row(e3, w, E3, E3_OF, 3, READ);
+#pragma GCC unroll 16
     for (int i = 0; i < ALL; ++i)
         store(w->end + i * LANES, load(&w->y[i * LANES]) + h * by[i]);
+#pragma GCC unroll 16
     for (int i = 0; i < READ; ++i) {
         store(off5 + i * LANES, h * e5[i]);
         store(off3 + i * LANES, h * (by[i] - e3[i]));
     }
     if (!is_sound(&w->of, w->end))
         return (double)INFINITY;
+#pragma GCC unroll 16
     for (int i = 0; i < COIN_PRIV_READ; ++i) {
         by5 += off5[i] * off5[i];
         by3 += off3[i] * off3[i];
@@ -202,7 +222,7 @@ static void make_dense(coin_priv_dop853 *w)
 {
     const double h = w->h;
     w->has_dense = 1;
-    w->of.rates(w->slope[12], w->end, w->of.law, w->of.mode, w->of.in_t);
+    set_slope(w, 12, w->end);
     for (int i = 0; i < ALL * LANES; i += LANES) {
         const lanes dy = load(&w->end[i]) - load(&w->y[i]);
         const lanes first = h * load(&w->slope[0][i]);

@@ -6,20 +6,19 @@
 
 #include "law.h"
 
-enum { COIN_PRIV_WIDE = 16, COIN_PRIV_STAGES = 16, COIN_PRIV_DENSE = 7 };
+enum { COIN_PRIV_STAGES = 16, COIN_PRIV_DENSE = 7 };
 
 /* coin_priv_rates(), or other slopes. */
 typedef void coin_priv_rates_function(double *d, const double *y,
-                                      const coin_priv_law *l, int mode,
-                                      int in_t);
+                                      const coin_priv_law *l, int mode);
 
 /* What is integrated: the slopes of a coin in a mode, by the time of the mode
  * or by t. */
 typedef struct coin_priv_problem {
     const coin_priv_law *law;
     coin_priv_rates_function *rates;
-    int mode, in_t;
-    double most; /* a stage whose rates add up to more has run away */
+    int mode, in_t; /* whether the step is made in t */
+    double most;    /* a stage whose rates add up to more has run away */
 } coin_priv_problem;
 
 /* A step from y to end.  slope[0] are the slopes at y, slope[12] those at end
@@ -33,6 +32,9 @@ typedef struct coin_priv_dop853 {
     int sound;     /* whether every stage has slopes */
     int has_dense; /* whether dense[] is set */
 } coin_priv_dop853;
+
+/* Makes slopes those by t, and returns the factor. */
+double coin_priv_by_t(double *d);
 
 /* Sets w->end, where w->of, w->y and w->slope[0] are set.  Returns the estimate
  * of the error of the variables that are read; infinite if a stage runs away or

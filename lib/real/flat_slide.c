@@ -121,13 +121,11 @@ static struct drag drag_of(double IZ, double v, double w)
 }
 
 /* The slopes by s. */
-static void rates(double *d, const double *y, const coin_priv_law *l, int mode,
-                  int in_t)
+static void rates(double *d, const double *y, const coin_priv_law *l, int mode)
 {
     const double per = y[V] + y[W]; /* (113) */
     const struct drag at = drag_of(l->IZ, y[V], y[W]);
     (void)mode;
-    (void)in_t;
     for (int i = 0; i < COIN_PRIV_WIDE; ++i)
         d[i] = 0;
     d[V] = -at.f * per;         /* (109) */
@@ -170,7 +168,7 @@ static void slide_on(coin_priv_moving *g, double end)
             return;
         }
         h = coin_priv_lesser(h, (end - y[TIME]) / (v + turn));
-        rates(w->slope[0], y, &g->law, 0, 0);
+        rates(w->slope[0], y, &g->law, 0);
         const double error = coin_priv_try_step(w, h);
         const double ratio = TOL / coin_priv_larger(error, 1e-9 * TOL);
         for (int i = 0; error <= TOL && i < COIN_PRIV_READ; ++i)

@@ -30,7 +30,8 @@ enum {
     COIN_PRIV_ADDS_X,
     COIN_PRIV_ADDS_Z,
     COIN_PRIV_ADDS_T,
-    COIN_PRIV_SIZE
+    COIN_PRIV_SIZE,
+    COIN_PRIV_WIDE = 16 /* with what fills the last vector of a step */
 };
 
 /* The contact of a coin.  A mode is made of these bits; 0 rolls. */
@@ -130,9 +131,9 @@ coin_priv_push coin_priv_slopes(double *d, const double *y,
                                 coin_priv_direction n);
 
 /* The slopes alone, by the time of the mode: tau, sigma, or t while the contact
- * is held; or, if in_t, all by t. */
+ * is held. */
 void coin_priv_rates(double *d, const double *y, const coin_priv_law *l,
-                     int mode, int in_t);
+                     int mode);
 
 /* The force on a coin that keeps to its mode. */
 coin_priv_push coin_priv_push_of(const double *y, const coin_priv_law *l,

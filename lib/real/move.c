@@ -5,6 +5,8 @@
 
 #include "move.h"
 
+#include <string.h>
+
 /* The parts of the losses' own rate, and of the rates at which the direction
  * and the speed of a slip change, in the rate by which steps are measured. */
 #define LOSSES 0.3
@@ -83,8 +85,8 @@ static int turns_round(const coin_priv_moving *g)
 /* The distance of the roll speed from i z, z being that width. */
 static double way(const coin_priv_moving *g)
 {
-    const double u = coin_priv_roll_speed(g->y);
-    const double z = g->law.soft * g->y[COIN_PRIV_C];
+    const double u = coin_priv_roll_speed(g->step.y);
+    const double z = g->law.soft * g->step.y[COIN_PRIV_C];
     return sqrt(u * u + z * z);
 }
 
@@ -133,7 +135,7 @@ typedef struct plan {
 static plan plan_step(coin_priv_moving *g)
 {
     const coin_priv_law *l = &g->law;
-    const double *y = g->y, *d = g->step.slope[0];
+    const double *y = g->step.y, *d = g->step.slope[0];
     double rate = coin_priv_rate(y, l, g->mode) +
                   LOSSES * coin_priv_loss_rate(y, l, g->mode);
     if (g->mode & COIN_PRIV_SLIPS) {
@@ -168,7 +170,7 @@ static plan plan_step(coin_priv_moving *g)
  * what rounding may cause. */
 static double allowed(const coin_priv_moving *g)
 {
-    const double *y = g->y;
+    const double *y = g->step.y;
     const double size = 1 + fabs(y[COIN_PRIV_WX]) + fabs(y[COIN_PRIV_WY]) +
                         fabs(y[COIN_PRIV_WZ]) + slip_speed(y);
     return ESTIMATE * g->tol *
@@ -191,7 +193,7 @@ static void next_stride(coin_priv_moving *g, double used, double error,
 /* Whether the time left can be one step in t, of a plan. */
 static int can_end_in_t(const coin_priv_moving *g, const plan *p, double left)
 {
-    const double *y = g->y, *d = g->step.slope[0];
+    const double *y = g->step.y, *d = g->step.slope[0];
     const double per =
         left / d[COIN_PRIV_ADDS_T]; /* its length in the plan's time */
     const double c = IN_T * y[COIN_PRIV_C];
@@ -207,11 +209,8 @@ static int can_end_in_t(const coin_priv_moving *g, const plan *p, double left)
 /* Makes the step of the plan the step to the end of the call, in t. */
 static void end_in_t(coin_priv_moving *g, plan *p, double left)
 {
-    const double per = 1 / g->step.slope[0][COIN_PRIV_ADDS_T];
     g->step.of.in_t = 1;
-    for (int i = 0; i < COIN_PRIV_SIZE; ++i)
-        g->step.slope[0][i] *= per;
-    p->rate *= per;
+    p->rate *= coin_priv_by_t(g->step.slope[0]);
     p->h = left;
 }
 
@@ -219,7 +218,7 @@ static void end_in_t(coin_priv_moving *g, plan *p, double left)
 static void first_slopes(coin_priv_moving *g)
 {
     g->step.of.in_t = 0;
-    coin_priv_rates(g->step.slope[0], g->y, &g->law, g->mode, 0);
+    coin_priv_rates(g->step.slope[0], g->step.y, &g->law, g->mode);
 }
 
 /* A step whose error is allowed, not beyond the end of the call.  Returns its
@@ -270,13 +269,11 @@ int32_t coin_priv_accept(coin_priv_moving *g, const double *y)
     for (int i = COIN_PRIV_WX; i <= COIN_PRIV_WZ; ++i)
         if (!(fabs(y[i]) <= COIN_PRIV_RATE_MAX))
             return COIN_ESTEP;
-    for (int i = 0; i < 5; ++i)
-        g->pose[i] = pose[i];
-    for (int i = 0; i < COIN_PRIV_READ; ++i)
-        g->y[i] = y[i];
+    memcpy(g->pose, pose, sizeof pose);
+    memcpy(g->step.y, y, sizeof g->step.y);
     for (int i = COIN_PRIV_READ; i < COIN_PRIV_WIDE; ++i)
-        g->y[i] = 0;
-    coin_priv_normalize_pairs(g->y);
+        g->step.y[i] = 0;
+    coin_priv_normalize_pairs(g->step.y);
     g->changed = 1;
     return COIN_OK;
 }
@@ -286,12 +283,11 @@ static int32_t make_step(coin_priv_moving *g)
 {
     coin_priv_dop853 *const w = &g->step;
     int ends;
-    for (int i = 0; i < COIN_PRIV_WIDE; ++i)
-        w->y[i] = g->y[i];
     w->of.mode = g->mode;
     w->of.most =
-        RUNAWAY * (1 + fabs(g->y[COIN_PRIV_WX]) + fabs(g->y[COIN_PRIV_WY]) +
-                   fabs(g->y[COIN_PRIV_WZ]) + slip_speed(g->y));
+        RUNAWAY *
+        (1 + fabs(g->step.y[COIN_PRIV_WX]) + fabs(g->step.y[COIN_PRIV_WY]) +
+         fabs(g->step.y[COIN_PRIV_WZ]) + slip_speed(g->step.y));
     const double stride = try_steps(g, &ends);
     if (stride == 0)
         return COIN_ESTEP;
@@ -311,13 +307,13 @@ static int32_t make_step(coin_priv_moving *g)
  * nothing. */
 static int is_flat(const coin_priv_moving *g)
 {
-    return g->time > 0 && g->y[COIN_PRIV_C] < g->law.flat; /* (97) */
+    return g->time > 0 && g->step.y[COIN_PRIV_C] < g->law.flat; /* (97) */
 }
 
 /* Lays the coin flat.  The centre keeps its velocity along the table. */
 static void lie_down(coin_priv_moving *g)
 {
-    double *const y = g->y;
+    double *const y = g->step.y;
     y[COIN_PRIV_UH] += y[COIN_PRIV_C] * y[COIN_PRIV_WX];
     y[COIN_PRIV_S] = y[COIN_PRIV_S] < 0 ? -1 : 1;
     y[COIN_PRIV_C] = 0;
@@ -329,7 +325,7 @@ static void lie_down(coin_priv_moving *g)
  * out. */
 static void hold(coin_priv_moving *g)
 {
-    double *const y = g->y;
+    double *const y = g->step.y;
     const int held =
         coin_priv_is_held(y, &g->law, g->mode & COIN_PRIV_SLIPS, g->tol);
     if (held == ((g->mode & COIN_PRIV_HELD) != 0))
@@ -345,12 +341,12 @@ int coin_priv_next_mode(coin_priv_moving *g)
     const int slipping = g->mode | COIN_PRIV_SLIPS;
     if (g->law.held_down)
         return g->mode;
-    g->margin = coin_priv_contact_margin(g->y, &g->law, g->mode);
+    g->margin = coin_priv_contact_margin(g->step.y, &g->law, g->mode);
     if (g->margin >= 0)
         return g->mode;
-    if (coin_priv_leaves(g->y, &g->law))
+    if (coin_priv_leaves(g->step.y, &g->law))
         return g->mode | COIN_PRIV_AIR; /* it keeps its slip velocity */
-    if (coin_priv_slopes(0, g->y, &g->law, slipping, none).N > 0)
+    if (coin_priv_slopes(0, g->step.y, &g->law, slipping, none).N > 0)
         return slipping;
     return (g->mode & COIN_PRIV_SLIPS) | COIN_PRIV_IDLE;
 }
@@ -365,7 +361,7 @@ static int32_t holds(const coin_priv_moving *g, int next)
         bits |= COIN_SLIPS;
     else
         bits |= g->event;
-    if (g->y[COIN_PRIV_C] < COIN_PRIV_NEARLY)
+    if (g->step.y[COIN_PRIV_C] < COIN_PRIV_NEARLY)
         bits |= COIN_NEARLY_FLAT;
     return g->stop & bits;
 }

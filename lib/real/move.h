@@ -29,17 +29,16 @@ typedef struct coin_priv_moving {
     int32_t event; /* COIN_ROLLS or COIN_TOUCHES, where they begin here */
     int tries;     /* of steps: how many are left */
 
-    int mode;                 /* COIN_PRIV_SLIPS ... */
-    double y[COIN_PRIV_WIDE]; /* the variables */
-    coin_priv_sum pose[5];    /* phi, psi; x, z and t from the start */
-    double start[5];          /* phi, psi, x, z of the start in radii; 0 */
-    double time;              /* of the call */
-    int changed;              /* whether a step has been made */
+    int mode;              /* COIN_PRIV_SLIPS ... */
+    coin_priv_sum pose[5]; /* phi, psi; x, z and t from the start */
+    double start[5];       /* phi, psi, x, z of the start in radii; 0 */
+    double time;           /* of the call */
+    int changed;           /* whether a step has been made */
 
     double waiting; /* the speed that a slip has gained that waits
                        to begin: onset.c */
     double stride;  /* the length of steps, over 1/rate; 0 is not known */
-    double margin;  /* coin_priv_contact_margin() at y */
+    double margin;  /* coin_priv_contact_margin() at step.y */
     coin_priv_dop853 step; /* its slope[0] is set where a step begins */
 } coin_priv_moving;
 
@@ -47,10 +46,10 @@ typedef struct coin_priv_moving {
  * what they were. */
 void coin_priv_scale(coin_state *s, double length, double rate);
 
-/* begin.c: starts a coin that rolls, in natural units; g->law is set, and
- * g->tries is not. */
-void coin_priv_begin(coin_priv_moving *g, const coin_state *s, double time,
-                     double tol);
+/* begin.c: starts a coin that rolls, in natural units, from a state and its
+ * variables; g->law is set, and g->tries is not. */
+void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
+                     const coin_priv_variables *v, double time, double tol);
 
 /* begin.c: the state, if g->changed, to which the coin that began as *s has
  * come. */

@@ -52,26 +52,26 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     double y[COIN_PRIV_WIDE];
     const double left = coin_priv_time_left(g);
     const int slipping = g->mode | COIN_PRIV_SLIPS;
-    const double rate = coin_priv_rate(g->y, &g->law, slipping);
-    const double loss = coin_priv_loss_rate(g->y, &g->law, slipping);
+    const double rate = coin_priv_rate(g->step.y, &g->law, slipping);
+    const double loss = coin_priv_loss_rate(g->step.y, &g->law, slipping);
     const double r8 = sqrt(sqrt(sqrt(g->tol)));
     --g->tries;
-    onset_at(&a, g, g->y);
+    onset_at(&a, g, g->step.y);
     const double du = coin_priv_larger(a.du, LEAST);
     const double of_error = (sqrt(g->tol * a.friction / du) + BRIEF) / rate;
     double h = WAIT * r8 * r8 * r8 / rate;
     h = a.du * of_error > 10 * LEAST ? coin_priv_lesser(h, of_error) : h;
     h = h * loss > STABLE ? STABLE / loss : h;
-    const double fall = -a.slopes[COIN_PRIV_C] / g->y[COIN_PRIV_C];
+    const double fall = -a.slopes[COIN_PRIV_C] / g->step.y[COIN_PRIV_C];
     h = h * fall > STABLE ? STABLE / fall : h; /* not below the table */
     const int ends = h * a.slopes[COIN_PRIV_ADDS_T] >= left;
     h = ends ? left / a.slopes[COIN_PRIV_ADDS_T] : h;
-    for (int i = 0; i < COIN_PRIV_SIZE; ++i)
-        y[i] = g->y[i] + h * a.slopes[i];
+    for (int i = 0; i < COIN_PRIV_WIDE; ++i)
+        y[i] = g->step.y[i] + h * a.slopes[i];
     y[COIN_PRIV_UX] = y[COIN_PRIV_UH] = 0;
     onset_at(&b, g, y);
-    for (int i = 0; i < COIN_PRIV_SIZE; ++i)
-        y[i] = g->y[i] + h / 2 * (a.slopes[i] + b.slopes[i]);
+    for (int i = 0; i < COIN_PRIV_WIDE; ++i)
+        y[i] = g->step.y[i] + h / 2 * (a.slopes[i] + b.slopes[i]);
     const double u = g->waiting + h / 2 * (a.du + b.du);
     const int slips =
         u > COIN_PRIV_SLIP_LEAST || (u > LEAST && b.du > QUICK * b.friction);
@@ -93,7 +93,7 @@ int coin_priv_end_slip(coin_priv_moving *g)
     double to[COIN_PRIV_WIDE];
     if (!(g->mode & COIN_PRIV_SLIPS))
         return 0;
-    const double *y = g->y, *d = g->step.slope[0];
+    const double *y = g->step.y, *d = g->step.slope[0];
     const double u = sqrt(y[COIN_PRIV_UX] * y[COIN_PRIV_UX] +
                           y[COIN_PRIV_UH] * y[COIN_PRIV_UH]);
     const double nX = y[COIN_PRIV_UX] / u, nh = y[COIN_PRIV_UH] / u;

@@ -19,7 +19,6 @@ int32_t coin_priv_settle(coin_state *s, const coin_params *p,
 {
     coin_priv_body b;
     coin_priv_moving g;
-    double moved = 0;
     if (!s || !p || !l || !coin_priv_tol_suits(tol))
         return COIN_EARG;
     if (coin_priv_check_body(&b, p) != COIN_OK ||
@@ -32,30 +31,31 @@ int32_t coin_priv_settle(coin_state *s, const coin_params *p,
     if (!coin_priv_time_suits(t, w0))
         return COIN_ESTEP;
     if (coin_priv_lies_flat(s)) {
+        if (reached)
+            *reached = 0;
+        return COIN_RESTS;
+    }
+    if (!g.law.lossy)
+        g.law.flat = NO_FLAT;
+    coin_state natural = *s;
+    coin_priv_scale(&natural, 1 / b.a, 1 / w0);
+    const coin_priv_variables v = coin_priv_variables_of(&natural);
+    coin_priv_begin(&g, &natural, &v, t * w0, tol);
+    g.tries = *tries;
+    status = coin_priv_go(&g);
+    *tries = g.tries;
+    if (g.changed) {
+        coin_priv_end(&g, &natural);
+        coin_priv_scale(&natural, b.a, w0);
+        *s = natural;
+    }
+    if (g.mode & COIN_PRIV_RESTS) {
         status = COIN_RESTS;
-    } else {
-        if (!g.law.lossy)
-            g.law.flat = NO_FLAT;
-        coin_state natural = *s;
-        coin_priv_scale(&natural, 1 / b.a, 1 / w0);
-        coin_priv_begin(&g, &natural, t * w0, tol);
-        g.tries = *tries;
-        status = coin_priv_go(&g);
-        *tries = g.tries;
-        moved = coin_priv_reached(&g.pose[4], g.time, t, w0);
-        if (g.changed) {
-            coin_priv_end(&g, &natural);
-            coin_priv_scale(&natural, b.a, w0);
-            *s = natural;
-        }
-        if (g.mode & COIN_PRIV_RESTS) {
-            status = COIN_RESTS;
-            s->wX = copysign(s->wX, s->theta);
-            s->wY = 0;
-        }
+        s->wX = copysign(s->wX, s->theta);
+        s->wY = 0;
     }
     if (reached)
-        *reached = moved;
+        *reached = coin_priv_reached(&g.pose[4], g.time, t, w0);
     return status;
 }
 

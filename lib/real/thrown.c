@@ -85,7 +85,8 @@ static int32_t fly(coin_priv_thrown *w, int leaves)
  * deep. */
 static int32_t lift_off(coin_priv_thrown *w)
 {
-    const double t = coin_priv_lesser(coin_priv_blind(w->g.y), time_left(w));
+    const double t =
+        coin_priv_lesser(coin_priv_blind(w->g.step.y), time_left(w));
     coin_priv_flight f;
     flight_of(&f, w);
     return fly_for(w, &f, t, 0);
@@ -150,7 +151,7 @@ static void end_contact(coin_priv_thrown *w)
 {
     coin_body *const b = &w->b;
     const coin_priv_moving *const g = &w->g;
-    const double uX = g->y[COIN_PRIV_UX], uh = g->y[COIN_PRIV_UH];
+    const double uX = g->step.y[COIN_PRIV_UX], uh = g->step.y[COIN_PRIV_UH];
     coin_priv_end(g, &b->s);
     if (g->mode & COIN_PRIV_RESTS)
         b->s.wX = b->s.wY = 0;
@@ -168,10 +169,11 @@ static int32_t in_contact(coin_priv_thrown *w, int mode, const double u[2])
     coin_priv_moving *const g = &w->g;
     const double left = time_left(w);
     double none[2];
-    coin_priv_begin(g, &w->b.s, left, w->tol);
+    const coin_priv_variables v = coin_priv_attitude_variables(&w->b.s, &w->at);
+    coin_priv_begin(g, &w->b.s, &v, left, w->tol);
     g->mode = mode;
-    g->y[COIN_PRIV_UX] = u[0];
-    g->y[COIN_PRIV_UH] = u[1];
+    g->step.y[COIN_PRIV_UX] = u[0];
+    g->step.y[COIN_PRIV_UH] = u[1];
     g->stop = w->stop;
     g->event = w->event;
     w->event = 0;

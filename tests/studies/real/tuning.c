@@ -47,9 +47,8 @@ COUNT(STEP, double, return, coin_priv_try_step,
 COUNT(WITHIN, void, , coin_priv_within,
       (double *to, struct coin_priv_dop853 *w, double x), (to, w, x))
 COUNT(SLOPES, void, , coin_priv_rates,
-      (double *d, const double *y, const struct coin_priv_law *l, int mode,
-       int in_t),
-      (d, y, l, mode, in_t))
+      (double *d, const double *y, const struct coin_priv_law *l, int mode),
+      (d, y, l, mode))
 COUNT(EXTRAPOLATE, int, return, coin_priv_extrapolate,
       (coin_priv_run * r, double tau, double *error), (r, tau, error))
 
