@@ -44,8 +44,8 @@ TEST(the_error_is_proportional_to_tol)
     }
 }
 
-/* The best that double precision has: docs/accuracy.md.  Which of the finest
- * tolerances rounds luckiest is chance, so the best of four is held to it. */
+/* The best that double precision has.  Which of the finest tolerances rounds
+ * luckiest is chance, so the best of four is held to it. */
 TEST(near_tol_1e_13_only_rounding_is_left_after_100_units)
 {
     for (int i = 0; i < SCENES; ++i) {

@@ -157,7 +157,7 @@ TEST(a_steady_spin_is_exact_in_large_steps)
                  3e-14);
 }
 
-/* One step for each frame of a film: docs/accuracy.md quotes the figure. */
+/* One step for each frame of a film, as docs/choosing.md has for 3.5 s. */
 TEST(a_quarter_at_60_frames_a_second_stays_exact_for_a_second)
 {
     scene_load(&scene, "quarter");

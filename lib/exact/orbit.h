@@ -16,8 +16,8 @@
 #include <coin.h>
 
 /* As coin_orbit has room for: with 42 pieces it fills 32,768 bytes.  Of 20,000
- * random motions none needs more than 38 pieces (docs/accuracy.md).  An edge is
- * where a piece begins; those beyond the last piece are DBL_MAX. */
+ * random motions none needs more than 38 pieces.  An edge is where a piece
+ * begins; those beyond the last piece are DBL_MAX. */
 enum { COIN_PRIV_PIECES = 42, COIN_PRIV_EDGES = 48 };
 
 /* The rows of a piece, each with its terms, the constant one first.  Terms are

@@ -28,7 +28,7 @@ COIN_PRIV_INLINE number coin_priv_coarse_limit(int32_t method)
 
 /* The limit of |dt| W beyond which a step is refused.  Beyond 1.2 a step of RK4
  * or RK8 may jump over a whole pass near flat.  Up to the limits of the
- * symplectic methods the series of their drift suffices (docs/limits.md). */
+ * symplectic methods the series of their drift suffices. */
 COIN_PRIV_INLINE number coin_priv_refusal_limit(int32_t method)
 {
     return method == COIN_RK4 || method == COIN_RK8 ? K(1.2)

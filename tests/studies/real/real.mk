@@ -22,7 +22,7 @@ $(REAL_OUT)/tuning: $(REAL_SRC)/tuning.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
 	    $(TUNED:%=-Wl,--wrap=%) -o $@ $(filter %.c,$^) $(TEST_EXTRA) $(LIB_A) \
 	    $(CMOCKA_LIBS) -lm
 
-# A chart of docs/pictures.md.  pictures-check computes its errors again; its
+# The chart of a life with losses.  pictures-check computes its errors again; its
 # costs need valgrind.
 .PHONY: real-fixed
 real-fixed: $(REAL_OUT)/fixed need-gnuplot ## errors and costs to rest, beside fixed steps
