@@ -476,7 +476,7 @@ COIN_API int32_t coin_steady_ride(coin_state *s, const coin_params *p,
  * follow.  Eq. (43).
  * @param[out] center   R_G, of the centre of mass [L]
  * @param[out] contact  R_C, of the contact point; both +infinity if wY = 0, or
- *                      above 1e280 a [L]
+ *                      1e9 a or more [L]
  * @return COIN_EDOMAIN if the state is not steady: |wX| above 1e-9 of the
  *         largest of |wY|, |wZ|, sqrt(g/a), or the two sides of Eq. (39) apart
  *         by more than 1e-9 of the largest of its terms and M g a.

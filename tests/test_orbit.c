@@ -50,9 +50,11 @@ TEST(pieces_are_few_and_cover_half_a_period)
             continue;
         const int count = (int)o.private_frame[COIN_PRIV_COUNT];
         check(count >= 2 && count <= 16);
-        for (int n = 0; n + 1 < COIN_PRIV_EDGES; ++n)
-            check(o.private_edges[n] < o.private_edges[n + 1] || n >= count);
-        check(o.private_edges[0] == 0 && o.private_edges[count] == DBL_MAX);
+        const double half = o.private_frame[COIN_PRIV_RATE] * o.period / 2;
+        for (int n = 0; n < count; ++n)
+            check(o.private_edges[n] < o.private_edges[n + 1]);
+        check(o.private_edges[0] == 0);
+        check_near(o.private_edges[count], half, 2 * U * half);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "half_period.h"
 
 #include <math.h>
+#include <string.h>
 
 #define ELEMENT COIN_PRIV_ELEMENT
 
@@ -68,12 +69,13 @@ static double root_28(double x)
     return product;
 }
 
-/* How far a series reaches: where its last powers come down to LAST_TERM. */
-static double reach_about(const coin_priv_half_period *h,
-                          const coin_priv_series *s)
+/* How far a series reaches: where its last powers come down to LAST_TERM, or
+ * REACH_MAX. */
+static double reach_of(const coin_priv_half_period *h,
+                       const coin_priv_series *s)
 {
     const coin_priv_point *p = s->at;
-    double last = 0;
+    double last = 1e-300; /* not 0: it divides */
     for (int k = COIN_PRIV_ORDER - 1; k <= COIN_PRIV_ORDER; ++k)
         for (int i = 0; i < COIN_PRIV_PATH; ++i) {
             const coin_priv_pair row = p[k].row[i];
@@ -81,12 +83,7 @@ static double reach_about(const coin_priv_half_period *h,
             last = coin_priv_larger(last, fabs(ELEMENT(row, 1)));
         }
     const double longest = REACH_MAX / sqrt(rate2_at(h, p));
-    /* A limit that keeps its power, 1e280 at most, from overflowing. */
-    const double most = longest < 1e10 ? longest : 1e10;
-    double power = 1;
-    for (int k = 0; k < COIN_PRIV_ORDER; ++k)
-        power *= most;
-    return last * power <= LAST_TERM ? most : root_28(LAST_TERM / last);
+    return coin_priv_lesser(longest, root_28(LAST_TERM / last));
 }
 
 /* The root of wX between 0 and end: by Newton's method, or by halving where a
@@ -127,103 +124,120 @@ static void normalize(coin_priv_point *p)
     p->ph = coin_priv_pair_make(ph.c, ph.s);
 }
 
-/* Begins a series at the point that another has at the time t; 0 if that
- * point is not above the table, or the coin is too fast there. */
+/* Computes the powers of a series from its point. */
+static void expand(const coin_priv_half_period *h, coin_priv_series *s)
+{
+    coin_priv_series_expand(s, &h->field);
+    s->reach = reach_of(h, s);
+}
+
+/* Begins a series at the point that another has at a time; 0 if that point is
+ * not above the table, or the coin is too fast there. */
 static int begin_at(const coin_priv_half_period *h, coin_priv_series *to,
-                    const coin_priv_series *from, double t)
+                    const coin_priv_series *from, double time)
 {
     const double most = RATE_MAX * RATE_MAX;
     coin_priv_point *p = to->at;
-    *p = coin_priv_series_at(from, t);
+    *p = coin_priv_series_at(from, time - from->time);
     p->row[COIN_PRIV_PATH] = coin_priv_pair_make(0, 0);
     normalize(p);
     if (!(ELEMENT(p->th, 0) > 0 && rate2_at(h, p) < most))
         return 0;
-    coin_priv_series_expand(to, &h->field);
+    to->time = time;
+    expand(h, to);
     return 1;
 }
 
-/* Makes the series h->now a piece.  Its path is computed, and then moved so
- * that it is at `path` at the time `joint` after its centre: there the piece
- * continues another one. */
-static void add_piece(coin_priv_half_period *h, double center, double joint,
+/* Makes the series h->now a piece: the last one in time, or, if side is -1, the
+ * first one.  Those before the start are kept at the end of the arrays.  The
+ * path of the series is computed, and then moved so that it is at `path` at the
+ * edge, the time at which the piece continues another one. */
+static void add_piece(coin_priv_half_period *h, double side, double edge,
                       coin_priv_pair path)
 {
-    const int n = h->count++;
+    coin_orbit *o = h->o;
+    const int n = side < 0 ? COIN_PRIV_PIECES - 1 - h->count : h->count;
+    const double joint = edge - h->now.time;
     coin_priv_point *p = h->now.at;
     coin_priv_series_expand_path(&h->now);
     const coin_priv_pair here = coin_priv_series_path(&h->now, joint);
     p->row[COIN_PRIV_PATH] =
         coin_priv_pair_make(ELEMENT(path, 0) - ELEMENT(here, 0),
                             ELEMENT(path, 1) - ELEMENT(here, 1));
-    h->o->private_centers[n] = center;
-    h->reach[n] = reach_about(h, &h->now);
-    h->joint[n] = joint;
+    o->private_centers[n] = h->now.time;
+    o->private_edges[side < 0 ? n + 1 : n] = edge;
     coin_priv_series_economized(&h->now,
-                                coin_priv_larger(h->reach[n], fabs(joint)),
-                                h->o->private_terms + COIN_PRIV_PIECE * n);
+                                coin_priv_larger(h->now.reach, fabs(joint)),
+                                o->private_terms + COIN_PRIV_PIECE * n);
+    ++h->count;
 }
 
-static int turns_within(const coin_priv_half_period *h,
-                        const coin_priv_series *s, double t)
+/* Moves the pieces from the end of the arrays to their beginning. */
+static void move_to_begin(const coin_priv_half_period *h)
 {
-    const coin_priv_point p = coin_priv_series_at(s, t);
+    const int from = COIN_PRIV_PIECES - h->count;
+    coin_orbit *o = h->o;
+    for (int n = 0; n < h->count && from > 0; ++n) {
+        double *piece = o->private_terms + COIN_PRIV_PIECE * n;
+        o->private_edges[n] = o->private_edges[from + n];
+        o->private_centers[n] = o->private_centers[from + n];
+        memcpy(piece, piece + COIN_PRIV_PIECE * from,
+               COIN_PRIV_PIECE * sizeof *piece);
+    }
+}
+
+/* Whether wX changes its sign within the reach of a series. */
+static int turns_within(const coin_priv_half_period *h,
+                        const coin_priv_series *s, double side)
+{
+    const coin_priv_point p = coin_priv_series_at(s, side * s->reach);
     return !(wX_at(&p) * h->direction > 0);
 }
 
-/* How far beyond the end of a piece the centre of the next one is placed.  The
- * next one must reach back that far: the estimate assumes that the reach goes
- * on changing as it did from the piece's centre to its end. */
-static double center_after(double reach, double at_end)
+/* Begins h->now beyond h->between, the series about the end of a piece of this
+ * reach, where it reaches back to that end.  The first trial assumes that the
+ * reach goes on shrinking as it did from the piece's centre to its end.  Each
+ * trial is nearer.  0 if no series can be begun there. */
+static int begin_beyond(coin_priv_half_period *h, double side, double reach)
 {
-    return at_end < reach ? at_end * reach / (2 * reach - at_end) : at_end;
+    const coin_priv_series *at_end = &h->between;
+    const double part = coin_priv_lesser(at_end->reach / reach, 1);
+    double step = at_end->reach / (2 - part);
+    while (begin_at(h, &h->now, at_end, at_end->time + side * step)) {
+        if (step <= REACH_MARGIN * h->now.reach)
+            return 1;
+        step = h->now.reach;
+    }
+    return 0;
 }
 
-/* Adds the piece that begins where another ends.  A series about that end leads
- * to the new centre; if it reaches a turning point, it is the piece itself.
- * Returns 0 if no piece can be added. */
-static int add_next_piece(coin_priv_half_period *h, int from, double side)
+/* Adds the piece that continues the latest one.  A series about the end of that
+ * leads to the new centre; if it reaches a turning point, it is the piece
+ * itself.  Returns 0 if no piece can be added. */
+static int add_next_piece(coin_priv_half_period *h, double side)
 {
-    const double end = h->o->private_centers[from] + side * h->reach[from];
-    const double tau = end - h->o->private_centers[from];
-    const coin_priv_pair path = coin_priv_series_path(&h->now, tau);
-    coin_priv_series *between = &h->between;
-    if (h->count == COIN_PRIV_PIECES || !begin_at(h, between, &h->now, tau))
+    const double reach = h->now.reach, end = h->now.time + side * reach;
+    const coin_priv_pair path =
+        coin_priv_series_path(&h->now, end - h->now.time);
+    if (h->count == COIN_PRIV_PIECES || !begin_at(h, &h->between, &h->now, end))
         return 0;
-    const double reach = reach_about(h, between);
-    if (turns_within(h, between, side * reach)) {
-        h->now = *between;
-        add_piece(h, end, 0, path);
-        return 1;
-    }
-    double back = center_after(h->reach[from], reach), step = DBL_MAX;
-    do {
-        const double before = step, center = end + side * back;
-        step = fabs(center - end);
-        /* Gives up if rounding keeps the step from getting shorter. */
-        if (step >= before || !begin_at(h, &h->now, between, center - end))
-            return 0;
-        back = reach_about(h, &h->now);
-    } while (step > REACH_MARGIN * back);
-    add_piece(h, end + side * step, -side * step, path);
+    if (turns_within(h, &h->between, side))
+        h->now = h->between;
+    else if (!begin_beyond(h, side, reach))
+        return 0;
+    add_piece(h, side, end, path);
     return 1;
 }
 
+/* The point of h->now a time after its centre, as a turning point. */
 static coin_priv_turning_point turning_point_at(const coin_priv_half_period *h,
-                                                int piece, double tau)
+                                                double tau)
 {
     const coin_priv_point p = coin_priv_series_at(&h->now, tau);
     const coin_priv_pair path = coin_priv_series_path(&h->now, tau);
-    const double c = h->o->private_centers[piece], sum = c + tau;
-    const double tau_in_sum = sum - c;
     const coin_priv_turning_point turn = {
-        sum,
-        (c - (sum - tau_in_sum)) + (tau - tau_in_sum),
-        ELEMENT(p.row[0], 0),
-        ELEMENT(p.row[0], 1),
-        ELEMENT(p.row[1], 0),
-        ELEMENT(path, 0),
-        ELEMENT(path, 1),
+        h->now.time + tau,    ELEMENT(p.row[0], 0), ELEMENT(p.row[0], 1),
+        ELEMENT(p.row[1], 0), ELEMENT(path, 0),     ELEMENT(path, 1),
     };
     return turn;
 }
@@ -233,14 +247,11 @@ static coin_priv_turning_point turning_point_at(const coin_priv_half_period *h,
 static int add_pieces(coin_priv_half_period *h, coin_priv_turning_point *turn,
                       double side)
 {
-    int piece = 0;
-    while (!turns_within(h, &h->now, side * h->reach[piece])) {
-        if (!add_next_piece(h, piece, side))
+    while (!turns_within(h, &h->now, side))
+        if (!add_next_piece(h, side))
             return 0;
-        piece = h->count - 1;
-    }
-    *turn = turning_point_at(
-        h, piece, root(&h->now, side * h->reach[piece], h->direction));
+    const double end = side * h->now.reach;
+    *turn = turning_point_at(h, root(&h->now, end, h->direction));
     return 1;
 }
 
@@ -268,7 +279,7 @@ void coin_priv_half_period_begin(coin_priv_half_period *h, coin_orbit *o,
     h->b.g_a = b->g_a * unit * unit;
     h->field = coin_priv_field_of(&h->b, 1);
     h->rate = rate;
-    h->count = h->back = 0;
+    h->count = 0;
     p.row[0] = coin_priv_pair_make(s->theta, 0);
     p.row[1] = coin_priv_pair_make(0, y.wX * unit);
     p.row[2] = coin_priv_pair_make(y.wY * unit, y.wZ * unit);
@@ -276,23 +287,21 @@ void coin_priv_half_period_begin(coin_priv_half_period *h, coin_orbit *o,
     p.th = coin_priv_pair_make(y.cth, y.sth);
     p.ph = coin_priv_pair_make(1, 0);
     h->now.at[0] = p;
-    coin_priv_series_expand(&h->now, &h->field);
+    h->now.time = 0;
+    expand(h, &h->now);
 }
 
 int coin_priv_half_period_solve(coin_priv_half_period *h)
 {
-    add_piece(h, 0, 0, coin_priv_pair_make(0, 0));
+    const double wX = wX_at(h->now.at);
+    h->direction = (wX != 0 ? wX : wX_at(h->now.at + 1)) < 0 ? -1 : 1;
+    add_piece(h, -1, 0, coin_priv_pair_make(0, 0));
     const coin_priv_series start = h->now;
-    const double wX = wX_at(start.at);
-    h->direction = (wX != 0 ? wX : wX_at(start.at + 1)) < 0 ? -1 : 1;
     if (wX == 0)
-        h->A = turning_point_at(h, 0, 0);
-    if (!add_pieces(h, &h->B, 1))
+        h->A = turning_point_at(h, 0);
+    else if (!add_pieces(h, &h->A, -1))
         return 0;
-    const int ahead = h->count;
+    move_to_begin(h);
     h->now = start;
-    if (wX != 0 && !add_pieces(h, &h->A, -1))
-        return 0;
-    h->back = h->count - ahead;
-    return 1;
+    return add_pieces(h, &h->B, 1);
 }

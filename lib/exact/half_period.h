@@ -6,28 +6,24 @@
 #include "orbit.h"
 #include "series.h"
 
-/* A turning point: the time from the start to it, in two parts, its lean, and
- * what the motion from the start to it adds to the rest of the pose. */
+/* A turning point: the time from the start to it, its lean, and what the motion
+ * from the start to it adds to the rest of the pose. */
 typedef struct coin_priv_turning_point {
-    double time, remainder;
-    double theta, phi, psi, z, x;
+    double time, theta, phi, psi, z, x;
 } coin_priv_turning_point;
 
 /* Half a period while it is computed: from the turning point A to the turning
  * point B, through the start.  Heading, roll and path are measured from the
  * start. */
 typedef struct coin_priv_half_period {
-    coin_orbit *o;                  /* gets the pieces */
-    coin_priv_body b;               /* GJ and g_a in the orbit's unit of time */
-    coin_priv_field field;          /* of b; h is 1 */
-    double rate;                    /* 1 over the unit of time */
-    coin_priv_series now;           /* about the latest centre */
-    coin_priv_series between;       /* about the end of a piece */
-    int count, back;                /* all pieces; those before the start's */
-    double direction;               /* has the sign of wX between A and B */
-    double reach[COIN_PRIV_PIECES]; /* the reach of a piece to both sides */
-    double joint[COIN_PRIV_PIECES]; /* the time from the centre of a piece to
-                                       where the piece it continues ends */
+    coin_orbit *o;            /* gets the pieces */
+    coin_priv_body b;         /* GJ and g_a in the orbit's unit of time */
+    coin_priv_field field;    /* of b; h is 1 */
+    double rate;              /* 1 over the unit of time */
+    coin_priv_series now;     /* of the latest piece */
+    coin_priv_series between; /* about the end of a piece */
+    int count;                /* of the pieces */
+    double direction;         /* has the sign of wX between A and B */
     coin_priv_turning_point A, B;
 } coin_priv_half_period;
 

@@ -39,9 +39,12 @@ static void measure_from_A(const coin_priv_half_period *h)
     const coin_priv_turning_point *A = &h->A;
     const coin_priv_sc ph = coin_priv_sincos(A->phi);
     double *term = o->private_terms;
+    o->private_edges[0] = A->time;
+    o->private_edges[h->count] = h->B.time;
+    for (int n = 0; n <= h->count; ++n)
+        o->private_edges[n] -= A->time;
     for (int n = 0; n < h->count; ++n) {
-        o->private_centers[n] =
-            (o->private_centers[n] - A->time) - A->remainder;
+        o->private_centers[n] -= A->time;
         double *z = term + COIN_PRIV_Z * COIN_PRIV_TERMS;
         double *x = term + COIN_PRIV_X * COIN_PRIV_TERMS;
         term[COIN_PRIV_PHI * COIN_PRIV_TERMS] -= A->phi;
@@ -75,29 +78,13 @@ static void set_times(const coin_priv_half_period *h)
 {
     coin_orbit *o = h->o;
     double *f = o->private_frame;
-    const coin_priv_turning_point *A = &h->A, *B = &h->B;
-    const double sum = B->time - A->time, B_in_sum = sum + A->time;
-    const double remainder =
-        ((B->time - B_in_sum) - (A->time - (B_in_sum - sum))) +
-        (B->remainder - A->remainder);
+    const double period = 2 * (h->B.time - h->A.time); /* (55) */
     f[COIN_PRIV_RATE] = h->rate;
     f[COIN_PRIV_COUNT] = h->count;
-    f[COIN_PRIV_BEFORE] = h->back;
-    f[COIN_PRIV_SINCE] = -A->time;
-    f[COIN_PRIV_SINCE + 1] = -A->remainder;
-    f[COIN_PRIV_OVER] = 0.5 / sum;
-    coin_priv_split(f + COIN_PRIV_PERIOD, 2 * sum, 2 * remainder);
-    o->period = 2 * sum / h->rate; /* (55) */
-    for (int rank = h->count; rank < COIN_PRIV_EDGES; ++rank)
-        o->private_edges[rank] = DBL_MAX;
-    for (int rank = 0; rank < h->count; ++rank) {
-        const int n = coin_priv_piece(rank, h->back, h->count);
-        const int last = coin_priv_piece(rank - 1, h->back, h->count);
-        o->private_edges[rank] =
-            rank == 0        ? 0
-            : rank > h->back ? o->private_centers[n] + h->joint[n]
-                             : o->private_centers[last] + h->joint[last];
-    }
+    f[COIN_PRIV_SINCE] = -h->A.time;
+    f[COIN_PRIV_OVER] = 1 / period;
+    coin_priv_split(f + COIN_PRIV_PERIOD, period, 0);
+    o->period = period / h->rate;
 }
 
 static void set_angles(const coin_priv_half_period *h, const coin_state *s,
@@ -190,23 +177,18 @@ static struct place widen_to_extremes(coin_orbit *o, int piece, double from,
  * and B.  The search leaves out a 1024th of a piece next to each: there the
  * sign of the rate is rounding.  An extreme in that part would differ from that
  * at A or B by 1e-12. */
-static void set_annulus(const coin_priv_half_period *h, double center,
-                        double half)
+static void set_annulus(coin_orbit *o, int count, double center)
 {
-    coin_orbit *o = h->o;
     const double *t = o->private_centers, *edge = o->private_edges;
-    const int end = h->count - 1;
-    const int last = coin_priv_piece(end, h->back, h->count);
-    const double begin = (end > 0 ? edge[1] : half) / 1024;
-    const double stop = half - (half - edge[end]) / 1024;
-    const int first = coin_priv_piece(0, h->back, h->count);
-    struct place place = place_at(o, first, begin - t[first], center);
+    const int last = count - 1;
+    const double begin = edge[1] / 1024;
+    const double stop = edge[count] - (edge[count] - edge[last]) / 1024;
+    struct place place = place_at(o, 0, begin - t[0], center);
     o->radius_min = o->radius_max = fabs(center);
-    widen(o, place_at(o, last, half - t[last], center));
-    for (int rank = 0; rank <= end; ++rank) {
-        const int n = coin_priv_piece(rank, h->back, h->count);
-        const double from = (rank > 0 ? edge[rank] : begin) - t[n];
-        const double to = (rank < end ? edge[rank + 1] : stop) - t[n];
+    widen(o, place_at(o, last, edge[count] - t[last], center));
+    for (int n = 0; n < count; ++n) {
+        const double from = (n > 0 ? edge[n] : begin) - t[n];
+        const double to = (n < last ? edge[n + 1] : stop) - t[n];
         for (int k = 0; k < PARTS; ++k)
             place =
                 widen_to_extremes(o, n, from + (to - from) * k / PARTS, place,
@@ -214,7 +196,7 @@ static void set_annulus(const coin_priv_half_period *h, double center,
     }
 }
 
-static void set_path(const coin_priv_half_period *h, double a, double half)
+static void set_path(const coin_priv_half_period *h, double a)
 {
     coin_orbit *o = h->o;
     double *f = o->private_frame;
@@ -237,7 +219,7 @@ static void set_path(const coin_priv_half_period *h, double a, double half)
         return;
     }
     const double center = z - x * by.c / by.s; /* from (58) */
-    set_annulus(h, center, half);
+    set_annulus(o, h->count, center);
     o->radius_min *= a;
     o->radius_max *= a;
     o->center[0] = f[COIN_PRIV_PLACE + 1] + center * sA;
@@ -285,16 +267,15 @@ static double period_slope(const coin_priv_half_period *h,
 
 /* 1 + J/2 |dT/dE| s^2/w with w^2 = 2E/J.  s is the larger of the accelerations
  * of theta at A and B, but at most w^2. */
-static double conditioning_of(const coin_priv_half_period *h, double half)
+static double conditioning_of(const coin_priv_half_period *h)
 {
     const coin_orbit *o = h->o;
     const coin_priv_body *b = &h->b;
-    const int last = coin_priv_piece(h->count - 1, h->back, h->count);
-    const int first = coin_priv_piece(0, h->back, h->count);
-    const coin_priv_variables A =
-        variables_at(o, first, -o->private_centers[first]);
-    const coin_priv_variables B =
-        variables_at(o, last, half - o->private_centers[last]);
+    const double *t = o->private_centers, *edge = o->private_edges;
+    const int last = h->count - 1;
+    const double half = edge[h->count];
+    const coin_priv_variables A = variables_at(o, 0, -t[0]);
+    const coin_priv_variables B = variables_at(o, last, half - t[last]);
     const double w2 = b->XJ * A.wY * A.wY + b->KJ * A.wZ * A.wZ +
                       2 * b->GJ * A.cth; /* from (23) */
     const double at_A = fabs(acceleration(h, &A));
@@ -304,16 +285,13 @@ static double conditioning_of(const coin_priv_half_period *h, double half)
     if (!(s > ACCELERATION_MIN))
         return (double)INFINITY;
     double sum = 0;
-    for (int rank = 0; rank < h->count; ++rank) {
-        const int n = coin_priv_piece(rank, h->back, h->count);
-        const double from = o->private_edges[rank];
-        const double to =
-            rank + 1 < h->count ? o->private_edges[rank + 1] : half;
-        const double mid = (from + to) / 2 - o->private_centers[n];
+    for (int n = 0; n < h->count; ++n) {
+        const double length = edge[n + 1] - edge[n];
+        const double mid = (edge[n] + edge[n + 1]) / 2 - t[n];
         for (int i = -1; i < 2; ++i) { /* Gauss' three points */
-            const double at = mid + i * (0.7745966692414834 / 2) * (to - from);
+            const double at = mid + i * (0.7745966692414834 / 2) * length;
             const coin_priv_variables y = variables_at(o, n, at);
-            sum += (to - from) * (i == 0 ? 8.0 / 18 : 5.0 / 18) *
+            sum += length * (i == 0 ? 8.0 / 18 : 5.0 / 18) *
                    period_slope(h, &y, k);
         }
     }
@@ -388,12 +366,11 @@ static int solve(coin_orbit *o, const coin_state *s, const coin_priv_body *b)
         return 0;
     if (!(coin_priv_larger(fabs(h.A.theta), fabs(h.B.theta)) < LEAN_MAX))
         return 0;
-    const double half = (h.B.time - h.A.time) + (h.B.remainder - h.A.remainder);
     measure_from_A(&h);
     set_times(&h);
     set_angles(&h, s, b->a);
-    set_path(&h, b->a, half);
-    o->conditioning = conditioning_of(&h, half);
+    set_path(&h, b->a);
+    o->conditioning = conditioning_of(&h);
     return o->conditioning < CONDITIONING_MAX ? h.count : 0;
 }
 

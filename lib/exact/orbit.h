@@ -16,9 +16,9 @@
 #include <coin.h>
 
 /* As coin_orbit has room for: with 42 pieces it fills 32,768 bytes.  Of 20,000
- * random motions none needs more than 38 pieces.  An edge is where a piece
- * begins; those beyond the last piece are DBL_MAX. */
-enum { COIN_PRIV_PIECES = 42, COIN_PRIV_EDGES = 48 };
+ * random motions none needs more than 38 pieces.  They are in the order of
+ * time. An edge is where a piece begins; the last one is B. */
+enum { COIN_PRIV_PIECES = 42 };
 
 /* The rows of a piece, each with its terms, the constant one first.  Terms are
  * read in pairs.  With 16 the median error of random orbits is 4 times as large
@@ -46,10 +46,9 @@ enum {
 enum {
     COIN_PRIV_RATE = 1,     /* 1 over the unit of time */
     COIN_PRIV_COUNT,        /* how many pieces there are */
-    COIN_PRIV_BEFORE,       /* how many of them lie before the start's */
-    COIN_PRIV_SINCE,        /* the time from A to the start, in two parts */
-    COIN_PRIV_OVER = 6,     /* 1 over the period */
-    COIN_PRIV_PERIOD,       /* in three */
+    COIN_PRIV_SINCE,        /* the time from A to the start */
+    COIN_PRIV_OVER,         /* 1 over the period */
+    COIN_PRIV_PERIOD = 7,   /* in three */
     COIN_PRIV_HEADING = 10, /* per period, in three */
     COIN_PRIV_ROLL = 13,    /* per period, in three */
     COIN_PRIV_TURN = 16,    /* heading per period in turns, less the nearest
@@ -109,14 +108,6 @@ COIN_PRIV_INLINE void coin_priv_spin_rates(double *wY, double *wZ, double dphi,
 {
     *wY = dphi * th.c;        /* from (18) */
     *wZ = dpsi - dphi * th.s; /* from (19) */
-}
-
-/* The index of the piece that is the rank-th in time.  Pieces are stored in
- * another order: first that of the start, then those after it, then those
- * before it, backward in time. */
-static inline int coin_priv_piece(int rank, int back, int count)
-{
-    return rank < back ? count - 1 - rank : rank - back;
 }
 
 /* The nearest integer, |x| <= 2^51. */

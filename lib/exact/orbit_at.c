@@ -19,19 +19,15 @@
 #define ROW_AT(rows, row, t)                                                   \
     coin_priv_row_at((rows) + COIN_PRIV_TERMS * (row), t)
 
-/* The rank of the piece that contains the time t: the number of edges, without
- * the first, that are not beyond t.  They are counted by steps of 16, then of
- * 1.  Unlike in a binary search, no comparison waits for another. */
-static inline int rank_at(const double *edge, int count, double t)
+/* The piece that contains the time t: the number of edges between pieces that
+ * are not beyond t.  Unlike in a binary search, no comparison waits for
+ * another. */
+static inline int piece_at(const double *edge, int count, double t)
 {
-    int rank = 0;
-    for (int i = 16; i < count; i += 16)
-        rank += 16 * (edge[i] <= t);
-    const int few = count < 16 ? count : 16;
-    edge += rank;
-    for (int i = 1; i < few; ++i)
-        rank += edge[i] <= t;
-    return rank < count ? rank : count - 1;
+    int piece = 0;
+    for (int i = 1; i < count; ++i)
+        piece += edge[i] <= t;
+    return piece;
 }
 
 /* An angle: that at A, start[0] + start[1], plus what k periods add, plus
@@ -135,8 +131,8 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
     if (o->period == 0)
         return steady_at(o, t, out);
     const double *f = o->private_frame, *T = f + COIN_PRIV_PERIOD;
-    const double pieces = f[COIN_PRIV_COUNT], before = f[COIN_PRIV_BEFORE];
-    if (!(before >= 0 && before < pieces && pieces <= (int)COIN_PRIV_PIECES))
+    const double count = f[COIN_PRIV_COUNT];
+    if (!(count > 0 && count <= (int)COIN_PRIV_PIECES))
         return COIN_EARG;
     if (!(fabs(t) / COIN_PRIV_ANGLE_MAX < o->period))
         return COIN_ESTEP;
@@ -145,12 +141,10 @@ int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out)
     /* r is the time since the nearest A.  Before A, where r < 0, the motion is
      * the mirror image of that after A, (57). */
     const double k = coin_priv_round(periods);
-    const double r = (((now - k * T[0]) - k * T[1]) + f[COIN_PRIV_SINCE]) +
-                     (f[COIN_PRIV_SINCE + 1] - k * T[2]);
+    const double r =
+        (((now - k * T[0]) - k * T[1]) + f[COIN_PRIV_SINCE]) - k * T[2];
     const double side = copysign(1, r), since = fabs(r);
-    const int count = (int)pieces, back = (int)before;
-    const int piece =
-        coin_priv_piece(rank_at(o->private_edges, count, since), back, count);
+    const int piece = piece_at(o->private_edges, (int)count, since);
     const double tau = since - o->private_centers[piece];
     const coin_state at = state_at(o, piece, tau, side, k);
     return end(o, &at, out);

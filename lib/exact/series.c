@@ -32,14 +32,14 @@ struct factors {
 
 /* Computes power k + 1 of lean, angles and rates from the powers up to k.  The
  * loop leaves out the terms that contain power k of a factor.  They are added
- * as soon as that power is known. */
+ * as soon as that power is known.  If k = 0 such a product has one term, not
+ * two: the factor that is not set yet is still 0. */
 static void lean_power(coin_priv_series *s, struct factors *f,
                        const coin_priv_field *field, int k)
 {
     const coin_priv_point *p = &s->at[k];
     const double wX = ELEMENT(p->row[1], 1);
     const double wY = ELEMENT(p->row[2], 0), wZ = ELEMENT(p->row[2], 1);
-    const int is_first = k == 0;
     coin_priv_pair thr = BOTH(0), thX = BOTH(0), vYX = BOTH(0);
     double uY = 0;
     for (int j = 1; j < k; ++j) {
@@ -49,23 +49,20 @@ static void lean_power(coin_priv_series *s, struct factors *f,
         uY += f->u[j] * ELEMENT(f->vY[k - j], 1);
     }
     f->th[k] = p->th;
-    f->wX[k] = BOTH(wX);
-    if (!is_first)
-        thr = ADD_PRODUCT(thr, f->th[k], f->r[0]);
+    thr = ADD_PRODUCT(thr, f->th[k], f->r[0]);
     const double r = (wY - ELEMENT(thr, 0)) * f->over; /* (18) */
     const double rs =
         ELEMENT(thr, 1) + ELEMENT(f->th[0], 1) * r; /* wY tan theta */
     f->r[k] = BOTH(r);
     f->u[k] = field->KJ * wZ + field->XJ * rs;
+    uY += f->u[k] * ELEMENT(f->vY[0], 1);
     f->vY[k] = coin_priv_pair_make(rs + field->k1 * wZ, wY);
+    uY += f->u[0] * wY;
+    thX = ADD_PRODUCT(thX, f->th[k], f->wX[0]);
+    vYX = ADD_PRODUCT(vYX, f->vY[k], f->wX[0]);
+    f->wX[k] = BOTH(wX);
     thX = ADD_PRODUCT(thX, f->th[0], f->wX[k]);
     vYX = ADD_PRODUCT(vYX, f->vY[0], f->wX[k]);
-    uY += f->u[0] * wY;
-    if (!is_first) {
-        thX = ADD_PRODUCT(thX, f->th[k], f->wX[0]);
-        vYX = ADD_PRODUCT(vYX, f->vY[k], f->wX[0]);
-        uY += f->u[k] * ELEMENT(f->vY[0], 1);
-    }
     const double by = over_n[k + 1];
     coin_priv_point *next = &s->at[k + 1];
     const double dwX = field->GJ * ELEMENT(p->th, 1) - uY; /* (14) */
@@ -82,7 +79,7 @@ static void lean_power(coin_priv_series *s, struct factors *f,
 void coin_priv_series_expand(coin_priv_series *s, const coin_priv_field *field)
 {
     struct factors f;
-    memset(&f, 0, sizeof f); /* for gcc's analyzer alone */
+    memset(&f, 0, sizeof f);
     f.over = 1 / ELEMENT(s->at[0].th, 0);
     for (int k = 0; k < COIN_PRIV_ORDER; ++k)
         lean_power(s, &f, field, k);

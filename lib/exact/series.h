@@ -20,6 +20,8 @@ typedef struct coin_priv_point {
 
 typedef struct coin_priv_series {
     coin_priv_point at[COIN_PRIV_ORDER + 1];
+    double time, reach; /* set by half_period.c: the time of the point, and how
+                           far from it the series may be used */
 } coin_priv_series;
 
 /* Computes all powers from at[0], which is given, but those of path and ph.

@@ -9,10 +9,6 @@
  * rounding of a long run, and far below a visible swing. */
 #define STEADY 1e-9
 
-/* A radius that is longer than this, in radii of the coin, counts as infinite.
- */
-#define FARTHEST 1e280
-
 /* The largest tan theta of coin_steady_ride().  Nearer to flat the rounding of
  * theta changes the speed by more than STEADY. */
 #define STEEPEST 1e7
@@ -176,7 +172,7 @@ int32_t coin_steady_radii(const coin_state *s, const coin_params *p,
     if (status != COIN_OK)
         return status;
     const double wY = s->wY, wZ = s->wZ;
-    const int straight = fabs(wY) * FARTHEST <= fabs(wZ * th.c);
+    const int straight = fabs(wY) * COIN_PRIV_PLACE_MAX <= fabs(wZ * th.c);
     *center =
         straight ? (double)INFINITY : b.a * fabs(wZ * th.c / wY); /* (43) */
     *contact = straight ? (double)INFINITY
