@@ -20,7 +20,8 @@ static void make_step(coin_priv_moving *g, double h)
     const coin_priv_variables v = coin_priv_variables_of(&s);
     coin_priv_begin(g, &s, &v, 1, 1e-9);
     coin_priv_dop853 *const w = &g->step;
-    w->of.mode = w->of.in_t = 0;
+    w->of.rates = coin_priv_rates;
+    w->of.mode = 0;
     w->of.most = 1e6;
     coin_priv_rates(w->slope[0], w->y, w->of.law, 0);
     check(coin_priv_try_step(w, h) < 1e-6);

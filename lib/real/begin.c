@@ -35,7 +35,6 @@ void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
         g->pose[i] = none;
     }
     g->step.of.law = &g->law;
-    g->step.of.rates = coin_priv_rates;
     g->tol = tol;
     g->time = time;
     g->stop = g->event = 0;

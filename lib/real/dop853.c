@@ -133,12 +133,11 @@ double coin_priv_by_t(double *d)
     return per;
 }
 
-/* The slopes of the step, number `to`, at y. */
-static void set_slope(coin_priv_dop853 *w, int to, const double *y)
+void coin_priv_rates_by_t(double *d, const double *y, const coin_priv_law *l,
+                          int mode)
 {
-    w->of.rates(w->slope[to], y, w->of.law, w->of.mode);
-    if (w->of.in_t)
-        (void)coin_priv_by_t(w->slope[to]);
+    coin_priv_rates(d, y, l, mode);
+    (void)coin_priv_by_t(d);
 }
 
 /* A stage: the slopes, number `to`, where a row of `count` leads; nothing if
@@ -156,7 +155,7 @@ static void stage(coin_priv_dop853 *w, const double *row, const stages of,
         store(at + i * LANES, load(&w->y[i * LANES]) + w->h * sums[i]);
     w->sound = is_sound(&w->of, at);
     if (w->sound)
-        set_slope(w, to, at);
+        w->of.rates(w->slope[to], at, w->of.law, w->of.mode);
 }
 
 /* Stages 2 to 12. */
@@ -209,7 +208,7 @@ double coin_priv_try_step(coin_priv_dop853 *w, double h)
 }
 
 /* Sets a coefficient of the polynomial to a row of D. */
-COIN_PRIV_INLINE void set_dense(coin_priv_dop853 *w, const double *row, int r)
+COIN_PRIV_NOINLINE void set_dense(coin_priv_dop853 *w, const double *row, int r)
 {
     lanes sums[ALL];
     sum_row(sums, w, row, D_OF, 12, ALL);
@@ -222,7 +221,7 @@ static void make_dense(coin_priv_dop853 *w)
 {
     const double h = w->h;
     w->has_dense = 1;
-    set_slope(w, 12, w->end);
+    w->of.rates(w->slope[12], w->end, w->of.law, w->of.mode);
     for (int i = 0; i < ALL * LANES; i += LANES) {
         const lanes dy = load(&w->end[i]) - load(&w->y[i]);
         const lanes first = h * load(&w->slope[0][i]);

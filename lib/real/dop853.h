@@ -8,7 +8,7 @@
 
 enum { COIN_PRIV_STAGES = 16, COIN_PRIV_DENSE = 7 };
 
-/* coin_priv_rates(), or other slopes. */
+/* coin_priv_rates(), coin_priv_rates_by_t(), or other slopes. */
 typedef void coin_priv_rates_function(double *d, const double *y,
                                       const coin_priv_law *l, int mode);
 
@@ -17,8 +17,8 @@ typedef void coin_priv_rates_function(double *d, const double *y,
 typedef struct coin_priv_problem {
     const coin_priv_law *law;
     coin_priv_rates_function *rates;
-    int mode, in_t; /* whether the step is made in t */
-    double most;    /* a stage whose rates add up to more has run away */
+    int mode;
+    double most; /* a stage whose rates add up to more has run away */
 } coin_priv_problem;
 
 /* A step from y to end.  slope[0] are the slopes at y, slope[12] those at end
@@ -35,6 +35,10 @@ typedef struct coin_priv_dop853 {
 
 /* Makes slopes those by t, and returns the factor. */
 double coin_priv_by_t(double *d);
+
+/* coin_priv_rates(), all by t. */
+void coin_priv_rates_by_t(double *d, const double *y, const coin_priv_law *l,
+                          int mode);
 
 /* Sets w->end, where w->of, w->y and w->slope[0] are set.  Returns the estimate
  * of the error of the variables that are read; infinite if a stage runs away or

@@ -112,14 +112,16 @@ COIN_PRIV_INLINE coin_priv_slowing coin_priv_slowing_of(const coin_priv_law *l,
     const double perJ = l->perJ[slips], perK = l->perK[slips];
     const double u = coin_priv_roll_speed(y);
     const double Q = -u * coin_priv_grip(l, u, c);
-    const double fade = l->damping * fabs(u);            /* (66) */
-    const double turn = l->spin * (wY * c - wZ * s) * c; /* (67) */
-    const double all = l->angular * c;                   /* (95) */
-    const coin_priv_slowing d = {
-        -(fade + all * (l->IX * perJ)) * wX,                 /* (68) */
-        (Q * s - turn * c) * l->perJ[1] - (fade + all) * wY, /* (68) */
-        (Q * c + turn * s) * perK - (fade + all * (l->IZ * perK)) * wZ,
-    };
+    coin_priv_slowing d = {0, Q * s * l->perJ[1], Q * c * perK}; /* (68) */
+    if (COIN_PRIV_RARELY(l->damping + l->spin + l->angular > 0)) {
+        const double fade = l->damping * fabs(u);            /* (66) */
+        const double turn = l->spin * (wY * c - wZ * s) * c; /* (67) */
+        const double all = l->angular * c;                   /* (95) */
+        /* (68) */
+        d.wX -= (fade + all * (l->IX * perJ)) * wX;
+        d.wY -= turn * c * l->perJ[1] + (fade + all) * wY;
+        d.wZ += turn * s * perK - (fade + all * (l->IZ * perK)) * wZ;
+    }
     return d;
 }
 

@@ -209,7 +209,7 @@ static int can_end_in_t(const coin_priv_moving *g, const plan *p, double left)
 /* Makes the step of the plan the step to the end of the call, in t. */
 static void end_in_t(coin_priv_moving *g, plan *p, double left)
 {
-    g->step.of.in_t = 1;
+    g->step.of.rates = coin_priv_rates_by_t;
     p->rate *= coin_priv_by_t(g->step.slope[0]);
     p->h = left;
 }
@@ -217,7 +217,7 @@ static void end_in_t(coin_priv_moving *g, plan *p, double left)
 /* Sets the slopes that a step begins with, in the time of the mode. */
 static void first_slopes(coin_priv_moving *g)
 {
-    g->step.of.in_t = 0;
+    g->step.of.rates = coin_priv_rates;
     coin_priv_rates(g->step.slope[0], g->step.y, &g->law, g->mode);
 }
 
