@@ -228,6 +228,19 @@ TEST(the_toy_comes_to_rest_by_the_law_that_the_page_states)
     check_within(atof(output) * 1e-3 / law, 1 - 5e-3, 1 + 5e-3);
 }
 
+/* docs/choosing.md: the launches of docs/examples/lean_map.c. */
+TEST(a_lean_1e_4_larger_lets_the_quarter_roll_two_seconds_longer)
+{
+    coin_params p;
+    coin_losses l = {.dry = 0};
+    coin_state lower = {.theta = 0.3133, .wY = 1, .wZ = 12};
+    coin_state higher = {.theta = 0.3134, .wY = 1, .wZ = 12};
+    check_status(coin_params_disc(&p, 0.00567, 0.01213, 9.80665), COIN_OK);
+    l.dry = 1e-3 * p.mass * p.gravity * p.radius;
+    check_within(coin_time_to_rest(&lower, &p, &l), 7.305, 7.315);
+    check_within(coin_time_to_rest(&higher, &p, &l), 9.155, 9.165);
+}
+
 TEST(the_check_of_a_coin_at_rest_says_more_than_that)
 {
     coin_params p;
