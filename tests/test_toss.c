@@ -390,6 +390,19 @@ TEST(flat_bits_of_stop_hold_while_it_lies)
     check(on.s.x == 1e9 - 1);
 }
 
+/* A body counts as touching up to 16 U of a radius above the table, and at a
+ * normal speed up to 1e-10. */
+TEST(a_coin_that_lies_is_on_the_table_once_it_slides)
+{
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.mu_static = 0.4, .mu_kinetic = 0.3};
+    coin_body b = {.s = {.theta = LAST_LEAN}, .vx = 1, .vy = 5e-11};
+    b.y = cos(LAST_LEAN) + 8 * U;
+    check_status(coin_move(&b, &p, &f, 0.1, 1e-6, 0, NULL), COIN_SLIPS);
+    check_near(b.y, cos(LAST_LEAN), U / 64);
+    check(b.vy == 0);
+}
+
 /* ----------------------------------------------------------------- lift-off */
 TEST(a_coin_with_damping_ends_the_call_where_it_lifts_off)
 {

@@ -23,11 +23,11 @@ coin_priv_variables coin_priv_attitude_variables(const coin_state *s,
 /* A flight from a body: a free symmetric top, which turns about its axis at the
  * rate sigma while the axis turns about k. */
 typedef struct coin_priv_flight {
-    double X[3], n[3]; /* e_X and e_Z at the start */
-    double k[3], rate; /* of the precession; k is a unit vector */
-    double sigma;      /* the rate about e_Z besides it */
-    double x, y, z;    /* the centre, and its velocity */
-    double vx, vy, vz;
+    coin_priv_attitude at; /* of the start */
+    double kX, kY, kZ;     /* a unit vector along the axes at the start */
+    double rate;           /* of the precession about k */
+    double sigma;          /* the rate about e_Z besides it */
+    double y, vy;          /* of the centre at the start */
 } coin_priv_flight;
 
 void coin_priv_flight_of(coin_priv_flight *f, const coin_body *b,

@@ -2,7 +2,6 @@
 #include "../motion/pinned.h"
 
 #include "air.h"
-#include "space.h"
 
 coin_priv_attitude coin_priv_attitude_of(const coin_state *s)
 {
@@ -26,37 +25,37 @@ void coin_priv_flight_of(coin_priv_flight *f, const coin_body *b,
                          const coin_priv_attitude *at, double IX, double IZ)
 {
     const coin_state *const s = &b->s;
-    const coin_priv_variables v = coin_priv_attitude_variables(s, at);
-    const double k1 = IZ / IX;
-    double R[9];
-    coin_priv_axes(&v, R);
-    for (int i = 0; i < 3; ++i) {
-        f->X[i] = R[i];
-        f->n[i] = R[6 + i];
-        f->k[i] = s->wX * R[i] + s->wY * R[3 + i] + k1 * s->wZ * R[6 + i];
-    }
-    f->rate = sqrt(coin_priv_dot(f->k, f->k)); /* (98) */
-    for (int i = 0; i < 3; ++i)
-        f->k[i] = f->rate > 0 ? f->k[i] / f->rate : i == 1;
-    f->sigma = s->wZ * (1 - k1); /* (98) */
-    f->x = s->x;
-    f->y = b->y;
-    f->z = s->z;
-    f->vx = b->vx;
-    f->vy = b->vy;
-    f->vz = b->vz;
+    const double k1 = IZ / IX, lX = s->wX, lY = s->wY, lZ = k1 * s->wZ;
+    const double rate = sqrt(lX * lX + lY * lY + lZ * lZ); /* (98) */
+    const coin_priv_flight made = {
+        *at,
+        rate > 0 ? lX / rate : 0,
+        rate > 0 ? lY / rate : 0,
+        rate > 0 ? lZ / rate : 1,
+        rate,
+        s->wZ * (1 - k1), /* (98) */
+        b->y,
+        b->vy,
+    };
+    *f = made;
 }
 
-/* A vector of the coin after half the turn `half` of the precession. */
-static void turn_by(double to[3], const double v[3], const double k[3],
-                    coin_priv_sc half)
+/* A vector along the axes of the table. */
+struct vector {
+    double x, y, z;
+};
+
+/* The vector with these components along e_X, e_Y and e_Z. */
+static struct vector vector_of(const coin_priv_attitude *at, double X, double Y,
+                               double Z)
 {
-    const double S = 2 * half.s * half.c, C = 2 * half.s * half.s;
-    const double along = coin_priv_dot(k, v);
-    double across[3];
-    coin_priv_cross(across, k, v);
-    for (int i = 0; i < 3; ++i)
-        to[i] = v[i] + S * across[i] + C * (k[i] * along - v[i]); /* (99) */
+    const double h = at->th.s * Y + at->th.c * Z;
+    const struct vector v = {
+        X * at->ph.c + h * at->ph.s,
+        at->th.c * Y - at->th.s * Z,
+        h * at->ph.c - X * at->ph.s,
+    };
+    return v;
 }
 
 /* An angle without whole turns: 2 pi as four parts. */
@@ -83,16 +82,19 @@ void coin_priv_fly(coin_body *b, coin_priv_attitude *at,
 {
     coin_state *const s = &b->s;
     const coin_priv_sc half = coin_priv_sincos(f->rate * t / 2);
-    double X[3], n[3];
-    turn_by(X, f->X, f->k, half);
-    turn_by(n, f->n, f->k, half);
+    const double S = 2 * half.s * half.c, C = 2 * half.s * half.s;
+    const double kX = f->kX, kY = f->kY, kZ = f->kZ;
+    const struct vector n =
+        vector_of(&f->at, S * kY + C * kX * kZ, C * kY * kZ - S * kX,
+                  1 - C * (kX * kX + kY * kY)); /* (99) */
+    const struct vector X =
+        vector_of(&f->at, 1 - C * (kY * kY + kZ * kZ), S * kZ + C * kX * kY,
+                  C * kX * kZ - S * kY); /* (99) */
     /* Where the face is horizontal any heading is as good: d follows it. */
-    const double level = sqrt(n[0] * n[0] + n[2] * n[2]);
-    const coin_priv_sc ph = unit(n[0], n[2] + ANY);
-    const coin_priv_sc th = unit(-n[1], level);
-    const double along = ph.s * X[0] + ph.c * X[2];
-    const coin_priv_sc d =
-        unit(th.s * along + th.c * X[1], ph.c * X[0] - ph.s * X[2]);
+    const coin_priv_sc ph = unit(n.x, n.z + ANY);
+    const coin_priv_sc th = unit(-n.y, ph.s * n.x + ph.c * n.z);
+    const coin_priv_sc d = unit(th.s * (ph.s * X.x + ph.c * X.z) + th.c * X.y,
+                                ph.c * X.x - ph.s * X.z);
     const double wX = s->wX, wY = s->wY;
     at->th = th;
     at->ph = ph;
@@ -101,8 +103,8 @@ void coin_priv_fly(coin_body *b, coin_priv_attitude *at,
     s->psi = without_turns(s->psi + f->sigma * t + coin_priv_angle(d));
     s->wX = wX * d.c - wY * d.s; /* (100) */
     s->wY = wX * d.s + wY * d.c; /* (100) */
-    s->x = f->x + f->vx * t;
-    s->z = f->z + f->vz * t;
-    b->y = f->y + t * (f->vy - t / 2);
-    b->vy = f->vy - t;
+    s->x += b->vx * t;
+    s->z += b->vz * t;
+    b->y += t * (b->vy - t / 2);
+    b->vy -= t;
 }

@@ -8,7 +8,6 @@
 #include "../motion/pinned.h"
 
 #include "air.h"
-#include "space.h"
 
 #include <float.h>
 
@@ -23,7 +22,8 @@
 struct arc {
     double y, vy;
     double nh[2], c1[2], c2[2]; /* n_h = nh + sin(rate t) c1 +
-                                   (1 - cos(rate t)) c2 */
+                                   (1 - cos(rate t)) c2, along e_X and e_h of
+                                   the start */
     double rate;
     double top;        /* no point of the rim is further below the centre */
     double bend, jerk; /* where y <= top: G'' >= -2 bend, |G'''| <= jerk */
@@ -31,31 +31,31 @@ struct arc {
 
 static void arc_of(struct arc *r, const coin_priv_flight *f)
 {
-    const double *const k = f->k, *const n = f->n, w = f->rate;
-    const double along = coin_priv_dot(k, n);
-    double q[3];
-    coin_priv_cross(q, k, n);
-    for (int i = 0; i < 2; ++i) {
-        r->nh[i] = n[2 * i];
-        r->c1[i] = q[2 * i];
-        r->c2[i] = k[2 * i] * along - n[2 * i];
-    }
-    const double kh = sqrt(k[0] * k[0] + k[2] * k[2]);
-    const double across = sqrt(coin_priv_dot(q, q));
-    const double A = along * k[1], D = kh * across;
+    const double s = f->at.th.s, c = f->at.th.c, w = f->rate;
+    const double kX = f->kX, kY = f->kY, kZ = f->kZ;
+    const double kh = s * kY + c * kZ, ky = c * kY - s * kZ;
+    const double across2 = kX * kX + kY * kY, across = sqrt(across2);
+    const double level = sqrt(kX * kX + kh * kh);
+    const double A = kZ * ky, D = level * across;
+    const double fall = sqrt(f->vy * f->vy + 2 * f->y);
+    const double peak = f->vy > 0 ? fall * fall / 2 : f->y;
     r->y = f->y;
     r->vy = f->vy;
+    r->nh[0] = 0;
+    r->nh[1] = c;
+    r->c1[0] = kY;
+    r->c1[1] = -s * kX;
+    r->c2[0] = kX * kZ;
+    r->c2[1] = s * kY * kZ - c * across2;
     r->rate = w;
     r->top = 1;
     if (w == 0)
-        r->top = sqrt(n[0] * n[0] + n[2] * n[2]);
+        r->top = c;
     else if (fabs(A) > D)
-        r->top = kh * fabs(along) + fabs(k[1]) * across; /* (102) */
-    const double fall = sqrt(f->vy * f->vy + 2 * f->y);
-    const double peak = f->vy > 0 ? fall * fall / 2 : f->y;
-    const double high = peak < r->top ? peak : r->top;
-    r->bend = high + w * w * D * (fabs(A) + D);                 /* (103) */
-    r->jerk = 6 * fall + w * w * w * D * (2 * fabs(A) + 4 * D); /* (103) */
+        r->top = level * fabs(kZ) + fabs(ky) * across; /* (102) */
+    r->bend =
+        coin_priv_lesser(peak, r->top) + w * w * D * (fabs(A) + D); /* (103) */
+    r->jerk = 6 * fall + w * w * w * D * (2 * fabs(A) + 4 * D);     /* (103) */
 }
 
 /* G and its derivatives. */
@@ -85,17 +85,34 @@ static struct look look_at(const struct arc *r, double t)
     return at;
 }
 
-/* How far from here there is surely no zero. */
-static double safe(const struct arc *r, const struct look *at)
+/* The first zero of G + d h - K h^2 where d < 0; infinity if there is none. */
+static double falls_to_zero(const struct look *at, double K)
 {
-    const double K = r->bend, root = sqrt(at->d * at->d + 4 * K * at->G);
-    if (at->d < 0)
-        return 2 * at->G / (root - at->d); /* (104) */
+    const double square = at->d * at->d + 4 * K * at->G;
+    return square < 0 ? (double)INFINITY : 2 * at->G / (sqrt(square) - at->d);
+}
+
+/* How far from here there is surely no zero.  Where G falls: h by the bound of
+ * G'', and farther by G'' here and the bound of G''', up to 2 h.  *width: how
+ * far from there a zero lies at most, if there surely is one within 2 h. */
+static double safe(const struct arc *r, const struct look *at, double *width)
+{
+    const double K = r->bend, bend = at->dd / 2;
+    *width = (double)INFINITY;
+    if (at->d < 0) {
+        const double h = falls_to_zero(at, K), e = r->jerk * h / 3;
+        const double early = falls_to_zero(at, e - bend);
+        const double late = falls_to_zero(at, -e - bend);
+        if (late <= 2 * h)
+            *width = late - early;
+        return coin_priv_larger(h, coin_priv_lesser(early, 2 * h));
+    }
+    const double root = sqrt(at->d * at->d + 4 * K * at->G);
     const double rises = at->dd / r->jerk; /* (104) */
-    const double least = LEAST * sqrt(at->y) / (1 + r->rate);
-    const double h = (at->d + root) / (2 * K);
-    const double longer = h > rises ? h : rises;
-    return longer > least ? longer : least;
+    const double y = coin_priv_larger(at->y, 0);
+    const double least = LEAST * sqrt(y) / (1 + r->rate);
+    const double h = coin_priv_larger((at->d + root) / (2 * K), rises);
+    return coin_priv_larger(h, least);
 }
 
 /* Searches for the first touch from the time found->t to `end`, where the
@@ -104,21 +121,19 @@ static double safe(const struct arc *r, const struct look *at)
 static void search(coin_priv_touch *found, const struct arc *r, double end,
                    int leaves)
 {
-    while (found->t < end && found->looks < MOST_LOOKS) {
+    while (!found->touches && found->t < end && found->looks < MOST_LOOKS) {
         struct look at = look_at(r, found->t);
         const int zero = at.G <= 4 * DBL_EPSILON * (at.y * at.y);
+        double h = 0, width = (double)INFINITY;
         ++found->looks;
-        found->touches = !leaves && zero;
-        if (found->touches)
-            return;
-        if (leaves)
-            at.G = 0;
+        at.G = leaves ? 0 : at.G;
+        if (leaves || !zero)
+            h = safe(r, &at, &width);
         leaves = 0;
-        const double h = safe(r, &at);
-        found->touches = !(h > 2 * DBL_EPSILON * found->t);
-        if (found->touches)
-            return;
         found->t += h;
+        found->touches =
+            coin_priv_lesser(h, width) <= 2 * DBL_EPSILON * found->t &&
+            found->t <= end;
     }
     if (found->t > end)
         found->t = end;

@@ -227,12 +227,14 @@ int32_t coin_body_matrix(const coin_body *b, const coin_params *p, double m[16])
 }
 
 /* The force on a coin that touches the table, in natural units. */
-static coin_priv_push touching_force(const coin_body *b, const coin_priv_law *l,
-                                     int mode, const double u[2])
+static coin_priv_push touching_force(const coin_body *b,
+                                     const coin_priv_attitude *at,
+                                     const coin_priv_law *l, int mode,
+                                     const double u[2])
 {
     coin_priv_moving g;
     g.law = *l;
-    const coin_priv_variables v = coin_priv_variables_of(&b->s);
+    const coin_priv_variables v = coin_priv_attitude_variables(&b->s, at);
     coin_priv_begin(&g, &b->s, &v, 0, 1);
     g.step.y[COIN_PRIV_UX] = u[0];
     g.step.y[COIN_PRIV_UH] = u[1];
@@ -291,7 +293,7 @@ int32_t coin_body_reaction(const coin_body *b, const coin_params *p,
     else if (mode == COIN_PRIV_LIES)
         F = sliding_force(&natural, at.ph, &law);
     else if (mode != COIN_PRIV_AIR)
-        F = touching_force(&natural, &law, mode, u);
+        F = touching_force(&natural, &at, &law, mode, u);
     const coin_priv_sc ph = at.ph;
     coin_force r;
     r.R[0] = of.Mg * (F.X * ph.c + F.h * ph.s);

@@ -11,23 +11,6 @@
 #define STOPS                                                                  \
     (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_ROLLS | COIN_TOUCHES)
 
-/* Where a body touches, its height and velocity are what the mode says of the
- * other members. */
-static void fit_to_mode(coin_body *b, int mode, double a)
-{
-    const double vx = b->vx, vz = b->vz;
-    if (mode & COIN_PRIV_AIR)
-        return;
-    const coin_priv_attitude at = coin_priv_attitude_of(&b->s);
-    coin_priv_set_rolling(b, &at, a);
-    if (mode) {
-        b->vx = vx;
-        b->vz = vz;
-    }
-    if (mode & COIN_PRIV_RESTS)
-        b->s.wZ = b->vx = b->vy = b->vz = 0;
-}
-
 int32_t coin_move(coin_body *b, const coin_params *p, const coin_table *table,
                   double t, double tol, int32_t stop, double *reached)
 {
@@ -57,12 +40,8 @@ int32_t coin_move(coin_body *b, const coin_params *p, const coin_table *table,
     w.g.tries = TRIES;
     status = coin_priv_go_on(&w);
     if (w.changed) {
-        const int mode = status > 0 && status & COIN_LIFTS
-                             ? COIN_PRIV_AIR
-                             : coin_priv_body_mode(&w.b, &w.at, u);
         *b = w.b;
         coin_priv_scale_body(b, of.a, w0);
-        fit_to_mode(b, mode, of.a);
     }
     if (reached)
         *reached = coin_priv_reached(&w.moved, w.time, t, w0);

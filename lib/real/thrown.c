@@ -33,11 +33,12 @@ static int32_t take(coin_priv_thrown *w, const coin_body *to,
                     const coin_priv_attitude *at)
 {
     const coin_state *const s = &to->s;
-    const double place = coin_priv_larger(fabs(s->x), fabs(s->z));
-    if (!(place <= COIN_PRIV_PLACE_MAX && fabs(s->psi) <= COIN_PRIV_ANGLE_MAX))
-        return COIN_ERANGE;
-    if (!coin_priv_members_hold(to, 1, 1))
-        return COIN_ESTEP;
+    if (!coin_priv_members_hold(to, 1, 1)) {
+        const int far = !(fabs(s->x) <= COIN_PRIV_PLACE_MAX &&
+                          fabs(s->z) <= COIN_PRIV_PLACE_MAX &&
+                          fabs(s->psi) <= COIN_PRIV_ANGLE_MAX);
+        return far ? COIN_ERANGE : COIN_ESTEP;
+    }
     w->b = *to;
     w->at = *at;
     w->changed = 1;
@@ -100,11 +101,11 @@ static void lie_down(coin_body *b, coin_priv_attitude *at)
     b->y = at->th.c;
 }
 
-/* The impact that is due. */
-static int32_t hit(coin_priv_thrown *w)
+/* The impact that is due.  up: the normal speed of the lowest point. */
+static int32_t hit(coin_priv_thrown *w, double up)
 {
     const coin_priv_law *const l = &w->g.law;
-    const int slow = coin_priv_rim_of(&w->b, &w->at).y > -PLASTIC; /* (114) */
+    const int slow = up > -PLASTIC; /* (114) */
     const coin_priv_bounce law = {
         slow ? 0 : w->restitution,
         l->mu_static,
@@ -127,7 +128,8 @@ static int32_t in_air(coin_priv_thrown *w)
     if (bits || !(time_left(w) > 0))
         return COIN_LIFTS | bits;
     const int low = w->b.y - w->at.th.c <= COIN_PRIV_TOUCHES;
-    return low && coin_priv_rim_of(&w->b, &w->at).y < 0 ? hit(w) : fly(w, low);
+    const double up = low ? coin_priv_rim_of(&w->b, &w->at).y : 0;
+    return up < 0 ? hit(w, up) : fly(w, low);
 }
 
 static int32_t on_face(coin_priv_thrown *w)
@@ -139,6 +141,8 @@ static int32_t on_face(coin_priv_thrown *w)
     if (w->stop & holds || !(left > 0))
         return COIN_SLIPS | (w->stop & holds);
     coin_body to = w->b;
+    to.y = w->at.th.c;
+    to.vy = 0;
     const double t = coin_priv_slide_flat(&to, &w->g, left);
     const int32_t status = take(w, &to, &w->at);
     if (status == UNDER_WAY)
@@ -207,8 +211,10 @@ static int32_t stage(coin_priv_thrown *w)
     const int mode = coin_priv_body_mode(&w->b, &w->at, u);
     if (mode & COIN_PRIV_AIR)
         return in_air(w);
-    if (mode & COIN_PRIV_RESTS)
+    if (mode & COIN_PRIV_RESTS) {
+        w->b.s.wZ = w->b.vx = w->b.vy = w->b.vz = 0;
         return COIN_RESTS;
+    }
     return mode & COIN_PRIV_LIES ? on_face(w) : in_contact(w, mode, u);
 }
 
