@@ -97,6 +97,7 @@ endif
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
+.SUFFIXES:
 .SECONDARY:
 .PHONY: force
 
@@ -176,6 +177,9 @@ $(O)/flags: force | $(O)
 	echo '$(subst ','\'',$(CC_LIB) $(LDFLAGS))' >$@.$$PPID
 	$(if_new)
 
+# A source that has moved is still named by what the last build left.
+$(SRC)/%.c: ;
+
 # Keeps a file that is made anew in every run, if it has not changed.  The name
 # of the new one has make's number: several makes may run at once.
 if_new = cmp -s $@.$$PPID $@ && rm $@.$$PPID || mv $@.$$PPID $@
@@ -211,12 +215,14 @@ $(EXAMPLES): $(O)/%: $(SRC)/docs/examples/%.c $(LIB_A) $(O)/flags
 	    $(LDFLAGS) $(LIB_A) -lm
 
 # ------------------------------------------------------------------------ tests
-# Each tests/test_*.c is a program, linked to tests/support and to the static
-# library, whose internals it may call.  A name in TESTS that matches no file
-# stays as it is: make then has no rule for it.
+# All tests are one program, linked to tests/support and to the static library,
+# whose internals they may call.  It runs the tests of the file that its first
+# argument names.  A name in TESTS that matches no file stays as it is: make then
+# has no rule for it.
 TESTS      ?= tests/test_*.c
 TEST_FILES := $(foreach t,$(TESTS),$(or $(wildcard $(SRC)/$t),$t))
-TEST_PROGS := $(TEST_FILES:$(SRC)/%.c=$(O)/%)
+TEST_NAMES := $(TEST_FILES:$(SRC)/%.c=$(O)/%)
+TEST_PROG  := $(O)/tests/run
 TEST_EXTRA := $(O)/tests/support.a
 CMOCKA      = $$($(PKG_CONFIG) --cflags cmocka)
 CMOCKA_LIBS = $$($(PKG_CONFIG) --libs cmocka)
@@ -224,27 +230,26 @@ CMOCKA_LIBS = $$($(PKG_CONFIG) --libs cmocka)
 # What runs a test: nothing, or valgrind.
 TEST_RUNNER ?=
 
-# Each test writes to a file, .log or .failed, so that several run at once: as
-# many as make -j says, or as there are processors.
-TEST_LOGS = $(TEST_PROGS:%=%.log)
-$(TEST_LOGS): %.log: % force
-	if $(TEST_RUNNER) $< >$@ 2>&1; then test ! -e $<.failed || rm $<.failed; \
-	else mv $@ $<.failed; fi
+# The tests of a file write to another, .log or .failed, so that several run at
+# once: as many as make -j says, or as there are processors.
+TEST_LOGS = $(TEST_NAMES:=.log)
+$(TEST_LOGS): %.log: $(TEST_PROG) force
+	if $(TEST_RUNNER) $< $(*F) >$@ 2>&1; then test ! -e $*.failed || rm $*.failed; \
+	else mv $@ $*.failed; fi
 
 .PHONY: check checked build-tests need-cmocka
 check: ## run the tests, or those that TESTS names
-	echo "$(words $(TEST_PROGS)) test programs are built and run"
+	echo "$(words $(TEST_NAMES)) test files are built and run"
 	+$(AGAIN) checked $(if $(filter -j%,$(MAKEFLAGS)),, \
 	    -j$$(getconf _NPROCESSORS_ONLN))
 
 checked: $(TEST_LOGS)
-	sh $(SRC)/tests/report.sh $(TEST_PROGS)
+	sh $(SRC)/tests/report.sh $(TEST_NAMES)
 
-build-tests: $(TEST_PROGS)
+build-tests: $(TEST_PROG)
 
-# A test is compiled more often than it runs; what computes for long is in
-# tests/support.  A user's CFLAGS stay as they are.
-$(O)/tests/test_%.o: private CFLAGS := $(CFLAGS:-O2=-O0)
+# A test is compiled more often than it runs.  A user's CFLAGS stay as they are.
+$(O)/tests/%.o: private CFLAGS := $(CFLAGS:-O2=-O0)
 
 $(O)/tests/%.o: $(SRC)/tests/%.c $(O)/flags | $(O)/tests/support need-cmocka
 	$(CC_TEST) $(CMOCKA) $(DEPENDS) -c -o $@ $<
@@ -256,8 +261,13 @@ $(TEST_EXTRA): $(patsubst $(SRC)/%.c,$(O)/%.o,\
 
 # The library that the tests are linked to: one file, or nothing here.
 TESTED = $(LIB_A)
-$(O)/tests/test_%: $(O)/tests/test_%.o $(TEST_EXTRA) $(TESTED)
-	$(CC_TEST) $(LDFLAGS) -o $@ $^ $(CMOCKA_LIBS) -lm
+$(TEST_PROG): $(TEST_NAMES:=.o) $(TEST_EXTRA) $(TESTED) $(O)/tests/names
+	$(CC_TEST) $(LDFLAGS) -o $@ $(filter-out %/names,$^) $(CMOCKA_LIBS) -lm
+
+# The program depends on this file, which changes when TESTS does.
+$(O)/tests/names: force | $(O)/tests/support
+	echo $(TEST_NAMES) >$@.$$PPID
+	$(if_new)
 
 need-cmocka:
 	$(PKG_CONFIG) --exists cmocka || { echo "the tests need cmocka:" \

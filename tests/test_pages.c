@@ -252,14 +252,15 @@ TEST(the_check_of_a_coin_at_rest_says_more_than_that)
                  COIN_SLIPS | COIN_NEARLY_FLAT);
 }
 
-__attribute__((constructor)) static void make_folder(void)
-{
-    check(mkdtemp(folder) != NULL);
-}
-
-__attribute__((destructor)) static void remove_folder(void)
+static void remove_folder(void)
 {
     char command[64];
     snprintf(command, sizeof command, "rm -r %s", folder);
     check(shell(command) == 0);
+}
+
+FIRST(make_folder)
+{
+    check(mkdtemp(folder) != NULL);
+    atexit(remove_folder);
 }

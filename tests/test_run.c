@@ -13,8 +13,7 @@
 
 static struct scene scene;
 
-/* What each test begins with, in whatever order they run. */
-__attribute__((constructor)) static void load(void)
+FIRST(load)
 {
     scene_load(&scene, "generic");
 }
@@ -92,7 +91,7 @@ TEST(n_steps_in_one_run_are_n_runs_of_one_step)
         check_near(many.wY, one.wY, bound / T);
         check_near(many.wZ, one.wZ, bound / T);
     }
-    load();
+    scene_load(&scene, "generic");
 }
 
 /* ---------------------------------------------------------- failing midway */

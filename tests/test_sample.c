@@ -11,7 +11,7 @@ static const coin_state untouched = {-1, -2, -3, -4, -5, -6, -7, -8};
 
 static struct scene scene;
 
-__attribute__((constructor)) static void load(void)
+FIRST(load)
 {
     scene_load(&scene, "generic");
 }

@@ -15,7 +15,7 @@ static struct {
     enum study_outcome outcome;
 } runs[RUNS];
 
-__attribute__((constructor)) static void make_runs(void)
+FIRST(make_runs)
 {
     for (int i = 0; i < RUNS; ++i) {
         check_note("run %d of seed %d", i, SEED);

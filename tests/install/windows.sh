@@ -65,18 +65,20 @@ run "$work/prefix/bin/hash.exe" | tr -d '\r' |
 run "$work/prefix/bin/client.exe" "$VERSION" || die "the client fails"
 echo "windows: $dll has the bits and the names of Linux's"
 
-# passes NUMBER PROGRAM
+# passes NUMBER FILE
 passes()
 {
-    run "$2" >"$2.log" 2>&1 && return
-    tail -3 "$2.log"
-    die "FAILED: $(basename "$2" .exe)"
+    name=$(basename "$2" .c)
+    run "$work/tests/run.exe" "$name" >"$work/tests/$name.log" 2>&1 && return
+    tail -3 "$work/tests/$name.log"
+    die "FAILED: $name"
 }
-ls "$work"/tests/test_*.exe >"$work/programs"
-count=$(wc -l <"$work/programs")
-test "$count" -gt 40 || die "$count test programs"
-at_once passes <"$work/programs"
-echo "windows: $count test programs pass under wine; not run: $left_out"
+# shellcheck disable=SC2086
+printf '%s\n' $tests >"$work/files"
+count=$(wc -l <"$work/files")
+test "$count" -gt 40 || die "$count test files"
+at_once passes <"$work/files"
+echo "windows: $count test files pass under wine; not run: $left_out"
 $make LDCONFIG=: PREFIX="$work/prefix" uninstall
 rm "$work/prefix/bin/hash.exe" "$work/prefix/bin/client.exe"
 test -z "$(find "$work/prefix" ! -type d)" || die "uninstall leaves files"

@@ -27,7 +27,7 @@ import sys
 import time
 
 PARALLEL = 2
-SECONDS = 30  # for one test program; a loop that a mutant made endless ends
+SECONDS = 30  # for the tests of one file; a loop that a mutant made endless ends
 OTHERS = {".awk", ".map", ".md", ".mk"}  # files of lib/ that no compiler reads
 
 # What the runs so far have taught: the tests' times, and for each file the
@@ -82,8 +82,9 @@ def complaints(lib, mutants):
 
 
 class Copy:
-    """A copy of the sources with a build of its own.  All tests are linked to
-    one shared library, so that a mutant costs one link."""
+    """A copy of the sources with a build of its own.  A test is the name of its
+    file without .c.  The tests are linked to a shared library, so that a mutant
+    seldom costs more than its own link."""
 
     def __init__(self, src, root):
         self.src, self.out = root / "src", root / "out"
@@ -99,48 +100,48 @@ class Copy:
         complains of."""
         run = subprocess.run(
             ["make", "-s", "-C", self.src, f"O={self.out}", self.library,
-             self.out / "librollcoin.a", *(tests or ["build-tests"]),
+             self.out / "librollcoin.a", "build-tests",
+             *([f"TESTS={' '.join(f'tests/{t}.c' for t in tests)}"] if tests
+               else []),
              "CFLAGS=-O1 -w", "HIDDEN=-fPIC", "TESTED=",
              f"CMOCKA_LIBS=-lcmocka {self.library}"],
             capture_output=True, text=True)
         return run.stderr if run.returncode else ""
 
     def own_tests(self, file):
-        """The test programs named after a source or its room: of
+        """The tests named after a source or its room: of
         float/coinf_step.c test_float_step, test_step and test_float, of
         step/rk4.t.h test_rk4."""
         *_, room, name = ["", *pathlib.Path(file).parts]
         stem = name.split(".")[0].removeprefix("coinf_")
         names = (f"test_{room}_{stem}", f"test_{stem}", f"test_{room}")
-        return [self.out / "tests" / name for name in names
+        return [name for name in names
                 if (self.src / f"tests/{name}.c").exists()]
 
     def all_tests(self):
-        tests = [t for t in self.out.glob("tests/test_*") if not t.suffix]
-        if not tests:
-            sys.exit("mutants: no test program")
-        return sorted(tests)
+        return sorted(f.stem for f in self.src.glob("tests/test_*.c"))
 
     def failing_test(self, tests):
         """The name of the first test that fails, if one does."""
         for test in tests:
             try:
                 start = time.monotonic()
-                run = subprocess.run([test], capture_output=True,
-                                     cwd=self.out, timeout=SECONDS)
-                SECONDS_OF[test.name] = time.monotonic() - start
+                run = subprocess.run([self.out / "tests/run", test],
+                                     capture_output=True, cwd=self.out,
+                                     timeout=SECONDS)
+                SECONDS_OF[test] = time.monotonic() - start
             except subprocess.TimeoutExpired:
-                return f"{test.name} (endless)"
+                return f"{test} (endless)"
             if run.returncode:
-                return test.name
+                return test
         return ""
 
     def likely_first(self, file):
         """All tests, in the order to try them in for a mutant of a file."""
         def rank(test):
-            return (test.name == "test_selftest",
-                    test.name not in NOTICED.get(file, ()),
-                    SECONDS_OF.get(test.name, 0))
+            return (test == "test_selftest",
+                    test not in NOTICED.get(file, ()),
+                    SECONDS_OF.get(test, 0))
         return sorted(self.all_tests(), key=rank)
 
     def judge(self, mutant):

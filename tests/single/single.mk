@@ -5,5 +5,5 @@
 .PHONY: single-check
 single-check: dist build-tests ## all tests on the single header, as C++
 	+$(GATE) SINGLE=$(abspath $(SINGLE)) RELEASE=$(abspath $(SINGLES)) \
-	    PROGS='$(abspath $(TEST_PROGS))' SUPPORT='$(abspath $(TEST_EXTRA))' \
+	    TESTS='$(abspath $(TEST_NAMES:=.o) $(TEST_EXTRA))' \
 	    CMOCKA_LIBS="$(CMOCKA_LIBS)" sh $(SRC)/tests/single/single.sh

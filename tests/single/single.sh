@@ -3,7 +3,7 @@
 # The whole library as one header, by a user's own flags: all tests pass on it,
 # compiled as C++; it moves coins by the pinned bits, inside the user's file; it
 # keeps its names, its macros and its flags to itself.
-# From `make single-check`: CC SRC OUT SINGLE RELEASE PROGS SUPPORT CMOCKA_LIBS.
+# From `make single-check`: CC SRC OUT SINGLE RELEASE TESTS CMOCKA_LIBS.
 set -eu
 work=$OUT/single/check
 here=$(dirname "$SINGLE")
@@ -80,21 +80,22 @@ echo "leaves $(wc -l <"$work/macros") macros, by names of its own"
 traps=$(cd "$SRC/tests" && grep -l fetestexcept test_*.c | sed 's/\.c$//' |
     tr '\n' ' ')
 
-# apart NUMBER COMPILER: the code by a compiler, in a folder of that number.
+# apart NUMBER COMPILER: the code by a compiler, and the tests with it, in a
+# folder of that number.
 apart()
 {
     mkdir "$work/$1"
     echo '#include <coin.h>' | eval "$2" -DCOIN_IMPLEMENTATION -I"$here" -c - \
         -o "$work/$1/coin.o" || fail "$2"
-}
-# linked FOLDER COMPILER NUMBER TEST: a test with that code.
-linked()
-{
-    program=$work/$1/$4
     # shellcheck disable=SC2086
-    $CC "$(dirname "${PROGS%% *}")/$4.o" $SUPPORT "$work/$1/coin.o" \
-        $CMOCKA_LIBS -lm -o "$program" && "$program" >"$program.log" 2>&1 ||
-        { tail -5 "$program.log"; fail "$4, $2"; }
+    $CC $TESTS "$work/$1/coin.o" $CMOCKA_LIBS -lm -o "$work/$1/run" ||
+        fail "the tests do not link, $2"
+}
+# passes FOLDER COMPILER NUMBER TEST: a test with that code.
+passes()
+{
+    "$work/$1/run" "$4" >"$work/$1/$4.log" 2>&1 ||
+        { tail -5 "$work/$1/$4.log"; fail "$4, $2"; }
 }
 cat >"$work/apart" <<'END'
 clang -x c -std=c99 -O3 -march=native -ffp-exception-behavior=maytrap -DCOIN_PRIV=extern
@@ -106,9 +107,9 @@ while read -r compiler; do
     folder=$((folder + 1))
     case $compiler in
     clang*) printf '%s\n' $traps ;;
-    *) printf '%s\n' $PROGS | sed 's,.*/,,' ;;
+    *) printf '%s\n' $TESTS | sed -n 's,.*/\(test_.*\)\.o,\1,p' ;;
     esac >"$work/names"
-    at_once linked $folder "$compiler" <"$work/names"
+    at_once passes $folder "$compiler" <"$work/names"
     echo "$(wc -l <"$work/names") tests run, $compiler"
 done <"$work/apart"
 

@@ -38,11 +38,21 @@ void check_million(void);
     static void claim(void **unused);                                          \
     __attribute__((constructor)) static void add_##claim(void)                 \
     {                                                                          \
-        test_add(#claim, claim);                                               \
+        test_add(__FILE__, #claim, claim);                                     \
     }                                                                          \
     static void claim(__attribute__((unused)) void **unused)
 
-void test_add(const char *claim, void (*test)(void **unused));
+void test_add(const char *file, const char *claim, void (*test)(void **unused));
+
+/* Defines what runs once, before the tests of its file:
+ *     FIRST(name) { ... }  */
+#define FIRST(name)                                                            \
+    static void name(void **unused);                                           \
+    __attribute__((constructor)) static void add_##name(void)                  \
+    {                                                                          \
+        test_add(__FILE__, NULL, name);                                        \
+    }                                                                          \
+    static void name(__attribute__((unused)) void **unused)
 
 #define check(condition)                                                       \
     check_that((condition) ? 1 : 0, #condition, __FILE__, __LINE__)
