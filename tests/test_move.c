@@ -256,6 +256,18 @@ TEST(what_is_no_rotation_or_no_place_is_refused)
                  COIN_ESTATE);
     check_status(coin_body_from_motion(&b, &p, q0, zero3, NULL, zero3),
                  COIN_EARG);
+    check_status(coin_body_from_motion(&b, &p, q0, NULL, up, zero3), COIN_EARG);
+    check_status(coin_body_from_motion(&b, &p, q0, zero3, up, NULL), COIN_EARG);
+    check_status(coin_body_from_motion(&b, &p, NULL, zero3, up, zero3),
+                 COIN_EARG);
+    const double flat[4] = {1, 1, 0, 0}, fast[3] = {0, 2e6, 0};
+    const coin_params zero = {0};
+    check_status(coin_body_from_motion(&b, &p, flat, fast, up, zero3),
+                 COIN_ESTATE);
+    check_status(coin_body_from_motion(&b, &zero, flat, zero3, up, zero3),
+                 COIN_EPARAMS);
+    check_status(coin_body_from_motion(&b, &zero, q0, zero3, up, zero3),
+                 COIN_EPARAMS);
 }
 
 /* --------------------------------------------------------------------- stop */

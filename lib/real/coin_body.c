@@ -138,7 +138,7 @@ static int is_horizontal(const double q[4])
     return coin_priv_is_ordinary(size2) && A * B <= HORIZONTAL * size2;
 }
 
-/* The state of this motion; *s is the result. */
+/* The state of this motion; *s is the result.  What is flat is not checked. */
 static int32_t state_of(coin_state *s, const coin_params *p, const double q[4],
                         const double omega[3], const double r[3])
 {
@@ -153,7 +153,7 @@ static int32_t state_of(coin_state *s, const coin_params *p, const double q[4],
     s->wX = omega[0] * R[0] + omega[1] * R[1] + omega[2] * R[2];
     s->wY = omega[0] * R[3] + omega[1] * R[4] + omega[2] * R[5];
     s->wZ = omega[0] * R[6] + omega[1] * R[7] + omega[2] * R[8];
-    return coin_state_check(s, p);
+    return COIN_OK;
 }
 
 int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
@@ -166,18 +166,17 @@ int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
     coin_priv_body of;
     if (!b || !p || !q || !omega || !r || !v)
         return COIN_EARG;
-    if (coin_priv_check_body(&of, p) != COIN_OK)
-        return COIN_EPARAMS;
     const int32_t status = state_of(&made.s, p, q, omega, r);
     if (status != COIN_OK)
         return status;
-    const double touching = of.a * coin_priv_sincos(made.s.theta).c;
+    const double a = p->radius;
+    const double touching = a * coin_priv_sincos(made.s.theta).c;
     const double below = touching - r[1];
-    made.y = below > 0 && below <= OVERLAP * of.a ? touching : r[1];
+    made.y = below > 0 && below <= OVERLAP * a ? touching : r[1];
     made.vx = v[0];
     made.vy = v[1];
     made.vz = v[2];
-    const int32_t good = coin_priv_natural_body(&natural, &at, &made, &of);
+    const int32_t good = check(&natural, &at, &made, p, &of);
     if (good == COIN_OK)
         *b = made;
     return good;
