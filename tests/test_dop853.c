@@ -7,6 +7,7 @@
 #include "move.h"
 
 #include <math.h>
+#include <string.h>
 
 /* A disc that leans and rolls, after a step of h. */
 static void make_step(coin_priv_moving *g, double h)
@@ -70,6 +71,23 @@ TEST(a_polynomial_without_its_stages_is_the_cubic_of_the_ends)
     }
 }
 
+/* By t, in which a fall comes to flat at a finite speed. */
+TEST(a_step_is_refused_that_leads_below_the_table)
+{
+    static coin_priv_moving g;
+    make_step(&g, 0.1);
+    coin_priv_dop853 *const w = &g.step;
+    for (int below = 0; below < 2; ++below) {
+        const double y[COIN_PRIV_WIDE] = {1, 0, 0, sqrt(1 - 1e-4), 1e-2, 0,
+                                          0, 0, 1};
+        memcpy(w->y, y, sizeof y);
+        w->of.rates = coin_priv_rates_by_t;
+        coin_priv_rates_by_t(w->slope[0], w->y, w->of.law, 0);
+        const double error = coin_priv_try_step(w, below ? 0.02 : 0.005);
+        check((error < (double)INFINITY) == !below);
+    }
+}
+
 /* The stride is far too long for the tolerance. */
 TEST(a_call_whose_last_trial_is_refused_stays_where_it_was)
 {
@@ -116,7 +134,7 @@ TEST(angular_damping_brakes_the_turn_of_a_held_contact)
     check_status(coin_priv_law_of(&law, &l, &b), COIN_OK);
     for (int slips = 0; slips < 2; ++slips) {
         const double IX = law.IX, K = law.K[slips];
-        double d[COIN_PRIV_SIZE];
+        double d[COIN_PRIV_WIDE];
         (void)coin_priv_slopes(d, y, &law, COIN_PRIV_HELD | slips, none);
         const double D = IX * c * c + K * s * s;
         const double dD = 2 * s * c * wX * (K - IX);

@@ -332,6 +332,33 @@ TEST(a_rise_is_held_call_by_call)
     check_near(s.theta, 1.5707963267948966 - e - 0.01 + 0.4 * 4e-4, 1e-5);
 }
 
+/* A coin that rises from a stopped contact at such a speed that steps are long:
+ * the contact begins to roll where its hold ends, not at the end of a step.  A
+ * held contact does not roll, and a new call finds it as it is. */
+TEST(a_held_coin_that_rises_is_let_go_in_time)
+{
+    const coin_params p = disc();
+    const coin_losses l = {.viscous = 0.3};
+    const double c = 2e-3, turn = 3;
+    const coin_state start = {.theta = acos(c),
+                              .wX = -1,
+                              .wY = turn * c / sqrt(1 - c * c),
+                              .wZ = -turn};
+    coin_state exact = start;
+    check_status(coin_settle(&exact, &p, &l, 0.5, 1e-12, NULL), COIN_OK);
+    check(fabs(exact.psi) > 1e-3);
+    for (double tol = 1e-4; tol > 1e-11; tol *= 0.1) {
+        for (int calls = 1; calls <= 64; calls *= 8) {
+            coin_state s = start;
+            for (int i = 0; i < calls; ++i)
+                check_status(coin_settle(&s, &p, &l, 0.5 / calls, tol, NULL),
+                             COIN_OK);
+            check_note("tol %g, %d calls", tol, calls);
+            check_within(path_apart(&s, &exact, &p), 0, 5 * tol);
+        }
+    }
+}
+
 /* Held by too weak a friction a contact does not stay. */
 TEST(a_contact_that_cannot_be_held_rolls_on)
 {

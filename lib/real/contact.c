@@ -26,9 +26,9 @@ struct free_motion {
 COIN_PRIV_INLINE struct free_motion held(const double *y,
                                          const coin_priv_law *l, int slips)
 {
-    const double wX = y[COIN_PRIV_WX], wZ = y[COIN_PRIV_WZ];
-    const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
-    const double IX = l->IX, K = l->K[slips], turn = -wZ / s;
+    const double wX = y[COIN_PRIV_WX], s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
+    const double turn = c * y[COIN_PRIV_WY] - s * y[COIN_PRIV_WZ];
+    const double IX = l->IX, K = l->K[slips];
     const double D = IX * (c * c) + K * (s * s);
     const double torque =
         l->spin + l->angular * (IX * (c * c) + l->IZ * (s * s)); /* (72) */

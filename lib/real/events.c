@@ -39,6 +39,11 @@ static double within_cone(const coin_priv_moving *g, const double *y)
            ROUNDED / y[COIN_PRIV_C];
 }
 
+static double held(const coin_priv_moving *g, const double *y)
+{
+    return coin_priv_hold(y, &g->law, g->mode, g->tol);
+}
+
 /* The function of an event, by the part of the step. */
 struct looked_for {
     event *of;
@@ -150,6 +155,10 @@ int coin_priv_first_event(double *cut, coin_priv_moving *g, double stride)
     }
     if (!stays_within(g, stride)) {
         const double at = first_zero(within_cone, g);
+        x = coin_priv_lesser(at, x);
+    }
+    if (g->mode & COIN_PRIV_HELD) {
+        const double at = first_zero(held, g);
         x = coin_priv_lesser(at, x);
     }
     if (x > 1)

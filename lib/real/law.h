@@ -179,6 +179,11 @@ typedef struct coin_priv_place {
 double coin_priv_root(coin_priv_function *f, const void *of, coin_priv_place a,
                       coin_priv_place b, double width);
 
+/* held.c: by how much the losses can hold a stopped contact near flat; below 0
+ * it begins to roll. */
+double coin_priv_hold(const double *y, const coin_priv_law *l, int mode,
+                      double tol);
+
 /* held.c: whether the losses keep d(psi)/dt = 0 until the coin lies flat, or
  * as long as it stays as near to flat as it is. */
 int coin_priv_is_held(const double *y, const coin_priv_law *l, int mode,

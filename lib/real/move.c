@@ -331,8 +331,12 @@ static void hold(coin_priv_moving *g)
     if (held == ((g->mode & COIN_PRIV_HELD) != 0))
         return;
     g->mode ^= COIN_PRIV_HELD;
-    if (held)
-        y[COIN_PRIV_WY] = -y[COIN_PRIV_WZ] / y[COIN_PRIV_S] * y[COIN_PRIV_C];
+    if (held) {
+        const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
+        const double turn = c * y[COIN_PRIV_WY] - s * y[COIN_PRIV_WZ];
+        y[COIN_PRIV_WY] = turn * c;
+        y[COIN_PRIV_WZ] = -turn * s;
+    }
 }
 
 int coin_priv_next_mode(coin_priv_moving *g)
