@@ -99,7 +99,6 @@
 #define coin_priv_state_within coinf_priv_state_within
 #define coin_priv_step coinf_priv_step
 #define coin_priv_step_end coinf_priv_step_end
-#define coin_priv_sundman_slopes coinf_priv_sundman_slopes
 #define coin_priv_time_holds coinf_priv_time_holds
 #define coin_priv_truth coinf_priv_truth
 #define coin_priv_turn_adds coinf_priv_turn_adds

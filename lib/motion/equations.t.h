@@ -139,32 +139,6 @@ coin_priv_pose_slopes(const coin_priv_field *f, const coin_priv_variables *y)
     return d;
 }
 
-/* Sundman's form: h d/dtau of the variables, with dt = cos theta dtau.  These
- * are the rates above times cos theta: cubic polynomials of variables that the
- * energy bounds, regular down to the table.  They do not contain q and tan
- * theta. */
-COIN_PRIV_INLINE coin_priv_variables
-coin_priv_sundman_slopes(const coin_priv_field *f, const coin_priv_variables *y)
-{
-    const number wX = y->wX, wY = y->wY, wZ = y->wZ;
-    const number sth = y->sth, cth = y->cth;
-    const number cwX = cth * wX, cwZ = cth * wZ;
-    const number hwY = f->h * wY, hcwX = f->h * cwX;
-    const number hwYsin = hwY * sth, none = {0};
-    coin_priv_variables d;
-    /* clang-format off */
-    d.wX = (f->GJ * sth) * cth
-         - ((f->KJ * wY) * cwZ + (f->XJ * wY) * hwYsin);     /* (32) */
-    d.wY = wX * (hwYsin + f->k1 * cwZ);                      /* (32) */
-    d.wZ = (f->k2 * wY) * cwX;                               /* (32) */
-    d.q = none;
-    d.tth = none;
-    /* clang-format on */
-    coin_priv_turn_rates(&d.sth, &d.cth, hcwX, sth, cth);      /* (32) */
-    coin_priv_turn_rates(&d.sph, &d.cph, hwY, y->sph, y->cph); /* (32) */
-    return d;
-}
-
 /* Normalizes the pairs after a step in tau, and computes q and tth from them.
  * The step leaves e = 1 - s^2 - c^2, of the size of its error.  Three terms of
  * (1 - e)^(-1/2) are taken; the next one, 5/16 e^3, is below rounding. */

@@ -46,7 +46,6 @@
 #define coin_priv_step COIN_PRIV_NAME(step)
 #define coin_priv_step_end COIN_PRIV_NAME(step_end)
 #define coin_priv_sum COIN_PRIV_NAME(sum)
-#define coin_priv_sundman_slopes COIN_PRIV_NAME(sundman_slopes)
 #define coin_priv_total COIN_PRIV_NAME(total)
 #define coin_priv_truth COIN_PRIV_NAME(truth)
 #define coin_priv_turn_adds COIN_PRIV_NAME(turn_adds)

@@ -87,7 +87,7 @@ COIN_PRIV_INLINE double coin_priv_turn2(const coin_priv_run *r, double half)
 {
     const coin_priv_variables *y = &r->g.y;
     const coin_priv_field f = coin_priv_field_of(&r->b, half);
-    const double wX = fabs(y->wX) + fabs(coin_priv_sundman_slopes(&f, y).wX);
+    const double wX = fabs(y->wX) + fabs(coin_priv_sundman_slope(&f, y));
     return wX * wX + y->wY * y->wY;
 }
 

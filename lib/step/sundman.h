@@ -45,6 +45,16 @@ COIN_PRIV_INLINE double coin_priv_sundman_tau(const coin_priv_body *b,
     return stride / sqrt(least2 > rate2 ? least2 : rate2);
 }
 
+/* h d(wX)/dtau: that by t times cos theta.  It does not contain q and tan
+ * theta. */
+COIN_PRIV_INLINE double coin_priv_sundman_slope(const coin_priv_field *f,
+                                                const coin_priv_variables *y)
+{
+    const double wY = y->wY, s = y->sth, c = y->cth, cwZ = c * y->wZ;
+    return (f->GJ * s) * c - ((f->KJ * wY) * cwZ +
+                              (f->XJ * wY) * (f->h * wY * s)); /* from (32) */
+}
+
 /* Where the series of coin_priv_tau_of() is poor, its sum may have the wrong
  * sign.  So tau is at least COIN_PRIV_LEAST_PART of rem/c, and each step leads
  * on. */
@@ -58,7 +68,7 @@ COIN_PRIV_INLINE double coin_priv_tau_of(const coin_priv_body *b,
 {
     const coin_priv_field f = coin_priv_field_of(b, 1);
     const double c = y->cth, r = rem / c;
-    const double dwX = coin_priv_sundman_slopes(&f, y).wX / c;
+    const double dwX = coin_priv_sundman_slope(&f, y) / c;
     const double c1 = -y->sth * y->wX * r; /* times r, r^2: without unit */
     const double c2 = (-c * y->wX * y->wX - y->sth * dwX) * r * r;
     const double part = 1 - c1 / 2 + (2 * c1 * c1 - c * c2) / 6;

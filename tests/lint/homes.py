@@ -19,8 +19,6 @@ from functions import functions
 OTHER_FORMS = {
     "equations.h coin_priv_drift_slopes_of": ("test_drift",
         "a drift holds wX, by which (15) is divided"),
-    "extrapolation.c add_slope": ("test_extrapolation",
-        "adds (32) to a sum, in vectors, and without the pose"),
     "series.c lean_power": ("test_series",
         "one power of a power series of the motion"),
     "series.c coin_priv_series_expand_path": ("test_series",
