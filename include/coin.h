@@ -29,8 +29,8 @@
  * COIN_EARG for a null pointer; COIN_EPARAMS if p, losses or a table are out of
  * range; COIN_ESTATE if a state or a body is.  Its @return says what else.  Of
  * several errors the first of COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP,
- * COIN_EDOMAIN is returned.  A function without p accepts any finite x, z and
- * angular velocity.
+ * COIN_EDOMAIN is returned.  A function without p accepts what is in the range
+ * of some coin: x, z up to 1e24, an angular velocity up to 1e21.
  *
  * RANGES. What no coin and no wheel is, is refused:
  *   mass, radius, gravity      1e-15 to 1e15 each, in the units of the caller
@@ -324,7 +324,6 @@ COIN_API int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
 
 /** The angular velocity in the table frame.  Eq. (7).
  * @param[out] omega  [3] along x, y, z [1/T]
- * @return COIN_ESTATE also if a component would overflow.
  * Accuracy: 8 u of the terms (test_observe). */
 COIN_API int32_t coin_angular_velocity(const coin_state *s, double omega[3]);
 

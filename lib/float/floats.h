@@ -52,7 +52,6 @@
 #define coin_priv_check coinf_priv_check
 #define coin_priv_check_body coinf_priv_check_body
 #define coin_priv_check_inline coinf_priv_check_inline
-#define coin_priv_check_members coinf_priv_check_members
 #define coin_priv_choose coinf_priv_choose
 #define coin_priv_coarse_limit coinf_priv_coarse_limit
 #define coin_priv_copy_state coinf_priv_copy_state
@@ -64,7 +63,6 @@
 #define coin_priv_field_of coinf_priv_field_of
 #define coin_priv_flat coinf_priv_flat
 #define coin_priv_hypot coinf_priv_hypot
-#define coin_priv_is_finite coinf_priv_is_finite
 #define coin_priv_is_ordinary coinf_priv_is_ordinary
 #define coin_priv_larger coinf_priv_larger
 #define coin_priv_lean_within coinf_priv_lean_within
@@ -95,6 +93,7 @@
 #define coin_priv_sine_cosine coinf_priv_sine_cosine
 #define coin_priv_sine_cosine_reduced coinf_priv_sine_cosine_reduced
 #define coin_priv_slopes_at coinf_priv_slopes_at
+#define coin_priv_some_state_holds coinf_priv_some_state_holds
 #define coin_priv_state_holds coinf_priv_state_holds
 #define coin_priv_state_within coinf_priv_state_within
 #define coin_priv_step coinf_priv_step

@@ -37,7 +37,6 @@
 #define COIN_PRIV_SIGN INT32_MIN
 #define COIN_PRIV_ALL_BUT_SIGN INT32_MAX
 
-#define COIN_PRIV_LARGEST FLT_MAX
 #define COIN_PRIV_EPSILON FLT_EPSILON
 
 /* (sin(x)/x - 1)/z with z = x^2 and |x| <= pi/4: the Taylor polynomial to
@@ -119,7 +118,6 @@ static inline int coinf_priv_low_holds(const float low[8])
 #define COIN_PRIV_SIGN INT64_MIN
 #define COIN_PRIV_ALL_BUT_SIGN INT64_MAX
 
-#define COIN_PRIV_LARGEST DBL_MAX
 #define COIN_PRIV_EPSILON DBL_EPSILON
 
 /* A polynomial of degree 7 in z whose terms are added in pairs, so that fewer

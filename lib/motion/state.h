@@ -45,15 +45,13 @@ COIN_PRIV_INLINE number coin_priv_lean_within(number theta)
 /* The error for a step that cannot be made from *s. */
 int32_t coin_priv_refusal(const coin_state *s, number a);
 
-/* The checks that need no parameters: COIN_OK or COIN_ESTATE.  s is not null.
- */
-COIN_PRIV_INLINE int32_t coin_priv_check_members(const coin_state *s)
+/* The checks that need no parameters: whether a state is in the range of some
+ * coin. */
+COIN_PRIV_INLINE int coin_priv_some_state_holds(const coin_state *s)
 {
-    const int good = coin_priv_angles_hold(s) && coin_priv_is_finite(s->x) &&
-                     coin_priv_is_finite(s->z) && coin_priv_is_finite(s->wX) &&
-                     coin_priv_is_finite(s->wY) && coin_priv_is_finite(s->wZ) &&
-                     COIN_PRIV_LOW_HOLDS(s);
-    return good ? COIN_OK : COIN_ESTATE;
+    const number most = COIN_PRIV_RATE_MAX * COIN_PRIV_MOST;
+    return coin_priv_state_within(s, COIN_PRIV_PLACE_MAX * COIN_PRIV_MOST,
+                                  most * most);
 }
 
 /* The checks that nearly every public function begins with: COIN_EARG,
