@@ -4,12 +4,13 @@
  *     adversary search EVALUATIONS SEED PART PARTS [FUNCTION]
  *     adversary replay FILE
  * Equal arguments do equal work and print equal lines. */
-#include "row.hpp"
+#include "law.hpp"
 
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <random>
 
 namespace
 {
@@ -19,21 +20,13 @@ namespace
 constexpr double RISE = 1.001;
 constexpr long PATIENCE = 300;
 
-/* ----------------------------------------------------------------- chance */
-
+/* In [0, 1). */
 struct chance {
-    uint64_t state;
+    std::mt19937_64 from;
 
-    double next() /* splitmix64, in [0, 1) */
+    double next()
     {
-        uint64_t z = state += 0x9e3779b97f4a7c15;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-        return double((z ^ (z >> 31)) >> 11) * 0x1p-53;
-    }
-    int below(int n)
-    {
-        return int(next() * n);
+        return double(from() >> 11) * 0x1p-53;
     }
 };
 
@@ -46,11 +39,10 @@ genome anywhere(chance *c)
 }
 
 /* One to three genes moved, by 1e-16 to 1 of their range, or drawn anew. */
-genome beside(const genome &from, chance *c)
+genome beside(genome g, int genes, chance *c)
 {
-    genome g = from;
-    for (int k = 1 + c->below(3); k > 0; --k) {
-        double &gene = g[size_t(c->below(GENES))];
+    for (int k = int(1 + 3 * c->next()); k > 0; --k) {
+        double &gene = g[size_t(c->next() * genes)];
         const double size = std::pow(10, -16 * c->next());
         gene += size * (2 * c->next() - 1);
         if (c->next() < 0.15 || !(gene >= 0 && gene < 1))
@@ -66,94 +58,60 @@ struct best {
     scene at = {};
 };
 
-scene made(const row &r, const genome &g)
-{
-    scene s = scene_of(g, r.narrow);
-    if (r.edge)
-        r.edge(&s, g.data(), r.kind);
-    return s;
-}
-
-/* The quick truth errs by a thousandth of a double's rounding: the top of a
- * climb, where it matters, is looked at again. */
-constexpr double MATTERS = 0.3;
-void confirm(const row &r, const best &top, best *b)
-{
-    if (!(top.ratio > b->ratio))
-        return;
-    const double ratio =
-        top.ratio > MATTERS ? r.exact(top.at, r.kind, NO_CLAIM) : top.ratio;
-    if (ratio > b->ratio)
-        *b = {ratio, top.at};
-}
-
 best search(const row &r, long evaluations, uint64_t seed)
 {
-    chance c = {seed};
-    best found, top;
+    chance c = {std::mt19937_64(seed)};
+    best found;
     genome at = {};
-    double mark = 0; /* the ratio at the last rise */
-    long since = 0;
-    for (long i = 0; i < evaluations; ++i) {
-        const bool anew = since >= PATIENCE || top.ratio == NO_CLAIM;
-        if (anew) {
-            confirm(r, top, &found);
-            top = best();
-            mark = 0;
+    double top = NO_CLAIM, mark = 0; /* of a climb; at its last rise */
+    for (long i = 0, since = 0; i < evaluations; ++i, ++since) {
+        const bool anew = since == PATIENCE || top == NO_CLAIM;
+        const genome g = anew ? anywhere(&c) : beside(at, r.genes, &c);
+        scene s = scene_of(g, r.narrow);
+        if (r.draw)
+            r.draw(&s, g.data());
+        const double ratio = r.law(s, anew ? NO_CLAIM : top);
+        if (anew || ratio > RISE * mark) {
+            mark = std::max(0.0, ratio);
+            since = 0;
         }
-        const genome g = anew ? anywhere(&c) : beside(at, &c);
-        const scene s = made(r, g);
-        const double ratio = r.quick(s, r.kind, top.ratio);
-        const bool rises = ratio > RISE * mark;
-        since = anew || rises ? 0 : since + 1;
-        mark = rises ? ratio : mark;
-        if (anew || ratio >= top.ratio) {
-            top = {ratio, s};
+        if (anew || ratio >= top) {
+            top = ratio;
             at = g;
         }
+        if (ratio > found.ratio)
+            found = {ratio, s};
     }
-    confirm(r, top, &found);
     return found;
 }
 
 void print(const row &r, long evaluations, const best &b)
 {
-    std::printf("%s,%ld,%.3g,%s,%s\n", r.function, evaluations, b.ratio,
-                r.bound, text_of(b.at).c_str());
+    std::printf("%s,%ld,%.3g,%s,%s\n", r.function.c_str(), evaluations, b.ratio,
+                r.bound.c_str(), text_of(b.at).c_str());
     std::fflush(stdout);
 }
 
 uint64_t seed_of(const row &r, uint64_t seed)
 {
-    for (const char *c = r.function; *c; ++c)
-        seed = seed * 1099511628211u + uint64_t(*c);
+    for (char c : r.function)
+        seed = seed * 1099511628211u + uint64_t(c);
     return seed;
-}
-
-bool wanted(const row &r, const char *pattern)
-{
-    return !pattern || std::strstr(r.function, pattern);
-}
-
-/* A long search asks every function equally often. */
-constexpr long LONG = 1000000;
-long evaluations_of(const row &r, long most)
-{
-    return most / (most < LONG ? r.share : 1);
 }
 
 /* Every row once in parts: its evaluations, by its own seed. */
 int search_all(const std::vector<row> &rows, int argc, char **argv)
 {
-    const long evaluations = std::atol(argv[2]);
+    const long most = std::atol(argv[2]);
     const uint64_t seed = std::strtoull(argv[3], nullptr, 10);
     const int part = std::atoi(argv[4]), parts = std::atoi(argv[5]);
-    const char *pattern = argc > 6 ? argv[6] : nullptr;
+    const char *pattern = argc > 6 ? argv[6] : "";
     int beyond = 0;
     for (size_t i = 0; i < rows.size(); ++i) {
         const row &r = rows[i];
-        const long n = evaluations_of(r, evaluations);
-        if (int(i) % parts != part || !wanted(r, pattern))
+        const long n = most / r.share;
+        if (int(i) % parts != part ||
+            r.function.find(pattern) == std::string::npos)
             continue;
         const best b = search(r, n, seed_of(r, seed));
         print(r, n, b);
@@ -163,14 +121,6 @@ int search_all(const std::vector<row> &rows, int argc, char **argv)
 }
 
 /* ----------------------------------------------------------------- replay */
-
-const row *row_named(const std::vector<row> &rows, const char *name)
-{
-    for (const row &r : rows)
-        if (!std::strcmp(r.function, name))
-            return &r;
-    return nullptr;
-}
 
 /* Each line: a function, and its scene.  A # begins a comment. */
 int replay(const std::vector<row> &rows, const char *file)
@@ -183,12 +133,14 @@ int replay(const std::vector<row> &rows, const char *file)
         int end = 0;
         if (line[0] == '#' || std::sscanf(line, "%63s%n", name, &end) != 1)
             continue;
-        const row *r = row_named(rows, name);
-        if (!r || !scene_from(line + end, &s)) {
+        const auto r =
+            std::find_if(rows.begin(), rows.end(),
+                         [&](const row &of) { return of.function == name; });
+        if (r == rows.end() || !scene_from(line + end, &s)) {
             std::fprintf(stderr, "adversary: not a case: %s", line);
             return 2;
         }
-        const double ratio = r->exact(s, r->kind, NO_CLAIM);
+        const double ratio = r->law(s, NO_CLAIM);
         ++cases;
         beyond += ratio > 1;
         if (ratio > 1)
@@ -204,11 +156,10 @@ int replay(const std::vector<row> &rows, const char *file)
 int main(int argc, char **argv)
 {
     std::vector<row> rows;
-    for (const auto &of :
-         {observables, exact_motions, steps, rolling_motions, slips, throws}) {
-        const std::vector<row> some = of();
-        rows.insert(rows.end(), some.begin(), some.end());
-    }
+    add_formulas(&rows);
+    add_motions(&rows);
+    add_events(&rows);
+    add_throws(&rows);
     if (argc >= 6 && !std::strcmp(argv[1], "search"))
         return search_all(rows, argc, argv);
     if (argc == 3 && !std::strcmp(argv[1], "replay"))

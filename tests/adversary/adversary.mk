@@ -4,7 +4,7 @@
 #
 #   make adversary                      the gate: four minutes on two cores, the
 #                                       same work each time
-#   make adversary EVALUATIONS=1000000  two hours on two cores, by hand
+#   make adversary EVALUATIONS=1000000  ten times as long, by hand
 #   make adversary-update               renews tests/studies/bench/results and the table
 #                                       of tests/studies/tables.md from the last search;
 #                                       the cases stay in build/adversary
@@ -16,8 +16,8 @@ ADV_OBJ   = $(patsubst $(ADV_SRC)/%.cpp,$(ADV_OUT)/%.o,\
                        $(wildcard $(ADV_SRC)/*.cpp))
 ADV_CASES = $(ADV_SRC)/cases.txt
 
-# Of the cheapest functions; the others have a share.  From a million on all have
-# as many, or a quarter of them.  FUNCTION searches those whose names contain it.
+# Of the cheapest functions; the others have a share.  FUNCTION searches those
+# whose names contain it.
 EVALUATIONS ?= 100000
 ADV_SEED    ?= 11
 FUNCTION    ?=
@@ -25,14 +25,13 @@ FUNCTION    ?=
 $(ADV_OUT):
 	mkdir -p $@
 
-# gnu++17: __float128.
 $(ADV_OUT)/%.o: $(ADV_SRC)/%.cpp $(O)/flags | $(ADV_OUT)
 	echo "CXX $(@F)"
-	$(CXX) -std=gnu++17 -O2 -ffp-contract=off -Wall -Wextra -Wshadow \
+	$(CXX) -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wshadow \
 	    -I$(SRC)/include $(DEPENDS) -c -o $@ $<
 
 $(ADV_OUT)/adversary: $(ADV_OBJ) $(LIB_A)
-	$(CXX) -o $@ $^ -lquadmath
+	$(CXX) -o $@ $^
 
 .PHONY: adversary adversary-replay adversary-update
 adversary: $(ADV_OUT)/adversary ## climb towards the largest unwarned error (EVALUATIONS=1000000: longer)

@@ -15,14 +15,26 @@ void circles_of(const scene &s, double *large, double *slow)
     *slow = -Mga * sth / q;
 }
 
-namespace
-{
-constexpr double FLAT = 1.5707963267948966;
-
 double power_of_ten(double gene, double low, double high)
 {
     return std::pow(10, low + gene * (high - low));
 }
+
+double fastest_of(const scene &s)
+{
+    const double c = std::cos(s.theta);
+    return std::sqrt((s.wX * s.wX + s.wY * s.wY) / (c * c) + s.wZ * s.wZ +
+                     s.g / (s.a * c));
+}
+
+double unit_of(const scene &s)
+{
+    return std::sqrt(s.a / s.g);
+}
+
+namespace
+{
+constexpr double FLAT = 1.5707963267948966;
 
 /* Either sign, even in the logarithm; 0 once in fifty. */
 double either(double gene, double low, double high)
@@ -38,54 +50,28 @@ int kind(double gene, int kinds)
     return k < 0 ? 0 : k < kinds ? k : kinds - 1;
 }
 
+/* Natural, a quarter's, any, far. */
 void choose_units(scene *s, const double *g, bool narrow)
 {
-    const double wide = narrow ? 4 : 6, extreme = narrow ? 8 : 15;
-    const double units[][3] = {
-        {1, 1, 1},
-        {0.00567, 0.01213, 9.80665},
-        {narrow ? 1e-6 : 1e-14, narrow ? 1e-3 : 1e-9, 9.81},
-        {narrow ? 1e6 : 1e14, narrow ? 1e3 : 1e9, 1e-3},
-        {power_of_ten(g[1], -wide, wide), power_of_ten(g[2], -wide, wide),
-         power_of_ten(g[3], -wide, wide)},
-        {power_of_ten(g[1], -extreme, extreme),
-         power_of_ten(g[2], narrow ? -4 : -15, narrow ? 4 : 15),
-         power_of_ten(g[3], narrow ? -4 : -15, narrow ? 4 : 15)},
-    };
-    const int choice[] = {0, 0, 0, 0, 1, 2, 3, 4, 4, 5};
-    const double *of = units[choice[kind(g[0], 10)]];
-    s->M = of[0];
-    s->a = of[1];
-    s->g = of[2];
+    const int k = kind(g[0], 10);
+    const double far = k < 5   ? 0
+                       : k < 8 ? 6
+                               : 15,
+                 size = narrow ? far / 3 : far;
+    s->M = k == 4 ? 0.00567 : power_of_ten(g[1], -size, size);
+    s->a = k == 4 ? 0.01213 : power_of_ten(g[2], -size, size);
+    s->g = k == 4 ? 9.80665 : power_of_ten(g[3], -size, size);
 }
 
+/* Discs, hoops, rings; bodies, some far from a disc. */
 void choose_inertia(scene *s, const double *g)
 {
     const double m = s->M * s->a * s->a;
-    switch (kind(g[0], 8)) {
-    case 0:
-    case 1:
-    case 2: /* a disc */
-        s->IX = m / 4;
-        s->IZ = 2 * s->IX;
-        return;
-    case 3: /* a hoop */
-        s->IX = m / 2;
-        s->IZ = m;
-        return;
-    case 4: /* a ring */
-        s->IX = m * (1 + g[1] * g[1]) / 4;
-        s->IZ = 2 * s->IX;
-        return;
-    case 5:
-    case 6: /* a body */
-        s->IX = m * power_of_ten(g[1], -2, 1);
-        s->IZ = 2 * s->IX * (0.01 + 0.99 * g[2]);
-        return;
-    default: /* one far from a disc */
-        s->IX = m * power_of_ten(g[1], -3, 3);
-        s->IZ = 2 * s->IX * power_of_ten(g[2], -3, 0);
-    }
+    const int k = kind(g[0], 8);
+    const double b = k < 3 ? 0 : k < 4 ? 1 : g[1], far = k < 7 ? 2 : 3;
+    s->IX =
+        k < 5 ? m * (1 + b * b) / 4 : m * power_of_ten(g[1], -far, 2 * far - 3);
+    s->IZ = 2 * s->IX * (k < 5 ? 1 : power_of_ten(g[2], -far, 0));
 }
 
 double lean(const double *g)
@@ -125,32 +111,51 @@ void on_a_circle(scene *s, const double *g)
 
 void choose_rates(scene *s, const double *g)
 {
-    const double w = std::sqrt(s->g / s->a);
-    const double slowest[] = {-3, -3, -3, -3, -3, -3, -3, -12, -20, -3};
-    const double fastest[] = {0.7, 0.7, 0.7, 0.7, 0.7, 0.7, 0.7, 0, 0, 6};
-    const int k = kind(g[0], 10);
-    s->wX = w * either(g[1], slowest[k], fastest[k]);
-    s->wY = w * either(g[2], slowest[k], fastest[k]);
-    s->wZ = w * either(g[3], slowest[k], fastest[k]);
-    const int what = kind(g[4], 12);
+    const double w = 1 / unit_of(*s), Mga = s->M * s->g * s->a;
+    const double m = s->M * s->a * s->a, c = std::cos(s->theta);
+    const int k = kind(g[0], 10), what = kind(g[4], 12);
+    const double slow = k < 7 ? -3 : k < 8 ? -12 : k < 9 ? -20 : -3;
+    const double fast = k < 7 ? 0.7 : k < 9 ? 0 : 6;
+    s->wX = w * either(g[1], slow, fast);
+    s->wY = w * either(g[2], slow, fast);
+    s->wZ = w * either(g[3], slow, fast);
     if (what < 5)
         s->wX = w * either(g[1], -17, -1);
-    if (what == 5) /* dropped */
-        s->wX = 0;
-    if (what < 2)
+    switch (what) {
+    case 0:
+    case 1:
         on_a_circle(s, g + 5);
-    if (what < 2 || what > 4)
-        return;
-    /* A spin; about the critical roll; about the critical spin. */
-    const double Mga = s->M * s->g * s->a, m = s->M * s->a * s->a;
-    const double critical[] = {
-        std::sqrt(Mga / s->IX * std::cos(s->theta)),
-        std::sqrt(Mga * s->IX / s->IZ / (s->IZ + m)),
-        std::sqrt(Mga / (s->IX + m)),
-    };
-    const bool rolls = what == 3;
-    (rolls ? s->wY : s->wZ) = w * either(g[rolls ? 2 : 3], -17, -1);
-    (rolls ? s->wZ : s->wY) = critical[what - 2] * (1 + either(g[6], -17, 0));
+        break;
+    case 2: /* a spin */
+        s->wZ = w * either(g[3], -17, -1);
+        s->wY = std::sqrt(Mga / s->IX * c) * (1 + either(g[6], -17, 0));
+        break;
+    case 3: /* about the critical roll */
+        s->wY = w * either(g[2], -17, -1);
+        s->wZ = std::sqrt(Mga * s->IX / s->IZ / (s->IZ + m)) *
+                (1 + either(g[6], -17, 0));
+        break;
+    case 4: /* about the critical spin */
+        s->wZ = w * either(g[3], -17, -1);
+        s->wY = std::sqrt(Mga / (s->IX + m)) * (1 + either(g[6], -17, 0));
+        break;
+    case 5: /* dropped */
+        s->wX = 0;
+        break;
+    case 6: /* the contact soon turns round */
+        s->wZ = 0.2 * s->wZ - s->wY * std::tan(s->theta);
+        break;
+    case 7: /* it falls, hardly spinning */
+        s->wY *= power_of_ten(g[5], -10, 0);
+        s->wZ *= power_of_ten(g[6], -10, 0);
+        break;
+    case 8: /* slow near flat */
+        s->wX *= std::sqrt(c);
+        s->wY *= c * power_of_ten(g[5], -2, 2);
+        break;
+    default:
+        break;
+    }
 }
 
 double heading(double gene)
@@ -162,30 +167,29 @@ double heading(double gene)
            : k == 2 ? (kind(part, 9) - 4) * FLAT
                     : 6.283185307179586 * part - FLAT;
 }
+
+/* None, or any; damping only where no slip begins. */
+void choose_losses(scene *s, const double *g)
+{
+    s->which = g[0] < 0.3 ? 0 : std::floor(1024 * (g[0] - 0.3) / 0.7);
+    if (s->mu_static < HUGE_VAL)
+        s->which = 2 * std::floor(s->which / 2);
+    for (int i = 0; i < 4; ++i)
+        s->loss[i] = power_of_ten(g[1 + i], -7.5, -1);
+    s->soft = power_of_ten(g[5], -9, 0);
+    s->flat = power_of_ten(g[4], -4, -2);
+}
+
+/* No friction; equal coefficients; one that never lets a slip begin. */
+void choose_table(scene *s, const double *g)
+{
+    s->mu_kinetic = g[0] < 0.2 ? 0 : 1.2 * g[0];
+    s->mu_static = g[0] < 0.2   ? 0
+                   : g[1] > 0.7 ? double(INFINITY)
+                                : s->mu_kinetic * (1 + g[1]);
+    s->restitution = g[2];
+}
 } // namespace
-
-double fastest_of(const scene &s)
-{
-    const double c = std::cos(s.theta);
-    return std::sqrt((s.wX * s.wX + s.wY * s.wY) / (c * c) + s.wZ * s.wZ +
-                     s.g / (s.a * c));
-}
-
-void near_pose(scene *s, const double *genes)
-{
-    s->phi = 6 * genes[18] - 3;
-    s->psi = 6 * genes[19] - 3;
-    s->x = s->a * (6 * genes[20] - 3);
-    s->z = s->a * (6 * genes[21] - 3);
-}
-
-void horizon(scene *s, const double *g, int)
-{
-    const double unit = std::sqrt(s->a / s->g);
-    const double part = g[22] < 0.5 ? 2 * g[22] : 2 * g[22] - 1;
-    s->t = unit * (g[22] < 0.5 ? 1 : -1) * std::pow(10, 3.8 * part - 2);
-    near_pose(s, g);
-}
 
 scene scene_of(const genome &genes, bool narrow)
 {
@@ -193,19 +197,90 @@ scene scene_of(const genome &genes, bool narrow)
     scene s = {};
     choose_units(&s, g, narrow);
     choose_inertia(&s, g + 4);
-    s.theta = lean(g + 7);
-    choose_rates(&s, g + 10);
-    s.phi = narrow ? 6 * g[18] - 3 : heading(g[18]);
-    s.psi = narrow ? 6 * g[19] - 3 : heading(g[19]);
-    s.x = s.a * either(g[20], -3, 2);
-    s.z = s.a * either(g[21], -3, 2);
-    s.t = either(g[22], -3, 0.1) / fastest_of(s);
-    s.steps = std::floor(power_of_ten(g[23], 0, 2));
-    s.tol = power_of_ten(g[24], -13, -2);
-    s.method = kind(g[25], 4);
+    s.theta = lean(g + LEANS);
+    choose_rates(&s, g + RATES);
+    s.phi = narrow ? 6 * g[POSE] - 3 : heading(g[POSE]);
+    s.psi = narrow ? 6 * g[POSE + 1] - 3 : heading(g[POSE + 1]);
+    s.x = s.a * either(g[POSE + 2], -3, 2);
+    s.z = s.a * either(g[POSE + 3], -3, 2);
+    s.t = either(g[TIME], -3, 0.1) / fastest_of(s);
+    s.count = std::floor(power_of_ten(g[COUNT], 0, 2));
+    s.tol = power_of_ten(g[TOL], -12, -2);
+    s.method = kind(g[METHOD], 4);
     for (int i = 0; i < 4; ++i)
-        s.q[i] = either(g[26 + i], -17, 0);
+        s.q[i] = either(g[QUAD + i], -17, 0);
+    choose_table(&s, g + TABLE);
+    choose_losses(&s, g + LOSS);
+    s.above = power_of_ten(g[BODY], -3, 2);
+    s.vx = 6 * g[BODY + 1] - 3;
+    s.vy = 6 * g[BODY + 2] - 3;
+    s.vz = 6 * g[BODY + 3] - 3;
+    for (double *number = &s.M; narrow && number <= &s.vz; ++number)
+        *number = double(float(*number));
     return s;
+}
+
+void set_on_table(coin_body *b, const coin_params &p)
+{
+    b->y = p.radius * std::cos(b->s.theta);
+    b->vy = -p.radius * std::sin(b->s.theta) * b->s.wX;
+}
+
+coin_body body_of(const scene &s)
+{
+    const double v = std::sqrt(s.g * s.a);
+    coin_body b = {};
+    b.s = state_of<coin_state>(s);
+    b.vx = s.vx * v;
+    b.vz = s.vz * v;
+    b.vy = s.vy * v;
+    b.y = s.a * (std::cos(s.theta) + s.above);
+    if (s.above == 0)
+        set_on_table(&b, params_of<coin_params>(s));
+    return b;
+}
+
+/* In parts of the coin's own torques. */
+coin_losses losses_of(const scene &s)
+{
+    const double w = 1 / unit_of(s), torque = s.M * s.g * s.a;
+    const double unit[] = {
+        1,          torque, torque / w, torque / w / std::sqrt(w),
+        torque / w, torque, torque / w};
+    coin_losses l = {};
+    double *to[] = {&l.damping, &l.dry,     &l.viscous, &l.layer,
+                    &l.gap,     &l.rolling, &l.spin};
+    const auto asks = [&s](int bit) { return int(s.which) >> bit & 1; };
+    for (int i = 0; i < 7; ++i)
+        *to[i] = asks(i) * unit[i] * s.loss[i / 2];
+    l.soft = asks(7) * w * s.soft;
+    l.angular = asks(8) * w * s.loss[3];
+    l.flat = asks(9) * s.flat;
+    return l;
+}
+
+coin_table table_of(const scene &s)
+{
+    coin_table table = {};
+    table.mu_kinetic = s.mu_kinetic;
+    table.mu_static = s.mu_static;
+    table.restitution = s.restitution;
+    table.losses = losses_of(s);
+    return table;
+}
+
+void near_pose(scene *s, const double *g)
+{
+    s->phi = 6 * g[POSE] - 3;
+    s->psi = 6 * g[POSE + 1] - 3;
+    s->x = s->a * (6 * g[POSE + 2] - 3);
+    s->z = s->a * (6 * g[POSE + 3] - 3);
+}
+
+void horizon(scene *s, const double *g, double low, double high)
+{
+    s->t = unit_of(*s) * power_of_ten(g[TIME], low, high);
+    near_pose(s, g);
 }
 
 std::string text_of(const scene &s)

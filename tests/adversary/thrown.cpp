@@ -1,81 +1,143 @@
 /* SPDX-License-Identifier: MIT */
-/* Thrown coins: flight, touch and impact beside Newton and Euler, and whole
- * ways by what they must not do. */
-#include "body.hpp"
-#include "newton.hpp"
-#include "row.hpp"
+/* Thrown coins: flight, touch and impact beside Newton and Euler in the table's
+ * frame, and whole ways by what they must not do. */
+#include "law.hpp"
+
+#include <valarray>
 
 namespace
 {
-/* A body q[0] radii above the table, its velocity q[1], q[2], q[3] in parts of
- * sqrt(g a), and a table: restitution, mu_kinetic and mu_static over it. */
-struct throwing : given {
-    explicit throwing(const scene &s) : given(s, 1e-9)
+using vector = std::valarray<real>;
+
+real dot(const vector &a, const vector &b)
+{
+    return (a * b).sum();
+}
+real size_of(const vector &a)
+{
+    return std::sqrt(dot(a, a));
+}
+vector cross(const vector &a, const vector &b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+            a[0] * b[1] - a[1] * b[0]};
+}
+/* Turned about an axis of length 1. */
+vector about(const vector &axis, real angle, const vector &a)
+{
+    const real c = std::cos(angle);
+    return a * c + cross(axis, a) * std::sin(angle) +
+           axis * ((1 - c) * dot(axis, a));
+}
+
+/* A symmetric top without a contact, in natural units: its angular momentum L
+ * stays, about which axis and body turn; the centre falls. */
+struct top {
+    real IX, IZ;
+    vector X, Z, L, r, v; /* an axis of the body in its plane, and its own */
+
+    top(const coin_params &p, const coin_body &b)
     {
-        const double v = std::sqrt(s.g * s.a);
-        b.y = s.a * (std::cos(s.theta) + s.q[0]);
-        b.vx = s.q[1] * v;
-        b.vy = s.q[2] * v;
-        b.vz = s.q[3] * v;
-        table.restitution = s.steps;
-        table.mu_kinetic = s.tol;
-        table.mu_static = s.tol * s.method;
+        const moment y(p, b.s);
+        const real w = std::sqrt(y.g / y.a), V = y.a * w;
+        const vector eX = {y.cph, 0, -y.sph};
+        const vector eY = {y.s * y.sph, y.c, y.s * y.cph};
+        IX = y.IX / y.m;
+        IZ = y.IZ / y.m;
+        Z = {y.c * y.sph, -y.s, y.c * y.cph};
+        X = about(Z, y.psi, eX);
+        L = (eX * y.wX + eY * y.wY) * (IX / w) + Z * (IZ * y.wZ / w);
+        r = {y.x / y.a, b.y / y.a, y.z / y.a};
+        v = {b.vx / V, b.vy / V, b.vz / V};
+    }
+
+    void fly(real t)
+    {
+        const real size = size_of(L), own = (1 / IZ - 1 / IX) * dot(L, Z);
+        const vector axis = size > 0 ? vector(L / size) : Z;
+        X = about(axis, size / IX * t, about(Z, own * t, X));
+        Z = about(axis, size / IX * t, Z);
+        r += v * t;
+        r[1] -= t * t / 2;
+        v[1] -= t;
+    }
+
+    vector omega() const
+    {
+        return L / IX + Z * ((1 / IZ - 1 / IX) * dot(L, Z));
+    }
+
+    /* From the centre to the lowest point, its height, and its velocity. */
+    vector lowest() const
+    {
+        const real h = std::hypot(Z[0], Z[2]);
+        return {Z[1] * Z[0] / h, -h, Z[1] * Z[2] / h};
+    }
+    real gap() const
+    {
+        return r[1] - std::hypot(Z[0], Z[2]);
+    }
+    vector speed() const
+    {
+        return v + cross(omega(), lowest());
+    }
+
+    /* An impulse at the lowest point. */
+    void push(const vector &p)
+    {
+        v += p;
+        L += cross(lowest(), p);
+    }
+    /* Column j of the matrix from such an impulse to the change of the point's
+     * velocity. */
+    vector answer(int j) const
+    {
+        top by = *this;
+        vector p(3);
+        p[size_t(j)] = 1;
+        by.push(p);
+        return by.speed() - speed();
+    }
+
+    /* The radians that it turns by until t, and what its centre moves by. */
+    real turned(real t) const
+    {
+        return size_of(omega()) * (1 + std::fabs(1 - IZ / IX)) * t;
+    }
+    real way(real t) const
+    {
+        return std::fabs(r[1]) + t * t + std::abs(v).sum() * t;
     }
 };
 
-void tossed(scene *s, const double *g, int)
+void tossed(scene *s, const double *g)
 {
     near_pose(s, g);
-    s->t = std::sqrt(s->a / s->g) * std::pow(10, 3 * g[22] - 2);
-    s->steps = g[23];
-    s->tol = 1.2 * g[24];
-    s->method = g[25] > 0.8 ? double(INFINITY) : 1 + g[25];
-    s->q[0] = std::pow(10, 5 * g[26] - 3);
-    for (int i = 1; i < 4; ++i)
-        s->q[i] = 6 * g[26 + i] - 3;
-}
-
-/* The radians that a body turns by until t, and what its centre moves by; the
- * truth is dear where it turns often. */
-constexpr double MOST_TURN = 20;
-
-template <class R> R turned(const newton<R> &n, R t)
-{
-    return n.speed() * (1 + magnitude(1 - n.IZ / n.IX)) * t;
-}
-
-template <class R> R way(const newton<R> &n, R t)
-{
-    R sum = magnitude(n.r[1]) + t * t;
-    for (R v : n.v)
-        sum += magnitude(v) * t;
-    return sum;
+    s->t = unit_of(*s) * power_of_ten(g[TIME], -2, 1);
+    s->tol = 1e-9;
+    s->which = 0;
 }
 
 /* 1e-15 a radian of what turns, and the rounding of units of what the centre
  * does. */
-template <class T, class R> bool flies(trial<T, R> &q)
+bool flies(trial<doubles> &q)
 {
-    throwing c(q.s);
-    newton<R> n(c.p, c.b);
-    const R t = q.s.t * root(R(q.s.g) / q.s.a), turns = turned(n, t);
+    top n(q.p, q.b);
+    const real t = q.s.t / real(unit_of(q.s));
     double reached = 0;
-    if (!(turns < R(MOST_TURN)) ||
-        c.move(&c.b, q.s.t, COIN_TOUCHES, &reached) != COIN_LIFTS ||
+    if (q.move(&q.b, q.s.t, COIN_TOUCHES, &reached) != COIN_LIFTS ||
         reached != q.s.t)
         return false;
-    const R turn = R(1e-15) * (2 + turns), centre = 16 * q.u * way(n, t);
+    const real turn = 1e-15L * (2 + n.turned(t)), way = 16 * q.u * n.way(t);
     n.fly(t);
-    const newton<R> is(c.p, c.b);
-    R om[2][3];
-    is.omega(om[0]);
-    n.omega(om[1]);
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j)
-            q.hold(is.A[i][j], n.A[i][j], turn);
-        q.hold(om[0][i], om[1][i], turn * n.speed() + q.normal);
-        q.hold(is.r[i], n.r[i], centre + 4 * q.u * magnitude(n.r[i]));
-        q.hold(is.v[i], n.v[i], centre + 4 * q.u * magnitude(n.v[i]));
+    const top is(q.p, q.b);
+    const vector om = n.omega(), isom = is.omega();
+    for (size_t i = 0; i < 3; ++i) {
+        q.hold(is.X[i], n.X[i], turn);
+        q.hold(is.Z[i], n.Z[i], turn);
+        q.hold(isom[i], om[i], turn * size_of(om) + q.normal);
+        q.hold(is.r[i], n.r[i], way + 4 * q.u * std::fabs(n.r[i]));
+        q.hold(is.v[i], n.v[i], way + 4 * q.u * std::fabs(n.v[i]));
     }
     return true;
 }
@@ -84,119 +146,103 @@ template <class T, class R> bool flies(trial<T, R> &q)
  * which it was not negative. */
 constexpr int LOOKS = 50;
 
-template <class T, class R> bool touches(trial<T, R> &q)
+bool touches(trial<doubles> &q)
 {
-    throwing c(q.s);
-    newton<R> n(c.p, c.b);
+    top n(q.p, q.b);
     double reached = 0;
-    const int32_t status = c.move(&c.b, q.s.t, COIN_TOUCHES, &reached);
-    const R t = reached * root(R(q.s.g) / q.s.a), turns = turned(n, t);
-    if (status < 0 || !(turns < R(MOST_TURN)))
+    const int32_t status = q.move(&q.b, q.s.t, COIN_TOUCHES, &reached);
+    if (status < 0)
         return false;
-    const R rounding = R(1e-15) * (1 + turns) + 16 * q.u * way(n, t);
-    R least = 0;
+    const real t = reached / real(unit_of(q.s));
+    const real rounding = 1e-15L * (1 + n.turned(t)) + 16 * q.u * n.way(t);
+    real least = 0;
     for (int i = 1; i < LOOKS; ++i) {
         n.fly(t / LOOKS);
-        least = lesser(least, n.gap());
+        least = std::min(least, n.gap());
     }
     n.fly(t / LOOKS);
-    const R off = status & COIN_TOUCHES ? magnitude(n.gap()) : -n.gap();
-    return q.is(double(larger(off, -least) / rounding));
+    const real off = status & COIN_TOUCHES ? std::fabs(n.gap()) : -n.gap();
+    return q.is(double(std::max(off, -least) / rounding));
 }
 
-/* P, with W P = b. */
-template <class R> void solve(R P[3], const R W[3][3], const R b[3])
+/* P, with W P = b; the columns of W are given. */
+vector solve(const vector W[3], const vector &b)
 {
-    const auto det = [&](int with) {
-        R m[3][3];
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j)
-                m[i][j] = j == with ? b[i] : W[j][i];
-        return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-               m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-    };
-    for (int i = 0; i < 3; ++i)
-        P[i] = det(i) / det(3);
+    const vector c = cross(W[1], W[2]);
+    return vector{dot(b, c), dot(W[0], cross(b, W[2])),
+                  dot(W[0], cross(W[1], b))} /
+           dot(W[0], c);
 }
 
 /* The law of Chatterjee and Ruina; false where rounding decides whether it
  * sticks. */
-template <class R> bool hit(newton<R> *n, const coin_table &f, const R u[3])
+bool hit(top *n, const coin_table &f)
 {
-    R W[3][3], P[3];
-    const R by[] = {-u[0], -u[1], -u[2]};
-    for (int j = 0; j < 3; ++j)
-        n->answer(W[j], j);
-    solve(P, W, by);
-    const R smooth = -u[1] / W[1][1], e = f.restitution;
-    const R d[] = {P[0], P[1] - smooth, P[2]};
-    const R T = root(d[0] * d[0] + d[2] * d[2]), N = (1 + e) * smooth;
-    const R over = T - R(f.mu_static) * (N + d[1]);
-    if (magnitude(over) < R(1e-9) * T)
+    const vector u = n->speed(),
+                 W[] = {n->answer(0), n->answer(1), n->answer(2)};
+    const real smooth = -u[1] / W[1][1], N = (1 + f.restitution) * smooth;
+    vector P = solve(W, -u);
+    P[1] -= smooth;
+    const real T = std::hypot(P[0], P[2]);
+    const real mu = f.mu_static, over = mu > DBL_MAX ? -T : T - mu * (N + P[1]);
+    if (std::fabs(over) < 1e-9L * T)
         return false;
-    const R part =
-        !(over > 0) ? R(1) : R(f.mu_kinetic) * N / (T - R(f.mu_kinetic) * d[1]);
-    for (int i = 0; i < 3; ++i)
-        P[i] = part * d[i] + (i == 1 ? N : R(0));
+    const real part =
+        over > 0 ? f.mu_kinetic * N / (T - f.mu_kinetic * P[1]) : 1;
+    P *= part;
+    P[1] += N;
     n->push(P);
     return true;
 }
 
-/* From a touch over an impact. */
-template <class T, class R> bool hits(trial<T, R> &q)
+/* From a touch over an impact, and for a moment on. */
+constexpr double SOON = 1e-18;
+bool hits(trial<doubles> &q)
 {
-    throwing c(q.s);
-    const double soon = 1e-18 * std::sqrt(q.s.a / q.s.g);
-    if (c.move(&c.b, double(INFINITY), COIN_TOUCHES) !=
+    if (q.move(&q.b, double(INFINITY), COIN_TOUCHES) !=
         (COIN_LIFTS | COIN_TOUCHES))
         return false;
-    newton<R> n(c.p, c.b);
-    R d[3], u[3];
-    n.lowest(d, u);
-    if (!(u[1] < R(-1e-3)) || !(q.s.steps > 1e-3) || !hit(&n, c.table, u) ||
-        c.move(&c.b, soon, 0) < 0)
+    top n(q.p, q.b);
+    const vector u = n.speed();
+    const real size = size_of(n.omega()) + size_of(n.v) + size_of(u);
+    if (!(u[1] < -1e-3L) || !(q.table.restitution > 1e-3) ||
+        !hit(&n, q.table) || q.move(&q.b, SOON * unit_of(q.s), 0) < 0)
         return false;
-    R size = n.speed();
-    for (int i = 0; i < 3; ++i)
-        size += magnitude(n.v[i]) + magnitude(u[i]);
-    const R rounding = R(1e-15) * size * (1 + 1 / n.IX + 1 / n.IZ);
-    const newton<R> is(c.p, c.b);
-    for (int i = 0; i < 3; ++i) {
+    const real turn = 1e-15L + SOON * size_of(n.omega());
+    const real rounding = turn * size * (1 + 1 / n.IX + 1 / n.IZ);
+    const top is(q.p, q.b);
+    const vector om = n.omega(), isom = is.omega();
+    for (size_t i = 0; i < 3; ++i) {
         q.hold(is.v[i], n.v[i], rounding);
-        q.hold(is.w[i], n.w[i], rounding);
+        q.hold(isom[i], om[i], rounding);
     }
     return true;
 }
 
 /* All the way: it stays above the table and gains no energy but the error of
  * tol a natural unit. */
-template <class T, class R> bool tosses(trial<T, R> &q)
+bool tosses(trial<doubles> &q)
 {
-    throwing c(q.s);
-    const double before = coin_body_energy(&c.b, &c.p);
+    const double before = coin_body_energy(&q.b, &q.p);
     double reached = 0;
-    if (c.move(&c.b, q.s.t, 0, &reached) < 0)
+    if (q.move(&q.b, q.s.t, 0, &reached) < 0)
         return false;
-    const double natural = reached * std::sqrt(q.s.g / q.s.a);
-    const double gained = coin_body_energy(&c.b, &c.p) - before;
-    const double sunk = std::cos(c.b.s.theta) - c.b.y / q.s.a;
-    return q.is(larger(gained / before / (1e-9 * (1 + natural)),
-                       sunk / (20 * doubles::u)));
+    const double gained = coin_body_energy(&q.b, &q.p) - before;
+    const double sunk = std::cos(q.b.s.theta) - q.b.y / q.s.a;
+    q.is(gained / before / (q.s.tol * (1 + reached / unit_of(q.s))));
+    return q.is(sunk / (20 * double(q.u)));
 }
-
 } // namespace
 
-std::vector<row> throws()
+void add_throws(std::vector<row> *rows)
 {
-    return {
-        ROW("move_flies", "1e-15 a radian + 16 u of the way", 25, tossed, 0,
-            flies),
-        ROW("move_touches", "a gap of 1e-15 a radian + 16 u of the way", 25,
-            tossed, 0, touches),
-        ROW("move_hits", "1e-15 of the speeds over I_X and I_Z", 25, tossed, 0,
-            hits),
-        ROW("move_tosses", "tol of the energy a natural unit; 20 u below", 25,
-            tossed, 0, tosses),
+    const auto add = [rows](const char *name, const char *bound, auto law) {
+        rows->push_back({name, bound, 25, tossed, judged<doubles>(law)});
     };
+    add("coin_move_flies", "1e-15 a radian + 16 u of the way", flies);
+    add("coin_move_touches", "a gap of 1e-15 a radian + 16 u of the way",
+        touches);
+    add("coin_move_hits", "1e-15 of the speeds over I_X and I_Z", hits);
+    add("coin_move_tosses", "tol of the energy a natural unit; 20 u below",
+        tosses);
 }

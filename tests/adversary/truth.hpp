@@ -1,16 +1,61 @@
 /* SPDX-License-Identifier: MIT */
-/* The observables of docs/physics.md in their textbook form, each beside the
- * sum of its terms.  R is long double or __float128; no code of lib/. */
+/* The equations of docs/physics.md in their textbook form, in numbers of 64
+ * bits, each sum beside that of its terms' sizes.  No code of lib/. */
 #ifndef ROLLCOIN_ADVERSARY_TRUTH_HPP
 #define ROLLCOIN_ADVERSARY_TRUTH_HPP
 
-#include "number.hpp"
+#include <coin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using real = long double;
+
+constexpr real HALF_PI = 1.57079632679489661923132169163975144L;
+
+/* A sum beside the sum of its terms' absolute values, which is what "8 u of
+ * the terms" counts in. */
+struct terms {
+    real value = 0, size = 0;
+
+    terms() = default;
+    terms(real only) : value(only), size(std::fabs(only))
+    {
+    }
+    terms(real whole, real of) : value(whole), size(of)
+    {
+    }
+    terms &add(real term)
+    {
+        value += term;
+        size += std::fabs(term);
+        return *this;
+    }
+    terms &add(const terms &t, real factor)
+    {
+        value += factor * t.value;
+        size += std::fabs(factor) * t.size;
+        return *this;
+    }
+};
+using list = std::vector<terms>;
+
+inline terms over(const terms &a, const terms &b)
+{
+    const real value = a.value / b.value;
+    return {value, (a.size + std::fabs(value) * b.size) / std::fabs(b.value)};
+}
+inline terms length(const terms &a, const terms &b)
+{
+    return {std::hypot(a.value, b.value), std::hypot(a.size, b.size)};
+}
 
 /* A coin at a moment: members as they are, and what every equation reads. */
-template <class R> struct moment {
-    R M, a, g, IX, IZ, m, J, K, k1, k2, Mga;
-    R theta, phi, psi, x, z, wX, wY, wZ;
-    R s, c, T, sph, cph;
+struct moment {
+    real M, a, g, IX, IZ, m, J, K, k1, k2, Mga;
+    real theta, phi, psi, x, z, wX, wY, wZ;
+    real s, c, T, sph, cph;
 
     template <class P, class S>
     moment(const P &p, const S &y)
@@ -24,174 +69,137 @@ template <class R> struct moment {
         k1 = IZ / IX;
         k2 = m / K;
         Mga = M * g * a;
-        s = sine(theta);
-        c = cosine(theta);
+        s = std::sin(theta);
+        c = std::cos(theta);
         T = s / c;
-        sph = sine(phi);
-        cph = cosine(phi);
+        sph = std::sin(phi);
+        cph = std::cos(phi);
     }
 };
 
-template <class R> terms<R> energy_of(const moment<R> &y)
+inline terms dwX_of(const moment &y)
 {
-    return terms<R>()
-        .add(y.J * y.wX * y.wX / 2)
-        .add(y.IX * y.wY * y.wY / 2)
-        .add(y.K * y.wZ * y.wZ / 2)
-        .add(y.Mga * y.c); /* (23) */
-}
-
-template <class R> terms<R> dwX_of(const moment<R> &y)
-{
-    return terms<R>()
+    return terms()
         .add(-y.K * y.wY * y.wZ / y.J)
         .add(-y.IX * y.wY * y.wY * y.T / y.J)
         .add(y.Mga * y.s / y.J); /* (14) */
 }
 
 /* In the order of the members of a state. */
-template <class R> void rates_of(const moment<R> &y, terms<R> d[8])
+inline list rates_of(const moment &y)
 {
-    d[0].add(y.wX);                                              /* (17) */
-    d[1].add(y.wY / y.c);                                        /* (18) */
-    d[2].add(y.wZ).add(y.wY * y.T);                              /* (19) */
-    d[3].add(-y.a * y.wZ * y.cph).add(y.a * y.wX * y.c * y.sph); /* (20) */
-    d[4].add(y.a * y.wZ * y.sph).add(y.a * y.wX * y.c * y.cph);  /* (20) */
-    d[5] = dwX_of(y);
-    d[6].add(y.wX * y.wY * y.T).add(y.k1 * y.wX * y.wZ); /* (15) */
-    d[7].add(y.k2 * y.wX * y.wY);                        /* (16) */
-}
-
-template <class R> struct table_force {
-    terms<R> Rx, normal, Rz;
-    R along, across, friction, friction_size;
-};
-
-template <class R> table_force<R> force_of(const moment<R> &y)
-{
-    const R Ma = y.M * y.a;
-    const terms<R> dwX = dwX_of(y);
-    terms<R> e, h, N;
-    e.add(Ma * y.wX * y.wY * y.IZ / y.K); /* (25) */
-    h.add(-Ma * y.wX * y.wX * y.s)
-        .add(dwX, Ma * y.c)
-        .add(Ma * y.wY * y.wZ / y.c); /* (26) */
-    N.add(y.M * y.g)
-        .add(-Ma * y.wX * y.wX * y.c)
-        .add(dwX, -Ma * y.s); /* (27) */
-    table_force<R> f;
-    f.Rx.add(e, y.cph).add(h, y.sph);  /* (28) */
-    f.Rz.add(e, -y.sph).add(h, y.cph); /* (28) */
-    f.normal = N;
-    f.friction = root(e.value * e.value + h.value * h.value);
-    f.friction_size = root(e.size * e.size + h.size * h.size);
-    return f;
+    return {
+        y.wX,                                                     /* (17) */
+        y.wY / y.c,                                               /* (18) */
+        terms(y.wZ).add(y.wY * y.T),                              /* (19) */
+        terms(-y.a * y.wZ * y.cph).add(y.a * y.wX * y.c * y.sph), /* (20) */
+        terms(y.a * y.wZ * y.sph).add(y.a * y.wX * y.c * y.cph),  /* (20) */
+        dwX_of(y),
+        terms(y.wX * y.wY * y.T).add(y.k1 * y.wX * y.wZ), /* (15) */
+        y.k2 * y.wX * y.wY,                               /* (16) */
+    };
 }
 
 /* The square of lambda, (44). */
-template <class R> terms<R> lambda2_of(const moment<R> &y)
+inline terms lambda2_of(const moment &y)
 {
-    return terms<R>()
-        .add(y.Mga * y.c / y.J)
+    return terms(y.Mga * y.c / y.J)
         .add(-(y.IX * (1 + 3 * y.T * y.T) + y.m) * y.wY * y.wY / y.J)
         .add(-(3 * y.IZ + y.m) * y.T * y.wY * y.wZ / y.J)
         .add(-y.k1 * y.K * y.wZ * y.wZ / y.J);
 }
 
 /* W of the law of a step: the fastest rate. */
-template <class R> R fastest(const moment<R> &y)
+inline real fastest(const moment &y)
 {
-    return root((y.wX * y.wX + y.wY * y.wY) / (y.c * y.c) + y.wZ * y.wZ +
-                y.g / (y.a * y.c)); /* (47) */
+    return std::sqrt((y.wX * y.wX + y.wY * y.wY) / (y.c * y.c) + y.wZ * y.wZ +
+                     y.g / (y.a * y.c)); /* (47) */
 }
 
-/* ---------------------------------------------------------- the integrals */
+/* ------------------------------------------------------------ what slows it */
 
-/* The four power series about upright, to the last term that counts. */
-template <class R> struct upright_series {
-    R Pe = 0, Po = 0, We = 0, Wo = 0;
+/* What losses add to the rates, and their power. */
+struct slowing {
+    terms wX, wY, wZ, power;
+};
 
-    upright_series(R u, R kap)
+struct losses {
+    real damping, dry, viscous, layer, gap, rolling, spin, angular, soft;
+
+    losses() = default;
+
+    /* In units of mass M, length L, time T. */
+    losses(const coin_losses &l, const coin_params &p, real M, real L, real T)
+        : damping(l.damping), dry(l.dry / (M * L * L / T / T)),
+          viscous(l.viscous / (M * L * L / T)),
+          layer(l.layer / (M * L * L / std::sqrt(T))),
+          gap(l.gap / (M * L * L / T)),
+          rolling(l.rolling / (M * L * L / T / T)),
+          spin(l.spin / (M * L * L / T)), angular(l.angular * T)
     {
-        R pe = 1, po = u, we = 1, wo = u;
-        for (int n = 0; n < 100000; n += 2) {
-            Pe += pe;
-            Po += po;
-            We += we;
-            Wo += wo;
-            if (magnitude(we) + magnitude(wo) < precision<R> / 16)
-                break;
-            pe *= u * u * (R(n) * (n - 1) + kap) / ((R(n) + 1) * (n + 2));
-            po *= u * u * (R(n + 1) * n + kap) / ((R(n) + 2) * (n + 3));
-            we *= u * u * (R(n) * (n + 1) + kap) / ((R(n) + 1) * (n + 2));
-            wo *= u * u * (R(n + 1) * (n + 2) + kap) / ((R(n) + 2) * (n + 3));
-        }
+        /* The softening that 0 stands for, or the least. */
+        const real w = std::sqrt(real(p.gravity) / p.radius);
+        const real least = l.soft > 0 ? w * 0x1p-30L : w / 1024;
+        soft = std::max(real(l.soft), least) * T;
+    }
+
+    /* The torque of the contact over the rate of roll. */
+    real grip(real roll, real c) const
+    {
+        const real rate = std::fabs(roll);
+        return (dry + rolling * c) / std::sqrt(roll * roll + soft * soft) +
+               viscous + layer * std::sqrt(rate) + gap / c;
+    }
+
+    /* Of a body I_X, I_Z, J, K. */
+    slowing at(real IX, real IZ, real J, real K, real s, real c, real wX,
+               real wY, real wZ) const
+    {
+        const real T = s / c, roll = wZ + wY * T;
+        const real size = std::fabs(wZ) + std::fabs(wY * T);
+        const terms Q(-roll * grip(roll, c),
+                      size * (grip(roll, c) + layer * std::sqrt(size)));
+        const terms fade(damping * std::fabs(roll), damping * size);
+        const terms turn = terms(wY * c).add(-wZ * s);
+        const real T2 = J * wX * wX + IX * wY * wY + K * wZ * wZ;
+        const real w2 = IX * wX * wX + IX * wY * wY + IZ * wZ * wZ;
+        slowing d;
+        d.wX.add(fade, -wX).add(-angular * IX / J * wX);
+        d.wY.add(Q, T / IX).add(turn, -spin * c / IX).add(fade, -wY);
+        d.wY.add(-angular * wY);
+        d.wZ.add(Q, 1 / K).add(turn, spin * s / K).add(fade, -wZ);
+        d.wZ.add(-angular * IZ / K * wZ);
+        d.power.add(fade, T2)
+            .add(angular * w2)
+            .add({spin * turn.value * turn.value - Q.value * roll,
+                  spin * turn.size * turn.size + Q.size * size},
+                 1);
+        return d;
     }
 };
 
-/* The regular and the logarithmic solution about flat and their P, (36), (37).
- */
-template <class R> struct flat_series {
-    R R0, S0, PR, PS;
+/* The force of the table on a coin that rolls: R, N, F, of a body that losses
+ * slow. */
+struct table_force {
+    terms R[3], normal, friction;
 
-    flat_series(R v, R kap)
+    table_force(const moment &y, const slowing &by = {})
     {
-        const R ln = logarithm(v);
-        R r = 1, s = 0, power = 1;
-        R sum_r = 0, sum_s = 0, slope_r = 0, slope_s = 0;
-        for (int n = 0; n < 1000; ++n) {
-            sum_r += r * power;
-            sum_s += s * power;
-            if (n > 0 && magnitude(n * (magnitude(r) + magnitude(s)) * power) <
-                             precision<R> / 16)
-                break;
-            const R d = R(n + 1) * (n + 1);
-            const R rho = (R(n) * (n + 1) + kap) / d;
-            s = rho * s + r * ((2 * R(n) + 1) / d - 2 * rho / (n + 1));
-            r *= rho;
-            slope_r += (n + 1) * r * power;
-            slope_s += (n + 1) * s * power;
-            power *= v;
-        }
-        R0 = sum_r;
-        S0 = sum_r * ln + sum_s;
-        PR = -2 * v * (1 - v) * slope_r;
-        PS = -2 * (1 - v) * (sum_r + v * slope_r * ln + v * slope_s);
+        const real Ma = y.M * y.a;
+        const terms dwX = dwX_of(y).add(by.wX, 1);
+        const terms e =
+            terms(Ma * y.wX * y.wY * y.IZ / y.K).add(by.wZ, -Ma); /* (25) */
+        const terms h = terms(-Ma * y.wX * y.wX * y.s)
+                            .add(dwX, Ma * y.c)
+                            .add(Ma * y.wY * y.wZ / y.c); /* (26) */
+        normal = terms(y.M * y.g)
+                     .add(-Ma * y.wX * y.wX * y.c)
+                     .add(dwX, -Ma * y.s); /* (27) */
+        friction = length(e, h);
+        R[0].add(e, y.cph).add(h, y.sph); /* (28) */
+        R[1] = normal;
+        R[2].add(e, -y.sph).add(h, y.cph); /* (28) */
     }
 };
-
-template <class R>
-void integrals_upright(const moment<R> &y, terms<R> *KY, terms<R> *KZ)
-{
-    const upright_series<R> f(y.s, y.k1 * y.k2);
-    const R p = y.wY * y.c;
-    KY->add(f.We * p).add(-y.k1 * f.Po * y.wZ); /* (35) */
-    KZ->add(f.Pe * y.wZ).add(-y.k2 * f.Wo * p); /* (35) */
-}
-
-template <class R>
-void integrals_flat(const moment<R> &y, terms<R> *KY, terms<R> *KZ)
-{
-    const R sign = y.theta < 0 ? -1 : 1, wZ = sign * y.wZ, p = y.wY * y.c;
-    const R half = sine((half_pi<R> - sign * y.theta) / 2);
-    const R kap = y.k1 * y.k2;
-    const flat_series<R> at(half * half, kap), up(R(0.5), kap);
-    terms<R> al, be;
-    al.add(y.k2 * p * at.S0 / 2).add(-wZ * at.PS / 2); /* (38) */
-    be.add(wZ * at.PR / 2).add(-y.k2 * p * at.R0 / 2); /* (38) */
-    KY->add(al, up.PR / y.k2).add(be, up.PS / y.k2);   /* (38) */
-    KZ->add(al, sign * up.R0).add(be, sign * up.S0);   /* (38) */
-}
-
-/* K_Y, K_Z: the terms are those of (35) up to sin theta = 0.7 and those of
- * (38) beyond, as physics.md says. */
-template <class R>
-void integrals_of(const moment<R> &y, terms<R> *KY, terms<R> *KZ)
-{
-    if (magnitude(y.s) <= R(0.7))
-        integrals_upright(y, KY, KZ);
-    else
-        integrals_flat(y, KY, KZ);
-}
 
 #endif

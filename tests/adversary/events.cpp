@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: MIT */
+/* When a slip begins or ends, a coin lifts off, or it rests. */
+#include "motion.hpp"
+
+namespace
+{
+/* Times that are determined worse than this are no claim. */
+constexpr double BLURRED = 1e-3;
+
+/* The slip speed below which a coin rolls.  The truth takes what remains of a
+ * slip from there on as a straight line. */
+constexpr double ROLLS = 1e-10;
+
+/* How late a call may be at a true time at which a function of the motion is 0,
+ * in natural units: what coin_move() may err by until then, times what errors
+ * move the function by, over its slope. */
+real blurred(real natural, double tol, real least, real moves, real slope)
+{
+    const real error = (tol + 1e-14L) * (1 + natural) + 64 * doubles::u + least;
+    return error * moves / std::fabs(slope);
+}
+
+/* A change of mode at a true time: what it errs by, for how long it may be
+ * unseen, what stops a call there, and the modes before and after. */
+struct event {
+    real when, bound, unseen;
+    int32_t stop, before, after;
+};
+
+/* How far from the time a call ends that is stopped there, in parts of so many
+ * bounds, if the modes on both sides are the ones before and after.  A coin
+ * that begins to slip may lift off at once.  No claim if a call says
+ * COIN_ESTEP: it tells neither. */
+constexpr double MISSED = 32;
+
+double late(const trial<doubles> &q, const event &e, real bound)
+{
+    const real at[] = {e.when - bound, e.when + bound + e.unseen,
+                       e.when + MISSED * bound};
+    int32_t is[3];
+    double reached = 0;
+    for (int i = 0; i < 3; ++i) {
+        coin_body b = q.b;
+        is[i] = q.move(&b, std::max(0.0, double(at[i])),
+                       i < 2 ? COIN_LIFTS : e.stop, &reached);
+        if (is[i] == COIN_ESTEP)
+            return NO_CLAIM;
+    }
+    return is[0] == e.before && (is[1] == e.after || is[1] == COIN_LIFTS) &&
+                   is[2] & e.stop
+               ? double(std::fabs(reached - e.when) / bound)
+               : MISSED;
+}
+
+/* The same before the motion's own amplification. */
+bool holds(trial<doubles> &q, const motion &start, const event &e)
+{
+    const double ratio = late(q, e, e.bound);
+    return q.is(ratio > std::max(q.enough, UNAMPLIFIED)
+                    ? late(q, e, e.bound * start.growth(0.9L * e.when, 1e30L))
+                    : ratio);
+}
+
+/* From where it rolls to where nothing is left of the cone. */
+bool begins(trial<doubles> &q)
+{
+    if (!q.roll() || !q.says(COIN_OK, q.b))
+        return false;
+    const real mu = q.table.mu_static;
+    const auto left = [mu](const motion &m) { return m.left(mu); };
+    const motion start(q.p, q.y);
+    motion truth = start;
+    if (!(left(truth) > 1e-3L) || truth.is_long(q.s.t) ||
+        truth.until(q.s.t, left, 0.05) != motion::CROSSES)
+        return false;
+    /* How long a slip from here counts as rolling, at most: by what rolling
+     * needs beyond the friction of a slip. */
+    real N, F;
+    truth.stuck(&N, &F);
+    const real rounding =
+        16 * doubles::u *
+        (std::fabs(truth.at(truth.WX)) + std::fabs(truth.at(truth.WZ)));
+    const real unseen = (ROLLS + rounding) / (F - q.table.mu_kinetic * N);
+    const real bound = blurred(truth.took, q.s.tol, 0, truth.moves(left),
+                               truth.slope_of(left));
+    const real when = truth.took / truth.w;
+    if (!(bound < BLURRED / truth.fastest()))
+        return false;
+    return holds(q, start,
+                 {when, bound / truth.w, 2 * unseen / truth.w,
+                  COIN_SLIPS | COIN_LIFTS, COIN_OK, COIN_SLIPS});
+}
+
+/* Of a slip. */
+bool ends(trial<doubles> &q)
+{
+    const auto speed = [](const motion &m) { return m.speed() - ROLLS; };
+    const motion start(q.p, q.b, q.table.mu_kinetic);
+    motion truth = start;
+    truth.slowest = 0;
+    if (!q.says(COIN_SLIPS, q.b) || !(truth.speed() > 1e-2L) ||
+        truth.until(q.s.t, speed) != motion::CROSSES)
+        return false;
+    real N, F;
+    truth.stuck(&N, &F);
+    const real slope = truth.speed_slope();
+    if (!(slope < 0 && N > 0 && F < 0.95L * q.table.mu_static * N))
+        return false;
+    /* u is a sum of two velocities, and one that theta changes. */
+    const real natural = truth.took - ROLLS / slope;
+    const real bound = blurred(natural, q.s.tol, ROLLS,
+                               2 + std::fabs(truth.at(truth.WX)), slope);
+    const real when = natural / truth.w;
+    return bound < BLURRED &&
+           holds(q, start,
+                 {when, bound / truth.w, 0, COIN_ROLLS, COIN_SLIPS, COIN_OK});
+}
+
+/* From a slip. */
+bool lifts(trial<doubles> &q)
+{
+    const auto pressed = [](const motion &m) { return m.pressed(); };
+    const motion start(q.p, q.b, q.table.mu_kinetic);
+    motion truth = start;
+    if (!q.says(COIN_SLIPS, q.b) || !(truth.speed() > 1e-2L) ||
+        !(truth.pressed() > 1e-3L) ||
+        truth.until(q.s.t, pressed) != motion::CROSSES)
+        return false;
+    const real bound = blurred(truth.took, q.s.tol, 0, truth.moves(pressed),
+                               truth.slope_of(pressed));
+    const real when = truth.took / truth.w;
+    return bound < BLURRED && holds(q, start,
+                                    {when, bound / truth.w, 0, COIN_LIFTS,
+                                     COIN_SLIPS, COIN_LIFTS});
+}
+
+/* No excursion that exceeds mu by 1e-4 of it lies before the moment reached, in
+ * motions that amplify errors little. */
+bool until(trial<doubles> &q)
+{
+    const real mu = q.table.mu_static;
+    const motion start(q.p, q.y);
+    motion truth = start;
+    const bool lifts = !(mu > 1e6L && q.s.method < 2);
+    double reached = 0;
+    if (truth.is_long(q.s.t) || !q.roll() ||
+        q.move(&q.b, q.s.t, lifts ? COIN_SLIPS | COIN_LIFTS : COIN_SLIPS,
+               &reached) < 0)
+        return false;
+    /* Next to N = 0 F/N changes fast. */
+    const double most = mu > 100 ? 1e5 : 1000;
+    const real clear = reached - (mu > 100 ? 1e-6L : 2e-12L) / truth.w;
+    real worst = lifts ? -1 : 0;
+    const auto cone = [&](const motion &m) {
+        real N, F;
+        m.stuck(&N, &F);
+        worst = std::max(worst, N > 0 ? F / (mu * N) - 1 : real(lifts));
+        return m.at(m.C) - 1 / most;
+    };
+    if (!(clear > 0) || truth.until(clear, cone, 0.1, 0) != motion::GOES ||
+        (worst > 0 && start.growth(clear, most + 1) > most))
+        return false;
+    return q.is(double(std::max(real(0), worst) / 1e-4L));
+}
+
+/* What a time of rest errs by, in radians of the fall, where a coin falls
+ * steeply through flat; no claim where an earlier swing nearly ended there. */
+bool time_to_rest(trial<doubles> &q)
+{
+    const real flat = q.table.losses.flat > 0 ? q.table.losses.flat : 1e-6;
+    motion truth(q.p, q.y);
+    truth.slow_by(q.table.losses, q.p);
+    const motion start = truth;
+    const auto above = [flat](const motion &m) { return m.at(m.C) - flat; };
+    if (truth.is_long(q.s.t))
+        return false;
+    const real when = coin_time_to_rest(&q.y, &q.p, &q.table.losses);
+    if (!(when > 0 && when < 1e300L) || truth.is_long(when) ||
+        !(above(truth) > flat))
+        return false;
+    const motion::fate fate =
+        truth.until(1.05L * when, above, 0.1, double(flat));
+    const real bound =
+        2e-6L * (1 + start.turned(when)) +
+        doubles::u * (90 * (1 + when * truth.w) + 16 * truth.largest_of_pose());
+    if (fate == motion::UNKNOWN || !(bound < 1e-3L * flat))
+        return false;
+    const real off = std::fabs(truth.took - when * truth.w);
+    return q.is(
+        fate == motion::GOES
+            ? BROKEN
+            : unamplified(double(off * std::fabs(truth.at(truth.WX)) / bound),
+                          q.enough, start, 0.999L * when));
+}
+
+/* ------------------------------------------------------------------- edges */
+
+/* Any velocity of the centre and friction, for longer than a slip takes. */
+void slides(scene *s, const double *g)
+{
+    near_pose(s, g);
+    s->t = 8 * unit_of(*s);
+    s->tol = power_of_ten(g[TOL], -11.95, -2.05);
+    s->above = s->which = 0;
+    s->mu_static = 1.1 * s->mu_kinetic;
+}
+
+/* The friction coefficient; a large one also of coins so slow that they fall,
+ * bounce near flat and lift off. */
+void until_it_slips(scene *s, const double *g)
+{
+    horizon(s, g, -2, 1.8);
+    s->tol = 1e-12;
+    s->which = 0;
+    s->mu_static = power_of_ten(g[TABLE], -2, 2);
+    s->mu_kinetic = std::min(s->mu_static, 0.1);
+    if (g[TABLE] < 0.7)
+        return;
+    const double w = 1 / unit_of(*s);
+    s->mu_static = power_of_ten(g[TABLE], -28, 12);
+    s->theta = 2 * g[LEANS + 1] - 1;
+    s->wX = w * (2 * g[RATES + 1] - 1);
+    s->wY = w * (g[RATES + 2] - 0.5) * (g[RATES + 5] < 0.5);
+    s->wZ = w * (g[RATES + 3] - 0.5) * (g[RATES + 6] < 0.5);
+}
+
+/* Coins that hardly spin, with losses from 1e-3 on, lying flat from 1e-4 to
+ * 1e-2 rad on, so that most rest soon. */
+void falls(scene *s, const double *g)
+{
+    horizon(s, g, -2, 1.5);
+    s->which = 512 + std::floor(1 + 127 * g[MORE]);
+    for (int i = 0; i < 4; ++i)
+        s->loss[i] = power_of_ten(g[LOSS + 1 + i], -3, -0.5);
+    s->wY *= power_of_ten(g[MORE + 1], -6, 0);
+    s->wZ *= power_of_ten(g[MORE + 2], -6, 0);
+}
+} // namespace
+
+void add_events(std::vector<row> *rows)
+{
+    const char *when = "tol (1 + natural time) over the rate; before "
+                       "amplification";
+    rows->push_back(
+        {"coin_move_begins", when, 10, slides, judged<doubles>(begins)});
+    rows->push_back(
+        {"coin_move_ends", when, 100, slides, judged<doubles>(ends)});
+    rows->push_back(
+        {"coin_move_lifts", when, 25, slides, judged<doubles>(lifts)});
+    rows->push_back({"coin_move_until", "F/N over mu by 1e-4 of mu", 10,
+                     until_it_slips, judged<doubles>(until)});
+    rows->push_back({"coin_time_to_rest",
+                     "2 tol a radius of speed, of the fall; tol = 1e-6", 1000,
+                     falls, judged<doubles>(time_to_rest)});
+}
