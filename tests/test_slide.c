@@ -308,13 +308,15 @@ TEST(of_random_launches_no_energy_rises_and_no_force_pulls)
 }
 
 /* Without losses, with losses, and where the two frictions are equal, beside
- * the same at 1e-12.  A slip that passes near 0, or a coin that passes near
- * flat, amplifies an error: 2 of 100 may err by more. */
+ * the same at 1e-12; the last over a shorter time, since steps are small where
+ * a coin neither slips nor rolls for certain.  A slip that passes near 0, or a
+ * coin that passes near flat, amplifies an error: 2 of 100 may err by more. */
 TEST(of_random_launches_98_of_100_err_by_less_than_tol)
 {
-    const double tols[] = {1e-6, 1e-9, 1e-11}, t = 4;
+    const double tols[] = {1e-6, 1e-9, 1e-11};
     const int count = tries_asked(50);
     for (int kind = 0; kind < 3; ++kind) {
+        const double t = kind == 2 ? 1 : 4;
         struct random r = random_begin(173 + (uint64_t)kind);
         int within[3] = {0};
         for (int i = 0; i < count; ++i) {
