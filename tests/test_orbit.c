@@ -237,8 +237,14 @@ TEST(next_to_the_table_no_swing_is_an_orbit)
 TEST(the_path_fills_its_annulus)
 {
     struct random r = random_begin(71);
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 60; ++i) {
         coin_params p = disc();
+        /* Upright without roll: the path is symmetric about the start, so that
+         * an extreme is between two pieces or parts of one. */
+        const coin_state upright = {
+            .wX = random_between(&r, -3, 3),
+            .wY = random_between(&r, -3, 3),
+        };
         /* Comes nearest to the centre soon after a turning point; the other one
          * between turning points that one piece holds. */
         coin_state s = {-0.3256, 0, 0, 0, 0, 0, 0.31, 0.0413};
@@ -251,6 +257,7 @@ TEST(the_path_fills_its_annulus)
         };
         const coin_orbit o = i == 0   ? orbit_of(&s, &p)
                              : i == 1 ? orbit_of(&small, &hoop)
+                             : i > 39 ? orbit_of(&upright, &p)
                                       : random_orbit(&r, &p, &s);
         double low = (double)INFINITY, high = 0;
         for (int k = 0; k < 2000; ++k) {

@@ -258,6 +258,30 @@ TEST(a_wheel_that_drops_bounces_and_rolls)
     }
 }
 
+/* It touches when its centre is all but on the table, where the distance that
+ * is searched for a zero is rounding. */
+TEST(a_coin_that_drops_on_its_face_bounces)
+{
+    const coin_params p = thrown_params(0.25, 0.5);
+    struct random r = random_begin(867);
+    for (int i = 0; i < 50; ++i) {
+        coin_table f = {
+            .mu_static = 0.3, .mu_kinetic = 0.3, .restitution = 0.5};
+        f.losses.dry = 0.01;
+        const coin_body b = {
+            .s = {.theta = LAST_LEAN, .wZ = i % 3},
+            .y = random_between(&r, 1, 100),
+        };
+        check_note("seed 867, drop %d", i);
+        coin_body later = b;
+        check_status(coin_move(&later, &p, &f, 1.2 * sqrt(2 * b.y), 1e-6,
+                               COIN_TOUCHES, NULL),
+                     COIN_LIFTS | COIN_TOUCHES);
+        check_near(later.y, 0, 1e-6);
+        check_status(in_calls(&b, &p, &f, INFINITY, 1e-6).status, COIN_RESTS);
+    }
+}
+
 /* A disc dropped flat but for 0.02 rad: when it lies, by another program, in
  * which a split of its calls moves it by 1e-3. */
 TEST(clattering_ends)

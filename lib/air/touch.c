@@ -123,7 +123,7 @@ static void search(coin_priv_touch *found, const struct arc *r, double end,
 {
     while (!found->touches && found->t < end && found->looks < MOST_LOOKS) {
         struct look at = look_at(r, found->t);
-        const int zero = at.G <= 4 * DBL_EPSILON * (at.y * at.y);
+        const int zero = at.y <= 0 || at.G <= 4 * DBL_EPSILON * (at.y * at.y);
         double h = 0, width = (double)INFINITY;
         ++found->looks;
         at.G = leaves ? 0 : at.G;

@@ -147,15 +147,17 @@ static void widen(coin_orbit *o, struct place at)
 }
 
 /* Widens the annulus to the points of a piece from one time, where it is
- * at `begin`, to another.  An extreme is where the rate changes its sign; it is
- * found by the secant with halved weights (Illinois).  Four trials give the
- * radii of test_orbit too; there are 8 to have some to spare. */
+ * at `begin`, to another.  An extreme is at the end, or where the rate changes
+ * its sign, which is found by the secant with halved weights (Illinois).  Four
+ * trials give the radii of test_orbit too; there are 8 to have some to spare.
+ */
 static struct place widen_to_extremes(coin_orbit *o, int piece, double from,
                                       struct place begin, double to,
                                       double center)
 {
     const struct place end = place_at(o, piece, to, center);
     double left = from, right = to, at_left = begin.rate, at_right = end.rate;
+    widen(o, end);
     for (int i = 0; i < 8 && at_left * at_right < 0; ++i) {
         const double mid =
             (left * at_right - right * at_left) / (at_right - at_left);
