@@ -100,6 +100,58 @@ TEST(a_call_whose_last_trial_is_refused_stays_where_it_was)
     check(g.tries == 0 && !g.changed);
 }
 
+TEST(a_touch_ends_a_call_in_any_mode)
+{
+    static coin_priv_moving g;
+    for (int mode = 0; mode <= COIN_PRIV_SLIPS; ++mode) {
+        make_step(&g, 0.1);
+        g.law.mu_kinetic = 0.3;
+        g.law.held_down = 1;
+        g.mode = mode;
+        g.step.y[COIN_PRIV_UX] = 0.1 * mode;
+        g.event = g.stop = COIN_TOUCHES;
+        g.tries = 10;
+        check_status(coin_priv_go(&g), COIN_TOUCHES);
+    }
+}
+
+/* A step without them does not decide for the next one. */
+TEST(losses_act_wherever_the_table_presses)
+{
+    static coin_priv_moving g;
+    double wZ[2];
+    for (int idle = 0; idle < 2; ++idle) {
+        make_step(&g, 0.1);
+        g.law.dry = 0.1;
+        g.law.lossy = 1;
+        g.mode = idle ? COIN_PRIV_IDLE : 0;
+        g.tries = 100;
+        check_status(coin_priv_go(&g), COIN_OK);
+        wZ[idle] = g.step.y[COIN_PRIV_WZ];
+    }
+    check(wZ[0] == wZ[1]);
+}
+
+/* Spin brakes the turn about the vertical, c wY - s wZ, and angular damping
+ * all. */
+TEST(steps_are_planned_by_no_less_than_the_rate_of_the_losses)
+{
+    const double c = 0.6, s = 0.8, turn = 0.7;
+    const coin_losses laws[] = {{.spin = 2}, {.angular = 2}};
+    const double y[COIN_PRIV_WIDE] = {0, turn * c, -turn * s, s, c};
+    const coin_params p = disc();
+    coin_priv_body b;
+    coin_priv_law law;
+    check_status(coin_priv_check_body(&b, &p), COIN_OK);
+    for (int i = 0; i < 2; ++i) {
+        check_status(coin_priv_law_of(&law, &laws[i], &b), COIN_OK);
+        const coin_priv_slowing d = coin_priv_slowing_of(&law, y, 0);
+        const double decay = (s * d.wZ - c * d.wY) / turn;
+        const double rate = coin_priv_loss_rate(y, &law, 0);
+        check_within(rate, decay * (1 - 8 * U), 3 * decay);
+    }
+}
+
 /* I_X > I_Z + M a^2: a rod, not a coin.  A turn then presses it upright. */
 TEST(a_contact_that_its_turn_lifts_is_not_held)
 {

@@ -54,6 +54,24 @@ TEST(the_time_to_rest_is_that_of_settling)
     }
 }
 
+/* Angles and places count from the start, so that no range ends the time. */
+TEST(the_time_to_rest_is_the_same_wherever_a_coin_starts)
+{
+    const coin_params p = quarter();
+    const coin_losses l = loss_of(DRY, &p);
+    struct random r = random_begin(812);
+    const coin_state s = random_start(&r);
+    const double far = 2147483647, told = coin_time_to_rest(&s, &p, &l);
+    check(told > 0);
+    for (int side = -1; side <= 1; side += 2) {
+        coin_state turned = s, moved = s;
+        turned.phi = turned.psi = side * far;
+        moved.x = moved.z = side * 1e5 * p.radius;
+        check(coin_time_to_rest(&turned, &p, &l) == told);
+        check(coin_time_to_rest(&moved, &p, &l) == told);
+    }
+}
+
 /* Near flat cos theta falls as exp(-2 k t/3), and the contact rolls by 6/(k
  * sqrt(flat)) radians: 6e6 of them down to the least `flat`, in some 8e6
  * steps.  The error of the exponential is of the order of cos theta. */

@@ -25,7 +25,6 @@
  * in which the motion, or the slip velocity by sqrt(g a), changes.  The error
  * of the line is half the square of that part: tol/32. */
 #define STRAIGHT 0.25
-#define MOST_STRAIGHT 0.003
 
 /* How a slip begins: its direction, its slopes, and that of its speed. */
 struct onset {
@@ -64,8 +63,7 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     h = h * loss > STABLE ? STABLE / loss : h;
     const double fall = -a.slopes[COIN_PRIV_C] / g->step.y[COIN_PRIV_C];
     h = h * fall > STABLE ? STABLE / fall : h; /* not below the table */
-    const int ends = h * a.slopes[COIN_PRIV_ADDS_T] >= left;
-    h = ends ? left / a.slopes[COIN_PRIV_ADDS_T] : h;
+    h = coin_priv_lesser(h, left / a.slopes[COIN_PRIV_ADDS_T]);
     for (int i = 0; i < COIN_PRIV_WIDE; ++i)
         y[i] = g->step.y[i] + h * a.slopes[i];
     y[COIN_PRIV_UX] = y[COIN_PRIV_UH] = 0;
@@ -78,8 +76,6 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     g->waiting = slips ? 0 : u;
     y[COIN_PRIV_UX] = slips ? u * b.n.X : 0;
     y[COIN_PRIV_UH] = slips ? u * b.n.h : 0;
-    if (ends)
-        y[COIN_PRIV_ADDS_T] = left;
     const int32_t status = coin_priv_accept(g, y);
     if (status == COIN_OK && slips) {
         g->mode |= COIN_PRIV_SLIPS;
@@ -101,8 +97,7 @@ int coin_priv_end_slip(coin_priv_moving *g)
     if (!(grows < 0))
         return 0;
     const double aside = fabs(nX * d[COIN_PRIV_UH] - nh * d[COIN_PRIV_UX]);
-    const double part =
-        coin_priv_lesser(STRAIGHT * sqrt(g->tol), MOST_STRAIGHT);
+    const double part = STRAIGHT * sqrt(g->tol);
     const double h = u / -grows, scale = u / (u + 1);
     const double left = coin_priv_time_left(g);
     const double rate = coin_priv_rate(y, &g->law, g->mode) +
