@@ -392,8 +392,7 @@ valgrind: ## the tests under valgrind
 # Unoptimised and unmapped: gcov then sees each branch as it is written, and
 # finds the sources.  Only what ran inside the library's own objects counts.
 COVERED = gcovr -j 2 --root $(SRC) --filter '$(SRC)/lib/' $(O)/coverage/objects
-# The goal is 100 %.  A branch of real/coin_body.c is not run yet by any test: the
-# figures may only rise.
+# The goal is 100 %: the figures may only rise.
 # A copy of a function for each of its callers would have branches of its own
 # that no argument of that caller takes: here nothing is always_inline.
 COVER   = -O0 --coverage -fprofile-abs-path -Dalways_inline=unused
