@@ -72,6 +72,48 @@ TEST(the_time_to_rest_is_the_same_wherever_a_coin_starts)
     }
 }
 
+TEST(a_fit_takes_all_coefficients_times_one_factor)
+{
+    const coin_params p = disc();
+    const coin_losses from = {.damping = 1e-3,
+                              .dry = 2e-3,
+                              .viscous = 1e-3,
+                              .layer = 1e-3,
+                              .gap = 1e-4,
+                              .rolling = 1e-3,
+                              .spin = 1e-3,
+                              .angular = 2e-3};
+    const coin_state s = {.theta = 1, .wY = 0.5, .wZ = 1};
+    coin_losses l = from;
+    check_status(coin_losses_fit(&l, &s, &p, 100), COIN_OK);
+    const double by = l.dry / from.dry;
+    check(fabs(by - 1) > 0.01);
+    check_near(l.damping / from.damping, by, 4 * U * by);
+    check_near(l.viscous / from.viscous, by, 4 * U * by);
+    check_near(l.layer / from.layer, by, 4 * U * by);
+    check_near(l.gap / from.gap, by, 4 * U * by);
+    check_near(l.rolling / from.rolling, by, 4 * U * by);
+    check_near(l.spin / from.spin, by, 4 * U * by);
+    check_near(l.angular / from.angular, by, 4 * U * by);
+}
+
+/* Between two factors that differ by 2 % the times of these starts differ by
+ * more than twice that, so that the bracket is halved more than once. */
+TEST(a_fit_is_found_where_the_time_falls_steeply)
+{
+    const coin_params p = disc();
+    const coin_state starts[] = {
+        {.theta = 0.924052, .wX = 0.0724328, .wY = -0.0618387, .wZ = 0.516407},
+        {.theta = 0.0728313, .wX = 0.120835, .wY = 0.56532, .wZ = -1.90052},
+        {.theta = -0.115982, .wX = -0.0187967, .wY = 0.539684, .wZ = -0.957666},
+    };
+    for (int i = 0; i < 3; ++i) {
+        coin_losses l = {.dry = 0.002};
+        check_status(coin_losses_fit(&l, &starts[i], &p, 60), COIN_OK);
+        check_near(coin_time_to_rest(&starts[i], &p, &l) / 60, 1, 0.006);
+    }
+}
+
 /* Near flat cos theta falls as exp(-2 k t/3), and the contact rolls by 6/(k
  * sqrt(flat)) radians: 6e6 of them down to the least `flat`, in some 8e6
  * steps.  The error of the exponential is of the order of cos theta. */
