@@ -7,38 +7,30 @@
 #include <string.h>
 
 /* Whether all are finite. */
-static int doubles(const void *of, size_t size, const struct world *w)
-{
-    const double *const x = of;
-    int good = 1;
-    (void)w;
-    for (size_t i = 0; i < size / sizeof *x; ++i)
-        good &= isfinite(x[i]) != 0;
-    return good;
-}
-
-static int floats(const void *of, size_t size, const struct world *w)
-{
-    const float *const x = of;
-    int good = 1;
-    (void)w;
-    for (size_t i = 0; i < size / sizeof *x; ++i)
-        good &= isfinite(x[i]) != 0;
-    return good;
-}
+#define FINITE(name, type)                                                     \
+    static int name(const void *of, size_t size, const struct world *w)        \
+    {                                                                          \
+        const type *const x = of;                                              \
+        int good = 1;                                                          \
+        (void)w;                                                               \
+        for (size_t i = 0; i < size / sizeof *x; ++i)                          \
+            good &= isfinite(x[i]) != 0;                                       \
+        return good;                                                           \
+    }
+FINITE(doubles, double)
+FINITE(floats, float)
 
 /* ------------------------------------------------------------- taking each */
-static void take_p(struct bytes *b, const struct world *w, void *to)
-{
-    (void)b;
-    memcpy(to, &w->p, sizeof w->p);
-}
-
-static void take_s(struct bytes *b, const struct world *w, void *to)
-{
-    (void)b;
-    memcpy(to, &w->s, sizeof w->s);
-}
+#define OF_THE_WORLD(name, member)                                             \
+    static void take_##name(struct bytes *b, const struct world *w, void *to)  \
+    {                                                                          \
+        (void)b;                                                               \
+        memcpy(to, &w->member, sizeof w->member);                              \
+    }
+OF_THE_WORLD(p, p)
+OF_THE_WORLD(s, s)
+OF_THE_WORLD(params_single, pf)
+OF_THE_WORLD(state_single, sf)
 
 /* A state like that of the world, or a little beside it. */
 static void take_k(struct bytes *b, const struct world *w, void *to)
@@ -287,18 +279,6 @@ static void narrow(void *to, const double *x, size_t count)
                                     : (float)x[i];
 }
 
-static void take_params_single(struct bytes *b, const struct world *w, void *to)
-{
-    (void)b;
-    memcpy(to, &w->pf, sizeof w->pf);
-}
-
-static void take_state_single(struct bytes *b, const struct world *w, void *to)
-{
-    (void)b;
-    memcpy(to, &w->sf, sizeof w->sf);
-}
-
 static void take_q_single(struct bytes *b, const struct world *w, void *to)
 {
     double q[4];
@@ -331,24 +311,23 @@ void take_single(struct world *w, struct bytes *b)
 }
 
 /* ------------------------------------------------------- what is an output */
-static int sound_params(const void *of, size_t size, const struct world *w)
-{
-    (void)w;
-    return size == sizeof(coin_params) ? coin_params_check(of) == COIN_OK
-                                       : coinf_params_check(of) == COIN_OK;
-}
-
-static int sound_state(const void *of, size_t size, const struct world *w)
-{
-    (void)size;
-    return coin_state_check(of, &w->p) == COIN_OK;
-}
-
-static int sound_single(const void *of, size_t size, const struct world *w)
-{
-    (void)size;
-    return coinf_state_check(of, &w->pf) == COIN_OK;
-}
+#define SOUND(name, is_so)                                                     \
+    static int sound_##name(const void *of, size_t size,                       \
+                            const struct world *w)                             \
+    {                                                                          \
+        (void)size;                                                            \
+        (void)w;                                                               \
+        return is_so;                                                          \
+    }
+SOUND(params, coin_params_check(of) == COIN_OK)
+SOUND(params_single, coinf_params_check(of) == COIN_OK)
+SOUND(state, coin_state_check(of, &w->p) == COIN_OK)
+SOUND(single, coinf_state_check(of, &w->pf) == COIN_OK)
+SOUND(losses, coin_losses_check(of, &w->p) == COIN_OK)
+SOUND(body, coin_body_slip(of, &w->p, (double[2]){0}) == COIN_OK)
+SOUND(radius, *(const double *)of >= 0)
+/* Of an orbit's own coin, which need not be the world's. */
+SOUND(members, coin_axes(of, (double[9]){0}) == COIN_OK)
 
 /* All but the ratio finite. */
 #define IS_FORCE(f, kind, finite)                                              \
@@ -363,36 +342,6 @@ static int sound_force(const void *of, size_t size, const struct world *w)
     const coinf_force *const s = of;
     return size == sizeof *f ? IS_FORCE(f, coin_force, doubles)
                              : IS_FORCE(s, coinf_force, floats);
-}
-
-static int sound_radius(const void *of, size_t size, const struct world *w)
-{
-    const double *r = of;
-    (void)size;
-    (void)w;
-    return *r >= 0;
-}
-
-/* Of an orbit's own coin, which need not be the world's. */
-static int sound_members(const void *of, size_t size, const struct world *w)
-{
-    double R[9];
-    (void)size;
-    (void)w;
-    return coin_axes(of, R) == COIN_OK;
-}
-
-static int sound_losses(const void *of, size_t size, const struct world *w)
-{
-    (void)size;
-    return coin_losses_check(of, &w->p) == COIN_OK;
-}
-
-static int sound_body(const void *of, size_t size, const struct world *w)
-{
-    double u[2];
-    (void)size;
-    return coin_body_slip(of, &w->p, u) == COIN_OK;
 }
 
 static int sound_orbit(const void *of, size_t size, const struct world *w)
@@ -441,7 +390,7 @@ static const struct kind kinds[] = {
     {'r', PROGRESS, sizeof(double), NULL, doubles},
     {'$', READ, 16, take_text, NULL},
     {'f', READ, sizeof(coinf_params), take_params_single, NULL},
-    {'G', WRITTEN, sizeof(coinf_params), NULL, sound_params},
+    {'G', WRITTEN, sizeof(coinf_params), NULL, sound_params_single},
     {'g', READ, sizeof(coinf_state), take_state_single, NULL},
     {'H', MOVED, sizeof(coinf_state), take_state_single, sound_single},
     {'h', WRITTEN, sizeof(coinf_state), NULL, sound_single},
