@@ -327,27 +327,20 @@ bool told(trial<doubles> &q, const coin_orbit &o, double t,
     return q.is(ratio());
 }
 
-bool orbit_at(trial<doubles> &q)
+/* At a time; and after a period, when lean and rates are those of the start,
+ * and heading and roll have gained what the orbit states. */
+bool orbit(trial<doubles> &q)
 {
     coin_orbit o;
+    coin_state turned = q.y;
     if (coin_orbit_init(&o, &q.y, &q.p) != COIN_OK ||
         coin_orbit_at(&o, q.s.t, &q.made) != COIN_OK)
         return false;
-    return told(q, o, q.s.t, q.made,
-                o.radius_max > 0 ? o.radius_max / q.at.a : 0);
-}
-
-/* After a period lean and rates are those of the start, and heading and roll
- * have gained what the orbit states. */
-bool orbit_init(trial<doubles> &q)
-{
-    coin_orbit o;
-    if (coin_orbit_init(&o, &q.y, &q.p) != COIN_OK || !(o.period > 0))
-        return false;
-    q.made = q.y;
-    q.made.phi += o.heading_per_period;
-    q.made.psi += o.roll_per_period;
-    return told(q, o, o.period, q.made, -1);
+    turned.phi += o.heading_per_period;
+    turned.psi += o.roll_per_period;
+    const real far = o.radius_max > 0 ? o.radius_max / q.at.a : 0;
+    const bool tells = told(q, o, q.s.t, q.made, far);
+    return (o.period > 0 && told(q, o, o.period, turned, -1)) || tells;
 }
 
 /* Most beside a steady circle: the leans and rolls between which some are
@@ -396,9 +389,5 @@ void add_motions(std::vector<row> *rows)
     rows->push_back({"coin_orbit_at",
                      "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + "
                      "period) + 4 u amplified",
-                     10, about_circles, judged<doubles>(orbit_at), LOSS});
-    rows->push_back(
-        {"coin_orbit_init",
-         "lean; rates; heading and roll after a period as coin_orbit_at", 20,
-         about_circles, judged<doubles>(orbit_init), LOSS});
+                     5, about_circles, judged<doubles>(orbit), LOSS});
 }
