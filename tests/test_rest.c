@@ -385,3 +385,17 @@ TEST(a_symmetric_fall_is_an_ideal_one)
     check_near(when, right, 1e-9);
     check_near(s.wX, ideal.wX, 1e-9);
 }
+
+/* By its small roll this coin passes at 3e-8 rad from flat, nearer than the
+ * default of `flat`, and rises at its speed before. */
+TEST(without_losses_no_lean_is_flat)
+{
+    const coin_params p = disc();
+    const coin_losses none = {0}, least = {.viscous = 1e-12};
+    const coin_state start = {
+        .theta = 1.5707963267948966 - 0.04, .wX = 0.5, .wY = 4e-7};
+    coin_state s = start, lossy = start;
+    check_status(coin_settle(&s, &p, &none, 0.15, 1e-9, NULL), COIN_OK);
+    check_near(s.wX, -0.5, 0.01);
+    check_status(coin_settle(&lossy, &p, &least, 0.15, 1e-9, NULL), COIN_RESTS);
+}
