@@ -9,7 +9,7 @@ set multiplot
 set logscale x
 set xrange [0.018:1.1]
 set yrange [0:1.2]
-set xtics (0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 1)
+set xtics (0.02, 0.05, 0.1, 0.2, 0.5, 1)
 set ytics 0.2
 set xlabel "abs(dt) W where the coins start" offset 0,0.5
 rows(build, coins, method, steps) = sprintf( \
