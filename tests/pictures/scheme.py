@@ -68,12 +68,16 @@ def sheet(text):
 
 
 def titles(root):
-    """{drawing: what the first page that shows it calls it}."""
+    """{drawing: what the first page that shows it calls it, or else the README
+    of the studies, which links to it}."""
+    link = r"\[([^]]+)\]\([^)]*figures/([^)]+)\)"
     found = {}
     for page in [root/"README.md", *sorted((root/"docs").rglob("*.md"))]:
-        for says, name in re.findall(r"!\[([^]]+)\]\([^)]*figures/([^)]+)\)",
-                                     page.read_text()):
+        for says, name in re.findall("!" + link, page.read_text()):
             found.setdefault(name, " ".join(says.split()))
+    studies = (root/"tests/studies/README.md").read_text()
+    for says, name in re.findall(link, studies):
+        found.setdefault(name, says)
     return found
 
 
