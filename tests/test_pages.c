@@ -241,6 +241,41 @@ TEST(a_lean_1e_4_larger_lets_the_quarter_roll_two_seconds_longer)
     check_within(coin_time_to_rest(&higher, &p, &l), 9.155, 9.165);
 }
 
+static double rests_after(coin_state s, const coin_params *p,
+                          const coin_losses *l, double call, double tol)
+{
+    double sum = 0, moved;
+    while (coin_settle(&s, p, l, call, tol, &moved) == COIN_OK)
+        sum += moved;
+    return sum + moved;
+}
+
+/* docs/choosing.md, the table below that: errors of the time of rest. */
+TEST(the_time_of_rest_errs_as_choosing_says)
+{
+    static const struct row {
+        double lean, call, most[5];
+    } rows[] = {
+        {0.3, 1.0 / 60, {3e-5, 1e-5, 1e-7, 1e-9, 3e-12}},
+        {0.3, (double)INFINITY, {5e-5, 5e-5, 1e-7, 1e-9, 3e-12}},
+        {0.3133, 1.0 / 60, {3e-5, 1e-5, 1e-7, 1e-9, 3e-12}},
+        {0.3133, (double)INFINITY, {2, 2, 2e-7, 1e-9, 3e-12}},
+    };
+    coin_params p;
+    coin_losses l = {.dry = 0};
+    check_status(coin_params_disc(&p, 0.00567, 0.01213, 9.80665), COIN_OK);
+    l.dry = 1e-3 * p.mass * p.gravity * p.radius;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
+        const coin_state s = {.theta = rows[i].lean, .wY = 1, .wZ = 12};
+        const double t = rests_after(s, &p, &l, (double)INFINITY, 1e-12);
+        check_note("lean %g, calls of %g", rows[i].lean, rows[i].call);
+        for (int k = 0; k < 5; ++k)
+            check_near(
+                rests_after(s, &p, &l, rows[i].call, pow(10, -3 - 2 * k)), t,
+                rows[i].most[k]);
+    }
+}
+
 TEST(the_check_of_a_coin_at_rest_says_more_than_that)
 {
     coin_params p;
