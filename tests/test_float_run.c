@@ -49,6 +49,22 @@ TEST(unknown_methods_are_refused)
     check_same(&s, &good, sizeof s);
 }
 
+/* Without a step, which would be refused as too long. */
+TEST(a_step_is_at_most_1e6_natural_units)
+{
+    coinf_params p;
+    check_status(coinf_params_disc(&p, 1, 1, 1), COIN_OK);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        coinf_state s = good;
+        check_status(
+            coinf_run(&s, &p, COIN_RK4, (float)sign * 0.9995e6f, 0, NULL),
+            COIN_OK);
+        check_status(
+            coinf_run(&s, &p, COIN_RK4, (float)sign * 1.0005e6f, 0, NULL),
+            COIN_ESTEP);
+    }
+}
+
 TEST(bad_states_are_refused)
 {
     const struct {
