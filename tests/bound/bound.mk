@@ -25,8 +25,8 @@ bound-measure: $(O)/tests/bound
 	rm -f $(O)/bound.out
 	$(BOUND_RUN) >$(O)/bound.log 2>&1 || { tail $(O)/bound.log; exit 1; }
 
-$(O)/tests/bound.o: $(BOUND_SRC)/bound.c $(O)/flags | $(O)/tests/support
+$(O)/bound.o: $(BOUND_SRC)/bound.c $(O)/flags | $(O)/tests/support
 	$(CC_TEST) $(CMOCKA) $(DEPENDS) -c -o $@ $<
 
-$(O)/tests/bound: $(O)/tests/bound.o $(TEST_EXTRA) $(LIB_A)
+$(O)/tests/bound: $(O)/bound.o $(TEST_EXTRA) $(LIB_A)
 	$(CC_TEST) $(LDFLAGS) -o $@ $^ $(CMOCKA_LIBS) -lm
