@@ -427,6 +427,34 @@ TEST(a_coin_that_lies_is_on_the_table_once_it_slides)
     check(b.vy == 0);
 }
 
+/* In units that are no powers of two. */
+TEST(a_returned_body_rolls_or_touches_to_the_bit)
+{
+    const coin_table f = {.mu_static = 0.3, .mu_kinetic = 0.25};
+    struct random r = random_begin(868);
+    int rolls = 0, slips = 0;
+    for (int i = 0; i < 300; ++i) {
+        coin_params p;
+        double v[3];
+        check_status(coin_params_disc(&p, 5.67e-3, 12.13e-3, 9.80665), COIN_OK);
+        coin_body b = {.s = {.theta = random_between(&r, -1, 1),
+                             .phi = random_between(&r, -3, 3),
+                             .wX = random_between(&r, -2, 2),
+                             .wY = random_between(&r, -30, 30),
+                             .wZ = random_between(&r, -30, 30)}};
+        check_status(coin_body_from_state(&b, &b.s, &p), COIN_OK);
+        const int32_t status = coin_move(&b, &p, &f, 1.0 / 60, 1e-6, 0, NULL);
+        check_note("seed 868, coin %d", i);
+        if (status != COIN_OK && status != COIN_SLIPS)
+            continue;
+        ++*(status == COIN_OK ? &rolls : &slips);
+        check_status(coin_velocity(&b.s, &p, v), COIN_OK);
+        check(b.vy == v[1]);
+        check(status == COIN_SLIPS || (b.vx == v[0] && b.vz == v[2]));
+    }
+    check(rolls > 30 && slips > 30);
+}
+
 /* ----------------------------------------------------------------- lift-off */
 TEST(a_coin_with_damping_ends_the_call_where_it_lifts_off)
 {

@@ -11,6 +11,19 @@
 #define STOPS                                                                  \
     (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_ROLLS | COIN_TOUCHES)
 
+/* Sets height and velocity of a body on the table to what its other members,
+ * which have been rounded, say. */
+static void set_on_table(coin_body *b, const coin_priv_attitude *at, double a,
+                         int slips)
+{
+    const double vx = b->vx, vz = b->vz;
+    coin_priv_set_rolling(b, at, a);
+    if (slips) {
+        b->vx = vx;
+        b->vz = vz;
+    }
+}
+
 int32_t coin_move(coin_body *b, const coin_params *p, const coin_table *table,
                   double t, double tol, int32_t stop, double *reached)
 {
@@ -42,6 +55,8 @@ int32_t coin_move(coin_body *b, const coin_params *p, const coin_table *table,
     if (w.changed) {
         *b = w.b;
         coin_priv_scale_body(b, of.a, w0);
+        if (status >= 0 && !(status & (COIN_LIFTS | COIN_RESTS)))
+            set_on_table(b, &w.at, of.a, status & COIN_SLIPS);
     }
     if (reached)
         *reached = coin_priv_reached(&w.moved, w.time, t, w0);
