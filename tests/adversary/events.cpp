@@ -126,8 +126,16 @@ bool lifts(trial<doubles> &q)
         !(truth.pressed() > 1e-3L) ||
         truth.until(q.s.t, pressed) != motion::CROSSES)
         return false;
-    const real bound = blurred(truth.took, q.s.tol, 0, truth.moves(pressed),
-                               truth.slope_of(pressed));
+    /* A contact counts as open from this part of the terms of its force on, so
+     * that it is open where the state is rounded. */
+    const real c = truth.at(truth.C), spins = std::fabs(truth.at(truth.WY));
+    const real terms = 1 + truth.at(truth.WX) * truth.at(truth.WX) +
+                       spins * (spins + std::fabs(truth.at(truth.WZ))) / c;
+    const real open = (1e-12L + 1e-15L / c) * terms;
+    const real slope = truth.slope_of(pressed);
+    const real bound =
+        blurred(truth.took, q.s.tol, 0, truth.moves(pressed), slope) +
+        open / std::fabs(slope);
     const real when = truth.took / truth.w;
     return bound < BLURRED && holds(q, start,
                                     {when, bound / truth.w, 0, COIN_LIFTS,
