@@ -24,6 +24,7 @@
  *   wX, wY, wZ                 up to 1000 sqrt(g/a) each
  *   phi, psi                   up to 4096 rad
  *   x, z                       up to 1e6 a
+ *   without p                  x, z up to 1e14, angular velocities up to 1e11
  *   dt                         up to 1e6 natural units
  *   |q|^2 of a rotation        1e-8 to 1e8
  *
