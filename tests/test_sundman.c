@@ -27,6 +27,33 @@ TEST(the_slope_of_wX_is_that_in_time_times_cos_theta)
     }
 }
 
+/* Where wX is 0 and the heading turns, its slope says how fast the motion
+ * changes: by at most a third of the rate in a step of stride 1. */
+TEST(a_stride_bounds_what_the_slope_of_wX_adds)
+{
+    struct random r = random_begin(49);
+    int decides = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const double I_X = random_between(&r, 0.01, 0.5);
+        const double ratio = random_between(&r, 0.01, 2);
+        const coin_state s = {
+            .wY = random_between(&r, -3, 3),
+            .wZ = random_between(&r, -9, 9),
+        };
+        coin_params p;
+        check_status(coin_params_body(&p, 1, 1, 1, I_X, ratio * I_X), COIN_OK);
+        const coin_priv_body b = coin_priv_body_of(&p);
+        const coin_priv_field f = coin_priv_field_of(&b, 1);
+        const coin_priv_variables y = coin_priv_variables_of(&s);
+        const double tau = coin_priv_sundman_tau(&b, &y, 1);
+        const double part = fabs(coin_priv_sundman_slope(&f, &y)) * tau * tau;
+        check_note("seed 49, body %d", i);
+        check_within(part, 0, 1.0 / 3 + 8 * U);
+        decides += part > 0.333;
+    }
+    check(decides > 30);
+}
+
 /* Pairs of length 1 + d get the length 1 and keep their direction.  The error
  * that is left is the first term left out, 5/16 e^3 with e = 2 |d|. */
 TEST(pairs_get_the_length_1)

@@ -575,6 +575,54 @@ TEST(what_is_left_of_a_turn_at_rest_is_0)
 
 /* Any body and table, heights to 1e8 radii, spins to 1e6; some lie flat in the
  * air. */
+/* Its slip neither grows nor turns. */
+TEST(an_upright_coin_slides_without_friction_and_is_silent)
+{
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.mu_static = 0};
+    for (double vx = 1e-9; vx < 2; vx *= 1000) {
+        coin_body b = {.y = 1, .vx = vx};
+        feclearexcept(FE_ALL_EXCEPT);
+        check_status(coin_move(&b, &p, &f, 3, 1e-2, 0, NULL), COIN_SLIPS);
+        check(!fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW));
+        check(b.vx == vx);
+        check_near(b.s.x, 3 * vx, 32 * U * vx);
+    }
+}
+
+/* No contact is stopped without a loss, however slowly it rolls. */
+TEST(an_upright_coin_rolls_on_without_losses)
+{
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.4};
+    const coin_state s = {.wZ = -1e-9};
+    coin_body b;
+    check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+    check_status(coin_move(&b, &p, &f, 3, 1e-6, 0, NULL), COIN_OK);
+    check_near(b.s.x, 3e-9, 64 * U * 1e-9);
+}
+
+/* Friction sets it rolling: a contact that does not roll yet is not stopped by
+ * a loss that is weaker. */
+TEST(a_coin_that_is_pushed_along_begins_to_roll)
+{
+    const coin_params p = thrown_params(0.25, 0.5);
+    for (int i = 0; i < 4; ++i) {
+        coin_table f = {.mu_static = 0.4, .mu_kinetic = 0.3};
+        const coin_state s = {.theta = 0.4 * i};
+        coin_body ideal, lossy;
+        check_status(coin_body_from_state(&ideal, &s, &p), COIN_OK);
+        ideal.vx = 1;
+        lossy = ideal;
+        check_note("lean %g", s.theta);
+        check_status(coin_move(&ideal, &p, &f, 0.1, 1e-9, 0, NULL), COIN_SLIPS);
+        f.losses.dry = 1e-4;
+        check_status(coin_move(&lossy, &p, &f, 0.1, 1e-9, 0, NULL), COIN_SLIPS);
+        check(fabs(ideal.s.wZ) > 1e-3);
+        check_near(lossy.s.wZ, ideal.s.wZ, 1e-3);
+    }
+}
+
 TEST(any_throw_is_silent_and_its_body_is_accepted)
 {
     const int count = tries_asked(1000);

@@ -18,9 +18,8 @@
  * % more.
  *
  * For bodies with I_Z far below I_X that frequency is low, and slope2, from the
- * slope of wX, Eq. (14), is larger: without it their errors reached 1e5 tol.
- * For rings slope2 never decides.  COIN_PRIV_WEIGHT_SLOPE is measured too. With
- * half of it thin bodies err up to 3 times as much; twice takes 4 % more steps
+ * slope of wX, Eq. (14), is larger.  For rings it never decides.
+ * COIN_PRIV_WEIGHT_SLOPE is measured too: twice of it takes 4 % more steps
  * (make tuning).
  *
  * In a step of such a body the contact would roll by more than 16 rad if roll2
