@@ -64,11 +64,11 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     const double fall = -a.slopes[COIN_PRIV_C] / g->step.y[COIN_PRIV_C];
     h = h * fall > STABLE ? STABLE / fall : h; /* not below the table */
     h = coin_priv_lesser(h, left / a.slopes[COIN_PRIV_ADDS_T]);
-    for (int i = 0; i < COIN_PRIV_WIDE; ++i)
+    for (int i = 0; i < COIN_PRIV_SIZE; ++i)
         y[i] = g->step.y[i] + h * a.slopes[i];
     y[COIN_PRIV_UX] = y[COIN_PRIV_UH] = 0;
     onset_at(&b, g, y);
-    for (int i = 0; i < COIN_PRIV_WIDE; ++i)
+    for (int i = 0; i < COIN_PRIV_SIZE; ++i)
         y[i] = g->step.y[i] + h / 2 * (a.slopes[i] + b.slopes[i]);
     const double u = g->waiting + h / 2 * (a.du + b.du);
     const int slips =
@@ -106,7 +106,7 @@ int coin_priv_end_slip(coin_priv_moving *g)
     const int is_straight = aside <= part * -grows;
     if (!(is_short && is_straight && h * d[COIN_PRIV_ADDS_T] <= left))
         return 0;
-    for (int i = 0; i < COIN_PRIV_WIDE; ++i)
+    for (int i = 0; i < COIN_PRIV_SIZE; ++i)
         to[i] = y[i] + h * d[i];
     to[COIN_PRIV_UX] = to[COIN_PRIV_UH] = 0;
     if (coin_priv_accept(g, to) != COIN_OK)
