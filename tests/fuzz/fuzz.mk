@@ -38,7 +38,8 @@ $(FUZZ_OUT)/lib/%.o: %.c | $(FUZZ_OUT)/lib need-fuzzer
 $(FUZZ_OUT)/%.o: $(FUZZ_SRC)/%.c | $(FUZZ_OUT) need-fuzzer
 	$(FUZZ_CC) $(DEPENDS) -c -o $@ $<
 
-$(FUZZ_OUT)/fuzz_%: $(FUZZ_OUT)/fuzz_%.o $(FUZZ_BOTH) $(FUZZ_LIB)
+$(FUZZ_TARGETS:%=$(FUZZ_OUT)/fuzz_%): $(FUZZ_OUT)/fuzz_%: $(FUZZ_OUT)/fuzz_%.o \
+    $(FUZZ_BOTH) $(FUZZ_LIB)
 	$(FUZZ_CC) -fsanitize=fuzzer -o $@ $^ -lm
 
 FUZZ_KEPT   = $(FUZZ_OUT)/corpus
