@@ -196,8 +196,9 @@ static int turns_within(const coin_priv_half_period *h,
 
 /* Begins h->now beyond h->between, the series about the end of a piece of this
  * reach, where it reaches back to that end.  The first trial assumes that the
- * reach goes on shrinking as it did from the piece's centre to its end.  Each
- * trial is nearer.  0 if no series can be begun there. */
+ * reach shrinks beyond that end as much as it did from the centre of the piece
+ * to it.  Each further trial begins nearer to the end.  0 if no series can be
+ * begun there. */
 static int begin_beyond(coin_priv_half_period *h, double side, double reach)
 {
     const coin_priv_series *at_end = &h->between;

@@ -146,10 +146,11 @@ static void widen(coin_orbit *o, struct place at)
         o->radius_max = distance;
 }
 
-/* Widens the annulus to the points of a piece from one time, where it is
- * at `begin`, to another.  An extreme is at the end, or where the rate changes
- * its sign, which is found by the secant with halved weights (Illinois).  Four
- * trials give the radii of test_orbit too; there are 8 to have some to spare.
+/* Widens the annulus to the points of a piece between two times; `begin` is the
+ * point at the first.  The distance is extreme at the end of a part, or where
+ * its rate changes its sign, which is found by the secant with halved weights
+ * (Illinois).  Four trials give the radii of test_orbit too; there are 8 to
+ * have some to spare.
  */
 static struct place widen_to_extremes(coin_orbit *o, int piece, double from,
                                       struct place begin, double to,

@@ -8,7 +8,8 @@
 
 enum { COIN_PRIV_STAGES = 16, COIN_PRIV_DENSE = 7 };
 
-/* coin_priv_rates(), coin_priv_rates_by_t(), or other slopes. */
+/* What computes the slopes of a step: coin_priv_rates(), coin_priv_rates_by_t()
+ * or a function of flat_slide.c. */
 typedef void coin_priv_rates_function(double *d, const double *y,
                                       const coin_priv_law *l, int mode);
 

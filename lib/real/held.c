@@ -21,8 +21,9 @@ static double least_roll(const double *y, const coin_priv_law *l, double tol)
     return coin_priv_lesser(least, MOST) * sqrt(wX * wX + c / (l->IX + 1));
 }
 
-/* (73), but for its third part, which would let a small roll decay.  Friction
- * turns the contact of a coin that slips: it is held only against that too. */
+/* (73), but for its third part, which would let a small roll decay.  Of a
+ * coin that slips, the losses must hold the contact against the friction of the
+ * slip too. */
 double coin_priv_hold(const double *y, const coin_priv_law *l, int mode,
                       double tol)
 {

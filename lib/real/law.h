@@ -179,8 +179,8 @@ typedef struct coin_priv_place {
 double coin_priv_root(coin_priv_function *f, const void *of, coin_priv_place a,
                       coin_priv_place b, double width);
 
-/* held.c: by how much the losses can hold a stopped contact near flat; below 0
- * it begins to roll. */
+/* held.c: by how much the losses can hold a stopped contact; below 0 it begins
+ * to roll. */
 double coin_priv_hold(const double *y, const coin_priv_law *l, int mode,
                       double tol);
 
