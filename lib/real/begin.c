@@ -18,7 +18,7 @@ void coin_priv_scale(coin_state *s, double length, double rate)
 void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
                      const coin_priv_variables *v, double time, double tol)
 {
-    const coin_priv_sum none = {0, 0};
+    const coin_priv_sum zero = {0, 0};
     const double start[5] = {s->phi, s->psi, s->x, s->z, 0};
     double *const y = g->step.y;
     for (int i = 0; i < COIN_PRIV_WIDE; ++i)
@@ -32,7 +32,7 @@ void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
     y[COIN_PRIV_CPH] = v->cph;
     for (int i = 0; i < 5; ++i) {
         g->start[i] = start[i];
-        g->pose[i] = none;
+        g->pose[i] = zero;
     }
     g->step.of.law = &g->law;
     g->tol = tol;

@@ -10,7 +10,7 @@
 
 /* The direction of a slip that begins is located to this part of the angle in
  * which it lies. */
-#define LOCATED (4 * DBL_EPSILON)
+#define DIRECTION (4 * DBL_EPSILON)
 
 /* How the coin would move without a force of the table on it, or, without a
  * slip, with the force that keeps its contact where it is. */
@@ -23,8 +23,9 @@ struct free_motion {
 
 /* The contact is held: the coin turns about the vertical through its contact,
  * or through its centre if it slips. */
-COIN_PRIV_INLINE struct free_motion held(const double *y,
-                                         const coin_priv_law *l, int slips)
+COIN_PRIV_INLINE struct free_motion held_motion(const double *y,
+                                                const coin_priv_law *l,
+                                                int slips)
 {
     const double wX = y[COIN_PRIV_WX], s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
     const double turn = c * y[COIN_PRIV_WY] - s * y[COIN_PRIV_WZ];
@@ -49,9 +50,9 @@ COIN_PRIV_INLINE struct free_motion held(const double *y,
     return r;
 }
 
-COIN_PRIV_INLINE struct free_motion rolling(const double *y,
-                                            const coin_priv_law *l, int slips,
-                                            int lossy)
+COIN_PRIV_INLINE struct free_motion rolling_motion(const double *y,
+                                                   const coin_priv_law *l,
+                                                   int slips, int lossy)
 {
     const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
     const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
@@ -112,8 +113,9 @@ COIN_PRIV_INLINE coin_priv_push contact(double *d, const double *y,
     const double wX = y[COIN_PRIV_WX], s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
     const int slips = (mode & COIN_PRIV_SLIPS) != 0;
     const int lossy = l->lossy && !(mode & COIN_PRIV_IDLE);
-    struct free_motion o =
-        mode & COIN_PRIV_HELD ? held(y, l, slips) : rolling(y, l, slips, lossy);
+    struct free_motion o = mode & COIN_PRIV_HELD
+                               ? held_motion(y, l, slips)
+                               : rolling_motion(y, l, slips, lossy);
     const double vX = y[COIN_PRIV_UX] - y[COIN_PRIV_WZ]; /* (77) */
     const double vh = y[COIN_PRIV_UH] + wX * c;          /* (77) */
     const double swX2 = o.f * s * (wX * wX);
@@ -194,14 +196,15 @@ double coin_priv_weight(const double *y, const coin_priv_law *l)
 
 int coin_priv_leaves(const double *y, const coin_priv_law *l)
 {
-    const coin_priv_direction none = {0, 0};
+    const coin_priv_direction no_friction = {0, 0};
     const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
     const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C], k1 = l->IZ / l->IX;
     const double weight = coin_priv_weight(y, l);
     double d[COIN_PRIV_WIDE];
     if (weight > 0)
         return 0;
-    (void)coin_priv_slopes(d, y, l, COIN_PRIV_SLIPS | COIN_PRIV_IDLE, none);
+    (void)coin_priv_slopes(d, y, l, COIN_PRIV_SLIPS | COIN_PRIV_IDLE,
+                           no_friction);
     const double ds = d[COIN_PRIV_S], dc = d[COIN_PRIV_C];
     const double swY = ds * wY + s * d[COIN_PRIV_WY];
     const double cwZ = dc * y[COIN_PRIV_WZ] + c * d[COIN_PRIV_WZ];
@@ -214,14 +217,14 @@ int coin_priv_leaves(const double *y, const coin_priv_law *l)
 double coin_priv_contact_margin(const double *y, const coin_priv_law *l,
                                 int mode)
 {
-    const coin_priv_direction none = {0, 0};
+    const coin_priv_direction no_friction = {0, 0};
     const double wX = y[COIN_PRIV_WX], wY = fabs(y[COIN_PRIV_WY]);
     const double f = mode & COIN_PRIV_HELD ? 1 : y[COIN_PRIV_C];
     const double size = f * (1 + wX * wX) + wY * (wY + fabs(y[COIN_PRIV_WZ]));
     const double mu = l->mu_static;
     if (l->damping > 0)
         return coin_priv_weight(y, l) / size;
-    const coin_priv_push F = coin_priv_slopes(0, y, l, mode, none);
+    const coin_priv_push F = coin_priv_slopes(0, y, l, mode, no_friction);
     if (mode & COIN_PRIV_SLIPS)
         return F.N / size;
     const double friction = sqrt(F.X * F.X + F.h * F.h);
@@ -289,10 +292,10 @@ static double turn_away(const void *sector, double part)
 coin_priv_direction coin_priv_onset(const double *y, const coin_priv_law *l,
                                     int mode, coin_priv_push F)
 {
-    const coin_priv_direction none = {0, 0};
+    const coin_priv_direction no_friction = {0, 0};
     double d[COIN_PRIV_WIDE];
     mode |= COIN_PRIV_SLIPS;
-    (void)coin_priv_slopes(d, y, l, mode, none);
+    (void)coin_priv_slopes(d, y, l, mode, no_friction);
     const double dX = d[COIN_PRIV_UX], dh = d[COIN_PRIV_UH];
     const double a = sqrt(F.X * F.X + F.h * F.h), b = sqrt(dX * dX + dh * dh);
     struct sector f = {
@@ -305,5 +308,5 @@ coin_priv_direction coin_priv_onset(const double *y, const coin_priv_law *l,
     first.at *= f.sign;
     last.at *= f.sign;
     return direction_at(&f,
-                        coin_priv_root(turn_away, &f, first, last, LOCATED));
+                        coin_priv_root(turn_away, &f, first, last, DIRECTION));
 }

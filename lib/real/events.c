@@ -39,9 +39,9 @@ static double within_cone(const coin_priv_moving *g, const double *y)
            ROUNDED / y[COIN_PRIV_C];
 }
 
-static double held(const coin_priv_moving *g, const double *y)
+static double can_hold(const coin_priv_moving *g, const double *y)
 {
-    return coin_priv_hold(y, &g->law, g->mode, g->tol);
+    return coin_priv_hold_margin(y, &g->law, g->mode, g->tol);
 }
 
 /* The function of an event, by the part of the step. */
@@ -158,7 +158,7 @@ int coin_priv_first_event(double *cut, coin_priv_moving *g, double stride)
         x = coin_priv_lesser(at, x);
     }
     if (g->mode & COIN_PRIV_HELD) {
-        const double at = first_zero(held, g);
+        const double at = first_zero(can_hold, g);
         x = coin_priv_lesser(at, x);
     }
     if (x > 1)

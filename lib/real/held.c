@@ -24,8 +24,8 @@ static double least_roll(const double *y, const coin_priv_law *l, double tol)
 /* (73), but for its third part, which would let a small roll decay.  Of a
  * coin that slips, the losses must hold the contact against the friction of the
  * slip too. */
-double coin_priv_hold(const double *y, const coin_priv_law *l, int mode,
-                      double tol)
+double coin_priv_hold_margin(const double *y, const coin_priv_law *l, int mode,
+                             double tol)
 {
     const int slips = mode & COIN_PRIV_SLIPS;
     const double IX = l->IX, IZ = l->IZ, J = l->J[slips], K = l->K[slips];
@@ -41,14 +41,14 @@ double coin_priv_hold(const double *y, const coin_priv_law *l, int mode,
     const double small = least_roll(y, l, tol);
     const double need = fabs(turn * lever) * c * fastest +
                         fabs(turn) * pivot / D * (c * c); /* (73) */
-    const double hold = small * coin_priv_grip(l, small, c);
+    const double friction = small * coin_priv_grip(l, small, c);
     const double pushed = slips ? l->mu_kinetic * IX / IZ * (c * c) : 0;
-    return hold - coin_priv_larger(need, pushed);
+    return friction - coin_priv_larger(need, pushed);
 }
 
 int coin_priv_is_held(const double *y, const coin_priv_law *l, int mode,
                       double tol)
 {
     return l->lossy && fabs(coin_priv_roll_speed(y)) <= least_roll(y, l, tol) &&
-           coin_priv_hold(y, l, mode, tol) >= 0;
+           coin_priv_hold_margin(y, l, mode, tol) >= 0;
 }

@@ -34,15 +34,18 @@ enum {
     COIN_PRIV_WIDE = 16 /* with what fills the last vector of a step */
 };
 
-/* The contact of a coin.  A mode is made of these bits; 0 rolls. */
+/* What a coin does, as bits; 0 rolls.  A coin_priv_moving is a coin in contact:
+ * HELD and IDLE are bits of it alone, AIR and RESTS say how its contact ended.
+ * coin_priv_body_mode() reads the other bits off a coin_body. */
 enum {
     COIN_PRIV_SLIPS = 1, /* against kinetic friction */
     COIN_PRIV_HELD = 2,  /* the losses keep d(psi)/dt = 0 */
     COIN_PRIV_IDLE = 4,  /* the losses do not act, nor hold the contact: N would
                             be negative */
-    COIN_PRIV_AIR = 8,   /* there is no contact */
-    COIN_PRIV_RESTS = 16, /* flat, and of a body: nothing moves */
-    COIN_PRIV_LIES = 32   /* of a body: flat, and slides on its face */
+    COIN_PRIV_AIR = 8,   /* the contact lifts off; a body: it does not touch */
+    COIN_PRIV_RESTS = 16, /* the coin has come down on its face, and may slide
+                             there; a body: it lies flat without motion */
+    COIN_PRIV_LIES = 32   /* a body: it slides on its face */
 };
 
 /* The losses, the friction and the body. */
@@ -181,8 +184,8 @@ double coin_priv_root(coin_priv_function *f, const void *of, coin_priv_place a,
 
 /* held.c: by how much the losses can hold a stopped contact; below 0 it begins
  * to roll. */
-double coin_priv_hold(const double *y, const coin_priv_law *l, int mode,
-                      double tol);
+double coin_priv_hold_margin(const double *y, const coin_priv_law *l, int mode,
+                             double tol);
 
 /* held.c: whether the losses keep d(psi)/dt = 0 until the coin lies flat, or
  * as long as it stays as near to flat as it is. */

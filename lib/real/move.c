@@ -14,9 +14,9 @@
 
 /* The estimate of a step's error may be ESTIMATE times tol times its time,
  * since it is of order 8 and the error of order 9.  The time of a step counts
- * as BRIEF natural units at least. */
+ * as SHORTEST natural units at least. */
 #define ESTIMATE 2.0
-#define BRIEF 0.03
+#define SHORTEST 0.03
 
 /* Contour friction is not smooth where the contact turns round, d(psi)/dt = 0.
  * A step is planned to cover TURN_ROUND of the way to there. */
@@ -174,7 +174,7 @@ static double allowed(const coin_priv_moving *g)
     const double size = 1 + fabs(y[COIN_PRIV_WX]) + fabs(y[COIN_PRIV_WY]) +
                         fabs(y[COIN_PRIV_WZ]) + slip_speed(y);
     return ESTIMATE * g->tol *
-               coin_priv_larger(g->step.end[COIN_PRIV_ADDS_T], BRIEF) +
+               coin_priv_larger(g->step.end[COIN_PRIV_ADDS_T], SHORTEST) +
            4 * DBL_EPSILON * size;
 }
 
@@ -311,7 +311,7 @@ static int is_flat(const coin_priv_moving *g)
 }
 
 /* Lays the coin flat.  The centre keeps its velocity along the table. */
-static void lie_down(coin_priv_moving *g)
+static void lay_flat(coin_priv_moving *g)
 {
     double *const y = g->step.y;
     y[COIN_PRIV_UH] += y[COIN_PRIV_C] * y[COIN_PRIV_WX];
@@ -323,7 +323,7 @@ static void lie_down(coin_priv_moving *g)
 
 /* Begins or ends to hold the contact.  A roll that counts as stopped is left
  * out. */
-static void hold(coin_priv_moving *g)
+static void set_held(coin_priv_moving *g)
 {
     double *const y = g->step.y;
     const int held =
@@ -341,7 +341,7 @@ static void hold(coin_priv_moving *g)
 
 int coin_priv_next_mode(coin_priv_moving *g)
 {
-    const coin_priv_direction none = {0, 0};
+    const coin_priv_direction no_friction = {0, 0};
     const int slipping = g->mode | COIN_PRIV_SLIPS;
     if (g->law.held_down)
         return g->mode;
@@ -350,13 +350,13 @@ int coin_priv_next_mode(coin_priv_moving *g)
         return g->mode;
     if (coin_priv_leaves(g->step.y, &g->law))
         return g->mode | COIN_PRIV_AIR; /* it keeps its slip velocity */
-    if (coin_priv_slopes(0, g->step.y, &g->law, slipping, none).N > 0)
+    if (coin_priv_slopes(0, g->step.y, &g->law, slipping, no_friction).N > 0)
         return slipping;
     return (g->mode & COIN_PRIV_SLIPS) | COIN_PRIV_IDLE;
 }
 
 /* The stop bits that hold here. */
-static int32_t holds(const coin_priv_moving *g, int next)
+static int32_t stop_bits(const coin_priv_moving *g, int next)
 {
     int32_t bits = g->event & COIN_TOUCHES;
     if (next & COIN_PRIV_AIR)
@@ -375,13 +375,13 @@ int32_t coin_priv_go(coin_priv_moving *g)
     int32_t status = COIN_OK;
     while (status == COIN_OK) {
         if (is_flat(g)) {
-            lie_down(g);
+            lay_flat(g);
             return COIN_OK;
         }
         g->mode &= ~COIN_PRIV_IDLE;
-        hold(g);
+        set_held(g);
         const int next = coin_priv_next_mode(g);
-        const int32_t found = holds(g, next);
+        const int32_t found = stop_bits(g, next);
         g->event = 0;
         if (next == g->mode)
             g->waiting = 0;

@@ -7,8 +7,8 @@
 /* A slip begins with one step of Heun's rule in which its direction is that of
  * an onset.  It is WAIT tol^(3/8) of the time in which the motion changes.  If
  * the slip accelerates, a step of that length errs more: of_error is the step
- * whose error is tol, and BRIEF more.  Losses decay in a step by at most STABLE
- * of their rate: up to 2 Heun's rule is stable.
+ * whose error is tol, and LONGER more.  Losses decay in a step by at most
+ * STABLE of their rate: up to 2 Heun's rule is stable.
  *
  * The steps of a slip are as short as its speed is small, so that one that
  * hardly accelerates would take many to grow.  It waits: such steps follow one
@@ -16,7 +16,7 @@
  * COIN_PRIV_SLIP_LEAST.  One that accelerates by QUICK of its friction begins
  * with any speed but rounding, LEAST. */
 #define WAIT 1
-#define BRIEF 1e-9
+#define LONGER 1e-9
 #define STABLE 0.5
 #define QUICK 0.5
 #define LEAST 1e-14
@@ -36,8 +36,9 @@ static void onset_at(struct onset *o, const coin_priv_moving *g,
                      const double *y)
 {
     const int mode = g->mode | COIN_PRIV_SLIPS;
-    const coin_priv_direction none = {0, 0};
-    const coin_priv_push stick = coin_priv_slopes(0, y, &g->law, g->mode, none);
+    const coin_priv_direction no_friction = {0, 0};
+    const coin_priv_push stick =
+        coin_priv_slopes(0, y, &g->law, g->mode, no_friction);
     o->n = coin_priv_onset(y, &g->law, g->mode, stick);
     const coin_priv_push slide =
         coin_priv_slopes(o->slopes, y, &g->law, mode, o->n);
@@ -57,7 +58,7 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     --g->tries;
     onset_at(&a, g, g->step.y);
     const double du = coin_priv_larger(a.du, LEAST);
-    const double of_error = (sqrt(g->tol * a.friction / du) + BRIEF) / rate;
+    const double of_error = (sqrt(g->tol * a.friction / du) + LONGER) / rate;
     double h = WAIT * r8 * r8 * r8 / rate;
     h = a.du * of_error > 10 * LEAST ? coin_priv_lesser(h, of_error) : h;
     h = h * loss > STABLE ? STABLE / loss : h;

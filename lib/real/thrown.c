@@ -135,11 +135,11 @@ static int32_t in_air(coin_priv_thrown *w)
 static int32_t on_face(coin_priv_thrown *w)
 {
     const double left = time_left(w);
-    const int32_t holds =
-        COIN_SLIPS | COIN_NEARLY_FLAT | (w->event & COIN_TOUCHES);
+    const int32_t bits =
+        w->stop & (COIN_SLIPS | COIN_NEARLY_FLAT | (w->event & COIN_TOUCHES));
     w->event = 0;
-    if (w->stop & holds || !(left > 0))
-        return COIN_SLIPS | (w->stop & holds);
+    if (bits || !(left > 0))
+        return COIN_SLIPS | bits;
     coin_body to = w->b;
     to.y = w->at.th.c;
     to.vy = 0;
@@ -172,7 +172,7 @@ static int32_t in_contact(coin_priv_thrown *w, int mode, const double u[2])
 {
     coin_priv_moving *const g = &w->g;
     const double left = time_left(w);
-    double none[2];
+    double unused[2];
     const coin_priv_variables v = coin_priv_attitude_variables(&w->b.s, &w->at);
     coin_priv_begin(g, &w->b.s, &v, left, w->tol);
     g->mode = mode;
@@ -198,14 +198,14 @@ static int32_t in_contact(coin_priv_thrown *w, int mode, const double u[2])
     }
     if (!(g->mode & COIN_PRIV_SLIPS))
         return status;
-    if (coin_priv_body_mode(&w->b, &w->at, none) & COIN_PRIV_SLIPS)
+    if (coin_priv_body_mode(&w->b, &w->at, unused) & COIN_PRIV_SLIPS)
         return COIN_SLIPS | status;
     coin_priv_set_rolling(&w->b, &w->at, 1); /* a slip too slow to be told */
     return status;
 }
 
 /* One mode. */
-static int32_t stage(coin_priv_thrown *w)
+static int32_t move_on(coin_priv_thrown *w)
 {
     double u[2];
     const int mode = coin_priv_body_mode(&w->b, &w->at, u);
@@ -222,6 +222,6 @@ int32_t coin_priv_go_on(coin_priv_thrown *w)
 {
     int32_t status = UNDER_WAY;
     while (status == UNDER_WAY)
-        status = --w->g.tries > 0 ? stage(w) : COIN_ESTEP;
+        status = --w->g.tries > 0 ? move_on(w) : COIN_ESTEP;
     return status;
 }
