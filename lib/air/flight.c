@@ -5,10 +5,8 @@
 
 coin_priv_attitude coin_priv_attitude_of(const coin_state *s)
 {
-    const coin_priv_attitude at = {
-        coin_priv_sincos(s->theta),
-        coin_priv_sincos(s->phi),
-    };
+    const coin_priv_variables y = coin_priv_variables_of(s);
+    const coin_priv_attitude at = {{y.sth, y.cth}, {y.sph, y.cph}};
     return at;
 }
 

@@ -44,6 +44,7 @@
 #define coin_priv_admit_step coinf_priv_admit_step
 #define coin_priv_angle coinf_priv_angle
 #define coin_priv_angles_hold coinf_priv_angles_hold
+#define coin_priv_are_zero coinf_priv_are_zero
 #define coin_priv_axes coinf_priv_axes
 #define coin_priv_bits coinf_priv_bits
 #define coin_priv_body coinf_priv_body
@@ -86,8 +87,10 @@
 #define coin_priv_pose_slopes coinf_priv_pose_slopes
 #define coin_priv_rate2 coinf_priv_rate2
 #define coin_priv_reaction coinf_priv_reaction
+#define coin_priv_reduced coinf_priv_reduced
 #define coin_priv_refusal coinf_priv_refusal
 #define coin_priv_refusal_limit coinf_priv_refusal_limit
+#define coin_priv_rest coinf_priv_rest
 #define coin_priv_sc coinf_priv_sc
 #define coin_priv_sincos coinf_priv_sincos
 #define coin_priv_sine_cosine coinf_priv_sine_cosine

@@ -17,20 +17,24 @@ static number arcsine(number x)
 
 number coin_priv_angle(coin_priv_sc pair)
 {
-    /* The guess takes the arc sine of the sine or of the cosine, whichever is
-     * smaller.  Its series errs most where the two are equal, by less than
-     * 0.007.  The result is the guess plus the arc sine of sin(angle - guess),
-     * whose series then errs by less than 1e-16. */
-    number guess;
-    if (FABS(pair.s) < SMALL && pair.c > 0)
-        return arcsine(pair.s);
-    if (FABS(pair.s) > FABS(pair.c))
-        guess = (pair.s > 0 ? COIN_PRIV_HALF_PI : -COIN_PRIV_HALF_PI) -
-                (pair.s > 0 ? arcsine(pair.c) : -arcsine(pair.c));
-    else if (pair.c > 0)
-        guess = arcsine(pair.s);
-    else
-        guess = (pair.s < 0 ? -2 : 2) * COIN_PRIV_HALF_PI - arcsine(pair.s);
-    const coin_priv_sc at = coin_priv_sincos(guess);
-    return guess + arcsine(pair.s * at.c - pair.c * at.s);
+    const number sine = pair.s, cosine = pair.c;
+    coin_priv_sc rest = pair; /* without n quarter turns: |s| <= |c| */
+    number n = 0;
+    if (FABS(sine) > FABS(cosine)) {
+        n = sine > 0 ? 1 : -1;
+        rest.s = -n * cosine;
+        rest.c = n * sine;
+    } else if (!(cosine > 0)) {
+        n = sine < 0 ? -2 : 2;
+        rest.s = -sine;
+        rest.c = -cosine;
+    } else if (FABS(sine) < SMALL) {
+        return arcsine(sine);
+    }
+    /* The series of the guess errs by less than 0.007, and that of the arc sine
+     * of sin(angle - guess) by less than 1e-16. */
+    const number guess = n * COIN_PRIV_HALF_PI + arcsine(rest.s);
+    const coin_priv_rest r = coin_priv_reduced(guess, n);
+    const coin_priv_sc at = coin_priv_sine_cosine_reduced(r.hi, r.lo);
+    return guess + arcsine(rest.s * at.c - rest.c * at.s);
 }

@@ -37,30 +37,42 @@ COIN_PRIV_INLINE coin_priv_sc coin_priv_sine_cosine_reduced(number x, number y)
     return r;
 }
 
-/* Sine and cosine of x, which is reduced by the method of Cody and Waite:
- * x = n pi/2 + (hi + lo) with an integer n.
+/* An angle without n quarter turns, hi + lo, by the method of Cody and Waite.
+ * Pre: |n| < COIN_PRIV_ANGLE_MAX, |hi| <= pi/4. */
+typedef struct coin_priv_rest {
+    number hi, lo;
+} coin_priv_rest;
+
+COIN_PRIV_INLINE coin_priv_rest coin_priv_reduced(number x, number n)
+{
+    const number t = (x - n * COIN_PRIV_P1) - n * COIN_PRIV_P2; /* exact */
+    const number r3 = t - n * COIN_PRIV_P3;
+    const number hi = r3 - n * COIN_PRIV_P4;
+    const coin_priv_rest r = {
+        hi,
+        ((r3 - hi) - n * COIN_PRIV_P4) + ((t - r3) - n * COIN_PRIV_P3),
+    };
+    return r;
+}
+
+/* Sine and cosine of x.
  * Pre: |x| <= COIN_PRIV_ANGLE_MAX.  NaN for NaN and infinity.
  * Accuracy: 1 ulp for |x| <= 2^20, near multiples of pi/2 too (test_sincos). */
 COIN_PRIV_INLINE coin_priv_sc coin_priv_sine_cosine(number x)
 {
     const number sum = x * (K(1) / COIN_PRIV_HALF_PI) + COIN_PRIV_ROUNDER;
-    const number n = sum - COIN_PRIV_ROUNDER;
-    const number t = (x - n * COIN_PRIV_P1) - n * COIN_PRIV_P2; /* exact */
-    const number r3 = t - n * COIN_PRIV_P3;
-    const number hi = r3 - n * COIN_PRIV_P4;
-    const number lo =
-        ((r3 - hi) - n * COIN_PRIV_P4) + ((t - r3) - n * COIN_PRIV_P3);
-    const coin_priv_sc rest = coin_priv_sine_cosine_reduced(hi, lo);
+    const coin_priv_rest r = coin_priv_reduced(x, sum - COIN_PRIV_ROUNDER);
+    const coin_priv_sc rest = coin_priv_sine_cosine_reduced(r.hi, r.lo);
     const integer quarter = coin_priv_bits(sum);
     const integer odd = -(quarter & 1); /* all ones or 0 */
     const integer below = -(quarter & 2), left = -((quarter + 1) & 2);
     const number s = coin_priv_choose(odd, rest.c, rest.s);
     const number c = coin_priv_choose(odd, rest.s, rest.c);
-    const coin_priv_sc r = {
+    const coin_priv_sc at = {
         coin_priv_of_bits(coin_priv_bits(s) ^ (below & COIN_PRIV_SIGN)),
         coin_priv_of_bits(coin_priv_bits(c) ^ (left & COIN_PRIV_SIGN)),
     };
-    return r;
+    return at;
 }
 
 /* What turning an angle by d, |d| <= pi/2, adds to its sine and cosine, by

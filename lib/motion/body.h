@@ -45,20 +45,27 @@ COIN_PRIV_INLINE int coin_priv_is_ordinary(number x)
     return x >= COIN_PRIV_LEAST && x <= COIN_PRIV_MOST;
 }
 
+/* Whether members are 0, as reserved ones have to be.  NaN is not. */
+COIN_PRIV_INLINE int coin_priv_are_zero(const number *x, int count)
+{
+    integer any = 0;
+#pragma GCC unroll 8
+    for (int i = 0; i < count; ++i)
+        any |= coin_priv_bits(x[i]);
+    return (any & COIN_PRIV_ALL_BUT_SIGN) == 0;
+}
+
 /* Whether parameters are in range.  NaN is not. */
 COIN_PRIV_INLINE int coin_priv_params_hold(const coin_params *p)
 {
     const number IX = p->inertia_X, IZ = p->inertia_Z;
     const number m = p->mass * p->radius * p->radius;
-    const integer reserved = coin_priv_bits(p->reserved[0]) |
-                             coin_priv_bits(p->reserved[1]) |
-                             coin_priv_bits(p->reserved[2]);
     return coin_priv_is_ordinary(p->mass) && coin_priv_is_ordinary(p->radius) &&
            coin_priv_is_ordinary(p->gravity) &&
            IX >= COIN_PRIV_LEAST_RATIO * m && IX <= COIN_PRIV_MOST_RATIO * m &&
            IZ >= COIN_PRIV_LEAST_RATIO * IX &&
            IZ <= 2 * (1 + COIN_PRIV_INERTIA_SLACK) * IX &&
-           (reserved & COIN_PRIV_ALL_BUT_SIGN) == 0;
+           coin_priv_are_zero(p->reserved, 3);
 }
 
 /* COIN_OK and *b, or COIN_EPARAMS.  p is not null. */

@@ -34,6 +34,8 @@
 #define coin_priv_progress COIN_PRIV_NAME(progress)
 #define coin_priv_progress_begin COIN_PRIV_NAME(progress_begin)
 #define coin_priv_rate2 COIN_PRIV_NAME(rate2)
+#define coin_priv_reduced COIN_PRIV_NAME(reduced)
+#define coin_priv_rest COIN_PRIV_NAME(rest)
 #define coin_priv_rk4_fields COIN_PRIV_NAME(rk4_fields)
 #define coin_priv_rk4_step COIN_PRIV_NAME(rk4_step)
 #define coin_priv_rk4_to COIN_PRIV_NAME(rk4_to)

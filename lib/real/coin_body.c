@@ -43,10 +43,8 @@ int32_t coin_priv_natural_body(coin_body *natural, coin_priv_attitude *at,
                                const coin_body *b, const coin_priv_body *of)
 {
     const double w0 = sqrt(of->g_a);
-    int good = coin_priv_members_hold(b, of->a, w0);
-    for (int i = 0; i < 4; ++i)
-        good &= b->reserved[i] == 0;
-    if (!good)
+    if (!coin_priv_members_hold(b, of->a, w0) ||
+        !coin_priv_are_zero(b->reserved, 4))
         return COIN_ESTATE;
     *natural = *b;
     coin_priv_scale_body(natural, 1 / of->a, 1 / w0);

@@ -20,43 +20,47 @@ static int is_within(double x, double least, double most)
     return x == 0 || (x >= least && x <= most);
 }
 
+/* Whether a coefficient in natural units is in its range. */
+static int holds(double x)
+{
+    return is_within(x, LEAST, MOST);
+}
+
 int32_t coin_priv_law_of(coin_priv_law *out, const coin_losses *l,
                          const coin_priv_body *b)
 {
     const double w0 = sqrt(b->g_a), force = b->Mga, per = w0 / force;
     const double IX = b->IX / b->m, IZ = b->IZ / b->m;
-    const coin_priv_law made = {
-        IX,
-        IZ,
-        {IX + 1, IX},
-        {IZ + 1, IZ},
-        {1 / (IX + 1), 1 / IX},
-        {1 / (IZ + 1), 1 / IZ},
-        l->damping,
-        l->dry / force,
-        l->viscous * per,
-        l->layer * per * sqrt(w0),
-        l->gap * per,
-        l->rolling / force,
-        l->spin * per,
-        l->angular / w0,
-        l->soft > 0 ? l->soft / w0 : SOFT,
-        l->flat > 0 ? l->flat : FLAT,
-        (double)INFINITY,
-        0,
-        l->damping + l->dry + l->viscous + l->layer + l->gap + l->rolling +
-                l->spin + l->angular !=
-            0,
-        1,
-    };
-    const double terms[] = {made.damping, made.dry,     made.viscous,
-                            made.layer,   made.gap,     made.rolling,
-                            made.spin,    made.angular, made.soft};
-    int good = (l->soft >= 0) & is_within(l->flat, LEAST, FLAT_MOST) &
-               (l->reserved[0] == 0) & (l->reserved[1] == 0);
-    for (size_t i = 0; i < sizeof terms / sizeof *terms; ++i)
-        good &= is_within(terms[i], LEAST, MOST);
-    *out = made;
+    out->IX = out->J[1] = IX;
+    out->IZ = out->K[1] = IZ;
+    out->J[0] = IX + 1;
+    out->K[0] = IZ + 1;
+    for (int i = 0; i < 2; ++i) {
+        out->perJ[i] = 1 / out->J[i];
+        out->perK[i] = 1 / out->K[i];
+    }
+    out->damping = l->damping;
+    out->dry = l->dry / force;
+    out->viscous = l->viscous * per;
+    out->layer = l->layer * per * sqrt(w0);
+    out->gap = l->gap * per;
+    out->rolling = l->rolling / force;
+    out->spin = l->spin * per;
+    out->angular = l->angular / w0;
+    out->soft = l->soft > 0 ? l->soft / w0 : SOFT;
+    out->flat = l->flat > 0 ? l->flat : FLAT;
+    out->mu_static = (double)INFINITY;
+    out->mu_kinetic = 0;
+    out->lossy = l->damping + l->dry + l->viscous + l->layer + l->gap +
+                     l->rolling + l->spin + l->angular !=
+                 0;
+    out->held_down = 1;
+    const int good =
+        holds(out->damping) && holds(out->dry) && holds(out->viscous) &&
+        holds(out->layer) && holds(out->gap) && holds(out->rolling) &&
+        holds(out->spin) && holds(out->angular) && holds(out->soft) &&
+        l->soft >= 0 && is_within(l->flat, LEAST, FLAT_MOST) &&
+        coin_priv_are_zero(l->reserved, 2);
     return good ? COIN_OK : COIN_EPARAMS;
 }
 

@@ -7,15 +7,14 @@ int32_t coin_priv_table_law(coin_priv_law *out, const coin_table *table,
                             const coin_priv_body *b)
 {
     const double mu = table->mu_kinetic, e = table->restitution;
-    const double k = b->IX / b->m;
-    const double bound = 2 * sqrt(k) * sqrt(1 + k); /* (86) */
-    int good = coin_priv_law_of(out, &table->losses, b) == COIN_OK;
-    for (int i = 0; i < 5; ++i)
-        good &= table->reserved[i] == 0;
-    good &= mu >= 0 && mu <= table->mu_static && mu < bound;
-    good &= e >= 0 && e <= 1;
+    if (coin_priv_law_of(out, &table->losses, b) != COIN_OK)
+        return COIN_EPARAMS;
+    const double bound = 2 * sqrt(out->IX * (1 + out->IX)); /* (86) */
     /* damping is defined for a coin that rolls only */
-    good &= !(table->losses.damping > 0 && table->mu_static <= DBL_MAX);
+    const int rolls = out->damping == 0 || table->mu_static > DBL_MAX;
+    const int good = mu >= 0 && mu <= table->mu_static && mu < bound &&
+                     e >= 0 && e <= 1 && rolls &&
+                     coin_priv_are_zero(table->reserved, 5);
     out->mu_static = table->mu_static;
     out->mu_kinetic = mu;
     out->held_down = 0;
