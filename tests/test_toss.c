@@ -512,18 +512,25 @@ TEST(a_flight_out_of_the_ranges_keeps_its_progress)
 {
     const coin_params p = thrown_params(0.25, 0.5);
     const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.4};
-    const coin_body starts[] = {
-        {.s = {.theta = 0.3}, .y = 2, .vy = 1e6},
-        {.s = {.theta = 0.3, .x = 1e9 - 1}, .y = 2, .vx = 1e6},
+    const struct {
+        coin_body b;
+        int32_t status;
+    } starts[] = {
+        {{.s = {.theta = 0.3}, .y = 2, .vy = 1e6}, COIN_ERANGE},
+        {{.s = {.theta = 0.3, .x = 1e9 - 1}, .y = 2, .vx = 1e6}, COIN_ERANGE},
+        {{.s = {.theta = 0.3, .z = 1 - 1e9}, .y = 2, .vz = -1e6}, COIN_ERANGE},
+        /* the speed of the fall; wX, which becomes 1.3e6 */
+        {{.s = {.theta = 0.3}, .y = 1e8, .vy = -1e6}, COIN_ESTEP},
+        {{.s = {.theta = 0.3, .wX = 9e5, .wY = 9e5}, .y = 1e8}, COIN_ESTEP},
     };
-    for (int i = 0; i < 2; ++i) {
-        coin_body b = starts[i];
+    for (size_t i = 0; i < sizeof starts / sizeof *starts; ++i) {
+        coin_body b = starts[i].b;
         double moved = 1;
-        check_note("start %d", i);
+        check_note("start %zu", i);
         check_status(coin_move(&b, &p, &f, INFINITY, 1e-6, 0, &moved),
-                     COIN_ERANGE);
+                     starts[i].status);
         check(moved == 0);
-        check_same(&b, &starts[i], sizeof b);
+        check_same(&b, &starts[i].b, sizeof b);
     }
 }
 

@@ -50,26 +50,38 @@ static void flight_of(coin_priv_flight *f, const coin_priv_thrown *w)
     coin_priv_flight_of(f, &w->b, &w->at, w->g.law.IX, w->g.law.IZ);
 }
 
+/* Whether a body stays in range while it flies for a time.  Its wX and wY turn
+ * into each other. */
+static int32_t check_flight(const coin_body *b, double t)
+{
+    const double rise = coin_priv_lesser(t, b->vy), wX = b->s.wX, wY = b->s.wY;
+    const double top = rise > 0 ? b->y + rise * (b->vy - rise / 2) : b->y;
+    if (!(fabs(b->s.x + b->vx * t) <= COIN_PRIV_PLACE_MAX &&
+          fabs(b->s.z + b->vz * t) <= COIN_PRIV_PLACE_MAX &&
+          top <= COIN_PRIV_PLACE_MAX))
+        return COIN_ERANGE;
+    return sqrt(wX * wX + wY * wY) <= COIN_PRIV_RATE_MAX &&
+                   t - b->vy <= COIN_PRIV_RATE_MAX
+               ? UNDER_WAY
+               : COIN_ESTEP;
+}
+
 /* Flies for a time.  The coin comes down on the table if `touches`, or if
  * rounding took it there. */
 static int32_t fly_for(coin_priv_thrown *w, const coin_priv_flight *f, double t,
                        int touches)
 {
     const double left = time_left(w);
-    const double rise = coin_priv_lesser(t, f->vy);
-    coin_body to = w->b;
-    coin_priv_attitude at;
-    if (rise > 0 && f->y + rise * (f->vy - rise / 2) > COIN_PRIV_PLACE_MAX)
-        return COIN_ERANGE;
-    coin_priv_fly(&to, &at, f, t);
-    if (touches || to.y < at.th.c) {
-        to.y = at.th.c;
+    const int32_t status = check_flight(&w->b, t);
+    if (status != UNDER_WAY)
+        return status;
+    coin_priv_fly(&w->b, &w->at, f, t);
+    if (touches || w->b.y < w->at.th.c) {
+        w->b.y = w->at.th.c;
         w->event = COIN_TOUCHES;
     }
-    const int32_t status = take(w, &to, &at);
-    if (status == UNDER_WAY)
-        spend(w, t, left);
-    return status;
+    spend(w, t, left);
+    return UNDER_WAY;
 }
 
 /* Flies to the next touch. */
