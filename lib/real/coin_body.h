@@ -22,6 +22,15 @@ void coin_priv_scale_body(coin_body *b, double length, double rate);
 int32_t coin_priv_natural_body(coin_body *natural, coin_priv_attitude *at,
                                const coin_body *b, const coin_priv_body *of);
 
+/* The same after the checks of the pointers and the parameters, with the body
+ * of the parameters: also COIN_EARG, COIN_EPARAMS, in this order. */
+int32_t coin_priv_check_coin_body(coin_body *natural, coin_priv_attitude *at,
+                                  const coin_body *b, const coin_params *p,
+                                  coin_priv_body *of);
+
+/* Whether a body lies flat.  It may slide and turn on its face. */
+int coin_priv_body_lies(const coin_body *b);
+
 /* The mode of a body in natural units, by the rule of touching in coin.h: 0,
  * COIN_PRIV_SLIPS, _AIR, _LIES or _RESTS.  A body whose contact approaches the
  * table is in the air.  u: its slip velocity along e_X and e_h, 0 unless it
