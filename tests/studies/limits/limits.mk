@@ -27,7 +27,7 @@ $(LIMITS_PROGS): $(LIMITS_OUT)/%: $(LIMITS_SRC)/%.c $(TEST_EXTRA) $(LIB_A) \
 .PHONY: silent endurance endurance-roll endurance-circle
 endurance: endurance-roll endurance-circle ## 1e9 steps twice, against closed forms (40 s each)
 endurance-roll endurance-circle: endurance-%: $(LIMITS_OUT)/endurance
-	$< $*
+	$< endurance $*
 
 silent: $(LIMITS_OUT)/silent need-bits ## count silent wrong answers in 1.05 million runs (half an hour)
 	{ $(BITS); echo '# seed and runs: $(STEPS_RUNS)'; \
