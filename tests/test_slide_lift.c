@@ -160,6 +160,40 @@ TEST(a_coin_that_is_pressed_down_does_not_lift_off_at_any_lean)
     check(lifted > 50);
 }
 
+/* Of the losses, angular and damping alone change the normal force. */
+TEST(a_coin_rolls_without_losses_unless_that_takes_a_pull)
+{
+    const coin_params p = disc();
+    const int count = tries_asked(4000);
+    struct random r = random_begin(233);
+    int rolled = 0, slipped = 0;
+    for (int i = 0; i < count; ++i) {
+        const coin_table table = {.mu_static = INFINITY,
+                                  .mu_kinetic = 0.5,
+                                  .losses.angular = random_between(&r, 0.3, 3)};
+        const coin_state s = random_state(&r, &p, 1.4);
+        coin_body b;
+        coin_force losing, rolls, force;
+        check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+        check_status(coin_losses_reaction(&s, &p, &table.losses, &losing), 0);
+        check_status(coin_reaction(&s, &p, &rolls), COIN_OK);
+        if (losing.normal > 0 || opens(&s, &p) > -1e-3)
+            continue;
+        check_note("theta %.17g w %g %g %g", s.theta, s.wX, s.wY, s.wZ);
+        check_status(coin_body_reaction(&b, &p, &table, &force), COIN_OK);
+        check(force.normal > 0);
+        if (coin_move(&b, &p, &table, 1e-6, 1e-9, 0, NULL) == COIN_OK) {
+            check_near(force.normal, rolls.normal, 1e-12 * (1 + rolls.normal));
+            check(force.ratio != 0.5);
+            ++rolled;
+        } else {
+            check_near(force.ratio, 0.5, 1e-12);
+            slipped += rolls.normal < 0;
+        }
+    }
+    check(rolled > count / 200 && slipped > count / 100);
+}
+
 /* How much more the gap opens after a short time in the air: the coin flies
  * high above the table. */
 static double opens_more(const coin_state *s, const coin_params *p,
@@ -177,7 +211,8 @@ static double opens_more(const coin_state *s, const coin_params *p,
  * the gap; its reverse, which has come from there, falls back at once. */
 TEST(a_coin_that_would_fall_back_at_once_does_not_lift_off)
 {
-    const coin_table table = {.mu_static = INFINITY, .mu_kinetic = 0.2};
+    const coin_table table = {.mu_static = INFINITY, .mu_kinetic = 0.2},
+                     damped = {.mu_static = INFINITY, .losses.damping = 0.1};
     const coin_params p = disc();
     const double k1 = p.inertia_Z / p.inertia_X;
     struct random r = random_begin(231);
@@ -200,6 +235,9 @@ TEST(a_coin_that_would_fall_back_at_once_does_not_lift_off)
                    more);
         check_status(coin_move(&b, &p, &table, 0, 1e-6, 0, NULL),
                      more > 0 ? COIN_LIFTS : COIN_OK);
+        check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+        check_status(coin_move(&b, &p, &damped, 1e-9, 1e-6, 0, NULL),
+                     more > 0 ? COIN_LIFTS : COIN_OK); /* it cannot slip */
         ++*(more > 0 ? &lifts : &stays);
     }
     check(lifts > 500 && stays > 500);

@@ -68,11 +68,11 @@ static coin_priv_push touching_force(const coin_body *b,
     const coin_priv_push none = {0, 0, 0};
     if (next & COIN_PRIV_AIR)
         return none;
-    coin_priv_push F =
-        coin_priv_push_of(g.step.y, l, mode | (next & COIN_PRIV_IDLE));
-    if (next & ~mode & COIN_PRIV_SLIPS) {
-        const coin_priv_direction n = coin_priv_onset(g.step.y, l, 0, F);
-        F = coin_priv_slopes(0, g.step.y, l, COIN_PRIV_SLIPS, n);
+    const int slip_begins = next & ~mode & COIN_PRIV_SLIPS;
+    coin_priv_push F = coin_priv_push_of(g.step.y, l, next & ~slip_begins);
+    if (slip_begins) {
+        const coin_priv_direction n = coin_priv_onset(g.step.y, l, next, F);
+        F = coin_priv_slopes(0, g.step.y, l, next, n);
     }
     const coin_priv_push r = {F.N / g.step.y[COIN_PRIV_C],
                               F.X / g.step.y[COIN_PRIV_C],

@@ -99,8 +99,8 @@ static int find_dip(coin_priv_place *dip, const struct looked_for *e,
 }
 
 /* The first place in the step at which the function becomes negative; 2 if
- * there is none, or if it is negative at the start already.  The margin of the
- * cone is, where a coin rolls on without its losses (COIN_PRIV_IDLE). */
+ * there is none, or if it is negative at the start already, as the margin of
+ * the cone is of a coin that would fall back at once (coin_priv_leaves()). */
 static double first_zero(event *of, coin_priv_moving *g)
 {
     const struct looked_for e = {of, g};

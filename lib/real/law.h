@@ -146,8 +146,8 @@ coin_priv_push coin_priv_push_of(const double *y, const coin_priv_law *l,
 
 /* The distance of that force from the edge of what the contact can give, over
  * the size of its terms.  Below 0 the contact cannot give it: a rolling coin
- * begins to slip or lifts off, and a slipping coin lifts off.  So does a
- * rolling coin with damping, which cannot slip. */
+ * begins to slip or lifts off, and a slipping coin lifts off.  A coin with
+ * damping cannot slip: below 0 it lifts off, by coin_priv_weight(). */
 double coin_priv_contact_margin(const double *y, const coin_priv_law *l,
                                 int mode);
 

@@ -310,8 +310,9 @@ static int is_flat(const coin_priv_moving *g)
     return g->time > 0 && g->step.y[COIN_PRIV_C] < g->law.flat; /* (97) */
 }
 
-/* Lays the coin flat.  The centre keeps its velocity along the table. */
-static void lay_flat(coin_priv_moving *g)
+/* Ends the contact on the face.  The centre keeps its velocity along the table.
+ */
+static void end_on_face(coin_priv_moving *g)
 {
     double *const y = g->step.y;
     y[COIN_PRIV_UH] += y[COIN_PRIV_C] * y[COIN_PRIV_WX];
@@ -341,18 +342,23 @@ static void set_held(coin_priv_moving *g)
 
 int coin_priv_next_mode(coin_priv_moving *g)
 {
+    const double *const y = g->step.y;
     const coin_priv_direction no_friction = {0, 0};
-    const int slipping = g->mode | COIN_PRIV_SLIPS;
+    const int mode = g->mode, idle = (mode & COIN_PRIV_SLIPS) | COIN_PRIV_IDLE;
     if (g->law.held_down)
-        return g->mode;
-    g->margin = coin_priv_contact_margin(g->step.y, &g->law, g->mode);
+        return mode;
+    g->margin = coin_priv_contact_margin(y, &g->law, mode);
     if (g->margin >= 0)
-        return g->mode;
-    if (coin_priv_leaves(g->step.y, &g->law))
-        return g->mode | COIN_PRIV_AIR; /* it keeps its slip velocity */
-    if (coin_priv_slopes(0, g->step.y, &g->law, slipping, no_friction).N > 0)
-        return slipping;
-    return (g->mode & COIN_PRIV_SLIPS) | COIN_PRIV_IDLE;
+        return mode;
+    if (coin_priv_leaves(y, &g->law))
+        return mode | COIN_PRIV_AIR; /* it keeps its slip velocity */
+    if (g->law.damping > 0)
+        return mode; /* it cannot slip */
+    if (coin_priv_slopes(0, y, &g->law, mode | COIN_PRIV_SLIPS, no_friction).N >
+        0)
+        return mode | COIN_PRIV_SLIPS;
+    g->margin = coin_priv_contact_margin(y, &g->law, idle);
+    return g->margin >= 0 ? idle : idle | COIN_PRIV_SLIPS;
 }
 
 /* The stop bits that hold here. */
@@ -375,7 +381,7 @@ int32_t coin_priv_go(coin_priv_moving *g)
     int32_t status = COIN_OK;
     while (status == COIN_OK) {
         if (is_flat(g)) {
-            lay_flat(g);
+            end_on_face(g);
             return COIN_OK;
         }
         g->mode &= ~COIN_PRIV_IDLE;
@@ -383,16 +389,16 @@ int32_t coin_priv_go(coin_priv_moving *g)
         const int next = coin_priv_next_mode(g);
         const int32_t found = stop_bits(g, next);
         g->event = 0;
-        if (next == g->mode)
+        const int slip_begins = next & ~g->mode & COIN_PRIV_SLIPS;
+        g->mode = next & ~slip_begins;
+        if (!slip_begins)
             g->waiting = 0;
-        if (next & (COIN_PRIV_AIR | COIN_PRIV_IDLE))
-            g->mode = next;
         if (found || g->mode & COIN_PRIV_AIR || !(coin_priv_time_left(g) > 0))
             return found;
         first_slopes(g);
         if (g->tries <= 0)
             status = COIN_ESTEP;
-        else if (next != g->mode)
+        else if (slip_begins)
             status = coin_priv_begin_slip(g);
         else if (coin_priv_end_slip(g))
             g->event = COIN_ROLLS;

@@ -38,7 +38,8 @@ typedef struct coin_priv_moving {
     double waiting; /* the speed that a slip has gained that waits
                        to begin: onset.c */
     double stride;  /* the length of steps, over 1/rate; 0 is not known */
-    double margin;  /* coin_priv_contact_margin() at step.y */
+    double margin;  /* coin_priv_contact_margin() at step.y, of the mode in
+                       which the next step is made */
     coin_priv_dop853 step; /* its slope[0] is set where a step begins */
 } coin_priv_moving;
 
