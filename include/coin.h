@@ -639,8 +639,9 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
                              double *reached);
 
 /** The time until a coin lies flat, by settling a copy of it at tol = 1e-6 [T]:
- * 0 at rest; +infinity if every coefficient but spin is 0 and the coin does not
- * fall within 2^20 steps; NaN also where these do not suffice. */
+ * 0 at rest; +infinity if it stays upright, as it does where theta, wX and one
+ * of wY and wZ are 0, or if every coefficient but spin is 0 and the coin does
+ * not fall within 2^20 steps; NaN also where these do not suffice. */
 COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
                                   const coin_losses *l);
 

@@ -135,14 +135,29 @@ TEST(nothing_stops_a_coin_without_losses)
 {
     const coin_params p = disc();
     const coin_losses none = {0}, negative = {.dry = -1};
-    const coin_state upright = {.wZ = 1}, falls = {.theta = 0.3};
+    const coin_state rolls = {.theta = 0.1, .wZ = 5}, falls = {.theta = 0.3};
     check_near(coin_time_to_rest(&falls, &p, &none), 2.69, 0.01);
     check(isnan(coin_time_to_rest(&falls, &p, &negative)));
     check(isnan(coin_time_to_rest(NULL, &p, &none)));
     check(isnan(coin_time_to_rest(&falls, NULL, &none)));
     check(isnan(coin_time_to_rest(&falls, &p, NULL)));
     check_million();
-    check(isinf(coin_time_to_rest(&upright, &p, &none)));
+    check(isinf(coin_time_to_rest(&rolls, &p, &none)));
+}
+
+TEST(a_coin_that_nothing_leans_stays_upright)
+{
+    const coin_params p = disc();
+    const coin_losses dry = {.dry = 0.01}, wrong = {.dry = -1};
+    const coin_state stay[] = {{0}, {.wY = 5}, {.wZ = -5}};
+    const coin_state fall[] = {
+        {.theta = 1e-9}, {.wX = 1e-9}, {.wY = 0.5, .wZ = 0.5}};
+    for (int i = 0; i < 3; ++i) {
+        check_note("start %d", i);
+        check(coin_time_to_rest(&stay[i], &p, &dry) == INFINITY);
+        check(coin_time_to_rest(&fall[i], &p, &dry) < 100);
+    }
+    check(isnan(coin_time_to_rest(&stay[0], &p, &wrong)));
 }
 
 /* From any start, by the laws whose time to rest does not jump. */

@@ -16,13 +16,20 @@ static coin_state copy_of(const coin_state *s)
     return copy;
 }
 
+/* Whether a coin stays upright: it does not lean, and nothing leans it. */
+static int stays_upright(const coin_state *s)
+{
+    return s->theta == 0 && s->wX == 0 && (s->wY == 0 || s->wZ == 0);
+}
+
 double coin_time_to_rest(const coin_state *s, const coin_params *p,
                          const coin_losses *l)
 {
     double time = 0;
-    coin_priv_body b;
-    if (!l || coin_priv_check(s, p, &b) != COIN_OK)
+    if (coin_state_check(s, p) != COIN_OK || coin_losses_check(l, p) != COIN_OK)
         return (double)NAN;
+    if (stays_upright(s))
+        return (double)INFINITY;
     coin_state copy = copy_of(s);
     const int32_t status =
         coin_settle(&copy, p, l, (double)INFINITY, TOL, &time);
