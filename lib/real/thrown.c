@@ -129,7 +129,7 @@ static int32_t hit(coin_priv_thrown *w, double up)
         lie_down(&to, &at); /* (115) */
     else
         coin_priv_impact(&to, &at, l->IX, l->IZ, &law);
-    w->event = COIN_ROLLS;
+    w->event = COIN_ROLLS; /* counts if it rolls then, not if it bounces */
     return take(w, &to, &at);
 }
 

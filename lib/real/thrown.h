@@ -12,7 +12,9 @@ typedef struct coin_priv_thrown {
     double restitution;
     double time, tol;    /* of the call */
     coin_priv_sum moved; /* the time so far */
-    int32_t stop, event; /* bits that end the call; what begins here */
+    int32_t stop;        /* bits that end the call */
+    int32_t event;       /* what begins here: COIN_TOUCHES, or COIN_ROLLS if
+                            the coin rolls */
     int changed;         /* whether *b is another body than at the start */
     coin_priv_moving g;  /* of the contact; g.law is that of the whole way */
 } coin_priv_thrown;
