@@ -60,7 +60,8 @@ TEST(friction_that_suffices_is_not_exceeded)
     }
 }
 
-/* A state that is 1e-6 units earlier does not slip. */
+/* A state that is 1e-6 units earlier does not slip, whether the excursion is
+ * long or takes a small part of a step. */
 TEST(the_moment_is_the_first)
 {
     const int count = tries_asked(40);
@@ -68,7 +69,7 @@ TEST(the_moment_is_the_first)
     for (int i = 0; i < count; ++i) {
         double t, most, at, when;
         const struct motion m = forward_motion(&r, &t, &most, &at);
-        const double mu = most * 0.98;
+        const double mu = most * (i % 2 ? 0.98 : 1 - 1e-4);
         check_note("coin %d of seed 143", i);
         check_status(until_it_slips(&m, mu, t, 1e-10, &when) & COIN_SLIPS,
                      COIN_SLIPS);

@@ -82,13 +82,16 @@ TEST(a_pure_slide_and_a_pure_turn_stay_pure)
 }
 
 /* The torque on a ring that turns is 2/3 (1 + b + b^2)/(1 + b); that on a hoop
- * of the middle radius is larger by the part d^2/24 of it, b = 1 - d. */
-TEST(a_ring_next_to_a_hoop_turns_as_long_as_a_ring)
+ * of the middle radius is larger by the part d^2/24 of it, b = 1 - d.  A slow
+ * path is braked by v/(w (1 + b)), to the part (v/w)^2. */
+TEST(a_ring_next_to_a_hoop_is_braked_as_a_ring)
 {
     const double mu = 0.3, d = 4e-6, c = 1 - d, IZ = (1 + c * c) / 2;
     const double time = 2 * IZ / mu * 1.5 * (1 + c) / (1 + c + c * c);
     coin_body b = flat(0, 0, 2);
     check_near(slide(&b, IZ, mu, INFINITY), time, (d * d / 24 + 16 * U) * time);
+    check_near(coin_priv_flat_drag(IZ, 1e-6, 1) * (1 + c), 1e-6,
+               (d * d + 1e-12) * 1e-6);
 }
 
 static double energy(const coin_body *b, double IZ)

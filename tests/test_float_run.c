@@ -281,4 +281,8 @@ TEST(a_place_out_of_range_is_not_reached)
         check_status(coinf_state_check(&s, &body), COIN_OK);
         check_status(coinf_step(&s, &body, 0.125f), COIN_ERANGE);
     }
+    coinf_params large = body;
+    large.radius = 2;
+    s = start;
+    check_status(coinf_step(&s, &large, 0.1f), COIN_OK);
 }
