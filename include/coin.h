@@ -730,13 +730,13 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  *
  * MOTION. A slip begins where F exceeds mu_static N, Eq. (84), or where rolling
  * would need a pull.  The coin lifts off where N <= 0 and the free acceleration
- * of its lowest point is upward, Eq. (96); with damping the call ends there.
- * In the air, Eq. (99), phi and psi come to lie in [-pi, pi]; where the face
- * passes the horizontal both jump by pi, and wX, wY change their signs.  The +Z
- * side, heads, is up where theta < 0.  An impact below 1e-4 sqrt(g a) does not
- * bounce, Eq. (108), (114); COIN_TOUCHES ends a call before it, and the next
- * call with t > 0 makes it.  On its face the coin slides by mu_kinetic without
- * losses, Eq. (109); wZ is the turn of the face.
+ * of its lowest point is upward, Eq. (96); with damping it cannot slip, and the
+ * call ends there.  In the air, Eq. (99), phi and psi come to lie in [-pi, pi];
+ * where the face passes the horizontal both jump by pi, and wX, wY change their
+ * signs.  The +Z side, heads, is up where theta < 0.  An impact below 1e-4
+ * sqrt(g a) does not bounce, Eq. (108), (114); COIN_TOUCHES ends a call before
+ * it, and the next call with t > 0 makes it.  On its face the coin slides by
+ * mu_kinetic without losses, Eq. (109); wZ is the turn of the face.
  *
  * Accuracy: of 100 random launches, 98 err by less than tol (1 + n) after n
  *         natural units (test_slide).  A flight errs by 1e-15 for each radian
