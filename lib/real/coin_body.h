@@ -32,10 +32,9 @@ int32_t coin_priv_check_coin_body(coin_body *natural, coin_priv_attitude *at,
 int coin_priv_body_lies(const coin_body *b);
 
 /* The mode of a body in natural units, by the rule of touching in coin.h: 0,
- * COIN_PRIV_SLIPS, _AIR, _LIES or _RESTS.  A body whose lowest point is on
- * the table and has a normal speed is in the air: it hits the table or leaves
- * it.  u: its slip velocity along e_X and e_h, 0 unless it
- * slips. */
+ * COIN_PRIV_SLIPS, _AIR, _LIES or _RESTS.  A body whose lowest point is on the
+ * table and has a normal speed is in the air: it hits the table or leaves it.
+ * u: its slip velocity along e_X and e_h, 0 unless it slips. */
 int coin_priv_body_mode(const coin_body *b, const coin_priv_attitude *at,
                         double u[2]);
 
