@@ -28,17 +28,13 @@ static void spend(coin_priv_thrown *w, double t, double left)
     }
 }
 
-/* Takes another body, unless one of its members is out of range. */
+/* Takes another body, or returns `refusal` if one of its members is out of
+ * range. */
 static int32_t take(coin_priv_thrown *w, const coin_body *to,
-                    const coin_priv_attitude *at)
+                    const coin_priv_attitude *at, int32_t refusal)
 {
-    const coin_state *const s = &to->s;
-    if (!coin_priv_members_hold(to, 1, 1)) {
-        const int far = !(fabs(s->x) <= COIN_PRIV_PLACE_MAX &&
-                          fabs(s->z) <= COIN_PRIV_PLACE_MAX &&
-                          fabs(s->psi) <= COIN_PRIV_ANGLE_MAX);
-        return far ? COIN_ERANGE : COIN_ESTEP;
-    }
+    if (!coin_priv_members_hold(to, 1, 1))
+        return refusal;
     w->b = *to;
     w->at = *at;
     w->changed = 1;
@@ -130,7 +126,7 @@ static int32_t hit(coin_priv_thrown *w, double up)
     else
         coin_priv_impact(&to, &at, l->IX, l->IZ, &law);
     w->event = COIN_ROLLS; /* counts if it rolls then, not if it bounces */
-    return take(w, &to, &at);
+    return take(w, &to, &at, COIN_ESTEP);
 }
 
 static int32_t in_air(coin_priv_thrown *w)
@@ -156,7 +152,7 @@ static int32_t on_face(coin_priv_thrown *w)
     to.y = w->at.th.c;
     to.vy = 0;
     const double t = coin_priv_slide_flat(&to, &w->g, left);
-    const int32_t status = take(w, &to, &w->at);
+    const int32_t status = take(w, &to, &w->at, COIN_ERANGE);
     if (status == UNDER_WAY)
         spend(w, t, left);
     return status;
