@@ -6,8 +6,10 @@
 /* A contact counts as stopped if it rolls at less than this part of the rates
  * of the fall.  Its roll is then left out, which would have turned the coin by
  * at most twice this part, in radians: by 4 tol.  MOST limits what is left out
- * at tol above 5e-8.  By a roll of this part a coin passes at cos theta times
- * the part: at OF_FLAT of `flat` at most, where it lies flat in any case. */
+ * at tol above 5e-8: with 1e-5 half as many calls near flat end by COIN_ESTEP,
+ * but coins that slip err by up to 180 tol.  By a roll of this part a coin
+ * passes at cos theta times the part: at OF_FLAT of `flat` at most, where it
+ * lies flat in any case. */
 #define PART 2
 #define MOST 1e-7
 #define OF_FLAT 0.5
