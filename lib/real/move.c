@@ -255,7 +255,7 @@ static double try_steps(coin_priv_moving *g, int *ends)
     return 0;
 }
 
-int32_t coin_priv_accept(coin_priv_moving *g, const double *y)
+int32_t coin_priv_accept(coin_priv_moving *g, const double *y, int ends)
 {
     coin_priv_sum pose[5];
     const double most[] = {COIN_PRIV_ANGLE_MAX, COIN_PRIV_ANGLE_MAX,
@@ -274,6 +274,10 @@ int32_t coin_priv_accept(coin_priv_moving *g, const double *y)
     for (int i = COIN_PRIV_READ; i < COIN_PRIV_WIDE; ++i)
         g->step.y[i] = 0;
     coin_priv_normalize_pairs(g->step.y);
+    if (ends) {
+        g->pose[4].sum = g->time;
+        g->pose[4].low = 0;
+    }
     g->changed = 1;
     return COIN_OK;
 }
@@ -293,14 +297,7 @@ static int32_t make_step(coin_priv_moving *g)
         return COIN_ESTEP;
     double cut[COIN_PRIV_WIDE];
     const int whole = !coin_priv_first_event(cut, g, stride);
-    const int32_t status = coin_priv_accept(g, whole ? w->end : cut);
-    if (status != COIN_OK)
-        return status;
-    if (whole && ends) {
-        g->pose[4].sum = g->time;
-        g->pose[4].low = 0;
-    }
-    return COIN_OK;
+    return coin_priv_accept(g, whole ? w->end : cut, whole && ends);
 }
 
 /* Whether the coin is nearer to flat than `flat`.  A call of no time changes

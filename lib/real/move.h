@@ -115,8 +115,8 @@ COIN_PRIV_INLINE int coin_priv_time_suits(double t, double w0)
 
 /* move.c: adds what a step has added, with y[PHI], ... becoming 0: COIN_OK; or
  * COIN_ERANGE, or COIN_ESTEP if a rate would leave its range, and nothing is
- * done. */
-int32_t coin_priv_accept(coin_priv_moving *g, const double *y);
+ * done.  ends: the step ends the call, so that no time is left. */
+int32_t coin_priv_accept(coin_priv_moving *g, const double *y, int ends);
 
 /* move.c: the rate of the motion in the time of the mode without a slip, tau
  * or t. */

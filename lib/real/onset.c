@@ -26,10 +26,11 @@
  * of the line is half the square of that part: tol/32. */
 #define STRAIGHT 0.25
 
-/* How a slip begins: its direction, its slopes, and that of its speed. */
+/* How a slip begins: its direction, the slopes by t of the variables and of its
+ * speed, the friction, and dt over the time of the mode. */
 struct onset {
     coin_priv_direction n;
-    double slopes[COIN_PRIV_WIDE], du, friction;
+    double slopes[COIN_PRIV_WIDE], du, friction, dt;
 };
 
 static void onset_at(struct onset *o, const coin_priv_moving *g,
@@ -42,29 +43,36 @@ static void onset_at(struct onset *o, const coin_priv_moving *g,
     o->n = coin_priv_onset(y, &g->law, g->mode, stick);
     const coin_priv_push slide =
         coin_priv_slopes(o->slopes, y, &g->law, mode, o->n);
+    o->dt = o->slopes[COIN_PRIV_ADDS_T];
+    for (int i = 0; i < COIN_PRIV_SIZE; ++i)
+        o->slopes[i] /= o->dt;
     o->du = o->slopes[COIN_PRIV_UX] * o->n.X + o->slopes[COIN_PRIV_UH] * o->n.h;
-    o->friction = g->law.mu_kinetic * slide.N;
+    o->friction = g->law.mu_kinetic * slide.N / o->dt;
 }
 
 int32_t coin_priv_begin_slip(coin_priv_moving *g)
 {
     struct onset a, b;
     double y[COIN_PRIV_WIDE];
-    const double left = coin_priv_time_left(g);
+    const double left = coin_priv_time_left(g), c = g->step.y[COIN_PRIV_C];
     const int slipping = g->mode | COIN_PRIV_SLIPS;
-    const double rate = coin_priv_rate(g->step.y, &g->law, slipping);
-    const double loss = coin_priv_loss_rate(g->step.y, &g->law, slipping);
     const double r8 = sqrt(sqrt(sqrt(g->tol)));
     --g->tries;
     onset_at(&a, g, g->step.y);
+    const double rate = coin_priv_rate(g->step.y, &g->law, slipping) / a.dt;
+    const double loss =
+        coin_priv_loss_rate(g->step.y, &g->law, slipping) / a.dt;
     const double du = coin_priv_larger(a.du, LEAST);
     const double of_error = (sqrt(g->tol * a.friction / du) + LONGER) / rate;
     double h = WAIT * r8 * r8 * r8 / rate;
     h = a.du * of_error > 10 * LEAST ? coin_priv_lesser(h, of_error) : h;
     h = h * loss > STABLE ? STABLE / loss : h;
-    const double fall = -a.slopes[COIN_PRIV_C] / g->step.y[COIN_PRIV_C];
+    const int asked = g->stop & COIN_NEARLY_FLAT && c > COIN_PRIV_NEARLY;
+    const double above = c - (asked ? COIN_PRIV_NEARLY : 0);
+    const double fall = -a.slopes[COIN_PRIV_C] / above;
     h = h * fall > STABLE ? STABLE / fall : h; /* not below the table */
-    h = coin_priv_lesser(h, left / a.slopes[COIN_PRIV_ADDS_T]);
+    const int ends = h >= left;
+    h = ends ? left : h;
     for (int i = 0; i < COIN_PRIV_SIZE; ++i)
         y[i] = g->step.y[i] + h * a.slopes[i];
     y[COIN_PRIV_UX] = y[COIN_PRIV_UH] = 0;
@@ -77,7 +85,7 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     g->waiting = slips ? 0 : u;
     y[COIN_PRIV_UX] = slips ? u * b.n.X : 0;
     y[COIN_PRIV_UH] = slips ? u * b.n.h : 0;
-    const int32_t status = coin_priv_accept(g, y);
+    const int32_t status = coin_priv_accept(g, y, ends);
     if (status == COIN_OK && slips) {
         g->mode |= COIN_PRIV_SLIPS;
         g->stride = 0;
@@ -110,7 +118,7 @@ int coin_priv_end_slip(coin_priv_moving *g)
     for (int i = 0; i < COIN_PRIV_SIZE; ++i)
         to[i] = y[i] + h * d[i];
     to[COIN_PRIV_UX] = to[COIN_PRIV_UH] = 0;
-    if (coin_priv_accept(g, to) != COIN_OK)
+    if (coin_priv_accept(g, to, 0) != COIN_OK)
         return 0;
     g->mode &= ~(COIN_PRIV_SLIPS | COIN_PRIV_HELD);
     g->stride = 0;
