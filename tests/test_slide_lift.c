@@ -246,21 +246,12 @@ TEST(a_coin_that_would_fall_back_at_once_does_not_lift_off)
 /* A call that is shorter than the time in which no lift-off is looked at. */
 TEST(a_coin_that_lifts_off_flies_no_longer_than_the_call)
 {
-    const coin_table table = {.mu_static = 0.3, .mu_kinetic = 0.2};
     const coin_params p = disc();
+    const coin_state s = {.theta = -0.1, .wX = 1.5};
     const double t = 1e-6;
-    struct random r = random_begin(232);
-    int lifted = 0;
-    for (int i = 0; i < 1000; ++i) {
-        const coin_state s = random_state(&r, &p, 1.2);
-        coin_body start, b;
-        check_status(coin_body_from_state(&start, &s, &p), COIN_OK);
-        b = start;
-        if (coin_move(&b, &p, &table, 0, 1e-6, 0, NULL) != COIN_LIFTS)
-            continue;
-        check_status(coin_move(&b, &p, &table, t, 1e-6, 0, NULL), COIN_LIFTS);
-        check_near(b.vy, start.vy - t, 8 * U);
-        ++lifted;
-    }
-    check(lifted > 20);
+    coin_body b;
+    check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+    const double vy = b.vy;
+    check_status(coin_move(&b, &p, &rough, t, 1e-6, 0, NULL), COIN_LIFTS);
+    check_near(b.vy, vy - t, 8 * U);
 }

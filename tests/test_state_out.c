@@ -187,6 +187,33 @@ TEST(a_call_of_no_time_says_what_the_last_said)
     check(said[SLIDE][COIN_SLIPS] > count && said[SLIDE][COIN_LIFTS] > 0);
 }
 
+/* So near to flat the rounding of theta shifts the force by more than an event
+ * is located to. */
+TEST(a_slip_that_begins_next_to_flat_begins_in_the_next_call_too)
+{
+    struct random r = random_begin(871);
+    int begun = 0;
+    for (int i = 0; i < 400; ++i) {
+        const coin_table f = {.mu_static = pow(3, random_between(&r, -1, 1)),
+                              .mu_kinetic = 0.3};
+        const coin_state s = {.theta = acos(random_between(&r, 5e-6, 3e-5)),
+                              .wX = random_between(&r, 0.03, 0.25),
+                              .wY = random_between(&r, 0, 1e-5),
+                              .wZ = random_between(&r, -0.2, 0)};
+        const coin_params p = disc();
+        coin_body b;
+        check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+        if (coin_move(&b, &p, &f, 1, 1e-10, COIN_SLIPS, NULL) != COIN_SLIPS)
+            continue;
+        check_note("mu_static %.17g, cos theta %g", f.mu_static,
+                   cos(b.s.theta));
+        check_status(coin_move(&b, &p, &f, 0, 1e-10, COIN_SLIPS, NULL),
+                     COIN_SLIPS);
+        ++begun;
+    }
+    check(begun > 200);
+}
+
 /* --------------------------------------------------- slips that do not exist
  */
 /* The largest F/N of a coin that rolls, at each frame; infinite where N <= 0.
