@@ -536,19 +536,6 @@ TEST(a_flight_out_of_the_ranges_keeps_its_progress)
     }
 }
 
-/* It would turn at 3e6. */
-TEST(an_impact_out_of_the_ranges_changes_nothing)
-{
-    const coin_params p = thrown_params(1e-3, 2e-3);
-    const coin_table f = {.mu_static = 0.05, .mu_kinetic = 0.05};
-    const coin_body due = {.s = {.theta = 0.3}, .y = cos(0.3), .vy = -9e5};
-    coin_body b = due;
-    double moved = 1;
-    check_status(coin_move(&b, &p, &f, 1, 1e-6, 0, &moved), COIN_ESTEP);
-    check(moved == 0);
-    check_same(&b, &due, sizeof b);
-}
-
 /* The angular momentum of a disc with I_X = 1/4. */
 static void momentum(const coin_body *b, double L[3])
 {
