@@ -115,16 +115,6 @@ TEST(a_touch_ends_a_call_in_any_mode)
     }
 }
 
-TEST(a_slip_that_waits_is_forgotten_within_the_cone)
-{
-    static coin_priv_moving g;
-    make_step(&g, 0.1);
-    g.waiting = COIN_PRIV_SLIP_LEAST;
-    g.tries = 100;
-    check_status(coin_priv_go(&g), COIN_OK);
-    check(g.waiting == 0);
-}
-
 /* A step without them does not decide for the next one. */
 TEST(losses_act_wherever_the_table_presses)
 {

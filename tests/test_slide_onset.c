@@ -208,3 +208,100 @@ TEST(a_step_of_almost_no_length_ends)
                  COIN_OK);
     check(reached == 202.65581375722547);
 }
+
+/* With equal coefficients a slip begins with no acceleration.  Its direction is
+ * stiff while it is slow. */
+TEST(a_slip_that_hardly_accelerates_ends_no_call_early)
+{
+    const coin_params p = disc();
+    const coin_table f = {.mu_static = 0.3, .mu_kinetic = 0.3};
+    const coin_state starts[] = {
+        {.theta = 0.94546180622952847,
+         .wX = -0.010740010559801189,
+         .wY = 0.89849275349168234,
+         .wZ = -0.081208633799117594},
+        {.theta = 0.46933360677338054,
+         .wX = 0.26114857442453382,
+         .wY = 0.47027177485936655,
+         .wZ = 0.74213910794703453},
+        {.theta = -0.062549760280231792,
+         .wX = -0.72139647750815938,
+         .wY = 0.43894928746726303,
+         .wZ = 0.81082159221974737},
+    };
+    for (size_t i = 0; i < sizeof starts / sizeof *starts; ++i) {
+        coin_body fine;
+        check_status(coin_body_from_state(&fine, &starts[i], &p), COIN_OK);
+        coin_body start = fine;
+        check_within(slide(&fine, &p, &f, NULL, 0.1, 1e-11, NULL), 0, 1);
+        for (double tol = 1e-2; tol > 1e-9; tol *= 1e-2) {
+            coin_body b = start;
+            check_note("start %zu, tol %g", i, tol);
+            for (int k = 0; k < 100; ++k)
+                check(coin_move(&b, &p, &f, 1e-3, tol, 0, NULL) >= 0);
+            check_near(slides_apart(&b, &fine, &p), 0, tol);
+        }
+    }
+}
+
+/* It is not slow: its direction is not stiff. */
+TEST(a_slip_almost_without_friction_ends_no_call_early)
+{
+    const coin_params p = disc();
+    const coin_table f = {.mu_static = 4e-10, .mu_kinetic = 4e-10};
+    const coin_state s = {.theta = -1.5237, .wZ = -0.7};
+    coin_body b;
+    check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+    check_status(coin_move(&b, &p, &f, 1e-3, 2e-8, 0, NULL), COIN_SLIPS);
+}
+
+/* The slip is as slow as one that hardly accelerates, and turns into the
+ * direction of its onset within 1e-4 of a natural unit. */
+TEST(a_slow_slip_aside_turns_before_it_grows)
+{
+    const coin_params p = disc();
+    const coin_table rough = {.mu_static = INFINITY, .mu_kinetic = 0.1};
+    const double tol = 1e-6;
+    for (int i = 0; i < 64; ++i) {
+        const coin_state s = {.theta = 0.6, .wY = 0.5, .wZ = 0.6};
+        const double way = i * HALF_PI / 16;
+        coin_body b, fine;
+        coin_force need;
+        check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+        check_status(coin_body_reaction(&b, &p, &rough, &need), COIN_OK);
+        const coin_table f = {.mu_static = need.ratio / 1.08,
+                              .mu_kinetic = need.ratio / 1.08};
+        b.vx += 1e-5 * cos(way);
+        b.vz += 1e-5 * sin(way);
+        fine = b;
+        check_note("way %g", way);
+        check_status(coin_move(&b, &p, &f, 0.01, tol, 0, NULL), COIN_SLIPS);
+        check_status(coin_move(&fine, &p, &f, 0.01, 1e-11, 0, NULL),
+                     COIN_SLIPS);
+        check_near(slides_apart(&b, &fine, &p), 0, tol);
+    }
+}
+
+TEST(a_coin_that_begins_to_slip_is_nearly_flat_at_the_same_moment_at_any_tol)
+{
+    const coin_params p = disc();
+    for (int i = 0; i < 40; ++i) {
+        const double c = 0.0100005 + i * 4.75e-6;
+        const double mu = 0.02 + 0.02 * i;
+        const coin_table f = {.mu_static = mu, .mu_kinetic = mu};
+        const coin_state s = {
+            .theta = HALF_PI - c, .wX = 0.3, .wY = 3 * c, .wZ = 0.1};
+        double when = 0;
+        check_note("start %d", i);
+        for (double tol = 1e-12; tol < 1e-3; tol *= 1e3) {
+            coin_body b;
+            double reached;
+            check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+            const int32_t status =
+                coin_move(&b, &p, &f, 0.1, tol, COIN_NEARLY_FLAT, &reached);
+            check(status & COIN_NEARLY_FLAT);
+            when = tol < 2e-12 ? reached : when;
+            check_near(reached, when, tol);
+        }
+    }
+}

@@ -425,6 +425,22 @@ TEST(a_coin_that_lies_is_on_the_table_once_it_slides)
     check_status(coin_move(&b, &p, &f, 0.1, 1e-6, 0, NULL), COIN_SLIPS);
     check_near(b.y, cos(LAST_LEAN), U / 64);
     check(b.vy == 0);
+    b.y = cos(LAST_LEAN) + 8 * U;
+    b.vy = 5e-11;
+    check_status(coin_move(&b, &p, &f, 9, 1e-6, 0, NULL), COIN_RESTS);
+    check_near(b.y, cos(LAST_LEAN), U / 64);
+    check(b.vy == 0);
+}
+
+TEST(a_coin_that_an_impact_lays_flat_lies_on_the_table)
+{
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.mu_static = 0.4, .mu_kinetic = 0.3};
+    coin_body b = {.s = {.theta = acos(0.0) - 5e-7}, .vx = 0.5, .vy = -1e-6};
+    b.y = cos(b.s.theta);
+    check_status(coin_move(&b, &p, &f, 0.1, 1e-6, 0, NULL), COIN_SLIPS);
+    check_near(b.y, cos(LAST_LEAN), U / 64);
+    check_status(coin_move(&b, &p, &f, 0, 1e-6, 0, NULL), COIN_SLIPS);
 }
 
 /* In units that are no powers of two. */

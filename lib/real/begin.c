@@ -39,7 +39,7 @@ void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
     g->time = time;
     g->stop = g->event = 0;
     g->mode = g->changed = 0;
-    g->margin = g->waiting = g->stride = 0;
+    g->margin = g->stride = 0;
 }
 
 void coin_priv_end(const coin_priv_moving *g, coin_state *s)

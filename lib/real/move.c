@@ -347,10 +347,8 @@ int coin_priv_next_mode(coin_priv_moving *g)
     g->margin = coin_priv_contact_margin(y, &g->law, mode);
     if (g->margin >= 0)
         return mode;
-    if (coin_priv_leaves(y, &g->law))
+    if (g->law.damping > 0 || coin_priv_leaves(y, &g->law))
         return mode | COIN_PRIV_AIR; /* it keeps its slip velocity */
-    if (g->law.damping > 0)
-        return mode; /* it cannot slip */
     if (coin_priv_slopes(0, y, &g->law, mode | COIN_PRIV_SLIPS, no_friction).N >
         0)
         return mode | COIN_PRIV_SLIPS;
@@ -388,14 +386,12 @@ int32_t coin_priv_go(coin_priv_moving *g)
         g->event = 0;
         const int slip_begins = next & ~g->mode & COIN_PRIV_SLIPS;
         g->mode = next & ~slip_begins;
-        if (!slip_begins)
-            g->waiting = 0;
         if (found || g->mode & COIN_PRIV_AIR || !(coin_priv_time_left(g) > 0))
             return found;
         first_slopes(g);
         if (g->tries <= 0)
             status = COIN_ESTEP;
-        else if (slip_begins)
+        else if (slip_begins || coin_priv_slips_slowly(g))
             status = coin_priv_begin_slip(g);
         else if (coin_priv_end_slip(g))
             g->event = COIN_ROLLS;

@@ -35,11 +35,9 @@ typedef struct coin_priv_moving {
     double time;           /* of the call */
     int changed;           /* whether a step has been made */
 
-    double waiting; /* the speed that a slip has gained that waits
-                       to begin: onset.c */
-    double stride;  /* the length of steps, over 1/rate; 0 is not known */
-    double margin;  /* coin_priv_contact_margin() at step.y, of the mode in
-                       which the next step is made */
+    double stride; /* the length of steps, over 1/rate; 0 is not known */
+    double margin; /* coin_priv_contact_margin() at step.y, of the mode in
+                      which the next step is made */
     coin_priv_dop853 step; /* its slope[0] is set where a step begins */
 } coin_priv_moving;
 
@@ -73,10 +71,14 @@ int coin_priv_first_event(double *cut, coin_priv_moving *g, double stride);
  * g->margin. */
 int coin_priv_next_mode(coin_priv_moving *g);
 
-/* onset.c: moves a coin on whose contact leaves the cone of friction, by the
- * first step of its slip, or of the wait for it: COIN_OK, or as
- * coin_priv_accept(). */
+/* onset.c: moves on a coin whose contact leaves the cone of friction, or whose
+ * slip is slow, by a step in which the slip has the direction of an onset:
+ * COIN_OK, or as coin_priv_accept(). */
 int32_t coin_priv_begin_slip(coin_priv_moving *g);
+
+/* onset.c: whether a coin slips so slowly, with the direction of an onset, that
+ * coin_priv_begin_slip() makes its next step.  g->step.slope[0] is set. */
+int coin_priv_slips_slowly(const coin_priv_moving *g);
 
 /* onset.c: ends the slip of a coin that slips by a straight line, where that is
  * accurate; else 0. */

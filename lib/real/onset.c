@@ -8,17 +8,21 @@
  * an onset.  It is WAIT tol^(3/8) of the time in which the motion changes.  If
  * the slip accelerates, a step of that length errs more: of_error is the step
  * whose error is tol, and LONGER more.  Losses decay in a step by at most
- * STABLE of their rate: up to 2 Heun's rule is stable.
+ * STABLE of their rate: up to 2 Heun's rule is stable.  A step goes at most
+ * STABLE of the way down to an event of cos theta, and PAST tol beyond it.
  *
- * The steps of a slip are as short as its speed is small, so that one that
- * hardly accelerates would take many to grow.  It waits: such steps follow one
- * another, in which its speed counts as 0, until it has gained
- * COIN_PRIV_SLIP_LEAST.  One that accelerates by QUICK of its friction begins
- * with any speed but rounding, LEAST. */
+ * The steps of a slip are as short as its speed is small, since its direction
+ * is followed.  One that hardly accelerates would take many to grow.  It is
+ * slow below SLOW tol^(3/4), while it grows by less than QUICK of the friction
+ * and is within ALIGNED of the direction of an onset.  It goes on by such
+ * steps, in which it has that direction. */
 #define WAIT 1
 #define LONGER 1e-9
 #define STABLE 0.5
+#define PAST 1e-3
+#define SLOW 0.5
 #define QUICK 0.5
+#define ALIGNED 0.01
 #define LEAST 1e-14
 
 /* A slip is taken as a straight line for at most STRAIGHT sqrt(tol) of the time
@@ -38,8 +42,8 @@ static void onset_at(struct onset *o, const coin_priv_moving *g,
 {
     const int mode = g->mode | COIN_PRIV_SLIPS;
     const coin_priv_direction no_friction = {0, 0};
-    const coin_priv_push stick =
-        coin_priv_slopes(0, y, &g->law, g->mode, no_friction);
+    const coin_priv_push stick = coin_priv_slopes(
+        0, y, &g->law, g->mode & ~COIN_PRIV_SLIPS, no_friction);
     o->n = coin_priv_onset(y, &g->law, g->mode, stick);
     const coin_priv_push slide =
         coin_priv_slopes(o->slopes, y, &g->law, mode, o->n);
@@ -50,11 +54,27 @@ static void onset_at(struct onset *o, const coin_priv_moving *g,
     o->friction = g->law.mu_kinetic * slide.N / o->dt;
 }
 
+int coin_priv_slips_slowly(const coin_priv_moving *g)
+{
+    const double *y = g->step.y, *d = g->step.slope[0];
+    const double uX = y[COIN_PRIV_UX], uh = y[COIN_PRIV_UH];
+    const double r8 = sqrt(sqrt(sqrt(g->tol))), r38 = r8 * r8 * r8;
+    const double slow = SLOW * r38 * r38, u2 = uX * uX + uh * uh;
+    if (!(g->mode & COIN_PRIV_SLIPS && u2 < slow * slow))
+        return 0;
+    const double N = coin_priv_push_of(y, &g->law, g->mode).N;
+    const double most = g->law.mu_kinetic * N * u2;
+    const double grows = uX * d[COIN_PRIV_UX] + uh * d[COIN_PRIV_UH];
+    const double aside = uX * d[COIN_PRIV_UH] - uh * d[COIN_PRIV_UX];
+    return grows > 0 && grows < QUICK * most && fabs(aside) < ALIGNED * most;
+}
+
 int32_t coin_priv_begin_slip(coin_priv_moving *g)
 {
     struct onset a, b;
     double y[COIN_PRIV_WIDE];
     const double left = coin_priv_time_left(g), c = g->step.y[COIN_PRIV_C];
+    const double uX = g->step.y[COIN_PRIV_UX], uh = g->step.y[COIN_PRIV_UH];
     const int slipping = g->mode | COIN_PRIV_SLIPS;
     const double r8 = sqrt(sqrt(sqrt(g->tol)));
     --g->tries;
@@ -67,10 +87,11 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     double h = WAIT * r8 * r8 * r8 / rate;
     h = a.du * of_error > 10 * LEAST ? coin_priv_lesser(h, of_error) : h;
     h = h * loss > STABLE ? STABLE / loss : h;
-    const int asked = g->stop & COIN_NEARLY_FLAT && c > COIN_PRIV_NEARLY;
-    const double above = c - (asked ? COIN_PRIV_NEARLY : 0);
-    const double fall = -a.slopes[COIN_PRIV_C] / above;
-    h = h * fall > STABLE ? STABLE / fall : h; /* not below the table */
+    const int nearly = g->stop & COIN_NEARLY_FLAT && c >= COIN_PRIV_NEARLY;
+    const double event = nearly ? COIN_PRIV_NEARLY : g->law.flat;
+    const double low = coin_priv_larger(0, event - PAST * g->tol);
+    const double fall = -a.slopes[COIN_PRIV_C] / (c - low);
+    h = h * fall > STABLE ? STABLE / fall : h;
     const int ends = h >= left;
     h = ends ? left : h;
     for (int i = 0; i < COIN_PRIV_SIZE; ++i)
@@ -79,15 +100,13 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     onset_at(&b, g, y);
     for (int i = 0; i < COIN_PRIV_SIZE; ++i)
         y[i] = g->step.y[i] + h / 2 * (a.slopes[i] + b.slopes[i]);
-    const double u = g->waiting + h / 2 * (a.du + b.du);
-    const int slips =
-        u > COIN_PRIV_SLIP_LEAST || (u > LEAST && b.du > QUICK * b.friction);
-    g->waiting = slips ? 0 : u;
+    const double u = sqrt(uX * uX + uh * uh) + h / 2 * (a.du + b.du);
+    const int slips = u > LEAST;
     y[COIN_PRIV_UX] = slips ? u * b.n.X : 0;
     y[COIN_PRIV_UH] = slips ? u * b.n.h : 0;
     const int32_t status = coin_priv_accept(g, y, ends);
-    if (status == COIN_OK && slips) {
-        g->mode |= COIN_PRIV_SLIPS;
+    if (status == COIN_OK) {
+        g->mode = slips ? slipping : g->mode & ~COIN_PRIV_SLIPS;
         g->stride = 0;
     }
     return status;
