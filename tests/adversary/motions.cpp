@@ -192,7 +192,8 @@ bool moves(trial<doubles> &q, mover kind)
             return false;
         if (kind >= ROLLS)
             q.is(untrue(q, status));
-        if (kind == SLIPS && status == COIN_OK && !on_ice)
+        const bool lies = q.b.s.wX == 0 && q.b.s.wY == 0; /* no truth of that */
+        if (kind == SLIPS && (lies || (status == COIN_OK && !on_ice)))
             return q.worst == BROKEN;
     }
     return q.is(unamplified(ratio_of(truth.off(q.b), bound), q.enough, start,
