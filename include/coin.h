@@ -744,7 +744,7 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  *         normal speed (test_touch).  An excursion of F/N above mu_static by
  *         1e-4 of it is found.  Bounces amplify errors (test_toss).
  * Cost: per natural unit of time some 10 textbook steps at 1e-6, 17 while it
- *         slips, half as much again at 1e-9; most near flat.  Two for a call in
+ *         slips, half as much again at 1e-9; most near flat.  1.2 for a call in
  *         the air, four if it bounces.  A call takes some 20 ms at most. */
 COIN_API int32_t coin_move(coin_body *b, const coin_params *p,
                            const coin_table *table, double t, double tol,
