@@ -94,3 +94,27 @@ TEST(a_slip_does_not_pass_where_the_contact_turns_round)
         }
     }
 }
+
+/* The loss decays within 2e-3 of a natural unit, the first step of a slip is as
+ * long. */
+TEST(a_slip_begins_where_losses_are_stiff)
+{
+    const coin_params p = disc();
+    const coin_table f = {
+        .mu_static = 0.30783221576231262,
+        .mu_kinetic = 0.30783221576231262,
+        .losses = {.rolling = 0.0423912, .soft = 1.04042e-4},
+    };
+    const coin_state s = {.theta = 1.482147002063277,
+                          .wX = -0.0034768234480631838,
+                          .wY = -0.0057296407986787692,
+                          .wZ = 0.06732178970251658};
+    const double tol = 7e-6;
+    coin_body b, fine;
+    check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+    fine = b;
+    check_status(coin_move(&b, &p, &f, 0, tol, COIN_SLIPS, NULL), COIN_SLIPS);
+    check_within(coin_move(&b, &p, &f, 0.24, tol, 0, NULL), 0, 1);
+    check_within(coin_move(&fine, &p, &f, 0.24, 1e-11, 0, NULL), 0, 1);
+    check_near(slides_apart(&b, &fine, &p), 0, tol);
+}

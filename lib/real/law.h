@@ -36,13 +36,14 @@ enum {
 
 /* What a coin does, as bits; 0 rolls.  A coin_priv_moving is a coin in contact:
  * HELD and IDLE are bits of it alone, AIR and RESTS say how its contact ended.
- * coin_priv_body_mode() reads the other bits off a coin_body. */
+ * coin_priv_body_mode() reads the other bits off a coin_body.  SLIPS is 1, so
+ * that it is an index into J and K of a law. */
 enum {
-    COIN_PRIV_SLIPS = 1, /* against kinetic friction */
-    COIN_PRIV_HELD = 2,  /* the losses keep d(psi)/dt = 0 */
-    COIN_PRIV_IDLE = 4,  /* the losses do not act, nor hold the contact: N would
-                            be negative */
-    COIN_PRIV_AIR = 8,   /* the contact lifts off; a body: it does not touch */
+    COIN_PRIV_SLIPS = 1,  /* against kinetic friction */
+    COIN_PRIV_HELD = 2,   /* the losses keep d(psi)/dt = 0 */
+    COIN_PRIV_IDLE = 4,   /* for one step the losses do not act, nor hold the
+                             contact: N would be negative */
+    COIN_PRIV_AIR = 8,    /* the contact lifts off; a body: it does not touch */
     COIN_PRIV_RESTS = 16, /* the coin has come down on its face, and may slide
                              there; a body: it lies flat without motion */
     COIN_PRIV_LIES = 32   /* a body: it slides on its face */
@@ -62,7 +63,8 @@ typedef struct coin_priv_law {
                       coin_settle() */
 } coin_priv_law;
 
-/* The force of the table on a coin, times cos theta unless it is held. */
+/* The force of the table on a coin, times dt over the time of the slopes: cos
+ * theta, or 1 while the contact is held. */
 typedef struct coin_priv_push {
     double N, X, h; /* along e_y, e_X, e_h */
 } coin_priv_push;
@@ -151,20 +153,20 @@ coin_priv_push coin_priv_push_of(const double *y, const coin_priv_law *l,
 double coin_priv_contact_margin(const double *y, const coin_priv_law *l,
                                 int mode);
 
-/* Minus the free acceleration of the gap under the contact, times cos theta:
- * not above 0, the coin lifts off (96). */
+/* Minus the free acceleration of the gap under the contact, times cos theta.
+ * Above 0 the table presses, or the coin falls back on it (96). */
 double coin_priv_weight(const double *y, const coin_priv_law *l);
 
 /* The time in which no lift-off is looked at.  A coin that would fall back
- * within it does not lift off: what takes it up then are losses, which do not
- * act in the air. */
+ * within it does not lift off. */
 COIN_PRIV_INLINE double coin_priv_blind(const double *y)
 {
     return 1e-4 / (1 + fabs(y[COIN_PRIV_WX]) + fabs(y[COIN_PRIV_WY]) +
                    fabs(y[COIN_PRIV_WZ]));
 }
 
-/* Whether a coin on which the table can only pull lifts off. */
+/* Whether a coin whose contact cannot go on as it does lifts off, by the weight
+ * above.  One that would fall back within coin_priv_blind() does not. */
 int coin_priv_leaves(const double *y, const coin_priv_law *l);
 
 /* The direction in which a slip begins where sticking takes the force F. */

@@ -12,9 +12,9 @@
 #define LOSSES 0.3
 #define RELAX 0.24
 
-/* The estimate of a step's error may be ESTIMATE times tol times its time,
- * since it is of order 8 and the error of order 9.  The time of a step counts
- * as SHORTEST natural units at least. */
+/* The estimate of a step's error may be ESTIMATE times tol times its time.  It
+ * is above the error: it is of order 8, and the error of order 9.  The time of
+ * a step counts as SHORTEST natural units at least. */
 #define ESTIMATE 2.0
 #define SHORTEST 0.03
 
@@ -25,7 +25,8 @@
 /* A trial runs away if a stage has so many times the rates of the start. */
 #define RUNAWAY 1e6
 
-/* The first stride over the eighth root of tol over the size of the motion. */
+/* A first stride is FIRST times the eighth root of tol over the size of the
+ * motion (first_stride()). */
 #define FIRST 4
 
 /* The last step of a call is made in t, where cos theta and a slip's speed
@@ -74,15 +75,15 @@ static double roll_slope(const double *y, const double *d)
            d[COIN_PRIV_C] * y[COIN_PRIV_WZ] + d[COIN_PRIV_S] * y[COIN_PRIV_WY];
 }
 
-/* Whether the contact turns round within a width of soft cos theta, in which
- * contour friction is not smooth. */
-static int turns_round(const coin_priv_moving *g)
+/* Whether losses act in this mode that change within a width of the roll speed,
+ * soft cos theta, where the contact turns round. */
+static int has_width(const coin_priv_moving *g)
 {
     return g->law.dry + g->law.rolling > 0 &&
            !(g->mode & (COIN_PRIV_HELD | COIN_PRIV_IDLE));
 }
 
-/* The distance of the roll speed from i z, z being that width. */
+/* sqrt(u^2 + z^2), u the roll speed and z that width. */
 static double way(const coin_priv_moving *g)
 {
     const double u = coin_priv_roll_speed(g->step.y);
@@ -90,9 +91,8 @@ static double way(const coin_priv_moving *g)
     return sqrt(u * u + z * z);
 }
 
-/* Whether a step comes to where the contact turns round and a loss without a
- * width changes there: the torque of damping has a kink, that of layer friction
- * a power 3/2. */
+/* Whether losses act in this mode that change at u = 0 at once: the torque of
+ * damping has a kink there, that of layer friction a power 3/2. */
 static int has_kink(const coin_priv_moving *g)
 {
     return g->law.damping + g->law.layer > 0 &&
@@ -114,7 +114,7 @@ static int passed_kink(const coin_priv_moving *g)
 }
 
 /* The stride of a first step, from the slopes and the rate: that of a sine with
- * as large a slope.  One motion of twenty admits no longer one. */
+ * as large a slope.  In one motion of twenty a longer one would be refused. */
 static double first_stride(const coin_priv_moving *g, double rate)
 {
     const double *d = g->step.slope[0];
@@ -144,9 +144,9 @@ static plan plan_step(coin_priv_moving *g)
         const double N = coin_priv_push_of(y, l, g->mode).N;
         const double across = nh * nh * (1 + 1 / l->IZ) +
                               nX * nX * (1 + 1 / l->IX) / (1 + s * s / l->IX);
-        const double du = d[COIN_PRIV_UX] * d[COIN_PRIV_UX] +
-                          d[COIN_PRIV_UH] * d[COIN_PRIV_UH];
-        const double slip_rate = sqrt(du) / u;
+        const double du2 = d[COIN_PRIV_UX] * d[COIN_PRIV_UX] +
+                           d[COIN_PRIV_UH] * d[COIN_PRIV_UH];
+        const double slip_rate = sqrt(du2) / u;
         rate =
             rate * u / (u + 1) + RELAX * (l->mu_kinetic * N * across / (u + 1) +
                                           slip_rate); /* (87) */
@@ -154,14 +154,14 @@ static plan plan_step(coin_priv_moving *g)
     if (g->stride == 0)
         g->stride = first_stride(g, rate);
     plan r = {rate, g->stride / rate};
-    if (turns_round(g)) {
-        const double du = fabs(roll_slope(y, d)), far = TURN_ROUND * way(g);
-        r.h = r.h * du > far ? far / du : r.h;
+    if (has_width(g)) {
+        const double slope = fabs(roll_slope(y, d)), far = TURN_ROUND * way(g);
+        r.h = r.h * slope > far ? far / slope : r.h;
     }
     if (has_kink(g)) {
-        const double u = coin_priv_roll_speed(y), du = roll_slope(y, d);
-        if (u * du < 0 && fabs(u) > AIMED * sqrt(g->tol))
-            r.h = coin_priv_lesser(r.h, AIM * fabs(u / du));
+        const double roll = coin_priv_roll_speed(y), slope = roll_slope(y, d);
+        if (roll * slope < 0 && fabs(roll) > AIMED * sqrt(g->tol))
+            r.h = coin_priv_lesser(r.h, AIM * fabs(roll / slope));
     }
     return r;
 }

@@ -30,10 +30,11 @@ typedef struct coin_priv_moving {
     int tries;     /* of steps: how many are left */
 
     int mode;              /* COIN_PRIV_SLIPS ... */
-    coin_priv_sum pose[5]; /* phi, psi; x, z and t from the start */
+    coin_priv_sum pose[5]; /* phi, psi; x, z and t since the start, which
+                              is that of this contact */
     double start[5];       /* phi, psi, x, z of the start in radii; 0 */
-    double time;           /* of the call */
-    int changed;           /* whether a step has been made */
+    double time;           /* from the start to the end of the call */
+    int changed;           /* whether the coin is not as at the start */
 
     double stride; /* the length of steps, over 1/rate; 0 is not known */
     double margin; /* coin_priv_contact_margin() at step.y, of the mode in
@@ -120,8 +121,8 @@ COIN_PRIV_INLINE int coin_priv_time_suits(double t, double w0)
  * done.  ends: the step ends the call, so that no time is left. */
 int32_t coin_priv_accept(coin_priv_moving *g, const double *y, int ends);
 
-/* move.c: the rate of the motion in the time of the mode without a slip, tau
- * or t. */
+/* move.c: the rate of the motion in tau, or in t while the contact is held. The
+ * factor of a slip's time, (83), is not in it. */
 double coin_priv_rate(const double *y, const coin_priv_law *l, int mode);
 
 /* move.c: the rate in tau at which the losses make the rates decay. */

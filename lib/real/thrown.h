@@ -16,7 +16,8 @@ typedef struct coin_priv_thrown {
     int32_t event;       /* what begins here: COIN_TOUCHES, or COIN_ROLLS if
                             the coin rolls */
     int changed;         /* whether *b is another body than at the start */
-    coin_priv_moving g;  /* of the contact; g.law is that of the whole way */
+    coin_priv_moving g;  /* of the contact; g.law and g.tries are those of the
+                            whole way */
 } coin_priv_thrown;
 
 /* Moves until the time is over, the coin rests or a bit of stop holds: the mode
