@@ -16,7 +16,8 @@ void coin_priv_scale(coin_state *s, double length, double rate)
 }
 
 void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
-                     const coin_priv_variables *v, double time, double tol)
+                     const coin_priv_variables *v, int mode, const double u[2],
+                     double time, double tol)
 {
     const coin_priv_sum zero = {0, 0};
     const double start[5] = {s->phi, s->psi, s->x, s->z, 0};
@@ -28,6 +29,8 @@ void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
     y[COIN_PRIV_WZ] = v->wZ;
     y[COIN_PRIV_S] = v->sth;
     y[COIN_PRIV_C] = v->cth;
+    y[COIN_PRIV_UX] = u[0];
+    y[COIN_PRIV_UH] = u[1];
     y[COIN_PRIV_SPH] = v->sph;
     y[COIN_PRIV_CPH] = v->cph;
     for (int i = 0; i < 5; ++i) {
@@ -37,8 +40,8 @@ void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
     g->step.of.law = &g->law;
     g->tol = tol;
     g->time = time;
-    g->stop = g->event = 0;
-    g->mode = g->changed = 0;
+    g->mode = mode;
+    g->changed = 0;
     g->margin = g->stride = 0;
 }
 

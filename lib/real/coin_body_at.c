@@ -60,10 +60,7 @@ static coin_priv_push touching_force(const coin_body *b,
     coin_priv_moving g;
     g.law = *l;
     const coin_priv_variables v = coin_priv_attitude_variables(&b->s, at);
-    coin_priv_begin(&g, &b->s, &v, 0, 1);
-    g.step.y[COIN_PRIV_UX] = u[0];
-    g.step.y[COIN_PRIV_UH] = u[1];
-    g.mode = mode;
+    coin_priv_begin(&g, &b->s, &v, mode, u, 0, 1);
     const int next = coin_priv_next_mode(&g);
     const coin_priv_push none = {0, 0, 0};
     if (next & COIN_PRIV_AIR)

@@ -371,9 +371,29 @@ static int32_t stop_bits(const coin_priv_moving *g, int next)
     return g->stop & bits;
 }
 
-int32_t coin_priv_go(coin_priv_moving *g)
+/* A slip begins, goes on slowly, or has ended. */
+static void set_slips(coin_priv_moving *g, int slips)
+{
+    g->mode = slips ? g->mode | COIN_PRIV_SLIPS : g->mode & ~COIN_PRIV_SLIPS;
+    g->stride = 0;
+}
+
+/* The first step of a slip, or one of a slow slip. */
+static int32_t make_slow_step(coin_priv_moving *g)
+{
+    int slips;
+    --g->tries;
+    const int32_t status = coin_priv_begin_slip(g, &slips);
+    if (status == COIN_OK)
+        set_slips(g, slips);
+    return status;
+}
+
+int32_t coin_priv_go(coin_priv_moving *g, int32_t stop, int32_t event)
 {
     int32_t status = COIN_OK;
+    g->stop = stop;
+    g->event = event;
     while (status == COIN_OK) {
         if (is_flat(g)) {
             end_on_face(g);
@@ -389,14 +409,17 @@ int32_t coin_priv_go(coin_priv_moving *g)
         if (found || g->mode & COIN_PRIV_AIR || !(coin_priv_time_left(g) > 0))
             return found;
         first_slopes(g);
-        if (g->tries <= 0)
+        if (g->tries <= 0) {
             status = COIN_ESTEP;
-        else if (slip_begins || coin_priv_slips_slowly(g))
-            status = coin_priv_begin_slip(g);
-        else if (coin_priv_end_slip(g))
+        } else if (slip_begins || coin_priv_slips_slowly(g)) {
+            status = make_slow_step(g);
+        } else if (coin_priv_end_slip(g)) {
+            g->mode &= ~COIN_PRIV_HELD;
+            set_slips(g, 0);
             g->event = COIN_ROLLS;
-        else
+        } else {
             status = make_step(g);
+        }
     }
     return status;
 }

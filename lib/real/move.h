@@ -22,12 +22,14 @@
  * rounding of the speeds whose difference it is. */
 #define COIN_PRIV_SLIP_LEAST 1e-10
 
+/* begin.c sets what a coin starts with, but for the law and the trials; only
+ * move.c changes it then. */
 typedef struct coin_priv_moving {
     coin_priv_law law;
     double tol;
     int32_t stop;  /* the bits that end the call */
     int32_t event; /* COIN_ROLLS or COIN_TOUCHES, where they begin here */
-    int tries;     /* of steps: how many are left */
+    int tries;     /* of steps: how many are left of the whole call */
 
     int mode;              /* COIN_PRIV_SLIPS ... */
     coin_priv_sum pose[5]; /* phi, psi; x, z and t since the start, which
@@ -46,10 +48,11 @@ typedef struct coin_priv_moving {
  * what they were. */
 void coin_priv_scale(coin_state *s, double length, double rate);
 
-/* begin.c: starts a coin that rolls, in natural units, from a state and its
- * variables; g->law is set, and g->tries is not. */
+/* begin.c: starts a coin in a mode, in natural units, from a state, its
+ * variables and its slip velocity; g->law is set, and g->tries is not. */
 void coin_priv_begin(coin_priv_moving *g, const coin_state *s,
-                     const coin_priv_variables *v, double time, double tol);
+                     const coin_priv_variables *v, int mode, const double u[2],
+                     double time, double tol);
 
 /* begin.c: the state, if g->changed, to which the coin that began as *s has
  * come. */
@@ -60,9 +63,10 @@ void coin_priv_end(const coin_priv_moving *g, coin_state *s);
 double coin_priv_reached(const coin_priv_sum *moved, double time, double t,
                          double w0);
 
-/* Moves until the time is over or the mode becomes AIR or RESTS: COIN_OK, or
- * stop bits that hold at the end; COIN_ESTEP, COIN_ERANGE. */
-int32_t coin_priv_go(coin_priv_moving *g);
+/* Moves until the time is over, the mode becomes AIR or RESTS, or a bit of stop
+ * holds.  event: COIN_TOUCHES or COIN_ROLLS, where they begin at the start.
+ * COIN_OK, or the stop bits that hold at the end; COIN_ESTEP, COIN_ERANGE. */
+int32_t coin_priv_go(coin_priv_moving *g, int32_t stop, int32_t event);
 
 /* events.c: the first event within the step just made, of `stride` radians of
  * the motion: 1, and the variables just after it, if there is one. */
@@ -74,8 +78,8 @@ int coin_priv_next_mode(coin_priv_moving *g);
 
 /* onset.c: moves on a coin whose contact leaves the cone of friction, or whose
  * slip is slow, by a step in which the slip has the direction of an onset:
- * COIN_OK, or as coin_priv_accept(). */
-int32_t coin_priv_begin_slip(coin_priv_moving *g);
+ * COIN_OK, or as coin_priv_accept().  *slips: whether it slips then. */
+int32_t coin_priv_begin_slip(coin_priv_moving *g, int *slips);
 
 /* onset.c: whether a coin slips so slowly, with the direction of an onset, that
  * coin_priv_begin_slip() makes its next step.  g->step.slope[0] is set. */

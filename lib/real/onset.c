@@ -69,7 +69,7 @@ int coin_priv_slips_slowly(const coin_priv_moving *g)
     return grows > 0 && grows < QUICK * most && fabs(aside) < ALIGNED * most;
 }
 
-int32_t coin_priv_begin_slip(coin_priv_moving *g)
+int32_t coin_priv_begin_slip(coin_priv_moving *g, int *slips)
 {
     struct onset a, b;
     double y[COIN_PRIV_WIDE];
@@ -77,7 +77,6 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     const double uX = g->step.y[COIN_PRIV_UX], uh = g->step.y[COIN_PRIV_UH];
     const int slipping = g->mode | COIN_PRIV_SLIPS;
     const double r8 = sqrt(sqrt(sqrt(g->tol)));
-    --g->tries;
     onset_at(&a, g, g->step.y);
     const double rate = coin_priv_rate(g->step.y, &g->law, slipping) / a.dt;
     const double loss =
@@ -101,15 +100,10 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g)
     for (int i = 0; i < COIN_PRIV_SIZE; ++i)
         y[i] = g->step.y[i] + h / 2 * (a.slopes[i] + b.slopes[i]);
     const double u = sqrt(uX * uX + uh * uh) + h / 2 * (a.du + b.du);
-    const int slips = u > LEAST;
-    y[COIN_PRIV_UX] = slips ? u * b.n.X : 0;
-    y[COIN_PRIV_UH] = slips ? u * b.n.h : 0;
-    const int32_t status = coin_priv_accept(g, y, ends);
-    if (status == COIN_OK) {
-        g->mode = slips ? slipping : g->mode & ~COIN_PRIV_SLIPS;
-        g->stride = 0;
-    }
-    return status;
+    *slips = u > LEAST;
+    y[COIN_PRIV_UX] = *slips ? u * b.n.X : 0;
+    y[COIN_PRIV_UH] = *slips ? u * b.n.h : 0;
+    return coin_priv_accept(g, y, ends);
 }
 
 int coin_priv_end_slip(coin_priv_moving *g)
@@ -137,9 +131,5 @@ int coin_priv_end_slip(coin_priv_moving *g)
     for (int i = 0; i < COIN_PRIV_SIZE; ++i)
         to[i] = y[i] + h * d[i];
     to[COIN_PRIV_UX] = to[COIN_PRIV_UH] = 0;
-    if (coin_priv_accept(g, to, 0) != COIN_OK)
-        return 0;
-    g->mode &= ~(COIN_PRIV_SLIPS | COIN_PRIV_HELD);
-    g->stride = 0;
-    return 1;
+    return coin_priv_accept(g, to, 0) == COIN_OK;
 }

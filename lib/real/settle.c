@@ -27,7 +27,7 @@ int32_t coin_priv_settle(coin_state *s, const coin_params *p,
     int32_t status = coin_priv_check(s, p, &b);
     if (status != COIN_OK)
         return status;
-    const double w0 = sqrt(b.g_a);
+    const double w0 = sqrt(b.g_a), no_slip[2] = {0, 0};
     if (!coin_priv_time_suits(t, w0))
         return COIN_ESTEP;
     if (coin_priv_lies_flat(s)) {
@@ -40,9 +40,9 @@ int32_t coin_priv_settle(coin_state *s, const coin_params *p,
     coin_state natural = *s;
     coin_priv_scale(&natural, 1 / b.a, 1 / w0);
     const coin_priv_variables v = coin_priv_variables_of(&natural);
-    coin_priv_begin(&g, &natural, &v, t * w0, tol);
+    coin_priv_begin(&g, &natural, &v, 0, no_slip, t * w0, tol);
     g.tries = *tries;
-    status = coin_priv_go(&g);
+    status = coin_priv_go(&g, 0, 0);
     *tries = g.tries;
     if (g.changed) {
         coin_priv_end(&g, &natural);

@@ -182,14 +182,9 @@ static int32_t in_contact(coin_priv_thrown *w, int mode, const double u[2])
     const double left = time_left(w);
     double unused[2];
     const coin_priv_variables v = coin_priv_attitude_variables(&w->b.s, &w->at);
-    coin_priv_begin(g, &w->b.s, &v, left, w->tol);
-    g->mode = mode;
-    g->step.y[COIN_PRIV_UX] = u[0];
-    g->step.y[COIN_PRIV_UH] = u[1];
-    g->stop = w->stop;
-    g->event = w->event;
+    coin_priv_begin(g, &w->b.s, &v, mode, u, left, w->tol);
+    const int32_t status = coin_priv_go(g, w->stop, w->event);
     w->event = 0;
-    const int32_t status = coin_priv_go(g);
     if (g->changed) {
         const double after = coin_priv_time_left(g);
         end_contact(w);
