@@ -150,7 +150,6 @@ static int32_t on_face(coin_priv_thrown *w)
         return COIN_SLIPS | bits;
     coin_body to = w->b;
     to.y = w->at.th.c;
-    to.vy = 0;
     const double t = coin_priv_slide_flat(&to, &w->g, left);
     const int32_t status = take(w, &to, &w->at, COIN_ERANGE);
     if (status == UNDER_WAY)
