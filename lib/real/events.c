@@ -99,8 +99,9 @@ static int find_dip(coin_priv_place *dip, const struct looked_for *e,
 }
 
 /* The first place in the step at which the function becomes negative; 2 if
- * there is none, or if it is negative at the start already, as the margin of
- * the cone is of a coin that would fall back at once (coin_priv_leaves()). */
+ * there is none.  It is 2 also if the function is negative at the start: the
+ * margin is, of a slipping coin which the table no longer presses, but which
+ * would fall back at once (coin_priv_leaves()). */
 static double first_zero(event *of, coin_priv_moving *g)
 {
     const struct looked_for e = {of, g};

@@ -83,7 +83,8 @@ static int has_width(const coin_priv_moving *g)
            !(g->mode & (COIN_PRIV_HELD | COIN_PRIV_IDLE));
 }
 
-/* sqrt(u^2 + z^2), u the roll speed and z that width. */
+/* How far the roll speed is from where such losses change: sqrt(u^2 + z^2).
+ * Here u is the roll speed, and z the width soft cos theta. */
 static double way(const coin_priv_moving *g)
 {
     const double u = coin_priv_roll_speed(g->step.y);

@@ -5,18 +5,18 @@
 #include "move.h"
 
 /* A slip begins with one step of Heun's rule in which its direction is that of
- * an onset.  It is WAIT tol^(3/8) of the time in which the motion changes.  If
- * the slip accelerates, a step of that length errs more: of_error is the step
- * whose error is tol, and LONGER more.  Losses decay in a step by at most
- * STABLE of their rate: up to 2 Heun's rule is stable.  A step goes at most
- * STABLE of the way down to an event of cos theta, and PAST tol beyond it.
+ * an onset.  It is tol^(3/8) of the time in which the motion changes.  If the
+ * slip accelerates, a step of that length errs more.  Then it is of_error, in
+ * which the error is tol, and LONGER of that time more.  It is at most STABLE
+ * over the rate of the losses: up to 2 over it Heun's rule is stable.  It goes
+ * at most STABLE of the way down to an event of cos theta, which is taken to
+ * lie PAST tol lower, so that a step can pass it.
  *
  * The steps of a slip are as short as its speed is small, since its direction
  * is followed.  One that hardly accelerates would take many to grow.  It is
  * slow below SLOW tol^(3/4), while it grows by less than QUICK of the friction
  * and is within ALIGNED of the direction of an onset.  It goes on by such
  * steps, in which it has that direction. */
-#define WAIT 1
 #define LONGER 1e-9
 #define STABLE 0.5
 #define PAST 1e-3
@@ -83,7 +83,7 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g, int *slips)
         coin_priv_loss_rate(g->step.y, &g->law, slipping) / a.dt;
     const double du = coin_priv_larger(a.du, LEAST);
     const double of_error = (sqrt(g->tol * a.friction / du) + LONGER) / rate;
-    double h = WAIT * r8 * r8 * r8 / rate;
+    double h = r8 * r8 * r8 / rate;
     h = a.du * of_error > 10 * LEAST ? coin_priv_lesser(h, of_error) : h;
     h = h * loss > STABLE ? STABLE / loss : h;
     const int nearly = g->stop & COIN_NEARLY_FLAT && c >= COIN_PRIV_NEARLY;
