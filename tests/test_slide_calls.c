@@ -6,6 +6,7 @@
 #include "support/slides.h"
 
 #include <errno.h>
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -349,11 +350,23 @@ TEST(a_slip_that_grows_fast_ends_at_the_time_asked)
     }
 }
 
-/* A slip whose acceleration would be negative, by rounding, takes no root. */
+/* A slip whose acceleration or friction would be negative, by rounding, takes
+ * no root.  An upright coin that falls at wX = 1 has no weight on its contact.
+ */
 TEST(no_launch_sets_errno)
 {
     struct random r = random_begin(231);
     errno = 0;
+    for (int i = -40; i <= 40; ++i) {
+        const coin_table held = {.mu_static = INFINITY, .mu_kinetic = 0.6};
+        const coin_params p = disc();
+        const coin_state s = {.wX = 1 + i * DBL_EPSILON};
+        coin_body d;
+        check_status(coin_body_from_state(&d, &s, &p), COIN_OK);
+        check(coin_move(&d, &p, &held, 0.1, 1e-2, 0, NULL) >= 0);
+        check_note("wX = 1 + %d u", i);
+        check(errno == 0);
+    }
     for (int i = 0; i < 300; ++i) {
         const coin_params p = ring(random_between(&r, 0, 1));
         const double mu = random_between(&r, 0.2, 0.6);

@@ -82,7 +82,9 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g, int *slips)
     const double loss =
         coin_priv_loss_rate(g->step.y, &g->law, slipping) / a.dt;
     const double du = coin_priv_larger(a.du, LEAST);
-    const double of_error = (sqrt(g->tol * a.friction / du) + LONGER) / rate;
+    /* The friction is below 0, by rounding, where the contact has no weight. */
+    const double of_error =
+        (sqrt(g->tol * fabs(a.friction) / du) + LONGER) / rate;
     double h = r8 * r8 * r8 / rate;
     h = a.du * of_error > 10 * LEAST ? coin_priv_lesser(h, of_error) : h;
     h = h * loss > STABLE ? STABLE / loss : h;
