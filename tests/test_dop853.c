@@ -107,7 +107,7 @@ TEST(a_touch_ends_a_call_in_any_mode)
     for (int mode = 0; mode <= COIN_PRIV_SLIPS; ++mode) {
         make_step(&g, 0.1);
         g.law.mu_kinetic = 0.3;
-        g.law.held_down = 1;
+        g.law.keeps_rolling = 1;
         g.mode = mode;
         g.step.y[COIN_PRIV_UX] = 0.1 * mode;
         g.tries = 10;

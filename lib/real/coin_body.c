@@ -45,7 +45,8 @@ int32_t coin_priv_natural_body(coin_body *natural, coin_priv_attitude *at,
     *natural = *b;
     coin_priv_scale_body(natural, 1 / of->a, 1 / w0);
     *at = coin_priv_attitude_of(&b->s);
-    return natural->y - at->th.c >= -COIN_PRIV_TOUCHES ? COIN_OK : COIN_ESTATE;
+    return natural->y - at->th.c >= -COIN_PRIV_TOUCH_GAP ? COIN_OK
+                                                         : COIN_ESTATE;
 }
 
 int coin_priv_body_lies(const coin_body *b)
@@ -58,7 +59,7 @@ int coin_priv_body_mode(const coin_body *b, const coin_priv_attitude *at,
                         double u[2])
 {
     u[0] = u[1] = 0;
-    if (b->y - at->th.c > COIN_PRIV_TOUCHES)
+    if (b->y - at->th.c > COIN_PRIV_TOUCH_GAP)
         return COIN_PRIV_AIR;
     const coin_priv_rim rim = coin_priv_rim_of(b, at);
     const double turn = fabs(b->s.wZ), turns = fabs(b->s.wX) + turn;
@@ -70,7 +71,7 @@ int coin_priv_body_mode(const coin_body *b, const coin_priv_attitude *at,
                                                 : COIN_PRIV_LIES;
     }
     if (sqrt(rim.X * rim.X + rim.h * rim.h) <=
-        COIN_PRIV_SLIP_LEAST + COIN_PRIV_TOUCHES * turns)
+        COIN_PRIV_SLIP_LEAST + COIN_PRIV_TOUCH_GAP * turns)
         return 0;
     u[0] = rim.X;
     u[1] = rim.h;

@@ -7,7 +7,7 @@
 #include "move.h"
 
 /* A body touches the table up to this height above it, in radii: 16 u. */
-#define COIN_PRIV_TOUCHES (8 * DBL_EPSILON)
+#define COIN_PRIV_TOUCH_GAP (8 * DBL_EPSILON)
 
 /* Whether all members but reserved[] are in range, in units of these lengths
  * and rates. */

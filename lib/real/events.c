@@ -136,7 +136,7 @@ static int stays_above(const coin_priv_dop853 *w, double limit)
 static int stays_within(const coin_priv_moving *g, double stride)
 {
     const coin_priv_dop853 *w = &g->step;
-    if (g->law.held_down)
+    if (g->law.keeps_rolling)
         return 1;
     const double m0 = g->margin;
     const double m1 = coin_priv_contact_margin(w->end, &g->law, g->mode);

@@ -58,8 +58,8 @@ typedef struct coin_priv_law {
     double damping, dry, viscous, layer, gap, rolling, spin, angular, soft;
     double flat; /* a coin with a smaller cos theta lies flat */
     double mu_static, mu_kinetic;
-    int lossy;     /* whether a coefficient of the losses is not 0 */
-    int held_down; /* the contact neither slips nor lifts, as for
+    int lossy;         /* whether a coefficient of the losses is not 0 */
+    int keeps_rolling; /* the contact neither slips nor lifts, as for
                       coin_settle() */
 } coin_priv_law;
 

@@ -54,7 +54,7 @@ int32_t coin_priv_law_of(coin_priv_law *out, const coin_losses *l,
     out->lossy = l->damping + l->dry + l->viscous + l->layer + l->gap +
                      l->rolling + l->spin + l->angular !=
                  0;
-    out->held_down = 1;
+    out->keeps_rolling = 1;
     const int good =
         holds(out->damping) && holds(out->dry) && holds(out->viscous) &&
         holds(out->layer) && holds(out->gap) && holds(out->rolling) &&

@@ -343,7 +343,7 @@ int coin_priv_next_mode(coin_priv_moving *g)
     const double *const y = g->step.y;
     const coin_priv_direction no_friction = {0, 0};
     const int mode = g->mode, idle = (mode & COIN_PRIV_SLIPS) | COIN_PRIV_IDLE;
-    if (g->law.held_down)
+    if (g->law.keeps_rolling)
         return mode;
     g->margin = coin_priv_contact_margin(y, &g->law, mode);
     if (g->margin >= 0)
@@ -415,7 +415,6 @@ int32_t coin_priv_go(coin_priv_moving *g, int32_t stop, int32_t event)
         } else if (slip_begins || coin_priv_slips_slowly(g)) {
             status = make_slow_step(g);
         } else if (coin_priv_end_slip(g)) {
-            g->mode &= ~COIN_PRIV_HELD;
             set_slips(g, 0);
             g->event = COIN_ROLLS;
         } else {

@@ -17,7 +17,7 @@ int32_t coin_priv_table_law(coin_priv_law *out, const coin_table *table,
                      coin_priv_are_zero(table->reserved, 5);
     out->mu_static = table->mu_static;
     out->mu_kinetic = mu;
-    out->held_down = 0;
+    out->keeps_rolling = 0;
     return good ? COIN_OK : COIN_EPARAMS;
 }
 

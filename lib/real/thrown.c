@@ -135,7 +135,7 @@ static int32_t in_air(coin_priv_thrown *w)
     w->event = 0;
     if (bits || !(time_left(w) > 0))
         return COIN_LIFTS | bits;
-    const int low = w->b.y - w->at.th.c <= COIN_PRIV_TOUCHES;
+    const int low = w->b.y - w->at.th.c <= COIN_PRIV_TOUCH_GAP;
     const double up = low ? coin_priv_rim_of(&w->b, &w->at).y : 0;
     return up < 0 ? hit(w, up) : fly(w, low);
 }
