@@ -98,6 +98,7 @@ TEST(the_hole_lies_within_the_coin)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         check_note("inner radius %g", bad[i]);
         check_status(coin_params_ring(&p, 2, 4, bad[i], 8), COIN_EPARAMS);
+        check_status(coin_params_ring(NULL, 2, 4, bad[i], 8), COIN_EARG);
     }
     check_status(coin_params_ring(&p, 2, 4, -0.0, 8), COIN_OK);
 }
