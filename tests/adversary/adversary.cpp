@@ -156,10 +156,8 @@ int replay(const std::vector<row> &rows, const char *file)
 int main(int argc, char **argv)
 {
     std::vector<row> rows;
-    add_formulas(&rows);
-    add_motions(&rows);
-    add_events(&rows);
-    add_throws(&rows);
+    for (const auto &table : {FORMULAS, MOTIONS, EVENTS, THROWS})
+        rows.insert(rows.end(), table.begin(), table.end());
     if (argc >= 6 && !std::strcmp(argv[1], "search"))
         return search_all(rows, argc, argv);
     if (argc == 3 && !std::strcmp(argv[1], "replay"))

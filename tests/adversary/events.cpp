@@ -243,21 +243,17 @@ void falls(scene *s, const double *g)
     s->wY *= power_of_ten(g[MORE + 1], -6, 0);
     s->wZ *= power_of_ten(g[MORE + 2], -6, 0);
 }
+
+const char *const WHEN = "tol (1 + natural time) over the rate; before "
+                         "amplification";
 } // namespace
 
-void add_events(std::vector<row> *rows)
-{
-    const char *when = "tol (1 + natural time) over the rate; before "
-                       "amplification";
-    rows->push_back(
-        {"coin_move_begins", when, 10, slides, judged<doubles>(begins)});
-    rows->push_back(
-        {"coin_move_ends", when, 100, slides, judged<doubles>(ends)});
-    rows->push_back(
-        {"coin_move_lifts", when, 25, slides, judged<doubles>(lifts)});
-    rows->push_back({"coin_move_until", "F/N over mu by 1e-4 of mu", 10,
-                     until_it_slips, judged<doubles>(until)});
-    rows->push_back({"coin_time_to_rest",
-                     "2 tol a radius of speed, of the fall; tol = 1e-6", 1000,
-                     falls, judged<doubles>(time_to_rest)});
-}
+const std::vector<row> EVENTS = {
+    {"coin_move_begins", WHEN, 10, slides, judged(begins)},
+    {"coin_move_ends", WHEN, 100, slides, judged(ends)},
+    {"coin_move_lifts", WHEN, 25, slides, judged(lifts)},
+    {"coin_move_until", "F/N over mu by 1e-4 of mu", 10, until_it_slips,
+     judged(until)},
+    {"coin_time_to_rest", "2 tol a radius of speed, of the fall; tol = 1e-6",
+     1000, falls, judged(time_to_rest)},
+};

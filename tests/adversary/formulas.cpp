@@ -7,14 +7,6 @@ namespace
 {
 /* --------------------------------------------------------------- of a state */
 
-list energy_of(const moment &y)
-{
-    return {terms(y.J * y.wX * y.wX / 2)
-                .add(y.IX * y.wY * y.wY / 2)
-                .add(y.K * y.wZ * y.wZ / 2)
-                .add(y.Mga * y.c)}; /* (23) */
-}
-
 /* What comes out as it was. */
 terms same(real value)
 {
@@ -24,11 +16,6 @@ terms same(real value)
 terms unit(real value)
 {
     return {value, 1};
-}
-
-list center_of(const moment &y)
-{
-    return {same(y.x), y.a * y.c, same(y.z)};
 }
 
 list velocity_of(const moment &y)
@@ -46,21 +33,13 @@ list contact_of(const moment &y)
             terms().add(roll, y.a * y.sph)}; /* (22) */
 }
 
-struct frame {
-    real e[9]; /* (7) */
-
-    explicit frame(const moment &y)
-        : e{y.cph,       0,           -y.sph, y.s * y.sph, y.c,
-            y.s * y.cph, y.c * y.sph, -y.s,   y.c * y.cph}
-    {
-    }
-};
-
 list axes_of(const moment &y)
 {
+    const frame f(y);
     list rows;
-    for (real e : frame(y).e)
-        rows.push_back(unit(e));
+    for (const auto &axis : {f.X, f.Y, f.Z})
+        for (real e : axis)
+            rows.push_back(unit(e));
     return rows;
 }
 
@@ -69,7 +48,7 @@ list angular_velocity_of(const moment &y)
     const frame f(y);
     list w(3);
     for (size_t i = 0; i < 3; ++i)
-        w[i].add(y.wX * f.e[i]).add(y.wY * f.e[3 + i]).add(y.wZ * f.e[6 + i]);
+        w[i].add(y.wX * f.X[i]).add(y.wY * f.Y[i]).add(y.wZ * f.Z[i]);
     return w;
 }
 
@@ -80,9 +59,9 @@ list matrix_of(const moment &y)
     const real cps = std::cos(y.psi), sps = std::sin(y.psi);
     list m(16, same(0));
     for (size_t i = 0; i < 3; ++i) {
-        m[i] = unit(cps * f.e[i] + sps * f.e[3 + i]);
-        m[4 + i] = unit(cps * f.e[3 + i] - sps * f.e[i]);
-        m[8 + i] = unit(f.e[6 + i]);
+        m[i] = unit(cps * f.X[i] + sps * f.Y[i]);
+        m[4 + i] = unit(cps * f.Y[i] - sps * f.X[i]);
+        m[8 + i] = unit(f.Z[i]);
     }
     m[12] = same(y.x);
     m[13] = {y.a * y.c, y.a * y.c / 2};
@@ -204,9 +183,8 @@ list losses_reaction_of(const moment &y, const scene &s)
 
 /* --------------------------------------------------------------- of a body */
 
-list body_energy_of(const moment &y, const scene &s)
+list body_energy_of(const moment &y, const coin_body &b)
 {
-    const coin_body b = body_of(s);
     return {terms(y.M * b.vx * b.vx / 2)
                 .add(y.M * b.vy * b.vy / 2)
                 .add(y.M * b.vz * b.vz / 2)
@@ -278,12 +256,6 @@ bool body_reaction(trial<doubles> &q)
 int branch(const scene &s)
 {
     return s.method < 2 ? -1 : 1;
-}
-
-/* (42) */
-list spin_of(const moment &y)
-{
-    return {same(0), std::sqrt(y.Mga * y.c / y.IX), same(0), same(y.theta)};
 }
 
 /* wY, (40): the root that nothing cancels in, and the product of the two. */
@@ -470,22 +442,7 @@ template <class T> bool check(trial<T> &q)
     return bits >= 0;
 }
 
-/* ------------------------------------------------------------------ the table
- */
-
-/* What a call puts out, each within so many u of the terms of its truth. */
-template <class F, class C> auto of(F truth, int ulps, C call)
-{
-    return [=](auto &q) {
-        typename std::decay_t<decltype(q)>::number out[16];
-        if (!call(q, out) || !q.is_normal())
-            return false;
-        size_t i = 0;
-        for (const terms &want : truth(q.at, q.s))
-            q.within(out[i++], want, ulps);
-        return true;
-    };
-}
+/* ------------------------------------------------------------- the table */
 
 /* What a call says: a number is a number, or a status and what it made. */
 template <class N> bool puts(N value, N *out)
@@ -505,88 +462,111 @@ bool puts(int32_t status, const coin_state &made, double *out)
     return puts(status, &made.wX, 3, out);
 }
 
-/* Rows of a function and its twin, and of one of coin.h alone: what it puts
- * out, and the truth of a moment y and a scene s. */
-#define TRUTH(expression)                                                      \
-    [](const moment &y, const scene &s) -> list {                              \
-        (void)y, (void)s;                                                      \
-        return expression;                                                     \
-    }
-#define WORDS(ulps) #ulps " u of the terms"
-#define TWIN(name, ulps, truth, call)                                          \
-    both(rows, name, WORDS(ulps), nullptr,                                     \
-         of(TRUTH(truth), ulps, [](auto &q, auto *out) { return call; }))
-#define ONE(name, ulps, draw, truth, call)                                     \
-    rows->push_back(                                                           \
-        {"coin_" name, WORDS(ulps), 1, draw,                                   \
-         judged<doubles>(of(TRUTH(truth), ulps,                                \
-                            [](auto &q, double *out) { return call; }))})
+/* What a call puts out is each within so many u of the terms of its truth. */
+template <class T, class C, class F>
+row row_of(const char *function, int ulps, edge draw, int genes, C call,
+           F truth)
+{
+    const auto law = [=](trial<T> &q) {
+        typename T::number out[16];
+        if (!call(q, out) || !q.is_normal())
+            return false;
+        size_t i = 0;
+        for (const terms &want : truth(q.at, q.s))
+            q.within(out[i++], want, ulps);
+        return true;
+    };
+    const std::string bound = std::to_string(ulps) + " u of the terms";
+    return {function, bound, 1, draw, judged<T>(law), genes, T::is_single};
+}
+
+/* A row of a function, one of coin.h alone, and two of a function and its twin:
+ * a call of it, f, that puts out numbers; their truths, of a moment y and a
+ * scene s. */
+#define ROW(T, function, ulps, draw, genes, call, ...)                         \
+    row_of<T>(                                                                 \
+        #function, ulps, draw, genes,                                          \
+        [f = function](auto &q, auto *out) { return call; },                   \
+        []([[maybe_unused]] const moment &y,                                   \
+           [[maybe_unused]] const scene &s) -> list { return __VA_ARGS__; })
+#define ONE(name, ulps, draw, ...)                                             \
+    ROW(doubles, coin_##name, ulps, draw, GENES, __VA_ARGS__)
+#define TWIN(name, ulps, ...)                                                  \
+    ROW(doubles, coin_##name, ulps, nullptr, LOSS, __VA_ARGS__),               \
+        ROW(floats, coinf_##name, ulps, nullptr, LOSS, __VA_ARGS__)
+
+const char *const OF_MOTION = "8 u; over cos theta in phi and psi";
+const char *const OF_CHECK = "8 u of the terms of each threshold";
 } // namespace
 
-void add_formulas(std::vector<row> *rows)
-{
-    TWIN("energy", 8, energy_of(y), puts(q.energy(&q.y, &q.p), out));
-    TWIN("fastest_rate", 8, {fastest(y)},
-         puts(q.fastest_rate(&q.y, &q.p), out));
-    TWIN("integrals", 16, integrals_of(y),
-         q.integrals(&q.y, &q.p, out) == COIN_OK);
-    TWIN("reaction", 14, reaction_of(y),
-         puts(q.reaction(&q.y, &q.p, &q.force), &q.force.R[0], 6, out));
-    TWIN("rates", 12, rates_of(y),
-         puts(q.rates(&q.y, &q.p, &q.made), &q.made.theta, 8, out));
-    TWIN("center", 4, center_of(y), q.center(&q.y, &q.p, out) == COIN_OK);
-    TWIN("velocity", 8, velocity_of(y), q.velocity(&q.y, &q.p, out) == COIN_OK);
-    TWIN("contact", 8, contact_of(y),
-         q.contact(&q.y, &q.p, out, out + 3) == COIN_OK);
-    TWIN("axes", 4, axes_of(y), q.axes(&q.y, out) == COIN_OK);
-    TWIN("quaternion", 4, quaternion_of(y), q.quaternion(&q.y, out) == COIN_OK);
-    TWIN("matrix", 8, matrix_of(y), q.matrix(&q.y, &q.p, out) == COIN_OK);
-    TWIN("angular_velocity", 8, angular_velocity_of(y),
-         q.angular_velocity(&q.y, out) == COIN_OK);
-    ONE("losses_power", 24, nullptr, {slowed(y, s).power},
-        puts(coin_losses_power(&q.y, &q.p, &q.table.losses), out));
-    ONE("losses_rates", 16, nullptr, losses_rates_of(y, s),
-        puts(coin_losses_rates(&q.y, &q.p, &q.table.losses, &q.made),
-             &q.made.wX, 3, out));
-    ONE("losses_reaction", 16, nullptr, losses_reaction_of(y, s),
-        puts(coin_losses_reaction(&q.y, &q.p, &q.table.losses, &q.force),
-             &q.force.R[0], 4, out));
-    ONE("body_energy", 12, nullptr, body_energy_of(y, s),
-        puts(coin_body_energy(&q.b, &q.p), out));
-    ONE("body_slip", 8, on_table, body_slip_of(y, s),
-        coin_body_slip(&q.b, &q.p, out) == COIN_OK);
-    ONE("body_from_state", 8, nullptr, velocity_of(y),
-        puts(coin_body_from_state(&q.b, &q.y, &q.p), &q.b.vx, 3, out));
-    ONE("steady_spin", 8, nullptr, spin_of(y),
-        puts(coin_steady_spin(&q.made, &q.p, q.s.theta), q.made, out));
-    ONE("steady_circle", 8, nullptr, circle_of(y, s),
-        puts(coin_steady_circle(&q.made, &q.p, q.s.theta, q.s.wZ, branch(q.s)),
-             q.made, out));
-    ONE("steady_turn", 8, nullptr, turn_of(y, s),
-        puts(coin_steady_turn(&q.made, &q.p, q.s.theta, radius_of(q.s)), q.made,
-             out));
-    ONE("steady_radii", 8, steady_edge, radii_of(y),
+const std::vector<row> FORMULAS = {
+    TWIN(energy, 8, puts(f(&q.y, &q.p), out),
+         {terms(y.J * y.wX * y.wX / 2)
+              .add(y.IX * y.wY * y.wY / 2)
+              .add(y.K * y.wZ * y.wZ / 2)
+              .add(y.Mga * y.c)}), /* (23) */
+    TWIN(fastest_rate, 8, puts(f(&q.y, &q.p), out), {fastest(y)}),
+    TWIN(integrals, 16, f(&q.y, &q.p, out) == COIN_OK, integrals_of(y)),
+    TWIN(reaction, 14, puts(f(&q.y, &q.p, &q.force), &q.force.R[0], 6, out),
+         reaction_of(y)),
+    TWIN(rates, 12, puts(f(&q.y, &q.p, &q.made), &q.made.theta, 8, out),
+         rates_of(y)),
+    TWIN(center, 4, f(&q.y, &q.p, out) == COIN_OK,
+         {same(y.x), terms().add(y.a *y.c), same(y.z)}),
+    TWIN(velocity, 8, f(&q.y, &q.p, out) == COIN_OK, velocity_of(y)),
+    TWIN(contact, 8, f(&q.y, &q.p, out, out + 3) == COIN_OK, contact_of(y)),
+    TWIN(axes, 4, f(&q.y, out) == COIN_OK, axes_of(y)),
+    TWIN(quaternion, 4, f(&q.y, out) == COIN_OK, quaternion_of(y)),
+    TWIN(matrix, 8, f(&q.y, &q.p, out) == COIN_OK, matrix_of(y)),
+    TWIN(angular_velocity, 8, f(&q.y, out) == COIN_OK, angular_velocity_of(y)),
+    ONE(losses_power, 24, nullptr, puts(f(&q.y, &q.p, &q.table.losses), out),
+        {slowed(y, s).power}),
+    ONE(losses_rates, 16, nullptr,
+        puts(f(&q.y, &q.p, &q.table.losses, &q.made), &q.made.wX, 3, out),
+        losses_rates_of(y, s)),
+    ONE(losses_reaction, 16, nullptr,
+        puts(f(&q.y, &q.p, &q.table.losses, &q.force), &q.force.R[0], 4, out),
+        losses_reaction_of(y, s)),
+    ONE(body_energy, 12, nullptr, puts(f(&q.b, &q.p), out),
+        body_energy_of(y, body_of(s))),
+    ONE(body_slip, 8, on_table, f(&q.b, &q.p, out) == COIN_OK,
+        body_slip_of(y, s)),
+    ONE(body_from_state, 8, nullptr, puts(f(&q.b, &q.y, &q.p), &q.b.vx, 3, out),
+        velocity_of(y)),
+    ONE(steady_spin, 8, nullptr, puts(f(&q.made, &q.p, q.s.theta), q.made, out),
+        {same(0), std::sqrt(y.Mga / y.IX * y.c), same(0), same(y.theta)}),
+    /* (42) */
+    ONE(steady_circle, 8, nullptr,
+        puts(f(&q.made, &q.p, q.s.theta, q.s.wZ, branch(q.s)), q.made, out),
+        circle_of(y, s)),
+    ONE(steady_turn, 8, nullptr,
+        puts(f(&q.made, &q.p, q.s.theta, radius_of(q.s)), q.made, out),
+        turn_of(y, s)),
+    ONE(steady_radii, 8, steady_edge,
         std::fabs(q.y.wY) * 0.99e9L > std::fabs(q.y.wZ) * q.at.c &&
-            coin_steady_radii(&q.y, &q.p, out, out + 1) == COIN_OK);
-    ONE("stability", 16, steady_edge, {lambda2_of(y)},
-        coin_stability(&q.y, &q.p, out) == COIN_OK);
-    ONE("critical_roll", 8, nullptr, {std::sqrt(y.Mga / y.k1 / y.K)}, /* (45) */
-        puts(coin_critical_roll(&q.p), out));
-    ONE("critical_spin", 8, nullptr, {std::sqrt(y.Mga / y.J)}, /* (46) */
-        puts(coin_critical_spin(&q.p), out));
-    ONE("steady_at", 1, steady_edge, steady_at_of(y, s),
-        puts(coin_steady_at(&q.y, &q.p, q.s.t, &q.made), &q.made.theta, 6,
-             out));
-    both(rows, "params_ring", "4 u", nullptr,
-         [](auto &q) { return params_ring(q); });
-    both(rows, "state_from_motion", "8 u; over cos theta in phi and psi",
-         near_a_rotation, [](auto &q) { return from_motion(q); });
-    both(rows, "check", "8 u of the terms of each threshold", at_the_limits,
-         [](auto &q) { return check(q); });
-    rows->push_back({"coin_steady_ride",
-                     "16 u + u/cos theta of the speed; 16 u of the radius", 1,
-                     nullptr, judged<doubles>(ride)});
-    rows->push_back({"coin_body_reaction",
-                     "32 u of the terms over cos theta; slipping", 1, on_table,
-                     judged<doubles>(body_reaction)});
-}
+            f(&q.y, &q.p, out, out + 1) == COIN_OK,
+        radii_of(y)),
+    ONE(stability, 16, steady_edge, f(&q.y, &q.p, out) == COIN_OK,
+        {lambda2_of(y)}),
+    ONE(critical_roll, 8, nullptr, puts(f(&q.p), out),
+        {std::sqrt(y.Mga / y.k1 / y.K)}), /* (45) */
+    ONE(critical_spin, 8, nullptr, puts(f(&q.p), out),
+        {std::sqrt(y.Mga / y.J)}), /* (46) */
+    ONE(steady_at, 1, steady_edge,
+        puts(f(&q.y, &q.p, q.s.t, &q.made), &q.made.theta, 6, out),
+        steady_at_of(y, s)),
+    {"coin_params_ring", "4 u", 1, nullptr, judged(params_ring<doubles>), LOSS},
+    {"coinf_params_ring", "4 u", 1, nullptr,
+     judged<floats>(params_ring<floats>), LOSS, true},
+    {"coin_state_from_motion", OF_MOTION, 1, near_a_rotation,
+     judged(from_motion<doubles>), LOSS},
+    {"coinf_state_from_motion", OF_MOTION, 1, near_a_rotation,
+     judged<floats>(from_motion<floats>), LOSS, true},
+    {"coin_check", OF_CHECK, 1, at_the_limits, judged(check<doubles>), LOSS},
+    {"coinf_check", OF_CHECK, 1, at_the_limits, judged<floats>(check<floats>),
+     LOSS, true},
+    {"coin_steady_ride", "16 u + u/cos theta of the speed; 16 u of the radius",
+     1, nullptr, judged(ride)},
+    {"coin_body_reaction", "32 u of the terms over cos theta; slipping", 1,
+     on_table, judged(body_reaction)},
+};

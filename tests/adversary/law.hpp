@@ -19,8 +19,17 @@
 constexpr double NO_CLAIM = -1;
 constexpr double BROKEN = std::numeric_limits<double>::infinity();
 
-/* The public functions of coin.h and coinf.h under one set of names, so that
- * one text judges both. */
+/* A type of numbers: half the distance of 1 to the next, the least number, and
+ * the least that is normal. */
+template <class N> struct numbers {
+    using number = N;
+    using limits = std::numeric_limits<N>;
+    static constexpr bool is_single = std::is_same_v<N, float>;
+    static constexpr real u = limits::epsilon() / 2;
+    static constexpr real least = limits::denorm_min(), normal = limits::min();
+};
+
+/* What coin.h and coinf.h name alike, so that one text judges both. */
 #define TWINS(PREFIX)                                                          \
     using params = PREFIX##_params;                                            \
     using state = PREFIX##_state;                                              \
@@ -28,42 +37,15 @@ constexpr double BROKEN = std::numeric_limits<double>::infinity();
     static constexpr auto disc = PREFIX##_params_disc;                         \
     static constexpr auto ring = PREFIX##_params_ring;                         \
     static constexpr auto from_motion = PREFIX##_state_from_motion;            \
-    static constexpr auto angular_velocity = PREFIX##_angular_velocity;        \
     static constexpr auto step = PREFIX##_step;                                \
     static constexpr auto run = PREFIX##_run;                                  \
-    static constexpr auto energy = PREFIX##_energy;                            \
-    static constexpr auto fastest_rate = PREFIX##_fastest_rate;                \
-    static constexpr auto integrals = PREFIX##_integrals;                      \
-    static constexpr auto reaction = PREFIX##_reaction;                        \
-    static constexpr auto rates = PREFIX##_rates;                              \
-    static constexpr auto center = PREFIX##_center;                            \
-    static constexpr auto velocity = PREFIX##_velocity;                        \
-    static constexpr auto contact = PREFIX##_contact;                          \
-    static constexpr auto axes = PREFIX##_axes;                                \
-    static constexpr auto quaternion = PREFIX##_quaternion;                    \
-    static constexpr auto matrix = PREFIX##_matrix;                            \
     static constexpr auto check = PREFIX##_check
 
-struct doubles {
-    using number = double;
-    static constexpr bool is_single = false;
-    static constexpr real u = 0x1p-53, least = DBL_TRUE_MIN, normal = DBL_MIN;
+struct doubles : numbers<double> {
     TWINS(coin);
-    static double low(const state &, int)
-    {
-        return 0;
-    }
 };
-
-struct floats {
-    using number = float;
-    static constexpr bool is_single = true;
-    static constexpr real u = 0x1p-24, least = FLT_TRUE_MIN, normal = FLT_MIN;
+struct floats : numbers<float> {
     TWINS(coinf);
-    static double low(const state &s, int i)
-    {
-        return s.low[i];
-    }
 };
 
 /* A scene's arguments in the type of the function, the moment that they mean,
@@ -158,33 +140,14 @@ struct row {
 };
 
 /* A law is false where it claims nothing. */
-template <class T, class L> judge judged(L law)
+template <class T = doubles, class L> judge judged(L law)
 {
     return [law](const scene &s, double enough) {
         trial<T> q(s, enough);
         return law(q) ? q.worst : NO_CLAIM;
     };
 }
-/* Of a law of several kinds. */
-template <class T, class L, class K> judge judged(L law, K kind)
-{
-    return judged<T>([law, kind](trial<T> &q) { return law(q, kind); });
-}
 
-/* A row of a function of coin.h and of its twin. */
-template <class L>
-void both(std::vector<row> *rows, const char *name, const std::string &bound,
-          edge draw, L law)
-{
-    const std::string s = name;
-    rows->push_back({"coin_" + s, bound, 1, draw, judged<doubles>(law), LOSS});
-    rows->push_back(
-        {"coinf_" + s, bound, 1, draw, judged<floats>(law), LOSS, true});
-}
-
-void add_formulas(std::vector<row> *rows);
-void add_motions(std::vector<row> *rows);
-void add_events(std::vector<row> *rows);
-void add_throws(std::vector<row> *rows);
+extern const std::vector<row> FORMULAS, MOTIONS, EVENTS, THROWS;
 
 #endif

@@ -14,16 +14,19 @@ double ratio_of(real error, real bound)
 /* -------------------------------------------------------------- fixed steps */
 
 /* C (|dt| W)^(order + 1) a step, before the motion's own amplification. */
-struct method {
-    const char *name, *law;
+constexpr struct method {
     int order;
     double C, limit;
-};
-constexpr method METHODS[] = {
-    {"run_rk4", "0.1 (dt W)^5 a step + rounding", 4, 0.1, 0.35},
-    {"run_rk8", "2e-4 (dt W)^9 a step + rounding", 8, 2e-4, 1},
-    {"run_symplectic2", "0.6 (dt W)^3 a step + rounding", 2, 0.6, 0.08},
-    {"run_symplectic4", "0.04 (dt W)^5 a step + rounding", 4, 0.04, 0.16}};
+} METHODS[] = {{4, 0.1, 0.35}, {8, 2e-4, 1}, {2, 0.6, 0.08}, {4, 0.04, 0.16}};
+
+double low(const coin_state &, int)
+{
+    return 0;
+}
+double low(const coinf_state &s, int i)
+{
+    return s.low[i];
+}
 
 /* The largest difference of the members in radians, radii and parts of W. */
 template <class T>
@@ -31,7 +34,7 @@ real apart(const motion &truth, const typename T::state &s, real W)
 {
     scene whole = {};
     for (int i = 0; i < 8; ++i)
-        (&whole.theta)[i] = double((&s.theta)[i]) + T::low(s, i);
+        (&whole.theta)[i] = double((&s.theta)[i]) + low(s, i);
     real off[8], worst = 0;
     truth.apart(whole, W, off);
     for (int i = 0; i < 8; ++i) {
@@ -47,9 +50,9 @@ real apart(const motion &truth, const typename T::state &s, real W)
  * I_X = M a^2/2 and its rounding. */
 constexpr double RIM = 0.500001;
 
-template <class T> bool runs(trial<T> &q, int kind)
+template <class T, int kind> bool runs(trial<T> &q)
 {
-    const method &law = METHODS[kind];
+    constexpr method law = METHODS[kind];
     const auto dt = decltype(q.p.mass)(q.s.t);
     const int steps = int(q.s.count);
     const bool is_step = steps == 1 && kind == COIN_RK4;
@@ -87,15 +90,13 @@ template <class T> bool runs(trial<T> &q, int kind)
 
 /* dt W at and below the method's limit, where the law has least to spare; half
  * of one step. */
-edge near_the_limit(double limit)
+template <int kind> void near_the_limit(scene *s, const double *g)
 {
-    return [limit](scene *s, const double *g) {
-        const double part = 2 * g[TIME] - 1;
-        s->t = (part < 0 ? -limit : limit) * std::pow(10, -2 * part * part) /
-               fastest_of(*s);
-        if (g[MORE] < 0.5)
-            s->count = 1;
-    };
+    const double part = 2 * g[TIME] - 1, limit = METHODS[kind].limit;
+    s->t = (part < 0 ? -limit : limit) * std::pow(10, -2 * part * part) /
+           fastest_of(*s);
+    if (g[MORE] < 0.5)
+        s->count = 1;
 }
 
 /* --------------------------------------------- one call, or many short ones */
@@ -157,7 +158,7 @@ double untrue(const trial<doubles> &q, int32_t status)
                : 0;
 }
 
-bool moves(trial<doubles> &q, mover kind)
+template <mover kind> bool moves(trial<doubles> &q)
 {
     const bool on_ice = kind == SLIPS && q.s.mu_static == 0;
     if ((kind == ROLLS || on_ice) && !q.roll())
@@ -362,33 +363,34 @@ void about_circles(scene *s, const double *g)
     }
     s->t *= g[COUNT] < 0.5 ? 1 : -1;
 }
+
+const char *const RK4 = "0.1 (dt W)^5 a step + rounding";
 } // namespace
 
-void add_motions(std::vector<row> *rows)
-{
-    for (int i = COIN_RK4; i <= COIN_SYMPLECTIC4; ++i)
-        rows->push_back({std::string("coin_") + METHODS[i].name, METHODS[i].law,
-                         2, near_the_limit(METHODS[i].limit),
-                         judged<doubles>(runs<doubles>, i), LOSS});
-    rows->push_back({"coinf_run_rk4", METHODS[0].law, 2,
-                     near_the_limit(METHODS[0].limit),
-                     judged<floats>(runs<floats>, COIN_RK4), LOSS, true});
-    const char *moved = "2 tol a radius of speed + rounding";
-    rows->push_back({"coin_advance", moved, 8, either_way,
-                     judged<doubles>(moves, ADVANCE), LOSS});
-    rows->push_back({"coin_settle",
-                     "20 tol a radius of speed; 2 of many calls; + rounding",
-                     16, calls, judged<doubles>(moves, SETTLE)});
-    rows->push_back(
-        {"coin_move_rolls",
-         "2 tol a radius of speed + rounding; rolls where the truth "
-         "does",
-         32, calls, judged<doubles>(moves, ROLLS)});
-    rows->push_back({"coin_move_slips",
-                     "tol (1 + natural time) before amplification; slipping", 8,
-                     slips, judged<doubles>(moves, SLIPS)});
-    rows->push_back({"coin_orbit_at",
-                     "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + "
-                     "period) + 4 u amplified",
-                     5, about_circles, judged<doubles>(orbit), LOSS});
-}
+const std::vector<row> MOTIONS = {
+    {"coin_run_rk4", RK4, 2, near_the_limit<COIN_RK4>,
+     judged(runs<doubles, COIN_RK4>), LOSS},
+    {"coin_run_rk8", "2e-4 (dt W)^9 a step + rounding", 2,
+     near_the_limit<COIN_RK8>, judged(runs<doubles, COIN_RK8>), LOSS},
+    {"coin_run_symplectic2", "0.6 (dt W)^3 a step + rounding", 2,
+     near_the_limit<COIN_SYMPLECTIC2>, judged(runs<doubles, COIN_SYMPLECTIC2>),
+     LOSS},
+    {"coin_run_symplectic4", "0.04 (dt W)^5 a step + rounding", 2,
+     near_the_limit<COIN_SYMPLECTIC4>, judged(runs<doubles, COIN_SYMPLECTIC4>),
+     LOSS},
+    {"coinf_run_rk4", RK4, 2, near_the_limit<COIN_RK4>,
+     judged<floats>(runs<floats, COIN_RK4>), LOSS, true},
+    {"coin_advance", "2 tol a radius of speed + rounding", 8, either_way,
+     judged(moves<ADVANCE>), LOSS},
+    {"coin_settle", "20 tol a radius of speed; 2 of many calls; + rounding", 16,
+     calls, judged(moves<SETTLE>)},
+    {"coin_move_rolls",
+     "2 tol a radius of speed + rounding; rolls where the truth does", 32,
+     calls, judged(moves<ROLLS>)},
+    {"coin_move_slips", "tol (1 + natural time) before amplification; slipping",
+     8, slips, judged(moves<SLIPS>)},
+    {"coin_orbit_at",
+     "1e-14 + 1e-15 conditioning a period + 4 u W (abs(t) + period) + 4 u "
+     "amplified",
+     5, about_circles, judged(orbit), LOSS},
+};

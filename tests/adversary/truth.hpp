@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <valarray>
 #include <vector>
 
 using real = long double;
@@ -74,6 +75,18 @@ struct moment {
         T = s / c;
         sph = std::sin(phi);
         cph = std::cos(phi);
+    }
+};
+
+/* The coin's frame, (7). */
+struct frame {
+    std::valarray<real> X, Y, Z;
+
+    explicit frame(const moment &y)
+    {
+        X = {y.cph, 0, -y.sph};
+        Y = {y.s * y.sph, y.c, y.s * y.cph};
+        Z = {y.c * y.sph, -y.s, y.c * y.cph};
     }
 };
 
