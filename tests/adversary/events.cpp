@@ -20,45 +20,55 @@ real blurred(real natural, double tol, real least, real moves, real slope)
     return error * moves / std::fabs(slope);
 }
 
-/* A change of mode at a true time: what it errs by, for how long it may be
- * unseen, what stops a call there, and the modes before and after. */
-struct event {
-    real when, bound, unseen;
+/* What stops a call at a change of mode, and the modes before and after. */
+struct change {
     int32_t stop, before, after;
 };
+constexpr change BEGINS = {COIN_SLIPS | COIN_LIFTS, COIN_OK, COIN_SLIPS};
+constexpr change ENDS = {COIN_ROLLS, COIN_SLIPS, COIN_OK};
+constexpr change LIFTS = {COIN_LIFTS, COIN_SLIPS, COIN_LIFTS};
 
-/* How far from the time a call ends that is stopped there, in parts of so many
- * bounds, if the modes on both sides are the ones before and after.  A coin
- * that begins to slip may lift off at once.  No claim if a call says
- * COIN_ESTEP: it tells neither. */
+/* How far from the time of a change a call ends that is stopped there, in parts
+ * of so many bounds, if the modes on both sides are the ones before and after.
+ * The change may be unseen for some time.  A coin that begins to slip may lift
+ * off at once.  No claim if a call says COIN_ESTEP: it tells neither. */
 constexpr double MISSED = 32;
 
-double late(const trial<doubles> &q, const event &e, real bound)
+double late(const trial<doubles> &q, const change &of, real when, real bound,
+            real unseen)
 {
-    const real at[] = {e.when - bound, e.when + bound + e.unseen,
-                       e.when + MISSED * bound};
+    const real at[] = {when - bound, when + bound + unseen,
+                       when + MISSED * bound};
     int32_t is[3];
     double reached = 0;
     for (int i = 0; i < 3; ++i) {
         coin_body b = q.b;
         is[i] = q.move(&b, std::max(0.0, double(at[i])),
-                       i < 2 ? COIN_LIFTS : e.stop, &reached);
+                       i < 2 ? COIN_LIFTS : of.stop, &reached);
         if (is[i] == COIN_ESTEP)
             return NO_CLAIM;
     }
-    return is[0] == e.before && (is[1] == e.after || is[1] == COIN_LIFTS) &&
-                   is[2] & e.stop
-               ? double(std::fabs(reached - e.when) / bound)
+    return is[0] == of.before && (is[1] == of.after || is[1] == COIN_LIFTS) &&
+                   is[2] & of.stop
+               ? double(std::fabs(reached - when) / bound)
                : MISSED;
 }
 
-/* The same before the motion's own amplification. */
-bool holds(trial<doubles> &q, const motion &start, const event &e)
+/* The same before the motion's own amplification; of a time, a bound and how
+ * long it may be unseen in natural units. */
+bool holds(trial<doubles> &q, const motion &start, const change &of,
+           real natural, real bound, real unseen = 0)
 {
-    const double ratio = late(q, e, e.bound);
-    return q.is(ratio > std::max(q.enough, UNAMPLIFIED)
-                    ? late(q, e, e.bound * start.growth(0.9L * e.when, 1e30L))
-                    : ratio);
+    const real w = start.w, when = natural / w;
+    const auto ratio = [&](real growth) {
+        return late(q, of, when, bound / w * growth, unseen / w);
+    };
+    if (!(bound < BLURRED))
+        return false;
+    const double plain = ratio(1);
+    return q.is(plain > std::max(q.enough, UNAMPLIFIED)
+                    ? ratio(start.growth(0.9L * when, 1e30L))
+                    : plain);
 }
 
 /* From where it rolls to where nothing is left of the cone. */
@@ -75,20 +85,16 @@ bool begins(trial<doubles> &q)
         return false;
     /* How long a slip from here counts as rolling, at most: by what rolling
      * needs beyond the friction of a slip. */
-    real N, F;
-    truth.stuck(&N, &F);
+    const motion::contact needs = truth.stuck();
     const real rounding =
         16 * doubles::u *
         (std::fabs(truth.at(truth.WX)) + std::fabs(truth.at(truth.WZ)));
-    const real unseen = (ROLLS + rounding) / (F - q.table.mu_kinetic * N);
+    const real unseen =
+        (ROLLS + rounding) / (needs.F - q.table.mu_kinetic * needs.N);
     const real bound = blurred(truth.took, q.s.tol, 0, truth.moves(left),
                                truth.slope_of(left));
-    const real when = truth.took / truth.w;
-    if (!(bound < BLURRED / truth.fastest()))
-        return false;
-    return holds(q, start,
-                 {when, bound / truth.w, 2 * unseen / truth.w,
-                  COIN_SLIPS | COIN_LIFTS, COIN_OK, COIN_SLIPS});
+    return bound < BLURRED / truth.fastest() &&
+           holds(q, start, BEGINS, truth.took, bound, 2 * unseen);
 }
 
 /* Of a slip. */
@@ -101,19 +107,16 @@ bool ends(trial<doubles> &q)
     if (!q.says(COIN_SLIPS, q.b) || !(truth.speed() > 1e-2L) ||
         truth.until(q.s.t, speed) != motion::CROSSES)
         return false;
-    real N, F;
-    truth.stuck(&N, &F);
+    const motion::contact needs = truth.stuck();
     const real slope = truth.speed_slope();
-    if (!(slope < 0 && N > 0 && F < 0.95L * q.table.mu_static * N))
+    if (!(slope < 0 && needs.N > 0 &&
+          needs.F < 0.95L * q.table.mu_static * needs.N))
         return false;
     /* u is a sum of two velocities, and one that theta changes. */
     const real natural = truth.took - ROLLS / slope;
     const real bound = blurred(natural, q.s.tol, ROLLS,
                                2 + std::fabs(truth.at(truth.WX)), slope);
-    const real when = natural / truth.w;
-    return bound < BLURRED &&
-           holds(q, start,
-                 {when, bound / truth.w, 0, COIN_ROLLS, COIN_SLIPS, COIN_OK});
+    return holds(q, start, ENDS, natural, bound);
 }
 
 /* From a slip. */
@@ -136,10 +139,7 @@ bool lifts(trial<doubles> &q)
     const real bound =
         blurred(truth.took, q.s.tol, 0, truth.moves(pressed), slope) +
         open / std::fabs(slope);
-    const real when = truth.took / truth.w;
-    return bound < BLURRED && holds(q, start,
-                                    {when, bound / truth.w, 0, COIN_LIFTS,
-                                     COIN_SLIPS, COIN_LIFTS});
+    return holds(q, start, LIFTS, truth.took, bound);
 }
 
 /* No excursion that exceeds mu by 1e-4 of it lies before the moment reached, in
@@ -160,9 +160,8 @@ bool until(trial<doubles> &q)
     const real clear = reached - (mu > 100 ? 1e-6L : 2e-12L) / truth.w;
     real worst = lifts ? -1 : 0;
     const auto cone = [&](const motion &m) {
-        real N, F;
-        m.stuck(&N, &F);
-        worst = std::max(worst, N > 0 ? F / (mu * N) - 1 : real(lifts));
+        const motion::contact f = m.stuck();
+        worst = std::max(worst, f.N > 0 ? f.F / (mu * f.N) - 1 : real(lifts));
         return m.at(m.C) - 1 / most;
     };
     if (!(clear > 0) || truth.until(clear, cone, 0.1, 0) != motion::GOES ||

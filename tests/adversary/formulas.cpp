@@ -18,6 +18,11 @@ terms unit(real value)
     return {value, 1};
 }
 
+list center_of(const moment &y)
+{
+    return {same(y.x), y.a * y.c, same(y.z)};
+}
+
 list velocity_of(const moment &y)
 {
     const list d = rates_of(y);
@@ -511,8 +516,7 @@ const std::vector<row> FORMULAS = {
          reaction_of(y)),
     TWIN(rates, 12, puts(f(&q.y, &q.p, &q.made), &q.made.theta, 8, out),
          rates_of(y)),
-    TWIN(center, 4, f(&q.y, &q.p, out) == COIN_OK,
-         {same(y.x), terms().add(y.a *y.c), same(y.z)}),
+    TWIN(center, 4, f(&q.y, &q.p, out) == COIN_OK, center_of(y)),
     TWIN(velocity, 8, f(&q.y, &q.p, out) == COIN_OK, velocity_of(y)),
     TWIN(contact, 8, f(&q.y, &q.p, out, out + 3) == COIN_OK, contact_of(y)),
     TWIN(axes, 4, f(&q.y, out) == COIN_OK, axes_of(y)),

@@ -284,24 +284,26 @@ class motion
     }
 
     /* The normal force and the friction of a contact without slip. */
-    void stuck(real *N, real *F) const
+    struct contact {
+        real N, F;
+    };
+    contact stuck() const
     {
         motion rolls = *this;
         rolls.slips = false;
         const vector d = rolls.slopes();
         const real X = y[WX] * y[WY] - d[WZ]; /* (25) */
         const real h = -y[WX] * y[WX] * y[S] + d[WX] * y[C] +
-                       y[WY] * y[WZ] / y[C];          /* (26) */
-        *N = 1 - y[WX] * y[WX] * y[C] - d[WX] * y[S]; /* (27) */
-        *F = std::hypot(X, h);
+                       y[WY] * y[WZ] / y[C]; /* (26) */
+        return {1 - y[WX] * y[WX] * y[C] - d[WX] * y[S] /* (27) */,
+                std::hypot(X, h)};
     }
     /* What is left of the cone of friction of a coin that rolls: mu N - F, over
      * mu where that is above 2. */
     real left(real of) const
     {
-        real N, F;
-        stuck(&N, &F);
-        return of > DBL_MAX ? N : of > 2 ? N - F / of : of * N - F;
+        const contact f = stuck();
+        return of > DBL_MAX ? f.N : of > 2 ? f.N - f.F / of : of * f.N - f.F;
     }
 
   private:
