@@ -6,10 +6,10 @@
  * Equal arguments do equal work and print equal lines. */
 #include "law.hpp"
 
-#include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <random>
 
 namespace
@@ -125,29 +125,27 @@ int search_all(const std::vector<row> &rows, int argc, char **argv)
 /* Each line: a function, and its scene.  A # begins a comment. */
 int replay(const std::vector<row> &rows, const char *file)
 {
-    std::FILE *in = std::fopen(file, "r");
-    char line[2048], name[64];
+    std::ifstream in(file);
     int cases = 0, beyond = 0;
-    while (in && std::fgets(line, sizeof line, in)) {
+    for (std::string line; std::getline(in, line);) {
+        const std::string name = line.substr(0, line.find(' '));
         scene s;
-        int end = 0;
-        if (line[0] == '#' || std::sscanf(line, "%63s%n", name, &end) != 1)
+        if (name[0] == '#')
             continue;
         const auto r =
             std::find_if(rows.begin(), rows.end(),
                          [&](const row &of) { return of.function == name; });
-        if (r == rows.end() || !scene_from(line + end, &s)) {
-            std::fprintf(stderr, "adversary: not a case: %s", line);
+        if (r == rows.end() || !scene_from(line.c_str() + name.size(), &s)) {
+            std::fprintf(stderr, "adversary: not a case: %s\n", line.c_str());
             return 2;
         }
         const double ratio = r->law(s, NO_CLAIM);
         ++cases;
         beyond += ratio > 1;
         if (ratio > 1)
-            std::printf("beyond its bound, %.3g times: %s", ratio, line);
+            std::printf("beyond its bound, %.3g times: %s\n", ratio,
+                        line.c_str());
     }
-    if (in)
-        std::fclose(in);
     std::printf("%d cases replayed, %d beyond their bounds\n", cases, beyond);
     return cases == 0 || beyond > 0;
 }

@@ -8,6 +8,7 @@
 #include "law.hpp"
 
 #include <array>
+#include <complex>
 
 class motion
 {
@@ -242,13 +243,14 @@ class motion
      * by its heading. */
     void repeat(const motion &period, real times)
     {
-        const real h = period.y[PHI] / 2, all = times * h, lag = all - h;
+        using place = std::complex<real>;
+        const real h = period.y[PHI] / 2, all = times * h;
         const real sum = std::sin(h) == 0 ? times : std::sin(all) / std::sin(h);
-        const real c1 = std::cos(lag) * sum, s1 = std::sin(lag) * sum;
-        const real c2 = std::cos(2 * all), s2 = std::sin(2 * all);
-        const real x = y[PX], z = y[PZ], px = period.y[PX], pz = period.y[PZ];
-        y[PX] = px * c1 + pz * s1 + x * c2 + z * s2;
-        y[PZ] = pz * c1 - px * s1 + z * c2 - x * s2;
+        const place way = place(period.y[PX], period.y[PZ]) * sum *
+                              std::polar(1.0L, h - all) +
+                          place(y[PX], y[PZ]) * std::polar(1.0L, -2 * all);
+        y[PX] = way.real();
+        y[PZ] = way.imag();
         y[PHI] += times * period.y[PHI];
         y[PSI] += times * period.y[PSI];
         look();

@@ -46,8 +46,7 @@ double either(double gene, double low, double high)
 
 int kind(double gene, int kinds)
 {
-    const int k = int(gene * kinds);
-    return k < 0 ? 0 : k < kinds ? k : kinds - 1;
+    return int(gene * kinds);
 }
 
 /* Natural, a quarter's, any, far. */
@@ -74,30 +73,22 @@ void choose_inertia(scene *s, const double *g)
     s->IZ = 2 * s->IX * (k < 5 ? 1 : power_of_ten(g[2], -far, 0));
 }
 
+/* Where series change, sin theta = 0.7; where sines change; cos theta = 0.01.
+ */
+constexpr double SERIES = 0.7753974966107530, SINES = 0.7853981633974483;
+constexpr double NEARLY_FLAT = 1.5607961601207294;
+
+/* Any; about upright; about flat; about where a formula changes; upright. */
 double lean(const double *g)
 {
-    switch (kind(g[0], 10)) {
-    case 0:
-    case 1:
-    case 2:
-        return 3 * g[1] - 1.5;
-    case 3:
-    case 4: /* upright */
-        return either(g[1], -20, 0);
-    case 5:
-    case 6: { /* flat */
-        const double off = either(g[1], -15.6, 0);
-        return off < 0 ? -FLAT - off : FLAT - off;
-    }
-    case 7: /* where series change: sin theta = 0.7 */
-        return (g[2] < 0.5 ? -1 : 1) *
-               (0.7753974966107530 + either(g[1], -16, -1));
-    case 8: /* where sines change, and cos theta = 0.01 */
-        return (g[2] < 0.5 ? 1.5607961601207294 : 0.7853981633974483) +
-               either(g[1], -16, -1);
-    default:
-        return 0;
-    }
+    const int k = kind(g[0], 10);
+    const double near = either(g[1], -16, -1), off = either(g[1], -15.6, 0);
+    return k < 3   ? 3 * g[1] - 1.5
+           : k < 5 ? either(g[1], -20, 0)
+           : k < 7 ? (off < 0 ? -FLAT : FLAT) - off
+           : k < 8 ? (g[2] < 0.5 ? -1 : 1) * (SERIES + near)
+           : k < 9 ? (g[2] < 0.5 ? NEARLY_FLAT : SINES) + near
+                   : 0;
 }
 
 /* A circle at the lean of *s, off by a part. */
