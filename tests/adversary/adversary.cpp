@@ -85,13 +85,6 @@ best search(const row &r, long evaluations, uint64_t seed)
     return found;
 }
 
-void print(const row &r, long evaluations, const best &b)
-{
-    std::printf("%s,%ld,%.3g,%s,%s\n", r.function.c_str(), evaluations, b.ratio,
-                r.bound.c_str(), text_of(b.at).c_str());
-    std::fflush(stdout);
-}
-
 uint64_t seed_of(const row &r, uint64_t seed)
 {
     for (char c : r.function)
@@ -114,7 +107,9 @@ int search_all(const std::vector<row> &rows, int argc, char **argv)
             r.function.find(pattern) == std::string::npos)
             continue;
         const best b = search(r, n, seed_of(r, seed));
-        print(r, n, b);
+        std::printf("%s,%ld,%.3g,%s,%s\n", r.function.c_str(), n, b.ratio,
+                    r.bound.c_str(), text_of(b.at).c_str());
+        std::fflush(stdout);
         beyond += b.ratio > 1;
     }
     return beyond > 0;

@@ -174,10 +174,7 @@ list losses_rates_of(const moment &y, const scene &s)
 {
     const slowing by = slowed(y, s);
     list d = rates_of(y);
-    d[5].add(by.wX, 1);
-    d[6].add(by.wY, 1);
-    d[7].add(by.wZ, 1);
-    return {d[5], d[6], d[7]};
+    return {d[5].add(by.wX, 1), d[6].add(by.wY, 1), d[7].add(by.wZ, 1)};
 }
 
 list losses_reaction_of(const moment &y, const scene &s)
@@ -300,8 +297,7 @@ bool ride(trial<doubles> &q)
     q.hold(y.a * y.wZ, speed, (16 + 1 / y.c) * q.u * speed);
     q.hold(y.a * y.wZ * y.c / y.wY, radius, 16 * q.u * radius);
     q.hold(y.K * y.wZ * y.wY + tilt, Mga, 24 * q.u * Mga);
-    q.equal(made.wX == 0 && made.wY > 0 && made.theta > 0);
-    return true;
+    return q.is(made.wX == 0 && made.wY > 0 && made.theta > 0 ? 0 : BROKEN);
 }
 
 list radii_of(const moment &y)
@@ -365,11 +361,11 @@ template <class T> bool params_ring(trial<T> &q)
     const real IX = real(M) * (real(a) * a + real(b) * b) / 4;
     q.within(p.inertia_X, IX, 4);
     q.within(p.inertia_Z, 2 * IX, 4);
-    q.equal(p.mass == M && p.radius == a && p.gravity == g);
-    if (b == 0)
-        q.equal(T::disc(&disc, M, a, g) == COIN_OK &&
-                disc.inertia_X == p.inertia_X && disc.inertia_Z == p.inertia_Z);
-    return true;
+    const bool is_kept = p.mass == M && p.radius == a && p.gravity == g;
+    const bool is_disc = T::disc(&disc, M, a, g) == COIN_OK &&
+                         disc.inertia_X == p.inertia_X &&
+                         disc.inertia_Z == p.inertia_Z;
+    return q.is(is_kept && (b > 0 || is_disc) ? 0 : BROKEN);
 }
 
 /* The rotation of the scene's angles, each number off by a little. */

@@ -94,10 +94,6 @@ template <class T> struct trial : T {
     {
         hold(output, truth.value, ulps * (T::u * truth.size + T::least));
     }
-    void equal(bool same)
-    {
-        worst = same ? worst : BROKEN;
-    }
     /* The answer of a law that is one ratio. */
     bool is(double ratio)
     {

@@ -19,22 +19,16 @@ constexpr struct method {
     double C, limit;
 } METHODS[] = {{4, 0.1, 0.35}, {8, 2e-4, 1}, {2, 0.6, 0.08}, {4, 0.04, 0.16}};
 
-double low(const coin_state &, int)
-{
-    return 0;
-}
-double low(const coinf_state &s, int i)
-{
-    return s.low[i];
-}
-
 /* The largest difference of the members in radians, radii and parts of W. */
 template <class T>
 real apart(const motion &truth, const typename T::state &s, real W)
 {
     scene whole = {};
-    for (int i = 0; i < 8; ++i)
-        (&whole.theta)[i] = double((&s.theta)[i]) + low(s, i);
+    for (int i = 0; i < 8; ++i) {
+        (&whole.theta)[i] = (&s.theta)[i];
+        if constexpr (T::is_single)
+            (&whole.theta)[i] += s.low[i];
+    }
     real off[8], worst = 0;
     truth.apart(whole, W, off);
     for (int i = 0; i < 8; ++i) {
