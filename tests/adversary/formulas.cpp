@@ -87,9 +87,8 @@ list quaternion_of(const moment &y)
 }
 
 /* And, where N is clear of 0, the ratio. */
-list reaction_of(const moment &y)
+list reaction_of(const table_force &f)
 {
-    const table_force f(y);
     list all = {f.R[0], f.R[1], f.R[2], f.normal, f.friction};
     if (f.normal.value > 1e-4L * f.normal.size)
         all.push_back(over(f.friction, f.normal));
@@ -175,12 +174,6 @@ list losses_rates_of(const moment &y, const scene &s)
     const slowing by = slowed(y, s);
     list d = rates_of(y);
     return {d[5].add(by.wX, 1), d[6].add(by.wY, 1), d[7].add(by.wZ, 1)};
-}
-
-list losses_reaction_of(const moment &y, const scene &s)
-{
-    const table_force f(y, slowed(y, s));
-    return {f.R[0], f.R[1], f.R[2], f.normal};
 }
 
 /* --------------------------------------------------------------- of a body */
@@ -509,7 +502,7 @@ const std::vector<row> FORMULAS = {
     TWIN(fastest_rate, 8, puts(f(&q.y, &q.p), out), {fastest(y)}),
     TWIN(integrals, 16, f(&q.y, &q.p, out) == COIN_OK, integrals_of(y)),
     TWIN(reaction, 14, puts(f(&q.y, &q.p, &q.force), &q.force.R[0], 6, out),
-         reaction_of(y)),
+         reaction_of(table_force(y))),
     TWIN(rates, 12, puts(f(&q.y, &q.p, &q.made), &q.made.theta, 8, out),
          rates_of(y)),
     TWIN(center, 4, f(&q.y, &q.p, out) == COIN_OK, center_of(y)),
@@ -525,8 +518,8 @@ const std::vector<row> FORMULAS = {
         puts(f(&q.y, &q.p, &q.table.losses, &q.made), &q.made.wX, 3, out),
         losses_rates_of(y, s)),
     ONE(losses_reaction, 16, nullptr,
-        puts(f(&q.y, &q.p, &q.table.losses, &q.force), &q.force.R[0], 4, out),
-        losses_reaction_of(y, s)),
+        puts(f(&q.y, &q.p, &q.table.losses, &q.force), &q.force.R[0], 6, out),
+        reaction_of(table_force(y, slowed(y, s)))),
     ONE(body_energy, 12, nullptr, puts(f(&q.b, &q.p), out),
         body_energy_of(y, body_of(s))),
     ONE(body_slip, 8, on_table, f(&q.b, &q.p, out) == COIN_OK,
