@@ -20,33 +20,31 @@ namespace
 constexpr double RISE = 1.001;
 constexpr long PATIENCE = 300;
 
-/* In [0, 1). */
-struct chance {
-    std::mt19937_64 from;
+using chance = std::mt19937_64;
 
-    double next()
-    {
-        return double(from() >> 11) * 0x1p-53;
-    }
-};
+/* In [0, 1). */
+double next(chance *c)
+{
+    return double((*c)() >> 11) * 0x1p-53;
+}
 
 genome anywhere(chance *c)
 {
     genome g;
     for (double &gene : g)
-        gene = c->next();
+        gene = next(c);
     return g;
 }
 
 /* One to three genes moved, by 1e-16 to 1 of their range, or drawn anew. */
 genome beside(genome g, int genes, chance *c)
 {
-    for (int k = int(1 + 3 * c->next()); k > 0; --k) {
-        double &gene = g[size_t(c->next() * genes)];
-        const double size = std::pow(10, -16 * c->next());
-        gene += size * (2 * c->next() - 1);
-        if (c->next() < 0.15 || !(gene >= 0 && gene < 1))
-            gene = c->next();
+    for (int k = int(1 + 3 * next(c)); k > 0; --k) {
+        double &gene = g[size_t(next(c) * genes)];
+        const double size = std::pow(10, -16 * next(c));
+        gene += size * (2 * next(c) - 1);
+        if (next(c) < 0.15 || !(gene >= 0 && gene < 1))
+            gene = next(c);
     }
     return g;
 }
@@ -60,7 +58,7 @@ struct best {
 
 best search(const row &r, long evaluations, uint64_t seed)
 {
-    chance c = {std::mt19937_64(seed)};
+    chance c(seed);
     best found;
     genome at = {};
     double top = NO_CLAIM, mark = 0; /* of a climb; at its last rise */

@@ -220,44 +220,29 @@ void set_on_table(coin_body *b, const coin_params &p)
 coin_body body_of(const scene &s)
 {
     const double v = std::sqrt(s.g * s.a);
-    coin_body b = {};
-    b.s = state_of<coin_state>(s);
-    b.vx = s.vx * v;
-    b.vz = s.vz * v;
-    b.vy = s.vy * v;
-    b.y = s.a * (std::cos(s.theta) + s.above);
+    const double y = s.a * (std::cos(s.theta) + s.above);
+    coin_body b = {
+        state_of<coin_state>(s), y, s.vx * v, s.vy * v, s.vz * v, {}};
     if (s.above == 0)
         set_on_table(&b, params_of<coin_params>(s));
     return b;
 }
 
-/* In parts of the coin's own torques. */
-coin_losses losses_of(const scene &s)
+/* The losses in parts of the coin's own torques. */
+coin_table table_of(const scene &s)
 {
     const double w = 1 / unit_of(s), torque = s.M * s.g * s.a;
     const double unit[] = {
         1,          torque, torque / w, torque / w / std::sqrt(w),
         torque / w, torque, torque / w};
     coin_losses l = {};
-    double *to[] = {&l.damping, &l.dry,     &l.viscous, &l.layer,
-                    &l.gap,     &l.rolling, &l.spin};
     const auto asks = [&s](int bit) { return int(s.which) >> bit & 1; };
     for (int i = 0; i < 7; ++i)
-        *to[i] = asks(i) * unit[i] * s.loss[i / 2];
+        (&l.damping)[i] = asks(i) * unit[i] * s.loss[i / 2];
     l.soft = asks(7) * w * s.soft;
     l.angular = asks(8) * w * s.loss[3];
     l.flat = asks(9) * s.flat;
-    return l;
-}
-
-coin_table table_of(const scene &s)
-{
-    coin_table table = {};
-    table.mu_kinetic = s.mu_kinetic;
-    table.mu_static = s.mu_static;
-    table.restitution = s.restitution;
-    table.losses = losses_of(s);
-    return table;
+    return {s.mu_static, s.mu_kinetic, s.restitution, {}, l};
 }
 
 void near_pose(scene *s, const double *g)
