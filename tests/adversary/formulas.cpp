@@ -97,23 +97,24 @@ list reaction_of(const table_force &f)
 
 /* ------------------------------------------------------------ the integrals */
 
-/* The four power series about upright, to the last term that counts: K_Y, K_Z
- * of (35). */
+/* One of the four power series about upright, to the last term that counts:
+ * even or odd, of p or of w, (35). */
+real series(real u, real kap, int first, int side)
+{
+    real sum = 0, term = first == 0 ? 1 : u;
+    for (real n = first; n < 1000; n += 2) {
+        sum += term;
+        term *= u * u * (n * (n + side) + kap) / ((n + 1) * (n + 2));
+    }
+    return sum;
+}
+
+/* K_Y, K_Z of (35). */
 list integrals_upright(const moment &y)
 {
     const real u = y.s, kap = y.k1 * y.k2, p = y.wY * y.c;
-    real Pe = 0, Po = 0, We = 0, Wo = 0, pe = 1, po = u, we = 1, wo = u;
-    for (int k = 0; k < 1000; k += 2) {
-        const real n = k;
-        Pe += pe;
-        Po += po;
-        We += we;
-        Wo += wo;
-        pe *= u * u * (n * (n - 1) + kap) / ((n + 1) * (n + 2));
-        po *= u * u * ((n + 1) * n + kap) / ((n + 2) * (n + 3));
-        we *= u * u * (n * (n + 1) + kap) / ((n + 1) * (n + 2));
-        wo *= u * u * ((n + 1) * (n + 2) + kap) / ((n + 2) * (n + 3));
-    }
+    const real Pe = series(u, kap, 0, -1), Po = series(u, kap, 1, -1);
+    const real We = series(u, kap, 0, 1), Wo = series(u, kap, 1, 1);
     return {terms(We * p).add(-y.k1 * Po * y.wZ),
             terms(Pe * y.wZ).add(-y.k2 * Wo * p)};
 }
