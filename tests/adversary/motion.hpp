@@ -296,9 +296,9 @@ class motion
         const vector d = rolls.slopes();
         const real X = y[WX] * y[WY] - d[WZ]; /* (25) */
         const real h = -y[WX] * y[WX] * y[S] + d[WX] * y[C] +
-                       y[WY] * y[WZ] / y[C]; /* (26) */
-        return {1 - y[WX] * y[WX] * y[C] - d[WX] * y[S] /* (27) */,
-                std::hypot(X, h)};
+                       y[WY] * y[WZ] / y[C];                    /* (26) */
+        const real N = 1 - y[WX] * y[WX] * y[C] - d[WX] * y[S]; /* (27) */
+        return {N, std::hypot(X, h)};
     }
     /* What is left of the cone of friction of a coin that rolls: mu N - F, over
      * mu where that is above 2. */

@@ -44,19 +44,12 @@ double either(double gene, double low, double high)
     return gene < 0.5 ? size : -size;
 }
 
-int kind(double gene, int kinds)
-{
-    return int(gene * kinds);
-}
-
 /* Natural, a quarter's, any, far. */
 void choose_units(scene *s, const double *g, bool narrow)
 {
-    const int k = kind(g[0], 10);
-    const double far = k < 5   ? 0
-                       : k < 8 ? 6
-                               : 15,
-                 size = narrow ? far / 3 : far;
+    const int k = int(10 * g[0]);
+    const double far = k < 5 ? 0 : k < 8 ? 6 : 15;
+    const double size = narrow ? far / 3 : far;
     s->M = k == 4 ? 0.00567 : power_of_ten(g[1], -size, size);
     s->a = k == 4 ? 0.01213 : power_of_ten(g[2], -size, size);
     s->g = k == 4 ? 9.80665 : power_of_ten(g[3], -size, size);
@@ -66,7 +59,7 @@ void choose_units(scene *s, const double *g, bool narrow)
 void choose_inertia(scene *s, const double *g)
 {
     const double m = s->M * s->a * s->a;
-    const int k = kind(g[0], 8);
+    const int k = int(8 * g[0]);
     const double b = k < 3 ? 0 : k < 4 ? 1 : g[1], far = k < 7 ? 2 : 3;
     s->IX =
         k < 5 ? m * (1 + b * b) / 4 : m * power_of_ten(g[1], -far, 2 * far - 3);
@@ -81,7 +74,7 @@ constexpr double NEARLY_FLAT = 1.5607961601207294;
 /* Any; about upright; about flat; about where a formula changes; upright. */
 double lean(const double *g)
 {
-    const int k = kind(g[0], 10);
+    const int k = int(10 * g[0]);
     const double near = either(g[1], -16, -1), off = either(g[1], -15.6, 0);
     return k < 3   ? 3 * g[1] - 1.5
            : k < 5 ? either(g[1], -20, 0)
@@ -104,7 +97,7 @@ void choose_rates(scene *s, const double *g)
 {
     const double w = 1 / unit_of(*s), Mga = s->M * s->g * s->a;
     const double m = s->M * s->a * s->a, c = std::cos(s->theta);
-    const int k = kind(g[0], 10), what = kind(g[4], 12);
+    const int k = int(10 * g[0]), what = int(12 * g[4]);
     const double slow = k < 7 ? -3 : k < 8 ? -12 : k < 9 ? -20 : -3;
     const double fast = k < 7 ? 0.7 : k < 9 ? 0 : 6;
     s->wX = w * either(g[1], slow, fast);
@@ -151,11 +144,11 @@ void choose_rates(scene *s, const double *g)
 
 double heading(double gene)
 {
-    const int k = kind(gene, 4);
+    const int k = int(4 * gene);
     const double part = 4 * gene - k;
     return k == 0   ? 0
            : k == 1 ? either(part, -9, 9)
-           : k == 2 ? (kind(part, 9) - 4) * FLAT
+           : k == 2 ? (int(9 * part) - 4) * FLAT
                     : 6.283185307179586 * part - FLAT;
 }
 
@@ -197,7 +190,7 @@ scene scene_of(const genome &genes, bool narrow)
     s.t = either(g[TIME], -3, 0.1) / fastest_of(s);
     s.count = std::floor(power_of_ten(g[COUNT], 0, 2));
     s.tol = power_of_ten(g[TOL], -12, -2);
-    s.method = kind(g[METHOD], 4);
+    s.method = int(4 * g[METHOD]);
     for (int i = 0; i < 4; ++i)
         s.q[i] = either(g[QUAD + i], -17, 0);
     choose_table(&s, g + TABLE);
