@@ -305,3 +305,24 @@ TEST(a_coin_that_begins_to_slip_is_nearly_flat_at_the_same_moment_at_any_tol)
         }
     }
 }
+
+/* On ice the centre keeps its velocity along the table.  A coin that falls
+ * through upright needs a force that turns round there, within the first step
+ * of its slip. */
+TEST(a_slip_that_begins_on_ice_turns_round_where_its_force_does)
+{
+    const coin_params p = disc();
+    const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
+    for (double theta = 1e-9; theta < 1e-2; theta *= 2)
+        for (double tol = 1e-4; tol > 5e-12; tol /= 10) {
+            const coin_state s = {.theta = theta, .wX = -0.24, .wY = theta};
+            coin_body b, start;
+            check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+            start = b;
+            check_note("theta %g, tol %g", theta, tol);
+            check_status(coin_move(&b, &p, &ice, 0.05, tol, 0, NULL),
+                         COIN_SLIPS);
+            check_near(b.vx, start.vx, tol);
+            check_near(b.vz, start.vz, tol);
+        }
+}

@@ -103,8 +103,10 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g, int *slips)
         y[i] = g->step.y[i] + h / 2 * (a.slopes[i] + b.slopes[i]);
     const double u = sqrt(uX * uX + uh * uh) + h / 2 * (a.du + b.du);
     *slips = u > LEAST;
-    y[COIN_PRIV_UX] = *slips ? u * b.n.X : 0;
-    y[COIN_PRIV_UH] = *slips ? u * b.n.h : 0;
+    if (g->law.mu_kinetic > 0 || !*slips) { /* on ice no friction turns it */
+        y[COIN_PRIV_UX] = *slips ? u * b.n.X : 0;
+        y[COIN_PRIV_UH] = *slips ? u * b.n.h : 0;
+    }
     return coin_priv_accept(g, y, ends);
 }
 
