@@ -245,6 +245,22 @@ TEST(losses_too_weak_to_be_are_not_made)
     check_same(&l, &before, sizeof l);
 }
 
+/* The last bracket has one end out of range. */
+TEST(losses_just_not_too_weak_are_found)
+{
+    const coin_params p = disc();
+    const coin_state s = {.theta = 1, .wY = 3};
+    for (double dry = 1.001e-12; dry < 1.02e-12; dry += 2e-15) {
+        const coin_losses weak = {.viscous = 1e-2, .dry = dry};
+        const double time = coin_time_to_rest(&s, &p, &weak);
+        const double by = 1.326e-12 / dry;
+        coin_losses l = {.viscous = by * 1e-2, .dry = by * dry};
+        check_note("dry %g", dry);
+        check_status(coin_losses_fit(&l, &s, &p, time), COIN_OK);
+        check_near(coin_time_to_rest(&s, &p, &l) / time, 1, 0.01);
+    }
+}
+
 TEST(what_cannot_be_fitted_is_left_alone)
 {
     const coin_params p = quarter();
