@@ -77,6 +77,25 @@ TEST(a_circle_is_kept_for_20000_units)
     }
 }
 
+/* In a nearly straight motion each step rounds the smaller of the sine and the
+ * cosine of the heading the same way.  The path errs by 20 u of its length; by
+ * 400 u if that one is never taken anew. */
+TEST(a_nearly_straight_path_errs_by_the_rounding_of_the_heading)
+{
+    const coin_params p = disc();
+    const double wZ = 1.5, t = 2e4;
+    coin_state s, end;
+    for (double phi = 0.02; phi < 0.5; phi *= 1.2)
+        for (int across = 0; across < 2; ++across) {
+            check_status(coin_steady_circle(&s, &p, 1e-12, wZ, 1), COIN_OK);
+            s.phi = across ? 1.5707963267948966 - phi : phi;
+            check_status(coin_steady_at(&s, &p, t, &end), COIN_OK);
+            check_status(coin_advance(&s, &p, t, 1e-9, NULL), COIN_OK);
+            check_note("heading %g", s.phi);
+            check_within(path_apart(&s, &end, &p), 0, 64 * U * wZ * t);
+        }
+}
+
 /* The limit holds for three of four.  Where it does not, rounding decides how
  * much larger the error is: of eight runs each, with a tol that differs by 2 %,
  * the worst of all errors was 6.7 limits. */
