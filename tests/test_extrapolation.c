@@ -142,6 +142,32 @@ TEST(the_error_is_a_part_of_the_estimate)
     check_within(most, 0.03, 0.3);
 }
 
+/* As COIN_PRIV_ACCEPTED says too, where I_Z is small and most of the error is
+ * that of psi: hardly any errs by more than a seventh of the estimate. */
+TEST(the_estimate_sees_how_far_a_body_rolls)
+{
+    const coin_params p = {1, 1, 1, 0.5, 5e-4, {0, 0, 0}};
+    struct random r = random_begin(94);
+    enum { TRIED = 8000 };
+    int above = 0, made = 0;
+    for (int i = 0; i < TRIED; ++i) {
+        const coin_state s = {.theta = random_between(&r, -1.5, 1.5),
+                              .wX = random_between(&r, -1, 1),
+                              .wY = random_between(&r, -1, 1),
+                              .wZ = random_between(&r, 5, 10)};
+        const double stride = random_between(&r, 1.4, 2.4);
+        coin_priv_run one = begun(&s, &p), exact = one;
+        double error = 1e-3;
+        if (!step_beside_eighths(&one, &exact, stride, &error))
+            continue;
+        const double off = fabs(one.g.added.psi - exact.g.added.psi);
+        above += off - 640 * U > error * stride * stride / 7;
+        ++made;
+    }
+    check(made > TRIED / 2);
+    check(above <= TRIED / 1000);
+}
+
 /* The bounces of a coin next to flat are alike, whatever their height d: their
  * estimates differ by less than the part d. */
 TEST(low_bounces_have_one_estimate)
