@@ -115,6 +115,28 @@ TEST(a_motion_of_43_pieces_is_refused)
     check_status(coin_orbit_init(&o, &s, &p), COIN_EDOMAIN);
 }
 
+/* As many as it has, all of them before the start. */
+TEST(a_motion_of_42_pieces_has_an_orbit)
+{
+    const coin_params p = {1, 1, 1, 1e-3, 2e-3, {0, 0, 0}};
+    const coin_state start = {
+        .theta = -0x1.87856c77c48d1p+0,
+        .wX = -0x1.6c04126da345p-5,
+        .wY = 0x1.d08aa4891d563p+3,
+        .wZ = -0x1.d9373bce8a5p+0,
+    };
+    coin_orbit o;
+    check_status(coin_orbit_init(&o, &start, &p), COIN_OK);
+    for (int i = -3; i <= 3; ++i) {
+        coin_state s = start, at;
+        const double t = i * o.period / 8;
+        check_status(coin_advance(&s, &p, t, 1e-12, NULL), COIN_OK);
+        check_status(coin_orbit_at(&o, t, &at), COIN_OK);
+        check_note("at %d eighths of the period", i);
+        check_within(path_apart(&at, &s, &p), 0, 1e-12); /* tol */
+    }
+}
+
 /* ----------------------------------------------------- near separatrices -- */
 /* A steady motion that is unstable has none, however it is rounded. */
 TEST(no_unstable_circle_has_an_orbit)
