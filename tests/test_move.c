@@ -260,6 +260,12 @@ TEST(what_is_no_rotation_or_no_place_is_refused)
     check_status(coin_body_from_motion(&b, &p, q0, zero3, up, NULL), COIN_EARG);
     check_status(coin_body_from_motion(&b, &p, NULL, zero3, up, zero3),
                  COIN_EARG);
+    for (int i = 0; i < 4; ++i) { /* |q|^2 */
+        const double sizes[4] = {0.9e-15, 1.1e-15, 0.9e15, 1.1e15};
+        const double c = sqrt(sizes[i] / 2), face[4] = {c, c, 0, 0};
+        check_status(coin_body_from_motion(&b, &p, face, zero3, up, zero3),
+                     i == 1 || i == 2 ? COIN_OK : COIN_ESTATE);
+    }
     const double flat[4] = {1, 1, 0, 0}, fast[3] = {0, 2e6, 0};
     const coin_params zero = {0};
     check_status(coin_body_from_motion(&b, &p, flat, fast, up, zero3),
@@ -507,6 +513,19 @@ TEST(a_face_that_only_turns_feels_no_friction)
     check_status(coin_body_reaction(&b, &p, &grip, &force), COIN_OK);
     check_near(force.R[0], -grip.mu_kinetic, 1e-9);
     check_near(force.R[2], 0, 1e-15);
+}
+
+/* A face that turns fast slides with little friction, whichever its sense. */
+TEST(the_sense_of_a_turn_does_not_change_the_friction)
+{
+    const coin_params p = disc();
+    coin_force force[2];
+    for (int i = 0; i < 2; ++i) {
+        const coin_body b = on_face(&p, 1, 0, i == 0 ? 9 : -9);
+        check_status(coin_body_reaction(&b, &p, &grip, &force[i]), COIN_OK);
+    }
+    check_within(force[0].friction, 0, 0.3 * grip.mu_kinetic);
+    check(force[1].friction == force[0].friction);
 }
 
 /* ------------------------------------------------------------------ refused */
