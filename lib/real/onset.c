@@ -88,8 +88,8 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g, int *slips)
     double h = r8 * r8 * r8 / rate;
     h = a.du * of_error > 10 * LEAST ? coin_priv_lesser(h, of_error) : h;
     h = h * loss > STABLE ? STABLE / loss : h;
-    const int nearly = g->stop & COIN_NEARLY_FLAT && c >= COIN_PRIV_NEARLY;
-    const double event = nearly ? COIN_PRIV_NEARLY : g->law.flat;
+    const double event =
+        g->stop & COIN_NEARLY_FLAT ? COIN_PRIV_NEARLY : g->law.flat;
     const double low = coin_priv_larger(0, event - PAST * g->tol);
     const double fall = -a.slopes[COIN_PRIV_C] / (c - low);
     h = h * fall > STABLE ? STABLE / fall : h;

@@ -37,7 +37,7 @@ double coin_time_to_rest(const coin_state *s, const coin_params *p,
         return time;
     const double stops = l->damping + l->dry + l->viscous + l->layer + l->gap +
                          l->rolling + l->angular;
-    return status == COIN_ESTEP && stops == 0 ? (double)INFINITY : (double)NAN;
+    return stops == 0 ? (double)INFINITY : (double)NAN;
 }
 
 /* A time within CLOSE of the one asked for is it.  Factors that differ by JUMP
@@ -108,7 +108,7 @@ static int is_close(const struct tried *r)
  * them. */
 static double between(struct search *f, double weak, double strong)
 {
-    while (fabs(strong - weak) > JUMP * strong && f->tries > 0) {
+    while (fabs(strong - weak) > JUMP * strong) {
         const struct tried mid =
             try_factor(f, sqrt(weak) * sqrt(strong), BEYOND);
         if (is_close(&mid))
@@ -159,8 +159,7 @@ int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
     struct search f = {s, p, l, time, TRIES};
     struct tried guess = try_factor(&f, 1, LONG);
     /* The time is about inversely proportional to the factor. */
-    for (int i = 0;
-         i < 20 && fabs(guess.at - 1) > 0.1 && guess.at > 0 && f.tries > 0; ++i)
+    for (int i = 0; i < 20 && fabs(guess.at - 1) > 0.1 && guess.at > 0; ++i)
         guess = try_factor(&f, guess.factor * guess.at, LONG);
     const double factor = search_from(&f, guess);
     if (factor == 0)

@@ -198,11 +198,10 @@ static int32_t in_contact(coin_priv_thrown *w, int mode, const double u[2])
         const int ends = status || !(time_left(w) > 0) || g->law.damping > 0;
         return ends ? COIN_LIFTS | status : lift_off(w);
     }
-    if (!(g->mode & COIN_PRIV_SLIPS))
-        return status;
-    if (coin_priv_body_mode(&w->b, &w->at, unused) & COIN_PRIV_SLIPS)
+    /* A slip may be so slow that the body does not show it. */
+    if (g->mode & COIN_PRIV_SLIPS &&
+        coin_priv_body_mode(&w->b, &w->at, unused) & COIN_PRIV_SLIPS)
         return COIN_SLIPS | status;
-    coin_priv_set_rolling(&w->b, &w->at, 1); /* a slip too slow to be told */
     return status;
 }
 
