@@ -4,6 +4,7 @@
 #include "support/coins.h"
 #include "support/slides.h"
 
+#include <fenv.h>
 #include <math.h>
 
 #define HALF_PI 1.5707963267948966
@@ -325,4 +326,40 @@ TEST(a_slip_that_begins_on_ice_turns_round_where_its_force_does)
             check_near(b.vx, start.vx, tol);
             check_near(b.vz, start.vz, tol);
         }
+}
+
+/* A roll that is straight but for a wobble slips on ice from a speed next to 0
+ * on, which grows exponentially. */
+TEST(a_nearly_straight_roll_on_ice_goes_on)
+{
+    struct random r = random_begin(77);
+    const coin_params p = disc();
+    const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
+    for (int i = 0; i < 600; ++i) {
+        const double wobble = pow(10, random_between(&r, -16, -6));
+        coin_state s = {.wZ = random_between(&r, 0.2, 2)};
+        *(i % 3 == 0 ? &s.theta : i % 3 == 1 ? &s.wX : &s.wY) = wobble;
+        coin_body b;
+        check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+        check_note("wobble %d of %g, wZ %g", i % 3, wobble, s.wZ);
+        check(coin_move(&b, &p, &ice, 1, i % 2 ? 1e-9 : 1e-6, 0, NULL) >= 0);
+    }
+}
+
+/* The direction of a slip that ends settles ever more slowly as its speed
+ * falls: an upright body, and a ring that leans. */
+TEST(a_slip_ends_whose_direction_does_not_settle)
+{
+    coin_params p = ring(0.9);
+    const coin_table held = {.mu_static = INFINITY, .mu_kinetic = 0.2};
+    const coin_table equal = {.mu_static = 0.1, .mu_kinetic = 0.1};
+    coin_body b = {.s = {.theta = 0.1}, .vx = -3.6e-6, .vz = -1.2e-14};
+    feclearexcept(FE_ALL_EXCEPT);
+    check_status(slide(&b, &p, &held, NULL, 0.02, 1e-12, NULL), COIN_OK);
+    check_status(coin_params_body(&p, 1, 1, 1, 1, 1), COIN_OK);
+    const coin_body upright = {
+        .s = {.wY = -0.2276, .wZ = -2e-14}, .vx = 0.0658, .vz = -3.5e-10};
+    b = upright;
+    check(slide(&b, &p, &equal, NULL, 10, 1e-6, NULL) >= 0);
+    check(!fetestexcept(FE_DIVBYZERO | FE_INVALID));
 }

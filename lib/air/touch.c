@@ -37,7 +37,8 @@ static void arc_of(struct arc *r, const coin_priv_flight *f)
     const double across2 = kX * kX + kY * kY, across = sqrt(across2);
     const double level = sqrt(kX * kX + kh * kh);
     const double A = kZ * ky, D = level * across;
-    const double fall = sqrt(f->vy * f->vy + 2 * f->y);
+    const double above = coin_priv_larger(f->y, 0); /* below by rounding */
+    const double fall = sqrt(f->vy * f->vy + 2 * above);
     const double peak = f->vy > 0 ? fall * fall / 2 : f->y;
     r->y = f->y;
     r->vy = f->vy;

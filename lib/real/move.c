@@ -33,6 +33,10 @@
  * change by less than this part of themselves in it. */
 #define IN_T 0.25
 
+/* A trial beyond the end of a call is followed by one that is not more than so
+ * much shorter: while a slip grows from rest, t grows exponentially. */
+#define CUT 0.1
+
 static double slip_speed(const double *y)
 {
     const double uX = y[COIN_PRIV_UX], uh = y[COIN_PRIV_UH];
@@ -245,7 +249,8 @@ static double try_steps(coin_priv_moving *g, int *ends)
         const int over =
             error <= most && !*ends && w->end[COIN_PRIV_ADDS_T] > left;
         if (over) {
-            most_h = 0.9 * p.h * (left / w->end[COIN_PRIV_ADDS_T]);
+            const double part = left / w->end[COIN_PRIV_ADDS_T];
+            most_h = coin_priv_larger(0.9 * p.h * part, CUT * p.h);
         } else {
             next_stride(g, used, error, most);
             if (error <= most)

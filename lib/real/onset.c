@@ -129,7 +129,7 @@ int coin_priv_end_slip(coin_priv_moving *g)
     const double rate = coin_priv_rate(y, &g->law, g->mode) +
                         coin_priv_loss_rate(y, &g->law, g->mode);
     const int is_short = u < part && scale * rate * h < part;
-    const int is_straight = aside <= part * -grows;
+    const int is_straight = aside <= part * -grows || u < LEAST;
     if (!(is_short && is_straight && h * d[COIN_PRIV_ADDS_T] <= left))
         return 0;
     for (int i = 0; i < COIN_PRIV_SIZE; ++i)
