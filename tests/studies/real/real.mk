@@ -11,16 +11,26 @@ $(REAL_OUT):
 
 # The functions that tuning counts.
 TUNED = coin_priv_try_step coin_priv_within coin_priv_rates \
-        coin_priv_extrapolate
+        coin_priv_contact_margin coin_priv_hold_margin \
+        coin_priv_first_touch coin_priv_extrapolate
+
+TUNING      = $(CC_TEST) $(LDFLAGS) $(TUNED:%=-Wl,--wrap=%)
+TUNING_LIBS = $(TEST_EXTRA) $(LIB_A) $(CMOCKA_LIBS) -lm
 
 .PHONY: tuning
-tuning: $(REAL_OUT)/tuning ## what the tuned numbers of lib/ trade: calls and errors (5 minutes)
+tuning: export COMPILE   = $(CC_LIB)
+tuning: export LINK      = $(TUNING) $(REAL_OUT)/tuning.o
+tuning: export LIBRARIES = $(TUNING_LIBS)
+tuning: $(REAL_OUT)/tuning ## what the tuned numbers of lib/ trade: calls and errors (20 minutes)
 	$< 500
+	$(PYTHON) $(REAL_SRC)/constants.py $(REAL_SRC)/constants.txt $(SRC)/lib \
+	    $(REAL_OUT) 200 $(SRC)/tests/studies/tables.md $(NUMBERS)
 
-$(REAL_OUT)/tuning: $(REAL_SRC)/tuning.c $(TEST_EXTRA) $(LIB_A) | $(REAL_OUT)
-	$(CC_TEST) $(CMOCKA) -I$(SRC)/tests -I$(SRC)/lib $(LDFLAGS) \
-	    $(TUNED:%=-Wl,--wrap=%) -o $@ $(filter %.c,$^) $(TEST_EXTRA) $(LIB_A) \
-	    $(CMOCKA_LIBS) -lm
+$(REAL_OUT)/tuning.o: $(REAL_SRC)/tuning.c | $(REAL_OUT)
+	$(CC_TEST) $(CMOCKA) -I$(SRC)/tests -I$(SRC)/lib -c -o $@ $<
+
+$(REAL_OUT)/tuning: $(REAL_OUT)/tuning.o $(TEST_EXTRA) $(LIB_A)
+	$(TUNING) -o $@ $< $(TUNING_LIBS)
 
 # The chart of a life with losses.  pictures-check computes its errors again; its
 # costs need valgrind.
