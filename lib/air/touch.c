@@ -12,10 +12,12 @@
 #include <float.h>
 
 /* Where the gap grows from nothing, a step is at least this long, times sqrt(y)
- * over 1 + rate: a dip that it passes over is less than 1e-14 deep. */
+ * over 1 + rate: a dip that it passes over is less than 1e-14 deep, LEAST^2.  A
+ * tenth or ten times of it changes nothing (make tuning). */
 #define LEAST 1e-7
 
-/* A search ends after so many looks at the gap. */
+/* A search ends after so many looks at the gap, and the flight goes on from
+ * there.  Half or twice of it costs the same (make tuning). */
 #define MOST_LOOKS 100
 
 /* What G and its bounds are computed from. */

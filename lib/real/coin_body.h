@@ -6,7 +6,9 @@
 #include "../air/air.h"
 #include "move.h"
 
-/* A body touches the table up to this height above it, in radii: 16 u. */
+/* A body touches the table up to this height above it, in radii: 16 u, more
+ * than the rounding of height and cos theta.  From an eighth to eight times of
+ * it no motion of make tuning changes. */
 #define COIN_PRIV_TOUCH_GAP (8 * DBL_EPSILON)
 
 /* Whether all members but reserved[] are in range, in units of these lengths

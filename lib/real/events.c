@@ -8,18 +8,25 @@ typedef double event(const coin_priv_moving *g, const double *y);
 
 /* The places within a step at which the function is computed.  A dip between
  * them is looked for by parabolas, REFINED times unless the first shows that
- * the function stays above SHALLOW of what it changes by. */
+ * the function stays above SHALLOW of what it changes by.  Of 6,000 calls in
+ * which F/N passes mu_static by 1e-5 to 1e-2 of it, 56 miss that; with half of
+ * PLACES 82, with twice of it 52, with half of REFINED 68.  Twice the places
+ * cost 30 % more.  With a tenth of SHALLOW 58 miss it; without it such calls
+ * cost 2 % more (make tuning). */
 #define PLACES 8
 #define REFINED 4
 #define SHALLOW 0.1
 
 /* A force counts as outside the cone of friction from this part of its terms
  * on, so that it is still outside where the state is rounded: theta by the part
- * ROUNDED/cos(theta) of cos(theta). */
+ * ROUNDED/cos(theta) of cos(theta).  With a hundred times OUTSIDE, moments at
+ * which slips begin err 6 to 20 times as much at 1e-9; a hundredth of it and of
+ * ROUNDED errs the same (make tuning). */
 #define OUTSIDE 1e-12
 #define ROUNDED 1e-15
 
-/* An event is located to this part of tol, and of the step. */
+/* An event is located to this part of tol, and of the step: far below tol.  A
+ * tenth or ten times of it changes neither cost nor errors (make tuning). */
 #define LOCATED 1e-3
 
 static double above_flat(const coin_priv_moving *g, const double *y)
@@ -123,7 +130,8 @@ static double first_zero(event *of, coin_priv_moving *g)
     return 2;
 }
 
-/* Whether cos theta surely stays above a limit. */
+/* Whether cos theta surely stays above a limit.  From 1 to 4 times the limit no
+ * motion of make tuning depends on it. */
 static int stays_above(const coin_priv_dop853 *w, double limit)
 {
     return coin_priv_lesser(w->y[COIN_PRIV_C], w->end[COIN_PRIV_C]) > 2 * limit;
@@ -132,7 +140,8 @@ static int stays_above(const coin_priv_dop853 *w, double limit)
 /* Whether the force surely stays within the cone of friction: it may dip
  * between the ends by an eighth of its second derivative, which is taken to be
  * at most stride^2, and by what they differ.  None of 773,680 steps of random
- * launches leaves the cone farther. */
+ * launches leaves the cone farther.  A quarter costs 14 % more; with a
+ * sixteenth 7 more slips of make tuning are missed. */
 static int stays_within(const coin_priv_moving *g, double stride)
 {
     const coin_priv_dop853 *w = &g->step;

@@ -9,20 +9,25 @@
 
 #include "flat_slide.h"
 
-/* The error that a step may make. */
+/* The error that a step may make.  A tenth costs 26 % more, ten times 21 % less
+ * (make tuning). */
 #define TOL 1e-12
 
-/* When so little of v + w is left, the rest is braked as if steadily. */
+/* When so little of v + w is left, the rest is braked as if steadily.  A tenth
+ * costs 2 % more (make tuning). */
 #define LEFT 1e-11
 
 /* A ring whose 1 - b^2/a^2 is less is computed as a hoop: (112) would divide
- * one small difference by another. */
+ * one small difference by another.  With a tenth or ten times of it 99 % of
+ * slides err by up to 2e-11 or 1.5e-11 instead of 5e-13 (make tuning). */
 #define THIN 1e-5
 
-/* A slide is pure if one speed is less than this part of the other. */
+/* A slide is pure if one speed is less than this part of the other: a tenth of
+ * rounding.  A hundred times of it costs 7 % less (make tuning). */
 #define NONE 1e-17
 
-/* In a drag a speed is at least this. */
+/* In a drag a speed is at least this: far below rounding, and
+ * not 0, by which it is divided. */
 #define TINY 1e-100
 
 /* The places of the variables in a step of DOP853, among those that it reads:

@@ -6,7 +6,8 @@
 #include "move.h"
 #include "settle.h"
 
-/* The most trials of steps of a call. */
+/* The most trials of steps of a call: a choice.  Lives of coins take some
+ * thousands. */
 #define TRIES (1 << 20)
 
 /* Where cos theta is less than this, a coin without losses lies flat: a pass as

@@ -7,8 +7,9 @@
 /* No status: the way goes on. */
 #define UNDER_WAY (1 << 20)
 
-/* An impact at a smaller speed does not bounce, (114).  A coin nearer to flat
- * than `flat` lies down at it. */
+/* An impact at a smaller speed does not bounce, (114): a choice of the model,
+ * which coin.h states.  A coin nearer to flat than `flat` lies down at it. Half
+ * or twice of it makes other tosses that cost the same (make tuning). */
 #define PLASTIC 1e-4
 
 static double time_left(const coin_priv_thrown *w)
