@@ -42,8 +42,10 @@
  * changes the cost by half a per cent and no error (make tuning). */
 #define IN_T 0.25
 
-/* A trial beyond the end of a call is followed by one that is not more than so
- * much shorter: while a slip grows from rest, t grows exponentially. */
+/* A trial beyond the end of a call is followed by one of this part of it at
+ * least.  While a slip grows from rest, t grows exponentially.  Without this
+ * limit 3 of 100 nearly straight rolls on ice end by COIN_ESTEP, with half or a
+ * twentieth of it none. */
 #define CUT 0.1
 
 static double slip_speed(const double *y)

@@ -355,8 +355,9 @@ class motion
         return lossy && (slow.damping != 0 || slow.layer != 0);
     }
 
-    /* The fastest rate of change: W, of a slip also that of its direction and
-     * that at which the losses slow the body. */
+    /* The fastest rate of change: W, of a slip also that of its direction, that
+     * at which the losses slow the body, and that at which dry friction turns
+     * round where the rolling does. */
     real rate() const
     {
         const real W = fastest(), T = y[S] / y[C], c2 = y[C] * y[C];
@@ -368,7 +369,13 @@ class motion
             lossy ? slow.grip(rolls(), y[C]) * (1 / IZ + T * T / IX) +
                         slow.spin * (c2 / IX + y[S] * y[S] / IZ)
                   : real(0);
-        return W + turns + slowed;
+        real reverses = 0;
+        if (lossy && slow.dry + slow.rolling > 0) {
+            const vector d = slopes();
+            const real roll = d[WZ] + d[WY] * T + y[WY] * y[WX] / c2;
+            reverses = std::fabs(roll) / std::hypot(rolls(), slow.soft);
+        }
+        return W + turns + slowed + reverses;
     }
     /* Whether a slip lifts off, all but stops, or is too stiff. */
     bool ends() const
