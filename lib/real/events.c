@@ -25,7 +25,7 @@ typedef double event(const coin_priv_moving *g, const double *y);
 #define OUTSIDE 1e-12
 #define ROUNDED 1e-15
 
-/* An event is located to this part of tol, and of the step: far below tol.  A
+/* An event is located to LOCATED tol of the step: far below tol.  A
  * tenth or ten times of it changes neither cost nor errors (make tuning). */
 #define LOCATED 1e-3
 
@@ -66,8 +66,7 @@ static double value(const void *event_of, double x)
     return e->of(e->g, y);
 }
 
-/* The lowest place of a parabola through three, in the middle of which the
- * function is lowest, or near to it. */
+/* Where a parabola through three places is lowest; 2 if it has no least. */
 static double lowest(const coin_priv_place p[3])
 {
     const double a = p[1].x - p[0].x, b = p[2].x - p[1].x;
@@ -78,7 +77,7 @@ static double lowest(const coin_priv_place p[3])
 }
 
 /* Looks for a dip of the function below 0 between the first and the last of
- * three places, at which it is not negative: 1 and *dip if there is one.  The
+ * three places, not negative at the first two: 1 and *dip if there is one.  The
  * parabola is taken REFINED times, each time through nearer places. */
 static int find_dip(coin_priv_place *dip, const struct looked_for *e,
                     const coin_priv_place from[3])

@@ -15,7 +15,7 @@
 #define RELAX 0.24
 
 /* The estimate of a step's error may be ESTIMATE times tol times its time.  It
- * is above the error: it is of order 8, and the error of order 9.  The time of
+ * is of order 8, and above the error, of order 9.  The time of
  * a step counts as SHORTEST natural units at least.  Half of ESTIMATE costs 2 %
  * more; with twice of it, 99 % of settlings at 1e-9 err by up to 3.5 tol
  * instead of 0.64.  Half or twice of SHORTEST changes the cost by 1 % (make
@@ -29,8 +29,9 @@
  * 0.64 (make tuning). */
 #define TURN_ROUND 0.5
 
-/* A trial runs away if a stage has so many times the rates of the start.
- * From 100 on, no motion of make tuning depends on it. */
+/* A trial runs away if a stage has so many times the rates of the start: its
+ * products could overflow.  From 100 on, no motion of make tuning depends on
+ * it. */
 #define RUNAWAY 1e6
 
 /* A first stride is FIRST times the eighth root of tol over the size of the
@@ -44,8 +45,8 @@
 
 /* A trial beyond the end of a call is followed by one of this part of it at
  * least.  While a slip grows from rest, t grows exponentially.  Without this
- * limit 3 of 100 nearly straight rolls on ice end by COIN_ESTEP, with half or a
- * twentieth of it none. */
+ * limit 3 of 100 nearly straight rolls on ice end by COIN_ESTEP.  With half or
+ * a twentieth of it none does, but such calls take more steps. */
 #define CUT 0.1
 
 static double slip_speed(const double *y)
@@ -119,11 +120,11 @@ static int has_kink(const coin_priv_moving *g)
            !(g->mode & (COIN_PRIV_HELD | COIN_PRIV_IDLE));
 }
 
-/* Such a step ends just before u = 0: within AIM of the way to there, or where
- * |u| is below AIMED sqrt(tol).  The next one passes over it.  With AIM = 0.8
- * or ten times AIMED, 99 % of settlings to rest at 1e-9 err by up to 1.4 or 3.3
- * tol instead of 0.48; AIM = 0.999 and a tenth of AIMED cost and err the same
- * (make tuning). */
+/* A step with a kink ends just before u = 0: within AIM of the way to there, or
+ * where |u| is below AIMED sqrt(tol): an error of u^2 is far below tol there.
+ * The next one passes over it.  With AIM = 0.8 or ten times AIMED, 99 % of
+ * settlings to rest at 1e-9 err by up to 1.4 or 3.3 tol instead of 0.48; AIM =
+ * 0.999 and a tenth of AIMED cost and err the same (make tuning). */
 #define AIM 0.97
 #define AIMED 0.01
 
@@ -399,7 +400,8 @@ static int32_t stop_bits(const coin_priv_moving *g, int next)
     return g->stop & bits;
 }
 
-/* A slip begins, goes on slowly, or has ended. */
+/* A slip begins, goes on slowly, or has ended; the length of the next step is
+ * not known then. */
 static void set_slips(coin_priv_moving *g, int slips)
 {
     g->mode = slips ? g->mode | COIN_PRIV_SLIPS : g->mode & ~COIN_PRIV_SLIPS;

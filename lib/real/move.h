@@ -24,8 +24,8 @@
  * hundredth or a hundred times of it changes no motion of make tuning. */
 #define COIN_PRIV_SLIP_LEAST 1e-10
 
-/* begin.c sets what a coin starts with, but for the law and the trials; only
- * move.c changes it then. */
+/* begin.c sets what a coin starts with, but for the law and the trials.  Then
+ * only move.c changes its mode and its pose. */
 typedef struct coin_priv_moving {
     coin_priv_law law;
     double tol;

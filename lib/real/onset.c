@@ -6,8 +6,9 @@
 
 /* A slip begins with one step of Heun's rule in which its direction is that of
  * an onset.  It is tol^(3/8) of the time in which the motion changes.  If the
- * slip accelerates, a step of that length errs more.  Then it is of_error, in
- * which the error is tol, and LONGER of that time more.  It is at most STABLE
+ * slip accelerates, a step of that length errs more.  Then it is of_error: the
+ * time in which the error is tol, plus LONGER of that in which the motion
+ * changes, so that it is not 0 without friction.  It is at most STABLE
  * over the rate of the losses: up to 2 over it Heun's rule is stable.  It goes
  * at most STABLE of the way down to an event of cos theta, which is taken to
  * lie PAST tol lower, so that a step can pass it.  With twice STABLE, 99 % of
@@ -23,7 +24,9 @@
  * twice SLOW, twice QUICK or ten times ALIGNED a launch errs by 2, 8 or 1.4 tol
  * instead of 0.4 (make tuning).
  *
- * A slip up to LEAST is none: far below COIN_PRIV_SLIP_LEAST. */
+ * A slip up to LEAST is none, and an acceleration up to LEAST counts as that:
+ * far below COIN_PRIV_SLIP_LEAST.  From 1e-20 to 1e-11 no motion of make tuning
+ * depends on it. */
 #define LONGER 1e-9
 #define STABLE 0.5
 #define PAST 1e-3
@@ -33,7 +36,8 @@
 #define LEAST 1e-14
 
 /* A slip is taken as a straight line for at most STRAIGHT sqrt(tol) of the time
- * in which the motion, or the slip velocity by sqrt(g a), changes.  The error
+ * in which the motion changes, or the slip velocity does by sqrt(g a).  One
+ * below LEAST ends in any case: the direction of some never settles.  The error
  * of the line is half the square of that part: tol/32.  Half of it costs 1 %
  * more; with twice of it errors of light coins double (make tuning). */
 #define STRAIGHT 0.25
@@ -111,7 +115,8 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g, int *slips)
         y[i] = g->step.y[i] + h / 2 * (a.slopes[i] + b.slopes[i]);
     const double u = sqrt(uX * uX + uh * uh) + h / 2 * (a.du + b.du);
     *slips = u > LEAST;
-    if (g->law.mu_kinetic > 0 || !*slips) { /* on ice no friction turns it */
+    /* On ice the slip keeps the direction that its acceleration gave it. */
+    if (g->law.mu_kinetic > 0 || !*slips) {
         y[COIN_PRIV_UX] = *slips ? u * b.n.X : 0;
         y[COIN_PRIV_UH] = *slips ? u * b.n.h : 0;
     }
