@@ -103,8 +103,7 @@ def second():
              for r, style in zip(rows("python"), (7, 4))]
     write("python", [[(x, y)] for x, y, _, _ in marks],
           [style for *_, style in marks],
-          [(x, y * beside, *rest) for (x, y, *rest), beside
-           in zip(marks, (BESIDE, BESIDE**-1.5))])
+          [(x, y * BESIDE, *rest) for x, y, *rest in marks])
 
 
 def spread(labels, low, high):
