@@ -238,7 +238,8 @@ double coin_priv_root(coin_priv_function *f, const void *of, coin_priv_place a,
                       coin_priv_place b, double width)
 {
     int before = 0;
-    for (int i = 0; b.x - a.x > width; ++i) { /* each time shorter */
+    /* Each fourth time the interval is halved, whatever the function does. */
+    for (int i = 0; b.x - a.x > width; ++i) {
         double x = a.x + (b.x - a.x) * (a.at / (a.at - b.at));
         x = i % 4 == 3 ? (a.x + b.x) / 2 : x;
         x = x > a.x + width / 2 ? x : a.x + width / 2;

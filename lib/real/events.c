@@ -129,8 +129,8 @@ static double first_zero(event *of, coin_priv_moving *g)
     return 2;
 }
 
-/* Whether cos theta surely stays above a limit.  From 1 to 4 times the limit no
- * motion of make tuning depends on it. */
+/* Whether cos theta is taken to stay above a limit.  From 1 to 4 times the
+ * limit no motion of make tuning depends on it. */
 static int stays_above(const coin_priv_dop853 *w, double limit)
 {
     return coin_priv_lesser(w->y[COIN_PRIV_C], w->end[COIN_PRIV_C]) > 2 * limit;

@@ -15,11 +15,11 @@
 #define RELAX 0.24
 
 /* The estimate of a step's error may be ESTIMATE times tol times its time.  It
- * is of order 8, and above the error, of order 9.  The time of
- * a step counts as SHORTEST natural units at least.  Half of ESTIMATE costs 2 %
- * more; with twice of it, 99 % of settlings at 1e-9 err by up to 3.5 tol
- * instead of 0.64.  Half or twice of SHORTEST changes the cost by 1 % (make
- * tuning). */
+ * is of order 8, and above the error, of order 9.  The time of a step counts as
+ * SHORTEST natural units at least, so that a short call need not err by less
+ * than tol/16.  Half of ESTIMATE costs 2 % more; with twice of it, 99 % of
+ * settlings at 1e-9 err by up to 3.5 tol instead of 0.64.  Half or twice of
+ * SHORTEST changes the cost by 1 % (make tuning). */
 #define ESTIMATE 2.0
 #define SHORTEST 0.03
 
@@ -205,7 +205,9 @@ static double allowed(const coin_priv_moving *g)
 /* The stride after a step of the stride `used` with this error.  With 0.5
  * instead of 0.7 it costs 6 % more; with 0.75, 99 % of settlings at 1e-9 err by
  * up to 2.4 tol instead of 0.64.  0.1 to 0.25 instead of 0.2, 1.4 to 4 instead
- * of 2 and 0.9 to 1 instead of 0.999 change the cost by 1 % (make tuning). */
+ * of 2 and 0.9 to 1 instead of 0.999 change the cost by 1 % (make tuning).  An
+ * error below 1e-9 of what is allowed counts as that: the factor is 2 from 5e-4
+ * of it down. */
 static void next_stride(coin_priv_moving *g, double used, double error,
                         double most)
 {

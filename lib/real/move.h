@@ -15,8 +15,8 @@
  * is not stable (make tuning). */
 #define COIN_PRIV_MOST_STRIDE 1.2
 
-/* COIN_NEARLY_FLAT begins here, so that it also holds where the lean is
- * rounded. */
+/* COIN_NEARLY_FLAT begins some units of rounding lower, so that it also holds
+ * where the lean is rounded. */
 #define COIN_PRIV_NEARLY (COIN_PRIV_NEARLY_FLAT - 8 * DBL_EPSILON)
 
 /* The slip speed below which a coin rolls, in natural units, besides the

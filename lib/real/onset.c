@@ -98,6 +98,7 @@ int32_t coin_priv_begin_slip(coin_priv_moving *g, int *slips)
     const double of_error =
         (sqrt(g->tol * fabs(a.friction) / du) + LONGER) / rate;
     double h = r8 * r8 * r8 / rate;
+    /* A step of of_error must lead to a slip. */
     h = a.du * of_error > 10 * LEAST ? coin_priv_lesser(h, of_error) : h;
     h = h * loss > STABLE ? STABLE / loss : h;
     const double event =
