@@ -45,7 +45,8 @@ $(PAGE_OUT)/page.wasm: $(PAGE_OUT)/linked.wasm
 	wasm-opt -Oz -o $@ $<
 
 $(PAGE_OUT)/wasm.txt: $(PAGE_OUT)/page.wasm
-	zopfli -c $< | base64 -w 0 >$@
+	zopfli -c $< >$(@D)/wasm.gz
+	base64 -w 0 $(@D)/wasm.gz >$@
 	echo >>$@
 
 # This computer's hashes of the scenes: the page compares its own with them.
