@@ -18,8 +18,9 @@
 #define LEFT 1e-11
 
 /* A ring whose 1 - b^2/a^2 is less is computed as a hoop: (112) would divide
- * one small difference by another.  With a tenth or ten times of it 99 % of
- * slides err by up to 2e-11 or 1.5e-11 instead of 5e-13 (make tuning). */
+ * one small difference by another.  With a tenth or ten times of it the 99th
+ * percentile of the errors of slides is 2e-11 or 1.5e-11 instead of 5e-13 (make
+ * tuning). */
 #define THIN 1e-5
 
 /* A slide is pure if one speed is less than this part of the other: a tenth of

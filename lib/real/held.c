@@ -6,17 +6,18 @@
 /* A contact counts as stopped if it rolls at less than PART tol times the rate
  * of the fall.  Its roll is then left out, which would have turned the coin by
  * at most twice this part, in radians: by 4 tol.  Half of PART costs 6 % more,
- * twice of it 5 % less; 99 % of errors then are up to 0.4 tol instead of 0.26
- * (make tuning).
+ * twice of it 5 % less; the 99th percentile of the errors is then 0.4 tol
+ * instead of 0.26 (make tuning).
  *
- * MOST limits this part at tol above 5e-8.  With 1e-5 calls near flat take a
- * quarter of the steps, and none of 100 ends by COIN_ESTEP instead of 8; 99 %
- * of them err by up to 0.51 tol at 1e-4 instead of 0.37.  But coins that slip
- * err by up to 180 tol.
+ * MOST limits this part at tol above 5e-8.  With 1e-5 calls near flat
+ * take a quarter of the steps, and none of 100 ends by COIN_ESTEP instead of 8;
+ * the 99th percentile of their errors at 1e-4 is 0.51 tol instead of 0.37.  But
+ * coins that slip err by up to 180 tol.
  *
- * A coin with so small a roll would pass flat at about cos theta times the
- * part.  That is to be where it lies flat: the part is at most OF_FLAT of
- * flat/cos theta.  From 0.1 to 5 no motion of make tuning depends on it. */
+ * A coin with so small a roll would pass flat at a least cos theta of
+ * about its own cos theta times this part.  It must lie flat by then: the part
+ * is at most OF_FLAT times flat/cos theta.  From 0.1 to 5 no motion of make
+ * tuning depends on it. */
 #define PART 2
 #define MOST 1e-7
 #define OF_FLAT 0.5

@@ -17,16 +17,16 @@
 /* The estimate of a step's error may be ESTIMATE times tol times its time.  It
  * is of order 8, and above the error, of order 9.  The time of a step counts as
  * SHORTEST natural units at least, so that a short call need not err by less
- * than tol/16.  Half of ESTIMATE costs 2 % more; with twice of it, 99 % of
- * settlings at 1e-9 err by up to 3.5 tol instead of 0.64.  Half or twice of
- * SHORTEST changes the cost by 1 % (make tuning). */
+ * than tol/16.  Half of ESTIMATE costs 2 % more; with twice of it the 99th
+ * percentile of the errors of settlings at 1e-9 is 3.5 tol instead of 0.64.
+ * Half or twice of SHORTEST changes the cost by 1 % (make tuning). */
 #define ESTIMATE 2.0
 #define SHORTEST 0.03
 
 /* Contour friction is not smooth where the contact turns round, d(psi)/dt = 0.
  * A step is planned to cover TURN_ROUND of the way to there.  Half of it costs
- * 10 % more; with 1, 99 % of settlings at 1e-9 err by up to 11 tol instead of
- * 0.64 (make tuning). */
+ * 10 % more; with 1 the 99th percentile of the errors of settlings at 1e-9 is
+ * 11 tol instead of 0.64 (make tuning). */
 #define TURN_ROUND 0.5
 
 /* A trial runs away if a stage has so many times the rates of the start: its
@@ -43,10 +43,11 @@
  * changes the cost by half a per cent and no error (make tuning). */
 #define IN_T 0.25
 
-/* A trial beyond the end of a call is followed by one of this part of it at
- * least.  While a slip grows from rest, t grows exponentially.  Without this
- * limit 3 of 100 nearly straight rolls on ice end by COIN_ESTEP.  With half or
- * a twentieth of it none does, but such calls take more steps. */
+/* Where a trial passes the end of the call, the next one is shorter, but at
+ * least CUT times as long.  While a slip grows from rest, t grows
+ * exponentially.  Without this limit 3 of 100 nearly straight rolls on ice end
+ * by COIN_ESTEP.  With half or a twentieth of it none does, but such calls take
+ * more steps. */
 #define CUT 0.1
 
 static double slip_speed(const double *y)
@@ -122,9 +123,10 @@ static int has_kink(const coin_priv_moving *g)
 
 /* A step with a kink ends just before u = 0: within AIM of the way to there, or
  * where |u| is below AIMED sqrt(tol): an error of u^2 is far below tol there.
- * The next one passes over it.  With AIM = 0.8 or ten times AIMED, 99 % of
- * settlings to rest at 1e-9 err by up to 1.4 or 3.3 tol instead of 0.48; AIM =
- * 0.999 and a tenth of AIMED cost and err the same (make tuning). */
+ * The next one passes over it.  With AIM = 0.8 or ten times AIMED, the 99th
+ * percentile of the errors of settlings to rest at 1e-9 is 1.4 or 3.3 tol
+ * instead of 0.48; AIM = 0.999 and a tenth of AIMED cost and err the same (make
+ * tuning). */
 #define AIM 0.97
 #define AIMED 0.01
 
@@ -203,11 +205,11 @@ static double allowed(const coin_priv_moving *g)
 }
 
 /* The stride after a step of the stride `used` with this error.  With 0.5
- * instead of 0.7 it costs 6 % more; with 0.75, 99 % of settlings at 1e-9 err by
- * up to 2.4 tol instead of 0.64.  0.1 to 0.25 instead of 0.2, 1.4 to 4 instead
- * of 2 and 0.9 to 1 instead of 0.999 change the cost by 1 % (make tuning).  An
- * error below 1e-9 of what is allowed counts as that: the factor is 2 from 5e-4
- * of it down. */
+ * instead of 0.7 it costs 6 % more; with 0.75 the 99th percentile of the errors
+ * of settlings at 1e-9 is 2.4 tol instead of 0.64.  0.1 to 0.25 instead of 0.2,
+ * 1.4 to 4 instead of 2 and 0.9 to 1 instead of 0.999 change the cost by 1 %
+ * (make tuning).  An error below 1e-9 of the most that is allowed counts as
+ * 1e-9 of it, so that one of 0 can be divided by. */
 static void next_stride(coin_priv_moving *g, double used, double error,
                         double most)
 {

@@ -8,13 +8,13 @@
  * an onset.  It is tol^(3/8) of the time in which the motion changes.  If the
  * slip accelerates, a step of that length errs more.  Then it is of_error: the
  * time in which the error is tol, plus LONGER of that in which the motion
- * changes, so that it is not 0 without friction.  It is at most STABLE
- * over the rate of the losses: up to 2 over it Heun's rule is stable.  It goes
- * at most STABLE of the way down to an event of cos theta, which is taken to
- * lie PAST tol lower, so that a step can pass it.  With twice STABLE, 99 % of
- * the slips near flat at 1e-4 err by up to 14 tol instead of 0.5; half of it,
- * LONGER from 1e-11 to 1e-7 and PAST from 1e-4 to 1e-2 cost and err the same
- * (make tuning).
+ * changes, so that it is not 0 without friction.  It is at most STABLE over the
+ * rate of the losses: up to 2 over it Heun's rule is stable.  It goes at most
+ * STABLE of the way down to an event of cos theta, which is taken to lie PAST
+ * tol lower, so that a step can pass it.  With twice STABLE, the 99th
+ * percentile of the errors of slips near flat at 1e-4 is 14 tol instead of 0.5;
+ * half of it, LONGER from 1e-11 to 1e-7 and PAST from 1e-4 to 1e-2 cost and err
+ * the same (make tuning).
  *
  * The steps of a slip are as short as its speed is small, since its direction
  * is followed.  One that hardly accelerates would take many to grow.  It is
