@@ -7,15 +7,12 @@
 typedef double event(const coin_priv_moving *g, const double *y);
 
 /* The places within a step at which the function is computed.  A dip between
- * them is looked for by parabolas, REFINED times unless the first shows that
- * the function stays above SHALLOW of what it changes by.  Of 6,000 calls in
+ * them is looked for by parabolas, REFINED times.  Of 6,000 calls in
  * which F/N passes mu_static by 1e-5 to 1e-2 of it, 56 miss that; with half of
  * PLACES 82, with twice of it 52, with half of REFINED 68.  Twice the places
- * cost 30 % more.  With a tenth of SHALLOW 58 miss it; without it such calls
- * cost 2 % more (make tuning). */
+ * cost 30 % more (make tuning). */
 #define PLACES 8
 #define REFINED 4
-#define SHALLOW 0.1
 
 /* A force counts as outside the cone of friction from this part of its terms
  * on, so that it is still outside where the state is rounded: theta by the part
@@ -91,9 +88,6 @@ static int find_dip(coin_priv_place *dip, const struct looked_for *e,
         *dip = at;
         if (at.at < 0)
             return 1;
-        if (i == 0 && at.at > SHALLOW * (fabs(from[0].at - at.at) +
-                                         fabs(from[2].at - at.at)))
-            return 0;
         if (at.at < p[1].at) {
             p[x < p[1].x ? 2 : 0] = p[1];
             p[1] = at;

@@ -146,7 +146,6 @@ static int32_t on_face(coin_priv_thrown *w)
     const double left = time_left(w);
     const int32_t bits =
         w->stop & (COIN_SLIPS | COIN_NEARLY_FLAT | (w->event & COIN_TOUCHES));
-    w->event = 0;
     if (bits || !(left > 0))
         return COIN_SLIPS | bits;
     coin_body to = w->b;
