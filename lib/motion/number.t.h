@@ -77,21 +77,3 @@ COIN_PRIV_INLINE number coin_priv_choose(integer mask, number a, number b)
     return coin_priv_of_bits((mask & coin_priv_bits(a)) |
                              (~mask & coin_priv_bits(b)));
 }
-
-/* The lesser of two, b where one is NaN. */
-#if defined(COIN_PRIV_ABREAST) && defined(COIN_PRIV_LESSER)
-COIN_PRIV_INLINE number coin_priv_lesser(number a, number b)
-{
-    return COIN_PRIV_LESSER(a, b);
-}
-#elif defined(COIN_PRIV_ABREAST) || defined(COIN_PRIV_PAIR)
-COIN_PRIV_INLINE number coin_priv_lesser(number a, number b)
-{
-    return coin_priv_choose(coin_priv_truth(a < b), a, b);
-}
-#else
-COIN_PRIV_INLINE number coin_priv_lesser(number a, number b)
-{
-    return a < b ? a : b;
-}
-#endif

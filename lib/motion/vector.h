@@ -40,12 +40,6 @@ COIN_PRIV_INLINE coin_pair coin_pair_normal(double s, double c)
 }
 typedef double coin_lanes COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
 typedef int64_t coin_lanes_integer COIN_PRIV_VECTOR(COIN_PRIV_WIDTH);
-/* The lesser of two where the processor has an instruction for it. */
-#if defined(__SSE2__) && COIN_PRIV_WIDTH == 16
-#define COIN_PRIV_LESSER(a, b) __builtin_ia32_minpd(a, b)
-#elif defined(__AVX__) && COIN_PRIV_WIDTH == 32
-#define COIN_PRIV_LESSER(a, b) __builtin_ia32_minpd256(a, b)
-#endif
 #endif
 
 #endif

@@ -19,7 +19,6 @@
 #define coin_priv_every COIN_PRIV_NAME(every)
 #define coin_priv_field COIN_PRIV_NAME(field)
 #define coin_priv_lean_after COIN_PRIV_NAME(lean_after)
-#define coin_priv_lesser COIN_PRIV_NAME(lesser)
 #define coin_priv_limits COIN_PRIV_NAME(limits)
 #define coin_priv_magnitude COIN_PRIV_NAME(magnitude)
 #define coin_priv_normalize COIN_PRIV_NAME(normalize)
