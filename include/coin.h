@@ -251,9 +251,9 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  * passes.  The steps are of order 14, by extrapolation, in Sundman's time,
  * Eq. (32), with an estimate of their error.  The last is in t, Eq. (54).
  * @param t          the time, of either sign [T]
- * @param tol        the error that the steps may add per natural unit of time,
- *                   in radians and radii, before the motion's own
- *                   amplification [1]
+ * @param tol        the error that the steps may add per natural unit of time
+ *                   (per radius, of a fast coin), in radians and radii, before
+ *                   the motion's own amplification [1]
  * @param[out] reached  the time moved: t, if no error is returned; may be null
  * @return COIN_EARG also for tol out of range; COIN_ESTEP: t is out of range,
  *         *reached untouched; or a rate ends out of range, *reached = 0; or
@@ -262,12 +262,13 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  *         state at *reached.  COIN_EFLAT: the coin falls flat, nearer than
  *         1e-30 rad, at *reached; s is the last state before that a double can
  *         hold.  A coin at rest counts as fallen: for t >= 0 *reached is 0.
- * Accuracy: within 2 tol (1 + n) after n natural units (docs/limits.md), plus
- *         rounding, about 1e-15 per unit; a call that begins d from flat has a
- *         relative error of u/d in cos(theta), which the double theta holds.
- * Cost: a step, 1.3 times one of COIN_RK8, about once per radian that the coin
- *         turns by, more as 1/tol^(1/14); as ln(1/d) natural units for a pass
- *         at d from flat.  At most 2^20 steps, some 0.2 s. */
+ * Accuracy: within 2 tol (1 + n), n the radii that the coin covers at the speed
+ *         sqrt(2 energy/mass) (docs/limits.md), plus rounding, about 1e-15 per
+ *         unit; a call that begins d from flat has a relative error of u/d in
+ *         cos(theta), which the double theta holds.
+ * Cost: a step (docs/accuracy.md) about once per radian that the coin turns by,
+ *         more as 1/tol^(1/14); as ln(1/d) natural units for a pass at d from
+ *         flat.  At most 2^20 steps, some 0.2 s. */
 COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
                               double tol, double *reached);
 
@@ -565,7 +566,7 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  *         period + 4 u W (|t| + period), W the fastest rate of the motion; in
  *         x and z, in radii, (1 + radius_max/radius) times that; in the rates W
  *         times that (test_orbit_edges, docs/limits.md).
- * Cost: 0.5 to 0.7 textbook steps, whatever t is (docs/choosing.md). */
+ * Cost: 0.5 to 0.7 textbook steps, whatever t is. */
 COIN_API int32_t coin_orbit_at(const coin_orbit *o, double t, coin_state *out);
 
 /* --------------------------------------------------------------- losses -- */
@@ -743,9 +744,8 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  *         that it turns by (test_flight), a touch is located to 1e-15 over its
  *         normal speed (test_touch).  An excursion of F/N above mu_static by
  *         1e-4 of it is found.  Bounces amplify errors (test_toss).
- * Cost: per natural unit of time some 10 textbook steps at 1e-6, 17 while it
- *         slips, half as much again at 1e-9; most near flat.  1.2 for a call in
- *         the air, four if it bounces.  A call takes some 20 ms at most. */
+ * Cost: docs/accuracy.md has that of a frame that rolls, slips, flies or
+ *         bounces.  Most near flat.  A call takes some 20 ms at most. */
 COIN_API int32_t coin_move(coin_body *b, const coin_params *p,
                            const coin_table *table, double t, double tol,
                            int32_t stop, double *reached);

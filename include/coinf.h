@@ -113,8 +113,8 @@ COIN_API int32_t coinf_angular_velocity(const coinf_state *s, float omega[3]);
  * @return as coin_step(), but the limits are checked at the last stage instead
  *         of the end of the step, and a step may turn lean and heading by more
  *         than 1.5 rad.
- * Cost: on a Cortex-M4F 1,323 instructions, a quarter of them for the checks;
- *         coinf_run() does those once (docs/embedding.md). */
+ * Cost: docs/embedding.md.  A quarter of it is for the checks, which
+ *         coinf_run() does once. */
 COIN_API int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt);
 
 /** As coin_run().  A run of n steps is n runs of one step, to the bit. */

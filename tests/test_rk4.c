@@ -54,7 +54,7 @@ TEST(small_steps_reach_the_reference)
     }
 }
 
-/* 120 frames per second, one step each.  README.md quotes the figure. */
+/* 120 frames per second, one step each. */
 TEST(a_quarter_at_120_frames_a_second_stays_close_for_a_second)
 {
     scene_load(&scene, "quarter");

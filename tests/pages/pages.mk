@@ -7,6 +7,11 @@ first-hour: ## what docs/first-hour.md says, from a clean copy to a plot
 	+env -u MAKEFLAGS $(PYTHON) $(SRC)/tests/pages/first_hour.py $(SRC) \
 	    $(abspath $(O))/first-hour
 
+.PHONY: proofs
+proofs: ## sympy derives the equations of docs/physics.md anew (4 minutes)
+	for proof in $(SRC)/docs/proofs/*.py; do \
+	    $(DEBIAN_PYTHON) $$proof || exit 1; done
+
 # What the pages link to, beside one another.
 SITE        = $(abspath $(O))/site
 SITE_EXTRAS = LICENSE docs/examples docs/figures docs/proofs \

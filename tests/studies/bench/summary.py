@@ -28,6 +28,7 @@ ERRORS = (1e-3, 1e-6, 1e-9, 1e-12)
 OURS = ("rk4", "rk8", "coin_advance")
 SYMPLECTIC = ("symplectic2", "symplectic4")
 TEXTBOOK = "textbook RK4"
+STEP = 1496 # instructions of a textbook step, by which all pages count
 GROWTH_FROM = 1e5 # steps, after which a long run shows its law
 
 
@@ -111,10 +112,10 @@ def frames():
 
 
 def costs():
-    """Each cost, and what part of the first row's it is."""
+    """Each cost in textbook steps: times in those of the first row."""
     rows = read("costs")
     columns = [c for c in rows[0] if c != "call"]
-    unit = {c: float(rows[0][c]) for c in columns}
+    unit = {c: float(rows[0][c]) for c in columns} | {"instructions": STEP}
     def part(r, c):
         x = float(r[c]) / unit[c]
         return f"{float(f'{x:.3g}'):,.0f}" if x >= 10 else f"{x:.2f}"

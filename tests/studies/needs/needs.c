@@ -360,7 +360,7 @@ int main(int argc, char **argv)
            coin_advance(&s, &quarter.params, dt, 1e-6, NULL));
     frames_of_move(need);
     toss("a coin toss, to its third bounce");
-    disk("Euler's disk, to rest; the error is that of the time of rest");
+    disk("Euler's disk, to rest; error: part of the time of rest");
     exhibit("an exhibit that rolls for hours");
     steady("a steady circle");
     need = "a controller at 1 kHz, after 3.5 s";
@@ -373,6 +373,6 @@ int main(int argc, char **argv)
     need = "a figure in a paper, per natural unit of time";
     one_call(need, 1e-9, "`coin_advance` at 1e-9");
     one_call(need, 1e-12, "`coin_advance` at 1e-12");
-    energy("an energy that must not drift, 1e4 natural units; of the energy");
+    energy("an energy that must not drift; cost of a natural unit, error: part of the energy after 1e4");
     return 0;
 }
