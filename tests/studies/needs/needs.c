@@ -373,6 +373,7 @@ int main(int argc, char **argv)
     need = "a figure in a paper, per natural unit of time";
     one_call(need, 1e-9, "`coin_advance` at 1e-9");
     one_call(need, 1e-12, "`coin_advance` at 1e-12");
-    energy("an energy that must not drift; cost of a natural unit, error: part of the energy after 1e4");
+    energy("an energy that must not drift; cost of a natural unit, error: "
+           "part of the energy after 1e4");
     return 0;
 }
