@@ -122,7 +122,8 @@ TEST(texts_say_what_they_are_about)
         {COIN_LIFTS, "lift"},       {COIN_COARSE, "coarse"},
         {COIN_NEARLY_FLAT, "flat"}, {ALL_WARNINGS, "all"},
         {COIN_RESTS, "flat"},       {COIN_ERANGE, "range"},
-        {COIN_TOUCHES, "table"},
+        {COIN_TOUCHES, "table"},    {COIN_TOUCHES | COIN_LIFTS, "table"},
+        {COIN_ROLLS | 15, "roll"},  {COIN_RESTS | 15, "flat"},
     };
     for (size_t i = 0; i < sizeof about / sizeof *about; ++i) {
         const char *text = coin_status_string(about[i].status);

@@ -247,6 +247,37 @@ TEST(a_horizontal_face_is_accepted)
     }
 }
 
+TEST(a_quaternion_of_any_length_is_the_same_rotation)
+{
+    const coin_params p = disc();
+    const double lengths[] = {4e-8, 1e-3, 1e3, 3e7}, up[3] = {0, 2, 0};
+    const coin_state leaning = {.theta = 1.4, .phi = 0.4, .psi = 0.7};
+    const double turned = 0.6, h = sqrt(0.5);
+    double q[2][4] = {
+        {0},
+        {h * cos(turned), h * cos(turned), h * sin(turned), -h * sin(turned)}};
+    check_status(coin_quaternion(&leaning, q[0]), COIN_OK);
+    for (int face = 0; face < 2; ++face) {
+        coin_body want;
+        check_status(
+            coin_body_from_motion(&want, &p, q[face], zero3, up, zero3),
+            COIN_OK);
+        for (int i = 0; i < 4; ++i) {
+            coin_body b;
+            double long_q[4];
+            for (int k = 0; k < 4; ++k)
+                long_q[k] = lengths[i] * q[face][k];
+            check_note("face %d, length %g", face, lengths[i]);
+            check_status(
+                coin_body_from_motion(&b, &p, long_q, zero3, up, zero3),
+                COIN_OK);
+            check_near(b.s.theta, want.s.theta, 1e-15);
+            check_near(b.s.phi, want.s.phi, 1e-14);
+            check_near(b.s.psi, want.s.psi, 1e-14);
+        }
+    }
+}
+
 TEST(what_is_no_rotation_or_no_place_is_refused)
 {
     const coin_params p = disc();

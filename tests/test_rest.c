@@ -173,6 +173,12 @@ TEST(a_coin_at_rest_stays_there)
     check_status(coin_advance(&s, &p, 5, 1e-6, NULL), COIN_EFLAT);
     check_same(&s, &flat, sizeof s);
     check(coin_losses_power(&s, &p, &l) >= 0);
+    coin_state still = flat; /* no rate is left */
+    still.wX = still.wZ = 0;
+    check_status(coin_settle(&still, &p, &l, 0, 1e-6, NULL), COIN_RESTS);
+    reached = 7;
+    check_status(coin_advance(&still, &p, 5, 1e-6, &reached), COIN_EFLAT);
+    check(reached == 0);
     s.wX = -s.wX; /* it rises */
     check_status(coin_advance(&s, &p, 1e-3, 1e-6, NULL), COIN_OK);
     check(s.theta < flat.theta);

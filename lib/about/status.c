@@ -39,13 +39,15 @@ static const char warnings[][56] = {
 
 const char *coin_status_string(int32_t status)
 {
-    if (status <= 0 && status >= COIN_ERANGE)
+    if (status < COIN_ERANGE || status >= 2 * COIN_TOUCHES)
+        return warnings[0];
+    if (status <= 0)
         return errors[-status];
-    if (status > 0 && status < 128 && status & COIN_RESTS)
+    if (status & COIN_RESTS)
         return "done: the coin lies flat, at rest";
-    if (status > 0 && status < 128 && status & COIN_ROLLS)
+    if (status & COIN_ROLLS)
         return "done: the coin has begun to roll";
-    if (status > 0 && status < 128 && status & COIN_TOUCHES)
+    if (status & COIN_TOUCHES)
         return "done: the coin has come down on the table";
-    return warnings[status > 0 && status < 16 ? status : 0];
+    return warnings[status];
 }

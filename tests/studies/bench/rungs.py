@@ -22,8 +22,8 @@ MANY = 16 # of a curve: a reader sees no difference
 
 
 # The unit of heyoka.csv, an RK4 on the right-hand side that peers get, in steps
-# of the textbook's: by instructions, 1478 to 1653, gcc 12 at -O2.
-HEYOKA_UNIT = 0.89
+# of the textbook's: by instructions, 1431 to 1646 on scene generic, gcc 12 -O2.
+HEYOKA_UNIT = 0.87
 
 
 def table(lines):
