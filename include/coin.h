@@ -50,13 +50,14 @@
  * Sizes are meant, of either sign.  NaN is out of every range.  Within them no
  * function overflows, and all bounds hold.
  *
- * COST. In instructions, checks included, by gcc -O2 on x86-64 (make costs):
- *   40-190     coin_params_ and coin_critical_ functions
- *   220-440    observables, coin_check(), coin_state_check(),
- *              coin_steady_roll(), _upright_spin(), _radii(), coin_stability()
- *   430-1,300  coin_matrix(), other coin_steady_ functions, coin_losses_ ones
- *              but _fit(), coin_table_check(), coin_state_from_motion()
- *   380-6,800  coin_integrals()
+ * COST. docs/accuracy.md counts the instructions of calls that move a coin.
+ * Others take at most, checks included, by gcc -O2 on x86-64:
+ *   200    coin_params_ and coin_critical_ functions, coin_state_check()
+ *   600    observables, coin_check(), coin_stability(), coin_table_check(),
+ *          coin_steady_ functions but _ride() and _at()
+ *   1,400  those two, coin_losses_ functions but _fit(), coin_body_ functions,
+ *          coin_state_from_motion()
+ *   7,300  coin_integrals()
  * A textbook step, classical Runge-Kutta that calls the sine and the cosine of
  * libm once for each angle in every stage, takes 1,496 instructions.
  *
