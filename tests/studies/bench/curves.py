@@ -33,7 +33,7 @@ BESIDE_ENGINES = (SOLVERS[0], SOLVERS[3], ("ODE", 12, ENGINES[:1]),
                   ("MuJoCo", 13, ENGINES[1:]))
 SECOND = (("rollcoin", 4, OURS), ("a textbook's RK4", 1, ("textbook RK4",)),
           ("the best other solver", 7, PEERS),
-          ("the better of two engines", 12, ENGINES))
+          ("the better engine", 12, ENGINES))
 CALLS = {"textbook RK4": 1, "coin_step": 2, "one step of RK8": 3,
          "coin_advance 1e-6": 4, "coin_orbit_at": 14, "coin_move 1e-6": 17,
          "coin_settle 1e-6": 18}
@@ -103,7 +103,7 @@ def second():
              for r, style in zip(rows("python"), (7, 4))]
     write("python", [[(x, y)] for x, y, _, _ in marks],
           [style for *_, style in marks],
-          [(x, y * BESIDE, *rest) for x, y, *rest in marks])
+          [(x, y / BESIDE, *rest) for x, y, *rest in marks])
 
 
 def spread(labels, low, high):
