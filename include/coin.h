@@ -210,7 +210,7 @@ COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
  *         2e-4 (|dt| W)^9 by COIN_RK8, 0.6 (|dt| W)^3 by COIN_SYMPLECTIC2 and
  *         0.04 (|dt| W)^5 by COIN_SYMPLECTIC4, and as much, relative to W, in
  *         the rates, before the motion's own amplification, if I_X <= M a^2/2;
- *         rounding adds 4 u/cos(theta) a step (docs/limits.md).
+ *         rounding adds 4 u a step, 4 u/cos(theta) by the symplectic methods.
  * Cost: per call the checks and four sines and cosines, and these again per 64
  *         steps; the symplectic methods take two more for each drift. */
 COIN_API int32_t coin_run(coin_state *s, const coin_params *p, int32_t method,
