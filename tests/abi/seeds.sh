@@ -182,8 +182,7 @@ reserved()
     edit include/coin.h 's/double reserved\[3\];/double tilt; double reserved[2];/'
     edit include/coin.h 's/double reserved\[26\];/double spin; double reserved[25];/'
     edit include/coinf.h 's/float reserved\[3\];/float tilt; float reserved[2];/'
-    edit lib/motion/body.h 's/reserved\[0\]/tilt/; s/reserved\[1\]/reserved[0]/
-        s/reserved\[2\]/reserved[1]/'
+    edit lib/motion/body.h 's/are_zero(p->reserved, 3)/are_zero(p->reserved, 2)/'
     edit include/coin.h 's/coin_energy(const coin_state \*s,/coin_energy(const coin_state *now,/'
     build
     passes "reserved members used, and an argument renamed"
