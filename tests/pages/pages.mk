@@ -8,7 +8,7 @@ first-hour: ## what docs/first-hour.md says, from a clean copy to a plot
 	    $(abspath $(O))/first-hour
 
 .PHONY: proofs
-proofs: ## sympy derives the equations of docs/physics.md anew (4 minutes)
+proofs: ## sympy derives the equations of docs/physics.md anew (a minute)
 	for proof in $(SRC)/docs/proofs/*.py; do \
 	    $(DEBIAN_PYTHON) $$proof || exit 1; done
 
