@@ -24,6 +24,7 @@ static void make_step(coin_priv_moving *g, double h)
     coin_priv_dop853 *const w = &g->step;
     w->of.rates = coin_priv_rates;
     w->of.mode = 0;
+    w->of.most = 1e6;
     coin_priv_rates(w->slope[0], w->y, w->of.law, 0);
     check(coin_priv_try_step(w, h) < 1e-6);
 }
@@ -59,7 +60,7 @@ TEST(a_polynomial_without_its_stages_is_the_cubic_of_the_ends)
     coin_priv_dop853 *const w = &g.step;
     coin_priv_within(y, w, x);
     w->has_dense = 0;
-    w->slope[6][COIN_PRIV_WX] = 1e300; /* no further stage is sound */
+    w->of.most = 0; /* no further stage is sound */
     coin_priv_within(y, w, x);
     for (int i = 0; i < COIN_PRIV_READ; ++i) {
         const double from = w->y[i], to = w->end[i];

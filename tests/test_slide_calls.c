@@ -377,3 +377,62 @@ TEST(no_launch_sets_errno)
         check(errno == 0);
     }
 }
+
+/* Next to flat a good step may have further stages that run away, and its
+ * polynomial may dip below the table: neither shows an event that is none, nor
+ * sets errno. */
+TEST(a_launch_next_to_flat_slides_on)
+{
+    const struct {
+        double IZ, theta, phi, wX, wZ, vx, vz, mu_static, mu_kinetic;
+        coin_losses l;
+        double t, tol;
+    } launches[] = {
+        {0.10112607232063167,
+         1.57079494015018,
+         2.5800715773962803,
+         0,
+         -0.61059180579420391,
+         0.3795551289741691,
+         1.3070818765514924,
+         0.0045664337462995577,
+         0.0031812194933576879,
+         {.rolling = 9.5227437337125042e-06, .layer = 0.00011793100162508609},
+         1.3244427216727441,
+         0.0009467716133710046},
+        {0.003818950833348472,
+         -1.5707952236456562,
+         1.5260562715973682,
+         -0.55537316087556265,
+         -0.66251050430825398,
+         0.029630256960182705,
+         -0.66184757776366143,
+         0,
+         0,
+         {.viscous = 0.0014597434718429997, .layer = 0.0010303154795372278},
+         0.94144070726810458,
+         0.00015049123687841973},
+    };
+    for (int i = 0; i < 2; ++i) {
+        const coin_params p = {1, 1, 1, 0.25, launches[i].IZ, {0, 0, 0}};
+        const coin_table f = {.mu_static = launches[i].mu_static,
+                              .mu_kinetic = launches[i].mu_kinetic,
+                              .losses = launches[i].l};
+        const coin_state s = {.theta = launches[i].theta,
+                              .phi = launches[i].phi,
+                              .wX = launches[i].wX,
+                              .wZ = launches[i].wZ};
+        double reached;
+        coin_body d;
+        check_note("launch %d", i);
+        check_status(coin_body_from_state(&d, &s, &p), COIN_OK);
+        d.vx = launches[i].vx;
+        d.vz = launches[i].vz;
+        errno = 0;
+        check_status(
+            coin_move(&d, &p, &f, launches[i].t, launches[i].tol, 0, &reached),
+            COIN_SLIPS);
+        check(reached == launches[i].t);
+        check(errno == 0);
+    }
+}

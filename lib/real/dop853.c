@@ -114,9 +114,6 @@ COIN_PRIV_INLINE void sum_row(lanes *sums, const coin_priv_dop853 *w,
     }
 }
 
-/* Rates above it have run away: products of four of them are finite. */
-#define RATES_MOST 1e60
-
 /* Whether slopes at these variables are finite and mean something. */
 COIN_PRIV_INLINE int is_sound(const coin_priv_problem *of, const double *y)
 {
@@ -124,7 +121,7 @@ COIN_PRIV_INLINE int is_sound(const coin_priv_problem *of, const double *y)
                        fabs(y[COIN_PRIV_WZ]) + fabs(y[COIN_PRIV_UX]) +
                        fabs(y[COIN_PRIV_UH]);
     const int above = (y[COIN_PRIV_C] > 0) | ((of->mode & COIN_PRIV_HELD) != 0);
-    return above & isless(sum, RATES_MOST);
+    return above & isless(sum, of->most);
 }
 
 double coin_priv_by_t(double *d)

@@ -19,6 +19,7 @@ typedef struct coin_priv_problem {
     const coin_priv_law *law;
     coin_priv_rates_function *rates;
     int mode;
+    double most; /* a stage whose rates add up to more has run away */
 } coin_priv_problem;
 
 /* A step from y to end.  slope[0] are the slopes at y, slope[12] those at end

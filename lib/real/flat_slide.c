@@ -208,7 +208,7 @@ double coin_priv_slide_flat(coin_body *b, coin_priv_moving *g, double t)
         move_by(b, v, v * t, turn * t);
         return t;
     }
-    const coin_priv_problem of = {&g->law, rates, 0};
+    const coin_priv_problem of = {&g->law, rates, 0, (double)INFINITY};
     g->step.of = of;
     for (int i = 0; i < COIN_PRIV_WIDE; ++i)
         y[i] = 0;

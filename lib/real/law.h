@@ -89,7 +89,8 @@ COIN_PRIV_INLINE double coin_priv_roll_speed(const double *y)
     return y[COIN_PRIV_C] * y[COIN_PRIV_WZ] + y[COIN_PRIV_S] * y[COIN_PRIV_WY];
 }
 
-/* -Q/u of the contour friction. */
+/* -Q/u of the contour friction.  Within a step that ends in a fall, c may be
+ * below 0. */
 COIN_PRIV_INLINE double coin_priv_grip(const coin_priv_law *l, double u,
                                        double c)
 {
@@ -99,7 +100,7 @@ COIN_PRIV_INLINE double coin_priv_grip(const coin_priv_law *l, double u,
     if (solid > 0)
         grip += solid / sqrt(u * u + l->soft * l->soft * (c * c)); /* (65) */
     if (l->layer > 0)
-        grip += q * (l->layer * sqrt(fabs(u) * q)); /* (65) */
+        grip += q * (l->layer * sqrt(fabs(u * q))); /* (65) */
     return grip;
 }
 
