@@ -50,16 +50,11 @@
  * Sizes are meant, of either sign.  NaN is out of every range.  Within them no
  * function overflows, and all bounds hold.
  *
- * COST. docs/accuracy.md counts the instructions of calls that move a coin.
- * Others take at most, checks included, by gcc -O2 on x86-64:
- *   200    coin_params_ and coin_critical_ functions, coin_state_check()
- *   600    observables, coin_check(), coin_stability(), coin_table_check(),
- *          coin_steady_ functions but _ride() and _at()
- *   1,400  those two, coin_losses_ functions but _fit(), coin_body_ functions,
- *          coin_state_from_motion()
- *   7,300  coin_integrals()
- * A textbook step, classical Runge-Kutta that calls the sine and the cosine of
- * libm once for each angle in every stage, takes 1,496 instructions.
+ * COST. The unit is a textbook step: classical Runge-Kutta that calls the sine
+ * and the cosine of libm once for each angle in every stage, 1,496 instructions
+ * by gcc -O2 on x86-64.  docs/accuracy.md counts calls that move a coin.  Every
+ * other call takes less than one textbook step, its checks included, unless its
+ * documentation states another cost.
  *
  * PROMISES. No allocation, no global state, no output, no errno: every function
  * is reentrant and bounded in time and stack.  What moves a state gives the
@@ -253,8 +248,8 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  * Eq. (32), with an estimate of their error.  The last is in t, Eq. (54).
  * @param t          the time, of either sign [T]
  * @param tol        the error that the steps may add per natural unit of time
- *                   (per radius, of a fast coin), in radians and radii, before
- *                   the motion's own amplification [1]
+ *                   or per radius that a fast coin covers, in radians and
+ *                   radii, before the motion's own amplification [1]
  * @param[out] reached  the time moved: t, if no error is returned; may be null
  * @return COIN_EARG also for tol out of range; COIN_ESTEP: t is out of range,
  *         *reached untouched; or a rate ends out of range, *reached = 0; or
@@ -265,11 +260,11 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  *         hold.  A coin at rest counts as fallen: for t >= 0 *reached is 0.
  * Accuracy: within 2 tol (1 + n), n the radii that the coin covers at the speed
  *         sqrt(2 energy/mass) (docs/limits.md), plus rounding, about 1e-15 per
- *         unit; a call that begins d from flat has a relative error of u/d in
- *         cos(theta), which the double theta holds.
- * Cost: a step (docs/accuracy.md) about once per radian that the coin turns by,
- *         more as 1/tol^(1/14); as ln(1/d) natural units for a pass at d from
- *         flat.  At most 2^20 steps, some 0.2 s. */
+ *         unit.  At d rad from flat, the double theta of the start holds
+ *         cos(theta) with a relative error of u/d.
+ * Cost: about one step per radian that the coin turns by (docs/accuracy.md);
+ *         more as 1/tol^(1/14).  A pass at d rad from flat costs as much as
+ *         ln(1/d) natural units.  At most 2^20 steps, some 0.2 s. */
 COIN_API int32_t coin_advance(coin_state *s, const coin_params *p, double t,
                               double tol, double *reached);
 
@@ -341,7 +336,8 @@ COIN_API double coin_energy(const coin_state *s, const coin_params *p);
  * near flat.
  * @param[out] K  [2] K_Y, K_Z [1/T]
  * Accuracy: 16 u of the terms of Eq. (35) (test_integrals).  Uses log of libm
- *         for |sin theta| > 0.7: the last bit may differ between platforms. */
+ *         for |sin theta| > 0.7: the last bit may differ between platforms.
+ * Cost: up to five textbook steps. */
 COIN_API int32_t coin_integrals(const coin_state *s, const coin_params *p,
                                 double K[2]);
 
@@ -643,7 +639,8 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
 /** The time until a coin lies flat, by settling a copy of it at tol = 1e-6 [T]:
  * 0 at rest; +infinity if it stays upright, as it does where theta, wX and one
  * of wY and wZ are 0, or if every coefficient but spin is 0 and the coin does
- * not fall within 2^20 steps; NaN also where these do not suffice. */
+ * not fall within 2^20 steps; NaN also where these do not suffice.
+ * Cost: that of coin_settle(). */
 COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
                                   const coin_losses *l);
 
@@ -745,8 +742,8 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  *         that it turns by (test_flight), a touch is located to 1e-15 over its
  *         normal speed (test_touch).  An excursion of F/N above mu_static by
  *         1e-4 of it is found.  Bounces amplify errors (test_toss).
- * Cost: docs/accuracy.md has that of a frame that rolls, slips, flies or
- *         bounces.  Most near flat.  A call takes some 20 ms at most. */
+ * Cost: docs/accuracy.md counts frames in which a coin rolls, slips, flies or
+ *         bounces.  Coins near flat cost most, some 20 ms a call at most. */
 COIN_API int32_t coin_move(coin_body *b, const coin_params *p,
                            const coin_table *table, double t, double tol,
                            int32_t stop, double *reached);
@@ -791,7 +788,7 @@ COIN_API uint32_t coin_sizeof(const char *type);
 /** Whether this build computes the pinned bits: steps some coins.
  * @return COIN_OK; COIN_EBUILD if the compiler fused or reordered arithmetic
  *         (fast-math, contraction), or the rounding mode is not to-nearest.
- * Cost: some 200 us. */
+ * Cost: some 1,200 textbook steps. */
 COIN_API int32_t coin_selftest(void);
 
 #ifdef __cplusplus

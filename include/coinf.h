@@ -113,8 +113,8 @@ COIN_API int32_t coinf_angular_velocity(const coinf_state *s, float omega[3]);
  * @return as coin_step(), but the limits are checked at the last stage instead
  *         of the end of the step, and a step may turn lean and heading by more
  *         than 1.5 rad.
- * Cost: docs/embedding.md.  A quarter of it is for the checks, which
- *         coinf_run() does once. */
+ * Cost: docs/embedding.md.  A quarter of it is the checks, which a call of
+ *         coinf_run() makes once for all its steps. */
 COIN_API int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt);
 
 /** As coin_run().  A run of n steps is n runs of one step, to the bit. */

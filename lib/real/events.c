@@ -7,10 +7,10 @@
 typedef double event(const coin_priv_moving *g, const double *y);
 
 /* The places within a step at which the function is computed.  A dip between
- * them is looked for by parabolas, REFINED times.  Of 6,000 calls in
- * which F/N passes mu_static by 1e-5 to 1e-2 of it, 56 miss that; with half of
- * PLACES 82, with twice of it 52, with half of REFINED 68.  Twice the places
- * cost 30 % more (make tuning). */
+ * them is looked for by parabolas, REFINED times.  Of 6,000 calls in which F/N
+ * passes mu_static by 1e-5 to 1e-2 of it, 56 miss that; with half of PLACES 78,
+ * with twice of it 52, with half of REFINED 68.  Twice the places cost 29 %
+ * more (make tuning). */
 #define PLACES 8
 #define REFINED 4
 

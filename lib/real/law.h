@@ -89,8 +89,8 @@ COIN_PRIV_INLINE double coin_priv_roll_speed(const double *y)
     return y[COIN_PRIV_C] * y[COIN_PRIV_WZ] + y[COIN_PRIV_S] * y[COIN_PRIV_WY];
 }
 
-/* -Q/u of the contour friction.  Within a step that ends in a fall, c may be
- * below 0. */
+/* -Q/u of the contour friction.  c may be below 0: the polynomial of a step may
+ * fall through the table, before the event is found that ends it. */
 COIN_PRIV_INLINE double coin_priv_grip(const coin_priv_law *l, double u,
                                        double c)
 {

@@ -29,10 +29,11 @@
  * 11 tol instead of 0.64 (make tuning). */
 #define TURN_ROUND 0.5
 
-/* A stage runs away if it has so many times the rates of the start.  Close to
- * flat those of the polynomial may do so in a step that is good: it would then
- * show events that are none.  From 100 on, no motion of make tuning depends on
- * it; with 1e54 a slip of test_slide_calls ends by COIN_ESTEP. */
+/* A stage has run away if its rates are so many times those of the start.  Near
+ * flat the three stages that only the polynomial needs may run away in a good
+ * step: the polynomial would then have false events.  From 100 on, no motion of
+ * make tuning depends on it; with 1e54 a call of test_slide_calls ends by
+ * COIN_ESTEP. */
 #define RUNAWAY 1e6
 
 /* A first stride is FIRST times the eighth root of tol over the size of the

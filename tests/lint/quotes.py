@@ -33,6 +33,7 @@ COSTS = cells("docs/accuracy.md", "costs")
 RATIOS = cells("docs/accuracy.md", "ratios portable")
 RUNS = cells("tests/studies/tables.md", "silent methods")
 COUNT = cells("docs/embedding.md", "firmware", "instructions")
+STEP = 1496 # instructions of a textbook step, by which all pages count
 STACK = cells("docs/embedding.md", "firmware", "stack")
 
 
@@ -50,7 +51,7 @@ def same(said, truth):
 # A page, what stands there with its figures as groups, and what they are.
 QUOTES = (
     ("README.md", r"`coin_step` takes (\d+) instructions, ([\d.]+) of",
-     cost("coin_step"), cost("coin_step") / 1496),
+     cost("coin_step"), cost("coin_step") / STEP),
     ("README.md", r"([\d.]+) times as fast as a textbook's RK4 at an error of 1e-9",
      min(float(row["1e-09"].split()[0]) for row in RATIOS.values())),
     ("include/coin.h", r"Cost: ([\d,]+) instructions, where a further step of "

@@ -172,7 +172,7 @@ TIMED = build-bench need-charts need-bits $(BENCH_OUT)/site \
         $(foreach b,$(BUILDS),$(PEERS:%=$(BENCH_OUT)/$b/peer_%)) \
         $(FUSED:%=$(BENCH_OUT)/native/fused_%)
 
-charts: $(TIMED) ## speed against accuracy, beside other solvers (12 minutes)
+charts: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 	echo "measuring: leave the machine alone"
 	mkdir -p $(RESULTS)
 	$(call RESULT,frames,echo $(FRAMES_HEAD); \
