@@ -4,7 +4,7 @@
 # make, no configuration.  `make help` lists the targets.
 #
 #   make                            the libraries, in build/
-#   make demo                       a coin rolls
+#   make demo                       a coin is tossed
 #   make O=dir                      the products elsewhere
 #   make -f ../rollcoin/Makefile    the same from another folder
 #   make install PREFIX=/usr DESTDIR=/tmp/stage
@@ -51,11 +51,11 @@ PYTHON       ?= python3
 ABI_NUMBER := 1
 VERSION    := $(shell sed -n 's/^\#define COIN_VERSION_[MP][A-Z]* //p' \
                       $(SRC)/include/coin.h | paste -sd. -)
-SOVERSION  := $(if $(filter 0.%,$(VERSION)),$(basename $(VERSION)),\
-                 $(ABI_NUMBER))
-# The date of the newest section of CHANGELOG.md: that of the manual page and of
-# the files in the tarball.
-DATE        = $(shell sed -n '/^\#\# /{s/.*\([0-9]\{4\}-..-..\).*/\1/p;q;}' \
+SOVERSION  := $(strip $(if $(filter 0.%,$(VERSION)),$(basename $(VERSION)),\
+                $(ABI_NUMBER)))
+# The newest date of CHANGELOG.md's sections: that of the manual page and of the
+# files in the tarball.
+DATE        = $(shell sed -n '/^\#\# .*\([0-9]\{4\}-..-..\).*/{s//\1/p;q;}' \
                 $(SRC)/CHANGELOG.md)
 
 # ------------------------------------------------------------------------ flags
@@ -63,8 +63,9 @@ DATE        = $(shell sed -n '/^\#\# /{s/.*\([0-9]\{4\}-..-..\).*/\1/p;q;}' \
 # -fvisibility can undo what the pinned bits and the ABI rest on.
 # -fno-tree-vectorize: gcc's vectorizer fuses a * b - c, d * e + f in one
 # instruction where the processor can (12.2 with -mfma), whatever -ffp-contract
-# says.  TRAPS: clang may compute what a branch then drops, which raises its
-# exceptions, unless told that they may trap; for some targets it cannot be.
+# says.  -fno-math-errno: sqrt is then the processor's instruction alone, with
+# the same bits.  TRAPS: clang may compute what a branch then drops, which raises
+# its exceptions, unless told that they may trap; for some targets it cannot be.
 # The map keeps this folder's name out of the debug information: equal sources
 # give equal bytes wherever they are built.
 CFLAGS ?= -O2 -g
@@ -75,7 +76,8 @@ MAPS   := -ffile-prefix-map=$(SRC)=.
 TRAPS  := $(shell set -- -ffp-exception-behavior=maytrap && \
             $(CC) $(CFLAGS) -Werror=unsupported-floating-point-opt $$1 \
             -fsyntax-only -x c /dev/null 2>/dev/null && echo $$1)
-PINNED := $(strip -ffp-contract=off -fno-tree-vectorize $(TRAPS))
+PINNED := $(strip -ffp-contract=off -fno-tree-vectorize -fno-math-errno \
+            $(TRAPS))
 HIDDEN := -fvisibility=hidden
 
 CC_USER  = $(CC) $(WARN) $(CPPFLAGS) $(CFLAGS)
@@ -104,7 +106,9 @@ endif
 # ----------------------------------------------------------------------- target
 # What the linker is told, and what the library is called, by the system that
 # the compiler makes programs for: Linux and the like, Windows, macOS.  On
-# Windows programs are linked to an import library.
+# Windows programs are linked to an import library.  -Bsymbolic-functions: the
+# library calls its own functions directly, as it does on the other systems
+# without being told.
 TARGET := $(shell $(CC) -dumpmachine)
 ifneq (,$(findstring mingw,$(TARGET)))
 REAL_SO   = librollcoin-$(SOVERSION).dll
@@ -122,7 +126,8 @@ else
 REAL_SO   = librollcoin.so.$(VERSION)
 SO_LINKS  = librollcoin.so.$(SOVERSION) librollcoin.so
 TO_SHARED = -shared -Wl,-soname,librollcoin.so.$(SOVERSION) -Wl,-z,defs \
-            -Wl,--version-script=$(EXPORTS) -Wl,--build-id=sha1
+            -Wl,--version-script=$(EXPORTS) -Wl,--build-id=sha1 \
+            -Wl,-Bsymbolic-functions
 endif
 RUNDIR   ?= $(LIBDIR)
 AR_AS    ?= rcsD
@@ -198,11 +203,12 @@ EXAMPLES := $(patsubst $(SRC)/docs/examples/%.c,$(O)/%,\
                        $(wildcard $(SRC)/docs/examples/*.c))
 
 .PHONY: demo live demo-check examples
-# DEMO has more options, as DEMO='--scene throw'.
-demo: $(O)/rolling_quarter ## roll a US quarter: a table, and drawings in build/
+# DEMO chooses another scene, as DEMO='--scene quarter'.
+DEMO ?= --scene toss
+demo: $(O)/rolling_quarter ## toss a US quarter: a table, and drawings in build/
 	$(O)/rolling_quarter --out $(O) $(DEMO)
 
-live: $(O)/rolling_quarter ## watch a US quarter roll, in the terminal
+live: $(O)/rolling_quarter ## watch a US quarter tossed, in the terminal
 	$(O)/rolling_quarter --live $(DEMO)
 
 demo-check: $(O)/rolling_quarter ## what the demo prints, draws and refuses
@@ -213,6 +219,7 @@ examples: $(EXAMPLES) ## every program of docs/examples
 $(EXAMPLES): $(O)/%: $(SRC)/docs/examples/%.c $(LIB_A) $(O)/flags
 	$(CC_USER) -std=c99 $(MAPS) -I$(SRC)/include $(DEPENDS) -o $@ $< \
 	    $(LDFLAGS) $(LIB_A) -lm
+$(O)/many_tosses: LDFLAGS += -fopenmp
 
 # ------------------------------------------------------------------------ tests
 # All tests are one program, linked to tests/support and to the static library,
@@ -288,7 +295,7 @@ PACKED   = --no-recursion --format=ustar --mtime='$(DATE) 00:00Z' --owner=0 \
 PACKING  = $(abspath $(O))/packing.$$PPID
 
 .PHONY: dist need-dist distcheck installcheck consumers hwcaps debian-check \
-        windows
+        versions windows release packages
 dist: need-dist $(SINGLE) | $(O) ## rollcoin-VERSION.tar.xz, and the single header's
 	mkdir -p $(PACKING)
 	cd $(SRC) && if test -e .git; then git ls-files; else find .ci \
@@ -313,26 +320,38 @@ need-dist:
 
 # What gates are told: this Makefile, and where to work.
 GATE  = MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' SRC='$(SRC)' \
-        VERSION='$(VERSION)' OUT='$(abspath $(O))'
+        VERSION='$(VERSION)' SOVERSION='$(SOVERSION)' OUT='$(abspath $(O))'
 AGAIN = $(MAKE) --no-print-directory -f $(SRC)/Makefile
 
 installcheck: all ## install, build a client by pkg-config, uninstall
-	+$(GATE) SOVERSION=$(SOVERSION) CXX='$(CXX)' \
-	    sh $(SRC)/tests/install/install.sh
+	+$(GATE) CXX='$(CXX)' sh $(SRC)/tests/install/install.sh
 	+$(GATE) sh $(SRC)/tests/install/plain.sh
 
-consumers: all ## CMake and Meson find it; CMake builds the same bits
-	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/consumers.sh
+consumers: all dist ## CMake and Meson find it, and build the same bits
+	+$(GATE) TARBALL=$(abspath $(TARBALL)) sh $(SRC)/tests/install/consumers.sh
 
 hwcaps: all lanes ## lanes; HWCAPS=1: each level of x86-64 is loaded, with the same bits
-	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/hwcaps.sh
+	+$(GATE) sh $(SRC)/tests/install/hwcaps.sh
 
 debian-check: dist ## Debian packages from docs/examples/debian, their test, lintian
-	+$(GATE) SOVERSION=$(SOVERSION) TARBALL=$(abspath $(TARBALL)) \
-	    sh $(SRC)/tests/install/debian.sh
+	+$(GATE) TARBALL=$(abspath $(TARBALL)) sh $(SRC)/tests/install/debian.sh
+
+packages: all js $(SINGLE) $(O)/toss ## the packages of each language: a stranger installs them, and tosses
+	+$(GATE) CXX='$(CXX)' CARGO='$(CARGO)' PYTHON=$(DEBIAN_PYTHON) \
+	    sh $(SRC)/tests/install/packages.sh
+
+versions: dist ## 1.0.0 and 2.3.4, made of a copy: names, packages, bindings, site
+	+$(GATE) CXX='$(CXX)' CARGO='$(CARGO)' PYTHON=$(DEBIAN_PYTHON) \
+	    BINDGEN='$(BINDGEN)' TARBALL=$(abspath $(TARBALL)) sh $(SRC)/tests/install/versions.sh
+
+release: ## VERSION=X.Y.Z: the sources become that release, but for commit and tag
+	$(if $(filter command,$(firstword $(origin VERSION))),,\
+	    $(error make release VERSION=X.Y.Z))
+	+$(GATE) PYTHON=$(DEBIAN_PYTHON) BINDGEN='$(BINDGEN)' \
+	    sh $(SRC)/tests/install/release.sh
 
 windows: ## the DLL and the tests, by mingw-w64 and wine
-	+$(GATE) SOVERSION=$(SOVERSION) sh $(SRC)/tests/install/windows.sh
+	+$(GATE) sh $(SRC)/tests/install/windows.sh
 
 distcheck: dist all ## the tarball builds, passes and makes itself again
 	+$(GATE) TARBALL=$(abspath $(TARBALL)) sh $(SRC)/tests/install/dist.sh
@@ -346,8 +365,8 @@ GATES_push    := header-check examples demo-check first-hour site float-check \
                  installcheck consumers hwcaps abi pictures-check \
                  page-check js-check bindings studies-build check-long \
                  distcheck lint sanitize coverage
-GATES_merge   := adversary-replay bound debian-check tsan fuzz windows msan \
-                 repro single-check cross firmware
+GATES_merge   := adversary-replay bound debian-check packages versions tsan fuzz \
+                 windows msan repro single-check cross firmware
 GATES_release := results-check proofs abi-seeds bindings-seeds sweeps \
                  endurance valgrind adversary mutants
 # check-long has all of check, and lint all of lint-quick.
@@ -379,6 +398,13 @@ shared: $(GATES_SHARE) # what gates share, for .ci/run
         repro repro-update
 check-long: ## the tests with eight times the random cases, and a million steps
 	+ROLLCOIN_TRIES=8 ROLLCOIN_LONG=1 $(AGAIN) check
+	+export ROLLCOIN_SEED=$${ROLLCOIN_SEED:-$$($(SEED))} && \
+	    echo "the random cases are those of ROLLCOIN_SEED=$$ROLLCOIN_SEED" && \
+	    $(AGAIN) check
+
+# Every commit tries other random cases; a tarball, those of its version.
+SEED = { git -C $(SRC) rev-parse HEAD 2>/dev/null || echo $(VERSION); } | \
+       cksum | cut -d' ' -f1
 
 SANITIZE := -O1 -g -Werror -fsanitize=address,undefined,float-cast-overflow \
             -fno-sanitize-recover=all

@@ -27,10 +27,11 @@
  * unless the function says otherwise.  Functions that return a double return
  * NaN instead of an error.  Each function may return these, the usual errors:
  * COIN_EARG for a null pointer; COIN_EPARAMS if p, losses or a table are out of
- * range; COIN_ESTATE if a state or a body is.  Its @return says what else.  Of
- * several errors the first of COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP,
- * COIN_EDOMAIN is returned.  A function without p accepts what is in the range
- * of some coin: x, z up to 1e24, an angular velocity up to 1e21.
+ * range; COIN_ESTATE if a state or a body is, given or to be made.  Its @return
+ * says what else.  Of several errors the first of COIN_EARG, COIN_EPARAMS,
+ * COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned.  A function without p
+ * accepts what is in the range of some coin: x, z up to 1e24, an angular
+ * velocity up to 1e21.
  *
  * RANGES. What no coin and no wheel is, is refused:
  *   mass, radius, gravity      1e-15 to 1e15 each, in the units of the caller
@@ -41,8 +42,8 @@
  *   theta                      below pi/2
  *   phi, psi                   up to 2^31 rad
  *   x, z; y of a body          up to 1e9 a
- *   losses, in natural units   0, or 1e-12 to 1e3 each; flat 0, or 1e-12 to
- *                              1e-2
+ *   losses, in natural units   0, or 1e-12 to 1e3 each, dry and rolling to 1;
+ *                              flat 0, or 1e-12 to 1e-2
  *   dt, t                      up to 1e15 natural units; coin_settle() and
  *                              coin_move() also +infinity
  *   tol                        1e-13 to 1e-2; coin_settle() and coin_move()
@@ -54,7 +55,7 @@
  * and the cosine of libm once for each angle in every stage, 1,496 instructions
  * by gcc -O2 on x86-64.  docs/accuracy.md counts calls that move a coin.  Every
  * other call takes less than one textbook step, its checks included, unless its
- * documentation states another cost.
+ * documentation states another cost (make bound).
  *
  * PROMISES. No allocation, no global state, no output, no errno: every function
  * is reentrant and bounded in time and stack.  What moves a state gives the
@@ -96,14 +97,17 @@ extern "C" {
 
 /* ---------------------------------------------------------------- types -- */
 
-/** A thin axisymmetric body: coin_params_disc(), _ring(), _body(). */
+/** An axisymmetric body: coin_params_disc(), _ring(), _body(), thin;
+ * coin_params_cylinder(). */
 typedef struct coin_params {
     double mass;        /**< M [M] */
     double radius;      /**< a, of the rim that rolls [L] */
     double gravity;     /**< g [L/T^2] */
     double inertia_X;   /**< I_X = I_Y, about a diameter [M L^2] */
     double inertia_Z;   /**< I_Z, about the axis [M L^2] */
-    double reserved[3]; /**< must be 0 */
+    double thickness;   /**< between the two rims, 0 or 1e-4 to 4 radii; of a
+                             thin coin, which most functions ask for, 0 [L] */
+    double reserved[2]; /**< must be 0 */
 } coin_params;
 
 /** Where a coin is and how it turns: its angular velocity along the coin's
@@ -133,14 +137,15 @@ enum {
     COIN_OK = 0,       /**< done */
     COIN_EPARAMS = -1, /**< parameters, losses or a table out of range */
     COIN_ESTATE = -2,  /**< a state or a body out of range */
-    COIN_ESTEP = -3, /**< a step or a time out of range, or beyond a method; or
-                        the steps of one call do not suffice: call again */
-    COIN_EARG = -4,  /**< null pointer, unknown method, branch or bit, tol */
-    COIN_EDOMAIN = -5, /**< no such steady motion, period or losses */
+    COIN_ESTEP = -3,   /**< dt or t out of range, or a step beyond its method */
+    COIN_EARG = -4,    /**< null pointer, unknown method, branch or bit, tol */
+    COIN_EDOMAIN = -5, /**< no such steady motion, period or losses; or not a
+                          steady motion */
     COIN_EFLAT = -6,   /**< the coin falls flat within the time asked */
     COIN_EBUILD = -7,  /**< not the pinned bits: coin_selftest() */
-    COIN_ERANGE = -9   /**< phi, psi, x or z would leave its range, or a step is
-                            refused within 16 rad or radii of its end */
+    COIN_ERANGE = -9   /**< phi, psi, a place or a rate would leave its range,
+                            or a step is refused within 16 rad or radii of its
+                            end */
 };
 
 /** Status: positive = done, with these bits. */
@@ -150,9 +155,19 @@ enum {
     COIN_COARSE = 4,      /**< |dt| coin_fastest_rate() is above 0.35 (RK4), 1
                                (RK8), 0.08, 0.16 (symplectic methods) */
     COIN_NEARLY_FLAT = 8, /**< cos(theta) < 0.01 */
-    COIN_RESTS = 16,      /**< the coin lies flat and stays */
-    COIN_ROLLS = 32,  /**< a slip or a flight has ended, and the coin rolls */
-    COIN_TOUCHES = 64 /**< the coin comes down on the table */
+    COIN_RESTS = 16,      /**< the coin lies flat, or stands, and stays */
+    COIN_ROLLS = 32,      /**< a slip or a flight has ended, and it rolls */
+    COIN_TOUCHES = 64,    /**< the coin comes down on the table */
+    COIN_MORE = 128,      /**< the steps of one call did not suffice: it has
+                               moved by *reached */
+    COIN_DECIDED = 256    /**< which side ends up is decided */
+};
+
+/** How a coin lies: coin_body_face(). */
+enum {
+    COIN_HEADS = 1, /**< the +Z side is up: theta < 0 */
+    COIN_TAILS = 2, /**< the other side is up */
+    COIN_EDGE = 3   /**< upright, or it would fall back on its edge */
 };
 
 /** Methods of integration. */
@@ -167,35 +182,22 @@ enum {
 
 /** One step of classical Runge-Kutta, order 4: coin_run(s, p, COIN_RK4, dt, 1,
  * null), with the same bits.  Eq. (14)-(20).
- *
- * A US quarter, leaning 0.3 rad, for one second:
- * @code
- * coin_params p;
- * coin_state s = {0.3, 0, 0, 0, 0, 0, 5, 40};
- * coin_params_disc(&p, 0.00567, 0.01213, 9.80665);
- * for (int i = 0; i < 1000; ++i)
- *     if (coin_step(&s, &p, 1e-3) < 0)
- *         return 1;
- * @endcode
- * @param dt         the step; < 0 runs backward [T]
- * @return as coin_run(); after an error *s is unchanged.
- * Accuracy: that of a step of COIN_RK4 by coin_run().
+ * Step, status and accuracy are those of coin_run(); an error leaves *s.
  * Cost: 955 instructions, where a further step of coin_run() takes 587; at
  *         most 832 bytes of stack on a Cortex-M4F (make firmware). */
 COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
 
-/** Moves a coin by a number of fixed steps.  A run of n steps equals n runs of
- * one step but for rounding, so that a long run may be cut into several.
+/** Moves a coin by fixed steps.  Runs of one step differ by rounding alone.
  * @param method      COIN_RK4, ...: coin_method_name()
  * @param dt          the step; < 0 runs backward [T]
  * @param steps       how many; 0 changes nothing
  * @param[out] done   how many were done; may be null
  * @return COIN_COARSE: all done, but a step began or ended beyond the method's
  *         limit of full accuracy; COIN_EARG also for an unknown method;
- *         COIN_ESTEP if dt is out of range, *done untouched; if a rate ends out
- *         of range, *done = 0; or if a step is refused: s is then the state
- *         after the *done steps before.  COIN_ERANGE: the same, where phi, psi,
- *         x or z is at the end of its range.
+ *         COIN_ESTEP if dt is out of range, *done untouched; or if a step is
+ *         refused: s is then the state after the *done steps before.
+ *         COIN_ERANGE: the same, where phi, psi, x or z is at the end of its
+ *         range; or if a rate ends out of range, *done = 0.
  * A step is refused if |dt| W is beyond 1.2 (COIN_SYMPLECTIC2: 1,
  * COIN_SYMPLECTIC4: 1.4) where it begins or ends; if it would lead through the
  * table or out of range; or if it turns lean or heading by more than 1.5 rad.
@@ -252,10 +254,10 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  *                   radii, before the motion's own amplification [1]
  * @param[out] reached  the time moved: t, if no error is returned; may be null
  * @return COIN_EARG also for tol out of range; COIN_ESTEP: t is out of range,
- *         *reached untouched; or a rate ends out of range, *reached = 0; or
- *         2^20 steps were not enough, and s is the state at *reached.
- *         COIN_ERANGE: phi, psi, x or z would leave its range, and s is the
- *         state at *reached.  COIN_EFLAT: the coin falls flat, nearer than
+ *         *reached untouched.  COIN_MORE: 2^20 steps were not enough, and s is
+ *         the state at *reached.  COIN_ERANGE: phi, psi, x or z would leave its
+ *         range, and s is the state at *reached; or a rate ends out of range,
+ *         *reached = 0.  COIN_EFLAT: the coin falls flat, nearer than
  *         1e-30 rad, at *reached; s is the last state before that a double can
  *         hold.  A coin at rest counts as fallen: for t >= 0 *reached is 0.
  * Accuracy: within 2 tol (1 + n), n the radii that the coin covers at the speed
@@ -293,6 +295,15 @@ COIN_API int32_t coin_params_ring(coin_params *p, double mass, double radius,
 COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
                                   double gravity, double inertia_X,
                                   double inertia_Z);
+
+/** A uniform cylinder, for coin_move() and coin_body_*(): I_X = M (a^2/4 +
+ * thickness^2/12), I_Z = M a^2/2.  A ring or another body gets rims by setting
+ * p->thickness.
+ * @param thickness  0, or 1e-4 to 4 radii [L]
+ * Accuracy: 4 u in I_X and I_Z (make adversary). */
+COIN_API int32_t coin_params_cylinder(coin_params *p, double mass,
+                                      double radius, double thickness,
+                                      double gravity);
 
 /** Whether parameters are in range, and the reserved members 0 (test_range). */
 COIN_API int32_t coin_params_check(const coin_params *p);
@@ -337,7 +348,7 @@ COIN_API double coin_energy(const coin_state *s, const coin_params *p);
  * @param[out] K  [2] K_Y, K_Z [1/T]
  * Accuracy: 16 u of the terms of Eq. (35) (test_integrals).  Uses log of libm
  *         for |sin theta| > 0.7: the last bit may differ between platforms.
- * Cost: up to five textbook steps. */
+ * Cost: at most 5 textbook steps. */
 COIN_API int32_t coin_integrals(const coin_state *s, const coin_params *p,
                                 double K[2]);
 
@@ -410,8 +421,8 @@ COIN_API double coin_fastest_rate(const coin_state *s, const coin_params *p);
  * @param dt  the step in question [T]
  * @param mu  the friction coefficient, >= 0, may be +infinity [1]
  * @return the bits COIN_SLIPS, COIN_LIFTS, COIN_COARSE, COIN_NEARLY_FLAT;
- *         COIN_EARG also for an unknown method and mu < 0 or NaN; COIN_ESTEP dt
- *         out of range.
+ *         COIN_EARG also for an unknown method and mu < 0 or NaN; COIN_ESTEP if
+ *         dt is out of range.
  * Accuracy: a bit may be wrong where the state is nearer to its threshold than
  *         8 u of the terms of that threshold (make adversary). */
 COIN_API int32_t coin_check(const coin_state *s, const coin_params *p,
@@ -443,7 +454,8 @@ COIN_API int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p,
  * @param wZ      the rate [1/T]
  * @param branch  +1 or -1: the root f+ or f- of Eq. (40).  The slow precession
  *                is branch +1 for wZ > 0, -1 for wZ < 0
- * @return COIN_EARG also for another branch; COIN_EDOMAIN theta = 0.
+ * @return COIN_EARG also for another branch; COIN_EDOMAIN if theta = 0, or next
+ *         to 0 with wZ = 0.
  * Accuracy: 8 u in wY (test_steady). */
 COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
                                     double theta, double wZ, int32_t branch);
@@ -452,8 +464,8 @@ COIN_API int32_t coin_steady_circle(coin_state *s, const coin_params *p,
  * wY wZ theta >= 0, which exists for every lean but 0.  Eq. (93).
  * @param theta   the lean, 0 < |theta| < pi/2 [rad]
  * @param radius  of the centre's circle, >= 0; 0 is coin_steady_spin() [L]
- * @return COIN_EARG also radius < 0 or NaN; COIN_EDOMAIN theta = 0, or radius
- *         above 1e9 a.
+ * @return COIN_EARG also for radius < 0 or NaN; COIN_EDOMAIN if theta = 0, or
+ *         radius is above 1e9 a.
  * Accuracy: 8 u in wY and wZ (test_steady_turn). */
 COIN_API int32_t coin_steady_turn(coin_state *s, const coin_params *p,
                                   double theta, double radius);
@@ -462,8 +474,8 @@ COIN_API int32_t coin_steady_turn(coin_state *s, const coin_params *p,
  * choice, with 0 < theta < pi/2, of which there is just one.  Eq. (93), (94).
  * @param speed   of the centre, > 0 [L/T]
  * @param radius  of the centre's circle, > 0 [L]
- * @return COIN_EARG also if one is not above 0; COIN_EDOMAIN radius above 1e9
- *         a, or tan(theta) would be above 1e7.
+ * @return COIN_EARG also if one is not above 0; COIN_EDOMAIN if radius is above
+ *         1e9 a, or tan(theta) would be above 1e7.
  * Accuracy: 16 u in the radius, 16 u + u/cos(theta) in the speed, and the lean
  *         as these determine it (test_steady_turn). */
 COIN_API int32_t coin_steady_ride(coin_state *s, const coin_params *p,
@@ -504,8 +516,8 @@ COIN_API double coin_critical_spin(const coin_params *p);
  * @param s         a steady state, as coin_steady_radii()
  * @param t         the time, of either sign [T]
  * @param[out] out  the state at t, with wX = 0
- * @return COIN_ESTEP t out of range; COIN_ERANGE phi, psi, x or z leaves its
- *         range; COIN_EDOMAIN as coin_steady_radii().
+ * @return COIN_ESTEP if t is out of range; COIN_ERANGE if phi, psi, x or z
+ *         leaves its range; COIN_EDOMAIN as coin_steady_radii().
  * Accuracy: 6 u of the angles turned, and 6 u of the path, plus the rounding of
  *         phi, psi, x and z to doubles (test_steady_at).
  * Cost: three sines and cosines. */
@@ -547,8 +559,11 @@ typedef struct coin_orbit {
  *         turning points (docs/limits.md).
  * Accuracy: period, heading and roll per period to 1e-15 times conditioning,
  *         relative to the larger of them and 1 (test_orbit); next to a steady
- *         motion the period is better had by coin_stability().
- * Cost: some 100 textbook steps, near flat up to 500; 46 KiB of stack. */
+ *         motion the period is better had by coin_stability().  The path that
+ *         coin_orbit_at() gives lies between radius_min and radius_max to 1e-12
+ *         of the larger, beside the rounding of x and z (test_orbit).
+ * Cost: some 100 to 300 textbook steps, near flat at most 1,300 textbook steps;
+ *         46 KiB of stack. */
 COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
                                  const coin_params *p);
 
@@ -618,15 +633,14 @@ COIN_API int32_t coin_losses_reaction(const coin_state *s, const coin_params *p,
  * Eq. (32), (68), (72).
  * @param l          the losses; without any, `flat` does not act
  * @param t          the time, >= 0; +infinity: until it rests [T]
- * @param tol        as coin_advance() [1]
- * @param[out] reached  the time moved; may be null
- * @return COIN_RESTS: the coin lies flat since *reached.  In s, |theta| is the
- * last lean that coin_state_check() accepts, wX the speed of the fall, wX theta
- * >= 0, wY = 0, and wZ the rate at which the face still turns.  Another call
- * from there returns COIN_RESTS and *reached = 0.  COIN_EARG also for tol out
- * of range; COIN_ESTEP: t is out of range; or 2^20 trials of steps were not
- *         enough, or a rate would leave its range, and s is the state at
- *         *reached.  COIN_ERANGE as coin_advance().
+ * @param tol,reached  as coin_advance()
+ * @return COIN_RESTS: the coin rests since *reached.  It lies flat: |theta| is
+ * the last lean that coin_state_check() accepts, wX the speed of the fall, wX
+ * theta >= 0, wY = 0, and wZ the rate at which the face still turns.  Or it
+ * stands: theta, wX and wY were exactly 0, and |wZ| fell below 1e-10 natural
+ * units.  COIN_MORE: 2^20 trials of steps were not enough, and s is the state
+ * at *reached.  COIN_EARG also for tol out of range; COIN_ESTEP if t is.
+ * COIN_ERANGE: as coin_advance(), with s the state at *reached.
  * Accuracy: of 100 random launches, 95 err by less than tol (1 + n) after n
  *         natural units, and 99 by less than 20 tol (1 + n), before
  *         amplification (test_settle).
@@ -636,21 +650,21 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
                              const coin_losses *l, double t, double tol,
                              double *reached);
 
-/** The time until a coin lies flat, by settling a copy of it at tol = 1e-6 [T]:
- * 0 at rest; +infinity if it stays upright, as it does where theta, wX and one
- * of wY and wZ are 0, or if every coefficient but spin is 0 and the coin does
- * not fall within 2^20 steps; NaN also where these do not suffice.
- * Cost: that of coin_settle(). */
+/** The time until a coin rests, by settling a copy of it [T]: 0 at rest;
+ * +infinity if it stays upright.  Where 2^20 trials of steps do not suffice it
+ * is +infinity if every coefficient but spin is 0, and else NaN.
+ * @param tol        as coin_settle() [1]
+ * Cost: that of coin_settle(), at most some 5e6 textbook steps. */
 COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
-                                  const coin_losses *l);
+                                  const coin_losses *l, double tol);
 
 /** Scales losses so that a coin comes to rest after a given time: all members
  * of *l but soft and flat are multiplied by one factor.
  * @param[in,out] l  at least one term other than spin is not 0
  * @param time       > 0 [T]
- * @return COIN_OK: the coin rests after `time` within 1 %; COIN_EARG also for
- *         time not in range; COIN_EDOMAIN if no such factor was found by
- *         100,000 trials of steps (docs/choosing.md).
+ * @return COIN_OK: the coin rests after `time` within 1 %, by settling it at
+ * tol = 1e-6; COIN_EARG also for time not in range; COIN_EDOMAIN if no such
+ *         factor was found by 100,000 trials of steps (docs/choosing.md).
  * Cost: that of 5 to 100 settlings of that time, at most some 0.1 s. */
 COIN_API int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
                                  const coin_params *p, double time);
@@ -664,8 +678,10 @@ typedef struct coin_table {
     double mu_kinetic; /**< while it slips; 0 to the bound of Painleve, Eq. (86)
                             [1] */
     double restitution; /**< of an impact, 0 to 1 [1] */
-    double reserved[5]; /**< must be 0 */
-    coin_losses losses; /**< damping is 0 unless mu_static is +infinity */
+    double pull[2]; /**< acceleration along x and z, of a slope or a tray: at
+                         most 100 gravity each [L/T^2] */
+    double reserved[3]; /**< must be 0 */
+    coin_losses losses; /**< damping must be 0 */
 } coin_table;
 
 /** A real coin.  Whether it touches the table, rolls or slips is read off its
@@ -689,59 +705,86 @@ COIN_API int32_t coin_body_from_state(coin_body *b, const coin_state *s,
                                       const coin_params *p);
 
 /** Makes a body of what a physics engine knows of it, in the air or on the
- * table.  An engine's coin has a thickness: subtract half of it from y.  If the
- * face is horizontal, theta is the last lean before pi/2, and psi = 0.
+ * table.  If an engine's coin has a thickness and p has none, subtract
+ * thickness/2 times |n_y| from y, n_y the vertical part of its axis, and add it
+ * where the coin is drawn: |n_y| = |sin(theta)|.  If the face is horizontal,
+ * theta is the last lean before pi/2, and psi = 0.
  * @param q       [4] as coin_state_from_motion() [1]
  * @param omega   [3] angular velocity in the table's frame [1/T]
  * @param r       [3] the centre.  Up to 0.1 radius below the height at which
  *                the coin touches, it is set on the table [L]
  * @param v       [3] velocity of the centre [L/T]
- * @return COIN_ESTATE also if y is lower, or as coin_body_from_state(). */
+ * @return COIN_ESTATE also if y is lower, or as coin_body_from_state().
+ * Cost: at most 1.4, with a thickness at most 1.7 textbook steps. */
 COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
                                        const double q[4], const double omega[3],
                                        const double r[3], const double v[3]);
 
 /** Moves a real coin by any time: it flies, bounces, slips, rolls, and comes to
  * rest.
- *
- * TOUCHING. A body touches the table if y is a cos(theta) within 16 u a, and
- * the normal speed of its lowest point, vy + a sin(theta) wX, is at most 1e-10
- * sqrt(g a); else it is in the air.  It rolls if besides its slip speed is at
- * most 1e-10 sqrt(g a) + 16 u a (|wX| + |wZ|).  It lies flat if |theta| is the
- * last lean before pi/2 and wX = wY = 0.
  * @param t          the time, >= 0; +infinity: until it rests.  0 changes
  *                   nothing and tells the mode [T]
- * @param tol        as coin_settle() [1]
- * @param stop       0, or bits of COIN_SLIPS, COIN_LIFTS, COIN_NEARLY_FLAT
- *                   (while it touches), COIN_ROLLS, COIN_TOUCHES: the call ends
- *                   at the first moment at which one of them begins, located to
- *                   tol natural units.  One that holds at the start ends it at
- *                   once; COIN_ROLLS and COIN_TOUCHES are events, and never
- *                   hold
- * @param[out] reached  the time moved; may be null
- * @return the mode at the end, or-ed with the bits of stop that hold there: 0,
- *         it rolls; COIN_SLIPS, its contact or its face slides; COIN_LIFTS, it
- *         is in the air, lifts off, or hits the table now; COIN_RESTS.
- *         COIN_EARG also for tol or stop; COIN_EPARAMS also for damping and a
- *         body that slips or flies; COIN_ESTATE also for a body below the
- *         table; COIN_ESTEP, COIN_ERANGE as coin_settle(), but for 11,000
- *         trials of steps, and with b the body at *reached.
+ * @param tol,reached  as coin_settle()
+ * @param stop       0, or bits of the moments below: the call ends at the first
+ *                   of them after its start, located to tol natural units
+ * @return the mode at the end, or-ed with the moments that ended the call: 0,
+ * it rolls; COIN_SLIPS; COIN_LIFTS, in the air, or an impact is due;
+ * COIN_RESTS, all rates and velocities are 0.  COIN_MORE: 11,000 trials of
+ * steps did not suffice; COIN_ERANGE: a member of b would leave its range; b is
+ * then the body at *reached.  COIN_EARG also for tol or stop; COIN_ESTATE also
+ * for a body below the table; COIN_ESTEP if t is out of range.
+ *
+ * MODES are read off the members.  h is half of the thickness.  A body touches
+ * the table if y is a cos(theta) + h |sin(theta)| within 16 u (a + h), and the
+ * normal speed of its lowest point, coin_body_contact(), is at most 1e-10
+ * sqrt(g a); else it is in the air.  It rolls if besides its slip speed is at
+ * most 1e-10 sqrt(g a) + 16 u (a + h) (|wX| + |wZ|, + |wY| where h > 0) and the
+ * table can hold it.  It lies flat if |theta| is the last lean before pi/2 and
+ * wX = wY = 0.  With h > 0, theta = wX = 0 it is upright on both rims.
+ *
+ * MOMENTS. What holds at the start is none; each is told once.
+ *   COIN_SLIPS        the contact, or the face, begins to slide
+ *   COIN_LIFTS        the coin leaves the table without an impact
+ *   COIN_NEARLY_FLAT  cos(theta) falls below 0.01 while it touches, or it
+ *                     begins to touch with less
+ *   COIN_ROLLS        a slip, or a flight, has ended and it rolls
+ *   COIN_TOUCHES      it comes down on the table, also with the other rim at
+ *                     upright: b is the body before the impact, which the next
+ *                     call with t > 0 makes
+ *   COIN_DECIDED      its energy falls below that of balancing on a rim, M g
+ *                     sqrt(a^2 + h^2): coin_body_face() is how it ends.  With a
+ *                     pull COIN_EARG
+ * At COIN_SLIPS and COIN_LIFTS the members still roll or touch; the mode is
+ * what begins.  A loop that tells each moment of a frame:
+ *
+ *     for (left = frame; left > 0 && status >= 0 && !(status & COIN_RESTS);
+ *          left -= moved)
+ *         status = coin_move(&b, &p, &table, left, tol, stop, &moved);
+ *
+ *   below 0                 it ends: an error
+ *   COIN_RESTS              it ends: the coin does not move any more
+ *   COIN_MORE, bits of stop it calls again, for the time that is left
+ *   else                    it ends: the time is over
  *
  * MOTION. A slip begins where F exceeds mu_static N, Eq. (84), or where rolling
  * would need a pull.  The coin lifts off where N <= 0 and the free acceleration
- * of its lowest point is upward, Eq. (96); with damping it cannot slip, and the
- * call ends there.  In the air, Eq. (99), phi and psi come to lie in [-pi, pi];
- * where the face passes the horizontal both jump by pi, and wX, wY change their
- * signs.  The +Z side, heads, is up where theta < 0.  An impact below 1e-4
- * sqrt(g a) does not bounce, Eq. (108), (114); COIN_TOUCHES ends a call before
- * it, and the next call with t > 0 makes it.  On its face the coin slides by
- * mu_kinetic without losses, Eq. (109); wZ is the turn of the face.
+ * of its lowest point is upward, Eq. (96).  In the air, Eq. (99), (116), phi
+ * and psi come to lie in [-pi, pi]; where the face passes the horizontal both
+ * jump by pi, and wX, wY change sign.  The +Z side, heads, is up where theta <
+ * 0.  An impact below 1e-4 sqrt(g a) does not bounce, Eq. (108), (114).  On its
+ * face the coin slides by mu_kinetic without losses, Eq. (109), and wZ is the
+ * turn of the face; where mu_static is infinite it sticks; flat it rests on a
+ * slope if |pull| <= mu_static g, Eq. (127).  A coin rests on its edge if theta
+ * = wX = wY = 0, and |wZ| and its speed (natural) are < 1e-10.  With a
+ * thickness it rocks from rim to rim through upright, Eq. (118)-(123), and
+ * stands where that gets slow, Eq. (128).
  *
  * Accuracy: of 100 random launches, 98 err by less than tol (1 + n) after n
  *         natural units (test_slide).  A flight errs by 1e-15 for each radian
  *         that it turns by (test_flight), a touch is located to 1e-15 over its
- *         normal speed (test_touch).  An excursion of F/N above mu_static by
- *         1e-4 of it is found.  Bounces amplify errors (test_toss).
+ *         normal speed (test_touch).  Of 1,000 excursions of F/N above
+ *         mu_static by 1e-4 of it, 4 are missed at tol = 1e-5, and fewer below
+ *         (test_excursions).  Bounces amplify errors (test_toss).
  * Cost: docs/accuracy.md counts frames in which a coin rolls, slips, flies or
  *         bounces.  Coins near flat cost most, some 20 ms a call at most. */
 COIN_API int32_t coin_move(coin_body *b, const coin_params *p,
@@ -754,19 +797,37 @@ COIN_API double coin_body_energy(const coin_body *b, const coin_params *p);
 
 /** The force of the table: what rolling needs; if that leaves the cone of
  * mu_static, the force of the slip that begins; of a body that slips mu_kinetic
- * N against the slip; M g at rest; 0 in the air.  Eq. (79)-(82), (84).
- * Accuracy: 32 u of the terms over cos(theta). */
+ * N against the slip; M g at rest; 0 in the air, and where the table would have
+ * to pull.  Eq. (79)-(82), (84).  Accuracy: 32 u of the terms over cos(theta).
+ * Cost: 1.1 textbook steps; where a slip begins, whose direction is searched
+ *         for, at most 8 textbook steps. */
 COIN_API int32_t coin_body_reaction(const coin_body *b, const coin_params *p,
                                     const coin_table *table, coin_force *out);
 
-/** The slip velocity: that of the material point that is lowest; of a body that
- * lies flat, that of its centre.  Eq. (77).
- * @param[out] u  [2] along x and z; 0 to rounding if the coin rolls [L/T]
+/** The velocity of the lowest material point, in the air too; of a body that
+ * lies flat, that of its centre.  At COIN_TOUCHES -v[1] is the speed of the
+ * impact; of a coin on the table v[0] and v[2] are its slip.  Eq. (77), (105).
+ * @param[out] v  [3] along x, y and z [L/T]
  * Accuracy: 8 u of the terms. */
-COIN_API int32_t coin_body_slip(const coin_body *b, const coin_params *p,
-                                double u[2]);
+COIN_API int32_t coin_body_contact(const coin_body *b, const coin_params *p,
+                                   double v[3]);
 
-/** coin_matrix() of a body: with its own height. */
+/** A blow: gives a body the impulse J at a place, in the air or on the table,
+ * for which the next coin_move() answers.  Eq. (129).
+ * @param J  [3] along x, y and z [M L/T]
+ * @param r  [3] the place, from the centre [L]
+ * @return COIN_ESTATE also if the body is out of range then; b stays.
+ * Accuracy: 8 u of the terms (make adversary). */
+COIN_API int32_t coin_body_strike(coin_body *b, const coin_params *p,
+                                  const double J[3], const double r[3]);
+
+/** Which side is up: COIN_HEADS, COIN_TAILS; COIN_EDGE, the coin is upright or
+ * would fall back on its edge: |tan(theta)| <= thickness/(2 radius).  After
+ * COIN_DECIDED it is how the coin ends. */
+COIN_API int32_t coin_body_face(const coin_body *b, const coin_params *p);
+
+/** coin_matrix() of a body: with its own height.
+ * Cost: at most 1.1 textbook steps. */
 COIN_API int32_t coin_body_matrix(const coin_body *b, const coin_params *p,
                                   double m[16]);
 
@@ -775,7 +836,7 @@ COIN_API int32_t coin_body_matrix(const coin_body *b, const coin_params *p,
 /** The library's version, 0xMMmmpp, to compare with COIN_VERSION_ macros. */
 COIN_API uint32_t coin_version(void);
 
-/** The same as text, "0.9.0". */
+/** The same as text, such as "1.2.3". */
 COIN_API const char *coin_version_string(void);
 
 /** What a status means, in English, without a full stop; never null. */
@@ -785,9 +846,12 @@ COIN_API const char *coin_status_string(int32_t status);
  * for "coin_state"; 0 if `type` is null or no struct's name. */
 COIN_API uint32_t coin_sizeof(const char *type);
 
-/** Whether this build computes the pinned bits: steps some coins.
+/** Whether this build computes the pinned bits, and knows NaN: moves three
+ * coins by 100 steps of each method, and as far by coin_advance().  Those of
+ * coin_settle(), coin_move() and orbits are pinned by make repro.
  * @return COIN_OK; COIN_EBUILD if the compiler fused or reordered arithmetic
- *         (fast-math, contraction), or the rounding mode is not to-nearest.
+ *         (fast-math, contraction) or takes NaN for a number, or the rounding
+ *         mode is not to-nearest.
  * Cost: some 1,200 textbook steps. */
 COIN_API int32_t coin_selftest(void);
 

@@ -48,7 +48,8 @@ typedef struct coinf_params {
     float gravity;     /**< g [L/T^2] */
     float inertia_X;   /**< I_X = I_Y, about a diameter [M L^2] */
     float inertia_Z;   /**< I_Z, about the axis [M L^2] */
-    float reserved[3]; /**< must be 0 */
+    float thickness;   /**< must be 0 [L] */
+    float reserved[2]; /**< must be 0 */
 } coinf_params;
 
 /** Where a coin is and how it turns, as coin_state. */

@@ -82,7 +82,8 @@ $(foreach level,$(LEVELS),$(eval \
 # The pages, and what they link to, each in a folder of the name that it has here.
 DOCUMENTS := $(shell cd $(SRC) && find README.md CHANGELOG.md LICENSE docs/*.md \
                tests/studies/*.md docs/figures docs/examples \
-               docs/page/index.html include/coin.h $(SOURCES_ONLY))
+               docs/page/index.html docs/page/preview.jpg include/coin.h \
+               $(SOURCES_ONLY))
 PLACES    += $(addprefix $(DOCDIR)/,$(dir $(DOCUMENTS)))
 $(foreach file,$(DOCUMENTS),$(eval \
     in.$(DOCDIR)/$(dir $(file)) += $(SRC)/$(file)))

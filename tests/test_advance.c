@@ -119,7 +119,27 @@ TEST(only_rounding_is_left_in_100_random_motions_too)
     check(met >= 65);
 }
 
-/* The header's claim, on other states than it was made from. */
+/* What the motion makes of a small change of lean or rates, to where it ends.
+ */
+static double amplified(const coin_state *s, const coin_params *p, double t,
+                        const coin_state *end)
+{
+    const double small = 1e-7 * cos(s->theta), w = small / natural_time(p);
+    double most = 1;
+    for (int i = 0; i < 4; ++i) {
+        coin_state other = *s;
+        *(i == 0   ? &other.theta
+          : i == 1 ? &other.wX
+          : i == 2 ? &other.wY
+                   : &other.wZ) += i == 0 ? small : w;
+        check_status(coin_advance(&other, p, t, 1e-13, NULL), COIN_OK);
+        most = fmax(most, path_apart(&other, end, p) / small);
+    }
+    return most;
+}
+
+/* The header's bound, on other states than it was made from.  As a rule they
+ * err by less than tol for each unit, also where they amplify: 998 of 1,000. */
 TEST(of_random_motions_hardly_one_errs_by_more_than_tol)
 {
     const double tols[] = {1e-2, 1e-4, 1e-7, 1e-10};
@@ -134,11 +154,14 @@ TEST(of_random_motions_hardly_one_errs_by_more_than_tol)
             coin_state s = start, exact = start;
             check_status(coin_advance(&s, &p, t, tol, NULL), COIN_OK);
             check_status(coin_advance(&exact, &p, t, 1e-13, NULL), COIN_OK);
-            const double error = path_apart(&s, &exact, &p) / 4;
-            within += error <= tol;
-            check_within(error, 0, 3 * tol);
+            const double error = path_apart(&s, &exact, &p);
+            const double n =
+                t * sqrt(2 * coin_energy(&start, &p) / p.mass) / p.radius;
+            check_within(error, 0,
+                         2 * tol * (1 + n) * amplified(&start, &p, t, &exact));
+            within += error <= 4 * tol;
         }
-        check(within >= count * 0.99);
+        check_share(within, count, 0.998);
     }
 }
 
@@ -147,7 +170,7 @@ TEST(of_random_motions_hardly_one_errs_by_more_than_tol)
  * beside what a change of the start by 1e-9 grows to. */
 TEST(bodies_far_from_a_disc_are_right_too)
 {
-    const coin_params p = {1, 1, 1, 0.25, 2.5e-4, {0, 0, 0}};
+    const coin_params p = {1, 1, 1, 0.25, 2.5e-4, 0, {0, 0}};
     struct random r = random_begin(89);
     for (int i = 0; i < 30; ++i) {
         const coin_state start = {
@@ -308,6 +331,65 @@ TEST(a_heading_out_of_range_ends_the_call)
     }
 }
 
+/* The last step in tau ends beyond t, and the one back to t is refused: the
+ * range of phi, psi, x or z ends between.  Of 825,507 coins that set out next
+ * to an end, in motions like these, 15 did that. */
+TEST(a_call_that_is_refused_ends_before_t)
+{
+    static const struct {
+        double IX, IZ, t;
+        coin_state s;
+    } cases[] = {
+        {0.81043688202636854,
+         0.42456263779846803,
+         0.31441934463746607,
+         {1.1260307402744989, 2147483647.9999986, 0, 0, 0, -1.3788467613695652,
+          0.11714151381509041, 0.94026899599034852}},
+        {0.34649125516374429,
+         0.0033231022522881362,
+         0.13852087958143539,
+         {0.9851435688422906, 0, 2147483647.9999986, 0, 0, -2.4042471589447052,
+          0.88498253077858258, -0.67386777586364288}},
+        {0.54000414410481012,
+         0.29825571556344455,
+         1.6812442853955056,
+         {0.38551993172034771, 0, 2147483647.9999795, 0, 0, 3.1937680269396376,
+          -0.66518327930683407, -0.59871958392719016}},
+        {12.862039693678552,
+         0.091427847196643347,
+         0.38759929615399064,
+         {0.85894741540668984, 0, 0, 999999999.99999952, 0, -1.3006114873615646,
+          0.8405490262588311, -0.054888579597997422}},
+        {470.60257446033523,
+         27.602270942795663,
+         0.44826380988076669,
+         {0.88794116542807899, 0, 0, 0, 999999999.99526536, 0.35890537544811041,
+          -0.46336340316288127, 0.83381798445655586}},
+    };
+    int moved = 0;
+    for (int i = 0; i < 10; ++i) {
+        const int backward = i % 2;
+        const double t = backward ? -cases[i / 2].t : cases[i / 2].t;
+        coin_params p;
+        coin_state s = cases[i / 2].s, there;
+        double reached = NAN;
+        if (backward)
+            s.wX = -s.wX, s.wY = -s.wY, s.wZ = -s.wZ;
+        there = s;
+        check_status(
+            coin_params_body(&p, 1, 1, 1, cases[i / 2].IX, cases[i / 2].IZ),
+            COIN_OK);
+        check_note("case %d", i);
+        check_status(coin_advance(&s, &p, t, 1e-9, &reached), COIN_ERANGE);
+        check_within(reached / t, 0, 1);
+        moved += reached != 0;
+        check_status(coin_state_check(&s, &p), COIN_OK);
+        check_status(coin_advance(&there, &p, reached, 1e-12, NULL), COIN_OK);
+        check_within(states_apart(&s, &there, &p), 0, 1e-7);
+    }
+    check(moved > 0);
+}
+
 /* Spinning upright each step but the first few is as long as any: 2.4 over the
  * rate of coin_priv_sundman_tau(). */
 TEST(a_call_takes_2_20_steps_and_the_next_goes_on)
@@ -318,7 +400,7 @@ TEST(a_call_takes_2_20_steps_and_the_next_goes_on)
                  way = 0x1p20 * 2.4 / sqrt(1.5 * wY * wY + 1);
     coin_state s = {.wY = wY};
     double reached, rest = way * 1.00001;
-    check_status(coin_advance(&s, &p, rest, tol, &reached), COIN_ESTEP);
+    check_status(coin_advance(&s, &p, rest, tol, &reached), COIN_MORE);
     check_near(reached, way, 1e-6 * way);
     check_near(s.phi, wY * reached, tol * reached);
     rest -= reached;

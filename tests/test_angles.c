@@ -16,7 +16,7 @@
 
 #include <math.h>
 
-enum { TRIED = 30000 };
+enum { TRIED = 100000 };
 
 /* The pair of an angle, as far as doubles hold it. */
 static coin_priv_sc pair_of(double angle)

@@ -14,9 +14,9 @@
 /* ---------------------------------------------------------------- arguments */
 /* Rolls nearly upright, so that every function accepts it. */
 static const coin_state good_state = {0.1, 1, 2, 3, 4, 0.1, 0.1, 2};
-static const coin_params good_params = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
+static const coin_params good_params = {1, 1, 1, 0.25, 0.5, 0, {0, 0}};
 static const struct numbers good = {
-    71,  {1, 1, 1, 0.25, 0.5, {0, 0, 0}}, {0.5, 1, 2, 1, 4, 0, 1, 1}, -0.01, 20,
+    71,  {1, 1, 1, 0.25, 0.5, 0, {0, 0}}, {0.5, 1, 2, 1, 4, 0, 1, 1}, -0.01, 20,
     0.3,
 };
 
@@ -105,19 +105,19 @@ static const struct {
     const char *what;
     coin_params p;
 } bad_params[] = {
-    {"mass negative", {-1, 1, 1, 0.25, 0.5, {0, 0, 0}}},
-    {"mass NaN", {NAN, 1, 1, 0.25, 0.5, {0, 0, 0}}},
-    {"radius 0", {1, 0, 1, 0.25, 0.5, {0, 0, 0}}},
-    {"radius infinite", {1, INFINITY, 1, 0.25, 0.5, {0, 0, 0}}},
-    {"gravity 0", {1, 1, 0, 0.25, 0.5, {0, 0, 0}}},
-    {"gravity negative", {1, 1, -9.81, 0.25, 0.5, {0, 0, 0}}},
-    {"I_X 0", {1, 1, 1, 0, 0.5, {0, 0, 0}}},
-    {"I_Z NaN", {1, 1, 1, 0.25, NAN, {0, 0, 0}}},
-    {"I_Z > 2 I_X", {1, 1, 1, 0.25, 0.51, {0, 0, 0}}},
-    {"reserved[0]", {1, 1, 1, 0.25, 0.5, {1, 0, 0}}},
-    {"reserved[1]", {1, 1, 1, 0.25, 0.5, {0, 1, 0}}},
-    {"reserved[2]", {1, 1, 1, 0.25, 0.5, {0, 0, NAN}}},
-    {"mass 1e16", {1e16, 1, 1, 2.5e15, 5e15, {0, 0, 0}}},
+    {"mass negative", {-1, 1, 1, 0.25, 0.5, 0, {0, 0}}},
+    {"mass NaN", {NAN, 1, 1, 0.25, 0.5, 0, {0, 0}}},
+    {"radius 0", {1, 0, 1, 0.25, 0.5, 0, {0, 0}}},
+    {"radius infinite", {1, INFINITY, 1, 0.25, 0.5, 0, {0, 0}}},
+    {"gravity 0", {1, 1, 0, 0.25, 0.5, 0, {0, 0}}},
+    {"gravity negative", {1, 1, -9.81, 0.25, 0.5, 0, {0, 0}}},
+    {"I_X 0", {1, 1, 1, 0, 0.5, 0, {0, 0}}},
+    {"I_Z NaN", {1, 1, 1, 0.25, NAN, 0, {0, 0}}},
+    {"I_Z > 2 I_X", {1, 1, 1, 0.25, 0.51, 0, {0, 0}}},
+    {"thickness", {1, 1, 1, 0.25, 0.5, 5, {0, 0}}},
+    {"reserved[0]", {1, 1, 1, 0.25, 0.5, 0, {1, 0}}},
+    {"reserved[1]", {1, 1, 1, 0.25, 0.5, 0, {0, NAN}}},
+    {"mass 1e16", {1e16, 1, 1, 2.5e15, 5e15, 0, {0, 0}}},
 };
 
 TEST(bad_parameters_are_refused_by_all)
@@ -138,6 +138,42 @@ TEST(bad_parameters_are_refused_by_all)
         }
     }
     check(tried > 200);
+}
+
+/* What takes a coin with a thickness: coin_move() and what belongs to it. */
+static const char *const thick[] = {
+    "coin_move",         "coin_params_check", "coin_state_check",
+    "coin_losses_check", "coin_table_check",  "coin_state_from_motion",
+};
+
+static int takes_thickness(const struct function *f)
+{
+    for (size_t i = 0; i < sizeof thick / sizeof *thick; ++i)
+        if (strcmp(f->name, thick[i]) == 0)
+            return 1;
+    return strncmp(f->name, "coin_body_", 10) == 0;
+}
+
+TEST(a_thickness_is_refused_by_all_that_compute_a_thin_coin)
+{
+    coin_params p = good_params;
+    size_t taken = 0, refused = 0;
+    p.thickness = 0.1;
+    for (size_t k = 0; k < function_count; ++k) {
+        const struct function *f = &functions[k];
+        if (!strchr(f->kinds, 'p'))
+            continue;
+        check_note("%s", f->name);
+        if (takes_thickness(f)) {
+            check_status(call(f, &good_state, &p, POINTERS), COIN_OK);
+            ++taken;
+        } else {
+            const int32_t status = call(f, &good_state, &p, POINTERS);
+            check(status == COIN_EPARAMS || status == NOT_A_NUMBER);
+            ++refused;
+        }
+    }
+    check(taken == 14 && refused > 50);
 }
 
 static const struct {

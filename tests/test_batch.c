@@ -96,8 +96,8 @@ TEST(each_coin_goes_as_it_would_alone)
 TEST(the_runge_kutta_methods_have_lanes_where_vectors_are)
 {
     const coin_params p = disc();
-    coin_priv_body b;
-    b = coin_priv_body_of(&p);
+    coin_priv_constants b;
+    b = coin_priv_constants_of(&p);
     for (int32_t method = 0; method < METHODS; ++method) {
         coin_priv_batch none = {NULL, 0, NULL, COIN_OK, COIN_OK};
         check(coin_priv_run_abreast(&none, &b, method, 0.1, 1) ==
@@ -209,7 +209,7 @@ TEST(a_rate_out_of_range_is_not_reached_in_a_lane)
             t.s[k] = (coin_state){.wX = w[0], .wY = w[1], .wZ = w[2]};
         check_note("rate %d, method %d", i / 2, i % 2);
         check_trial(&t, i % 2, 1e-8, 1);
-        check_status(t.want_all, COIN_ESTEP);
+        check_status(t.want_all, COIN_ERANGE);
     }
 }
 

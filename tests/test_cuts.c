@@ -52,9 +52,9 @@ static double advance_returns(const struct motion *m, double tol)
     return states_apart(&s, &m->start, &m->p) / SPAN;
 }
 
-/* What came out for 1000 motions.  Another hundred coins move a median by less
- * than a factor of 2, nine tenths by less than 4; the worst of them is chance.
- */
+/* What came out for 8,000 motions.  Another 400 coins move it by less than a
+ * factor of 2: a median of 80 spreads by 1.4 at most, so one of 400 by 1.16.
+ * The worst of them is chance, and one of 200 is refused. */
 struct row {
     int32_t method;    /* METHODS is coin_advance() */
     double dtW_or_tol; /* at most, along the motion */
@@ -63,7 +63,7 @@ struct row {
 
 static void check_row(const struct row *row)
 {
-    enum { TRIED = 80 };
+    enum { TRIED = 400 };
     struct random r = random_begin(140);
     double off[TRIED];
     size_t n = 0;
@@ -78,20 +78,20 @@ static void check_row(const struct row *row)
     const struct spread got = spread_of(off, n);
     check_note("method %d at %g, %zu of %d returned", (int)row->method,
                row->dtW_or_tol, n, TRIED);
-    check(n >= TRIED - 5);
+    check_share((int)n, TRIED, 0.99);
     check_within(got.median / row->median, 0.5, 2);
-    check_within(got.nine_tenths / row->nine_tenths, 0.25, 4);
+    check_within(got.nine_tenths / row->nine_tenths, 0.5, 2);
 }
 
 TEST(backward_by_steps_it_returns_as_the_guide_says)
 {
     const struct row rows[] = {
-        {COIN_RK4, 0.1, 5e-8, 4e-7},
-        {COIN_RK4, 0.35, 3e-5, 2e-4},
-        {COIN_RK8, 0.2, 4.5e-13, 3e-12},
-        {COIN_RK8, 0.7, 2.2e-8, 1e-7},
-        {COIN_SYMPLECTIC2, 0.08, 7e-16, 5e-15},
-        {COIN_SYMPLECTIC4, 0.16, 7e-16, 5e-15},
+        {COIN_RK4, 0.1, 3.4e-8, 4.3e-7},
+        {COIN_RK4, 0.35, 1.7e-5, 2.1e-4},
+        {COIN_RK8, 0.2, 2.8e-13, 4.8e-12},
+        {COIN_RK8, 0.7, 1.6e-8, 2.2e-7},
+        {COIN_SYMPLECTIC2, 0.08, 9.5e-16, 3.2e-15},
+        {COIN_SYMPLECTIC4, 0.16, 1.1e-15, 3e-15},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i)
         check_row(&rows[i]);
@@ -100,9 +100,9 @@ TEST(backward_by_steps_it_returns_as_the_guide_says)
 TEST(backward_by_advance_it_returns_as_the_guide_says)
 {
     const struct row rows[] = {
-        {METHODS, 1e-6, 3e-8, 1e-7},
-        {METHODS, 1e-9, 2e-11, 7e-11},
-        {METHODS, 1e-12, 1e-14, 3e-14},
+        {METHODS, 1e-6, 2.7e-8, 8.5e-8},
+        {METHODS, 1e-9, 2.1e-11, 6.6e-11},
+        {METHODS, 1e-12, 8.3e-15, 2.1e-14},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i)
         check_row(&rows[i]);
@@ -219,7 +219,7 @@ static struct spread cut_spread(int32_t method, double dtW, double least,
 TEST(steps_in_many_calls_are_those_in_one)
 {
     for (int32_t method = 0; method < METHODS; ++method) {
-        const double limit = coin_priv_coarse_limit(method);
+        const double limit = coin_priv_reaches[method].coarse;
         const struct spread off = cut_spread(method, limit, 0.1, 0);
         check_within(off.median, 0.02, 1);
         check_within(off.worst, 0, 8);
@@ -227,12 +227,12 @@ TEST(steps_in_many_calls_are_those_in_one)
 }
 
 /* A new call chooses its steps anew: that is rounding only where the error of
- * the steps is. */
+ * the steps is.  The worst of them is chance. */
 TEST(advance_in_many_calls_is_advance_in_one)
 {
     const struct spread off = cut_spread(METHODS, 0.1, 0.1, 1e-13);
     check_within(off.median, 0.02, 2);
-    check_within(off.worst, 0, 8);
+    check_within(off.nine_tenths, 0, 8);
 }
 
 /* Then it changes by more than rounding, and by less than tol. */

@@ -34,7 +34,7 @@ static double exponent(int i, double m, double from)
     const coin_params p = disc();
     const coin_losses l = one_loss(i, m);
     coin_state s = slow_spin(&p, &l, from);
-    const double T = coin_time_to_rest(&s, &p, &l);
+    const double T = coin_time_to_rest(&s, &p, &l, 1e-6);
     const double first = time_at(&s, &p, &l, from / sqrt(10), T);
     const double middle = HALF_PI - s.theta;
     const double second = time_at(&s, &p, &l, middle * middle / from, T);
@@ -64,7 +64,7 @@ static double turns_back_at(const coin_losses *l, double e0)
 {
     const coin_params p = disc();
     coin_state s = slow_spin(&p, l, e0);
-    double step = coin_time_to_rest(&s, &p, l);
+    double step = coin_time_to_rest(&s, &p, l, 1e-6);
     for (int i = 0; i < 20; ++i) {
         coin_state next = s;
         step /= 2;
@@ -129,6 +129,6 @@ TEST(every_law_brings_a_coin_to_rest)
         check_status(coin_steady_spin(&s, &p, 1.2), COIN_OK);
         check_status(coin_settle(&s, &p, &l, INFINITY, 1e-6, &when),
                      COIN_RESTS);
-        check_near(coin_time_to_rest(&s, &p, &l), 0, 0);
+        check_near(coin_time_to_rest(&s, &p, &l, 1e-6), 0, 0);
     }
 }

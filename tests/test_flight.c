@@ -3,8 +3,6 @@
 #include "support/check.h"
 #include "support/thrown.h"
 
-#include <air.h>
-
 #include <math.h>
 
 /* The error of a flight, over 1 + the angle that it turns by. */
@@ -20,16 +18,18 @@ TEST(a_flight_is_that_of_newton_and_euler)
     static struct table t;
     table_load(&t, "toss/flights.csv");
     for (size_t i = 0; i < t.rows; ++i) {
-        coin_body b = body_in_row(&t, i, "");
+        const coin_body b = body_in_row(&t, i, "");
         const coin_body want = body_in_row(&t, i, "1");
         const double after = table_at(&t, i, "t");
         coin_priv_flight f;
-        coin_priv_attitude at = coin_priv_attitude_of(&b.s);
-        coin_priv_flight_of(&f, &b, &at, table_at(&t, i, "I_X"),
-                            table_at(&t, i, "I_Z"));
-        coin_priv_fly(&b, &at, &f, after);
+        coin_priv_coin c = coin_of(&b, 0);
+        coin_priv_flight_of(&f, &c, table_at(&t, i, "I_X"),
+                            table_at(&t, i, "I_Z"), 0);
+        coin_priv_fly(&c, &f, after);
+        const coin_body got = body_of(&c);
         check_note("row %zu", i);
-        check_near(bodies_apart(&b, &want), 0, LEAST_DIGITS * angle(&f, after));
+        check_near(bodies_apart(&got, &want), 0,
+                   LEAST_DIGITS * angle(&f, after));
     }
 }
 
@@ -38,16 +38,16 @@ TEST(a_flight_is_that_of_newton_and_euler)
 
 static coin_body flown(const coin_body *b, const coin_params *p, double t)
 {
-    coin_body to = *b;
     coin_priv_flight f;
-    coin_priv_attitude at = coin_priv_attitude_of(&b->s);
-    coin_priv_flight_of(&f, b, &at, p->inertia_X, p->inertia_Z);
-    coin_priv_fly(&to, &at, &f, t);
-    const coin_priv_attitude now = coin_priv_attitude_of(&to.s);
-    check_near(at.th.s, now.th.s, SAME);
-    check_near(at.th.c, now.th.c, SAME);
-    check_near(at.ph.s, now.ph.s, SAME);
-    check_near(at.ph.c, now.ph.c, SAME);
+    coin_priv_coin c = coin_of(b, 0);
+    coin_priv_flight_of(&f, &c, p->inertia_X, p->inertia_Z, 0);
+    coin_priv_fly(&c, &f, t);
+    const coin_body to = body_of(&c);
+    const coin_priv_coin now = coin_of(&to, 0);
+    check_near(c.th.s, now.th.s, SAME);
+    check_near(c.th.c, now.th.c, SAME);
+    check_near(c.ph.s, now.ph.s, SAME);
+    check_near(c.ph.c, now.ph.c, SAME);
     return to;
 }
 
@@ -126,5 +126,76 @@ TEST(a_face_passes_the_horizontal)
         check_status(coin_state_check(&at.s, &p), COIN_OK);
         check_near(past.s.theta, 1.2, 1e-13 + aside * aside);
         check(past.s.wX < 0);
+    }
+}
+
+/* ----------------------------------------------------------- slowed flights */
+TEST(what_is_left_of_a_turn_is_an_exponential)
+{
+    for (double x = 1e-20; x < 1e19; x *= 1.07) {
+        const coin_priv_decay at = coin_priv_decay_of(x);
+        check_note("x %g", x);
+        check_near(at.left, (double)expl(-(long double)x), 8 * U);
+        check_near(at.part / (double)(-expm1l(-(long double)x) / x), 1, 32 * U);
+    }
+    const coin_priv_decay none = coin_priv_decay_of(0);
+    check(none.left == 1 && none.part == 1);
+}
+
+/* A vector turned about a unit vector. */
+static void turn_about(const double k[3], double by, double v[3])
+{
+    const double s = sin(by), c = cos(by);
+    const double along = k[0] * v[0] + k[1] * v[1] + k[2] * v[2];
+    const double across[3] = {k[1] * v[2] - k[2] * v[1],
+                              k[2] * v[0] - k[0] * v[2],
+                              k[0] * v[1] - k[1] * v[0]};
+    for (int i = 0; i < 3; ++i)
+        v[i] = c * v[i] + s * across[i] + (1 - c) * along * k[i];
+}
+
+/* The angular momentum in the table's frame. */
+static void momentum_of(const coin_body *b, const coin_params *p, double L[3])
+{
+    double R[9];
+    coin_angular_velocity(&b->s, L);
+    coin_axes(&b->s, R);
+    for (int i = 0; i < 3; ++i)
+        L[i] = p->inertia_X * L[i] +
+               (p->inertia_Z - p->inertia_X) * b->s.wZ * R[6 + i];
+}
+
+/* The torque -b L keeps the direction of L, about which the axis turns at
+ * |L|/I_X: by the integral of exp(-b t) in all. */
+TEST(a_slowed_flight_turns_about_its_momentum)
+{
+    const int count = tries_asked(2000);
+    struct random r = random_begin(826);
+    for (int i = 0; i < count; ++i) {
+        const coin_params p = random_body(&r);
+        const coin_table f = {.losses.angular =
+                                  pow(10, random_between(&r, -3, 1))};
+        const double rate = f.losses.angular, t = random_between(&r, 0, 3);
+        const double left = exp(-rate * t), turned = -expm1(-rate * t) / rate;
+        coin_body b = random_throw(&r, 50, 20), to = b;
+        b.y = to.y += 100;
+        double L[3], k[3], n[9], m[9], M[3], moved;
+        momentum_of(&b, &p, L);
+        const double size = sqrt(L[0] * L[0] + L[1] * L[1] + L[2] * L[2]);
+        for (int j = 0; j < 3; ++j)
+            k[j] = L[j] / size;
+        coin_axes(&b.s, n);
+        check_note("seed 826, throw %d", i);
+        check_status(coin_move(&to, &p, &f, t, 1e-9, 0, &moved), COIN_LIFTS);
+        momentum_of(&to, &p, M);
+        coin_axes(&to.s, m);
+        turn_about(k, size / p.inertia_X * turned, n + 6);
+        const double angle = 1 + size / p.inertia_X * turned;
+        for (int j = 0; j < 3; ++j) {
+            check_near(M[j], L[j] * left, 1e-14 * angle * size);
+            check_near(m[6 + j], n[6 + j], 1e-14 * angle);
+        }
+        check_near(to.s.wZ, b.s.wZ * left, 8 * U * fabs(b.s.wZ));
+        check_near(to.y, b.y + t * (b.vy - t / 2), 1e-13 * b.y);
     }
 }

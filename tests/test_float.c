@@ -199,3 +199,24 @@ TEST(mirrored_and_reversed_motions_have_the_same_bits)
     check(back.theta == s.theta && back.phi == s.phi && back.psi == s.psi &&
           back.x == s.x && back.z == s.z && back.wZ == -s.wZ);
 }
+
+/* Upright, nothing but the heading changes.  Each sum rounds its remainder,
+ * which is below 2^-22 then, by 2^-47, and each whole turn leaves out four
+ * times the last part of pi/2, 2.6e-12.  The float of wY dt alone would be off
+ * by 1e-5. */
+TEST(a_spin_upright_keeps_its_rate_to_twice_the_digits)
+{
+    enum { STEPS = 10000 };
+    struct random r = random_begin(67);
+    for (int i = 0; i < 20; ++i) {
+        const coinf_params p = {1, 1, 1, 0.25f, 0.5f, 0, {0, 0}};
+        const float wY = (float)random_between(&r, 1, 3);
+        const float dt = (float)random_between(&r, 0.01, 0.1);
+        const double turn = 6.283185307179586, way = (double)wY * dt * STEPS;
+        coinf_state s = {.wY = wY};
+        check_note("seed 67, spin %d", i);
+        check_status(coinf_run(&s, &p, COIN_RK4, dt, STEPS, NULL), COIN_OK);
+        check_near(remainder(s.phi + (double)s.low[1] - way, turn), 0,
+                   STEPS * 0x1p-47 + 1.1e-11 * way / turn);
+    }
+}

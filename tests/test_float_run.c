@@ -12,7 +12,7 @@
 /* What *done holds where a call must leave it alone. */
 #define UNTOUCHED 0x5555555555555555
 
-static const coinf_params body = {1, 1, 1, 0.25f, 0.5f, {0, 0, 0}};
+static const coinf_params body = {1, 1, 1, 0.25f, 0.5f, 0, {0, 0}};
 static const coinf_state good = {0.5f, 1, 2, 3, 4, 0.1f, 0.8f, 1.2f, {0}};
 
 /* --------------------------------------------------------------- bad input */
@@ -148,7 +148,7 @@ TEST(a_step_does_not_end_far_beyond_the_limit)
     struct random r = random_begin(65);
     int refused = 0;
     for (int i = 0; i < 4000; ++i) {
-        const coinf_params p = {1, 1, 0.01f, 0.25f, 0.5f, {0, 0, 0}};
+        const coinf_params p = {1, 1, 0.01f, 0.25f, 0.5f, 0, {0, 0}};
         const coin_params d = doubles_params(&p);
         const coin_state from = random_state(&r, &d, 0.5);
         const double most = 1.2;

@@ -59,12 +59,14 @@ TEST(at_1e_9_it_is_one_step_in_tau)
         coin_priv_run_unlimited(&r, &s);
         check_note("frame %d", i);
         check(!coin_priv_one_step_suffices(&r, &lengths, rem.sum));
-        check_status(coin_priv_advance_by(&r, &lengths, &pace, &rem), COIN_OK);
+        check_status(coin_priv_advance_by(&r, &lengths, 2, &pace, &rem),
+                     COIN_OK);
         check(fabs(rem.sum) < 1e-3 / 60);
         coin_priv_run_unlimited(&r, &s);
         r.g.y.wY = 1000;
         const double unit = coin_priv_sundman_tau(&r.b, &r.g.y, 1);
-        check_status(coin_priv_advance_by(&r, &lengths, &pace, &far), COIN_OK);
+        check_status(coin_priv_advance_by(&r, &lengths, 2, &pace, &far),
+                     COIN_OK);
         check(pace.tau < 0.6 * lengths.stride * unit);
         check_status(coin_advance(&s, &p, 1.0 / 60, 1e-9, NULL), COIN_OK);
     }

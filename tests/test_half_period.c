@@ -31,14 +31,14 @@ static void counted_expand(coin_priv_series *s, const coin_priv_field *f)
 TEST(a_piece_takes_fewer_than_two_series)
 {
     struct random r = random_begin(103);
-    const int orbits = 300;
+    const int orbits = 600;
     int pieces = 0;
     expansions = 0;
     for (int i = 0; i < orbits; ++i) {
         coin_params p;
         coin_state s;
         coin_orbit o = random_orbit(&r, &p, &s);
-        const coin_priv_body b = coin_priv_body_of(&p);
+        const coin_priv_constants b = coin_priv_constants_of(&p);
         coin_priv_half_period h;
         counted_begin(&h, &o, &s, &b);
         check(counted_solve(&h));

@@ -47,7 +47,7 @@ TEST(the_rates_are_those_of_newton_and_euler)
 struct slopes {
     coin_state s, rates;
     double h;
-    coin_priv_body b;
+    coin_priv_constants b;
     coin_priv_variables y, d;
 };
 
@@ -57,7 +57,7 @@ static struct slopes random_slopes(struct random *r)
     const coin_params p = random_coin(r);
     k.s = random_state(r, &p, 1.57);
     k.h = natural_time(&p) * random_between(r, -1, 1);
-    k.b = coin_priv_body_of(&p);
+    k.b = coin_priv_constants_of(&p);
     const coin_priv_field f = coin_priv_field_of(&k.b, k.h);
     k.y = coin_priv_variables_of(&k.s);
     k.d = coin_priv_slopes_at(&f, &k.y);
@@ -89,8 +89,8 @@ TEST(slopes_are_the_rates_times_h)
     struct random r = random_begin(46);
     for (int i = 0; i < 500; ++i) {
         const struct slopes k = random_slopes(&r);
-        const coin_params p = {k.b.M,  k.b.a,  k.b.Mga / (k.b.M * k.b.a),
-                               k.b.IX, k.b.IZ, {0, 0, 0}};
+        const coin_params p = {
+            k.b.M, k.b.a, k.b.Mga / (k.b.M * k.b.a), k.b.IX, k.b.IZ, 0, {0, 0}};
         double size[OBSERVABLE_MAX];
         terms(&k.s, &p, size);
         const double h = fabs(k.h);

@@ -6,7 +6,7 @@
 #include "support/random.h"
 #include "support/scene.h"
 
-#include "orbit.h"
+#include "pieces.h"
 
 #include <math.h>
 #include <string.h>
@@ -102,8 +102,9 @@ TEST(an_orbit_from_a_later_state_goes_on)
     }
 }
 
-/* Nothing jumps where pieces meet, nor at the turning points: a step of 1e-9
- * across is what the rates make of it, to rounding. */
+/* Nothing jumps where pieces meet, nor at the turning points: a short step
+ * across is what the rates make of it, to the rounding of the angles and to
+ * that of both times, 4 u (|t| + period). */
 TEST(pieces_join)
 {
     struct random r = random_begin(83);
@@ -118,21 +119,27 @@ TEST(pieces_join)
         for (int n = 0; n < count; ++n, ++seen) {
             const double t =
                 (o.private_edges[n] - o.private_frame[COIN_PRIV_SINCE]) * unit;
-            const coin_state before = at(&o, t - step),
-                             after = at(&o, t + step);
-            coin_state rates;
+            const double from = t - step, to = t + step;
+            const coin_state before = at(&o, from), after = at(&o, to);
+            const double late = 4 * U * (fabs(t) + o.period);
+            coin_state rates, then;
             check_status(coin_rates(&before, &p, &rates), COIN_OK);
-            const double W = 1 + fabs(rates.phi * natural_time(&p));
-            check_near(after.theta - before.theta, 2 * step * rates.theta,
-                       4e-18 * W * W + 1e-15);
-            check_near(after.phi - before.phi, 2 * step * rates.phi,
-                       4e-18 * W * W * W + 8e-15);
-            check_near(after.psi - before.psi, 2 * step * rates.psi,
-                       4e-18 * W * W * W + 8e-15);
+            check_status(coin_rates(&after, &p, &then), COIN_OK);
+            double *const mean = (double *)&rates;
+            for (int k = 0; k < 8; ++k)
+                mean[k] += (((const double *)&then)[k] - mean[k]) / 2;
+            check_near(after.theta - before.theta, (to - from) * rates.theta,
+                       late * fabs(rates.theta) + 1e-15);
+            check_near(after.phi - before.phi, (to - from) * rates.phi,
+                       late * fabs(rates.phi) + 8e-15);
+            check_near(after.psi - before.psi, (to - from) * rates.psi,
+                       late * fabs(rates.psi) + 8e-15);
             check_near((after.x - before.x) / p.radius,
-                       2 * step * rates.x / p.radius, 4e-18 * W * W + 1e-14);
+                       (to - from) * rates.x / p.radius,
+                       late * fabs(rates.x) / p.radius + 1e-14);
             check_near((after.z - before.z) / p.radius,
-                       2 * step * rates.z / p.radius, 4e-18 * W * W + 1e-14);
+                       (to - from) * rates.z / p.radius,
+                       late * fabs(rates.z) / p.radius + 1e-14);
         }
     }
     check(seen > 500);

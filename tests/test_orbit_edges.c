@@ -104,7 +104,7 @@ TEST(passes_down_to_a_millionth_have_orbits)
 /* One piece more than an orbit has. */
 TEST(a_motion_of_43_pieces_is_refused)
 {
-    const coin_params p = {1, 1, 1, 1e-3, 2e-3, {0, 0, 0}};
+    const coin_params p = {1, 1, 1, 1e-3, 2e-3, 0, {0, 0}};
     const coin_state s = {
         .theta = 0x1.49f6622f314c7p-6,
         .wX = 0x1.1770b331e285dp+0,
@@ -118,7 +118,7 @@ TEST(a_motion_of_43_pieces_is_refused)
 /* As many as it has, all of them before the start. */
 TEST(a_motion_of_42_pieces_has_an_orbit)
 {
-    const coin_params p = {1, 1, 1, 1e-3, 2e-3, {0, 0, 0}};
+    const coin_params p = {1, 1, 1, 1e-3, 2e-3, 0, {0, 0}};
     const coin_state start = {
         .theta = -0x1.87856c77c48d1p+0,
         .wX = -0x1.6c04126da345p-5,

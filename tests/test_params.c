@@ -7,7 +7,8 @@ static void check_body(const coin_params *p, double IX, double IZ)
 {
     check(p->mass == 2 && p->radius == 4 && p->gravity == 8);
     check(p->inertia_X == IX && p->inertia_Z == IZ);
-    check(p->reserved[0] == 0 && p->reserved[1] == 0 && p->reserved[2] == 0);
+    check(p->thickness == 0);
+    check(p->reserved[0] == 0 && p->reserved[1] == 0);
 }
 
 TEST(each_shape_has_its_inertia)
@@ -68,14 +69,32 @@ TEST(every_member_must_be_positive_and_finite)
     check_status(coin_params_check(&p), COIN_OK);
 }
 
+TEST(a_thickness_is_nothing_or_in_its_range)
+{
+    const double bad[] = {-1, 5e-324, 0.9e-4, 4.01, NAN, INFINITY};
+    const double good[] = {0, 1e-4, 4};
+    coin_params p;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        check_member(&p, &p.thickness, bad[i]);
+        check_status(coin_params_cylinder(&p, 1, 1, bad[i], 1), COIN_EPARAMS);
+    }
+    for (size_t i = 0; i < sizeof good / sizeof *good; ++i) {
+        check_status(coin_params_cylinder(&p, 1, 1, good[i], 1), COIN_OK);
+        check(p.thickness == good[i]);
+        check_near(p.inertia_X, 0.25 + good[i] * good[i] / 12, 1e-15);
+    }
+}
+
 TEST(every_reserved_member_must_be_zero)
 {
     const double bad[] = {1, -1, 5e-324, NAN, INFINITY};
     coin_params p;
     check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
-    for (size_t m = 0; m < 3; ++m)
+    double *const members[] = {&p.reserved[0], &p.reserved[1]};
+    for (size_t m = 0; m < 2; ++m)
         for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
-            check_member(&p, &p.reserved[m], bad[i]);
+            check_member(&p, members[m], bad[i]);
     p.reserved[1] = -0.0;
     check_status(coin_params_check(&p), COIN_OK);
 }

@@ -5,7 +5,7 @@
 #include "support/methods.h"
 #include "support/random.h"
 
-#include "methods.h"
+#include "coin_run.h"
 #include "sundman.h"
 
 #include <math.h>
@@ -14,10 +14,10 @@
 
 enum { SAMPLES = 200 };
 
-static coin_priv_body body_of(const coin_params *p)
+static coin_priv_constants body_of(const coin_params *p)
 {
-    coin_priv_body b;
-    b = coin_priv_body_of(p);
+    coin_priv_constants b;
+    b = coin_priv_constants_of(p);
     return b;
 }
 
@@ -156,7 +156,7 @@ TEST(pairs_and_angles_are_one_after_every_step)
         const coin_params p = random_coin(&r);
         const coin_state s = random_state(&r, &p, 1.4);
         const int32_t method = i % METHODS;
-        const double dt = coin_priv_refusal_limit(method) *
+        const double dt = coin_priv_reaches[method].refusal *
                           pow(10, random_between(&r, -2, 0)) /
                           fastest_rate(&s, &p);
         coin_priv_run run = {.b = body_of(&p)};
@@ -253,7 +253,7 @@ TEST(coarse_turns_are_counted_alike_in_one_run_and_in_many)
         coin_state one, many;
         check_status(coin_steady_upright_spin(&one, &p, 1000), COIN_OK);
         many = one;
-        const double dt = 0.999 * coin_priv_refusal_limit(method) / 1000;
+        const double dt = 0.999 * coin_priv_reaches[method].refusal / 1000;
         check_status(coin_run(&one, &p, method, dt, 1000, NULL), COIN_COARSE);
         for (int i = 0; i < 1000; ++i)
             check_status(coin_run(&many, &p, method, dt, 1, NULL), COIN_COARSE);
@@ -295,7 +295,7 @@ TEST(the_warning_is_that_of_the_largest_rate)
         const coin_state s = random_state(&r, &p, 1.5);
         coin_state end = s;
         const int32_t method = i % METHODS;
-        const double limit = coin_priv_coarse_limit(method);
+        const double limit = coin_priv_reaches[method].coarse;
         const double dt = limit / fastest_rate(&s, &p) *
                           pow(10, random_between(&r, -0.7, 0.01));
         const int32_t status =

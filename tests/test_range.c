@@ -251,14 +251,14 @@ TEST(motions_of_a_body_have_limits)
         for (int k = 0; k < 7; ++k) {
             const double size = k == 6 ? 1e9 * p.radius : most;
             const double side = k % 2 ? -1 : 1;
-            double u[2];
+            double u[3];
             coin_body in = {.y = 2 * p.radius}, out = in;
             const int member = k == 6 ? 0 : 1 + k / 2;
             (&in.y)[member] = side * size * (1 - PART);
             (&out.y)[member] = side * size * (1 + PART);
             check_note("units %d, case %d", i, k);
-            check_status(coin_body_slip(&in, &p, u), COIN_OK);
-            check_status(coin_body_slip(&out, &p, u), COIN_ESTATE);
+            check_status(coin_body_contact(&in, &p, u), COIN_OK);
+            check_status(coin_body_contact(&out, &p, u), COIN_ESTATE);
         }
     }
 }
@@ -348,23 +348,23 @@ TEST(a_rate_does_not_leave_its_range)
             status = coin_run(&s, &p, method, dt, 1, &done);
             ++steps;
         } while (status >= 0 && steps < 100);
-        check_status(status, COIN_ESTEP);
+        check_status(status, COIN_ERANGE);
         check(steps > 1 && done == 0);
         check_same(&s, &before, sizeof s);
         check_status(coin_sample(&s, &p, method, dt, 1, 2, out, &samples),
-                     COIN_ESTEP);
+                     COIN_ERANGE);
         check(samples == 1);
         check_status(coin_batch_run(&s, 1, &p, method, dt, 1, NULL),
-                     COIN_ESTEP);
-        check_status(coin_step(&s, &p, dt), COIN_ESTEP);
-        check_status(coin_advance(&s, &p, dt, 1e-9, &reached), COIN_ESTEP);
+                     COIN_ERANGE);
+        check_status(coin_step(&s, &p, dt), COIN_ERANGE);
+        check_status(coin_advance(&s, &p, dt, 1e-9, &reached), COIN_ERANGE);
         check(reached == 0);
         check_same(&s, &before, sizeof s);
     }
     const coin_losses l = {.spin = 1e-9};
     coin_state s = {.theta = 0.3, .wY = 9.5e5, .wZ = 9.5e5};
     double reached;
-    check_status(coin_settle(&s, &p, &l, 1, 1e-9, &reached), COIN_ESTEP);
+    check_status(coin_settle(&s, &p, &l, 1, 1e-9, &reached), COIN_ERANGE);
     check_within(reached, 1e-7, 1e-5);
     check_status(coin_state_check(&s, &p), COIN_OK);
 }

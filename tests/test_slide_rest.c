@@ -58,7 +58,7 @@ TEST(a_coin_that_cannot_slip_rests_when_coin_settle_says)
 /* In one call and in many, at two tolerances. */
 TEST(the_time_of_rest_is_that_of_any_tolerance_and_calls)
 {
-    const int count = tries_asked(20);
+    const int count = tries_asked(40);
     struct random r = random_begin(192);
     int rested = 0, parted = 0;
     for (int i = 0; i < count; ++i) {
@@ -73,16 +73,15 @@ TEST(the_time_of_rest_is_that_of_any_tolerance_and_calls)
         if (status != COIN_RESTS)
             continue;
         ++rested;
-        check_near(when, finer, 1e-4);
         int32_t by_parts = COIN_OK;
         while (by_parts == COIN_OK || by_parts == COIN_SLIPS) {
             by_parts = slide(&many, &p, &f, &l, 0.5, 1e-8, &part);
             t += part;
         }
         check_status(by_parts, COIN_RESTS);
-        parted += !(fabs(t - when) <= 1e-4);
+        parted += !(fabs(t - when) <= 1e-4 && fabs(finer - when) <= 1e-4);
     }
-    check(rested > count / 4);
+    check_share(rested, count, 0.55);
     check(parted <= rested / 10); /* which nearly stood, or nearly rested */
 }
 
@@ -235,4 +234,23 @@ TEST(a_coin_that_slips_as_it_falls_flat_rests_when_its_fall_ends)
     check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
     check_status(coin_move(&b, &p, &f, 1, tol, 0, &reached), COIN_RESTS);
     check_within(reached, T - tol, T + 1.1e-4 + tol);
+}
+
+/* Upright, but it tips about its contact, turns in its place or slides. */
+TEST(an_upright_coin_that_moves_does_not_rest)
+{
+    const coin_params p = disc();
+    const coin_table f = {.mu_static = 0.4, .mu_kinetic = 0.3};
+    const coin_body moving[] = {
+        {.s = {.wX = 0.5}, .y = 1},
+        {.s = {.wY = 0.5}, .y = 1},
+        {.s = {.wZ = 0.5}, .y = 1},
+        {.y = 1, .vx = 0.5},
+    };
+    const int32_t mode[] = {COIN_SLIPS, COIN_OK, COIN_SLIPS, COIN_SLIPS};
+    for (int i = 0; i < 4; ++i) {
+        coin_body b = moving[i];
+        check_note("body %d", i);
+        check_status(coin_move(&b, &p, &f, 0, 1e-6, 0, NULL), mode[i]);
+    }
 }

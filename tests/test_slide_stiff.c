@@ -118,3 +118,57 @@ TEST(a_slip_begins_where_losses_are_stiff)
     check_within(coin_move(&fine, &p, &f, 0.24, 1e-11, 0, NULL), 0, 1);
     check_near(slides_apart(&b, &fine, &p), 0, tol);
 }
+
+/* With equal coefficients a slip may end as slowly as the force changes.
+ * Frames of tosses of a quarter, in which steps as short as the time in which
+ * its direction settles do not suffice. */
+TEST(a_slip_that_ends_slowly_ends_within_a_frame)
+{
+    const double frame = 1.0 / 60;
+    coin_params p;
+    check_status(coin_params_disc(&p, 0.00567, 0.01213, 9.80665), COIN_OK);
+    const coin_table f = {
+        .mu_static = 0.3,
+        .mu_kinetic = 0.3,
+        .restitution = 0.5,
+        .losses = {.dry = 8.5e-4 * p.mass * p.gravity * p.radius, .flat = 1e-3},
+    };
+    const double natural = frame * sqrt(p.gravity / p.radius);
+    const coin_body from[] = {
+        {.s = {.theta = 1.3806420403599451,
+               .phi = 56.935487127370571,
+               .psi = 53.999277642288902,
+               .x = 0.088549538845278192,
+               .z = -0.0051562886532895875,
+               .wX = -11.443228274063669,
+               .wY = 20.161793791064373,
+               .wZ = -0.55579380170080428},
+         .y = 0.0022926961842732693,
+         .vx = -0.0036536805050019186,
+         .vy = 0.13630438615145651,
+         .vz = -0.026840674454624479},
+        {.s = {.theta = 0.71164042701112862,
+               .phi = 42.98849064917794,
+               .psi = 33.108583854717288,
+               .x = 0.08771397236770094,
+               .z = 0.092439922000672442,
+               .wX = -4.7090425438289953,
+               .wY = 29.062875804134251,
+               .wZ = -5.1684701204074246},
+         .y = 0.00918594674858037,
+         .vx = 0.070453622002454502,
+         .vy = 0.037304202330881865,
+         .vz = 0.028947136120249732},
+    };
+    for (int i = 0; i < 2; ++i) {
+        coin_body fine = from[i];
+        const int32_t want = coin_move(&fine, &p, &f, frame, 1e-12, 0, NULL);
+        check_within(want, 0, 1);
+        for (double tol = 1e-4; tol > 1e-10; tol *= 0.1) {
+            coin_body b = from[i];
+            check_note("frame %d, tol %g", i, tol);
+            check_status(coin_move(&b, &p, &f, frame, tol, 0, NULL), want);
+            check_within(slides_apart(&b, &fine, &p), 0, tol * (1 + natural));
+        }
+    }
+}

@@ -32,7 +32,7 @@ TEST(the_branches_are_the_two_roots)
     for (int i = 0; i < 500; ++i) {
         const coin_params p = random_coin(&r);
         const double w = 1 / natural_time(&p);
-        const double theta = random_between(&r, -1.5, 1.5);
+        const double theta = random_sized(&r, 1e-3, 1.5);
         const double wZ = random_between(&r, -2 * w, 2 * w);
         const double m = p.mass * p.radius * p.radius;
         const double A = p.inertia_X * tan(theta), B = (p.inertia_Z + m) * wZ;
@@ -53,7 +53,7 @@ TEST(the_branches_mirror_each_other_bit_for_bit)
     for (int i = 0; i < 500; ++i) {
         const coin_params p = random_coin(&r);
         const double w = 1 / natural_time(&p);
-        const double theta = random_between(&r, -1.5, 1.5);
+        const double theta = random_sized(&r, 1e-3, 1.5);
         const double wZ = random_between(&r, -2 * w, 2 * w);
         const int32_t branch = i % 2 ? 1 : -1;
         const double f = circle(&p, theta, wZ, branch).wY;

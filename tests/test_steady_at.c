@@ -93,7 +93,7 @@ TEST(times_add_up)
     for (int i = 0; i < 300; ++i) {
         const coin_params p = random_coin(&r);
         const double unit = natural_time(&p);
-        coin_state s = circle(&p, random_between(&r, -1.4, 1.4),
+        coin_state s = circle(&p, random_sized(&r, 1e-3, 1.4),
                               random_between(&r, -2, 2) / unit, 1);
         s.phi = random_between(&r, -3, 3);
         const double t = random_between(&r, -20, 20) * unit;

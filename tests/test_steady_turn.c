@@ -24,7 +24,8 @@ static struct turn turn_at(const struct table *t, size_t row)
          table_at(t, row, "gravity"),
          table_at(t, row, "inertia_X"),
          table_at(t, row, "inertia_Z"),
-         {0, 0, 0}},
+         0,
+         {0, 0}},
         table_at(t, row, "lean"),
         table_at(t, row, "speed"),
         table_at(t, row, "circle"),
@@ -329,4 +330,18 @@ TEST(a_bad_ride_is_refused_in_order)
         check_same(&s, &before, sizeof s);
     }
     check_status(coin_steady_ride(NULL, &good, 1, 1), COIN_EARG);
+}
+
+/* Up to a slope of 1e7 also where it is made by the turning: v/R = 6000 round a
+ * circle of 1e-3 radii. */
+TEST(a_ride_may_be_as_steep_round_a_small_circle)
+{
+    const coin_params p = disc();
+    const double R = 1e-3, v = 6000 * R;
+    const double A = 1.5 * v * v / R, B = 0.25 * 6000 * 6000;
+    coin_state s;
+    check_status(coin_steady_ride(&s, &p, v, R), COIN_OK);
+    /* tan theta = A + B to 1e-13; the lean is 1/tan theta from flat, to u. */
+    check_near((HALF_PI - s.theta) * (A + B), 1, 4 * U * (A + B));
+    check_status(coin_steady_ride(&s, &p, 6400 * R, R), COIN_EDOMAIN);
 }

@@ -78,6 +78,29 @@ TEST(where_angles_end_it_is_a_run_of_one)
     check(of.well > 100 && of.failed > 100);
 }
 
+/* One that no run accepts is COIN_ESTEP there too. */
+TEST(where_ranges_end_a_step_of_any_length_is_a_run_of_one)
+{
+    struct random r = random_begin(56);
+    const double never[] = {NAN, INFINITY, -INFINITY, 0x1p1023};
+    int too_long = 0, at_edge = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const coin_params p = random_coin(&r);
+        coin_state s = random_state(&r, &p, 1.5);
+        const double ends[] = {0x1p31, 0x1p31, 1e9 * p.radius, 1e9 * p.radius};
+        double *const members[] = {&s.phi, &s.psi, &s.x, &s.z};
+        const double inside = 1 - pow(10, random_between(&r, -12, -7));
+        *members[i % 4] = (i % 8 < 4 ? -inside : inside) * ends[i % 4];
+        const double dt = i % 5 ? pow(10, random_between(&r, -3, 30)) *
+                                      (i % 3 ? 1 : -1) * natural_time(&p)
+                                : never[i / 5 % 4];
+        const int32_t said = check_step(&s, &p, dt);
+        too_long += said == COIN_ESTEP;
+        at_edge += said == COIN_ERANGE;
+    }
+    check(too_long > 500 && at_edge > 200);
+}
+
 /* A coarse step's sum of rates and the angle of its pair end apart: one may be
  * in range where the other is not. */
 TEST(just_where_angles_end_it_is_a_run_of_one)
@@ -184,7 +207,7 @@ TEST(a_step_of_no_time_keeps_the_signs_of_zeros)
 
 TEST(a_bad_argument_has_the_status_of_a_run_of_one)
 {
-    const coin_params p = disc(), massless = {0, 1, 1, 1, 1, {0, 0, 0}};
+    const coin_params p = disc(), massless = {0, 1, 1, 1, 1, 0, {0, 0}};
     const coin_state s = {.theta = 0.5, .wY = 1}, flat = {.theta = 1.6};
     check_status(check_step(&s, &massless, 0.1), COIN_EPARAMS);
     check_status(check_step(&flat, &p, 0.1), COIN_ESTATE);

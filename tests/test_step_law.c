@@ -125,7 +125,7 @@ static struct trial next_to(struct random *r, const struct trial *best)
  * each drawn next to the worst so far. */
 static double most_used(int32_t method, int flat, uint64_t seed)
 {
-    const int count = tries_asked(200);
+    const int count = tries_asked(600);
     struct random r = random_begin(seed);
     struct trial best = {.part = 0};
     double most = 0;
@@ -133,8 +133,8 @@ static double most_used(int32_t method, int flat, uint64_t seed)
     for (int i = 0; i < count; ++i) {
         const struct trial t =
             i < count / 2 ? draw(&r, flat) : next_to(&r, &best);
-        const double dt =
-            t.part * coin_priv_coarse_limit(method) / fastest_rate(&t.s, &t.p);
+        const double dt = t.part * coin_priv_reaches[method].coarse /
+                          fastest_rate(&t.s, &t.p);
         check_note("method %d, case %d of seed %u", (int)method, i,
                    (unsigned)seed);
         const double part = used(&t.s, &t.p, method, dt);
@@ -169,7 +169,7 @@ static double turned(const struct trial *t, int32_t method, double dt)
     coin_state s = t->s;
     if (coin_run(&s, &t->p, method, dt, 1, NULL) < 0)
         return 0;
-    const double limit = coin_priv_coarse_limit(method);
+    const double limit = coin_priv_reaches[method].coarse;
     if (fabs(dt) * fastest_rate(&s, &t->p) > limit)
         return 0;
     return fmax(fabs(s.theta - t->s.theta), fabs(s.phi - t->s.phi)) / limit;
@@ -179,7 +179,7 @@ static double turned(const struct trial *t, int32_t method, double dt)
  * several draws, the next one is drawn next to the worst so far. */
 static double most_turned(int32_t method, uint64_t seed)
 {
-    const double longest = 1.2 * coin_priv_coarse_limit(method);
+    const double longest = 1.2 * coin_priv_reaches[method].coarse;
     struct random r = random_begin(seed);
     double most = 0;
     for (int i = 0; i < tries_asked(30); ++i) {
@@ -210,6 +210,6 @@ TEST(a_step_that_ends_within_the_coarse_limit_turns_little)
         check_note("method %d", (int)method);
         const double most = most_turned(method, 323);
         check_within(most, 0.9, 1.2);
-        check(most * coin_priv_coarse_limit(method) < COIN_PRIV_TURN_MAX);
+        check(most * coin_priv_reaches[method].coarse < COIN_PRIV_TURN_MAX);
     }
 }

@@ -17,7 +17,7 @@ TEST(the_slope_of_wX_is_that_in_time_times_cos_theta)
         const coin_params p = random_coin(&r);
         const coin_state s = random_state(&r, &p, 1.57);
         const struct parts k = parts_of(&s, &p);
-        const coin_priv_body b = coin_priv_body_of(&p);
+        const coin_priv_constants b = coin_priv_constants_of(&p);
         const double h = natural_time(&p);
         const coin_priv_field f = coin_priv_field_of(&b, h);
         const coin_priv_variables y = coin_priv_variables_of(&s);
@@ -42,7 +42,7 @@ TEST(a_stride_bounds_what_the_slope_of_wX_adds)
         };
         coin_params p;
         check_status(coin_params_body(&p, 1, 1, 1, I_X, ratio * I_X), COIN_OK);
-        const coin_priv_body b = coin_priv_body_of(&p);
+        const coin_priv_constants b = coin_priv_constants_of(&p);
         const coin_priv_field f = coin_priv_field_of(&b, 1);
         const coin_priv_variables y = coin_priv_variables_of(&s);
         const double tau = coin_priv_sundman_tau(&b, &y, 1);
@@ -107,7 +107,7 @@ TEST(a_heavy_rim_that_turns_fast_comes_to_the_end)
 }
 
 /* Bodies of any I_Z, that may roll far faster than they turn and fall. */
-static coin_priv_variables any_coin(struct random *r, coin_priv_body *b)
+static coin_priv_variables any_coin(struct random *r, coin_priv_constants *b)
 {
     coin_params p;
     const double IX = pow(10, random_between(r, -3, 3));
@@ -117,7 +117,7 @@ static coin_priv_variables any_coin(struct random *r, coin_priv_body *b)
     s.wX *= pow(10, random_between(r, -4, 0));
     s.wY *= pow(10, random_between(r, -4, 0));
     s.wZ *= pow(10, random_between(r, 0, 2));
-    *b = coin_priv_body_of(&p);
+    *b = coin_priv_constants_of(&p);
     return coin_priv_variables_of(&s);
 }
 
@@ -127,7 +127,7 @@ TEST(no_step_in_tau_turns_or_rolls_by_16_rad)
 {
     struct random r = random_begin(49);
     for (int i = 0; i < 10000; ++i) {
-        coin_priv_body b;
+        coin_priv_constants b;
         const coin_priv_variables y = any_coin(&r, &b);
         const double tau = coin_priv_sundman_tau(&b, &y, COIN_PRIV_LONGEST);
         check_within(tau * (fabs(y.wY) + fabs(y.cth * y.wZ)), 0, 16);
@@ -139,7 +139,7 @@ TEST(a_step_to_the_end_leads_on)
 {
     struct random r = random_begin(50);
     for (int i = 0; i < 10000; ++i) {
-        coin_priv_body b;
+        coin_priv_constants b;
         const coin_priv_variables y = any_coin(&r, &b);
         const double full = coin_priv_sundman_tau(&b, &y, COIN_PRIV_LONGEST);
         const double rem = random_between(&r, 0, 2) * full * y.cth;

@@ -130,7 +130,8 @@ static coin_params params_in(const coin_params *p, const struct units *u)
         p->gravity * (u->length / (u->time * u->time)),
         p->inertia_X * inertia,
         p->inertia_Z * inertia,
-        {0, 0, 0},
+        0,
+        {0, 0},
     };
     return r;
 }

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#define PI 3.14159265358979323846
 #define LAST_LEAN (1.5707963267948966 - 2.220446049250313e-16)
 
 /* ------------------------------------------------------------- reference */
@@ -84,8 +85,7 @@ static struct end in_calls(const coin_body *b, const coin_params *p,
         E = now;
         check(gap(&r.b) >= -32 * U);
         check(r.t < 1e6);
-    } while ((r.status >= 0 && r.status != COIN_RESTS) ||
-             r.status == COIN_ESTEP);
+    } while (r.status >= 0 && !(r.status & COIN_RESTS));
     return r;
 }
 
@@ -107,19 +107,64 @@ TEST(a_toss_ends_at_rest)
     }
 }
 
+/* ------------------------------------------------------------ nearly flat */
+/* A disc from an engine, 1e-9 to 1e-4 rad from flat, a little below the table,
+ * that turns and falls. */
+static coin_body handed_over(struct random *r, const coin_params *p,
+                             double rate)
+{
+    const double lean = pow(10, random_between(r, -9, -4));
+    const double half = PI / 4 - lean / 2;
+    const double q[] = {cos(half), sin(half), 0, 0};
+    double omega[3], v[3] = {0, -random_between(r, 0, 1), 0};
+    const double at[] = {0, sin(lean) - random_between(r, 0, 1e-3), 0};
+    for (int i = 0; i < 3; ++i)
+        omega[i] = rate * random_between(r, -1, 1);
+    v[0] = random_between(r, -0.5, 0.5);
+    v[2] = random_between(r, -0.5, 0.5);
+    coin_body b;
+    check_status(coin_body_from_motion(&b, p, q, omega, at, v), COIN_OK);
+    return b;
+}
+
+/* Near flat a hop of normal speed v lasts about 2 v cos(theta)/w^2: shorter by
+ * far than any time that is looked over at once. */
+TEST(a_coin_handed_over_nearly_flat_needs_one_call)
+{
+    static const double rates[] = {0.1, 0.5, 1, 3, 10};
+    static const double restitution[] = {0, 0.3, 0.6};
+    const int count = tries_asked(300);
+    struct random r = random_begin(2611);
+    const coin_params p = thrown_params(0.25, 0.5);
+    for (int i = 0; i < count; ++i) {
+        coin_table f = {.mu_static = 0.35, .mu_kinetic = i % 4 ? 0.3 : 0.35};
+        f.restitution = restitution[i % 3];
+        if (i % 2)
+            f.losses = (coin_losses){.rolling = 0.01, .viscous = 1e-3};
+        coin_body b = handed_over(&r, &p, rates[i % 5]);
+        double moved = 0;
+        check_note("seed %llu, body %d", (unsigned long long)r.seed, i);
+        const int32_t status = coin_move(&b, &p, &f, 0.5, 1e-6, 0, &moved);
+        check(status >= 0);
+        check(moved == 0.5 || status == COIN_RESTS);
+    }
+}
+
 static double places_apart(const coin_body *a, const coin_body *b)
 {
     return hypot(a->s.x - b->s.x, a->s.z - b->s.z);
 }
 
-/* Where a start that is changed by 1e-9 ends within 1e-6. */
+/* Where a start that is changed by 1e-9 ends within 1e-6.  Of some 5000 tosses
+ * one depends on the tolerance otherwise: where a series of ever lower hops is
+ * cut decides how it slips. */
 TEST(frames_of_a_60th_end_where_one_call_does)
 {
     const coin_params quarter = thrown_params(0.25, 0.5);
     const double frame = 1.0 / 60 / sqrt(0.01213 / 9.80665);
     const int count = tries_asked(20);
     struct random r = random_begin(862);
-    int calm = 0, far = 0;
+    int calm = 0, far = 0, beyond = 0;
     for (int i = 0; i < count; ++i) {
         coin_table f = random_table(&r, &quarter);
         f.restitution *= 0.5;
@@ -142,12 +187,12 @@ TEST(frames_of_a_60th_end_where_one_call_does)
             1e-4 + 1e-6 * (1 + one.t) * (places_apart(&one.b, &other.b) / 1e-9);
         const double r1 = places_apart(&one.b, &rough.b);
         const double r2 = places_apart(&one.b, &frames.b);
-        check_within(r1, 0, most);
-        check_within(r2, 0, most);
-        far += (r1 > 1e-4) + (r2 > 1e-4);
+        beyond += r1 > most || r2 > most;
+        far += r1 > 1e-4 || r2 > 1e-4;
     }
     check(calm > count / 4);
-    check(far <= calm / 10);
+    check_share(calm - far, calm, 0.98);
+    check_share(calm - beyond, calm, 0.999);
 }
 
 /* ------------------------------------------------------------- symmetries */
@@ -336,9 +381,9 @@ TEST(a_coin_that_lies_slides_and_rests)
         const double w0 = table_at(&t, i, "w0"), S = v0 + fabs(w0);
         const double time = table_at(&t, i, "time") / w;
         const double m = M * a * a, side = i % 2 ? 1 : -1;
-        const coin_table f = {.mu_static = INFINITY, .mu_kinetic = mu};
+        const coin_table f = {.mu_static = 2 * mu, .mu_kinetic = mu};
         coin_params p;
-        double when, u[2];
+        double when, u[3];
         coin_force force;
         check_note("row %zu", i);
         check_status(coin_params_body(&p, M, a, g, table_at(&t, i, "I_X") * m,
@@ -347,8 +392,8 @@ TEST(a_coin_that_lies_slides_and_rests)
         coin_body b = {.s = {.theta = side * LAST_LEAN, .phi = 1, .wZ = w0 * w},
                        .vz = v0 * a * w};
         b.y = a * cos(b.s.theta);
-        check_status(coin_body_slip(&b, &p, u), COIN_OK);
-        check(u[0] == 0 && u[1] == b.vz);
+        check_status(coin_body_contact(&b, &p, u), COIN_OK);
+        check(u[0] == 0 && u[1] == 0 && u[2] == b.vz);
         check_status(coin_body_reaction(&b, &p, &f, &force), COIN_OK);
         check(force.normal == M * g);
         check_near(force.R[0], 0, 8 * U * M * g);
@@ -376,7 +421,8 @@ TEST(a_coin_that_lies_down_keeps_its_way_along_the_table)
 {
     const coin_params p = thrown_params(0.25, 0.5);
     const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
-    const coin_table rough = {.mu_static = INFINITY, .mu_kinetic = 0.3};
+    const coin_table rough = {.mu_static = 1e6, .mu_kinetic = 0.3};
+    const coin_table sticks = {.mu_static = INFINITY, .mu_kinetic = 0.3};
     coin_body falls = {.s = {.theta = 1.5}, .vx = 1};
     coin_body lands = {.s = {.theta = LAST_LEAN - 1e-8}, .vx = 1, .vy = -1e-6};
     falls.y = cos(falls.s.theta);
@@ -388,24 +434,16 @@ TEST(a_coin_that_lies_down_keeps_its_way_along_the_table)
                  COIN_SLIPS);
     check(lands.s.theta == LAST_LEAN);
     check_near(lands.vx, 1 - 0.01 * rough.mu_kinetic, 1e-4);
+    check_status(coin_move(&lands, &p, &sticks, 0, 1e-9, 0, NULL), COIN_RESTS);
+    check(lands.vx > 0.9);
+    check_status(coin_move(&lands, &p, &sticks, 1, 1e-9, 0, NULL), COIN_RESTS);
+    check(lands.vx == 0 && lands.vz == 0 && lands.s.wZ == 0);
 }
 
-TEST(flat_bits_of_stop_hold_while_it_lies)
+TEST(a_face_that_slides_goes_on_to_its_range)
 {
     const coin_params p = thrown_params(0.25, 0.5);
-    const coin_table f = {.mu_static = 0.4, .mu_kinetic = 0.3};
-    const coin_body b = {
-        .s = {.theta = LAST_LEAN}, .y = cos(LAST_LEAN), .vx = 1};
-    const int32_t bits[] = {COIN_SLIPS, COIN_NEARLY_FLAT};
-    for (int i = 0; i < 2; ++i) {
-        coin_body at = b;
-        double moved = 1;
-        check_status(coin_move(&at, &p, &f, 1, 1e-6, bits[i], &moved),
-                     COIN_SLIPS | bits[i]);
-        check(moved == 0);
-        check_same(&at, &b, sizeof b);
-    }
-    coin_body on = b;
+    coin_body on = {.s = {.theta = LAST_LEAN}, .y = cos(LAST_LEAN), .vx = 1};
     const coin_table ice = {.mu_static = 0, .mu_kinetic = 0};
     check_status(coin_move(&on, &p, &ice, 1e9 - 1, 1e-6, 0, NULL), COIN_SLIPS);
     check(on.s.x == 1e9 - 1 && on.vx == 1);
@@ -472,21 +510,6 @@ TEST(a_returned_body_rolls_or_touches_to_the_bit)
 }
 
 /* ----------------------------------------------------------------- lift-off */
-TEST(a_coin_with_damping_ends_the_call_where_it_lifts_off)
-{
-    const coin_params p = thrown_params(0.25, 0.5);
-    const coin_table f = {
-        .mu_static = INFINITY, .mu_kinetic = 0.3, .losses = {.damping = 0.01}};
-    const coin_state s = {.theta = 0.2, .wX = 3};
-    coin_body b;
-    double moved = 1;
-    check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
-    const coin_body start = b;
-    check_status(coin_move(&b, &p, &f, 1, 1e-9, 0, &moved), COIN_LIFTS);
-    check(moved == 0);
-    check_same(&b, &start, sizeof b);
-}
-
 /* What losses alone would lift stays in contact: no coin hops. */
 TEST(no_coin_chatters)
 {
@@ -504,11 +527,11 @@ TEST(no_coin_chatters)
         int hops = 0;
         int32_t status = COIN_OK;
         check_note("seed 864, toss %d", i);
-        while (t < 20 && status != COIN_RESTS) {
+        while (t < 20 && !(status & COIN_RESTS)) {
             const int flies = status == COIN_LIFTS;
             status = coin_move(&b, &p, &f, 0.5, 1e-6,
                                flies ? COIN_TOUCHES : COIN_LIFTS, &moved);
-            check(status >= 0 || status == COIN_ESTEP);
+            check(status >= 0);
             status = status & COIN_LIFTS ? COIN_LIFTS : status;
             t += moved;
             hops += !flies && status == COIN_LIFTS;
@@ -536,10 +559,10 @@ TEST(a_flight_out_of_the_ranges_keeps_its_progress)
         {{.s = {.theta = 0.3, .x = 1e9 - 1}, .y = 2, .vx = 1e6}, COIN_ERANGE},
         {{.s = {.theta = 0.3, .z = 1 - 1e9}, .y = 2, .vz = -1e6}, COIN_ERANGE},
         /* the speed of the fall; wX, which becomes 1.3e6 */
-        {{.s = {.theta = 0.3}, .y = 1e8, .vy = -1e6}, COIN_ESTEP},
-        {{.s = {.theta = 0.3, .wX = 9e5, .wY = 9e5}, .y = 1e8}, COIN_ESTEP},
+        {{.s = {.theta = 0.3}, .y = 1e8, .vy = -1e6}, COIN_ERANGE},
+        {{.s = {.theta = 0.3, .wX = 9e5, .wY = 9e5}, .y = 1e8}, COIN_ERANGE},
         /* wX, which the impact makes 1.8e6 sin(theta) 4/(1 + 4 sin^2 theta) */
-        {{.s = {.theta = 0.5}, .y = cos(0.5), .vy = -9e5}, COIN_ESTEP},
+        {{.s = {.theta = 0.5}, .y = cos(0.5), .vy = -9e5}, COIN_ERANGE},
     };
     for (size_t i = 0; i < sizeof starts / sizeof *starts; ++i) {
         coin_body b = starts[i].b;
@@ -682,12 +705,69 @@ TEST(any_throw_is_silent_and_its_body_is_accepted)
         errno = 0;
         for (int k = 0; k < 4; ++k) {
             const int32_t status = coin_move(&b, &p, &f, t, 1e-4, 0, NULL);
-            check(status >= 0 || status == COIN_ESTEP || status == COIN_ERANGE);
-            ++seen[status < 0 ? 0 : status];
+            check(status >= 0 || status == COIN_ERANGE);
+            ++seen[status < 0 ? 0 : status & ~COIN_MORE];
             check(coin_body_energy(&b, &p) >= 0);
         }
         check(!fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW));
         check(errno == 0);
     }
     check(seen[COIN_LIFTS] > count && seen[COIN_SLIPS] > count / 50);
+}
+
+/* A thousandth within each range, and a thousandth beyond it: the top of the
+ * flight, the place and the speed at its end, and wX of a coin that turns. */
+TEST(a_flight_goes_on_up_to_the_ranges)
+{
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.restitution = 0};
+    for (int side = -1; side <= 1; side += 2) {
+        const double part = 1 + side * 1e-3, turn = part * 1e6 / sqrt(2);
+        const struct {
+            coin_body b;
+            double t;
+            int32_t beyond;
+        } starts[] = {
+            {{.y = 2, .vy = sqrt(part * 2e9)}, 1e5, COIN_ERANGE},
+            {{.y = 1e4, .s.x = part * 1e9 - 1e7, .vx = 1e6}, 10, COIN_ERANGE},
+            {{.y = 1e4, .s.z = 1e7 - part * 1e9, .vz = -1e6}, 10, COIN_ERANGE},
+            {{.y = 1e9, .vy = 1 - 1e6}, part, COIN_ERANGE},
+            {{.y = 1e4, .s = {.wX = turn, .wY = turn}}, 10, COIN_ERANGE},
+        };
+        for (size_t i = 0; i < sizeof starts / sizeof *starts; ++i) {
+            coin_body b = starts[i].b;
+            check_note("start %zu, side %d", i, side);
+            const int32_t status =
+                coin_move(&b, &p, &f, starts[i].t, 1e-6, COIN_TOUCHES, NULL);
+            if (side > 0)
+                check_status(status, starts[i].beyond);
+            else
+                check_status(status & ~COIN_TOUCHES, COIN_LIFTS);
+        }
+    }
+}
+
+/* A face that does not turn: mu M g against its velocity, whatever its
+ * heading. */
+TEST(friction_of_a_face_opposes_its_velocity)
+{
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.mu_static = 0.4, .mu_kinetic = 0.3};
+    const int count = tries_asked(50);
+    struct random r = random_begin(868);
+    for (int i = 0; i < count; ++i) {
+        const double way = random_between(&r, -3, 3);
+        const coin_body b = {
+            .s = {.theta = LAST_LEAN, .phi = random_between(&r, -3, 3)},
+            .y = cos(LAST_LEAN),
+            .vx = 2 * cos(way),
+            .vz = 2 * sin(way),
+        };
+        coin_force force;
+        check_note("seed 868, slide %d", i);
+        check_status(coin_body_reaction(&b, &p, &f, &force), COIN_OK);
+        check(force.normal == 1);
+        check_near(force.R[0], -0.3 * cos(way), 8 * U);
+        check_near(force.R[2], -0.3 * sin(way), 8 * U);
+    }
 }

@@ -5,8 +5,6 @@
 #include "support/coins.h"
 #include "support/thrown.h"
 
-#include <air.h>
-
 #include <math.h>
 
 TEST(a_touch_is_that_of_newton_and_euler)
@@ -14,22 +12,23 @@ TEST(a_touch_is_that_of_newton_and_euler)
     static struct table t;
     table_load(&t, "toss/touches.csv");
     for (size_t i = 0; i < t.rows; ++i) {
-        coin_body b = body_in_row(&t, i, "");
+        const coin_body b = body_in_row(&t, i, "");
         const coin_body want = body_in_row(&t, i, "1");
         const double when = table_at(&t, i, "t_touch");
         const double speed = table_at(&t, i, "u_y");
         coin_priv_flight f;
-        coin_priv_attitude as = coin_priv_attitude_of(&b.s);
-        coin_priv_flight_of(&f, &b, &as, table_at(&t, i, "I_X"),
-                            table_at(&t, i, "I_Z"));
+        coin_priv_coin c = coin_of(&b, 0);
+        coin_priv_flight_of(&f, &c, table_at(&t, i, "I_X"),
+                            table_at(&t, i, "I_Z"), 0);
         const coin_priv_touch at = coin_priv_first_touch(&f, 40, gap(&b) < U);
         const double most = 8 * U * (1 + when) * (3 + f.rate);
         check_note("row %zu", i);
         check(at.touches && at.looks <= 8);
         check_near(at.t, when, most / fmin(1, fabs(speed)));
-        coin_priv_fly(&b, &as, &f, at.t);
-        check_near(coin_priv_rim_of(&b, &as).y, speed, 8 * most * (1 + f.rate));
-        check_near(bodies_apart(&b, &want), 0, 8 * most * (1 + f.rate));
+        coin_priv_fly(&c, &f, at.t);
+        const coin_body got = body_of(&c);
+        check_near(coin_priv_rim_of(&c, 0).y, speed, 8 * most * (1 + f.rate));
+        check_near(bodies_apart(&got, &want), 0, 8 * most * (1 + f.rate));
         const coin_priv_touch none =
             coin_priv_first_touch(&f, at.t * (1 - 1e-9), gap(&want) < U);
         check(!none.touches);
@@ -39,20 +38,21 @@ TEST(a_touch_is_that_of_newton_and_euler)
 /* How high the lowest point is after t. */
 static double gap_after(const coin_priv_flight *f, double t)
 {
-    const double a = f->rate * t, s = sin(a), c = cos(a);
+    const double b = f->angular, turned = b > 0 ? -expm1(-b * t) / b : t;
+    const double a = f->rate * turned, s = sin(a), c = cos(a);
     const double along = (1 - c) * f->kZ;
     const double X = s * f->kY + along * f->kX;
     const double Y = along * f->kY - s * f->kX, Z = c + along * f->kZ;
-    const double h = f->at.th.s * Y + f->at.th.c * Z;
-    return f->y + t * f->vy - t * t / 2 - hypot(X, h);
+    const double h = f->from.th.s * Y + f->from.th.c * Z;
+    return f->from.y + t * f->from.vy - t * t / 2 - hypot(X, h);
 }
 
 /* Where the centre may be low enough: from the time at which it falls below
  * 1, or all the time. */
 static double from(const coin_priv_flight *f)
 {
-    const double above = f->y - 1;
-    return above > 0 ? f->vy + sqrt(f->vy * f->vy + 2 * above) : 0;
+    const double above = f->from.y - 1, vy = f->from.vy;
+    return above > 0 ? vy + sqrt(vy * vy + 2 * above) : 0;
 }
 
 /* A flight from any height up to 1e6 radii, spins up to 100; half of them from
@@ -67,15 +67,18 @@ static coin_priv_flight any_flight(struct random *r)
         b.y = cos(b.s.theta) + pow(10, random_between(r, -12, 0));
         b.vy /= 10;
     }
-    const coin_priv_attitude at = coin_priv_attitude_of(&b.s);
-    coin_priv_flight_of(&f, &b, &at, p.inertia_X, p.inertia_Z);
+    const coin_priv_coin c = coin_of(&b, 0);
+    const double angular =
+        random_between(r, 0, 1) < 0.5 ? pow(10, random_between(r, -3, 1)) : 0;
+    coin_priv_flight_of(&f, &c, p.inertia_X, p.inertia_Z, angular);
     return f;
 }
 
 /* The rounding of the gap. */
 static double noise(const coin_priv_flight *f, double t)
 {
-    return 16 * U * (1 + fabs(f->y) + t * (fabs(f->vy) + t) + f->rate * t);
+    return 16 * U *
+           (1 + fabs(f->from.y) + t * (fabs(f->from.vy) + t) + f->rate * t);
 }
 
 TEST(no_touch_is_missed)
@@ -84,23 +87,29 @@ TEST(no_touch_is_missed)
     struct random r = random_begin(831);
     const int count = tries_asked(20000);
     long looks = 0;
+    int ended = 0;
     for (int i = 0; i < count; ++i) {
         const coin_priv_flight f = any_flight(&r);
-        const double end = f.vy + sqrt(f.vy * f.vy + 2 * f.y);
+        const double vy = f.from.vy;
+        const double end = vy + sqrt(vy * vy + 2 * f.from.y);
         coin_priv_touch at = {0, 0, 0};
         at = coin_priv_first_touch(&f, end, 0);
         check_note("seed 831, flight %d", i);
-        check(at.touches);
+        /* A turn that fades needs more looks than a search has; it is none
+         * up to where the search ends. */
+        check(at.touches || f.angular > 0);
         looks += at.looks;
         const double none = noise(&f, at.t);
-        check_near(gap_after(&f, at.t), 0, none);
+        if (at.touches)
+            check_near(gap_after(&f, at.t), 0, none);
+        ended += !at.touches;
         const double start = fmax(from(&f), at.t - 60 / (1 + f.rate));
         for (int k = 0; k < SCANNED; ++k) {
             const double t = start + (at.t - start) * k / SCANNED;
             check(gap_after(&f, t) > -none);
         }
     }
-    check(looks < 12L * count);
+    check(looks < 12L * count && ended < count / 1000);
 }
 
 /* How deep a dip may be that is passed over. */
@@ -117,8 +126,8 @@ TEST(a_start_on_the_table_is_no_touch)
         b.y = cos(b.s.theta);
         b.vy = speed - b.s.wX * sin(b.s.theta);
         coin_priv_flight f;
-        const coin_priv_attitude as = coin_priv_attitude_of(&b.s);
-        coin_priv_flight_of(&f, &b, &as, p.inertia_X, p.inertia_Z);
+        const coin_priv_coin c = coin_of(&b, 0);
+        coin_priv_flight_of(&f, &c, p.inertia_X, p.inertia_Z, 0);
         const coin_priv_touch at = coin_priv_first_touch(&f, 40, 1);
         check_note("seed 832, flight %d, speed %g", i, speed);
         const double none = noise(&f, at.t);
@@ -135,8 +144,8 @@ TEST(a_centre_just_below_the_table_may_leave_it)
     coin_body b = {.s = {.theta = acos(0x1p-52), .wX = 2e-3}, .y = -U / 8};
     coin_priv_flight f;
     b.vy = 3e-3;
-    const coin_priv_attitude as = coin_priv_attitude_of(&b.s);
-    coin_priv_flight_of(&f, &b, &as, p.inertia_X, p.inertia_Z);
+    const coin_priv_coin c = coin_of(&b, 0);
+    coin_priv_flight_of(&f, &c, p.inertia_X, p.inertia_Z, 0);
     const coin_priv_touch at = coin_priv_first_touch(&f, 0.02, 1);
     check(at.t >= 0 && at.t <= 0.02);
 }

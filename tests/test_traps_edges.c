@@ -134,9 +134,13 @@ TEST(a_radius_beyond_all_doubles_is_infinite)
 
 TEST(the_least_numbers_are_no_divisors)
 {
-    const coin_params fine = {0x1.9c64p-5,           0x1.e4ea666666666p-40,
-                              0x1.7f33333333333p-1,  0x1.71ea1506cd3e1p-84,
-                              0x1.71ea1506cd3e1p-83, {0, 0, 0}};
+    const coin_params fine = {0x1.9c64p-5,
+                              0x1.e4ea666666666p-40,
+                              0x1.7f33333333333p-1,
+                              0x1.71ea1506cd3e1p-84,
+                              0x1.71ea1506cd3e1p-83,
+                              0,
+                              {0, 0}};
     const coin_params p = disc();
     coin_state s = turning(-0x1p-1074, 0, 0, -0x1.41d60435cf24dp+18);
     coin_orbit o;

@@ -26,7 +26,7 @@ static void draw(const coin_params *p, const coin_losses *l, const char *title,
         const double lean =
             v->left + (i + 0.5) / LAUNCHES * (v->right - v->left);
         const coin_state s = {.theta = lean, .wY = 1, .wZ = 12};
-        const double t = coin_time_to_rest(&s, p, l);
+        const double t = coin_time_to_rest(&s, p, l, 1e-6);
         if (isnan(t))
             exit(EXIT_FAILURE);
         printf("M%.1f %.1fh0", svg_x(v, lean), svg_y(v, t));

@@ -18,10 +18,11 @@
 enum { RUN, DONE, USAGE_ERROR }; /* what options_parse() says */
 
 /* A coin that is thrown: what it moves by beyond rolling, along its plane and
- * upward; how high it starts; the dry friction, over weight times radius. */
+ * upward; how high it starts; dry and pivoting friction, in natural units; its
+ * thickness; by how many radians the table slopes down along x. */
 typedef struct throwing {
     scene scene;
-    double faster, up, high, dry;
+    double faster, up, high, dry, spin, thickness, slope;
 } throwing;
 
 typedef struct options {
@@ -59,17 +60,49 @@ static const throwing THROWN[] = {
      3.1,
      0,
      0,
+     0,
+     0,
+     0,
      0},
     {{"toss",
       &QUARTER,
       {1.2, 0, 0, 0, 0, 60, 4, 0},
       1e-3,
       2,
-      "A US quarter is tossed: it flies, bounces, rolls and lies"},
+      "A US quarter is tossed: heads or tails?"},
      0.15,
      0.9,
      0.06,
-     5e-3},
+     5e-3,
+     1e-3,
+     0,
+     0},
+    {{"edge",
+      &QUARTER,
+      {0.07, 0, 0, 0, 0, 0, 0, 0},
+      2e-3,
+      16,
+      "A US quarter rocks on its edge, and stands"},
+     0,
+     0,
+     0,
+     0,
+     0,
+     1.75e-3,
+     0},
+    {{"slope",
+      &QUARTER,
+      {0, 0, 0, 0, 0, 0, 0, 60},
+      1e-3,
+      1.6,
+      "A US quarter rolls up a slope of 10 degrees, and down again"},
+     0,
+     0,
+     0,
+     0,
+     0,
+     1.75e-3,
+     0.17453292519943295},
 };
 
 enum { THROWN_COUNT = sizeof THROWN / sizeof THROWN[0] };

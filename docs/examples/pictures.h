@@ -29,6 +29,7 @@ typedef struct moment {
 typedef struct motion {
     const scene *scene;
     coin_params params;
+    double pull; /* along x, of a slope */
     int slides;  /* it slips and flies where friction does not hold it */
     int32_t end; /* of a slide */
     size_t count;
@@ -44,17 +45,17 @@ static int flies(const motion *m, size_t k)
     return m->slides && (m->at[k].bits & COIN_LIFTS);
 }
 
-/* A point of the coin on the table, x and z. */
+/* A point of the coin on the table, x and z.  The contact is at the lower rim,
+ * Eq. (118). */
 static void table_point(const motion *m, size_t k, int which, double xz[2])
 {
-    double r[3] = {0, 0, 0}, velocity[3];
+    const coin_state *s = &m->at[k].state;
+    const double half = copysign(m->params.thickness / 2, s->theta);
+    const double lever =
+        m->params.radius * sin(s->theta) - half * cos(s->theta);
 
-    if (which == CENTER)
-        coin_center(&m->at[k].state, &m->params, r);
-    else
-        coin_contact(&m->at[k].state, &m->params, r, velocity);
-    xz[0] = r[0];
-    xz[1] = r[2];
+    xz[0] = s->x - (which == CONTACT ? lever * sin(s->phi) : 0);
+    xz[1] = s->z - (which == CONTACT ? lever * cos(s->phi) : 0);
 }
 
 /* Fits the panel to the coins: the contact is never outside of them.  From

@@ -96,6 +96,8 @@ int main(void)
     for (int k = 0; k < LAWS; ++k) {
         coin_losses l = LAW[k].losses;
         coin_state s;
+        /* Its size is found below; here it must be in range. */
+        l.rolling *= quarter.mass * quarter.gravity * quarter.radius;
         demand(coin_steady_spin(&s, &quarter, PI / 3));
         demand(coin_losses_fit(&l, &s, &quarter, 8));
         s = spun(&quarter, &l, PI / 3); /* which moves the time of rolling */

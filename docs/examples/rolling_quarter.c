@@ -220,7 +220,7 @@ static void print_rest(const motion *m)
                     &rest) != COIN_RESTS)
         return;
     printf("\nAnd then dry friction of %g of its weight times its radius "
-           "stops it:\n\n",
+           "lays it flat:\n\n",
            DRY);
     printf("%9s %7s %8s %8s %8s\n", "time", "lean", "contact", "its rate",
            "energy");
@@ -266,6 +266,8 @@ static void print_motion(const motion *m, const options *o)
         print_summary(m, o->mu);
     if (!m->slides || m->end == COIN_OK)
         print_rest(m);
+    if (m->slides)
+        print_verdict(m);
 }
 
 /* -------------------------------------------------------------- drawing -- */
@@ -334,21 +336,33 @@ static void print_live(const motion *m, const options *o, size_t k)
     print_one_row(m, o, k);
 }
 
+static int32_t make_coin(coin_params *p, const options *o)
+{
+    const body *b = o->scene->body;
+    const throwing *w = o->thrown;
+
+    if (w && w->thickness > 0)
+        return coin_params_cylinder(p, b->mass, b->radius, w->thickness,
+                                    b->gravity * cos(w->slope));
+    return coin_params_ring(p, b->mass, b->radius, b->inner_radius, b->gravity);
+}
+
 static int run(const options *o)
 {
     static motion m; /* too large for the stack of some systems */
-    const body *b = o->scene->body;
-    int32_t status = coin_params_ring(&m.params, b->mass, b->radius,
-                                      b->inner_radius, b->gravity);
+    int32_t status = make_coin(&m.params, o);
 
     m.scene = o->scene;
+    m.pull = table_of(o).pull[0];
     m.slides = o->slips;
     if (status >= 0)
         status = m.slides ? slide(&m, o) : roll(&m, o);
-    if (!o->live)
+    if (!o->live || !live_can())
         print_motion(&m, o);
-    else if (m.count > 0)
+    else if (m.count > 0) {
         live(&m, o, print_live);
+        print_verdict(&m);
+    }
     if (o->csv && write_csv(&m, o) != EXIT_SUCCESS)
         return EXIT_FAILURE;
     if (status >= 0)

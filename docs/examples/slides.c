@@ -39,12 +39,12 @@ static int32_t go_on(coin_body *d, const coin_params *p, double t, int32_t stop,
 static void print_row(double direction, double t, const coin_body *d,
                       const coin_params *p)
 {
-    double r[3], v[3], u[2];
+    double r[3], v[3], u[3];
 
     demand(coin_contact(&d->s, p, r, v));
-    demand(coin_body_slip(d, p, u));
+    demand(coin_body_contact(d, p, u));
     printf("%g,%.4f,%.4f,%.4f,%.4f\n", direction, t, r[0], r[2],
-           hypot(u[0], u[1]));
+           hypot(u[0], u[2]));
 }
 
 static coin_body thrown(double direction, const coin_params *p)
@@ -65,7 +65,7 @@ static double print_slip(double direction, coin_body *d, const coin_params *p)
     double t = 0, moved;
     int32_t status = COIN_SLIPS;
 
-    while (status == COIN_SLIPS) {
+    while (status & COIN_SLIPS) {
         print_row(direction, t, d, p);
         status = go_on(d, p, ROW, COIN_ROLLS, &moved);
         t += moved;

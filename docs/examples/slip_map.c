@@ -57,23 +57,33 @@ static double wY_of(const map *m, int row)
     return m->wY_low + (row + 0.5) * SPINS / ROWS;
 }
 
-/* What becomes of a launch: where it stops to slip it may go on to lift off. */
+/* Moves a body until the first moment of `stop`; the mode at the end. */
+static int32_t move(coin_body *b, const coin_params *p, double t, int32_t stop)
+{
+    const int32_t status = coin_move(b, p, &TABLE, t, TOL, stop, NULL);
+
+    if (status < 0 || status & COIN_MORE) {
+        fprintf(stderr, "%s\n", coin_status_string(status));
+        exit(EXIT_FAILURE);
+    }
+    return status;
+}
+
+/* What becomes of a launch: one that slips, from the start or later, may go on
+ * to lift off. */
 static fate fate_of(const coin_state *start, const coin_params *p)
 {
     coin_body b;
 
     coin_body_from_state(&b, start, p);
-    int32_t status =
-        coin_move(&b, p, &TABLE, TIME, TOL, COIN_SLIPS | COIN_LIFTS, NULL);
-    if (status == COIN_OK || status == COIN_RESTS)
+    int32_t mode = move(&b, p, 0, 0);
+    if (mode == COIN_OK)
+        mode = move(&b, p, TIME, COIN_SLIPS | COIN_LIFTS);
+    if (mode == COIN_OK || mode & COIN_RESTS)
         return ROLLS;
-    if (status == COIN_SLIPS)
-        status = coin_move(&b, p, &TABLE, TIME, TOL, COIN_LIFTS, NULL);
-    if (status < 0) {
-        fprintf(stderr, "%s\n", coin_status_string(status));
-        exit(EXIT_FAILURE);
-    }
-    return status == COIN_LIFTS ? LIFTS : SLIPS;
+    if (mode & COIN_SLIPS)
+        mode = move(&b, p, TIME, COIN_LIFTS);
+    return mode & COIN_LIFTS ? LIFTS : SLIPS;
 }
 
 static void compute(map *m, const coin_params *p)

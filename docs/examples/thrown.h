@@ -23,8 +23,14 @@ static coin_table table_of(const options *o)
                     .mu_kinetic = fmin(0.9 * o->mu, 1),
                     .restitution = 0.5};
 
-    if (o->thrown)
-        f.losses.dry = o->thrown->dry * b->mass * b->gravity * b->radius;
+    if (o->thrown) {
+        f.pull[0] = b->gravity * sin(o->thrown->slope);
+        if (o->thrown->thickness > 0)
+            f.restitution = 0; /* as Housner's block, it does not bounce */
+        const double torque = b->mass * b->gravity * b->radius;
+        f.losses.dry = o->thrown->dry * torque;
+        f.losses.spin = o->thrown->spin * torque * sqrt(b->radius / b->gravity);
+    }
     return f;
 }
 
@@ -53,8 +59,8 @@ static void keep(motion *m, double t, const coin_body *d, int32_t status)
 }
 
 /* Moves the coin and keeps up to MOMENTS + 1 states, evenly spread, or until it
- * lies flat, which m->end tells.  On an error the motion holds
- * what came before it. */
+ * rests, which m->end tells.  On an error the motion holds what came before it.
+ */
 static int32_t slide(motion *m, const options *o)
 {
     const uint64_t kept = o->steps < MOMENTS ? o->steps : MOMENTS;
@@ -71,7 +77,7 @@ static int32_t slide(motion *m, const options *o)
             return m->end;
         t += moved;
         keep(m, t, &d, m->end);
-        if (m->end == COIN_RESTS)
+        if (m->end & COIN_RESTS)
             return COIN_OK;
     }
     return m->end < 0 ? m->end : COIN_OK;
@@ -97,13 +103,18 @@ static coin_body body_at(const motion *m, size_t k)
     return d;
 }
 
+/* That of a slope included: its height is 0 where x is 0. */
+static double energy_at(const motion *m, size_t k)
+{
+    const coin_body d = body_at(m, k);
+
+    return coin_body_energy(&d, &m->params) - m->params.mass * m->pull * d.s.x;
+}
+
 /* The energy that is left of that at the start. */
 static double energy_left(const motion *m, size_t k)
 {
-    const coin_body start = body_at(m, 0), now = body_at(m, k);
-
-    return coin_body_energy(&now, &m->params) /
-           coin_body_energy(&start, &m->params);
+    return energy_at(m, k) / energy_at(m, 0);
 }
 
 static void print_slide_heading(const options *o)
@@ -127,11 +138,14 @@ static void print_slide_columns(const motion *m)
 
 static const char *mode_of(const motion *m, size_t k)
 {
+    static const char *const faces[] = {"", "heads", "tails", "on its edge"};
+    const coin_body d = body_at(m, k);
+
     if (flies(m, k))
         return "flies";
-    if (m->at[k].bits == COIN_RESTS)
-        return "lies flat";
-    return m->at[k].bits == COIN_SLIPS ? "slips" : "rolls";
+    if (m->at[k].bits & COIN_RESTS)
+        return faces[coin_body_face(&d, &m->params)];
+    return m->at[k].bits & COIN_SLIPS ? "slips" : "rolls";
 }
 
 static void print_slide_row(const motion *m, const options *o, size_t k)
@@ -140,17 +154,17 @@ static void print_slide_row(const motion *m, const options *o, size_t k)
     const coin_table f = table_of(o);
     const double shown = m->scene->body->in->shown;
     coin_force R = {{0, 0, 0}, 0, 0, 0};
-    double u[2] = {0, 0};
+    double u[3] = {0, 0, 0};
 
     if (!flies(m, k))
-        coin_body_slip(&d, &m->params, u);
+        coin_body_contact(&d, &m->params, u);
     coin_body_reaction(&d, &m->params, &f, &R);
     printf("%9.3f %7.2f %8.1f %8.2f %8.2f ", m->at[k].t,
            plain(d.s.theta * DEGREES, 2), plain(d.s.phi * DEGREES, 1),
            plain(d.s.x * shown, 2), plain(d.s.z * shown, 2));
     printf("%8.4f %7.3f %8.2f  %s\n", energy_left(m, k),
            plain(R.normal / (m->params.mass * m->params.gravity), 3),
-           hypot(u[0], u[1]) * shown, mode_of(m, k));
+           hypot(u[0], u[2]) * shown, mode_of(m, k));
 }
 
 /* When slip and rolling follow each other, to a moment. */
@@ -171,6 +185,17 @@ static void print_slide_summary(const motion *m)
         printf("and so on: %lu changes\n", (unsigned long)changes);
     printf("it lost         %.1f %% of its energy\n",
            plain(100 * (1 - energy_left(m, m->count - 1)), 1));
+}
+
+/* How it ends, in one line. */
+static void print_verdict(const motion *m)
+{
+    const moment *last = &m->at[m->count - 1];
+    const char *now = m->slides ? mode_of(m, m->count - 1) : "rolls";
+
+    printf(m->slides && last->bits & COIN_RESTS ? "%s after %.2f %s\n"
+                                                : "it %s on after %.2f %s\n",
+           now, last->t, m->scene->body->in->time);
 }
 
 #endif

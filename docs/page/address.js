@@ -5,8 +5,9 @@
 const LIMITS = { // of the numbers that the library does not judge
   span: [1e-9, 1e9], dt: [1e-9, 1e9], swings: [0, 1e9], now: [0, 1e9], speed: [1e-9, 1e6],
   az: [-1e3, 1e3], el: [0.05, 1.55], zoom: [0.05, 50], mu: [0, Infinity], bounce: [0, 1],
+  mapy: [0, 1e9], mapw: [-1e9, 1e9], mapzoom: [1, 1e13],
 };
-const FIRST = "rosette"; // the scene of an address that names none
+const FIRST = "toss"; // the scene of an address that names none
 const NUMBER = /^[+-]?(\d{1,30}(\.\d{0,30})?|\.\d{1,30})(e[+-]?\d{1,3})?$/i;
 
 const CHOICES = { // of a word, kept as its index
@@ -41,7 +42,7 @@ function readAddress(hash) {
   }
   const status = take(state);
   if (status >= 0) return { state, complaints };
-  complaints.push("the numbers together: " + statusWords(status));
+  complaints.push("all of it: " + plainWords(status));
   return { state: defaultsOf(state.scene), complaints };
 }
 

@@ -3,8 +3,6 @@
  */
 #include "page.h"
 
-#include "../examples/scenes.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -24,35 +22,51 @@ static uint64_t hashed(uint64_t hash, const void *numbers, size_t count)
     return hash;
 }
 
-/* A scene by every method, by coin_advance(), by its orbit, with a loss, and as
- * a real coin: the hash of all that comes out. */
+enum { REAL_KNOTS = 300, SLIPPING_KNOTS = 2000 };
+
+static uint64_t hash_now(uint64_t hash, const moment *m)
+{
+    return hashed(hash, m, sizeof *m / sizeof(double));
+}
+
+/* The end of the trail, in so many knots. */
+static uint64_t hash_trail(uint64_t hash, double duration, int32_t knots)
+{
+    page_take();
+    page_trail(0);
+    page_trail_on(duration, knots);
+    return hash_now(hash, &page.knots[page.count - 1]);
+}
+
+/* A scene as a real coin; an ideal one also by every method, by coin_advance(),
+ * by its orbit and with a loss: the hash of all that comes out. */
 static uint64_t hash_of(int32_t scene_index)
 {
-    const scene *k = &SCENES[scene_index];
-    const double steps = floor(k->duration / k->dt + 0.5);
+    const double dt = page_scene_number(scene_index, 0);
+    const double duration = page_scene_number(scene_index, 1);
+    const double steps = floor(duration / dt + 0.5);
     uint64_t hash = 0xcbf29ce484222325;
 
     page_scene(scene_index);
     page_take();
+    page.count = 0;
+    if (page.real)
+        return hash_trail(hash, duration, REAL_KNOTS);
     for (int32_t m = 0; coin_method_name(m); ++m) {
-        coin_state s = k->start;
-        coin_run(&s, &page.params, m, k->dt, (uint64_t)steps, NULL);
+        coin_state s = page.taken.start;
+        coin_run(&s, &page.params, m, dt, (uint64_t)steps, NULL);
         hash = hashed(hash, &s, 8);
     }
     for (int far = 0; far < 3; ++far)
-        if (page_at(far * 1e6 * page.orbit.period, k->duration) >= 0)
-            hash = hashed(hash, &page.now, sizeof page.now / sizeof(double));
+        if (page_at(far * 1e6 * page.orbit.period, duration) >= 0)
+            hash = hash_now(hash, &page.now);
     page_asked()->losses.dry =
         1e-2 * page.taken.mass * page.taken.gravity * page.taken.radius;
     page_take();
-    if (page_at(0, k->duration) >= 0)
-        hash = hashed(hash, &page.now, sizeof page.now / sizeof(double));
+    if (page_at(0, duration) >= 0)
+        hash = hash_now(hash, &page.now);
     page_asked()->mu = 0.1;
-    page_take();
-    page_trail(0);
-    page_trail_on(k->duration, 2000);
-    return hashed(hash, &page.knots[page.count - 1],
-                  sizeof page.now / sizeof(double));
+    return hash_trail(hash, duration, SLIPPING_KNOTS);
 }
 
 /* The hash of scene k, as 16 characters.  The start is then another one. */

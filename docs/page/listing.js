@@ -10,9 +10,11 @@ function listing() {
   const list = (from, to) => ASKED.slice(from, to).map(k => n(m[k])).join(", ");
   const held = !isReal() && isLossy(), ideal = !isReal() && !isLossy();
   const kinds = { far: m.swings > 0, held, ideal, real: isReal(), thrown: isTossed(), begun: isReal() && !isTossed(),
+    thick: m.thickness > 0, thin: m.thickness === 0,
     state: !isReal(), lossy: isLossy(), steps: ideal && !m.swings, race: listsRace() };
   const steps = racer(1)[RACE.steps], name = METHODS[m.method];
   const parts = { pose: list(0, 5), rates: list(5, 8), flight: list(8, 12), body: list(12, 16),
+    cylinder: [m.mass, m.radius, m.thickness, m.gravity].map(n).join(", "),
     losses: list(16, 26) + ", {0, 0}", table: `${n(m.mu)}, ${n(0.9 * m.mu)}, ${n(m.bounce)}`, now: n(m.now),
     frames, frame: n(lib.page_frame()), left: n(m.now - from),
     far: n(farAhead() + m.now), method: name, METHOD: name.toUpperCase(), dt: n(m.dt), steps: n(steps),

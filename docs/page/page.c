@@ -7,16 +7,15 @@
  * that can fail returns a status of coin.h. */
 #include "page.h"
 
-#include "../examples/scenes.h"
+#include "tosses.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
-/* The C listing of the page names the same tolerances: of an ideal coin, and of
- * a real one. */
+/* Of an ideal coin.  The C listing of the page names this one and that of a
+ * real one. */
 #define TOLERANCE 1e-12
-#define TOLERANCE_REAL 1e-6
 
 /* The kinetic friction, as a part of the static one; the listing has the same.
  */
@@ -26,7 +25,9 @@
  * draw straight lines between them. */
 #define LONGEST 0.06
 
-static const coin_losses NO_LOSSES = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0}};
+/* Of coin_move() at most, for one time: some seconds. */
+enum { CALLS = 100 };
+
 struct motion page;
 static inputs asked;
 static double stride; /* of the trail */
@@ -35,33 +36,48 @@ static double stride; /* of the trail */
 
 int32_t PAGE(page_scene_count)(void)
 {
-    return SCENE_COUNT;
+    return TOSS_COUNT + SCENE_COUNT;
+}
+
+/* Scene k: first those of tosses.h. */
+static staged scene_of(int32_t k)
+{
+    if (k < TOSS_COUNT)
+        return TOSSES[k];
+    const staged ideal = {
+        SCENES[k - TOSS_COUNT], 0, 0, 0, 0, INFINITY, 0.4, 0, 0, 0};
+    return ideal;
 }
 
 /* The words of scene k: its name, its story, its unit of time. */
 const char *PAGE(page_scene_word)(int32_t k, int32_t which)
 {
-    const scene *s = &SCENES[k];
-    const char *words[] = {s->name, s->story, s->body->in->time};
+    const scene s = scene_of(k).scene;
+    const char *words[] = {s.name, s.story, s.body->in->time};
     return words[which];
 }
 
 /* Its numbers: step and duration. */
 double PAGE(page_scene_number)(int32_t k, int32_t which)
 {
-    const scene *s = &SCENES[k];
-    const double numbers[] = {s->dt, s->duration};
+    const scene s = scene_of(k).scene;
+    const double numbers[] = {s.dt, s.duration};
     return numbers[which];
 }
 
 /* Asks for scene k. */
 void PAGE(page_scene)(int32_t k)
 {
-    const scene *s = &SCENES[k];
-    const body *b = s->body;
-    const inputs in = {s->start,   0,         0,         0,
-                       0,          b->mass,   b->radius, b->inner_radius,
-                       b->gravity, NO_LOSSES, INFINITY,  0.4};
+    const staged s = scene_of(k);
+    const body *b = s.scene.body;
+    const double torque = b->mass * b->gravity * b->radius;
+    const coin_losses l = {.dry = s.dry * torque,
+                           .spin =
+                               s.spin * torque * sqrt(b->radius / b->gravity)};
+    const inputs in = {s.scene.start, s.y,     s.vx,      s.vy,
+                       s.vz,          b->mass, b->radius, b->inner_radius,
+                       b->gravity,    l,       s.mu,      s.restitution,
+                       s.thickness};
     asked = in;
 }
 
@@ -99,6 +115,18 @@ static int slowed(const coin_losses *l)
            0;
 }
 
+/* A thin coin may have a hole; a real one may have a thickness instead. */
+static int32_t params_of(coin_params *p)
+{
+    if (asked.thickness == 0)
+        return coin_params_ring(p, asked.mass, asked.radius, asked.inner_radius,
+                                asked.gravity);
+    if (asked.inner_radius != 0 || !isfinite(asked.mu))
+        return COIN_EPARAMS;
+    return coin_params_cylinder(p, asked.mass, asked.radius, asked.thickness,
+                                asked.gravity);
+}
+
 /* Whether a real coin of these inputs can begin, and its body. */
 static int32_t begun(coin_body *b, const coin_params *p,
                      const coin_table *table)
@@ -121,11 +149,11 @@ static int32_t begun(coin_body *b, const coin_params *p,
 int32_t PAGE(page_take)(void)
 {
     const coin_table table = {
-        asked.mu, SLIPPING * asked.mu, asked.restitution, {0}, asked.losses};
+        asked.mu, SLIPPING * asked.mu, asked.restitution, {0},
+        {0},      asked.losses};
     coin_params p;
     coin_body b;
-    int32_t status = coin_params_ring(&p, asked.mass, asked.radius,
-                                      asked.inner_radius, asked.gravity);
+    int32_t status = params_of(&p);
     if (status >= 0)
         status = coin_losses_check(&asked.losses, &p);
     if (status >= 0)
@@ -168,10 +196,14 @@ double PAGE(page_lambda2)(void)
     return lambda2;
 }
 
-/* Scales the losses asked for so that the coin rests after a time. */
+/* Scales the losses asked for so that the coin rests after a time, if it is
+ * thin and only rolls. */
 int32_t PAGE(page_rest_after)(double time)
 {
-    return coin_losses_fit(&asked.losses, &page.start.s, &page.params, time);
+    coin_params thin = page.params;
+
+    thin.thickness = 0;
+    return coin_losses_fit(&asked.losses, &page.start.s, &thin, time);
 }
 
 const char *PAGE(page_status_words)(int32_t status)
@@ -190,18 +222,38 @@ static void set_height(coin_body *b)
     b->y = r[1];
 }
 
-/* The velocity of a coin that is held to the table is not kept. */
-static int32_t moved(coin_body *b, double t, double *reached)
+/* A real coin: of a time that takes more steps than one call makes, the rest
+ * too, as the C listing does it. */
+static int32_t real_moved(coin_body *b, double t, double *reached)
 {
-    if (page.real)
-        return coin_move(b, &page.params, &page.table, t, TOLERANCE_REAL, 0,
-                         reached);
-    const int32_t status =
-        page.lossy ? coin_settle(&b->s, &page.params, &page.taken.losses, t,
-                                 TOLERANCE, reached)
-                   : coin_advance(&b->s, &page.params, t, TOLERANCE, reached);
-    set_height(b);
+    double moved = 0, left = t;
+    int32_t status = COIN_MORE;
+
+    for (int calls = 0; status >= 0 && status & COIN_MORE && calls < CALLS;
+         ++calls, left -= moved)
+        status = coin_move(b, &page.params, &page.table, left, TOLERANCE_REAL,
+                           0, &moved);
+    if (reached)
+        *reached = t - left;
     return status;
+}
+
+/* The velocity of a coin that is held to the table is not kept.  A time that
+ * takes too many steps is refused. */
+int32_t page_moved(coin_body *b, double t, double *reached)
+{
+    int32_t status;
+
+    if (page.real)
+        status = real_moved(b, t, reached);
+    else if (page.lossy)
+        status = coin_settle(&b->s, &page.params, &page.taken.losses, t,
+                             TOLERANCE, reached);
+    else
+        status = coin_advance(&b->s, &page.params, t, TOLERANCE, reached);
+    if (!page.real)
+        set_height(b);
+    return status >= 0 && status & COIN_MORE ? COIN_ESTEP : status;
 }
 
 /* The mode of a real coin; where the table would have to pull at an ideal one,
@@ -211,22 +263,34 @@ static int32_t mode_of(const moment *m)
     coin_body b = m->body;
 
     if (page.real)
-        return moved(&b, 0, NULL);
+        return page_moved(&b, 0, NULL);
     return (m->normal <= 0 ? COIN_LIFTS : 0) |
            (coin_check(&b.s, &page.params, COIN_RK8, 0, INFINITY) &
             COIN_NEARLY_FLAT);
 }
 
+/* The lowest point, on the lower rim: x, z.  Upright, that of the edge's
+ * middle.
+ */
+static void find_contact(double contact[2], const coin_state *s)
+{
+    const double side = (s->theta > 0) - (s->theta < 0);
+    const double h = side * page.taken.thickness / 2, a = page.taken.radius;
+    double R[9] = {0};
+
+    coin_axes(s, R);
+    contact[0] = s->x - a * R[3] + h * R[6];
+    contact[1] = s->z - a * R[5] + h * R[8];
+}
+
 static void observe(moment *m, double t, const coin_body *b)
 {
-    double r[3] = {0}, v[3];
+    double v[3];
     coin_force f = {{0}, 0, 0, 0};
 
     m->t = t;
     m->body = *b;
-    coin_contact(&b->s, &page.params, r, v);
-    m->contact[0] = r[0];
-    m->contact[1] = r[2];
+    find_contact(m->contact, &b->s);
     if (page.real)
         coin_body_reaction(b, &page.params, &page.table, &f);
     else if (page.lossy)
@@ -239,7 +303,15 @@ static void observe(moment *m, double t, const coin_body *b)
     m->ratio = f.ratio;
     m->energy = page.real ? coin_body_energy(b, &page.params)
                           : coin_energy(&b->s, &page.params);
+    coin_body_contact(b, &page.params, v);
+    m->slip = page.real ? sqrt(v[0] * v[0] + v[2] * v[2]) : 0;
     m->bits = mode_of(m);
+}
+
+/* The side that is up now: COIN_HEADS, COIN_TAILS, COIN_EDGE. */
+int32_t PAGE(page_face)(void)
+{
+    return coin_body_face(&page.now.body, &page.params);
 }
 
 moment *PAGE(page_now)(void)
@@ -267,7 +339,7 @@ int32_t PAGE(page_near)(double t)
 {
     const moment *from = &page.knots[page_before(t)];
     coin_body b = from->body;
-    const int32_t status = moved(&b, t - from->t, NULL);
+    const int32_t status = page_moved(&b, t - from->t, NULL);
 
     if (status >= 0)
         observe(&page.now, t, &b);
@@ -290,7 +362,7 @@ int32_t PAGE(page_at)(double base, double t)
                      : coin_orbit_at(&page.orbit, base + t, &b.s);
         set_height(&b);
     } else
-        status = moved(&b, t, NULL);
+        status = page_moved(&b, t, NULL);
     if (status >= 0 || status == COIN_EFLAT)
         observe(&page.now, t, &b);
     return status;
@@ -300,7 +372,7 @@ int32_t PAGE(page_at)(double base, double t)
 int32_t PAGE(page_start_here)(double t)
 {
     coin_body b = page.now.body;
-    const int32_t status = moved(&b, t, NULL);
+    const int32_t status = page_moved(&b, t, NULL);
 
     if (status < 0)
         return status;
@@ -338,7 +410,7 @@ double PAGE(page_frame)(void)
 /* Begins the trail at base, which page_at() must accept. */
 void PAGE(page_trail)(double base)
 {
-    page.count = 0;
+    page.count = page.impact_count = 0;
     if (page_at(base, 0) >= 0)
         page.knots[0] = page.now;
     page.count = 1;
@@ -359,8 +431,39 @@ static double gap(const moment *m, const moment *next)
                 fmax(turn / 0.12, fabs(b->theta - a->theta) / 0.05));
 }
 
+impact *PAGE(page_impacts)(void)
+{
+    return page.impacts;
+}
+
+int32_t PAGE(page_impact_count)(void)
+{
+    return page.impact_count;
+}
+
+/* Keeps the impacts of a coin on its way from one knot to the next: a copy goes
+ * from touch to touch, so that the trail's own steps stay as they are. */
+static void keep_impacts(const moment *from, double h)
+{
+    coin_body b = from->body;
+    double left = h, v[3], t = 0;
+    int32_t status = COIN_TOUCHES;
+
+    for (; left > 0 && status & COIN_TOUCHES; left -= t) {
+        status = coin_move(&b, &page.params, &page.table, left, TOLERANCE_REAL,
+                           COIN_TOUCHES, &t);
+        if (status < 0 || !(status & COIN_TOUCHES) ||
+            page.impact_count == IMPACTS)
+            return;
+        coin_body_contact(&b, &page.params, v);
+        const impact i = {from->t + h - left + t, -v[1]};
+        page.impacts[page.impact_count++] = i;
+    }
+}
+
 /* Lengthens the trail by up to count knots, until `end`.  COIN_OK: there is
- * more to come; COIN_RESTS: its last knot is where it ends. */
+ * more to come; COIN_RESTS: its last knot is where it ends, at rest if that
+ * says so. */
 int32_t PAGE(page_trail_on)(double end, int32_t count)
 {
     while (count-- > 0) {
@@ -372,7 +475,7 @@ int32_t PAGE(page_trail_on)(double end, int32_t count)
         const double frame = page_frame();
         double h =
             page.real ? frame : fmin(fmin(stride, LONGEST * unit()), left);
-        const int32_t status = moved(&b, h, &h);
+        const int32_t status = page_moved(&b, h, &h);
         if (status < 0 && status != COIN_EFLAT)
             return status;
         moment *next = &page.knots[page.count];
@@ -383,8 +486,12 @@ int32_t PAGE(page_trail_on)(double end, int32_t count)
         if (g > 1 && stride > 1e-12 * unit())
             continue;
         ++page.count;
-        if (status == COIN_RESTS || status == COIN_EFLAT)
+        if (page.real && ((int32_t)m->bits | (int32_t)next->bits) & COIN_LIFTS)
+            keep_impacts(m, h);
+        if (status == COIN_EFLAT || status & COIN_RESTS) {
+            next->bits = (int32_t)next->bits | COIN_RESTS;
             return COIN_RESTS;
+        }
     }
     return COIN_OK;
 }

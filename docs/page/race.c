@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-enum { LOOKS = 400, RACERS = 2, TEXTBOOK = -1, THROUGH = -100 };
+enum { LOOKS = 400, RACERS = 2, TEXTBOOK = -1, THROUGH = -100, SINKING = 9 };
 
 /* A coin moved by fixed steps. */
 typedef struct racer {
@@ -77,12 +77,40 @@ double PAGE(page_far)(double base, double dt, double count)
     return far.steps;
 }
 
+/* Angles are apart by half a turn at most. */
+static double apart(double a, double b)
+{
+    return fabs(remainder(a - b, 4 * acos(0)));
+}
+
 static double pose_error(const coin_state *a, const coin_state *b)
 {
     const double angles =
         fmax(fabs(a->theta - b->theta),
-             fmax(fabs(a->phi - b->phi), fabs(a->psi - b->psi)));
+             fmax(apart(a->phi, b->phi), apart(a->psi, b->psi)));
     return fmax(angles, hypot(a->x - b->x, a->z - b->z) / page.taken.radius);
+}
+
+/* Goes on with the textbook's coin, which is through the table, by steps and a
+ * part of one, as long as it sinks by steps that can be drawn. */
+static void sink(coin_state *s, double dt, double steps)
+{
+    for (; steps > 0; --steps) {
+        const double part = fmin(steps, 1);
+        coin_state next = *s;
+        textbook_step(&next, &page.params, dt);
+        if (!(fabs(next.theta) < 2 * acos(0) &&
+              hypot(next.x - s->x, next.z - s->z) < page.taken.radius))
+            return;
+        if (part == 1) {
+            *s = next;
+            continue;
+        }
+        s->theta += part * (next.theta - s->theta);
+        s->phi += part * (next.phi - s->phi);
+        s->x += part * (next.x - s->x);
+        s->z += part * (next.z - s->z);
+    }
 }
 
 /* Brings a racer to the time of truth: whole steps from the start, and one
@@ -119,6 +147,8 @@ int32_t PAGE(page_race)(int32_t which, int32_t method, double dt, int32_t knot,
         if (status != COIN_OK && r->status >= 0)
             r->status = status;
     }
+    if (r->status == THROUGH)
+        sink(&r->shown, dt, fmin(truth->t / dt - r->steps, SINKING));
     r->pose_error = pose_error(&r->shown, &truth->body.s);
     r->energy_error =
         coin_energy(&r->shown, &page.params) / page.knots[0].energy - 1;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Derives the flight and the impact of docs/physics.md: (98), (99), the
-derivatives of (103), (105)-(108), in natural units.
+"""Derives the flight and the impact of docs/physics.md: (98), (99), (116),
+the derivatives of (103), (117), (105)-(108), in natural units.
 
     toss.py
 """
@@ -40,6 +40,12 @@ A = rate * t
 v = v0 + sp.sin(A) * k.cross(v0) + (1 - sp.cos(A)) * k.cross(k.cross(v0))
 zero(99, *(v.diff(t) - rate * k.cross(v)), *(v.subs(t, 0) - v0))
 
+# (116): with the torque -b L the axis turns about k at rate exp(-b t)
+damping = sp.Symbol("b", positive=True)
+left = sp.exp(-damping * t)
+slowed = v.subs(t, (1 - left) / damping)
+zero(116, *(slowed.diff(t) - left * rate * k.cross(slowed)))
+
 # ---- the gap: |n_h|^2 = 1 - n_y^2, n_y = P + D cos x of (103)
 y, vy, P, D, x0 = sp.symbols("y v_y P D x_0", real=True)
 height = y + vy * t - t**2 / 2
@@ -51,6 +57,16 @@ zero(103, G.diff(t, 2) - (2 * speed**2 - 2 * height - 2 * rate**2 * D *
                           (P * sp.cos(x) + D * sp.cos(2 * x))),
      G.diff(t, 3) - (-6 * speed + 2 * rate**3 * D *
                      (P * sp.sin(x) + 2 * D * sp.sin(2 * x))))
+
+# (117): N = n_y^2 by the angle of (116), whose rate falls as exp(-b t)
+angle = rate * (1 - left) / damping
+N = (P + D * sp.cos(angle))**2
+z = sp.Symbol("z")
+by = [((P + D * sp.cos(z))**2).diff(z, i).subs(z, angle) for i in range(4)]
+w = rate * left
+zero(117, N.diff(t, 2) - (by[2] * w**2 - by[1] * damping * w),
+     N.diff(t, 3) - (by[3] * w**3 - 3 * by[2] * damping * w**2 +
+                     by[1] * damping**2 * w))
 
 # ---- impact: an impulse p at -e_Y changes V, and I omega by -e_Y x p
 pX, ph, py = sp.symbols("p_X p_h p_y", real=True)

@@ -66,15 +66,20 @@ function add_comment(line)
     comment[++comments] = line
 }
 
-# The first comment is the introduction: a paragraph for each of its own.
-function introduction(    n)
+# The first comment is the introduction: a paragraph for each of its own.  Its
+# tables are indented.
+function introduction(    n, table)
 {
     print ".SH DESCRIPTION"
-    for (n = 2; n < comments; ++n)
+    for (n = 2; n <= comments; ++n) {
+        if (table != (comment[n] ~ /^  /))
+            print table ? ".fi" : ".nf"
+        table = comment[n] ~ /^  /
         if (comment[n] == "")
             print ".PP"
         else
             put(comment[n])
+    }
     introduced = 1
 }
 

@@ -3,6 +3,8 @@
 
 #include <coin.h>
 
+#include <math.h>
+
 /* The hash that every build must give.  tests/repro prints it.  It changes only
  * together with an entry in CHANGELOG.md. */
 #define PINNED UINT64_C(0xf579272d5728be1a)
@@ -31,7 +33,7 @@ int32_t coin_selftest(void)
 {
     /* A disc, a ring and a coin in SI units; a wobble, a low pass, and a turn
      * through many quarters of phi and psi. */
-    static const double body[][4] = {
+    static const double ring[][4] = {
         {1, 1, 0, 1},
         {1, 1, 0.9, 1},
         {0.00567, 0.01213, 0, 9.80665},
@@ -42,10 +44,14 @@ int32_t coin_selftest(void)
         {-0.3, 50, -70, 0, 0, 0, 5, 40},
     };
     static const double dt[] = {0.05, 0.01, 1.0 / 480};
+    /* A NaN that no compiler foresees: where it equals itself, no check of a
+     * range refuses one.  == raises no exception, as < would. */
+    const volatile double unknown = (double)NAN;
+    const double nan = unknown;
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
     for (int i = 0; i < 3; ++i) {
-        coin_params p = {0, 0, 0, 0, 0, {0, 0, 0}};
-        coin_params_ring(&p, body[i][0], body[i][1], body[i][2], body[i][3]);
+        coin_params p = {0, 0, 0, 0, 0, 0, {0, 0}};
+        coin_params_ring(&p, ring[i][0], ring[i][1], ring[i][2], ring[i][3]);
         for (int32_t m = 0; coin_method_name(m); ++m) {
             coin_state s = start[i];
             coin_run(&s, &p, m, dt[i], 100, NULL);
@@ -55,5 +61,6 @@ int32_t coin_selftest(void)
         coin_advance(&s, &p, 100 * dt[i], 1e-9, NULL);
         hash = hashed(hash, &s);
     }
-    return hash == PINNED ? COIN_OK : COIN_EBUILD;
+    const int pinned = (hash == PINNED) & (nan != nan);
+    return pinned ? COIN_OK : COIN_EBUILD;
 }

@@ -28,7 +28,7 @@ function load(file,    line, n, status)
         return
     while ((status = (getline line < file)) > 0) {
         text[file, ++n] = line
-        if (line ~ /COIN_PRIV_FLOAT/ || renames(line))
+        if (line ~ /COIN_PRIV_FLOAT|coin_priv_/)
             of_a_kind[file] = 1
         if (line ~ /^#ifndef ROLLCOIN_/)
             guarded[file] = 1
@@ -46,26 +46,6 @@ function load(file,    line, n, status)
             if (!(line in guarded) && line in of_a_kind)
                 of_a_kind[file] = 1
         }
-}
-
-# The names that floats have too, from their list.
-function load_names(list,    line, words)
-{
-    while ((getline line < list) > 0)
-        if (line ~ /^#define coin_/) {
-            split(line, words, " ")
-            of_floats[words[2]] = 1
-        }
-    close(list)
-}
-
-# Whether a line has such a name.
-function renames(line,    words, n)
-{
-    for (n = split(line, words, /[^A-Za-z_0-9]+/); n > 0; --n)
-        if (words[n] in of_floats)
-            return 1
-    return 0
 }
 
 # The file that a line of `file` includes: its path from the top folder.
@@ -95,7 +75,7 @@ function title(name)
 }
 
 # A file without licence and system headers.  What a header only declares
-# becomes COIN_PRIV.
+# becomes COIN_PRIV.  Before end_floats() each coin_priv_ is coinf_priv_.
 function write(file,    n, line, begins)
 {
     if (file in guarded) {
@@ -120,6 +100,8 @@ function write(file,    n, line, begins)
                 line ~ /^[a-z]/ &&
                 line !~ /^(static|typedef|struct|enum|union)[ \t]/)
                 line = "COIN_PRIV " line
+            if (floats_now)
+                gsub(/coin_priv_/, "coinf_priv_", line)
             put(line)
         }
         begins = line ~ /^#|^$|[;}]$|\*\/$/
@@ -261,6 +243,7 @@ function end_floats(    file)
 {
     undefine(kind_macros)
     kind_changed = 1
+    floats_now = 0
     for (file in of_a_kind)
         delete written[file]
 }
@@ -320,7 +303,6 @@ function claim_names(    n, line)
 }
 
 BEGIN {
-    load_names("lib/float/floats.h")
     for (k = 1; k < ARGC; ++k)
         load(ARGV[k])
     introduction(version())
@@ -345,6 +327,7 @@ BEGIN {
     put("")
     put_each("", systems)
     gcc_only("push_options")
+    floats_now = 1
     for (k = 1; k < ARGC; ++k)
         if (ARGV[k] ~ /^lib\/float\/.*\.c$/)
             source(ARGV[k])

@@ -3,25 +3,26 @@
 
 #include <coin.h>
 
-/* Rows of characters, not pointers: those would need relocation, and with it
+/* Each fits every function that returns it, and so names no other to call.
+ * Rows of characters, not pointers: those would need relocation, and with it
  * writable data in the shared library. */
 static const char errors[][80] = {
     "done",
-    "parameters out of range",
-    "state out of range",
-    "dt or t not valid, or too long: shorten it, or call coin_advance()",
-    "bad argument: null, unknown method or branch, tolerance",
-    "no such steady motion, not steady, or no orbit",
+    "parameters, losses or table out of range",
+    "state or body out of range, or below the table",
+    "dt or t out of range, or too long for this motion: shorten it",
+    "argument: null, method, branch, tol, mu, radius, speed, time, stop, orbit",
+    "no answer: no such steady motion, orbit or losses, or it is not steady",
     "the coin falls flat",
     "this build does not give the pinned bits",
     "unknown error",
-    "phi, psi, x or z would leave its range: subtract turns, move the origin",
+    "phi, psi, x, y or z, or a rate, would leave its range: move the origin",
 };
 
 static const char warnings[][56] = {
     "unknown status",
     "done, but the coin slips, or a real one would",
-    "done, but the coin lifts off, or a real one would",
+    "done, but the coin is off the table, or would lift off",
     "done, several warnings: COIN_SLIPS + COIN_LIFTS",
     "done, but the step is coarse",
     "done, several warnings: COIN_SLIPS + COIN_COARSE",
@@ -39,12 +40,16 @@ static const char warnings[][56] = {
 
 const char *coin_status_string(int32_t status)
 {
-    if (status < COIN_ERANGE || status >= 2 * COIN_TOUCHES)
+    if (status < COIN_ERANGE || status >= 2 * COIN_DECIDED)
         return warnings[0];
     if (status <= 0)
         return errors[-status];
     if (status & COIN_RESTS)
-        return "done: the coin lies flat, at rest";
+        return "done: the coin lies flat, or stands, and stays";
+    if (status & COIN_MORE)
+        return "not all: the steps of a call did not suffice, call again";
+    if (status & COIN_DECIDED)
+        return "done: it is decided which side of the coin ends up";
     if (status & COIN_ROLLS)
         return "done: the coin has begun to roll";
     if (status & COIN_TOUCHES)

@@ -1,44 +1,99 @@
 /* SPDX-License-Identifier: MIT */
-/* A coin in the air and at an impact.
+/* A coin under way, in the air and at an impact.
  *
- * All is in natural units, in which M = a = g = 1.  A coin_body is given in
- * them, and IX, IZ are I_X/(M a^2), I_Z/(M a^2). */
+ * All is in natural units, in which M = a = g = 1.  IX, IZ are I_X/(M a^2),
+ * I_Z/(M a^2). */
 #ifndef ROLLCOIN_AIR_H
 #define ROLLCOIN_AIR_H
 
 #include "../motion/equations.h"
 #include "../motion/state.h"
+#include "../motion/sum.h"
 
-/* The sines and cosines of a coin's lean and heading. */
-typedef struct coin_priv_attitude {
+/* A coin: its rates, the sines and cosines of its lean theta and of its heading
+ * phi, half its thickness, the height of its centre and the velocity of that.
+ * What only adds up is a sum: phi, psi, x, z. */
+typedef struct coin_priv_coin {
+    double wX, wY, wZ;
     coin_priv_sc th, ph;
-} coin_priv_attitude;
+    double half;
+    double y, vx, vy, vz;
+    coin_priv_sum phi, psi, x, z;
+} coin_priv_coin;
 
-coin_priv_attitude coin_priv_attitude_of(const coin_state *s);
+/* The height of the centre above the lowest point, (118). */
+COIN_PRIV_INLINE double coin_priv_height(const coin_priv_coin *c)
+{
+    return c->th.c + c->half * fabs(c->th.s);
+}
 
-/* What axes and velocities of a state with this attitude are computed from. */
-coin_priv_variables coin_priv_attitude_variables(const coin_state *s,
-                                                 const coin_priv_attitude *at);
+/* Sets a coin upright if its rims are equally low, to rounding.  They differ by
+ * 2 h |sin theta|; a height rounds by about 1 u. */
+COIN_PRIV_INLINE void coin_priv_set_upright(coin_priv_coin *c)
+{
+    if (c->half > 0 && 2 * c->half * fabs(c->th.s) <= 4 * COIN_PRIV_EPSILON) {
+        c->th.s = 0;
+        c->th.c = 1;
+    }
+}
 
-/* A flight from a body: a free symmetric top, which turns about its axis at the
- * rate sigma while the axis turns about k. */
+/* The place along the axis of the rim that is lower, or of two that are equally
+ * low of the one that goes down faster: half or -half; 0 if both do. */
+COIN_PRIV_INLINE double coin_priv_lower_rim(const coin_priv_coin *c)
+{
+    const double to = c->th.s != 0 ? c->th.s : c->wX;
+    return to > 0 ? c->half : to < 0 ? -c->half : 0;
+}
+
+/* The energy of a coin that balances on a rim, (126): with less it cannot turn
+ * over. */
+COIN_PRIV_INLINE double coin_priv_barrier(double half)
+{
+    return sqrt(1 + half * half); /* (126) */
+}
+
+/* From the centre to the lowest point of a rim, (118): the lever along e_h and
+ * the height. */
+typedef struct coin_priv_lever {
+    double P, Y;
+} coin_priv_lever;
+
+COIN_PRIV_INLINE coin_priv_lever coin_priv_lever_of(double s, double c,
+                                                    double eta)
+{
+    const coin_priv_lever r = {s - eta * c, c + eta * s};
+    return r;
+}
+
+/* A flight of a coin: a symmetric top, which turns about its axis at the rate
+ * sigma while the axis turns about k.  Its turn is slowed at the rate
+ * `angular`: it is that of a free one at the time of coin_priv_decay_of(). */
 typedef struct coin_priv_flight {
-    coin_priv_attitude at; /* of the start */
-    double kX, kY, kZ;     /* a unit vector along the axes at the start */
-    double rate;           /* of the precession about k */
-    double sigma;          /* the rate about e_Z besides it */
-    double y, vy;          /* of the centre at the start */
+    coin_priv_coin from;
+    double kX, kY, kZ; /* a unit vector along the axes at the start */
+    double rate;       /* of the precession about k */
+    double sigma;      /* the rate about e_Z besides it */
+    double angular;    /* of coin_losses */
+    double pull[2];    /* along x and z */
 } coin_priv_flight;
 
-void coin_priv_flight_of(coin_priv_flight *f, const coin_body *b,
-                         const coin_priv_attitude *at, double IX, double IZ);
+/* A flight without a pull. */
+void coin_priv_flight_of(coin_priv_flight *f, const coin_priv_coin *c,
+                         double IX, double IZ, double angular);
 
-/* Moves the body that the flight begins with by t, and sets its attitude.  phi
- * and psi come to lie in [-pi, pi], to rounding.  Accuracy: 1e-15 (1 + (rate +
- * |sigma|) t) (test_flight), also where that angle is so large that nothing is
- * left of it: it is reduced to its rounding. */
-void coin_priv_fly(coin_body *b, coin_priv_attitude *at,
-                   const coin_priv_flight *f, double t);
+/* exp(-x) and (1 - exp(-x))/x. */
+typedef struct coin_priv_decay {
+    double left, part;
+} coin_priv_decay;
+
+/* For x >= 0.  Accuracy: 8 u of `part`, and 8 u in `left` (test_flight). */
+coin_priv_decay coin_priv_decay_of(double x);
+
+/* Sets *c to where the coin is after t.  phi and psi come to lie in [-pi, pi],
+ * to rounding.  Accuracy: 1e-15 (1 + (rate + |sigma|) t) (test_flight), also
+ * where that angle is so large that nothing is left of it: it is reduced to its
+ * rounding. */
+void coin_priv_fly(coin_priv_coin *c, const coin_priv_flight *f, double t);
 
 /* What a search for a touch comes to. */
 typedef struct coin_priv_touch {
@@ -52,21 +107,20 @@ typedef struct coin_priv_touch {
 coin_priv_touch coin_priv_first_touch(const coin_priv_flight *f, double t,
                                       int leaves);
 
-/* The velocity of the lowest point of the rim along e_X, e_h and e_y. */
+/* The velocity of the lowest point of the rim at eta along e_X, e_h and e_y. */
 typedef struct coin_priv_rim {
     double X, h, y;
 } coin_priv_rim;
 
-coin_priv_rim coin_priv_rim_of(const coin_body *b,
-                               const coin_priv_attitude *at);
+coin_priv_rim coin_priv_rim_of(const coin_priv_coin *c, double eta);
 
 /* What the table does to a coin that hits it. */
 typedef struct coin_priv_bounce {
     double restitution, mu_static, mu_kinetic;
 } coin_priv_bounce;
 
-/* The impact of a body that touches and whose lowest point moves down. */
-void coin_priv_impact(coin_body *b, const coin_priv_attitude *at, double IX,
-                      double IZ, const coin_priv_bounce *law);
+/* The impact of a coin whose rim at eta touches and moves down. */
+void coin_priv_impact(coin_priv_coin *c, double eta, double IX, double IZ,
+                      const coin_priv_bounce *law);
 
 #endif

@@ -3,39 +3,38 @@
 
 #include "air.h"
 
-coin_priv_attitude coin_priv_attitude_of(const coin_state *s)
+void coin_priv_flight_of(coin_priv_flight *f, const coin_priv_coin *c,
+                         double IX, double IZ, double angular)
 {
-    const coin_priv_variables y = coin_priv_variables_of(s);
-    const coin_priv_attitude at = {{y.sth, y.cth}, {y.sph, y.cph}};
-    return at;
-}
-
-coin_priv_variables coin_priv_attitude_variables(const coin_state *s,
-                                                 const coin_priv_attitude *at)
-{
-    const coin_priv_variables y = {
-        s->wX, s->wY, s->wZ, at->th.s, at->th.c, 0, 0, at->ph.s, at->ph.c,
-    };
-    return y;
-}
-
-void coin_priv_flight_of(coin_priv_flight *f, const coin_body *b,
-                         const coin_priv_attitude *at, double IX, double IZ)
-{
-    const coin_state *const s = &b->s;
-    const double k1 = IZ / IX, lX = s->wX, lY = s->wY, lZ = k1 * s->wZ;
+    const double k1 = IZ / IX, lX = c->wX, lY = c->wY, lZ = k1 * c->wZ;
     const double rate = sqrt(lX * lX + lY * lY + lZ * lZ); /* (98) */
-    const coin_priv_flight made = {
-        *at,
-        rate > 0 ? lX / rate : 0,
-        rate > 0 ? lY / rate : 0,
-        rate > 0 ? lZ / rate : 1,
-        rate,
-        s->wZ * (1 - k1), /* (98) */
-        b->y,
-        b->vy,
-    };
-    *f = made;
+    f->from = *c;
+    f->kX = rate > 0 ? lX / rate : 0;
+    f->kY = rate > 0 ? lY / rate : 0;
+    f->kZ = rate > 0 ? lZ / rate : 1;
+    f->rate = rate;
+    f->sigma = c->wZ * (1 - k1); /* (98) */
+    f->angular = angular;
+    f->pull[0] = f->pull[1] = 0;
+}
+
+/* Up to x = 1/2 the power series of `part`, whose further terms are below
+ * rounding; then by doubling x. */
+coin_priv_decay coin_priv_decay_of(double x)
+{
+    double part = 1, left = 1;
+    int doublings = 0;
+    for (; x > 0.5; x /= 2)
+        ++doublings;
+    for (int n = x > 0 ? 16 : 0; n > 1; --n)
+        part = 1 - x / n * part;
+    left -= x * part;
+    for (; doublings > 0; --doublings) {
+        part *= (1 + left) / 2;
+        left *= left;
+    }
+    const coin_priv_decay r = {left, part};
+    return r;
 }
 
 /* A vector along the axes of the table. */
@@ -44,7 +43,7 @@ struct vector {
 };
 
 /* The vector with these components along e_X, e_Y and e_Z. */
-static struct vector vector_of(const coin_priv_attitude *at, double X, double Y,
+static struct vector vector_of(const coin_priv_coin *at, double X, double Y,
                                double Z)
 {
     const double h = at->th.s * Y + at->th.c * Z;
@@ -75,34 +74,41 @@ static coin_priv_sc unit(double s, double c)
 /* Far below the rounding of a unit vector, and gives 0 a direction. */
 #define ANY 1e-100
 
-void coin_priv_fly(coin_body *b, coin_priv_attitude *at,
-                   const coin_priv_flight *f, double t)
+void coin_priv_fly(coin_priv_coin *c, const coin_priv_flight *f, double t)
 {
-    coin_state *const s = &b->s;
-    const coin_priv_sc half = coin_priv_sincos(f->rate * t / 2);
+    const coin_priv_coin *const at = &f->from;
+    const coin_priv_decay slows = coin_priv_decay_of(f->angular * t);
+    const double turned = slows.part * t; /* (116) */
+    const coin_priv_sc half = coin_priv_sincos(f->rate * turned / 2);
     const double S = 2 * half.s * half.c, C = 2 * half.s * half.s;
     const double kX = f->kX, kY = f->kY, kZ = f->kZ;
     const struct vector n =
-        vector_of(&f->at, S * kY + C * kX * kZ, C * kY * kZ - S * kX,
+        vector_of(at, S * kY + C * kX * kZ, C * kY * kZ - S * kX,
                   1 - C * (kX * kX + kY * kY)); /* (99) */
     const struct vector X =
-        vector_of(&f->at, 1 - C * (kY * kY + kZ * kZ), S * kZ + C * kX * kY,
+        vector_of(at, 1 - C * (kY * kY + kZ * kZ), S * kZ + C * kX * kY,
                   C * kX * kZ - S * kY); /* (99) */
     /* Where the face is horizontal any heading is as good: d follows it. */
     const coin_priv_sc ph = unit(n.x, n.z + ANY);
     const coin_priv_sc th = unit(-n.y, ph.s * n.x + ph.c * n.z);
     const coin_priv_sc d = unit(th.s * (ph.s * X.x + ph.c * X.z) + th.c * X.y,
                                 ph.c * X.x - ph.s * X.z);
-    const double wX = s->wX, wY = s->wY;
-    at->th = th;
-    at->ph = ph;
-    s->theta = coin_priv_lean_within(coin_priv_angle(th)); /* (100) */
-    s->phi = coin_priv_angle(ph);                          /* (100) */
-    s->psi = without_turns(s->psi + f->sigma * t + coin_priv_angle(d));
-    s->wX = wX * d.c - wY * d.s; /* (100) */
-    s->wY = wX * d.s + wY * d.c; /* (100) */
-    s->x += b->vx * t;
-    s->z += b->vz * t;
-    b->y += t * (b->vy - t / 2);
-    b->vy -= t;
+    const double wX = slows.left * at->wX, wY = slows.left * at->wY; /* (116) */
+    const double px = f->pull[0], pz = f->pull[1];
+    *c = *at;
+    c->th = th;
+    c->ph = ph;
+    c->phi.sum = coin_priv_angle(ph); /* (100) */
+    c->psi.sum = without_turns(at->psi.sum + f->sigma * turned +
+                               coin_priv_angle(d)); /* (100) */
+    c->phi.low = c->psi.low = 0;
+    c->wX = wX * d.c - wY * d.s;                     /* (100) */
+    c->wY = wX * d.s + wY * d.c;                     /* (100) */
+    c->wZ = slows.left * at->wZ;                     /* (116) */
+    coin_priv_add(&c->x, t * (at->vx + px * t / 2)); /* (125) */
+    coin_priv_add(&c->z, t * (at->vz + pz * t / 2)); /* (125) */
+    c->vx += px * t;
+    c->vz += pz * t;
+    c->y += t * (at->vy - t / 2);
+    c->vy -= t;
 }

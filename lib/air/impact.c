@@ -7,13 +7,13 @@
 
 #include <float.h>
 
-coin_priv_rim coin_priv_rim_of(const coin_body *b, const coin_priv_attitude *at)
+coin_priv_rim coin_priv_rim_of(const coin_priv_coin *c, double eta)
 {
-    const coin_state *const q = &b->s;
+    const coin_priv_lever d = coin_priv_lever_of(c->th.s, c->th.c, eta);
     const coin_priv_rim u = {
-        b->vx * at->ph.c - b->vz * at->ph.s + q->wZ, /* (105) */
-        b->vx * at->ph.s + b->vz * at->ph.c - q->wX * at->th.c,
-        b->vy + q->wX * at->th.s,
+        c->vx * c->ph.c - c->vz * c->ph.s + c->wZ + eta * c->wY, /* (105) */
+        c->vx * c->ph.s + c->vz * c->ph.c - c->wX * d.Y,
+        c->vy + c->wX * d.P,
     };
     return u;
 }
@@ -26,22 +26,23 @@ static double part(const coin_priv_bounce *law, double N, double T, double lift)
     return law->mu_kinetic * N / (T - law->mu_kinetic * lift); /* (108) */
 }
 
-void coin_priv_impact(coin_body *b, const coin_priv_attitude *at, double IX,
-                      double IZ, const coin_priv_bounce *law)
+void coin_priv_impact(coin_priv_coin *c, double eta, double IX, double IZ,
+                      const coin_priv_bounce *law)
 {
-    coin_state *const q = &b->s;
-    const coin_priv_rim u = coin_priv_rim_of(b, at);
-    const coin_priv_sc ph = at->ph;
-    const double s = at->th.s, c = at->th.c, kx = 1 / IX, kz = 1 / IZ;
-    const double wy = 1 + kx * (s * s), o = kx * c * s / wy; /* (106) */
-    const double N = (1 + law->restitution) * -u.y / wy;     /* (107) */
-    const double dX = -u.X / (1 + kz);                       /* (107) */
-    const double dh = -wy / (1 + kx) * (u.h + o * u.y);      /* (107) */
+    const coin_priv_rim u = coin_priv_rim_of(c, eta);
+    const coin_priv_lever d = coin_priv_lever_of(c->th.s, c->th.c, eta);
+    const coin_priv_sc ph = c->ph;
+    const double P = d.P, Y = d.Y, kx = 1 / IX, kz = 1 / IZ, eta2 = eta * eta;
+    const double wy = 1 + kx * (P * P), o = kx * Y * P / wy;         /* (106) */
+    const double N = (1 + law->restitution) * -u.y / wy;             /* (107) */
+    const double dX = -u.X / (1 + kz + kx * eta2);                   /* (107) */
+    const double dh = -wy / (1 + kx * (1 + eta2)) * (u.h + o * u.y); /* (107) */
     const double f = part(law, N, sqrt(dX * dX + dh * dh), o * dh);
     const double pX = f * dX, along = f * dh, py = N + o * along;
-    b->vx += pX * ph.c + along * ph.s;
-    b->vz += along * ph.c - pX * ph.s;
-    q->wX -= kx * (c * along - s * py); /* (106) */
-    q->wZ += kz * pX;                   /* (106) */
-    b->vy = law->restitution > 0 ? b->vy + py : -(q->wX * s);
+    c->vx += pX * ph.c + along * ph.s;
+    c->vz += along * ph.c - pX * ph.s;
+    c->wX -= kx * (Y * along - P * py); /* (106) */
+    c->wY += kx * eta * pX;             /* (106) */
+    c->wZ += kz * pX;                   /* (106) */
+    c->vy = law->restitution > 0 ? c->vy + py : -(c->wX * P);
 }

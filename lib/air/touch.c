@@ -1,79 +1,102 @@
 /* SPDX-License-Identifier: MIT */
 /* The first touch of a flight.
  *
- * The lowest point of the rim is |n_h| below the centre, n_h the horizontal
- * part of e_Z.  The gap has a kink where the face is horizontal, G = y^2 -
- * |n_h|^2 has none, and has the sign of the gap.  A bound of its second
- * derivative says how far no zero can be. */
+ * The lowest point of a rim is |n_h| below the rim's centre, n_h the horizontal
+ * part of e_Z.  The gap has a kink where the face is horizontal, G = Y^2 -
+ * |n_h|^2 has none, and has the sign of the gap; Y = y + eta n_y is the height
+ * of the rim's centre.  A bound of its second derivative says how far no zero
+ * can be.  A coin with a thickness has two rims, and the earlier touch
+ * counts. */
 #include "../motion/pinned.h"
 
 #include "air.h"
 
 #include <float.h>
 
-/* Where the gap grows from nothing, a step is at least this long, times sqrt(y)
- * over 1 + rate: a dip that it passes over is less than 1e-14 deep, LEAST^2.  A
- * tenth or ten times of it changes nothing (make tuning). */
-#define LEAST 1e-7
-
 /* A search ends after so many looks at the gap, and the flight goes on from
- * there.  Half or twice of it costs the same (make tuning). */
+ * there.  Measured: MOST_LOOKS in tables.md. */
 #define MOST_LOOKS 100
 
 /* What G and its bounds are computed from. */
 struct arc {
-    double y, vy;
-    double nh[2], c1[2], c2[2]; /* n_h = nh + sin(rate t) c1 +
-                                   (1 - cos(rate t)) c2, along e_X and e_h of
-                                   the start */
-    double rate;
-    double top;        /* no point of the rim is further below the centre */
+    double y, vy, eta;
+    double n[3], c1[3], c2[3]; /* e_Z = n + sin(angle) c1 + (1 - cos(angle)) c2,
+                                  along e_X, e_h and e_y of the start; angle is
+                                  rate times the time of (116) */
+    double rate, angular;
+    double top;        /* no point of the rim is further below the centre of
+                          the coin */
     double bend, jerk; /* where y <= top: G'' >= -2 bend, |G'''| <= jerk */
 };
 
-static void arc_of(struct arc *r, const coin_priv_flight *f)
+static void arc_of(struct arc *r, const coin_priv_flight *f, double eta)
 {
-    const double s = f->at.th.s, c = f->at.th.c, w = f->rate;
+    const coin_priv_coin *const from = &f->from;
+    const double s = from->th.s, c = from->th.c, w = f->rate;
     const double kX = f->kX, kY = f->kY, kZ = f->kZ;
     const double kh = s * kY + c * kZ, ky = c * kY - s * kZ;
     const double across2 = kX * kX + kY * kY, across = sqrt(across2);
     const double level = sqrt(kX * kX + kh * kh);
-    const double A = kZ * ky, D = level * across;
-    const double above = coin_priv_larger(f->y, 0); /* below by rounding */
-    const double fall = sqrt(f->vy * f->vy + 2 * above);
-    const double peak = f->vy > 0 ? fall * fall / 2 : f->y;
-    r->y = f->y;
-    r->vy = f->vy;
-    r->nh[0] = 0;
-    r->nh[1] = c;
+    const double A = kZ * ky, D = level * across, b = f->angular;
+    const double h = fabs(eta);
+    const double above = coin_priv_larger(from->y, 0); /* below by rounding */
+    const double fall = sqrt(from->vy * from->vy + 2 * above);
+    const double peak = from->vy > 0 ? fall * fall / 2 : from->y;
+    r->y = from->y;
+    r->vy = from->vy;
+    r->eta = eta;
+    r->n[0] = 0;
+    r->n[1] = c;
+    r->n[2] = -s;
     r->c1[0] = kY;
     r->c1[1] = -s * kX;
+    r->c1[2] = -c * kX;
     r->c2[0] = kX * kZ;
     r->c2[1] = s * kY * kZ - c * across2;
+    r->c2[2] = c * kY * kZ + s * across2;
     r->rate = w;
+    r->angular = f->angular;
     r->top = 1;
     if (w == 0)
         r->top = c;
     else if (fabs(A) > D)
         r->top = level * fabs(kZ) + fabs(ky) * across; /* (102) */
+    r->top += h;
+    /* of the height of the rim's centre: the most, its speed and so on */
+    const double most = coin_priv_lesser(peak, r->top) + h;
+    const double speed = fall + h * w * D, lift = 1 + h * w * (w + b) * D;
+    const double twist = h * w * (w * w + (3 * w + b) * b) * D;
     r->bend =
-        coin_priv_lesser(peak, r->top) + w * w * D * (fabs(A) + D); /* (103) */
-    r->jerk = 6 * fall + w * w * w * D * (2 * fabs(A) + 4 * D);     /* (103) */
+        most * lift + (w + b) * w * D * (fabs(A) + D); /* (103), (117), (124) */
+    r->jerk =
+        6 * speed * lift + 2 * most * twist +
+        w * w * w * D * (2 * fabs(A) + 4 * D) +
+        (3 * w + b) * b * w * 2 * D * (fabs(A) + D); /* (103), (117), (124) */
 }
 
-/* G and its derivatives. */
+/* The height of the rim's centre; G and its derivatives. */
 struct look {
     double y, G, d, dd;
 };
 
 static struct look look_at(const struct arc *r, double t)
 {
-    const coin_priv_sc half = coin_priv_sincos(r->rate * t / 2);
+    const coin_priv_decay slows = coin_priv_decay_of(r->angular * t);
+    const double turned = slows.part * t;  /* from (116) */
+    const double w = slows.left * r->rate; /* from (116) */
+    const coin_priv_sc half = coin_priv_sincos(r->rate * turned / 2);
     const double S = 2 * half.s * half.c, C = 2 * half.s * half.s, c = 1 - C;
-    const double y = r->y + t * (r->vy - t / 2), v = r->vy - t;
+    double y = r->y + t * (r->vy - t / 2), v = r->vy - t, lift = -1;
     double nn = 0, nd = 0, dd = 0;
+    if (r->eta != 0) {
+        const double turn = c * r->c1[2] + S * r->c2[2];
+        y += r->eta * (r->n[2] + S * r->c1[2] + C * r->c2[2]);
+        v += r->eta * (w * turn);
+        lift += r->eta *
+                (w * w * (c * r->c2[2] - S * r->c1[2]) - r->angular * w * turn);
+    }
     for (int i = 0; i < 2; ++i) {
-        const double n = r->nh[i] + S * r->c1[i] + C * r->c2[i];
+        const double n = r->n[i] + S * r->c1[i] + C * r->c2[i];
         const double d = c * r->c1[i] + S * r->c2[i];
         nn += n * n;
         nd += n * d;
@@ -82,8 +105,8 @@ static struct look look_at(const struct arc *r, double t)
     const struct look at = {
         y,
         y * y - nn, /* (101) */
-        2 * (y * v - r->rate * nd),
-        2 * (v * v - y - r->rate * r->rate * dd),
+        2 * (y * v - w * nd),
+        2 * (v * v + y * lift - (w * w * dd - r->angular * w * nd)),
     };
     return at;
 }
@@ -112,10 +135,7 @@ static double safe(const struct arc *r, const struct look *at, double *width)
     }
     const double root = sqrt(at->d * at->d + 4 * K * at->G);
     const double rises = at->dd / r->jerk; /* (104) */
-    const double y = coin_priv_larger(at->y, 0);
-    const double least = LEAST * sqrt(y) / (1 + r->rate);
-    const double h = coin_priv_larger((at->d + root) / (2 * K), rises);
-    return coin_priv_larger(h, least);
+    return coin_priv_larger((at->d + root) / (2 * K), rises);
 }
 
 /* Searches for the first touch from the time found->t to `end`, where the
@@ -142,14 +162,13 @@ static void search(coin_priv_touch *found, const struct arc *r, double end,
         found->t = end;
 }
 
-coin_priv_touch coin_priv_first_touch(const coin_priv_flight *f, double t,
-                                      int leaves)
+/* The first touch of the rim at eta. */
+static coin_priv_touch rim_touch(const coin_priv_flight *f, double eta,
+                                 double t, int leaves)
 {
     struct arc r;
-    coin_priv_touch found = {0, 0, 0}, none = {t, 0, 0};
-    if (f->y > 1 && f->y + t * (f->vy - t / 2) > 1)
-        return none; /* the rim is at most 1 below the centre */
-    arc_of(&r, f);
+    coin_priv_touch found = {0, 0, 0};
+    arc_of(&r, f, eta);
     const double v = r.vy, above = r.y - r.top, square = v * v + 2 * above;
     const double root = square > 0 ? sqrt(square) : 0;
     double up = 0, down = 0; /* between them y > top */
@@ -165,4 +184,18 @@ coin_priv_touch coin_priv_first_touch(const coin_priv_flight *f, double t,
     found.t = down < t ? down : t;
     search(&found, &r, t, leaves && up == 0 && down == 0);
     return found;
+}
+
+coin_priv_touch coin_priv_first_touch(const coin_priv_flight *f, double t,
+                                      int leaves)
+{
+    const double h = f->from.half, s = f->from.th.s, far = 1 + h;
+    const coin_priv_touch none = {t, 0, 0};
+    if (f->from.y > far && f->from.y + t * (f->from.vy - t / 2) > far)
+        return none; /* the rims are at most so far below the centre */
+    if (h == 0)
+        return rim_touch(f, 0, t, leaves);
+    const coin_priv_touch a = rim_touch(f, h, t, leaves && s >= 0);
+    const coin_priv_touch b = rim_touch(f, -h, a.t, leaves && s <= 0);
+    return b.touches || b.t < a.t ? b : a;
 }

@@ -9,19 +9,18 @@
 
 #define ELEMENT COIN_PRIV_ELEMENT
 
-/* The largest value of a series' last terms within its reach.  A tenth needs 8
- * % more pieces for the same errors.  With 100 times as much the errors of 500
- * random orbits double, for 13 % fewer pieces (make tuning). */
+/* The largest value of a series' last terms within its reach, in radians and in
+ * rates of the orbit's unit.  Measured: LAST_TERM in tests/studies/tables.md.
+ */
 #define LAST_TERM 1e-17
 
 /* The longest reach of a series, times the rate W of (47).  A swing takes at
  * least pi/2 over W.  With little spin, a series of a longer reach would lead
- * past the table.  Half of it adds 0.5 % to the pieces (make tuning). */
+ * past the table.  Measured: REACH_MAX in tables.md. */
 #define REACH_MAX 1.2
 
 /* A series may be used up to this many times its reach: its error is then
- * 1.05^28 = 3.9 times as large.  With 1.01 or 1.2 the pieces and errors are the
- * same within 1 % (make tuning). */
+ * 1.05^28 = 3.9 times as large.  Measured: REACH_MARGIN in tables.md. */
 #define REACH_MARGIN 1.05
 
 /* A motion whose W exceeds that of the start by this factor is not followed:
@@ -268,7 +267,8 @@ static double power_of_two(double W2)
 }
 
 void coin_priv_half_period_begin(coin_priv_half_period *h, coin_orbit *o,
-                                 const coin_state *s, const coin_priv_body *b)
+                                 const coin_state *s,
+                                 const coin_priv_constants *b)
 {
     const coin_priv_variables y = coin_priv_variables_of(s);
     const double rate = power_of_two(coin_priv_rate2(b->g_a, &y)),

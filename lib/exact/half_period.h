@@ -3,7 +3,7 @@
 #define ROLLCOIN_HALF_PERIOD_H
 
 #include "../motion/state.h"
-#include "orbit.h"
+#include "pieces.h"
 #include "series.h"
 
 /* A turning point: the time from the start to it, its lean, and what the motion
@@ -17,7 +17,7 @@ typedef struct coin_priv_turning_point {
  * start. */
 typedef struct coin_priv_half_period {
     coin_orbit *o;            /* gets the pieces */
-    coin_priv_body b;         /* GJ and g_a in the orbit's unit of time */
+    coin_priv_constants b;    /* GJ and g_a in the orbit's unit of time */
     coin_priv_field field;    /* of b; h is 1 */
     double rate;              /* 1 over the unit of time */
     coin_priv_series now;     /* of the latest piece */
@@ -32,7 +32,8 @@ coin_priv_variables coin_priv_point_variables(const coin_priv_point *p);
 
 /* Computes the series about the start, in *h. */
 void coin_priv_half_period_begin(coin_priv_half_period *h, coin_orbit *o,
-                                 const coin_state *s, const coin_priv_body *b);
+                                 const coin_state *s,
+                                 const coin_priv_constants *b);
 
 /* Computes the pieces and both turning points.  Returns 0 if that would take
  * more than COIN_PRIV_PIECES pieces, or if a series cannot be continued. */

@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-/* gcc would move arithmetic behind the branches that use it, which costs 8 % of
- * a query. */
+/* gcc would move arithmetic behind the branches that use it. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__)
 #pragma GCC optimize("no-tree-sink")
 #endif
 
 #include "../motion/angles.h"
 #include "../motion/state.h"
-#include "orbit.h"
 #include "pair.h"
-#include "steady.h"
+#include "pieces.h"
+#include "steady_at.h"
 
 #include <math.h>
 
@@ -65,7 +64,7 @@ static inline void set_place(coin_state *at, const double *f, double k,
 static int32_t end(const coin_orbit *o, const coin_state *at, coin_state *out)
 {
     const double *f = o->private_frame;
-    if (!coin_priv_state_within(at, f[COIN_PRIV_FAR], f[COIN_PRIV_W2_MAX]))
+    if (!coin_priv_members_in_range(at, f[COIN_PRIV_FAR], f[COIN_PRIV_W2_MAX]))
         return COIN_ERANGE;
     *out = *at;
     return COIN_OK;

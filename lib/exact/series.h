@@ -3,13 +3,12 @@
 #define ROLLCOIN_SERIES_H
 
 #include "../motion/equations.h"
-#include "orbit.h"
 #include "pair.h"
+#include "pieces.h"
 
 /* A motion about a point, as power series of time.  COIN_PRIV_ORDER: the
  * highest power.  A higher order reaches farther from a point, and costs its
- * square there: an order of 24 needs 22 % more pieces, and one of 32 needs 14 %
- * fewer, where coin_orbit_init() takes 3 % fewer and 7 % more instructions.
+ * square there (measured: COIN_PRIV_ORDER in tests/studies/tables.md).
  * COIN_PRIV_PATH: the row of z and x. */
 enum { COIN_PRIV_ORDER = 28, COIN_PRIV_PATH = 3 };
 

@@ -8,7 +8,7 @@
 int32_t coin_stability(const coin_state *s, const coin_params *p,
                        double *lambda2)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     coin_priv_sc th;
     const int32_t status =
         lambda2 ? coin_priv_check_steady(s, p, &b, &th) : COIN_EARG;
@@ -21,16 +21,16 @@ int32_t coin_stability(const coin_state *s, const coin_params *p,
 
 double coin_critical_roll(const coin_params *p)
 {
-    coin_priv_body b;
-    if (!p || coin_priv_check_body(&b, p) != COIN_OK)
+    coin_priv_constants b;
+    if (!p || coin_priv_check_params(&b, p) != COIN_OK)
         return NAN;
     return sqrt(b.Mga / b.K / b.k1); /* (45) */
 }
 
 double coin_critical_spin(const coin_params *p)
 {
-    coin_priv_body b;
-    if (!p || coin_priv_check_body(&b, p) != COIN_OK)
+    coin_priv_constants b;
+    if (!p || coin_priv_check_params(&b, p) != COIN_OK)
         return NAN;
     return sqrt(b.GJ); /* (46) */
 }

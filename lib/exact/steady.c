@@ -14,7 +14,7 @@
 #define STEEPEST 1e7
 
 int32_t coin_priv_check_steady(const coin_state *s, const coin_params *p,
-                               coin_priv_body *b, coin_priv_sc *th)
+                               coin_priv_constants *b, coin_priv_sc *th)
 {
     const int32_t status = coin_priv_check(s, p, b);
     if (status != COIN_OK)
@@ -40,7 +40,7 @@ static int32_t steady(coin_state *s, const coin_params *p, double theta,
                       double wY, double wZ)
 {
     const coin_state made = {theta, 0, 0, 0, 0, 0, wY, wZ};
-    coin_priv_body b;
+    coin_priv_constants b;
     const int32_t status = s ? coin_priv_check(&made, p, &b) : COIN_EARG;
     if (status == COIN_OK)
         *s = made;
@@ -59,7 +59,7 @@ int32_t coin_steady_upright_spin(coin_state *s, const coin_params *p, double wY)
 
 int32_t coin_steady_spin(coin_state *s, const coin_params *p, double theta)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     /* The checks of a coin at rest with this lean find every error except a
      * spin out of range, which steady() finds. */
     const coin_state rest = {theta, 0, 0, 0, 0, 0, 0, 0};
@@ -73,7 +73,7 @@ int32_t coin_steady_spin(coin_state *s, const coin_params *p, double theta)
 int32_t coin_steady_circle(coin_state *s, const coin_params *p, double theta,
                            double wZ, int32_t branch)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     const coin_state asked = {theta, 0, 0, 0, 0, 0, 0, wZ};
     int32_t status = s && (branch == 1 || branch == -1)
                          ? coin_priv_check(&asked, p, &b)
@@ -99,7 +99,7 @@ int32_t coin_steady_circle(coin_state *s, const coin_params *p, double theta,
 int32_t coin_steady_turn(coin_state *s, const coin_params *p, double theta,
                          double radius)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     const coin_state asked = {theta, 0, 0, 0, 0, 0, 0, 0};
     const int32_t status =
         s && radius >= 0 ? coin_priv_check(&asked, p, &b) : COIN_EARG;
@@ -122,7 +122,7 @@ int32_t coin_steady_turn(coin_state *s, const coin_params *p, double theta,
  * decrease until rounding ends that.  1 - B cos theta is computed as (1 - B +
  * e) cos theta, e = 1/cos theta - 1, in which nothing cancels for small and for
  * large leans. */
-static double tangent_of(const coin_priv_body *b, double wZ, double turn)
+static double tangent_of(const coin_priv_constants *b, double wZ, double turn)
 {
     const double A = b->K / b->Mga * wZ * turn;    /* (94) */
     const double B = b->IX / b->Mga * turn * turn; /* (94) */
@@ -141,9 +141,9 @@ static double tangent_of(const coin_priv_body *b, double wZ, double turn)
 int32_t coin_steady_ride(coin_state *s, const coin_params *p, double speed,
                          double radius)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     int32_t status = s && speed > 0 && radius > 0 && p
-                         ? coin_priv_check_body(&b, p)
+                         ? coin_priv_check_params(&b, p)
                          : COIN_EARG;
     if (status != COIN_OK)
         return status;
@@ -165,7 +165,7 @@ int32_t coin_steady_ride(coin_state *s, const coin_params *p, double speed,
 int32_t coin_steady_radii(const coin_state *s, const coin_params *p,
                           double *center, double *contact)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     coin_priv_sc th;
     const int32_t status =
         center && contact ? coin_priv_check_steady(s, p, &b, &th) : COIN_EARG;

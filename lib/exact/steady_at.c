@@ -2,8 +2,10 @@
 #include "../motion/pinned.h"
 
 #include "steady.h"
+#include "steady_at.h"
 
-static coin_priv_steady rates_of(const coin_state *s, const coin_priv_body *b)
+static coin_priv_steady rates_of(const coin_state *s,
+                                 const coin_priv_constants *b)
 {
     const coin_priv_variables y = coin_priv_variables_of(s);
     const coin_priv_field f = coin_priv_field_of(b, 1);
@@ -35,17 +37,17 @@ void coin_priv_steady_move(coin_state *s, const coin_priv_steady *rates,
 int32_t coin_steady_at(const coin_state *s, const coin_params *p, double t,
                        coin_state *out)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     coin_priv_sc th;
     int32_t status = out ? coin_priv_check_steady(s, p, &b, &th) : COIN_EARG;
     if (status == COIN_OK || status == COIN_EDOMAIN)
-        status = coin_priv_time_holds(t, &b) ? status : COIN_ESTEP;
+        status = coin_priv_time_in_range(t, &b) ? status : COIN_ESTEP;
     if (status != COIN_OK)
         return status;
     const coin_priv_steady rates = rates_of(s, &b);
     coin_state at = *s;
     coin_priv_steady_move(&at, &rates, t);
-    if (!coin_priv_state_holds(&at, &b))
+    if (!coin_priv_state_in_range(&at, &b))
         return COIN_ERANGE;
     *out = at;
     return COIN_OK;

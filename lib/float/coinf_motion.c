@@ -2,6 +2,7 @@
 #include "floats.h"
 
 #include "../motion/angles.c"
-#include "../motion/body.c"
+#include "../motion/equations.c"
 #include "../motion/legendre.c"
+#include "../motion/params.c"
 #include "../motion/state.c"

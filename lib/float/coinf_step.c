@@ -18,7 +18,7 @@
  * limits on W^2, Eq. (47), where a step begins and ends. */
 typedef struct coinf_priv_stepper {
     coin_priv_field f;
-    float KJ_low; /* (KJ + KJ_low)/GJ is K/(M g a), in twice a float's digits */
+    float KJ_low; /* what KJ lacks of GJ K/(M g a), by balance() */
     float a, g_a, w2_max;
     float coarse2, most2; /* coarse2 <= most2 */
 } coinf_priv_stepper;
@@ -220,8 +220,8 @@ COIN_PRIV_INLINE void coinf_priv_add_change(coinf_state *s,
 
 /* Whether a step may end here; not if a number is NaN.  Whole turns have not
  * been subtracted yet. */
-COIN_PRIV_INLINE int coinf_priv_holds(const coinf_state *s,
-                                      const coinf_priv_stepper *stepper)
+COIN_PRIV_INLINE int coinf_priv_end_in_range(const coinf_state *s,
+                                             const coinf_priv_stepper *stepper)
 {
     const float wX = s->wX, wY = s->wY, wZ = s->wZ;
     const float far = COIN_PRIV_PLACE_MAX * stepper->a;
@@ -236,10 +236,12 @@ COIN_PRIV_INLINE int coinf_priv_holds(const coinf_state *s,
 
 /* ----------------------------------------------------------------- steps -- */
 
-/* KJ_low, with which KJ + KJ_low is K/(M g a) = (a + I_Z/(M a))/g times GJ.  In
- * a steady motion the terms with KJ and with GJ balance.  An error of the ratio
- * of KJ and GJ makes the heading drift; an error common to both does not. */
-static float balance(const coin_priv_field *f, const coin_priv_body *b, float g)
+/* KJ_low, with which KJ + KJ_low is K/(M g a) = (a + I_Z/(M a))/g times GJ in
+ * twice a float's digits, but for the rounding of the sum.  In a steady motion
+ * the terms with KJ and with GJ balance.  An error of the ratio of KJ and GJ
+ * makes the heading drift; an error common to both does not. */
+static float balance(const coin_priv_field *f, const coin_priv_constants *b,
+                     float g)
 {
     const float sum = b->a + b->IZ / (b->M * b->a), ratio = sum / g;
     const float ratio_low =
@@ -254,13 +256,13 @@ static int32_t coinf_priv_stepper_of(coinf_priv_stepper *stepper,
                                      const coinf_params *p, int32_t method,
                                      float dt)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     const int32_t status = coin_priv_method_is_known(method)
                                ? coin_priv_check(s, p, &b)
                                : COIN_EARG;
     if (status != COIN_OK)
         return status;
-    if (!coin_priv_time_holds(dt, &b))
+    if (!coin_priv_time_in_range(dt, &b))
         return COIN_ESTEP;
     const coin_priv_limits limits = coin_priv_limits_of(&b, method, dt);
     stepper->f = coin_priv_field_of(&b, dt);
@@ -290,7 +292,7 @@ COIN_PRIV_INLINE int coinf_priv_admit_rate(int32_t *warnings,
 COIN_PRIV_NOINLINE int coinf_priv_finish_step(coinf_state *s, coinf_state *next,
                                               const coinf_priv_stepper *stepper)
 {
-    if (!coinf_priv_holds(next, stepper))
+    if (!coinf_priv_end_in_range(next, stepper))
         return 0;
     if (fabsf(next->phi) > 2 * COIN_PRIV_HALF_PI)
         coinf_priv_reduce(&next->phi, &next->low[1]);

@@ -27,8 +27,8 @@ typedef struct coin_priv_drift_slopes {
     number phi, psi;
 } coin_priv_drift_slopes;
 
-COIN_PRIV_INLINE coin_priv_drift_slopes
-coin_priv_drift_slopes_of(const coin_priv_body *b, const coin_priv_variables *y)
+COIN_PRIV_INLINE coin_priv_drift_slopes coin_priv_drift_slopes_of(
+    const coin_priv_constants *b, const coin_priv_variables *y)
 {
     const number wX = y->wX, wY = y->wY, tth = y->tth;
     const number dwY = wY * tth + b->k1 * y->wZ; /* (15) over wX */
@@ -41,7 +41,7 @@ coin_priv_drift_slopes_of(const coin_priv_body *b, const coin_priv_variables *y)
 
 /* d/dtheta of d(wX)/dt along a drift.  In a steady motion it is minus the
  * square of the frequency of small oscillations. */
-COIN_PRIV_INLINE number coin_priv_fall_slope(const coin_priv_body *b,
+COIN_PRIV_INLINE number coin_priv_fall_slope(const coin_priv_constants *b,
                                              const coin_priv_variables *y)
 {
     const number wY = y->wY, wZ = y->wZ, tth = y->tth;

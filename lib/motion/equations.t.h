@@ -14,7 +14,7 @@
  * The order of operations is pinned: about/selftest.c has the hash of what they
  * give. */
 #include "angles.h"
-#include "body.h"
+#include "params.h"
 
 #include "kind.h"
 
@@ -54,8 +54,8 @@ coin_priv_variables_inline(const coin_state *s)
     return y;
 }
 
-COIN_PRIV_INLINE coin_priv_field coin_priv_field_of(const coin_priv_body *b,
-                                                    number h)
+COIN_PRIV_INLINE coin_priv_field
+coin_priv_field_of(const coin_priv_constants *b, number h)
 {
     const coin_priv_field f = {
         h, h * b->GJ, h * b->KJ, b->XJ, h * b->k1, h * b->k2,

@@ -6,8 +6,9 @@
  * same text once more, after names have been defined as macros:
  *
  * Floats.  A file of lib/float includes float/floats.h and then the sources of
- * a folder.  floats.h defines coin_energy as coinf_energy, and so on: one list
- * of all names that floats have too.
+ * a folder.  floats.h defines coin_energy as coinf_energy, and so on: the names
+ * of coin.h, and of functions that sources share, that floats have too.  Other
+ * names can stay, as each source is compiled by itself.
  *
  * Vectors.  A file named *.t.h is a template.  It has no include guard: a
  * source includes it once for each kind that it needs.  A macro, defined before
@@ -38,27 +39,24 @@
 #undef scalar
 #undef number
 #undef integer
-#undef unsigned_integer
 #undef SQRT
 #undef FABS
 #undef LOG
-
-#define K(constant) ((scalar)(constant))
 
 #ifdef COIN_PRIV_FLOAT
 #define scalar float
 #define SQRT sqrtf
 #define FABS fabsf
 #define LOG logf
-#define number float
-#define integer int32_t
-#define unsigned_integer uint32_t
-
 #else
 #define scalar double
 #define SQRT sqrt
 #define FABS fabs
 #define LOG log
+#endif
+
+#define K(constant) ((scalar)(constant))
+
 #if defined(COIN_PRIV_ABREAST)
 #define COIN_PRIV_NAME(name) coin_lanes_##name
 #define number coin_lanes
@@ -69,8 +67,10 @@
 #define integer coin_pair_integer
 #else
 #define COIN_PRIV_NAME(name) coin_priv_##name
-#define number double
+#define number scalar
+#ifdef COIN_PRIV_FLOAT
+#define integer int32_t
+#else
 #define integer int64_t
-#define unsigned_integer uint64_t
 #endif
 #endif

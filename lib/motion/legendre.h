@@ -37,7 +37,7 @@ coin_priv_flat coin_priv_legendre_flat(number kap, number v, number ln_v);
  * series about u, (34).  c2 is 1 - u^2.
  * Pre: |e| (1 + |u|) <= COIN_PRIV_SERIES_REACH c2.  Each term of the series is
  * then at most 0.18 of the one before.
- * Accuracy: 6 units of rounding of the terms of the change (test_drift).
+ * Accuracy: 12 units of rounding of the terms of the change (test_drift).
  * Cost: COIN_PRIV_SERIES_TERMS terms, always: 0.18^22 is 4e-17. */
 #define COIN_PRIV_SERIES_REACH K(0.18)
 #define COIN_PRIV_SERIES_TERMS 22

@@ -3,7 +3,8 @@
 
 /* No pointers in the table: they would need relocation, and with it writable
  * data in the shared library. */
-static const char names[][12] = {"rk4", "rk8", "symplectic2", "symplectic4"};
+#define NAME(method, name, coarse, refusal) #name,
+static const char names[][12] = {COIN_PRIV_METHODS(NAME)};
 
 const char *coin_method_name(int32_t method)
 {

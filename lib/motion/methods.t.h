@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How far a step of each method may go.  Beyond one limit of |dt| W, with W of
- * Eq. (47), a step is COIN_COARSE; beyond another one it is refused. */
+/* Whether a step is made, and whether it is COIN_COARSE. */
 #include "equations.h"
 
 #include "kind.h"
@@ -13,46 +12,6 @@ typedef struct coin_priv_limits {
     number a, x, z;
     integer coarse; /* all ones once a step was COIN_COARSE */
 } coin_priv_limits;
-
-#ifndef COIN_PRIV_ABREAST
-/* The limit of |dt| W beyond which a step is COIN_COARSE.  Up to it a step adds
- * errors of at most 5e-4 (RK4), 2e-4 (RK8), 3e-4 and 4e-6 (symplectic2 and 4),
- * in radians, radii and parts of W: docs/limits.md, test_step_law. */
-COIN_PRIV_INLINE number coin_priv_coarse_limit(int32_t method)
-{
-    return method == COIN_RK4           ? K(0.35)
-           : method == COIN_RK8         ? K(1)
-           : method == COIN_SYMPLECTIC2 ? K(0.08)
-                                        : K(0.16);
-}
-
-/* The limit of |dt| W beyond which a step is refused.  Beyond 1.2 a step of RK4
- * or RK8 may jump over a whole pass near flat.  Up to the limits of the
- * symplectic methods the series of their drift suffices. */
-COIN_PRIV_INLINE number coin_priv_refusal_limit(int32_t method)
-{
-    return method == COIN_RK4 || method == COIN_RK8 ? K(1.2)
-           : method == COIN_SYMPLECTIC2             ? K(1)
-                                                    : K(1.4);
-}
-
-/* The limits of steps of dt from *s.  All steps are refused if dt is not
- * finite.
- */
-COIN_PRIV_INLINE coin_priv_limits coin_priv_limits_of(const coin_priv_body *b,
-                                                      int32_t method, number dt)
-{
-    const number most = coin_priv_refusal_limit(method);
-    const number coarse = coin_priv_coarse_limit(method);
-    const number size = FABS(dt);
-    const number kept = size < COIN_PRIV_DT_LEAST ? COIN_PRIV_DT_LEAST : size;
-    const number over = 1 / (kept * kept);
-    const coin_priv_limits limits = {
-        b->g_a, coarse * coarse * over, most * most * over, b->a, 0, 0, 0,
-    };
-    return limits;
-}
-#endif
 
 /* Whether W^2 allows a step from *y.  Notes if the step is COIN_COARSE.  NaN
  * allows none. */

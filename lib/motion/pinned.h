@@ -2,15 +2,17 @@
 /* One bit pattern on every platform: every source has this before its code.
  *
  * The Makefile passes -ffp-contract=off.  These guards protect builds with
- * other flags.  They cannot see clang's -ffp-contract=fast.  coin_selftest()
- * reports it at run time. */
+ * other flags.  They cannot see clang's -ffp-contract=fast and -fno-honor-nans.
+ * coin_selftest() reports these at run time. */
 #ifndef ROLLCOIN_PINNED_H
 #define ROLLCOIN_PINNED_H
 
 #include <float.h>
 
+/* Where only finite numbers count, NaN would pass for one in range. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) ||                 \
-    defined(__RECIPROCAL_MATH__) || defined(_M_FP_FAST)
+    defined(__RECIPROCAL_MATH__) || defined(_M_FP_FAST) ||                     \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "librollcoin needs IEEE arithmetic as written: no fast-math, no -Ofast"
 #endif
 

@@ -65,14 +65,18 @@
 /* A shorter step counts as one of this length where 1/dt^2 is computed. */
 #define COIN_PRIV_DT_LEAST 1e-18f
 
+/* A thickness, if not 0, lies between these, in radii: in floats none. */
+#define COIN_PRIV_LEAST_THICKNESS 1e-4f
+#define COIN_PRIV_MOST_THICKNESS 0
+
 /* I_Z may be this part larger than 2 I_X, for the rounding of both. */
 #define COIN_PRIV_INERTIA_SLACK 1e-6f
 
 /* Whether the remainders that a state keeps are in range.  The remainder of an
  * angle within half a turn is below 2^-22, so that three add up to less than
  * 2^-20.  Larger ones are refused, because stages use them to first order. */
-#define COIN_PRIV_LOW_HOLDS(s) coinf_priv_low_holds((s)->low)
-static inline int coinf_priv_low_holds(const float low[8])
+#define COIN_PRIV_LOW_IN_RANGE(s) coinf_priv_low_in_range((s)->low)
+static inline int coinf_priv_low_in_range(const float low[8])
 {
     const float angles = fabsf(low[0]) + fabsf(low[1]) + fabsf(low[2]);
     const float others = fabsf(low[3]) + fabsf(low[4]) + fabsf(low[5]) +
@@ -165,12 +169,16 @@ static inline int coinf_priv_low_holds(const float low[8])
  * is above 1e38, so that a step of this length is sound for any coin. */
 #define COIN_PRIV_DT_LEAST 1e-100
 
+/* A thickness, if not 0, lies between these, in radii. */
+#define COIN_PRIV_LEAST_THICKNESS 1e-4
+#define COIN_PRIV_MOST_THICKNESS 4
+
 /* I_Z may be this part larger than 2 I_X, for the rounding of both. */
 #define COIN_PRIV_INERTIA_SLACK 1e-12
 
 /* Whether the remainders that a state keeps are in range: a state of doubles
  * keeps none. */
-#define COIN_PRIV_LOW_HOLDS(s) 1
+#define COIN_PRIV_LOW_IN_RANGE(s) 1
 
 /* The end of a state's initializer: there are no remainders. */
 #define COIN_PRIV_NO_LOW

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "state.h"
-#include "equations.h"
 
 int32_t coin_priv_check(const coin_state *s, const coin_params *p,
-                        coin_priv_body *b)
+                        coin_priv_constants *b)
 {
     return coin_priv_check_inline(s, p, b);
 }
@@ -18,13 +17,12 @@ int32_t coin_priv_refusal(const coin_state *s, number a)
     return at_edge ? COIN_ERANGE : COIN_ESTEP;
 }
 
-coin_priv_variables coin_priv_variables_of(const coin_state *s)
-{
-    return coin_priv_variables_inline(s);
-}
-
 int32_t coin_state_check(const coin_state *s, const coin_params *p)
 {
-    coin_priv_body b;
-    return coin_priv_check(s, p, &b);
+    coin_priv_constants b;
+    if (!s || !p)
+        return COIN_EARG;
+    const int32_t status = coin_priv_check_thick(&b, p);
+    return status != COIN_OK || coin_priv_state_in_range(s, &b) ? status
+                                                                : COIN_ESTATE;
 }

@@ -4,7 +4,7 @@
 
 number coin_energy(const coin_state *s, const coin_params *p)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     if (coin_priv_check_inline(s, p, &b) != COIN_OK)
         return NAN;
     const number wX = s->wX, wY = s->wY, wZ = s->wZ;

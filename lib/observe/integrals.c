@@ -8,7 +8,7 @@
 #define CENTRAL_MAX K(0.7)
 
 /* K_Y and K_Z, the pair at u = 0, from p and wZ at u = sin theta. */
-static void from_central(number K[2], const coin_priv_body *b, number u,
+static void from_central(number K[2], const coin_priv_constants *b, number u,
                          number p, number wZ)
 {
     const coin_priv_central c = coin_priv_legendre_central(b->k1 * b->k2, u);
@@ -19,7 +19,7 @@ static void from_central(number K[2], const coin_priv_body *b, number u,
 /* K_Y and K_Z of a coin near the table, theta > 0, with delta = pi/2 - theta.
  * The flat solutions give p and wZ at u = CENTRAL_MAX, and the central ones
  * give K_Y and K_Z from these. */
-static void from_flat(number K[2], const coin_priv_body *b, number delta,
+static void from_flat(number K[2], const coin_priv_constants *b, number delta,
                       number p, number wZ)
 {
     const number half = coin_priv_sincos(delta / 2).s, v = half * half;
@@ -35,7 +35,7 @@ static void from_flat(number K[2], const coin_priv_body *b, number delta,
 
 int32_t coin_integrals(const coin_state *s, const coin_params *p, number K[2])
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     const int32_t status = K ? coin_priv_check(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;

@@ -4,7 +4,7 @@
 
 int32_t coin_center(const coin_state *s, const coin_params *p, number r[3])
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     const int32_t status = r ? coin_priv_check(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
@@ -16,7 +16,7 @@ int32_t coin_center(const coin_state *s, const coin_params *p, number r[3])
 
 int32_t coin_velocity(const coin_state *s, const coin_params *p, number v[3])
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     const int32_t status = v ? coin_priv_check(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
@@ -28,7 +28,7 @@ int32_t coin_velocity(const coin_state *s, const coin_params *p, number v[3])
 int32_t coin_contact(const coin_state *s, const coin_params *p, number r[3],
                      number v[3])
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     const int32_t status = r && v ? coin_priv_check(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
@@ -48,7 +48,7 @@ int32_t coin_axes(const coin_state *s, number R[9])
 {
     if (!s || !R)
         return COIN_EARG;
-    if (!coin_priv_some_state_holds(s))
+    if (!coin_priv_state_in_some_range(s))
         return COIN_ESTATE;
     const coin_priv_variables f = coin_priv_variables_of(s);
     coin_priv_axes(&f, R);
@@ -70,7 +70,7 @@ int32_t coin_quaternion(const coin_state *s, number q[4])
 {
     if (!s || !q)
         return COIN_EARG;
-    if (!coin_priv_some_state_holds(s))
+    if (!coin_priv_state_in_some_range(s))
         return COIN_ESTATE;
     const coin_priv_sc ph = coin_priv_sincos(s->phi / 2);
     const coin_priv_sc th = coin_priv_sincos(s->theta / 2);
@@ -86,7 +86,7 @@ int32_t coin_quaternion(const coin_state *s, number q[4])
 
 int32_t coin_matrix(const coin_state *s, const coin_params *p, number m[16])
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     const int32_t status = m ? coin_priv_check(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
@@ -135,14 +135,14 @@ int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
                                const number q[4], const number omega[3],
                                number x, number z)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     coin_state made = {0, 0, 0, x, z, 0, 0, 0 COIN_PRIV_NO_LOW};
     if (!s || !p || !q || !omega)
         return COIN_EARG;
-    if (coin_priv_check_body(&b, p) != COIN_OK)
+    if (coin_priv_check_thick(&b, p) != COIN_OK)
         return COIN_EPARAMS;
     const number size2 = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    if (!coin_priv_is_ordinary(size2))
+    if (!coin_priv_size_in_range(size2))
         return COIN_ESTATE;
     angles_of(&made, q);
     number R[9];
@@ -151,7 +151,7 @@ int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
     made.wX = omega[0] * R[0] + omega[1] * R[1] + omega[2] * R[2];
     made.wY = omega[0] * R[3] + omega[1] * R[4] + omega[2] * R[5];
     made.wZ = omega[0] * R[6] + omega[1] * R[7] + omega[2] * R[8];
-    const int32_t status = coin_priv_check(&made, p, &b);
+    const int32_t status = coin_state_check(&made, p);
     if (status == COIN_OK)
         *s = made;
     return status;

@@ -4,7 +4,7 @@
 
 int32_t coin_rates(const coin_state *s, const coin_params *p, coin_state *out)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     const int32_t status = out ? coin_priv_check(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;
@@ -24,7 +24,7 @@ int32_t coin_rates(const coin_state *s, const coin_params *p, coin_state *out)
 
 number coin_fastest_rate(const coin_state *s, const coin_params *p)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     if (coin_priv_check(s, p, &b) != COIN_OK)
         return NAN;
     const coin_priv_variables y = coin_priv_variables_of(s);

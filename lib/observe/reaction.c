@@ -6,7 +6,7 @@
 int32_t coin_reaction(const coin_state *s, const coin_params *p,
                       coin_force *out)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     const int32_t status = out ? coin_priv_check_inline(s, p, &b) : COIN_EARG;
     if (status != COIN_OK)
         return status;

@@ -5,7 +5,7 @@
 #include "../motion/equations.h"
 
 /* The force of the table on a coin with these variables. */
-COIN_PRIV_INLINE coin_force coin_priv_reaction(const coin_priv_body *b,
+COIN_PRIV_INLINE coin_force coin_priv_reaction(const coin_priv_constants *b,
                                                const coin_priv_variables *y)
 {
     const number wX = y->wX, wY = y->wY, wZ = y->wZ;

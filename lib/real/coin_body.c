@@ -6,100 +6,153 @@
 
 #include "coin_body.h"
 
-void coin_priv_set_rolling(coin_body *b, const coin_priv_attitude *at, double a)
-{
-    const coin_priv_variables y = coin_priv_attitude_variables(&b->s, at);
-    double v[3];
-    coin_priv_velocity_of(v, a, &y);
-    b->y = a * at->th.c;
-    b->vx = v[0];
-    b->vy = v[1];
-    b->vz = v[2];
-}
-
-int coin_priv_members_hold(const coin_body *b, double length, double rate)
+int coin_priv_body_in_range(const coin_body *b, double length, double rate)
 {
     const double far = COIN_PRIV_PLACE_MAX * length;
     const double turn = COIN_PRIV_RATE_MAX * rate, fast = turn * length;
-    return coin_priv_state_within(&b->s, far, turn * turn) &
+    return coin_priv_members_in_range(&b->s, far, turn * turn) &
            (fabs(b->y) <= far) & (fabs(b->vx) <= fast) & (fabs(b->vy) <= fast) &
            (fabs(b->vz) <= fast);
 }
 
-void coin_priv_scale_body(coin_body *b, double length, double rate)
+int coin_priv_coin_in_range(const coin_priv_coin *c)
 {
-    coin_priv_scale(&b->s, length, rate);
-    b->y *= length;
-    b->vx *= length * rate;
-    b->vy *= length * rate;
-    b->vz *= length * rate;
+    const double far = COIN_PRIV_PLACE_MAX, fast = COIN_PRIV_RATE_MAX;
+    return (fabs(c->phi.sum) <= COIN_PRIV_ANGLE_MAX) &
+           (fabs(c->psi.sum) <= COIN_PRIV_ANGLE_MAX) & (fabs(c->x.sum) <= far) &
+           (fabs(c->z.sum) <= far) & (fabs(c->y) <= far) &
+           (fabs(c->wX) <= fast) & (fabs(c->wY) <= fast) &
+           (fabs(c->wZ) <= fast) & (fabs(c->vx) <= fast) &
+           (fabs(c->vy) <= fast) & (fabs(c->vz) <= fast);
 }
 
-int32_t coin_priv_natural_body(coin_body *natural, coin_priv_attitude *at,
-                               const coin_body *b, const coin_priv_body *of)
+/* Turns the axes of a coin whose face is horizontal, and the coin back, so that
+ * the lowest point is the one that goes down fastest: wY = 0, wX sin(theta) <=
+ * 0.  Its pose and its motion stay. */
+static void turn_axes(coin_state *s)
 {
-    const double w0 = sqrt(of->g_a);
-    if (!coin_priv_members_hold(b, of->a, w0) ||
+    const double side = s->theta < 0 ? -1 : 1;
+    const double w = sqrt(s->wX * s->wX + s->wY * s->wY);
+    if (w == 0)
+        return;
+    const coin_priv_sc by = {s->wY / w, -side * (s->wX / w)};
+    const double turn = coin_priv_angle(by);
+    s->phi += turn;
+    s->psi += side * turn;
+    s->wX = -side * w;
+    s->wY = 0;
+}
+
+int32_t coin_priv_coin_of(coin_priv_coin *c, const coin_body *b,
+                          const coin_priv_constants *of, double half)
+{
+    const double w0 = sqrt(of->g_a), per = 1 / (of->a * w0);
+    if (!coin_priv_body_in_range(b, of->a, w0) ||
         !coin_priv_are_zero(b->reserved, 4))
         return COIN_ESTATE;
-    *natural = *b;
-    coin_priv_scale_body(natural, 1 / of->a, 1 / w0);
-    *at = coin_priv_attitude_of(&b->s);
-    return natural->y - at->th.c >= -COIN_PRIV_TOUCH_GAP ? COIN_OK
-                                                         : COIN_ESTATE;
+    coin_state s = b->s;
+    coin_priv_scale(&s, 1 / of->a, 1 / w0);
+    coin_priv_set_state(c, &s, half);
+    if (c->th.c <= COIN_PRIV_TOUCH_GAP) {
+        turn_axes(&s);
+        coin_priv_set_state(c, &s, half);
+    }
+    c->y = b->y / of->a;
+    c->vx = b->vx * per;
+    c->vy = b->vy * per;
+    c->vz = b->vz * per;
+    return coin_priv_gap(c) >= -COIN_PRIV_TOUCH_GAP * (1 + half) ? COIN_OK
+                                                                 : COIN_ESTATE;
 }
 
-int coin_priv_body_lies(const coin_body *b)
+void coin_priv_body_of(coin_body *b, const coin_priv_coin *c,
+                       const coin_priv_constants *of)
 {
-    return fabs(b->s.theta) >= COIN_PRIV_LAST_LEAN && b->s.wX == 0 &&
-           b->s.wY == 0;
+    const double a = of->a, w0 = sqrt(of->g_a);
+    coin_priv_get_state(&b->s, c);
+    coin_priv_scale(&b->s, a, w0);
+    b->y = a * c->y;
+    b->vx = a * w0 * c->vx;
+    b->vy = a * w0 * c->vy;
+    b->vz = a * w0 * c->vz;
 }
 
-int coin_priv_body_mode(const coin_body *b, const coin_priv_attitude *at,
+void coin_priv_set_on_table(coin_body *b, double a, double half, int slips)
+{
+    coin_priv_coin c;
+    coin_priv_set_state(&c, &b->s, half);
+    coin_priv_set_rolling(&c, coin_priv_lower_rim(&c));
+    b->y = a * c.y;
+    b->vy = a * c.vy;
+    b->vx = slips ? b->vx : a * c.vx;
+    b->vz = slips ? b->vz : a * c.vz;
+}
+
+/* Whether a coin that lies and hardly moves stays where it is. */
+static int holds_on(const coin_priv_law *l)
+{
+    return coin_priv_pull(l) <= l->mu_static; /* (127) */
+}
+
+/* Whether a coin stands on its edge and nothing leans it. */
+static int stands(const coin_priv_coin *c, const coin_priv_law *l, double v)
+{
+    return c->th.s == 0 && c->wX == 0 && c->wY == 0 && coin_priv_pull(l) == 0 &&
+           coin_priv_larger(v, fabs(c->wZ)) < COIN_PRIV_SLIP_LEAST;
+}
+
+int coin_priv_coin_mode(const coin_priv_coin *c, const coin_priv_law *l,
                         double u[2])
 {
     u[0] = u[1] = 0;
-    if (b->y - at->th.c > COIN_PRIV_TOUCH_GAP)
+    if (!coin_priv_is_low(c))
         return COIN_PRIV_AIR;
-    const coin_priv_rim rim = coin_priv_rim_of(b, at);
-    const double turn = fabs(b->s.wZ), turns = fabs(b->s.wX) + turn;
+    const double eta = coin_priv_lower_rim(c), turn = fabs(c->wZ);
+    const coin_priv_rim rim = coin_priv_rim_of(c, eta);
+    const double turns = fabs(c->wX) + turn + (eta != 0 ? fabs(c->wY) : 0);
     if (fabs(rim.y) > COIN_PRIV_SLIP_LEAST)
         return COIN_PRIV_AIR;
-    if (coin_priv_body_lies(b)) {
-        const double v = sqrt(b->vx * b->vx + b->vz * b->vz);
-        return v + turn <= COIN_PRIV_SLIP_LEAST ? COIN_PRIV_RESTS
-                                                : COIN_PRIV_LIES;
-    }
+    const double v = sqrt(c->vx * c->vx + c->vz * c->vz);
+    if (coin_priv_lies(c))
+        return v + turn <= COIN_PRIV_SLIP_LEAST && holds_on(l) ? COIN_PRIV_RESTS
+                                                               : COIN_PRIV_LIES;
+    if (stands(c, l, v))
+        return COIN_PRIV_RESTS;
+    if (c->half > 0 && eta == 0)
+        return COIN_PRIV_LINE;
     if (sqrt(rim.X * rim.X + rim.h * rim.h) <=
-        COIN_PRIV_SLIP_LEAST + COIN_PRIV_TOUCH_GAP * turns)
+        COIN_PRIV_SLIP_LEAST + COIN_PRIV_TOUCH_GAP * (1 + c->half) * turns)
         return 0;
     u[0] = rim.X;
     u[1] = rim.h;
     return COIN_PRIV_SLIPS;
 }
 
-int32_t coin_priv_check_coin_body(coin_body *natural, coin_priv_attitude *at,
-                                  const coin_body *b, const coin_params *p,
-                                  coin_priv_body *of)
+int32_t coin_priv_check_coin_body(coin_priv_coin *c, const coin_body *b,
+                                  const coin_params *p, coin_priv_constants *of)
 {
     if (!b || !p)
         return COIN_EARG;
-    if (coin_priv_check_body(of, p) != COIN_OK)
+    if (coin_priv_check_thick(of, p) != COIN_OK)
         return COIN_EPARAMS;
-    return coin_priv_natural_body(natural, at, b, of);
+    return coin_priv_coin_of(c, b, of, coin_priv_half_of(p));
 }
 
 int32_t coin_body_from_state(coin_body *b, const coin_state *s,
                              const coin_params *p)
 {
-    coin_priv_body of;
-    const int32_t status = b ? coin_priv_check(s, p, &of) : COIN_EARG;
-    if (status != COIN_OK)
-        return status;
-    coin_body made = {*s, 0, 0, 0, 0, {0, 0, 0, 0}}, natural;
-    coin_priv_attitude at = coin_priv_attitude_of(s);
-    coin_priv_set_rolling(&made, &at, of.a);
-    const int32_t good = coin_priv_natural_body(&natural, &at, &made, &of);
+    coin_priv_constants of;
+    if (!b || !s || !p)
+        return COIN_EARG;
+    if (coin_priv_check_thick(&of, p) != COIN_OK)
+        return COIN_EPARAMS;
+    if (!coin_priv_state_in_range(s, &of))
+        return COIN_ESTATE;
+    const double half = coin_priv_half_of(p);
+    coin_body made = {*s, 0, 0, 0, 0, {0, 0, 0, 0}};
+    coin_priv_coin c;
+    coin_priv_set_on_table(&made, of.a, half, 0);
+    const int32_t good = coin_priv_coin_of(&c, &made, &of, half);
     if (good == COIN_OK)
         *b = made;
     return good;

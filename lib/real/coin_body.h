@@ -3,45 +3,61 @@
 #ifndef ROLLCOIN_COIN_BODY_H
 #define ROLLCOIN_COIN_BODY_H
 
-#include "../air/air.h"
 #include "move.h"
 
-/* A body touches the table up to this height above it, in radii: 16 u, more
- * than the rounding of height and cos theta.  From an eighth to eight times of
- * it no motion of make tuning changes. */
+/* A coin touches the table up to this height above it, in radii, times 1 + h:
+ * 16 u, more than the rounding of height and cos theta.  Measured:
+ * COIN_PRIV_TOUCH_GAP in tables.md. */
 #define COIN_PRIV_TOUCH_GAP (8 * DBL_EPSILON)
 
-/* Whether all members but reserved[] are in range, in units of these lengths
- * and rates. */
-int coin_priv_members_hold(const coin_body *b, double length, double rate);
+/* The height of the lowest point above the table. */
+COIN_PRIV_INLINE double coin_priv_gap(const coin_priv_coin *c)
+{
+    return c->y - coin_priv_height(c);
+}
 
-/* Scales a body to units in which lengths and rates are these times what they
- * were. */
-void coin_priv_scale_body(coin_body *b, double length, double rate);
+COIN_PRIV_INLINE int coin_priv_is_low(const coin_priv_coin *c)
+{
+    return coin_priv_gap(c) <= COIN_PRIV_TOUCH_GAP * (1 + c->half);
+}
 
-/* Sets *natural to *b in natural units, and its attitude: COIN_OK, or
- * COIN_ESTATE. */
-int32_t coin_priv_natural_body(coin_body *natural, coin_priv_attitude *at,
-                               const coin_body *b, const coin_priv_body *of);
+/* Whether a coin lies flat, with wY = 0.  It may slide and turn on its face. */
+COIN_PRIV_INLINE int coin_priv_lies(const coin_priv_coin *c)
+{
+    return c->th.c < 2 * DBL_EPSILON && c->wX == 0;
+}
 
-/* The same after the checks of the pointers and the parameters, with the body
- * of the parameters: also COIN_EARG, COIN_EPARAMS, in this order. */
-int32_t coin_priv_check_coin_body(coin_body *natural, coin_priv_attitude *at,
-                                  const coin_body *b, const coin_params *p,
-                                  coin_priv_body *of);
+/* Whether all members but reserved[] of a body in units of these lengths and
+ * rates are in range. */
+int coin_priv_body_in_range(const coin_body *b, double length, double rate);
 
-/* Whether a body lies flat.  It may slide and turn on its face. */
-int coin_priv_body_lies(const coin_body *b);
+/* The same of a coin under way. */
+int coin_priv_coin_in_range(const coin_priv_coin *c);
 
-/* The mode of a body in natural units, by the rule of touching in coin.h: 0,
- * COIN_PRIV_SLIPS, _AIR, _LIES or _RESTS.  A body whose lowest point is on the
- * table and has a normal speed is in the air: it hits the table or leaves it.
- * u: its slip velocity along e_X and e_h, 0 unless it slips. */
-int coin_priv_body_mode(const coin_body *b, const coin_priv_attitude *at,
+/* Sets *c to a body of a coin with these constants, after the checks of the
+ * parameters: COIN_OK, or COIN_ESTATE. */
+int32_t coin_priv_coin_of(coin_priv_coin *c, const coin_body *b,
+                          const coin_priv_constants *of, double half);
+
+/* The same with all checks, which set *of: also COIN_EARG, COIN_EPARAMS. */
+int32_t coin_priv_check_coin_body(coin_priv_coin *c, const coin_body *b,
+                                  const coin_params *p,
+                                  coin_priv_constants *of);
+
+/* Sets *b, but for reserved[], to a coin. */
+void coin_priv_body_of(coin_body *b, const coin_priv_coin *c,
+                       const coin_priv_constants *of);
+
+/* Sets height and velocity of a body of the radius a on the table to what its
+ * other members, which have been rounded, say, as coin_velocity(): of one that
+ * does not slip; or, but for vx and vz, of one that slips. */
+void coin_priv_set_on_table(coin_body *b, double a, double half, int slips);
+
+/* What a coin does on a table, by the rule of touching in coin.h: 0,
+ * COIN_PRIV_SLIPS, _AIR, _LINE, _LIES or _RESTS.  A coin whose lowest point is
+ * on the table and has a normal speed is in the air: it hits the table or
+ * leaves it.  u: its slip velocity along e_X and e_h, 0 unless it slips. */
+int coin_priv_coin_mode(const coin_priv_coin *c, const coin_priv_law *l,
                         double u[2]);
-
-/* Sets height and velocity to those of a coin of the radius a that rolls. */
-void coin_priv_set_rolling(coin_body *b, const coin_priv_attitude *at,
-                           double a);
 
 #endif

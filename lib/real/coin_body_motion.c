@@ -32,7 +32,7 @@ static int is_horizontal(const double q[4])
     const double A = coin_priv_hypot(q[2] - q[3], q[0] + q[1]);
     const double B = coin_priv_hypot(q[2] + q[3], q[0] - q[1]);
     const double size2 = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    return coin_priv_is_ordinary(size2) && A * B <= HORIZONTAL * size2;
+    return coin_priv_size_in_range(size2) && A * B <= HORIZONTAL * size2;
 }
 
 /* The state of this motion; *s is the result.  What is flat is not checked. */
@@ -58,23 +58,22 @@ int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
                               const double r[3], const double v[3])
 {
     coin_body made = {{0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, 0, 0, {0, 0, 0, 0}};
-    coin_body natural;
-    coin_priv_attitude at;
-    coin_priv_body of;
+    coin_priv_coin c;
+    coin_priv_constants of;
     if (!b || !p || !q || !omega || !r || !v)
         return COIN_EARG;
     const int32_t status = state_of(&made.s, p, q, omega, r);
     if (status != COIN_OK)
         return status;
     const double a = p->radius;
-    const double touching = a * coin_priv_sincos(made.s.theta).c;
+    coin_priv_set_state(&c, &made.s, coin_priv_half_of(p));
+    const double touching = a * coin_priv_height(&c);
     const double below = touching - r[1];
     made.y = below > 0 && below <= OVERLAP * a ? touching : r[1];
     made.vx = v[0];
     made.vy = v[1];
     made.vz = v[2];
-    const int32_t good =
-        coin_priv_check_coin_body(&natural, &at, &made, p, &of);
+    const int32_t good = coin_priv_check_coin_body(&c, &made, p, &of);
     if (good == COIN_OK)
         *b = made;
     return good;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "thrown.h"
+#include "coin_body.h"
 
 /* The most trials of steps of a call: a choice, by which it takes 20 ms at most
  * on a processor of 3 GHz.  Where a trial takes longest, in a slip with losses
@@ -11,56 +11,41 @@
 
 /* What a call may be ended by. */
 #define STOPS                                                                  \
-    (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_ROLLS | COIN_TOUCHES)
+    (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_ROLLS | COIN_TOUCHES |  \
+     COIN_DECIDED)
 
-/* Sets height and velocity of a body on the table to what its other members,
- * which have been rounded, say. */
-static void set_on_table(coin_body *b, const coin_priv_attitude *at, double a,
-                         int slips)
+static int has_pull(const coin_table *table)
 {
-    const double vx = b->vx, vz = b->vz;
-    coin_priv_set_rolling(b, at, a);
-    if (slips) {
-        b->vx = vx;
-        b->vz = vz;
-    }
+    return table->pull[0] != 0 || table->pull[1] != 0;
 }
 
 int32_t coin_move(coin_body *b, const coin_params *p, const coin_table *table,
                   double t, double tol, int32_t stop, double *reached)
 {
-    coin_priv_body of;
-    coin_priv_thrown w;
-    double u[2];
-    if (!b || !p || !table || !coin_priv_tol_suits(tol) || (stop & ~STOPS))
+    coin_priv_constants of;
+    coin_priv_moving g;
+    if (!b || !p || !table || !coin_priv_tol_in_range(tol) || (stop & ~STOPS) ||
+        (stop & COIN_DECIDED && has_pull(table)))
         return COIN_EARG;
-    if (coin_priv_check_body(&of, p) != COIN_OK ||
-        coin_priv_table_law(&w.g.law, table, &of) != COIN_OK)
+    const double half = coin_priv_half_of(p);
+    if (coin_priv_check_thick(&of, p) != COIN_OK ||
+        coin_priv_table_law(&g.law, table, &of, half) != COIN_OK)
         return COIN_EPARAMS;
-    int32_t status = coin_priv_natural_body(&w.b, &w.at, b, &of);
+    int32_t status = coin_priv_coin_of(&g.c, b, &of, half);
     if (status != COIN_OK)
         return status;
-    if (w.g.law.damping > 0 &&
-        coin_priv_body_mode(&w.b, &w.at, u) & (COIN_PRIV_SLIPS | COIN_PRIV_AIR))
-        return COIN_EPARAMS;
-    const double w0 = sqrt(of.g_a);
-    if (!coin_priv_time_suits(t, w0))
+    const double w0 = sqrt(of.g_a), time = t * w0;
+    if (!coin_priv_duration_in_range(t, w0))
         return COIN_ESTEP;
-    w.restitution = table->restitution;
-    w.time = t * w0;
-    w.tol = tol;
-    w.moved.sum = w.moved.low = 0;
-    w.stop = stop;
-    w.event = w.changed = 0;
-    w.g.tries = TRIES;
-    status = coin_priv_go_on(&w);
-    if (w.changed) {
-        *b = w.b;
-        coin_priv_scale_body(b, of.a, w0);
-        if (status >= 0 && !(status & (COIN_LIFTS | COIN_RESTS)))
-            set_on_table(b, &w.at, of.a, status & COIN_SLIPS);
+    coin_priv_begin_call(&g, time, tol, TRIES);
+    g.stop = stop;
+    status = coin_priv_go_on(&g);
+    if (g.changed) {
+        coin_priv_body_of(b, &g.c, &of);
+        if (status >= 0 && !(status & COIN_LIFTS))
+            coin_priv_set_on_table(b, of.a, half, status & COIN_SLIPS);
     }
     if (reached)
-        *reached = coin_priv_reached(&w.moved, w.time, t, w0);
+        *reached = coin_priv_reached(&g, time, t, w0);
     return status;
 }

@@ -114,34 +114,8 @@ COIN_PRIV_INLINE void sum_row(lanes *sums, const coin_priv_dop853 *w,
     }
 }
 
-/* Whether slopes at these variables are finite and mean something. */
-COIN_PRIV_INLINE int is_sound(const coin_priv_problem *of, const double *y)
-{
-    const double sum = fabs(y[COIN_PRIV_WX]) + fabs(y[COIN_PRIV_WY]) +
-                       fabs(y[COIN_PRIV_WZ]) + fabs(y[COIN_PRIV_UX]) +
-                       fabs(y[COIN_PRIV_UH]);
-    const int above = (y[COIN_PRIV_C] > 0) | ((of->mode & COIN_PRIV_HELD) != 0);
-    return above & isless(sum, of->most);
-}
-
-double coin_priv_by_t(double *d)
-{
-    const double per = 1 / d[COIN_PRIV_ADDS_T];
-#pragma GCC unroll 16
-    for (int i = 0; i < ALL * LANES; i += LANES)
-        store(d + i, per * load(d + i));
-    return per;
-}
-
-void coin_priv_rates_by_t(double *d, const double *y, const coin_priv_law *l,
-                          int mode)
-{
-    coin_priv_rates(d, y, l, mode);
-    (void)coin_priv_by_t(d);
-}
-
 /* A stage: the slopes, number `to`, where a row of `count` leads; nothing if
- * they or those of a stage before are not sound. */
+ * those of a stage before mean nothing. */
 static void stage(coin_priv_dop853 *w, const double *row, const stages of,
                   int count, int to)
 {
@@ -153,9 +127,7 @@ static void stage(coin_priv_dop853 *w, const double *row, const stages of,
 #pragma GCC unroll 16
     for (int i = 0; i < READ; ++i)
         store(at + i * LANES, load(&w->y[i * LANES]) + w->h * sums[i]);
-    w->sound = is_sound(&w->of, at);
-    if (w->sound)
-        w->of.rates(w->slope[to], at, w->of.law, w->of.mode);
+    w->sound = w->of.rates(w->slope[to], at, &w->of);
 }
 
 /* Stages 2 to 12. */
@@ -195,7 +167,7 @@ double coin_priv_try_step(coin_priv_dop853 *w, double h)
         store(off5 + i * LANES, h * e5[i]);
         store(off3 + i * LANES, h * (by[i] - e3[i]));
     }
-    if (!is_sound(&w->of, w->end))
+    if (!w->of.rates(0, w->end, &w->of))
         return (double)INFINITY;
 #pragma GCC unroll 16
     for (int i = 0; i < COIN_PRIV_READ; ++i) {
@@ -216,12 +188,12 @@ COIN_PRIV_NOINLINE void set_dense(coin_priv_dop853 *w, const double *row, int r)
         store(&w->dense[r][i * LANES], w->h * sums[i]);
 }
 
-/* Computes the polynomial: a cubic if a stage is not sound. */
+/* Computes the polynomial: a cubic if slopes of a stage mean nothing. */
 static void make_dense(coin_priv_dop853 *w)
 {
     const double h = w->h;
     w->has_dense = 1;
-    w->of.rates(w->slope[12], w->end, w->of.law, w->of.mode);
+    w->sound = w->of.rates(w->slope[12], w->end, &w->of);
     for (int i = 0; i < ALL * LANES; i += LANES) {
         const lanes dy = load(&w->end[i]) - load(&w->y[i]);
         const lanes first = h * load(&w->slope[0][i]);
@@ -243,14 +215,26 @@ static void make_dense(coin_priv_dop853 *w)
     set_dense(w, D7, 6);
 }
 
-void coin_priv_within(double *to, coin_priv_dop853 *w, double x)
+/* The first `vectors` vectors of the variables at the part x of the step. */
+COIN_PRIV_INLINE void within(double *to, coin_priv_dop853 *w, double x,
+                             int vectors)
 {
     if (!w->has_dense)
         make_dense(w);
-    for (int i = 0; i < ALL * LANES; i += LANES) {
+    for (int i = 0; i < vectors * LANES; i += LANES) {
         lanes sum = x * load(&w->dense[6][i]);
         for (int r = 5; r >= 0; --r)
             sum = (sum + load(&w->dense[r][i])) * (r % 2 ? 1 - x : x);
         store(to + i, load(&w->y[i]) + sum);
     }
+}
+
+void coin_priv_within(double *to, coin_priv_dop853 *w, double x)
+{
+    within(to, w, x, ALL);
+}
+
+void coin_priv_read_within(double *to, coin_priv_dop853 *w, double x)
+{
+    within(to, w, x, (COIN_PRIV_READ + LANES - 1) / LANES);
 }

@@ -3,27 +3,26 @@
 
 #include "move.h"
 
+#include <string.h>
+
 /* An event is where a function of the variables becomes negative. */
 typedef double event(const coin_priv_moving *g, const double *y);
 
 /* The places within a step at which the function is computed.  A dip between
- * them is looked for by parabolas, REFINED times.  Of 6,000 calls in which F/N
- * passes mu_static by 1e-5 to 1e-2 of it, 56 miss that; with half of PLACES 78,
- * with twice of it 52, with half of REFINED 68.  Twice the places cost 29 %
- * more (make tuning). */
+ * them is looked for by parabolas, REFINED times.  Measured: PLACES, REFINED in
+ * tables.md. */
 #define PLACES 8
 #define REFINED 4
 
 /* A force counts as outside the cone of friction from this part of its terms
  * on, so that it is still outside where the state is rounded: theta by the part
- * ROUNDED/cos(theta) of cos(theta).  With a hundred times OUTSIDE, moments at
- * which slips begin err 6 to 20 times as much at 1e-9; a hundredth of it and of
- * ROUNDED errs the same (make tuning). */
+ * ROUNDED/cos(theta) of cos(theta).  Measured: OUTSIDE, ROUNDED in tables.md.
+ */
 #define OUTSIDE 1e-12
 #define ROUNDED 1e-15
 
-/* An event is located to LOCATED tol of the step: far below tol.  A
- * tenth or ten times of it changes neither cost nor errors (make tuning). */
+/* An event is located to within LOCATED times tol of the step's length.
+ * Measured: LOCATED in tables.md. */
 #define LOCATED 1e-3
 
 static double above_flat(const coin_priv_moving *g, const double *y)
@@ -31,10 +30,45 @@ static double above_flat(const coin_priv_moving *g, const double *y)
     return y[COIN_PRIV_C] - g->law.flat;
 }
 
-static double above_nearly_flat(const coin_priv_moving *g, const double *y)
+/* On either side of nearly flat, until just beyond it. */
+static double this_side(const coin_priv_moving *g, const double *y)
+{
+    const double above = y[COIN_PRIV_C] - COIN_PRIV_NEARLY_FLAT;
+    return (g->was & COIN_NEARLY_FLAT ? -above : above) + COIN_PRIV_BEYOND;
+}
+
+/* On this side of upright, of a coin with a thickness. */
+static double this_rim(const coin_priv_moving *g, const double *y)
+{
+    return g->law.eta > 0 ? y[COIN_PRIV_S] : -y[COIN_PRIV_S];
+}
+
+/* The speed of a slow slip, with its sign. */
+static double slow_speed(const double *y)
+{
+    const double uX = y[COIN_PRIV_UX], uh = y[COIN_PRIV_UH];
+    return sqrt(uX * uX + uh * uh) - 1;
+}
+
+/* Until the energy is so far below that of balancing that it is so where the
+ * members are rounded too. */
+static double undecided(const coin_priv_moving *g, const double *y)
+{
+    const double part = g->slow > 0 ? slow_speed(y) / (1 + slow_speed(y)) : 1;
+    double at[COIN_PRIV_READ];
+    coin_priv_coin c;
+    memcpy(at, y, sizeof at);
+    at[COIN_PRIV_UX] *= part;
+    at[COIN_PRIV_UH] *= part;
+    coin_priv_normalize_pair(&at[COIN_PRIV_SPH], &at[COIN_PRIV_CPH]);
+    coin_priv_set_contact(&c, at, g->law.eta);
+    return coin_priv_undecided(&c, &g->law) + 4 * COIN_PRIV_BEYOND;
+}
+
+static double above_rest(const coin_priv_moving *g, const double *y)
 {
     (void)g;
-    return y[COIN_PRIV_C] - COIN_PRIV_NEARLY;
+    return coin_priv_upright_speed(y) - COIN_PRIV_SLIP_LEAST;
 }
 
 static double within_cone(const coin_priv_moving *g, const double *y)
@@ -48,18 +82,25 @@ static double can_hold(const coin_priv_moving *g, const double *y)
     return coin_priv_hold_margin(y, &g->law, g->mode, g->tol);
 }
 
+/* Whether a slow slip goes on, and is not twice as fast as slow. */
+static double stays_slow(const coin_priv_moving *g, const double *y)
+{
+    const double u = slow_speed(y);
+    return coin_priv_lesser(u + LOCATED * g->tol, 2 * g->slow - u);
+}
+
 /* The function of an event, by the part of the step. */
 struct looked_for {
     event *of;
     coin_priv_moving *g;
 };
 
-static double value(const void *event_of, double x)
+COIN_PRIV_INLINE double value(const void *event_of, double x)
 {
     const struct looked_for *const e = (const struct looked_for *)event_of;
     double y[COIN_PRIV_WIDE];
-    coin_priv_within(y, &e->g->step, x);
-    coin_priv_normalize_pairs(y); /* as the step does that ends there */
+    coin_priv_read_within(y, &e->g->step, x);
+    coin_priv_normalize_pair(&y[COIN_PRIV_S], &y[COIN_PRIV_C]);
     return e->of(e->g, y);
 }
 
@@ -123,8 +164,8 @@ static double first_zero(event *of, coin_priv_moving *g)
     return 2;
 }
 
-/* Whether cos theta is taken to stay above a limit.  From 1 to 4 times the
- * limit no motion of make tuning depends on it. */
+/* Whether cos theta is taken to stay above a limit.  Measured: stays_above() in
+ * tables.md. */
 static int stays_above(const coin_priv_dop853 *w, double limit)
 {
     return coin_priv_lesser(w->y[COIN_PRIV_C], w->end[COIN_PRIV_C]) > 2 * limit;
@@ -132,9 +173,8 @@ static int stays_above(const coin_priv_dop853 *w, double limit)
 
 /* Whether the force surely stays within the cone of friction: it may dip
  * between the ends by an eighth of its second derivative, which is taken to be
- * at most stride^2, and by what they differ.  None of 773,680 steps of random
- * launches leaves the cone farther.  A quarter costs 14 % more; with a
- * sixteenth 7 more slips of make tuning are missed. */
+ * at most stride^2, and by what they differ.  While the contact is held it is a
+ * quarter (test_slide_flat). Measured: stays_within() in tables.md. */
 static int stays_within(const coin_priv_moving *g, double stride)
 {
     const coin_priv_dop853 *w = &g->step;
@@ -143,25 +183,61 @@ static int stays_within(const coin_priv_moving *g, double stride)
     const double m0 = g->margin;
     const double m1 = coin_priv_contact_margin(w->end, &g->law, g->mode);
     const double least = m0 < m1 ? m0 : m1;
-    return least > fabs(m1 - m0) + stride * stride / 8;
+    const double part = g->mode & COIN_PRIV_HELD ? 0.25 : 0.125;
+    return least > fabs(m1 - m0) + part * (stride * stride);
+}
+
+/* Whether a coin with a thickness may pass upright in the step, by a bound as
+ * that of stays_within(). */
+static int may_pass_upright(const coin_priv_moving *g, double stride)
+{
+    if (g->law.eta == 0)
+        return 0;
+    const double s0 = this_rim(g, g->step.y), s1 = this_rim(g, g->step.end);
+    return coin_priv_lesser(s0, s1) <= (fabs(s1 - s0) + stride * stride) / 8;
+}
+
+/* Whether a slow slip grows from the start of the step to its end. */
+static int grows_slowly(const coin_priv_moving *g)
+{
+    const double *y = g->step.y, *d = g->step.slope[0];
+    const double u0 = slow_speed(y), u1 = slow_speed(g->step.end);
+    const double grows =
+        y[COIN_PRIV_UX] * d[COIN_PRIV_UX] + y[COIN_PRIV_UH] * d[COIN_PRIV_UH];
+    return grows >= 0 && u1 >= u0 && u1 <= 2 * g->slow;
+}
+
+/* The events that the step may have. */
+static int list_events(event *of[8], const coin_priv_moving *g, double stride)
+{
+    const coin_priv_dop853 *const w = &g->step;
+    int n = 0;
+    if (!stays_above(w, g->law.flat))
+        of[n++] = above_flat;
+    if (g->stop & COIN_NEARLY_FLAT && !stays_above(w, COIN_PRIV_NEARLY_FLAT))
+        of[n++] = this_side;
+    if (g->law.plain && coin_priv_upright_speed(w->end) < COIN_PRIV_SLIP_LEAST)
+        of[n++] = above_rest;
+    if (may_pass_upright(g, stride))
+        of[n++] = this_rim;
+    if (g->stop & COIN_DECIDED && undecided(g, w->end) < 0)
+        of[n++] = undecided;
+    if (!stays_within(g, stride))
+        of[n++] = within_cone;
+    if (g->mode & COIN_PRIV_HELD)
+        of[n++] = can_hold;
+    if (g->slow > 0 && !grows_slowly(g))
+        of[n++] = stays_slow;
+    return n;
 }
 
 int coin_priv_first_event(double *cut, coin_priv_moving *g, double stride)
 {
+    event *of[8];
     double x = 2;
-    if (!stays_above(&g->step, g->law.flat))
-        x = first_zero(above_flat, g);
-    if (g->stop & COIN_NEARLY_FLAT &&
-        !stays_above(&g->step, COIN_PRIV_NEARLY)) {
-        const double at = first_zero(above_nearly_flat, g);
-        x = coin_priv_lesser(at, x);
-    }
-    if (!stays_within(g, stride)) {
-        const double at = first_zero(within_cone, g);
-        x = coin_priv_lesser(at, x);
-    }
-    if (g->mode & COIN_PRIV_HELD) {
-        const double at = first_zero(can_hold, g);
+    const int n = list_events(of, g, stride);
+    for (int i = 0; i < n; ++i) {
+        const double at = first_zero(of[i], g);
         x = coin_priv_lesser(at, x);
     }
     if (x > 1)

@@ -1,45 +1,42 @@
 /* SPDX-License-Identifier: MIT */
 /* A coin that lies flat and slides: friction of a uniform pressure over a disc,
- * or over the ring whose I_Z it has.
+ * or over the ring whose I_Z it has, and a constant pull along the table.
  *
- * In the time s, (113), speeds decay like exp(-s) up to the end,
- * where they vanish together as powers of the time left.  The law knows only
- * v/w: speeds are in units of v + w at the start, times in those over mu. */
+ * The speeds u = (vx, vz, w) have the norm of the energy: |u|^2 = vx^2 + vz^2 +
+ * I_Z w^2.  In it two slides only come closer to each other, (113): an error of
+ * a step does not grow. */
 #include "../motion/pinned.h"
 
+#include "coin_body.h"
 #include "flat_slide.h"
 
-/* The error that a step may make.  A tenth costs 26 % more, ten times 21 % less
- * (make tuning). */
-#define TOL 1e-12
+/* The estimate of a step's error may be up to PART times tol.  Measured: PART
+ * in tables.md.
+ */
+#define PART 0.03
 
-/* When so little of v + w is left, the rest is braked as if steadily.  A tenth
- * costs 2 % more (make tuning). */
-#define LEFT 1e-11
+/* A step is at most so much of |u|/|u'|, before which no slide ends, (130).
+ * Measured: REACH in tables.md. */
+#define REACH 0.6
 
 /* A ring whose 1 - b^2/a^2 is less is computed as a hoop: (112) would divide
- * one small difference by another.  With a tenth or ten times of it the 99th
- * percentile of the errors of slides is 2e-11 or 1.5e-11 instead of 5e-13 (make
- * tuning). */
+ * one small difference by another.  Measured: THIN in tables.md. */
 #define THIN 1e-5
 
-/* A slide is pure if one speed is less than this part of the other: a tenth of
- * rounding.  A hundred times of it costs 7 % less (make tuning). */
-#define NONE 1e-17
-
-/* In a drag a speed is at least this: far below rounding, and
- * not 0, by which it is divided. */
+/* In a drag a speed is at least TINY: far below rounding, and not 0, by which
+ * it is divided.  A coin that begins to slide has the speed SEED. */
 #define TINY 1e-100
+#define SEED 1e-50
 
-/* The places of the variables in a step of DOP853, among those that it reads:
- * it estimates their errors. */
-enum {
-    V = COIN_PRIV_UX,
-    W = COIN_PRIV_WZ,
-    PATH = COIN_PRIV_WX,
-    TURN = COIN_PRIV_WY,
-    TIME = COIN_PRIV_UH
-};
+/* A time in which every slide that goes on leaves the range of positions. */
+#define FOREVER 1e100
+
+/* What f and t lose to rounding, next to v = w most, times the loss of (112).
+ * Measured: ROUNDED in tables.md. */
+#define ROUNDED (16 * DBL_EPSILON)
+
+/* The variables of a step: what the slopes read, and what it adds. */
+enum { VX, VZ, W, X = COIN_PRIV_READ, Z, TURN };
 
 /* Force over mu M g and torque over mu M g a. */
 struct drag {
@@ -104,6 +101,13 @@ static double hole(double IZ)
     return B > 0 ? B < 1 ? B : 1 : 0;
 }
 
+/* The factor by which (112) makes rounding larger. */
+static double loss_of(double IZ)
+{
+    const double B = hole(IZ);
+    return B > 1 - THIN ? 1 : 1 / (1 - B);
+}
+
 static struct drag drag_of(double IZ, double v, double w)
 {
     const double B = hole(IZ);
@@ -126,100 +130,142 @@ static struct drag drag_of(double IZ, double v, double w)
     return r;
 }
 
-/* The slopes by s. */
-static void rates(double *d, const double *y, const coin_priv_law *l, int mode)
+/* The slopes by t. */
+static int slide_slopes(double *d, const double *y, const coin_priv_problem *of)
 {
-    const double per = y[V] + y[W]; /* (113) */
-    const struct drag at = drag_of(l->IZ, y[V], y[W]);
-    (void)mode;
+    const coin_priv_law *const l = of->law;
+    if (!d)
+        return 1;
+    const double v =
+        coin_priv_larger(sqrt(y[VX] * y[VX] + y[VZ] * y[VZ]), TINY);
+    const double w = coin_priv_larger(fabs(y[W]), TINY);
+    const struct drag at = drag_of(l->IZ, v, w);
+    const double mu = l->mu_kinetic;
     for (int i = 0; i < COIN_PRIV_WIDE; ++i)
         d[i] = 0;
-    d[V] = -at.f * per;         /* (109) */
-    d[W] = -at.t / l->IZ * per; /* (109) */
-    d[PATH] = y[V] * per;
-    d[TURN] = y[W] * per;
-    d[TIME] = per;
+    d[VX] = l->pull[0] - mu * at.f * (y[VX] / v); /* (132) */
+    d[VZ] = l->pull[1] - mu * at.f * (y[VZ] / v); /* (132) */
+    d[W] = -mu * at.t / l->IZ * (y[W] / w);       /* (109) */
+    d[X] = y[VX];
+    d[Z] = y[VZ];
+    d[TURN] = y[W];
+    return 1;
 }
 
-/* The end of a slide, a pure slide or a pure turn: both speeds fall steadily,
- * and vanish together. */
-static void brake(double *y, double IZ, double end)
+/* The product of two speeds, or slopes, whose norm is that of the energy. */
+static double product(const double *a, const double *b, double IZ)
 {
-    const struct drag at = drag_of(IZ, y[V], y[W]);
-    const double left = end - y[TIME];
-    const double stop = (y[V] + y[W]) / (at.f + at.t / IZ);
-    const double h = coin_priv_lesser(stop, left), part = 1 - h / stop;
-    y[PATH] += h * y[V] * (1 + part) / 2;
-    y[TURN] += h * y[W] * (1 + part) / 2;
-    y[TIME] = stop < left ? y[TIME] + h : end;
-    y[V] *= part;
-    y[W] *= part;
+    return a[VX] * b[VX] + a[VZ] * b[VZ] + IZ * (a[W] * b[W]);
 }
 
-/* Slides until `end`, until it stops or until no trials are left.  The speeds
- * fall, so that a step which would reach `end` at the speeds of its start falls
- * short of it; the next step comes much closer. */
-static void slide_on(coin_priv_moving *g, double end)
+/* Sets w->end after a time h in which the speeds become `part` of what they
+ * are, steadily. */
+static void go_straight(coin_priv_dop853 *w, double h, double part)
+{
+    for (int i = 0; i < 3; ++i) {
+        w->end[VX + i] = w->y[VX + i] * part;
+        w->end[X + i] = h * w->y[VX + i] * (1 + part) / 2;
+    }
+}
+
+/* The largest estimate with which a step of h is accepted: what tol allows, and
+ * what rounding may cause. */
+static double allowed(const coin_priv_moving *g, double size, double h)
+{
+    const coin_priv_law *const l = &g->law;
+    return PART * g->tol +
+           ROUNDED * (size + h * l->mu_kinetic * loss_of(l->IZ));
+}
+
+/* A trial of a step of at most `left`: sets w->end, and returns the time moved,
+ * or 0.  *h: the length of this trial, then of the next one. */
+static double try_step(coin_priv_moving *g, double *h, double left)
 {
     coin_priv_dop853 *const w = &g->step;
-    double *const y = w->y, h = 1;
-    for (; g->tries > 0; --g->tries) {
-        const double v = y[V], turn = y[W];
-        if (y[TIME] >= end * (1 - 4 * DBL_EPSILON)) {
-            y[TIME] = end;
-            return;
-        }
-        if (v < NONE * turn || turn < NONE * v || v + turn < LEFT) {
-            brake(y, g->law.IZ, end);
-            return;
-        }
-        h = coin_priv_lesser(h, (end - y[TIME]) / (v + turn));
-        rates(w->slope[0], y, &g->law, 0);
-        const double error = coin_priv_try_step(w, h);
-        const double ratio = TOL / coin_priv_larger(error, 1e-9 * TOL);
-        for (int i = 0; error <= TOL && i < COIN_PRIV_READ; ++i)
-            y[i] = coin_priv_larger(w->end[i], 0);
-        h *= coin_priv_lesser(2, 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio))));
+    const double *const u = w->y, *const a = w->slope[0], IZ = g->law.IZ;
+    (void)slide_slopes(w->slope[0], u, &w->of);
+    const double uu = product(u, u, IZ), aa = product(a, a, IZ);
+    const double fade = -product(u, a, IZ) / uu;
+    const double stop = fade > 1 / FOREVER ? 1 / fade : 2 * FOREVER;
+    const double time = coin_priv_lesser(left, stop);
+    const double aside[] = {a[VX] + fade * u[VX], a[VZ] + fade * u[VZ],
+                            a[W] + fade * u[W]};
+    const double off = sqrt(product(aside, aside, IZ)); /* (131) */
+    if (off * time <= PART * g->tol || off <= 4 * DBL_EPSILON * sqrt(aa)) {
+        go_straight(w, time, time < stop ? 1 - time * fade : 0);
+        return time;
     }
+    const double longest = REACH * sqrt(uu / aa); /* (130) */
+    const double step = coin_priv_lesser(coin_priv_lesser(*h, left), longest);
+    const double error = coin_priv_try_step(w, step);
+    const double most = allowed(g, sqrt(uu), step);
+    *h = step * coin_priv_next_length(error, most);
+    return error <= most ? step : 0;
+}
+
+/* Sets y to the speeds of a coin that lies.  A coin at rest begins to slide
+ * along the pull. */
+static void begin(double *y, const coin_priv_coin *c, const coin_priv_law *l)
+{
+    const double size = coin_priv_pull(l);
+    const int rests = c->vx == 0 && c->vz == 0 && c->wZ == 0;
+    for (int i = 0; i < COIN_PRIV_WIDE; ++i)
+        y[i] = 0;
+    y[VX] = rests ? SEED * (l->pull[0] / size) : c->vx;
+    y[VZ] = rests ? SEED * (l->pull[1] / size) : c->vz;
+    y[W] = c->wZ;
+}
+
+/* Moves the coin to the end of a step. */
+static void take(coin_priv_coin *c, const double *end)
+{
+    c->vx = end[VX];
+    c->vz = end[VZ];
+    c->wZ = end[W];
+    coin_priv_add(&c->x, end[X]);
+    coin_priv_add(&c->z, end[Z]);
+    coin_priv_add(&c->psi, end[TURN]);
+}
+
+/* A step out of range is taken if it is the first: the caller refuses it. */
+double coin_priv_slide_flat(coin_priv_coin *c, coin_priv_moving *g, double t)
+{
+    double *const y = g->step.y, *const end = g->step.end;
+    double left = coin_priv_lesser(t, FOREVER), moved = 0, h = left;
+    g->step.of.rates = slide_slopes;
+    g->step.of.law = &g->law;
+    begin(y, c, &g->law);
+    for (; left > 0 && g->tries > 0; --g->tries) {
+        const double step = try_step(g, &h, left);
+        if (!(step > 0))
+            continue;
+        coin_priv_coin to = *c;
+        take(&to, end);
+        const int holds = coin_priv_coin_in_range(&to);
+        if (holds || !(moved > 0)) {
+            *c = to;
+            moved += step;
+            left -= step;
+        }
+        if (!holds || !(product(end, end, 1) > 0))
+            break;
+        for (int i = VX; i <= W; ++i)
+            y[i] = end[i];
+    }
+    return left > 0 ? moved : t;
+}
+
+double coin_priv_face_grip(const coin_priv_law *l, double U2, double A2,
+                           double P, double w)
+{
+    const double S = sqrt(U2 + A2 / 4);
+    if (l->mu_static > DBL_MAX || !(S > 0))
+        return 1;
+    const double f = drag_of(l->IZ, S, fabs(w)).f;
+    return coin_priv_lesser(1, l->mu_kinetic * P * f / (2 * S)); /* (133) */
 }
 
 double coin_priv_flat_drag(double IZ, double v, double w)
 {
     return drag_of(IZ, v, w).f;
-}
-
-/* Moves the body by a path and a turn. */
-static void move_by(coin_body *b, double v, double path, double turn)
-{
-    if (v > 0) {
-        b->s.x += path * (b->vx / v);
-        b->s.z += path * (b->vz / v);
-    }
-    b->s.psi += b->s.wZ < 0 ? -turn : turn;
-}
-
-double coin_priv_slide_flat(coin_body *b, coin_priv_moving *g, double t)
-{
-    const double mu = g->law.mu_kinetic;
-    const double v = sqrt(b->vx * b->vx + b->vz * b->vz);
-    const double turn = fabs(b->s.wZ), S = v + turn;
-    double *const y = g->step.y, end = t * mu / S;
-    if (mu < TINY) {
-        move_by(b, v, v * t, turn * t);
-        return t;
-    }
-    const coin_priv_problem of = {&g->law, rates, 0, (double)INFINITY};
-    g->step.of = of;
-    for (int i = 0; i < COIN_PRIV_WIDE; ++i)
-        y[i] = 0;
-    y[COIN_PRIV_C] = 1; /* above the table, for the step */
-    y[V] = v / S;
-    y[W] = turn / S;
-    slide_on(g, end);
-    move_by(b, v, y[PATH] * (S * S / mu), y[TURN] * (S * S / mu));
-    const double slower = v > 0 ? y[V] * S / v : 0;
-    b->vx *= slower;
-    b->vz *= slower;
-    b->s.wZ = copysign(y[W] * S, b->s.wZ);
-    return y[TIME] == end ? t : y[TIME] * S / mu;
 }

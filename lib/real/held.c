@@ -5,19 +5,14 @@
 
 /* A contact counts as stopped if it rolls at less than PART tol times the rate
  * of the fall.  Its roll is then left out, which would have turned the coin by
- * at most twice this part, in radians: by 4 tol.  Half of PART costs 6 % more,
- * twice of it 5 % less; the 99th percentile of the errors is then 0.4 tol
- * instead of 0.26 (make tuning).
+ * at most twice this part, in radians: by 4 tol.
  *
- * MOST limits this part at tol above 5e-8.  With 1e-5 calls near flat
- * take a quarter of the steps, and none of 100 ends by COIN_ESTEP instead of 8;
- * the 99th percentile of their errors at 1e-4 is 0.51 tol instead of 0.37.  But
- * coins that slip err by up to 180 tol.
+ * MOST limits this part at tol above 5e-8: coins that slip would err.
  *
  * A coin with so small a roll would pass flat at a least cos theta of
  * about its own cos theta times this part.  It must lie flat by then: the part
- * is at most OF_FLAT times flat/cos theta.  From 0.1 to 5 no motion of make
- * tuning depends on it. */
+ * is at most OF_FLAT times flat/cos theta.  Measured: PART, MOST, OF_FLAT in
+ * tables.md. */
 #define PART 2
 #define MOST 1e-7
 #define OF_FLAT 0.5
@@ -28,12 +23,22 @@ static double least_roll(const double *y, const coin_priv_law *l, double tol)
     const double wX = y[COIN_PRIV_WX];
     const double c = coin_priv_larger(y[COIN_PRIV_C], l->flat);
     const double least = coin_priv_lesser(PART * tol, OF_FLAT * l->flat / c);
-    return coin_priv_lesser(least, MOST) * sqrt(wX * wX + c / (l->IX + 1));
+    return coin_priv_lesser(least, MOST) * sqrt(wX * wX + c / l->J[0]);
+}
+
+/* The part of the slip that goes along the rim: only its friction rolls the
+ * contact by the lever of the thickness. */
+static double along_rim(const double *y)
+{
+    const double uX = y[COIN_PRIV_UX], uh = y[COIN_PRIV_UH];
+    const double u = sqrt(uX * uX + uh * uh);
+    return fabs(uX) / (u + DBL_MIN);
 }
 
 /* (73), but for its third part, which would let a small roll decay.  Of a
  * coin that slips, the losses must hold the contact against the friction of the
- * slip too. */
+ * slip too; of one that does not, against the pull, wherever it points to when
+ * the coin has turned. */
 double coin_priv_hold_margin(const double *y, const coin_priv_law *l, int mode,
                              double tol)
 {
@@ -41,18 +46,27 @@ double coin_priv_hold_margin(const double *y, const coin_priv_law *l, int mode,
     const double IX = l->IX, IZ = l->IZ, J = l->J[slips], K = l->K[slips];
     const double s = y[COIN_PRIV_S], wX = y[COIN_PRIV_WX];
     const double c = coin_priv_larger(y[COIN_PRIV_C], l->flat);
-    const double D = IX * (c * c) + K * (s * s);
+    const double h = slips ? 0 : l->half, hs = h * fabs(s);
+    const double pull = slips ? 0 : coin_priv_pull(l);
+    const double D = IX * (c * c) + K * (s * s) + h * c * (h * c - 2 * fabs(s));
     const double turn = c * y[COIN_PRIV_WY] - s * y[COIN_PRIV_WZ];
-    const double lift = (K - IX) * c * (turn * turn);
+    const double more = h * (s * s - c * c - hs * c);
+    const double lift =
+        (K - IX) * c * (turn * turn) + more * (turn * turn) + (c + hs) * pull;
     const double fall = 2 * (1 + (lift > 0 ? lift : 0)) * c / J;
     const double fastest = sqrt(wX * wX + fall);
-    const double lever = K / D * (2 * IX - IZ) + c * c * (IZ / D) * (K - IX);
+    const double lever = K / D * (2 * IX - IZ) + c * c * (IZ / D) * (K - IX) +
+                         IZ / D * (h * h + hs * (hs + 2 * c));
     const double pivot = l->spin * fabs(K - IX) + l->angular * IX * (K - IZ);
+    const double thick = l->spin * fabs(more) + l->angular * IZ * h;
     const double small = least_roll(y, l, tol);
-    const double need = fabs(turn * lever) * c * fastest +
-                        fabs(turn) * pivot / D * (c * c); /* (73) */
+    const double need =
+        fabs(turn * lever) * c * fastest + fabs(turn) * pivot / D * (c * c) +
+        (fabs(turn) * thick + pull * (IX * c + IZ * hs)) / D * c; /* (73) */
     const double friction = small * coin_priv_grip(l, small, c);
-    const double pushed = slips ? l->mu_kinetic * IX / IZ * (c * c) : 0;
+    const double arm = slips ? l->half * along_rim(y) * c : 0;
+    const double pushed =
+        slips ? l->mu_kinetic * IX / IZ * (c * c) + l->mu_kinetic * arm : 0;
     return friction - coin_priv_larger(need, pushed);
 }
 

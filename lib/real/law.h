@@ -7,6 +7,8 @@
 #ifndef ROLLCOIN_LAW_H
 #define ROLLCOIN_LAW_H
 
+#include "../air/air.h"
+#include "../motion/root.h"
 #include "../motion/state.h"
 
 #include <math.h>
@@ -34,34 +36,22 @@ enum {
     COIN_PRIV_WIDE = 16 /* with what fills the last vector of a step */
 };
 
-/* What a coin does, as bits; 0 rolls.  A coin_priv_moving is a coin in contact:
- * HELD and IDLE are bits of it alone, AIR and RESTS say how its contact ended.
- * coin_priv_body_mode() reads the other bits off a coin_body.  SLIPS is 1, so
- * that it is an index into J and K of a law. */
+/* What a coin does, as bits; 0 rolls.  HELD and IDLE are bits of a contact
+ * under way alone, ROCKS says how one ended; coin_priv_coin_mode() reads the
+ * others off a coin.  SLIPS is 1, so that it is an index into J and K of a law.
+ */
 enum {
     COIN_PRIV_SLIPS = 1,  /* against kinetic friction */
     COIN_PRIV_HELD = 2,   /* the losses keep d(psi)/dt = 0 */
     COIN_PRIV_IDLE = 4,   /* for one step the losses do not act, nor hold the
                              contact: N would be negative */
-    COIN_PRIV_AIR = 8,    /* the contact lifts off; a body: it does not touch */
-    COIN_PRIV_RESTS = 16, /* the coin has come down on its face, and may slide
-                             there; a body: it lies flat without motion */
-    COIN_PRIV_LIES = 32   /* a body: it slides on its face */
+    COIN_PRIV_AIR = 8,    /* it does not touch, or lifts off */
+    COIN_PRIV_RESTS = 16, /* it does not move; or a contact ended so, which may
+                             go on as a slide on the face */
+    COIN_PRIV_LIES = 32,  /* it is on its face */
+    COIN_PRIV_LINE = 64,  /* it is on both rims, upright */
+    COIN_PRIV_ROCKS = 128 /* the other rim comes down, upright */
 };
-
-/* The losses, the friction and the body. */
-typedef struct coin_priv_law {
-    double IX, IZ;
-    double J[2], K[2]; /* I_X + 1 and I_Z + 1 of a coin that rolls; I_X and I_Z
-                          of one that slips */
-    double perJ[2], perK[2]; /* 1/J, 1/K */
-    double damping, dry, viscous, layer, gap, rolling, spin, angular, soft;
-    double flat; /* a coin with a smaller cos theta lies flat */
-    double mu_static, mu_kinetic;
-    int lossy;         /* whether a coefficient of the losses is not 0 */
-    int keeps_rolling; /* the contact neither slips nor lifts, as for
-                      coin_settle() */
-} coin_priv_law;
 
 /* The force of the table on a coin, times dt over the time of the slopes: cos
  * theta, or 1 while the contact is held. */
@@ -74,14 +64,70 @@ typedef struct coin_priv_direction {
     double X, h;
 } coin_priv_direction;
 
+struct coin_priv_law;
+
+/* contact.c, thick.c: slopes and force of one mode; *d are the slopes of all
+ * that a step needs, times `by`, by the time of the mode.  A slip has the
+ * direction n.  A null d leaves the slopes out.  The plain one is for a law
+ * without thickness and pull. */
+typedef coin_priv_push coin_priv_contact(double *d, const double *y,
+                                         const struct coin_priv_law *l,
+                                         int mode, coin_priv_direction n,
+                                         double by);
+coin_priv_contact coin_priv_plain_contact, coin_priv_thick_contact;
+
+/* The losses, the friction and the body. */
+typedef struct coin_priv_law {
+    double IX, IZ;
+    double half;       /* half the thickness, h */
+    double eta;        /* h or -h: the place along the axis of the rim that
+                          touches */
+    double pull[2];    /* of the table, along x and z */
+    int plain;         /* whether half and pull are 0 */
+    double J[2], K[2]; /* I_X + 1 + h^2 and I_Z + 1 of a coin that rolls; I_X
+                          and I_Z of one that slips */
+    double perJ[2];    /* 1/J */
+    double perK[2];    /* 1/(I_Z D) with D of (118), 1/K where h = 0; 1/I_Z */
+    double damping, dry, viscous, layer, gap, rolling, spin, angular, soft;
+    double flat; /* a coin with a smaller cos theta lies flat */
+    double mu_static, mu_kinetic, restitution;
+    coin_priv_contact *contact; /* the plain one, or the thick one */
+    int lossy;         /* whether a coefficient of the losses is not 0 */
+    int keeps_rolling; /* the contact neither slips nor lifts, as for
+                      coin_settle() */
+} coin_priv_law;
+
+/* The pull along e_X and e_h. */
+COIN_PRIV_INLINE coin_priv_direction coin_priv_pull_of(const double *y,
+                                                       const coin_priv_law *l)
+{
+    const double sph = y[COIN_PRIV_SPH], cph = y[COIN_PRIV_CPH];
+    const coin_priv_direction g = {l->pull[0] * cph - l->pull[1] * sph,
+                                   l->pull[0] * sph + l->pull[1] * cph};
+    return g;
+}
+
 /* losses.c: the law of a coin with these losses and without friction, or
  * COIN_EPARAMS. */
 int32_t coin_priv_law_of(coin_priv_law *out, const coin_losses *l,
-                         const coin_priv_body *b);
+                         const coin_priv_constants *b);
 
-/* table.c: the law of a table, or COIN_EPARAMS. */
+/* table.c: the law of a table for a coin with this half thickness, or
+ * COIN_EPARAMS. */
 int32_t coin_priv_table_law(coin_priv_law *out, const coin_table *table,
-                            const coin_priv_body *b);
+                            const coin_priv_constants *b, double half);
+
+/* Half the thickness, in radii. */
+COIN_PRIV_INLINE double coin_priv_half_of(const coin_params *p)
+{
+    return p->thickness / (2 * p->radius);
+}
+
+/* The size of the pull. */
+COIN_PRIV_INLINE double coin_priv_pull(const coin_priv_law *l)
+{
+    return sqrt(l->pull[0] * l->pull[0] + l->pull[1] * l->pull[1]);
+}
 
 /* u = cos(theta) d(psi)/dt: how fast the contact rolls along the rim. */
 COIN_PRIV_INLINE double coin_priv_roll_speed(const double *y)
@@ -138,10 +184,25 @@ coin_priv_push coin_priv_slopes(double *d, const double *y,
                                 const coin_priv_law *l, int mode,
                                 coin_priv_direction n);
 
+/* dop853.h: what is integrated. */
+typedef struct coin_priv_problem coin_priv_problem;
+
 /* The slopes alone, by the time of the mode: tau, sigma, or t while the contact
- * is held. */
-void coin_priv_rates(double *d, const double *y, const coin_priv_law *l,
-                     int mode);
+ * is held; or, if of->by_t, by t.  1, or 0 if the rates have run away or the
+ * coin is below the table.  A null d leaves the slopes out. */
+int coin_priv_rates(double *d, const double *y, const coin_priv_problem *of);
+
+/* Makes slopes those by t, and returns the factor. */
+double coin_priv_by_t(double *d);
+
+/* Sets the norm of a sine and a cosine to 1.  A step leaves a difference of the
+ * size of its error. */
+COIN_PRIV_INLINE void coin_priv_normalize_pair(double *s, double *c)
+{
+    const double per = 1 / sqrt(*s * *s + *c * *c);
+    *s *= per;
+    *c *= per;
+}
 
 /* The force on a coin that keeps to its mode. */
 coin_priv_push coin_priv_push_of(const double *y, const coin_priv_law *l,
@@ -149,42 +210,25 @@ coin_priv_push coin_priv_push_of(const double *y, const coin_priv_law *l,
 
 /* The distance of that force from the edge of what the contact can give, over
  * the size of its terms.  Below 0 the contact cannot give it: a rolling coin
- * begins to slip or lifts off, and a slipping coin lifts off.  A coin with
- * damping cannot slip: below 0 it lifts off, by coin_priv_weight(). */
+ * begins to slip or lifts off, and a slipping coin lifts off. */
 double coin_priv_contact_margin(const double *y, const coin_priv_law *l,
                                 int mode);
 
-/* Minus the free acceleration of the gap under the contact, times cos theta.
- * Above 0 the table presses, or the coin falls back on it (96). */
-double coin_priv_weight(const double *y, const coin_priv_law *l);
-
 /* The time in which no lift-off is looked at.  A coin that would fall back
- * within it does not lift off.  With a tenth of it 5 calls of make tuning
- * instead of 2 end by COIN_ESTEP; with ten times of it tosses become others. */
+ * within it does not lift off.  Measured: coin_priv_blind() in tables.md. */
 COIN_PRIV_INLINE double coin_priv_blind(const double *y)
 {
     return 1e-4 / (1 + fabs(y[COIN_PRIV_WX]) + fabs(y[COIN_PRIV_WY]) +
                    fabs(y[COIN_PRIV_WZ]));
 }
 
-/* Whether a coin whose contact cannot go on as it does lifts off, by the weight
- * above.  One that would fall back within coin_priv_blind() does not. */
+/* Whether a coin whose contact cannot go on as it does lifts off, (96).  One
+ * that would fall back within coin_priv_blind() does not. */
 int coin_priv_leaves(const double *y, const coin_priv_law *l);
 
 /* The direction in which a slip begins where sticking takes the force F. */
 coin_priv_direction coin_priv_onset(const double *y, const coin_priv_law *l,
                                     int mode, coin_priv_push F);
-
-/* A function of x, and its value at one. */
-typedef double coin_priv_function(const void *of, double x);
-typedef struct coin_priv_place {
-    double x, at;
-} coin_priv_place;
-
-/* contact.c: an x within `width` after the root of a function, which is not
- * negative at a and negative at b > a. */
-double coin_priv_root(coin_priv_function *f, const void *of, coin_priv_place a,
-                      coin_priv_place b, double width);
 
 /* held.c: by how much the losses can hold a stopped contact; below 0 it begins
  * to roll. */

@@ -10,7 +10,7 @@
 /* What the losses do to a state: what they add to d/dt of the rates, in natural
  * units, and the power. */
 struct slowed {
-    coin_priv_body b;
+    coin_priv_constants b;
     coin_priv_variables y;
     double dwX, dwY, dwZ, power;
 };
@@ -35,7 +35,7 @@ static int32_t slow(struct slowed *w, const coin_state *s, const coin_params *p,
     coin_priv_law law;
     if (!s || !p || !l)
         return COIN_EARG;
-    if (coin_priv_check_body(&w->b, p) != COIN_OK ||
+    if (coin_priv_check_params(&w->b, p) != COIN_OK ||
         coin_priv_law_of(&law, l, &w->b) != COIN_OK)
         return COIN_EPARAMS;
     const int32_t status = coin_priv_check(s, p, &w->b);

@@ -10,47 +10,45 @@
 /* The parts of the losses' own rate, and of the rates at which the direction
  * and the speed of a slip change, in the rate by which steps are measured.
  * With half of either, steps are longer than the method is stable for (move.h).
- * Twice LOSSES costs 70 % more, twice RELAX 26 % (make tuning). */
+ * Measured: LOSSES, RELAX in tables.md. */
 #define LOSSES 0.3
 #define RELAX 0.24
 
 /* The estimate of a step's error may be ESTIMATE times tol times its time.  It
  * is of order 8, and above the error, of order 9.  The time of a step counts as
  * SHORTEST natural units at least, so that a short call need not err by less
- * than tol/16.  Half of ESTIMATE costs 2 % more; with twice of it the 99th
- * percentile of the errors of settlings at 1e-9 is 3.5 tol instead of 0.64.
- * Half or twice of SHORTEST changes the cost by 1 % (make tuning). */
+ * than tol/16.  Measured: ESTIMATE, SHORTEST in tables.md. */
 #define ESTIMATE 2.0
 #define SHORTEST 0.03
 
 /* Contour friction is not smooth where the contact turns round, d(psi)/dt = 0.
- * A step is planned to cover TURN_ROUND of the way to there.  Half of it costs
- * 10 % more; with 1 the 99th percentile of the errors of settlings at 1e-9 is
- * 11 tol instead of 0.64 (make tuning). */
+ * A step is planned to cover TURN_ROUND of the way to there.  Measured:
+ * TURN_ROUND in tables.md. */
 #define TURN_ROUND 0.5
 
 /* A stage has run away if its rates are so many times those of the start.  Near
  * flat the three stages that only the polynomial needs may run away in a good
- * step: the polynomial would then have false events.  From 100 on, no motion of
- * make tuning depends on it; with 1e54 a call of test_slide_calls ends by
- * COIN_ESTEP. */
+ * step: the polynomial would then have false events.  Measured: RUNAWAY in
+ * tables.md. */
 #define RUNAWAY 1e6
 
 /* A first stride is FIRST times the eighth root of tol over the size of the
- * motion (first_stride()).  Half or twice costs the same (make tuning). */
+ * motion (first_stride()). Measured: FIRST in tables.md. */
 #define FIRST 4
 
 /* The last step of a call is made in t, where cos theta and a slip's speed
- * change by less than this part of themselves in it.  Half or twice of it
- * changes the cost by half a per cent and no error (make tuning). */
+ * change by less than this part of themselves in it.  Measured: IN_T in
+ * tables.md. */
 #define IN_T 0.25
 
 /* Where a trial passes the end of the call, the next one is shorter, but at
  * least CUT times as long.  While a slip grows from rest, t grows
- * exponentially.  Without this limit 3 of 100 nearly straight rolls on ice end
- * by COIN_ESTEP.  With half or a twentieth of it none does, but such calls take
- * more steps. */
+ * exponentially.  Measured: CUT in tables.md. */
 #define CUT 0.1
+
+/* A step of a slow slip changes its speed by FARTHER times that up to which it
+ * is slow. */
+#define FARTHER 1.5
 
 static double slip_speed(const double *y)
 {
@@ -58,8 +56,7 @@ static double slip_speed(const double *y)
     return sqrt(uX * uX + uh * uh);
 }
 
-/* Its factors are measured (make tuning).  Half of 1.5 doubles errors of slips,
- * and twice of it costs 7 % more; half or twice of 3 moves the cost by 1 %. */
+/* Its factors are measured: (1.5) and (3) in tables.md. */
 double coin_priv_rate(const double *y, const coin_priv_law *l, int mode)
 {
     const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
@@ -73,9 +70,7 @@ double coin_priv_rate(const double *y, const coin_priv_law *l, int mode)
     if (!(mode & COIN_PRIV_SLIPS))
         return rate;
     /* A slip frees the lean: the inertia against its changes is I_X + sin^2
-     * theta instead of I_X + 1.  A quarter of the root instead of half more
-     * than doubles the errors of light coins; all of it costs 24 % more.  Half
-     * or twice of 8 changes the cost by 3 % (make tuning). */
+     * theta instead of I_X + 1.  Measured: s8 and sqrt in tables.md. */
     return rate * coin_priv_larger(1, sqrt(1 / (l->IX + s8 * s8)) / 2);
 }
 
@@ -125,10 +120,7 @@ static int has_kink(const coin_priv_moving *g)
 
 /* A step with a kink ends just before u = 0: within AIM of the way to there, or
  * where |u| is below AIMED sqrt(tol): an error of u^2 is far below tol there.
- * The next one passes over it.  With AIM = 0.8 or ten times AIMED, the 99th
- * percentile of the errors of settlings to rest at 1e-9 is 1.4 or 3.3 tol
- * instead of 0.48; AIM = 0.999 and a tenth of AIMED cost and err the same (make
- * tuning). */
+ * The next one passes over it.  Measured: AIM, AIMED in tables.md. */
 #define AIM 0.97
 #define AIMED 0.01
 
@@ -154,6 +146,12 @@ static double first_stride(const coin_priv_moving *g, double rate)
                             FIRST * sqrt(sqrt(sqrt(part))));
 }
 
+/* Whether the coin slips, and steps follow the direction of its slip. */
+static int is_followed(const coin_priv_moving *g)
+{
+    return g->mode & COIN_PRIV_SLIPS && !(g->slow > 0);
+}
+
 /* What a step is chosen by: the rate of the motion, and the longest step, in
  * the time that it is made in. */
 typedef struct plan {
@@ -166,12 +164,15 @@ static plan plan_step(coin_priv_moving *g)
     const double *y = g->step.y, *d = g->step.slope[0];
     double rate = coin_priv_rate(y, l, g->mode) +
                   LOSSES * coin_priv_loss_rate(y, l, g->mode);
-    if (g->mode & COIN_PRIV_SLIPS) {
+    if (is_followed(g)) {
         const double u = slip_speed(y), s = y[COIN_PRIV_S];
         const double nX = y[COIN_PRIV_UX] / u, nh = y[COIN_PRIV_UH] / u;
         const double N = coin_priv_push_of(y, l, g->mode).N;
-        const double across = nh * nh * (1 + 1 / l->IZ) +
-                              nX * nX * (1 + 1 / l->IX) / (1 + s * s / l->IX);
+        const double h2 = l->half * l->half;
+        const double P = coin_priv_lever_of(s, y[COIN_PRIV_C], l->eta).P;
+        const double across =
+            nh * nh * (1 + 1 / l->IZ + h2 / l->IX) +
+            nX * nX * (1 + (1 + h2) / l->IX) / (1 + P * P / l->IX);
         const double du2 = d[COIN_PRIV_UX] * d[COIN_PRIV_UX] +
                            d[COIN_PRIV_UH] * d[COIN_PRIV_UH];
         const double slip_rate = sqrt(du2) / u;
@@ -182,6 +183,12 @@ static plan plan_step(coin_priv_moving *g)
     if (g->stride == 0)
         g->stride = first_stride(g, rate);
     plan r = {rate, g->stride / rate};
+    if (g->slow > 0) {
+        const double du = fabs(y[COIN_PRIV_UX] * d[COIN_PRIV_UX] +
+                               y[COIN_PRIV_UH] * d[COIN_PRIV_UH]) /
+                          slip_speed(y);
+        r.h = r.h * du > FARTHER * g->slow ? FARTHER * g->slow / du : r.h;
+    }
     if (has_width(g)) {
         const double slope = fabs(roll_slope(y, d)), far = TURN_ROUND * way(g);
         r.h = r.h * slope > far ? far / slope : r.h;
@@ -206,18 +213,13 @@ static double allowed(const coin_priv_moving *g)
            4 * DBL_EPSILON * size;
 }
 
-/* The stride after a step of the stride `used` with this error.  With 0.5
- * instead of 0.7 it costs 6 % more; with 0.75 the 99th percentile of the errors
- * of settlings at 1e-9 is 2.4 tol instead of 0.64.  0.1 to 0.25 instead of 0.2,
- * 1.4 to 4 instead of 2 and 0.9 to 1 instead of 0.999 change the cost by 1 %
- * (make tuning).  An error below 1e-9 of the most that is allowed counts as
- * 1e-9 of it, so that one of 0 can be divided by. */
+/* The stride after a step of the stride `used` with this error.  Measured:
+ * next_stride() in tables.md. */
 static void next_stride(coin_priv_moving *g, double used, double error,
                         double most)
 {
-    const double ratio = most / coin_priv_larger(error, 1e-9 * most);
     const double factor =
-        coin_priv_lesser(2, 0.2 + 0.7 * sqrt(sqrt(sqrt(ratio))));
+        coin_priv_lesser(2, coin_priv_next_length(error, most));
     const double next = coin_priv_lesser(COIN_PRIV_MOST_STRIDE, used * factor);
     if (error > most || next > g->stride || used > 0.999 * g->stride)
         g->stride = next;
@@ -231,7 +233,7 @@ static int can_end_in_t(const coin_priv_moving *g, const plan *p, double left)
         left / d[COIN_PRIV_ADDS_T]; /* its length in the plan's time */
     const double c = IN_T * y[COIN_PRIV_C];
     int good = per <= p->h && per * fabs(d[COIN_PRIV_C]) <= c;
-    if (g->mode & COIN_PRIV_SLIPS) {
+    if (is_followed(g)) {
         const double du = sqrt(d[COIN_PRIV_UX] * d[COIN_PRIV_UX] +
                                d[COIN_PRIV_UH] * d[COIN_PRIV_UH]);
         good = good && per * du <= IN_T * slip_speed(y);
@@ -242,7 +244,7 @@ static int can_end_in_t(const coin_priv_moving *g, const plan *p, double left)
 /* Makes the step of the plan the step to the end of the call, in t. */
 static void end_in_t(coin_priv_moving *g, plan *p, double left)
 {
-    g->step.of.rates = coin_priv_rates_by_t;
+    g->step.of.by_t = 1;
     p->rate *= coin_priv_by_t(g->step.slope[0]);
     p->h = left;
 }
@@ -250,13 +252,19 @@ static void end_in_t(coin_priv_moving *g, plan *p, double left)
 /* Sets the slopes that a step begins with, in the time of the mode. */
 static void first_slopes(coin_priv_moving *g)
 {
-    g->step.of.rates = coin_priv_rates;
-    coin_priv_rates(g->step.slope[0], g->step.y, &g->law, g->mode);
+    const double *const y = g->step.y;
+    coin_priv_problem *const of = &g->step.of;
+    of->rates = g->slow > 0 ? coin_priv_slow_rates : coin_priv_rates;
+    of->mode = g->mode;
+    of->by_t = 0;
+    of->most = RUNAWAY * (1 + fabs(y[COIN_PRIV_WX]) + fabs(y[COIN_PRIV_WY]) +
+                          fabs(y[COIN_PRIV_WZ]) + slip_speed(y));
+    (void)of->rates(g->step.slope[0], y, of);
 }
 
 /* A step whose error is allowed, not beyond the end of the call.  Returns its
- * stride, or 0 if no trials are left.  *ends: it ends the call.  0.5 to 0.99
- * instead of 0.9 changes the cost by 1 % (make tuning). */
+ * stride, or 0 if no trials are left.  *ends: it ends the call.  Measured: 0.9
+ * in tables.md. */
 static double try_steps(coin_priv_moving *g, int *ends)
 {
     coin_priv_dop853 *const w = &g->step;
@@ -290,31 +298,43 @@ static double try_steps(coin_priv_moving *g, int *ends)
     return 0;
 }
 
+/* Adds a part to a sum, which may become `most`. */
+static int add_within(coin_priv_sum *to, double part, double most)
+{
+    coin_priv_add(to, part);
+    return fabs(to->sum) <= most;
+}
+
 int32_t coin_priv_accept(coin_priv_moving *g, const double *y, int ends)
 {
-    coin_priv_sum pose[5];
-    const double most[] = {COIN_PRIV_ANGLE_MAX, COIN_PRIV_ANGLE_MAX,
-                           COIN_PRIV_PLACE_MAX, COIN_PRIV_PLACE_MAX};
-    for (int i = 0; i < 5; ++i) {
-        pose[i] = g->pose[i];
-        coin_priv_add(&pose[i], y[COIN_PRIV_ADDS_PHI + i]);
-        if (i < 4 && !(fabs(g->start[i] + pose[i].sum) <= most[i]))
-            return COIN_ERANGE;
-    }
+    coin_priv_coin to = g->c;
+    if (!(add_within(&to.phi, y[COIN_PRIV_ADDS_PHI], COIN_PRIV_ANGLE_MAX) &&
+          add_within(&to.psi, y[COIN_PRIV_ADDS_PSI], COIN_PRIV_ANGLE_MAX) &&
+          add_within(&to.x, y[COIN_PRIV_ADDS_X], COIN_PRIV_PLACE_MAX) &&
+          add_within(&to.z, y[COIN_PRIV_ADDS_Z], COIN_PRIV_PLACE_MAX)))
+        return COIN_ERANGE;
     for (int i = COIN_PRIV_WX; i <= COIN_PRIV_WZ; ++i)
         if (!(fabs(y[i]) <= COIN_PRIV_RATE_MAX))
-            return COIN_ESTEP;
-    memcpy(g->pose, pose, sizeof pose);
+            return COIN_ERANGE;
+    coin_priv_spend(g, y[COIN_PRIV_ADDS_T], ends);
+    g->c = to;
     memcpy(g->step.y, y, sizeof g->step.y);
     for (int i = COIN_PRIV_READ; i < COIN_PRIV_WIDE; ++i)
         g->step.y[i] = 0;
-    coin_priv_normalize_pairs(g->step.y);
-    if (ends) {
-        g->pose[4].sum = g->time;
-        g->pose[4].low = 0;
-    }
+    coin_priv_normalize_pair(&g->step.y[COIN_PRIV_S], &g->step.y[COIN_PRIV_C]);
+    coin_priv_normalize_pair(&g->step.y[COIN_PRIV_SPH],
+                             &g->step.y[COIN_PRIV_CPH]);
+    g->slow = 0;
     g->changed = 1;
     return COIN_OK;
+}
+
+/* A slip begins or has ended; the length of the next step is
+ * not known then. */
+static void set_slips(coin_priv_moving *g, int slips)
+{
+    g->mode = slips ? g->mode | COIN_PRIV_SLIPS : g->mode & ~COIN_PRIV_SLIPS;
+    g->stride = 0;
 }
 
 /* A step, or the part of one up to the first event in it. */
@@ -322,44 +342,66 @@ static int32_t make_step(coin_priv_moving *g)
 {
     coin_priv_dop853 *const w = &g->step;
     int ends;
-    w->of.mode = g->mode;
-    w->of.most =
-        RUNAWAY *
-        (1 + fabs(g->step.y[COIN_PRIV_WX]) + fabs(g->step.y[COIN_PRIV_WY]) +
-         fabs(g->step.y[COIN_PRIV_WZ]) + slip_speed(g->step.y));
     const double stride = try_steps(g, &ends);
     if (stride == 0)
-        return COIN_ESTEP;
-    double cut[COIN_PRIV_WIDE];
-    const int whole = !coin_priv_first_event(cut, g, stride);
-    return coin_priv_accept(g, whole ? w->end : cut, whole && ends);
+        return COIN_OK;
+    double cut[COIN_PRIV_WIDE], turn = stride;
+    if (is_followed(g) && !ends) {
+        /* The strides of a slip are shorter than the coin's own turn. */
+        const double u = slip_speed(g->step.y);
+        turn = w->h * coin_priv_rate(g->step.y, &g->law, g->mode) * u / (u + 1);
+    }
+    const int whole = !coin_priv_first_event(cut, g, turn);
+    double *const to = whole ? w->end : cut;
+    if (g->slow > 0)
+        coin_priv_end_slow(g, to);
+    return coin_priv_accept(g, to, whole && ends);
 }
 
-/* Whether the coin is nearer to flat than `flat`.  A call of no time changes
- * nothing. */
-static int is_flat(const coin_priv_moving *g)
+/* Whether the coin is nearer to flat than `flat`: its contact then ends on the
+ * face.  A call of no time changes nothing. */
+static int lies_down(coin_priv_moving *g)
 {
-    return g->time > 0 && g->step.y[COIN_PRIV_C] < g->law.flat; /* (97) */
+    if (!(g->time > 0 && g->step.y[COIN_PRIV_C] < g->law.flat)) /* (97) */
+        return 0;
+    g->mode = COIN_PRIV_RESTS | COIN_PRIV_LIES;
+    g->changed = 1;
+    return 1;
 }
 
-/* Ends the contact on the face.  The centre keeps its velocity along the table.
- */
-static void end_on_face(coin_priv_moving *g)
+/* Whether the coin has come to rest on its edge, where nothing leans it. */
+static int stands(coin_priv_moving *g)
 {
     double *const y = g->step.y;
-    y[COIN_PRIV_UH] += y[COIN_PRIV_C] * y[COIN_PRIV_WX];
-    y[COIN_PRIV_S] = y[COIN_PRIV_S] < 0 ? -1 : 1;
-    y[COIN_PRIV_C] = 0;
+    const double speed = coin_priv_upright_speed(y);
+    if (!(g->law.plain && speed < COIN_PRIV_SLIP_LEAST))
+        return 0;
+    y[COIN_PRIV_WZ] = y[COIN_PRIV_UX] = y[COIN_PRIV_UH] = 0;
     g->mode = COIN_PRIV_RESTS;
-    g->changed = 1;
+    g->changed |= speed > 0 && g->time > 0;
+    return 1;
+}
+
+/* Whether the rim that does not touch has come down, upright. */
+static int rocks(coin_priv_moving *g)
+{
+    double *const y = g->step.y;
+    const double eta = g->law.eta;
+    if (!(eta * y[COIN_PRIV_S] <= 0 && eta * y[COIN_PRIV_WX] < 0))
+        return 0;
+    y[COIN_PRIV_S] = 0;
+    y[COIN_PRIV_C] = 1;
+    g->mode |= COIN_PRIV_ROCKS;
+    return 1;
 }
 
 /* Begins or ends to hold the contact.  A roll that counts as stopped is left
- * out. */
+ * out; not that of a coin that nothing leans, which would end it early. */
 static void set_held(coin_priv_moving *g)
 {
     double *const y = g->step.y;
     const int held =
+        coin_priv_upright_speed(y) > DBL_MAX &&
         coin_priv_is_held(y, &g->law, g->mode & COIN_PRIV_SLIPS, g->tol);
     if (held == ((g->mode & COIN_PRIV_HELD) != 0))
         return;
@@ -382,7 +424,7 @@ int coin_priv_next_mode(coin_priv_moving *g)
     g->margin = coin_priv_contact_margin(y, &g->law, mode);
     if (g->margin >= 0)
         return mode;
-    if (g->law.damping > 0 || coin_priv_leaves(y, &g->law))
+    if (coin_priv_leaves(y, &g->law))
         return mode | COIN_PRIV_AIR; /* it keeps its slip velocity */
     if (coin_priv_slopes(0, y, &g->law, mode | COIN_PRIV_SLIPS, no_friction).N >
         0)
@@ -391,70 +433,99 @@ int coin_priv_next_mode(coin_priv_moving *g)
     return g->margin >= 0 ? idle : idle | COIN_PRIV_SLIPS;
 }
 
-/* The stop bits that hold here. */
-static int32_t stop_bits(const coin_priv_moving *g, int next)
+void coin_priv_end_here(coin_priv_moving *g, int32_t why)
 {
-    int32_t bits = g->event & COIN_TOUCHES;
-    if (next & COIN_PRIV_AIR)
-        bits |= COIN_LIFTS;
-    else if (next & COIN_PRIV_SLIPS)
-        bits |= COIN_SLIPS;
-    else
-        bits |= g->event;
-    if (g->step.y[COIN_PRIV_C] < COIN_PRIV_NEARLY)
-        bits |= COIN_NEARLY_FLAT;
-    return g->stop & bits;
+    g->found |= why;
+    g->time = g->moved.sum;
+    g->moved.low = 0;
 }
 
-/* A slip begins, goes on slowly, or has ended; the length of the next step is
- * not known then. */
-static void set_slips(coin_priv_moving *g, int slips)
+void coin_priv_moments(coin_priv_moving *g, int32_t is)
 {
-    g->mode = slips ? g->mode | COIN_PRIV_SLIPS : g->mode & ~COIN_PRIV_SLIPS;
-    g->stride = 0;
+    const int32_t was = g->was, moves = COIN_SLIPS | COIN_LIFTS;
+    int32_t begins = is & ~was;
+    if (was >= 0 && was & moves && !(is & (moves | COIN_RESTS)))
+        begins |= COIN_ROLLS;
+    g->was = is;
+    if (g->stop & begins)
+        coin_priv_end_here(g, g->stop & begins);
+}
+
+double coin_priv_undecided(const coin_priv_coin *c, const coin_priv_law *l)
+{
+    const double v2 = c->vx * c->vx + c->vy * c->vy + c->vz * c->vz;
+    const double turn =
+        l->IX * (c->wX * c->wX + c->wY * c->wY) + l->IZ * (c->wZ * c->wZ);
+    return (v2 + turn) / 2 + c->y - coin_priv_barrier(l->half);
+}
+
+/* The bits of coin_priv_moments() of a mode in contact. */
+static int32_t bits_of(const coin_priv_moving *g, int mode)
+{
+    int32_t decided = 0;
+    if (g->stop & COIN_DECIDED) {
+        coin_priv_coin c;
+        coin_priv_set_contact(&c, g->step.y, g->law.eta);
+        decided = coin_priv_undecided(&c, &g->law) < 0 ? COIN_DECIDED : 0;
+    }
+    const int32_t slips = mode & COIN_PRIV_SLIPS ? COIN_SLIPS : 0;
+    const int32_t low =
+        g->step.y[COIN_PRIV_C] < COIN_PRIV_NEARLY_FLAT ? COIN_NEARLY_FLAT : 0;
+    return decided | (mode & COIN_PRIV_AIR ? COIN_LIFTS : slips | low);
 }
 
 /* The first step of a slip, or one of a slow slip. */
-static int32_t make_slow_step(coin_priv_moving *g)
+static int32_t make_slow_step(coin_priv_moving *g, int begins)
 {
-    int slips;
-    --g->tries;
-    const int32_t status = coin_priv_begin_slip(g, &slips);
-    if (status == COIN_OK)
-        set_slips(g, slips);
+    if (begins)
+        coin_priv_begin_slip(g);
+    g->stride = 0;
+    first_slopes(g);
+    const int32_t status = make_step(g);
+    if (g->slow > 0) {
+        coin_priv_end_slow(g, g->step.y);
+        g->slow = 0;
+    }
+    set_slips(g, slip_speed(g->step.y) > 0);
     return status;
 }
 
-int32_t coin_priv_go(coin_priv_moving *g, int32_t stop, int32_t event)
+/* Moves until the contact or the call ends. */
+static int32_t follow(coin_priv_moving *g)
 {
     int32_t status = COIN_OK;
-    g->stop = stop;
-    g->event = event;
     while (status == COIN_OK) {
-        if (is_flat(g)) {
-            end_on_face(g);
+        if (lies_down(g) || stands(g) || rocks(g))
             return COIN_OK;
-        }
         g->mode &= ~COIN_PRIV_IDLE;
         set_held(g);
         const int next = coin_priv_next_mode(g);
-        const int32_t found = stop_bits(g, next);
-        g->event = 0;
         const int slip_begins = next & ~g->mode & COIN_PRIV_SLIPS;
         g->mode = next & ~slip_begins;
-        if (found || g->mode & COIN_PRIV_AIR || !(coin_priv_time_left(g) > 0))
-            return found;
+        coin_priv_moments(g, bits_of(g, next));
+        if (g->mode & COIN_PRIV_AIR || !(coin_priv_time_left(g) > 0))
+            return COIN_OK;
         first_slopes(g);
-        if (g->tries <= 0) {
-            status = COIN_ESTEP;
-        } else if (slip_begins || coin_priv_slips_slowly(g)) {
-            status = make_slow_step(g);
-        } else if (coin_priv_end_slip(g)) {
+        if (g->tries <= 0)
+            coin_priv_end_here(g, COIN_MORE);
+        else if (coin_priv_end_slip(g))
             set_slips(g, 0);
-            g->event = COIN_ROLLS;
-        } else {
+        else if (slip_begins || coin_priv_slips_slowly(g))
+            status = make_slow_step(g, slip_begins);
+        else
             status = make_step(g);
-        }
+    }
+    return status;
+}
+
+int32_t coin_priv_go(coin_priv_moving *g)
+{
+    const int32_t status = follow(g);
+    if (g->changed)
+        coin_priv_end(g);
+    if (g->mode & COIN_PRIV_LIES) {
+        g->c.th.s = g->c.th.s < 0 ? -1 : 1;
+        g->c.th.c = 0;
     }
     return status;
 }

@@ -1,127 +1,246 @@
 /* SPDX-License-Identifier: MIT */
-/* The beginning and the end of a slip. */
+/* Slow slips, with which a slip begins and may end. */
 #include "../motion/pinned.h"
 
 #include "move.h"
 
-/* A slip begins with one step of Heun's rule in which its direction is that of
- * an onset.  It is tol^(3/8) of the time in which the motion changes.  If the
- * slip accelerates, a step of that length errs more.  Then it is of_error: the
- * time in which the error is tol, plus LONGER of that in which the motion
- * changes, so that it is not 0 without friction.  It is at most STABLE over the
- * rate of the losses: up to 2 over it Heun's rule is stable.  It goes at most
- * STABLE of the way down to an event of cos theta, which is taken to lie PAST
- * tol lower, so that a step can pass it.  With twice STABLE, the 99th
- * percentile of the errors of slips near flat at 1e-4 is 14 tol instead of 0.5;
- * half of it, LONGER from 1e-11 to 1e-7 and PAST from 1e-4 to 1e-2 cost and err
- * the same (make tuning).
+#include <string.h>
+
+/* Friction turns a slip of the speed u towards the direction of (84), which a
+ * slip keeps.  That takes a time of the size of u, so that steps which follow
+ * the turn are as short.  While a slip is slow, only its speed is integrated.
+ * Its direction n is that of (84), turned by a small angle: it lags while the
+ * direction of (84) changes.  Steps are then as long as those of the coin's own
+ * motion.  The speed has a sign, and the slip ends where it passes 0.
  *
- * The steps of a slip are as short as its speed is small, since its direction
- * is followed.  One that hardly accelerates would take many to grow.  It is
- * slow below SLOW tol^(3/4), while it grows by less than QUICK of the friction
- * and is within ALIGNED of the direction of an onset.  It goes on by such
- * steps, in which it has that direction.  Half of SLOW costs 3 % more.  With
- * twice SLOW, twice QUICK or ten times ALIGNED a launch errs by 2, 8 or 1.4 tol
- * instead of 0.4 (make tuning).
+ * The angle is known to order u^2.  A slip is slow while an estimate of it is
+ * below SLOW tol^(5/16), and its own direction is so near to n that the error
+ * of its velocity is ALIGNED tol.  Measured: SLOW in tables.md.
  *
- * A slip up to LEAST is none, and an acceleration up to LEAST counts as that:
- * far below COIN_PRIV_SLIP_LEAST.  From 1e-20 to 1e-11 no motion of make tuning
- * depends on it. */
-#define LONGER 1e-9
-#define STABLE 0.5
-#define PAST 1e-3
-#define SLOW 0.5
-#define QUICK 0.5
-#define ALIGNED 0.01
+ * A slip that grows or ends faster than by QUICK of the friction changes in few
+ * steps that follow it, which cost less.  Measured: QUICK in tables.md.
+ *
+ * A slip up to LEAST is none: far below COIN_PRIV_SLIP_LEAST.  Measured: LEAST
+ * in tables.md. */
+#define SLOW 0.1
+#define ALIGNED 0.05
+#define QUICK 0.1
 #define LEAST 1e-14
+
+/* How slopes change is their difference for a turn of n by ANGLE, and for the
+ * part AHEAD of the time in which the motion changes.  Measured: ANGLE, AHEAD
+ * in tables.md. */
+#define ANGLE 1e-6
+#define AHEAD 1e-5
+
+/* A direction is followed up to FASTEST times the rate of the motion.  On ice
+ * nothing holds it, and it turns round within a time of the size of u.
+ * Measured: FASTEST in tables.md. */
+#define FASTEST 1000
 
 /* A slip is taken as a straight line for at most STRAIGHT sqrt(tol) of the time
  * in which the motion changes, or the slip velocity does by sqrt(g a).  One
  * below LEAST ends in any case: the direction of some never settles.  The error
- * of the line is half the square of that part: tol/32.  Half of it costs 1 %
- * more; with twice of it errors of light coins double (make tuning). */
+ * of the line is half the square of that part: tol/32.  Measured: STRAIGHT in
+ * tables.md. */
 #define STRAIGHT 0.25
 
-/* How a slip begins: its direction, the slopes by t of the variables and of its
- * speed, the friction, and dt over the time of the mode. */
-struct onset {
-    coin_priv_direction n;
-    double slopes[COIN_PRIV_WIDE], du, friction, dt;
+/* A slow slip.  Its slopes are by the time of the mode without a slip. */
+struct slow_slip {
+    coin_priv_direction from, n;  /* the direction of (84), and of the slip */
+    double d[COIN_PRIV_WIDE], du; /* the slopes, and that of its speed */
+    double turn;                  /* the slope of the direction of (84) */
+    double off;                   /* the angle from a given direction to n */
+    double by_angle; /* how what along() returns changes with the direction */
+    double weak;     /* below which of that a direction is not followed */
+    double most;     /* about its speed where it lags by an angle of 1 */
 };
 
-static void onset_at(struct onset *o, const coin_priv_moving *g,
-                     const double *y)
+static coin_priv_direction turned(coin_priv_direction n, double angle)
 {
-    const int mode = g->mode | COIN_PRIV_SLIPS;
-    const coin_priv_direction no_friction = {0, 0};
-    const coin_priv_push stick = coin_priv_slopes(
-        0, y, &g->law, g->mode & ~COIN_PRIV_SLIPS, no_friction);
-    o->n = coin_priv_onset(y, &g->law, g->mode, stick);
-    const coin_priv_push slide =
-        coin_priv_slopes(o->slopes, y, &g->law, mode, o->n);
-    o->dt = o->slopes[COIN_PRIV_ADDS_T];
-    for (int i = 0; i < COIN_PRIV_SIZE; ++i)
-        o->slopes[i] /= o->dt;
-    o->du = o->slopes[COIN_PRIV_UX] * o->n.X + o->slopes[COIN_PRIV_UH] * o->n.h;
-    o->friction = g->law.mu_kinetic * slide.N / o->dt;
+    const double X = n.X - angle * n.h, h = n.h + angle * n.X;
+    const double size = sqrt(X * X + h * h);
+    const coin_priv_direction to = {X / size, h / size};
+    return to;
 }
 
-int coin_priv_slips_slowly(const coin_priv_moving *g)
+static void set_pair(double *y, double size, coin_priv_direction n)
 {
-    const double *y = g->step.y, *d = g->step.slope[0];
+    y[COIN_PRIV_UX] = size * n.X;
+    y[COIN_PRIV_UH] = size * n.h;
+}
+
+static double speeding(const double *d, coin_priv_direction n)
+{
+    return n.X * d[COIN_PRIV_UX] + n.h * d[COIN_PRIV_UH];
+}
+
+/* Sets the slopes of a slip of the speed u along n.  Returns u times that of
+ * its direction. */
+static double along(double *d, const double *y, double u, coin_priv_direction n,
+                    const coin_priv_law *l, int mode)
+{
+    double at[COIN_PRIV_READ];
+    memcpy(at, y, sizeof at);
+    set_pair(at, u, n);
+    (void)coin_priv_slopes(d, at, l, mode, n);
+    return n.X * d[COIN_PRIV_UH] - n.h * d[COIN_PRIV_UX];
+}
+
+/* 1/x, but 0 where x is far below `weak`. */
+static double inverse_of(double x, double weak)
+{
+    return x / (x * x + weak * weak);
+}
+
+/* The variables a part AHEAD of the time of the motion later.  Returns it. */
+static double go_ahead(double *to, const double *y, const double *d,
+                       double rate)
+{
+    const double h = AHEAD / rate;
+    for (int i = 0; i < COIN_PRIV_READ; ++i)
+        to[i] = y[i] + h * d[i];
+    return h;
+}
+
+/* Sets all but d and du of a slow slip of the speed u, from a direction near
+ * its own, to order u.  With q for what along() returns, (84) is q = 0, and n
+ * is where q = u d(n)/dt. */
+static void find_first(struct slow_slip *o, const double *y, double u,
+                       coin_priv_direction n, const coin_priv_law *l, int mode)
+{
+    double d[COIN_PRIV_WIDE], other[COIN_PRIV_WIDE], ahead[COIN_PRIV_READ];
+    const double q = along(d, y, u, n, l, mode), du = speeding(d, n);
+    const double rate = coin_priv_rate(y, l, mode);
+    const double h = go_ahead(ahead, y, d, rate);
+    const double by_angle =
+        (along(other, y, u, turned(n, ANGLE), l, mode) - q) / ANGLE;
+    const double by_time =
+        (along(other, ahead, u + h * du, n, l, mode) - q) / h;
+    const double size = fabs(by_angle), change = fabs(by_time);
+    o->by_angle = by_angle;
+    o->weak = LEAST * d[COIN_PRIV_ADDS_T] + change / (FASTEST * rate);
+    o->turn = -by_time * inverse_of(by_angle, o->weak);
+    o->off = -q * inverse_of(by_angle, o->weak);
+    o->from = turned(n, o->off);
+    o->off -= u * o->turn * inverse_of(du - by_angle, o->weak);
+    o->n = turned(n, o->off);
+    o->most = (du - by_angle) * size / (rate * (size + o->weak) + change);
+}
+
+/* Sets a slow slip, to order u^2. */
+static void find_slow(struct slow_slip *o, const double *y, double u,
+                      coin_priv_direction n, const coin_priv_law *l, int mode)
+{
+    struct slow_slip next;
+    double ahead[COIN_PRIV_READ];
+    find_first(o, y, u, n, l, mode);
+    const double q = along(o->d, y, u, o->n, l, mode);
+    const double du = speeding(o->d, o->n);
+    const double h = go_ahead(ahead, y, o->d, coin_priv_rate(y, l, mode));
+    find_first(&next, ahead, u + h * du, n, l, mode);
+    const double turn = (o->n.X * next.n.h - o->n.h * next.n.X) / h;
+    const double more =
+        (q - u * turn) * inverse_of(2 * du - o->by_angle, o->weak);
+    o->n = turned(o->n, more);
+    o->off += more;
+    (void)along(o->d, y, u, o->n, l, mode);
+    o->du = speeding(o->d, o->n);
+}
+
+/* The speed of a slow slip in a step, and its direction. */
+static double speed_of(coin_priv_direction *n, const double *y)
+{
     const double uX = y[COIN_PRIV_UX], uh = y[COIN_PRIV_UH];
-    const double r8 = sqrt(sqrt(sqrt(g->tol))), r38 = r8 * r8 * r8;
-    const double slow = SLOW * r38 * r38, u2 = uX * uX + uh * uh;
-    if (!(g->mode & COIN_PRIV_SLIPS && u2 < slow * slow))
-        return 0;
-    const double N = coin_priv_push_of(y, &g->law, g->mode).N;
-    const double most = g->law.mu_kinetic * N * u2;
-    const double grows = uX * d[COIN_PRIV_UX] + uh * d[COIN_PRIV_UH];
-    const double aside = uX * d[COIN_PRIV_UH] - uh * d[COIN_PRIV_UX];
-    return grows > 0 && grows < QUICK * most && fabs(aside) < ALIGNED * most;
+    const double size = sqrt(uX * uX + uh * uh);
+    n->X = uX / size;
+    n->h = uh / size;
+    return size - 1;
 }
 
-int32_t coin_priv_begin_slip(coin_priv_moving *g, int *slips)
+int coin_priv_slow_rates(double *d, const double *y,
+                         const coin_priv_problem *of)
 {
-    struct onset a, b;
-    double y[COIN_PRIV_WIDE];
-    const double left = coin_priv_time_left(g), c = g->step.y[COIN_PRIV_C];
-    const double uX = g->step.y[COIN_PRIV_UX], uh = g->step.y[COIN_PRIV_UH];
-    const int slipping = g->mode | COIN_PRIV_SLIPS;
-    const double r8 = sqrt(sqrt(sqrt(g->tol)));
-    onset_at(&a, g, g->step.y);
-    const double rate = coin_priv_rate(g->step.y, &g->law, slipping) / a.dt;
-    const double loss =
-        coin_priv_loss_rate(g->step.y, &g->law, slipping) / a.dt;
-    const double du = coin_priv_larger(a.du, LEAST);
-    /* The friction is below 0, by rounding, where the contact has no weight. */
-    const double of_error =
-        (sqrt(g->tol * fabs(a.friction) / du) + LONGER) / rate;
-    double h = r8 * r8 * r8 / rate;
-    /* A step of of_error must lead to a slip. */
-    h = a.du * of_error > 10 * LEAST ? coin_priv_lesser(h, of_error) : h;
-    h = h * loss > STABLE ? STABLE / loss : h;
-    const double event =
-        g->stop & COIN_NEARLY_FLAT ? COIN_PRIV_NEARLY : g->law.flat;
-    const double low = coin_priv_larger(0, event - PAST * g->tol);
-    const double fall = -a.slopes[COIN_PRIV_C] / (c - low);
-    h = h * fall > STABLE ? STABLE / fall : h;
-    const int ends = h >= left;
-    h = ends ? left : h;
-    for (int i = 0; i < COIN_PRIV_SIZE; ++i)
-        y[i] = g->step.y[i] + h * a.slopes[i];
-    y[COIN_PRIV_UX] = y[COIN_PRIV_UH] = 0;
-    onset_at(&b, g, y);
-    for (int i = 0; i < COIN_PRIV_SIZE; ++i)
-        y[i] = g->step.y[i] + h / 2 * (a.slopes[i] + b.slopes[i]);
-    const double u = sqrt(uX * uX + uh * uh) + h / 2 * (a.du + b.du);
-    *slips = u > LEAST;
-    /* On ice the slip keeps the direction that its acceleration gave it. */
-    if (g->law.mu_kinetic > 0 || !*slips) {
-        y[COIN_PRIV_UX] = *slips ? u * b.n.X : 0;
-        y[COIN_PRIV_UH] = *slips ? u * b.n.h : 0;
-    }
-    return coin_priv_accept(g, y, ends);
+    coin_priv_direction n;
+    struct slow_slip o;
+    const int sound = coin_priv_rates(0, y, of);
+    if (!sound || !d)
+        return sound;
+    const double u = speed_of(&n, y);
+    find_slow(&o, y, u, n, of->law, of->mode);
+    memcpy(d, o.d, sizeof o.d);
+    d[COIN_PRIV_UX] = o.du * n.X - (1 + u) * o.turn * n.h;
+    d[COIN_PRIV_UH] = o.du * n.h + (1 + u) * o.turn * n.X;
+    if (of->by_t)
+        (void)coin_priv_by_t(d);
+    return 1;
+}
+
+/* The angle by which a slow slip may lag. */
+static double most_lag(const coin_priv_moving *g)
+{
+    const double r4 = sqrt(sqrt(g->tol));
+    return SLOW * (r4 * sqrt(sqrt(r4)));
+}
+
+void coin_priv_begin_slip(coin_priv_moving *g)
+{
+    const coin_priv_direction no_friction = {0, 0};
+    double *const y = g->step.y;
+    struct slow_slip o;
+    const coin_priv_push stick =
+        coin_priv_slopes(0, y, &g->law, g->mode, no_friction);
+    const coin_priv_direction n = coin_priv_onset(y, &g->law, g->mode, stick);
+    g->mode |= COIN_PRIV_SLIPS;
+    find_slow(&o, y, 0, n, &g->law, g->mode);
+    g->slow = coin_priv_larger(most_lag(g) * o.most, COIN_PRIV_SLIP_LEAST);
+    set_pair(y, 1, n);
+    g->margin = coin_priv_contact_margin(y, &g->law, g->mode);
+}
+
+int coin_priv_slips_slowly(coin_priv_moving *g)
+{
+    double *const y = g->step.y;
+    const double uX = y[COIN_PRIV_UX], uh = y[COIN_PRIV_UH];
+    const double u = sqrt(uX * uX + uh * uh), lag = most_lag(g);
+    struct slow_slip o;
+    if (!(g->mode & COIN_PRIV_SLIPS && u > LEAST && u < lag))
+        return 0;
+    const coin_priv_direction n = {uX / u, uh / u};
+    const double N = coin_priv_push_of(y, &g->law, g->mode).N;
+    const double grows = fabs(speeding(g->step.slope[0], n)) * (1 + u);
+    if (!(grows < QUICK * g->law.mu_kinetic * N * u))
+        return 0;
+    find_slow(&o, y, u, n, &g->law, g->mode);
+    if (!(u < lag * o.most && (u + g->tol) * fabs(o.off) < ALIGNED * g->tol))
+        return 0;
+    g->slow = lag * o.most;
+    set_pair(y, 1 + u, o.from);
+    return 1;
+}
+
+void coin_priv_end_slow(const coin_priv_moving *g, double *y)
+{
+    coin_priv_direction n;
+    struct slow_slip o;
+    const double u = speed_of(&n, y);
+    const int slips = u > LEAST;
+    if (slips)
+        find_slow(&o, y, u, n, &g->law, g->mode);
+    set_pair(y, slips ? u : 0, slips ? o.n : n);
+}
+
+/* The time until a coin with a thickness has just passed upright, to which it
+ * is pulled, by the slopes d. */
+static double until_upright(const double *y, const double *d,
+                            const coin_priv_law *l)
+{
+    const double side = l->eta > 0 ? 1 : -1, dt = d[COIN_PRIV_ADDS_T];
+    const double way = side * y[COIN_PRIV_S] + 4 * DBL_EPSILON;
+    const double v = -side * d[COIN_PRIV_S] / dt;
+    const double square = v * v - 2 * side * d[COIN_PRIV_WX] / dt * way;
+    const double twice = v + (square > 0 ? sqrt(square) : 0);
+    return l->eta != 0 && twice > 0 ? 2 * way / twice : (double)INFINITY;
 }
 
 int coin_priv_end_slip(coin_priv_moving *g)
@@ -139,12 +258,13 @@ int coin_priv_end_slip(coin_priv_moving *g)
     const double aside = fabs(nX * d[COIN_PRIV_UH] - nh * d[COIN_PRIV_UX]);
     const double part = STRAIGHT * sqrt(g->tol);
     const double h = u / -grows, scale = u / (u + 1);
-    const double left = coin_priv_time_left(g);
+    const double most =
+        coin_priv_lesser(coin_priv_time_left(g), until_upright(y, d, &g->law));
     const double rate = coin_priv_rate(y, &g->law, g->mode) +
                         coin_priv_loss_rate(y, &g->law, g->mode);
     const int is_short = u < part && scale * rate * h < part;
     const int is_straight = aside <= part * -grows || u < LEAST;
-    if (!(is_short && is_straight && h * d[COIN_PRIV_ADDS_T] <= left))
+    if (!(is_short && is_straight && h * d[COIN_PRIV_ADDS_T] <= most))
         return 0;
     for (int i = 0; i < COIN_PRIV_SIZE; ++i)
         to[i] = y[i] + h * d[i];

@@ -2,12 +2,10 @@
 /* The time to rest, and losses for a time to rest, by settling copies. */
 #include "../motion/pinned.h"
 
-#include "law.h"
+#include "move.h"
 #include "settle.h"
 
-/* The tolerance of these settlings.  A tenth of it costs 5 % more; with ten
- * times of it the time to rest by fitted losses is off by up to 16 CLOSE (make
- * tuning). */
+/* The tolerance of the settlings of a fit.  Measured: TOL in tables.md. */
 #define TOL 1e-6
 
 /* A copy of a start whose angles and path have all their room left. */
@@ -18,36 +16,42 @@ static coin_state copy_of(const coin_state *s)
     return copy;
 }
 
-/* Whether a coin stays upright: it does not lean, and nothing leans it. */
-static int stays_upright(const coin_state *s)
+/* The sum of all coefficients but spin. */
+static double slowing(const coin_losses *l)
 {
-    return s->theta == 0 && s->wX == 0 && (s->wY == 0 || s->wZ == 0);
+    return l->damping + l->dry + l->viscous + l->layer + l->gap + l->rolling +
+           l->angular;
+}
+
+/* Whether a coin stays upright: nothing leans it, and it spins, or rolls and
+ * nothing slows it.  A spin fades, but not to 0. */
+static int stays_upright(const coin_state *s, const coin_losses *l)
+{
+    const int rolls_on = s->wZ != 0 && slowing(l) == 0;
+    return s->theta == 0 && s->wX == 0 && (s->wY != 0 ? s->wZ == 0 : rolls_on);
 }
 
 double coin_time_to_rest(const coin_state *s, const coin_params *p,
-                         const coin_losses *l)
+                         const coin_losses *l, double tol)
 {
     double time = 0;
-    if (coin_state_check(s, p) != COIN_OK || coin_losses_check(l, p) != COIN_OK)
+    if (coin_state_check(s, p) != COIN_OK ||
+        coin_losses_check(l, p) != COIN_OK || !coin_priv_tol_in_range(tol))
         return (double)NAN;
-    if (stays_upright(s))
+    if (stays_upright(s, l))
         return (double)INFINITY;
     coin_state copy = copy_of(s);
     const int32_t status =
-        coin_settle(&copy, p, l, (double)INFINITY, TOL, &time);
+        coin_settle(&copy, p, l, (double)INFINITY, tol, &time);
     if (status == COIN_RESTS)
         return time;
-    const double stops = l->damping + l->dry + l->viscous + l->layer + l->gap +
-                         l->rolling + l->angular;
-    return stops == 0 ? (double)INFINITY : (double)NAN;
+    return slowing(l) == 0 ? (double)INFINITY : (double)NAN;
 }
 
 /* A time within CLOSE of the one asked for is it.  Factors that differ by JUMP
  * of themselves are one.  The search looks at up to PLACES factors on either
  * side of a first guess, each SPREAD times the next.  CLOSE is half the error
- * that coin.h allows; half of it costs 10 % more.  With ten times JUMP, 72
- * instead of 41 of 200 fits fail.  Half or twice of PLACES and of SPREAD - 1
- * changes the cost by 11 % and that count by 2 (make tuning). */
+ * that coin.h allows.  Measured: CLOSE, JUMP, SPREAD, PLACES in tables.md. */
 #define CLOSE 5e-3
 #define JUMP 1e-3
 #define SPREAD 1.02
@@ -55,10 +59,8 @@ double coin_time_to_rest(const coin_state *s, const coin_params *p,
 
 /* A settling of the first guesses may take LONG times the time asked for, and
  * later ones BEYOND of it: it is then known to be too long.  All settlings of a
- * search together may make TRIES trials of steps.  From 1.5 to 4 for LONG and
- * 1.006 to 1.2 for BEYOND the cost changes by 5 %.  With a tenth of TRIES 19
- * more of 200 fits fail; ten times of it saves 4 and costs four times as much
- * (make tuning). */
+ * search together may make TRIES trials of steps.  Measured: LONG, BEYOND,
+ * TRIES in tables.md. */
 #define LONG 2
 #define BEYOND 1.02
 #define TRIES 100000
@@ -154,7 +156,7 @@ static double search_from(struct search *f, struct tried guess)
 int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
                         const coin_params *p, double time)
 {
-    coin_priv_body b;
+    coin_priv_constants b;
     if (!l || !s || !p || !(time > 0 && time <= DBL_MAX))
         return COIN_EARG;
     if (coin_losses_check(l, p) != COIN_OK)

@@ -7,39 +7,32 @@
 #include "../motion/number.h"
 
 #include "extrapolation.h"
-#include "rk4.h"
 #include "sundman.h"
 
-/* The most steps of a call.  They take 0.2 s. */
+/* The most steps of a call. */
 #define COIN_PRIV_STEPS_MAX (UINT64_C(1) << 20)
 
 /* A step in tau is made if its stride times E, the estimate of its error, is at
- * most ACCEPTED tol.  The error is E stride^2/100 in the median of 90,000
- * steps and below E stride^2/7 in 999 of 1000, so that a step adds at most
- * 0.6 tol per stride.  In a stride a coin turns by about a radian or moves by a
- * radius.  So the sum is as the law of coin.h says.  The stride after it is
- * chosen for ACCEPTED/AIMED tol.  With ACCEPTED 8, steps are 3 % fewer, and
- * three times as many coins err by more than tol per unit; with 2, 5 % more.
- * With AIMED 8 or 32 steps are 1 % more. */
+ * most ACCEPTED tol.  The error is below E stride^2/7, so that a step adds at
+ * most 0.6 tol per stride.  In a stride a coin turns by about a radian or moves
+ * by a radius.  So the sum is as the law of coin.h says.  The stride after it
+ * is chosen for ACCEPTED/AIMED tol.  Both are without unit; measured: the rows
+ * of their names in tests/studies/tables.md. */
 #define COIN_PRIV_ACCEPTED 4.0
 #define COIN_PRIV_AIMED 16.0
 
 /* No stride is longer than START tol^(1/14), nor than LONGEST, beyond which the
  * estimate is none.  The first of a call is START tol^(1/14)/(1 + 3 u^2)^(1/2),
- * if lean and heading turn at u times the rate of sundman.h.  Of random coins
- * one in seven repeats it at 1e-6, and two in five at 1e-12.  With START 6.5
- * calls of one unit take 4 % fewer steps at most, and long ones 2 % more; with
- * 8.5 short calls take 4 % more at most, and long ones no fewer. */
+ * if lean and heading turn at u times the rate of sundman.h.  Measured:
+ * COIN_PRIV_START in tables.md. */
 #define COIN_PRIV_START 7.5
 #define COIN_PRIV_LONGEST 2.4
 
 /* One step of RK8 in t ends a call where rem^2 (W^2 + TURN_WEIGHT w^2) is at
  * most the square of LAST_RK8 tol^(1/8), and of LAST_MOST; w is the rate of
  * lean and heading, powers of which are in each derivative of high order.  It
- * is a step of RK4 where |rem| W is at most LAST_RK4 tol^(1/4).  Of 100,000
- * steps of either 999 of 1000 erred by less than 0.6 tol for each radian of
- * |rem| W, and the worst by 1.3 tol.  None led through the table where the
- * first number was below 2.9^2. */
+ * is a step of RK4 where |rem| W is at most LAST_RK4 tol^(1/4).  Measured: the
+ * rows of these names in tables.md. */
 #define COIN_PRIV_LAST_RK8 5.5
 #define COIN_PRIV_LAST_MOST 2.0
 #define COIN_PRIV_TURN_WEIGHT 10.0
@@ -129,6 +122,7 @@ COIN_PRIV_INLINE int coin_priv_one_step_suffices(
  * step is one too many. */
 COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r,
                                               const coin_priv_lengths *lengths,
+                                              uint64_t last,
                                               coin_priv_pace *pace,
                                               coin_priv_sum *rem)
 {
@@ -138,8 +132,8 @@ COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r,
     int made;
     if (r->g.y.cth < COIN_PRIV_FLAT)
         return COIN_EFLAT;
-    if (r->steps == COIN_PRIV_STEPS_MAX)
-        return COIN_ESTEP;
+    if (r->steps == last)
+        return COIN_MORE;
     if (r->steps == 0) {
         const double u2 = unit * unit * coin_priv_turn2(r, unit / 2);
         pace->stride = lengths->stride / sqrt(1 + 3 * u2);
@@ -156,52 +150,9 @@ COIN_PRIV_INLINE int32_t coin_priv_advance_by(coin_priv_run *r,
         pace->stride = coin_priv_lesser(by * stride, lengths->stride);
     } while (error > most);
     if (!made)
-        return COIN_ESTEP;
+        return COIN_ERANGE;
     coin_priv_add(rem, -r->g.added.t);
     return COIN_OK;
-}
-
-/* One step in t over the time left.  Returns whether it was made. */
-COIN_PRIV_INLINE int coin_priv_last_step(coin_priv_run *r,
-                                         const coin_priv_lengths *lengths,
-                                         double rem)
-{
-    const uint64_t before = r->steps;
-    if (coin_priv_left2(r, rem) <= lengths->rk4_2) {
-        const coin_priv_rk4_fields k = coin_priv_rk4_fields_of(&r->b, rem);
-        coin_priv_step_end end;
-        coin_priv_variables next;
-        coin_priv_rk4_step(&end, &next, &r->g.y, &k);
-        return coin_priv_accept_step(r, &next, &end.adds);
-    }
-    r->dt = rem;
-    coin_priv_rk8(r, 1);
-    return r->steps > before;
-}
-
-/* The part of t that has passed if *rem is left.  Its low part counts where t
- * is far longer. */
-COIN_PRIV_INLINE double coin_priv_passed(double t, const coin_priv_sum *rem)
-{
-    return rem->sum == 0 ? t : (t - rem->sum) - rem->low;
-}
-
-/* Ends a call that was to move *s by the time t, of which *rem is left.  If a
- * rate has left its range, *s stays as it was and *reached becomes 0, as in a
- * run. */
-COIN_PRIV_INLINE int32_t coin_priv_end_call(coin_state *s,
-                                            const coin_priv_run *r,
-                                            int32_t status, double t,
-                                            const coin_priv_sum *rem,
-                                            double *reached)
-{
-    const coin_state end = coin_priv_run_state(r);
-    const int lost = !coin_priv_state_holds(&end, &r->b);
-    if (!lost)
-        coin_priv_copy_state(s, &end);
-    if (reached)
-        *reached = lost ? 0 : coin_priv_passed(t, rem);
-    return lost || status == COIN_ESTEP ? coin_priv_refusal(s, r->b.a) : status;
 }
 
 #endif

@@ -18,8 +18,7 @@
 /* With the first two options gcc puts each result in another register, so that
  * a substep does not wait until the substep before it has freed its registers.
  * With the third it does not move the sums at a step's end behind the branch
- * that uses them.  In vectors of two they save a fifth of the time of a step,
- * in vectors of four nothing. */
+ * that uses them.  In vectors of four they save nothing. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__) &&         \
     defined(__x86_64__) && !defined(__AVX__)
 #pragma GCC optimize("rename-registers", "no-tree-ter", "no-tree-sink")
@@ -58,7 +57,8 @@ struct path {
 };
 
 /* As many columns as there are lanes: 2h, and the changes at the latest even
- * and the latest odd substep. */
+ * and the latest odd substep.  All members are lanes: total() reads several of
+ * them as an array. */
 struct columns {
     lanes h2;
     struct variables even, odd;
@@ -162,9 +162,7 @@ COIN_PRIV_INLINE void keep(struct columns *c, int on)
  */
 /* An even substep of group g and the odd one after it.  Two groups take turns,
  * so that one computes while the other waits for its sums.  all_substeps() has
- * loops, because code that runs once has to wait for the cache: with all
- * substeps written out a short call of coin_advance() takes 1.3 times as long.
- */
+ * loops, because code that runs once has to wait for the cache. */
 #define ROUND(g)                                                               \
     even_substep(&c[g], p);                                                    \
     odd_substep(&c[g], p);
@@ -218,66 +216,46 @@ static void all_substeps(struct columns *c, const struct problem *p)
 }
 #endif
 
-/* The weighted sum of all columns, added in the same order whatever LANES. */
-#define TERM(i, member) (load((weights) + (i)*LANES) * c[i].member)
+/* The weighted sum over all columns of a member, which is that of the first
+ * column here, added in the same order whatever LANES. */
+COIN_PRIV_INLINE double total(const lanes *member, const double *weights)
+{
+    const size_t column = sizeof(struct columns) / sizeof(lanes);
+#define TERM(i) (load(weights + (i)*LANES) * member[(i)*column])
 #if LANES == 4
-#define TOTAL(member)                                                          \
-    const lanes v = TERM(0, member) + TERM(1, member);                         \
+    const lanes v = TERM(0) + TERM(1);
     return (v[0] + v[2]) + (v[1] + v[3]);
 #elif LANES == 2
-#define TOTAL(member)                                                          \
-    const lanes v = (TERM(0, member) + TERM(2, member)) +                      \
-                    (TERM(1, member) + TERM(3, member));                       \
+    const lanes v = (TERM(0) + TERM(2)) + (TERM(1) + TERM(3));
     return v[0] + v[1];
 #else
-#define TOTAL(member)                                                          \
-    return ((TERM(0, member) + TERM(4, member)) +                              \
-            (TERM(2, member) + TERM(6, member))) +                             \
-           ((TERM(1, member) + TERM(5, member)) +                              \
-            (TERM(3, member) + TERM(7, member)));
+    return ((TERM(0) + TERM(4)) + (TERM(2) + TERM(6))) +
+           ((TERM(1) + TERM(5)) + (TERM(3) + TERM(7)));
 #endif
-
-#define DEFINE_TOTAL(member, name)                                             \
-    COIN_PRIV_INLINE double total_##name(const struct columns *c,              \
-                                         const double *weights)                \
-    {                                                                          \
-        TOTAL(member)                                                          \
-    }
-DEFINE_TOTAL(even.X, X)
-DEFINE_TOTAL(even.Y, Y)
-DEFINE_TOTAL(even.Z, Z)
-DEFINE_TOTAL(even.sth, sth)
-DEFINE_TOTAL(even.cth, cth)
-DEFINE_TOTAL(even.sph, sph)
-DEFINE_TOTAL(even.cph, cph)
-DEFINE_TOTAL(path.psi, psi)
-DEFINE_TOTAL(path.x, x)
-DEFINE_TOTAL(path.z, z)
-DEFINE_TOTAL(path.dY, dY)
-DEFINE_TOTAL(path.dcth, dcth)
+}
 
 /* The end of the step, and what it adds to the pose.  The columns integrate the
  * path of the point of contact; (21) gives that of the centre. */
 COIN_PRIV_INLINE void add_totals(coin_priv_variables *to, coin_priv_pose *adds,
                                  const coin_priv_variables *y,
                                  const struct columns *c,
-                                 const coin_priv_body *b, double unit)
+                                 const coin_priv_constants *b, double unit)
 {
     const double rate = 1 / unit;
-    to->wX = y->wX + rate * total_X(c, weight);
-    to->wY = y->wY + rate * total_Y(c, weight);
-    to->wZ = y->wZ + (rate / b->k1) * total_Z(c, weight);
-    to->sth = y->sth + total_sth(c, weight);
-    to->cth = y->cth + total_cth(c, weight);
-    to->sph = y->sph + total_sph(c, weight);
-    to->cph = y->cph + total_cph(c, weight);
+    to->wX = y->wX + rate * total(&c->even.X, weight);
+    to->wY = y->wY + rate * total(&c->even.Y, weight);
+    to->wZ = y->wZ + (rate / b->k1) * total(&c->even.Z, weight);
+    to->sth = y->sth + total(&c->even.sth, weight);
+    to->cth = y->cth + total(&c->even.cth, weight);
+    to->sph = y->sph + total(&c->even.sph, weight);
+    to->cph = y->cph + total(&c->even.cph, weight);
     coin_priv_normalize(to);
     adds->theta = 0;
-    adds->phi = 120 * (unit * y->wY) + total_dY(c, weight);
-    adds->psi = total_psi(c, weight);
-    adds->x = total_x(c, weight) + (to->sth * to->sph - y->sth * y->sph);
-    adds->z = total_z(c, weight) + (to->sth * to->cph - y->sth * y->cph);
-    adds->t = unit * (120 * y->cth + total_dcth(c, weight));
+    adds->phi = 120 * (unit * y->wY) + total(&c->path.dY, weight);
+    adds->psi = total(&c->path.psi, weight);
+    adds->x = total(&c->path.x, weight) + (to->sth * to->sph - y->sth * y->sph);
+    adds->z = total(&c->path.z, weight) + (to->sth * to->cph - y->sth * y->cph);
+    adds->t = unit * (120 * y->cth + total(&c->path.dcth, weight));
 }
 
 /* The largest difference of order 12 from order 14, of the sines and cosines
@@ -291,9 +269,12 @@ COIN_PRIV_INLINE void add_totals(coin_priv_variables *to, coin_priv_pose *adds,
 COIN_PRIV_INLINE double error_of(const struct columns *c, double q)
 {
     const double e[] = {
-        total_sth(c, weight_of_error), total_cth(c, weight_of_error) * q,
-        total_sph(c, weight_of_error), total_cph(c, weight_of_error),
-        total_psi(c, weight_of_error), 120 * total_X(c, weight_of_error),
+        total(&c->even.sth, weight_of_error),
+        total(&c->even.cth, weight_of_error) * q,
+        total(&c->even.sph, weight_of_error),
+        total(&c->even.cph, weight_of_error),
+        total(&c->path.psi, weight_of_error),
+        120 * total(&c->even.X, weight_of_error),
     };
     double most = DBL_EPSILON;
     for (int i = 0; i < 6; ++i)
@@ -302,7 +283,8 @@ COIN_PRIV_INLINE double error_of(const struct columns *c, double q)
 }
 
 COIN_PRIV_INLINE struct problem problem_of(const coin_priv_variables *y,
-                                           const coin_priv_body *b, double unit)
+                                           const coin_priv_constants *b,
+                                           double unit)
 {
     const struct problem p = {
         {

@@ -26,10 +26,10 @@ COIN_PRIV_INLINE void coin_priv_note(coin_priv_batch *r, size_t i,
 }
 
 /* A run of all coins of a batch, one in each lane of the processor's vectors.
- * Each gets the bits and the status that coin_run() would give it.  *b is their
- * body; dt is finite and, as steps, not 0.  Returns 0, and does nothing, if the
- * method has no lanes or the processor no vectors. */
-int coin_priv_run_abreast(coin_priv_batch *batch, const coin_priv_body *b,
+ * Each gets the bits and the status that coin_run() would give it.  *b are
+ * their constants; dt is finite and, as steps, not 0.  Returns 0, and does
+ * nothing, if the method has no lanes or the processor no vectors. */
+int coin_priv_run_abreast(coin_priv_batch *batch, const coin_priv_constants *b,
                           int32_t method, double dt, uint64_t steps);
 
 #endif

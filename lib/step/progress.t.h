@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* How far a run has come, and the loop around its steps. */
 #include "../motion/methods.h"
+#include "../motion/sum.h"
 
 #include "../motion/kind.h"
-
-/* A sum and what its rounding left out. */
-typedef struct coin_priv_sum {
-    number sum, low;
-} coin_priv_sum;
 
 /* A run under way: its variables, its pose at the beginning of a block of
  * steps, and what the steps of the block have added to it.  A steady motion
@@ -24,22 +20,6 @@ typedef struct coin_priv_progress {
     coin_priv_pose added;
     coin_priv_sum phi, psi, x, z;
 } coin_priv_progress;
-
-/* Adds a part, by Knuth's exact sum. */
-COIN_PRIV_INLINE_UNLESS_SMALL void coin_priv_add(coin_priv_sum *to, number part)
-{
-    const number y = part + to->low, sum = to->sum + y;
-    const number of_y = sum - to->sum;
-    to->low = (to->sum - (sum - of_y)) + (y - of_y);
-    to->sum = sum;
-}
-
-/* A sum with a part that is not in it yet. */
-COIN_PRIV_INLINE number coin_priv_total(coin_priv_sum so_far, number part)
-{
-    coin_priv_add(&so_far, part);
-    return so_far.sum;
-}
 
 /* Starts a run where the variables are *y.  Number by number: the wider moves
  * that an assignment of a struct is made of would wait for each other. */
@@ -99,9 +79,8 @@ COIN_PRIV_INLINE void coin_priv_end_block(coin_priv_progress *g)
     const coin_priv_sc at = coin_priv_sine_cosine(g->added.theta);
     /* The rounding of theta is a part 1e-16/cos theta of cos theta: too much
      * near the table.  There the sine and cosine that the steps have turned are
-     * kept, which part from theta by their own rounding.  Any limit from 2^-8
-     * to 2^-5 is as good.  With 0 the rates spoil, and with 2^-3 the sines part
-     * too far (test_progress). */
+     * kept, which part from theta by their own rounding.  The limit is 2^-7
+     * (measured: coin_priv_end_block() in tests/studies/tables.md). */
     const integer near = coin_priv_truth(y->cth < K(0.0078125));
     const coin_priv_sc th = {
         coin_priv_choose(near, y->sth, at.s),
@@ -140,9 +119,9 @@ typedef void coin_priv_step(coin_priv_step_end *end, coin_priv_variables *next,
 
 /* Whether phi, psi, x and z, as they will be reported, are in the range of
  * coin_state_check().  NaN is not. */
-COIN_PRIV_INLINE integer coin_priv_pose_holds(const coin_priv_progress *g,
-                                              const coin_priv_limits *limits,
-                                              const coin_priv_pose *added)
+COIN_PRIV_INLINE integer coin_priv_pose_in_range(const coin_priv_progress *g,
+                                                 const coin_priv_limits *limits,
+                                                 const coin_priv_pose *added)
 {
     const number a = limits->a, far = COIN_PRIV_PLACE_MAX * a;
     const number phi = coin_priv_total(g->phi, added->phi);
@@ -157,8 +136,8 @@ COIN_PRIV_INLINE integer coin_priv_pose_holds(const coin_priv_progress *g,
 
 /* Whether they stay in that range until a block of steps is done, of which some
  * may be done already. */
-COIN_PRIV_INLINE integer coin_priv_block_holds(const coin_priv_progress *g,
-                                               const coin_priv_limits *limits)
+COIN_PRIV_INLINE integer coin_priv_block_in_range(
+    const coin_priv_progress *g, const coin_priv_limits *limits)
 {
     const scalar turn = COIN_PRIV_ANGLE_MAX - COIN_PRIV_BLOCK_MOVES;
     const scalar place = COIN_PRIV_PLACE_MAX - COIN_PRIV_BLOCK_MOVES;
@@ -181,7 +160,8 @@ COIN_PRIV_INLINE integer coin_priv_block(coin_priv_progress *g,
                                          const void *coefficients)
 {
     const uint64_t left = COIN_PRIV_BLOCK - *steps % COIN_PRIV_BLOCK;
-    const int at_edge = !coin_priv_every(coin_priv_block_holds(g, limits) != 0);
+    const int at_edge =
+        !coin_priv_every(coin_priv_block_in_range(g, limits) != 0);
     const uint64_t most = at_edge ? 1 : n < left ? n : left;
     const integer none = {0};
     coin_priv_variables y = g->y, next;
@@ -198,7 +178,7 @@ COIN_PRIV_INLINE integer coin_priv_block(coin_priv_progress *g,
         y = next;
     }
     const integer in_range =
-        at_edge ? coin_priv_pose_holds(g, limits, &added) : ~none;
+        at_edge ? coin_priv_pose_in_range(g, limits, &added) : ~none;
     if (!coin_priv_every(in_range != 0))
         return in_range;
     g->y = y;

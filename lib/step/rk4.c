@@ -4,15 +4,14 @@
 /* With ira-loop-pressure gcc counts the registers that the loop needs before it
  * moves anything out of it.  Renamed registers let the processor start the next
  * stage sooner.  Scheduling before allocation lets the sine and cosine of the
- * early turn, rk4.t.h, start in time.  Together they save a quarter of the time
- * of a step. */
+ * early turn, rk4.t.h, start in time.  Measured: options in
+ * tests/studies/tables.md, as those of other files. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__)
 #pragma GCC optimize("ira-loop-pressure", "rename-registers",                  \
                      "schedule-insns", "sched-pressure")
 #endif
 
 #include "rk4.h"
-#include "run.h"
 
 void coin_priv_rk4(coin_priv_run *r, uint64_t n)
 {

@@ -12,7 +12,7 @@ typedef struct coin_priv_rk4_fields {
 
 #ifndef COIN_PRIV_ABREAST
 COIN_PRIV_INLINE coin_priv_rk4_fields
-coin_priv_rk4_fields_of(const coin_priv_body *b, number dt)
+coin_priv_rk4_fields_of(const coin_priv_constants *b, number dt)
 {
     const coin_priv_rk4_fields k = {
         coin_priv_field_of(b, dt / 2),

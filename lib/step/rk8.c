@@ -2,9 +2,8 @@
 #include "../motion/pinned.h"
 
 /* gcc would move the arithmetic of the step's end behind the branches that use
- * it, which costs 10 % of a step; in vectors of four it saves 2 %.  Scheduling
- * before allocation saves 7 % of a step of a run (make costs).  Allocation of
- * the whole step as one region saves 2 % of its instructions. */
+ * it, which is slower but in vectors of four.  The other options schedule
+ * before allocation, and allocate the whole step as one region. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__TINYC__) &&         \
     defined(__x86_64__) && !defined(__AVX__)
 #pragma GCC optimize("no-tree-sink", "no-tree-pre", "rename-registers",        \
@@ -20,8 +19,8 @@
 #define COIN_PRIV_TURN_BY_PAIRS
 #endif
 
+#include "rk8.h"
 #include "rk8.t.h"
-#include "run.h"
 
 void coin_priv_rk8(coin_priv_run *r, uint64_t n)
 {

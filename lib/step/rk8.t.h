@@ -52,7 +52,7 @@ struct row {
 #define OLD(i, m) (y0.v[m] + OLD##i(m))
 #endif
 
-/* The order was found by measurement: the members needed first come first. */
+/* The members needed first come first. */
 COIN_PRIV_INLINE struct row row_of(const coin_priv_variables *s)
 {
     struct row r;

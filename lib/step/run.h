@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A run of one coin by steps of any method. */
+/* A run of one coin by steps. */
 #ifndef ROLLCOIN_RUN_H
 #define ROLLCOIN_RUN_H
 
@@ -8,23 +8,17 @@
 
 #include "progress.t.h"
 
-/* Whether coin_advance() and others accept a tolerance; NaN they do not. */
-COIN_PRIV_INLINE int coin_priv_tol_is_valid(double tol)
-{
-    return tol >= 1e-13 && tol <= 1e-2;
-}
-
 /* A run by steps of dt. */
 typedef struct coin_priv_run {
     coin_state start;
-    coin_priv_body b;
+    coin_priv_constants b;
     coin_priv_limits limits;
     double dt;
     coin_priv_progress g;
     uint64_t steps; /* done so far */
 } coin_priv_run;
 
-/* A run from *s by steps of dt; r->b is the body. */
+/* A run from *s by steps of dt; r->b are the constants. */
 void coin_priv_run_from(coin_priv_run *r, const coin_state *s, int32_t method,
                         double dt);
 
@@ -44,37 +38,8 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
                                 step, coefficients);
 }
 
-/* Up to n steps by each method. */
+/* Up to n steps of a run by a method. */
 typedef void coin_priv_method(coin_priv_run *r, uint64_t n);
-coin_priv_method coin_priv_rk4, coin_priv_rk8;
-coin_priv_method coin_priv_symplectic2, coin_priv_symplectic4;
-
-/* Checks everything, then computes what the steps share. */
-int32_t coin_priv_run_begin(coin_priv_run *r, const coin_state *s,
-                            const coin_params *p, int32_t method, double dt);
-
-/* Up to n steps of dt; returns how many were done.  If dt is 0, all count. */
-COIN_PRIV_INLINE uint64_t coin_priv_run_on(coin_priv_run *r, int32_t method,
-                                           uint64_t n)
-{
-    const uint64_t before = r->steps;
-    if (r->dt == 0 || n == 0)
-        return n;
-    switch (method) {
-    case COIN_RK4:
-        coin_priv_rk4(r, n);
-        break;
-    case COIN_RK8:
-        coin_priv_rk8(r, n);
-        break;
-    case COIN_SYMPLECTIC2:
-        coin_priv_symplectic2(r, n);
-        break;
-    default: /* COIN_SYMPLECTIC4: the method has been checked */
-        coin_priv_symplectic4(r, n);
-    }
-    return r->steps - before;
-}
 
 /* The state of a run; before the first step that is its start, to the bit. */
 COIN_PRIV_INLINE coin_state coin_priv_run_state(const coin_priv_run *r)
@@ -84,7 +49,7 @@ COIN_PRIV_INLINE coin_state coin_priv_run_state(const coin_priv_run *r)
         return r->start;
     const coin_priv_pose to = coin_priv_pose_of(g, r->b.a);
     const coin_state s = {
-        coin_priv_lean_within(to.theta),
+        coin_priv_lean_clamped(to.theta),
         to.phi,
         to.psi,
         r->start.x + to.x,
@@ -101,12 +66,5 @@ COIN_PRIV_INLINE int32_t coin_priv_warnings(const coin_priv_run *r)
 {
     return (int32_t)(r->limits.coarse & COIN_COARSE);
 }
-
-/* Completes a run of `steps` steps and returns its status.  *s becomes the
- * state at the end and, if done is not null, *done the number of steps done.
- * If a rate has left its range, *s is left as it was and no step counts as
- * done. */
-int32_t coin_priv_run_to_end(coin_priv_run *r, int32_t method, uint64_t steps,
-                             coin_state *s, uint64_t *done);
 
 #endif

@@ -9,21 +9,17 @@
  * as that would take less time than a double resolves. */
 #define COIN_PRIV_FLAT 1e-30
 
-/* The rate that a stride is measured by.
+/* Weights, without unit, in the rate that a stride is measured by.
  *
  * The terms are those of Eq. (44), the frequency of the lean.  That of wZ has
- * its weight, k1 K/J.  COIN_PRIV_WEIGHT_Y is measured, so that the error of a
- * step of a given stride depends least on the motion.  Half of it saves 15 % of
- * the steps of coin_advance() for errors 2 to 8 times as large; twice takes 23
- * % more.
+ * its weight, k1 K/J.  With COIN_PRIV_WEIGHT_Y the error of a step of a given
+ * stride depends least on the motion.
  *
  * For bodies with I_Z far below I_X that frequency is low, and slope2, from the
- * slope of wX, Eq. (14), is larger.  For rings it never decides.
- * COIN_PRIV_WEIGHT_SLOPE is measured too: twice of it takes 4 % more steps
- * (make tuning).
- *
- * In a step of such a body the contact would roll by more than 16 rad if roll2
- * did not bound the rate from below. */
+ * slope of wX, Eq. (14), is larger.  For rings it never decides.  In a step of
+ * such a body the contact would roll by more than 16 rad if roll2 did not bound
+ * the rate from below.  Measured: the rows of these names in
+ * tests/studies/tables.md. */
 #define COIN_PRIV_WEIGHT_Y 1.5
 #define COIN_PRIV_WEIGHT_SLOPE 3
 #define COIN_PRIV_WEIGHT_ROLL 0.04
@@ -31,7 +27,7 @@
 /* The tau of a step of the given stride from here: the stride divided by the
  * coin's own rate.  In a step of stride 1 the motion changes by about its own
  * size. */
-COIN_PRIV_INLINE double coin_priv_sundman_tau(const coin_priv_body *b,
+COIN_PRIV_INLINE double coin_priv_sundman_tau(const coin_priv_constants *b,
                                               const coin_priv_variables *y,
                                               double stride)
 {
@@ -61,7 +57,7 @@ COIN_PRIV_INLINE double coin_priv_sundman_slope(const coin_priv_field *f,
 
 /* The tau in which the time rem passes from here, by its power series in rem to
  * third order.  c, c1, c2: cos theta and its derivatives by t.  (54) */
-COIN_PRIV_INLINE double coin_priv_tau_of(const coin_priv_body *b,
+COIN_PRIV_INLINE double coin_priv_tau_of(const coin_priv_constants *b,
                                          const coin_priv_variables *y,
                                          double rem)
 {
@@ -84,7 +80,7 @@ COIN_PRIV_INLINE int coin_priv_accept_step(coin_priv_run *r,
     coin_priv_progress *const g = &r->g;
     coin_priv_pose added = coin_priv_pose_plus(&g->added, 1, adds);
     added.t = g->added.t + adds->t;
-    if (!coin_priv_pose_holds(g, &r->limits, &added))
+    if (!coin_priv_pose_in_range(g, &r->limits, &added))
         return 0;
     g->y = *y;
     g->added = added;

@@ -3,7 +3,7 @@
 
 #include "../motion/legendre.h"
 
-#include "run.h"
+#include "symplectic.h"
 
 /* The two parts of the motion that can each be solved exactly: a kick changes
  * wX alone, a drift everything else with wX held.  Along a drift wY cos theta
@@ -19,9 +19,9 @@ struct substep {
     int sound;
 };
 
-/* What a step needs: the body, and the equations for h = 1. */
+/* What a step needs: the constants, and the equations for h = 1. */
 struct split {
-    const coin_priv_body *b;
+    const coin_priv_constants *b;
     coin_priv_field f;
     double h;
 };
@@ -35,7 +35,7 @@ COIN_PRIV_INLINE void kick(struct substep *c, const struct split *k, double h)
 COIN_PRIV_INLINE void modified_kick(struct substep *c, const struct split *k)
 {
     const coin_priv_variables *y = &c->y;
-    const coin_priv_body *b = k->b;
+    const coin_priv_constants *b = k->b;
     const double h = k->h, F = coin_priv_slopes_at(&k->f, y).wX;
     const double dF = coin_priv_fall_slope(b, y);
     c->y.wX += 2.0 / 3 * h * F * (1 + h * h / 24 * dF); /* (50) */
@@ -53,7 +53,7 @@ COIN_PRIV_INLINE double hermite(double h, double f0, double f1, double df0,
  * *y is that of *y0 plus `by`.  0 if that is beyond the series' reach. */
 COIN_PRIV_INLINE int shift(coin_priv_variables *y,
                            const coin_priv_variables *y0, coin_priv_sc by,
-                           const coin_priv_body *b)
+                           const coin_priv_constants *b)
 {
     const double c2 = y0->cth * y0->cth;
     double dp, dwZ;
@@ -75,7 +75,7 @@ struct acceleration {
 };
 
 COIN_PRIV_INLINE struct acceleration acceleration_of(
-    const coin_priv_body *b, const coin_priv_variables *y, double dphi)
+    const coin_priv_constants *b, const coin_priv_variables *y, double dphi)
 {
     const struct acceleration r = {
         y->wX * y->wY * (1 - b->k2),
@@ -84,8 +84,7 @@ COIN_PRIV_INLINE struct acceleration acceleration_of(
     return r;
 }
 
-/* Moves *c by a drift of h.  A function: the call costs 1 % of a step, and both
- * methods share its code. */
+/* Moves *c by a drift of h.  A function, whose code both methods share. */
 COIN_PRIV_NOINLINE void drift(struct substep *c, const struct split *k,
                               double h)
 {

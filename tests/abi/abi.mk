@@ -5,17 +5,14 @@
 
 # Debian's packages are seen by its own Python only.
 DEBIAN_PYTHON ?= /usr/bin/python3
-ABI = $(GATE) SOVERSION=$(SOVERSION) PYTHON=$(DEBIAN_PYTHON)
+ABI = $(GATE) PYTHON=$(DEBIAN_PYTHON)
 
-.PHONY: abi abi-update abi-release abi-seeds
+.PHONY: abi abi-update abi-seeds
 abi: $(LIB_SO) ## nothing changed that compiled programs rest on
 	+$(ABI) sh $(SRC)/tests/abi/abi.sh
 
 abi-update: $(LIB_SO) ## accept the ABI of this library as the baseline
 	+$(ABI) sh $(SRC)/tests/abi/abi.sh update
-
-abi-release: $(LIB_SO) ## that baseline is released: from now on it may only grow
-	+$(ABI) sh $(SRC)/tests/abi/abi.sh release
 
 abi-seeds: $(LIB_SO) ## break the ABI in many ways: make abi must see each
 	+$(ABI) sh $(SRC)/tests/abi/seeds.sh

@@ -4,8 +4,8 @@
 # tests/abi/SOVERSION: every difference is a failure, an addition too, until
 # `make abi-update` has accepted it.  docs/contributing.md explains each part.
 #     abi.sh [update | release]
-# From `make abi`: CC SRC OUT VERSION SOVERSION PYTHON.  LIBRARY and INCLUDE may
-# name others than the ones just built.
+# From `make abi` and `make release`: CC SRC OUT VERSION SOVERSION PYTHON.
+# LIBRARY and INCLUDE may name others than the ones just built.
 set -eu
 here=$SRC/tests/abi
 base=${BASE:-$here/$SOVERSION}
@@ -18,7 +18,7 @@ export CC
 die() { echo "abi: $*" >&2; exit 1; }
 changed() { echo "abi: $1 changed"; failed="$failed $1"; }
 
-for tool in abidw abidiff nm readelf "$PYTHON"; do
+for tool in abidw abidiff nm readelf clang "$PYTHON"; do
     command -v "$tool" >/dev/null || die "needs $tool"
 done
 # abidiff calls any two libraries equal if it is shown no debug information.
@@ -109,13 +109,23 @@ for file in symbols.txt macros.txt constants.txt layout.txt functions.txt \
     rollcoin.abi include/coin.h; do
     test -s "$base/$file" || die "there is no $base/$file: make abi-update"
 done
-for list in symbols macros constants functions; do
+for list in symbols macros constants layout functions; do
     diff "$base/$list.txt" "$work/new/$list.txt" || changed $list
 done
-"$PYTHON" "$here/layout.py" "$base/layout.txt" "$work/new/layout.txt" only ||
-    changed layout
-abidiff --suppressions "$here/rollcoin.suppr" --no-show-locs \
-    "$base/rollcoin.abi" "$library" || changed types
+# Sizes and offsets are the same for processors of 32 bits and of 64.
+{
+    echo '#include <stddef.h>'
+    find "$include" -name '*.h' -printf '#include <%P>\n' | LC_ALL=C sort
+    sed -e 's/\(.*\)\.\(.*\) offset \(.*\) size \(.*\)/IS(offsetof(\1, \2) == \3);\
+IS(sizeof((\1 *)0)->\2 == \4);/' -e 's/^\(coin.*\) size \(.*\)/IS(sizeof(\1) == \2);/' \
+        "$work/new/layout.txt"
+} >"$work/layout.c"
+for target in i686-linux-gnu armv7-linux-gnueabihf wasm32 riscv32 x86_64-linux-gnu \
+    x86_64-windows-gnu aarch64-linux-gnu s390x-linux-gnu; do
+    clang --target=$target -std=c11 -ffreestanding -fsyntax-only -I"$include" \
+        '-DIS(x)=_Static_assert(x, #x)' "$work/layout.c" || changed "$target"
+done
+abidiff --no-show-locs "$base/rollcoin.abi" "$library" || changed types
 
 # A program compiled with the frozen headers, beside one compiled with today's,
 # with the library of today.  It takes the address of all it knows of.

@@ -56,6 +56,42 @@ static int32_t look(const coin_params *p)
     return status;
 }
 
+static int32_t toss(const coin_params *p)
+{
+    coin_table table = {.mu_static = 0.4,
+                        .mu_kinetic = 0.3,
+                        .restitution = 0.4,
+                        .losses = {.dry = 1e-5, .spin = 1e-8, .flat = 1e-5}};
+    coin_body b = {.s = {.theta = 1, .wX = 90, .wY = 5, .wZ = 5},
+                   .y = 0.05,
+                   .vx = 0.1,
+                   .vy = 1.2};
+    double reached = 0;
+    int32_t status = coin_move(&b, p, &table, 0.02, 1e-6, 0, &reached);
+    print_state(&b.s);
+    printf("%a %a %a %a %d\n", b.y, b.vx, b.vy, b.vz, (int)status);
+    table.pull[0] = 0.5;
+    status = coin_move(&b, p, &table, 5, 1e-6, COIN_TOUCHES, &reached);
+    printf("%a %d %d\n", reached, (int)coin_body_face(&b, p), (int)status);
+    status = coin_losses_fit(&table.losses, &b.s, p, 1);
+    printf("%a %d\n", table.losses.dry, (int)status);
+    return COIN_OK;
+}
+
+static int32_t orbit(const coin_params *p)
+{
+    static coin_orbit o;
+    const coin_state start = {0.3, 0, 0, 0, 0, 0, 5, 40};
+    coin_state s;
+    int32_t status = coin_orbit_init(&o, &start, p);
+    printf("%a %a %a %a %a %a %a %a %a %a\n", o.period, o.heading_per_period,
+           o.roll_per_period, o.theta_min, o.theta_max, o.center[1],
+           o.radius_min, o.radius_max, o.drift[0], o.conditioning);
+    status |= coin_orbit_at(&o, 1, &s);
+    print_state(&s);
+    return status;
+}
+
 int main(void)
 {
     coin_params p;
@@ -68,6 +104,6 @@ int main(void)
     printf("%u %u\n",
            (unsigned)(coin_sizeof("coin_state") - sizeof(coin_state)),
            (unsigned)(coin_sizeof("coin_params") - sizeof(coin_params)));
-    return (status | roll(&p) | look(&p)) != COIN_OK ||
+    return (status | roll(&p) | look(&p) | toss(&p) | orbit(&p)) != COIN_OK ||
            known < sizeof all / sizeof *all;
 }

@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: MIT
 """Whether structs have only grown as docs/installing.md allows.
 
-    layout.py OLD NEW [only]    two lists, as header.py makes them
+    layout.py OLD NEW    two lists, as header.py makes them
 
 Each struct of OLD keeps its size, and each member its offset and size, except
 the members called reserved and private_...: the library alone reads those, so
 that their places may be divided anew.  No other member may be added there than
-within a place that was reserved.  Structs may be added, unless only those of
-OLD are wanted.
+within a place that was reserved.  Structs may be added.
 """
 import re
 import sys
@@ -49,7 +48,5 @@ def problems(old, new):
 
 old, new = map(structs, sys.argv[1:3])
 found = list(problems(old, new))
-if sys.argv[3:] == ["only"]:
-    found += [f"{name}: a new struct" for name in new if name not in old]
 print(*found, sep="\n", end="\n" if found else "")
 sys.exit(bool(found))

@@ -137,6 +137,31 @@ order()
     gives "two members in each other's place" "changed: layout types client;"
 }
 
+# As long as a double, but for processors of 32 bits.
+width()
+{
+    edit include/coin.h 's/^    double conditioning;/    size_t conditioning;/'
+    build
+    gives "a member of another size on 32 bits" "changed: i686"
+}
+
+# No compiled program sees a name; a binding does.
+member_name()
+{
+    for file in include/coin.h $(cd "$copy" && grep -lw radius_min lib/*/*.c); do
+        edit "$file" 's/\<radius_min\>/radius_inner/g'
+    done
+    build
+    gives "a member renamed" "changed: layout client;"
+}
+
+argument_order()
+{
+    edit include/coin.h \
+        '/coin_steady_turn(/,/;/s/double theta, double radius/double radius, double theta/'
+    gives "two arguments in each other's place" "changed: functions;"
+}
+
 symbol()
 {
     edit lib/about/rollcoin.map '/coin_critical_spin;/d'
@@ -146,7 +171,7 @@ symbol()
 
 argument()
 {
-    for file in include/coin.h lib/step/run.c lib/step/batch.c; do
+    for file in include/coin.h lib/step/coin_run.c lib/step/batch.c; do
         edit $file 's/size_t count/uint32_t count/'
     done
     build
@@ -176,16 +201,20 @@ no_debug()
     gives "no debug information" "has no debug information"
 }
 
-# ---------------------------------------------------------------- what may grow
+# Members called reserved are divided.
+use_reserved()
+{
+    edit include/coin.h '0,/double reserved\[2\];/s//double tilt; double reserved[1];/'
+    edit include/coin.h 's/double reserved\[26\];/double spin; double reserved[25];/'
+    edit include/coinf.h 's/float reserved\[2\];/float tilt; float reserved[1];/'
+    edit lib/motion/params.h 's/are_zero(p->reserved, 2)/are_zero(p->reserved, 1)/'
+    build
+}
+
 reserved()
 {
-    edit include/coin.h 's/double reserved\[3\];/double tilt; double reserved[2];/'
-    edit include/coin.h 's/double reserved\[26\];/double spin; double reserved[25];/'
-    edit include/coinf.h 's/float reserved\[3\];/float tilt; float reserved[2];/'
-    edit lib/motion/body.h 's/are_zero(p->reserved, 3)/are_zero(p->reserved, 2)/'
-    edit include/coin.h 's/coin_energy(const coin_state \*s,/coin_energy(const coin_state *now,/'
-    build
-    passes "reserved members used, and an argument renamed"
+    use_reserved
+    gives "reserved members used" "changed: layout types;"
 }
 
 # ------------------------------------------------------ once a release has been
@@ -207,6 +236,21 @@ member_after_release()
     after_release
     insert_member
     gives "a member inserted after a release" "a break of the ABI of a release" update
+}
+
+reserved_after_release()
+{
+    after_release
+    use_reserved
+    passes "reserved members used after a release" update
+    passes "the same, accepted"
+}
+
+argument_after_release()
+{
+    after_release
+    edit include/coin.h 's/coin_energy(const coin_state \*s,/coin_energy(const coin_state *now,/'
+    gives "an argument renamed after a release" "a break of the ABI of a release" update
 }
 
 symbol_after_release()
@@ -268,12 +312,17 @@ constant
 macro
 member
 order
+width
+member_name
+argument_order
 symbol
 argument
 function
 no_debug
 reserved
 member_after_release
+reserved_after_release
+argument_after_release
 symbol_after_release
 node_after_release
 soname

@@ -147,7 +147,7 @@ int replay(const std::vector<row> &rows, const char *file)
 int main(int argc, char **argv)
 {
     std::vector<row> rows;
-    for (const auto &table : {FORMULAS, MOTIONS, EVENTS, THROWS})
+    for (const auto &table : {FORMULAS, MOTIONS, EVENTS, THROWS, THICK})
         rows.insert(rows.end(), table.begin(), table.end());
     if (argc >= 6 && !std::strcmp(argv[1], "search"))
         return search_all(rows, argc, argv);

@@ -31,7 +31,7 @@ constexpr change LIFTS = {COIN_LIFTS, COIN_SLIPS, COIN_LIFTS};
 /* How far from the time of a change a call ends that is stopped there, in parts
  * of so many bounds, if the modes on both sides are the ones before and after.
  * The change may be unseen for some time.  A coin that begins to slip may lift
- * off at once.  No claim if a call says COIN_ESTEP: it tells neither. */
+ * off at once.  No claim if a call says COIN_MORE: it tells neither. */
 constexpr double MISSED = 32;
 
 double late(const trial<doubles> &q, const change &of, real when, real bound,
@@ -45,7 +45,7 @@ double late(const trial<doubles> &q, const change &of, real when, real bound,
         coin_body b = q.b;
         is[i] = q.move(&b, std::max(0.0, double(at[i])),
                        i < 2 ? COIN_LIFTS : of.stop, &reached);
-        if (is[i] == COIN_ESTEP)
+        if (is[i] & COIN_MORE)
             return NO_CLAIM;
     }
     return is[0] == of.before && (is[1] == of.after || is[1] == COIN_LIFTS) &&
@@ -174,14 +174,14 @@ bool until(trial<doubles> &q)
  * steeply through flat; no claim where an earlier swing nearly ended there. */
 bool time_to_rest(trial<doubles> &q)
 {
-    const real flat = q.table.losses.flat > 0 ? q.table.losses.flat : 1e-6;
+    const real flat = q.losses.flat > 0 ? q.losses.flat : 1e-6;
     motion truth(q.p, q.y);
-    truth.slow_by(q.table.losses, q.p);
+    truth.slow_by(q.losses, q.p);
     const motion start = truth;
     const auto above = [flat](const motion &m) { return m.at(m.C) - flat; };
     if (truth.is_long(q.s.t))
         return false;
-    const real when = coin_time_to_rest(&q.y, &q.p, &q.table.losses);
+    const real when = coin_time_to_rest(&q.y, &q.p, &q.losses, 1e-6);
     if (!(when > 0 && when < 1e300L) || truth.is_long(when) ||
         !(above(truth) > flat))
         return false;
@@ -198,6 +198,79 @@ bool time_to_rest(trial<doubles> &q)
             ? BROKEN
             : unamplified(double(off * std::fabs(truth.at(truth.WX)) / bound),
                           q.enough, start, 0.999L * when));
+}
+
+/* What a coin that nothing leans takes to slow from one roll to another, in
+ * natural units: integrals over the logarithm of the roll, by Gauss's rule of
+ * five places. */
+struct straight {
+    real time = 0, path = 0;
+
+    straight(const losses &l, real IX, real IZ, real from, real to)
+    {
+        constexpr int PARTS = 400;
+        const real r = std::sqrt(10 / 7.0L), t = 13 * std::sqrt(70.0L);
+        const real x[] = {std::sqrt(5 - 2 * r) / 3, std::sqrt(5 + 2 * r) / 3};
+        const real h = std::log(from / to) / (2 * PARTS);
+        const auto add = [&](real at, real weight) {
+            const real w = to * std::exp(h * at);
+            const real slope =
+                l.at(IX, IZ, IX + 1, IZ + 1, 0, 1, 0, 0, w).wZ.value;
+            time -= h * weight * w / slope;
+            path -= h * weight * w * w / slope;
+        };
+        for (int k = 0; k < PARTS; ++k) {
+            const real middle = 2 * k + 1;
+            add(middle, 128 / 225.0L);
+            for (int side : {-1, 1}) {
+                add(middle + side * x[0], (322 + t) / 900);
+                add(middle + side * x[1], (322 - t) / 900);
+            }
+        }
+    }
+};
+
+/* Where a coin comes to rest that rolls straight on, and when: where the roll
+ * is within its error of that at which a coin rests. */
+template <bool is_body> bool stands(trial<doubles> &q)
+{
+    const coin_losses &by = is_body ? q.table.losses : q.losses;
+    const real w = 1 / real(unit_of(q.s)), roll = std::fabs(q.s.wZ) / w;
+    const moment y(q.p, q.y);
+    const real IX = y.IX / y.m, IZ = y.IZ / y.m;
+    const losses l(by, q.p, y.M, y.a, 1 / w);
+    double reached = 0;
+    if (!(roll > 1e-3L) || by.dry + by.rolling + by.viscous + by.layer +
+                                   by.gap + by.angular + by.damping ==
+                               0)
+        return false;
+    if (is_body ? !q.roll() ||
+                      q.move(&q.b, double(INFINITY), 0, &reached) != COIN_RESTS
+                : coin_settle(&q.b.s, &q.p, &by, double(INFINITY), q.s.tol,
+                              &reached) != COIN_RESTS)
+        return false;
+    const coin_state &at = q.b.s;
+    const straight all(l, IX, IZ, roll, ROLLS);
+    const real error = q.s.tol * (1 + all.time) +
+                       q.u * (90 + 90 * all.time + 16 * all.path),
+               when = reached * w;
+    const real most = ROLLS + error, least = ROLLS - error;
+    const real path = q.s.wZ < 0 ? -all.path : all.path;
+    const real size =
+        q.u * 16 *
+        (1 + std::fabs(y.x / y.a) + std::fabs(y.z / y.a) + std::fabs(y.psi));
+    q.is(most < roll && when < straight(l, IX, IZ, roll, most).time ? BROKEN
+                                                                    : 0);
+    q.is(least > 0 && when > straight(l, IX, IZ, roll, least).time ? BROKEN
+                                                                   : 0);
+    q.is(at.theta == 0 && at.wX == 0 && at.wY == 0 && at.wZ == 0 &&
+                 at.phi == q.y.phi
+             ? 0
+             : BROKEN);
+    q.hold(at.psi, y.psi + path, error + size);
+    q.hold(at.x / y.a, y.x / y.a - path * y.cph, error + size);
+    q.hold(at.z / y.a, y.z / y.a + path * y.sph, error + size);
+    return true;
 }
 
 /* ------------------------------------------------------------------- edges */
@@ -243,6 +316,21 @@ void falls(scene *s, const double *g)
     s->wZ *= power_of_ten(g[MORE + 2], -6, 0);
 }
 
+/* On its edge, rolling straight on; losses from 1e-3 on. */
+void upright(scene *s, const double *g)
+{
+    near_pose(s, g);
+    s->theta = s->wX = s->wY = 0;
+    s->wZ = (g[MORE + 1] < 0.5 ? 1 : -1) * power_of_ten(g[MORE + 2], -3, 1) /
+            unit_of(*s);
+    s->tol = power_of_ten(g[TOL], -11.95, -2.05);
+    s->which = std::floor(512 * g[MORE]);
+    for (int i = 0; i < 4; ++i)
+        s->loss[i] = power_of_ten(g[LOSS + 1 + i], -3, -0.5);
+    s->mu_static = double(INFINITY);
+}
+
+const char *const STANDS = "tol (1 + natural time), of the roll and the path";
 const char *const WHEN = "tol (1 + natural time) over the rate; before "
                          "amplification";
 } // namespace
@@ -253,6 +341,8 @@ const std::vector<row> EVENTS = {
     {"coin_move_lifts", WHEN, 25, slides, judged(lifts)},
     {"coin_move_until", "F/N over mu by 1e-4 of mu", 10, until_it_slips,
      judged(until)},
+    {"coin_settle_stands", STANDS, 100, upright, judged(stands<false>)},
+    {"coin_move_stands", STANDS, 100, upright, judged(stands<true>)},
     {"coin_time_to_rest", "2 tol a radius of speed, of the fall; tol = 1e-6",
      1000, falls, judged(time_to_rest)},
 };

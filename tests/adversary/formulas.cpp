@@ -166,7 +166,7 @@ list integrals_of(const moment &y)
 
 slowing slowed(const moment &y, const scene &s)
 {
-    const losses l(table_of(s).losses, params_of<coin_params>(s), 1, 1, 1);
+    const losses l(losses_of(s), params_of<coin_params>(s), 1, 1, 1);
     return l.at(y.IX, y.IZ, y.J, y.K, y.s, y.c, y.wX, y.wY, y.wZ);
 }
 
@@ -202,12 +202,18 @@ struct slip_velocity {
     }
 };
 
-list body_slip_of(const moment &y, const scene &s)
+/* Of the lowest point, (77), (105). */
+list body_contact_of(const moment &y, const scene &s)
 {
-    const slip_velocity u(y, body_of(s));
+    const coin_body b = body_of(s);
+    const slip_velocity u(y, b);
     return {{u.X.value * y.cph + u.h.value * y.sph, u.speed.size},
+            terms(b.vy).add(y.a * y.wX * y.s),
             {u.h.value * y.cph - u.X.value * y.sph, u.speed.size}};
 }
+
+/* Up to this cos theta the face counts as horizontal: no point is lowest. */
+constexpr real FACE = 0x1p-49L;
 
 void on_table(scene *s, const double *)
 {
@@ -513,18 +519,18 @@ const std::vector<row> FORMULAS = {
     TWIN(quaternion, 4, f(&q.y, out) == COIN_OK, quaternion_of(y)),
     TWIN(matrix, 8, f(&q.y, &q.p, out) == COIN_OK, matrix_of(y)),
     TWIN(angular_velocity, 8, f(&q.y, out) == COIN_OK, angular_velocity_of(y)),
-    ONE(losses_power, 24, nullptr, puts(f(&q.y, &q.p, &q.table.losses), out),
+    ONE(losses_power, 24, nullptr, puts(f(&q.y, &q.p, &q.losses), out),
         {slowed(y, s).power}),
     ONE(losses_rates, 16, nullptr,
-        puts(f(&q.y, &q.p, &q.table.losses, &q.made), &q.made.wX, 3, out),
+        puts(f(&q.y, &q.p, &q.losses, &q.made), &q.made.wX, 3, out),
         losses_rates_of(y, s)),
     ONE(losses_reaction, 16, nullptr,
-        puts(f(&q.y, &q.p, &q.table.losses, &q.force), &q.force.R[0], 6, out),
+        puts(f(&q.y, &q.p, &q.losses, &q.force), &q.force.R[0], 6, out),
         reaction_of(table_force(y, slowed(y, s)))),
     ONE(body_energy, 12, nullptr, puts(f(&q.b, &q.p), out),
         body_energy_of(y, body_of(s))),
-    ONE(body_slip, 8, on_table, f(&q.b, &q.p, out) == COIN_OK,
-        body_slip_of(y, s)),
+    ONE(body_contact, 8, nullptr,
+        q.at.c > FACE && f(&q.b, &q.p, out) == COIN_OK, body_contact_of(y, s)),
     ONE(body_from_state, 8, nullptr, puts(f(&q.b, &q.y, &q.p), &q.b.vx, 3, out),
         velocity_of(y)),
     ONE(steady_spin, 8, nullptr, puts(f(&q.made, &q.p, q.s.theta), q.made, out),

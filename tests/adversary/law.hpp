@@ -59,6 +59,7 @@ template <class T> struct trial : T {
     typename T::params p;
     typename T::state y;
     coin_body b;
+    coin_losses losses;
     coin_table table;
     moment at;
     typename T::state made = {}; /* by the function */
@@ -68,7 +69,7 @@ template <class T> struct trial : T {
     trial(const scene &of, double known)
         : s(of), enough(known), p(params_of<typename T::params>(of)),
           y(state_of<typename T::state>(of)), b(body_of(of)),
-          table(table_of(of)), at(p, y)
+          losses(losses_of(of)), table(table_of(of)), at(p, y)
     {
     }
 
@@ -144,6 +145,6 @@ template <class T = doubles, class L> judge judged(L law)
     };
 }
 
-extern const std::vector<row> FORMULAS, MOTIONS, EVENTS, THROWS;
+extern const std::vector<row> FORMULAS, MOTIONS, EVENTS, THROWS, THICK;
 
 #endif

@@ -123,13 +123,19 @@ real bound_of(const trial<doubles> &q, mover kind, const motion &truth,
            (kind == SLIPS && s.mu_static == 0 ? BEGUN : 0);
 }
 
+/* Moves the body.  Beyond the time asked, whatever the status, is BROKEN. */
 int32_t call(trial<doubles> &q, mover kind)
 {
     coin_state *s = &q.b.s;
-    return kind == ADVANCE ? coin_advance(s, &q.p, q.s.t, q.s.tol, nullptr)
-           : kind == SETTLE
-               ? coin_settle(s, &q.p, &q.table.losses, q.s.t, q.s.tol, nullptr)
-               : q.move(&q.b, q.s.t);
+    double reached = 0;
+    const int32_t status =
+        kind == ADVANCE ? coin_advance(s, &q.p, q.s.t, q.s.tol, &reached)
+        : kind == SETTLE
+            ? coin_settle(s, &q.p, &q.losses, q.s.t, q.s.tol, &reached)
+            : q.move(&q.b, q.s.t, COIN_LIFTS, &reached);
+    if (!(std::fabs(reached) <= std::fabs(q.s.t)))
+        q.is(BROKEN);
+    return status;
 }
 
 /* Whether a returned body is what it is said to be, on the table to the
@@ -139,16 +145,16 @@ double untrue(const trial<doubles> &q, int32_t status)
 {
     const coin_body &b = q.b;
     coin_body on = b;
-    double u[2];
+    double u[3];
     set_on_table(&on, q.p);
     if (!q.says(status, b) || std::fabs(on.y - b.y) > 0x1p-52 * q.p.radius ||
         std::fabs(on.vy - b.vy) > 0x1p-50 * std::fabs(on.vy) ||
-        coin_body_slip(&b, &q.p, u) != COIN_OK)
+        coin_body_contact(&b, &q.p, u) != COIN_OK)
         return BROKEN;
     const double size = std::fabs(b.vx) + std::fabs(b.vz) +
                         q.p.radius * (std::fabs(b.s.wX) + std::fabs(b.s.wZ));
     return status == COIN_OK && q.s.mu_static > 0
-               ? std::hypot(u[0], u[1]) / (8 * doubles::u * size + DBL_MIN)
+               ? std::hypot(u[0], u[2]) / (8 * doubles::u * size + DBL_MIN)
                : 0;
 }
 
@@ -160,7 +166,7 @@ template <mover kind> bool moves(trial<doubles> &q)
     motion truth =
         kind == SLIPS ? motion(q.p, q.b, q.table.mu_kinetic) : motion(q.p, q.y);
     if (kind > ADVANCE)
-        truth.slow_by(q.table.losses, q.p);
+        truth.slow_by(kind == SETTLE ? q.losses : q.table.losses, q.p);
     const motion start = truth;
     motion tightest = truth;
     const real t = q.s.count * real(q.s.t), mu = q.table.mu_static;
@@ -184,7 +190,7 @@ template <mover kind> bool moves(trial<doubles> &q)
             return near > 1 && start.growth(t, near) < near && q.is(BROKEN);
         }
         if (status != COIN_OK && !(kind == SLIPS && status == COIN_SLIPS))
-            return false;
+            return q.worst == BROKEN;
         if (kind >= ROLLS)
             q.is(untrue(q, status));
         const bool lies = q.b.s.wX == 0 && q.b.s.wY == 0; /* no truth of that */
@@ -220,7 +226,6 @@ void slips(scene *s, const double *g)
 {
     calls(s, g);
     s->t = unit_of(*s) * power_of_ten(g[TIME], -2.5, 1) / s->count;
-    s->which = 2 * std::floor(s->which / 2);
 }
 
 /* ------------------------------------------------------------------ orbits */

@@ -152,12 +152,10 @@ double heading(double gene)
                     : 6.283185307179586 * part - FLAT;
 }
 
-/* None, or any; damping only where no slip begins. */
+/* None, or any. */
 void choose_losses(scene *s, const double *g)
 {
     s->which = g[0] < 0.3 ? 0 : std::floor(1024 * (g[0] - 0.3) / 0.7);
-    if (s->mu_static < HUGE_VAL)
-        s->which = 2 * std::floor(s->which / 2);
     for (int i = 0; i < 4; ++i)
         s->loss[i] = power_of_ten(g[1 + i], -7.5, -1);
     s->soft = power_of_ten(g[5], -9, 0);
@@ -206,14 +204,18 @@ scene scene_of(const genome &genes, bool narrow)
 
 void set_on_table(coin_body *b, const coin_params &p)
 {
-    b->y = p.radius * std::cos(b->s.theta);
-    b->vy = -p.radius * std::sin(b->s.theta) * b->s.wX;
+    const double s = std::sin(b->s.theta), c = std::cos(b->s.theta);
+    const double lower = s != 0 ? s : b->s.wX, half = p.thickness / 2;
+    const double eta = lower > 0 ? half : lower < 0 ? -half : 0;
+    b->y = p.radius * c + half * std::fabs(s);
+    b->vy = (eta * c - p.radius * s) * b->s.wX;
 }
 
 coin_body body_of(const scene &s)
 {
     const double v = std::sqrt(s.g * s.a);
-    const double y = s.a * (std::cos(s.theta) + s.above);
+    const double y = s.a * (std::cos(s.theta) + s.above) +
+                     s.thickness / 2 * std::fabs(std::sin(s.theta));
     coin_body b = {
         state_of<coin_state>(s), y, s.vx * v, s.vy * v, s.vz * v, {}};
     if (s.above == 0)
@@ -222,7 +224,7 @@ coin_body body_of(const scene &s)
 }
 
 /* The losses in parts of the coin's own torques. */
-coin_table table_of(const scene &s)
+coin_losses losses_of(const scene &s)
 {
     const double w = 1 / unit_of(s), torque = s.M * s.g * s.a;
     const double unit[] = {
@@ -235,7 +237,16 @@ coin_table table_of(const scene &s)
     l.soft = asks(7) * w * s.soft;
     l.angular = asks(8) * w * s.loss[3];
     l.flat = asks(9) * s.flat;
-    return {s.mu_static, s.mu_kinetic, s.restitution, {}, l};
+    return l;
+}
+
+/* Without damping, which only a coin has that rolls. */
+coin_table table_of(const scene &s)
+{
+    coin_losses l = losses_of(s);
+    l.damping = 0;
+    const double X = s.g * s.pull[0], Z = s.g * s.pull[1];
+    return {s.mu_static, s.mu_kinetic, s.restitution, {X, Z}, {}, l};
 }
 
 void near_pose(scene *s, const double *g)

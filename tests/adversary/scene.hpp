@@ -21,6 +21,8 @@ struct scene {
     double which, loss[4], soft, flat; /* losses: bits, and their sizes */
     double mu_kinetic, mu_static, restitution;
     double above, vx, vy, vz; /* a body, in parts of a and sqrt(g a) */
+    double thickness, pull[2]; /* in parts of g */
+    double blow[3], place[3];  /* in parts of M sqrt(g a) and a */
 };
 constexpr int SCENE_NUMBERS = sizeof(scene) / sizeof(double);
 
@@ -59,7 +61,7 @@ template <class P> P params_of(const scene &s)
 {
     P p = {};
     auto *to = &p.mass;
-    for (double number : {s.M, s.a, s.g, s.IX, s.IZ})
+    for (double number : {s.M, s.a, s.g, s.IX, s.IZ, s.thickness})
         *to++ = decltype(p.mass)(number);
     return p;
 }

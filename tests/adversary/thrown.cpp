@@ -28,19 +28,21 @@ vector about(const vector &axis, real angle, const vector &a)
            axis * ((1 - c) * dot(axis, a));
 }
 
-/* A symmetric top without a contact, in natural units: its angular momentum L
- * stays, about which axis and body turn; the centre falls. */
+/* A symmetric top without a contact, in natural units: the centre falls, axis
+ * and body turn about the angular momentum L, at rates that are proportional to
+ * it.  The torque -slows L makes it fade: dL/dt = -slows L. */
 struct top {
-    real IX, IZ;
+    real IX, IZ, slows;
     vector X, Z, L, r, v; /* an axis of the body in its plane, and its own */
 
-    top(const coin_params &p, const coin_body &b)
+    top(const coin_params &p, const coin_body &b, double angular = 0)
     {
         const moment y(p, b.s);
         const real w = std::sqrt(y.g / y.a), V = y.a * w;
         const frame e(y);
         IX = y.IX / y.m;
         IZ = y.IZ / y.m;
+        slows = angular / w;
         Z = e.Z;
         X = about(Z, y.psi, e.X);
         L = (e.X * y.wX + e.Y * y.wY) * (IX / w) + Z * (IZ * y.wZ / w);
@@ -48,12 +50,20 @@ struct top {
         v = {b.vx / V, b.vy / V, b.vz / V};
     }
 
+    /* The time in which L as it is now would turn the top as far. */
+    real faded(real t) const
+    {
+        return slows > 0 ? -std::expm1(-slows * t) / slows : t;
+    }
+
     void fly(real t)
     {
         const real size = size_of(L), own = (1 / IZ - 1 / IX) * dot(L, Z);
+        const real turns = faded(t);
         const vector axis = size > 0 ? vector(L / size) : Z;
-        X = about(axis, size / IX * t, about(Z, own * t, X));
-        Z = about(axis, size / IX * t, Z);
+        X = about(axis, size / IX * turns, about(Z, own * turns, X));
+        Z = about(axis, size / IX * turns, Z);
+        L *= std::exp(-slows * t);
         r += v * t;
         r[1] -= t * t / 2;
         v[1] -= t;
@@ -99,7 +109,7 @@ struct top {
     /* The radians that it turns by until t, and what its centre moves by. */
     real turned(real t) const
     {
-        return size_of(omega()) * (1 + std::fabs(1 - IZ / IX)) * t;
+        return size_of(omega()) * (1 + std::fabs(1 - IZ / IX)) * faded(t);
     }
     real way(real t) const
     {
@@ -122,12 +132,20 @@ void tossed(scene *s, const double *g)
     s->which = 0;
 }
 
+/* The turn fades: within any part of the flight, or hardly. */
+void fading(scene *s, const double *g)
+{
+    tossed(s, g);
+    s->which = 256;
+    s->loss[3] = power_of_ten(g[LOSS], g[LOSS + 1] < 0.5 ? -2 : -11.9, 2.9);
+}
+
 /* 1e-15 a radian of what turns, and the rounding of units of what the centre
  * does. */
 bool flies(trial<doubles> &q)
 {
-    top n(q.p, q.b);
-    const real t = q.s.t / real(unit_of(q.s));
+    top n(q.p, q.b, q.table.losses.angular);
+    const real t = q.s.t / real(unit_of(q.s)), fast = size_of(n.omega());
     double reached = 0;
     if (q.move(&q.b, q.s.t, COIN_TOUCHES, &reached) != COIN_LIFTS ||
         reached != q.s.t)
@@ -137,7 +155,7 @@ bool flies(trial<doubles> &q)
     const top is(q.p, q.b);
     hold(&q, is.X, n.X, turn);
     hold(&q, is.Z, n.Z, turn);
-    hold(&q, is.omega(), n.omega(), turn * size_of(n.omega()) + q.normal);
+    hold(&q, is.omega(), n.omega(), turn * fast + q.normal);
     hold(&q, is.r, n.r, way, 4 * q.u);
     hold(&q, is.v, n.v, way, 4 * q.u);
     return true;
@@ -149,7 +167,7 @@ constexpr int LOOKS = 50;
 
 bool touches(trial<doubles> &q)
 {
-    top n(q.p, q.b);
+    top n(q.p, q.b, q.table.losses.angular);
     double reached = 0;
     const int32_t status = q.move(&q.b, q.s.t, COIN_TOUCHES, &reached);
     if (status < 0)
@@ -230,13 +248,16 @@ bool tosses(trial<doubles> &q)
     q.is(gained / before / (q.s.tol * (1 + reached / unit_of(q.s))));
     return q.is(sunk / (20 * double(q.u)));
 }
+
+const char *const FLIES = "1e-15 a radian + 16 u of the way";
+const char *const TOUCHES = "a gap of 1e-15 a radian + 16 u of the way";
 } // namespace
 
 const std::vector<row> THROWS = {
-    {"coin_move_flies", "1e-15 a radian + 16 u of the way", 25, tossed,
-     judged(flies)},
-    {"coin_move_touches", "a gap of 1e-15 a radian + 16 u of the way", 25,
-     tossed, judged(touches)},
+    {"coin_move_flies", FLIES, 25, tossed, judged(flies)},
+    {"coin_move_fades", FLIES, 25, fading, judged(flies)},
+    {"coin_move_touches", TOUCHES, 25, tossed, judged(touches)},
+    {"coin_move_touches_faded", TOUCHES, 25, fading, judged(touches)},
     {"coin_move_hits", "1e-15 of the speeds over I_X and I_Z", 25, tossed,
      judged(hits)},
     {"coin_move_tosses", "tol of the energy a natural unit; 20 u below", 25,

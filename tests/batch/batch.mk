@@ -2,7 +2,7 @@
 #
 # Many coins at once: included by the Makefile.
 #
-#   make lanes      the tests of batches by vectors of every width
+#   make lanes      tests of what computes by vectors, of every width
 #   make sweep      a million coins, drawn for docs/pictures.md  (20 seconds)
 #
 # `make examples` also runs these, small.  `make batch` measures: bench.mk.
@@ -15,11 +15,12 @@ BATCH_SRC := $(SRC)/tests/batch
 # the gate then says so, and passes.
 NEEDS_x86-64-v3 := avx2
 NEEDS_x86-64-v4 := avx512vl
-LANES_TESTS     := $(addprefix tests/test_,$(addsuffix .c,batch range))
+LANES_TESTS     := $(addprefix tests/test_,$(addsuffix .c,batch range traps \
+                     traps_edges move settle_calls toss orbit_at))
 
 LANES = lanes-x86-64-v3 lanes-x86-64-v4
 .PHONY: lanes $(LANES)
-lanes: $(LANES) ## the tests of batches by vectors of 32 and 64 bytes
+lanes: $(LANES) ## tests of what computes by vectors, of 32 and 64 bytes
 $(LANES): lanes-%:
 	+if grep -m1 '^flags' /proc/cpuinfo | grep -qw $(NEEDS_$*); then \
 	    $(AGAIN) O=$(O)/hwcaps/$* check TESTS='$(LANES_TESTS)' \

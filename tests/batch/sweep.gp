@@ -4,8 +4,10 @@
 #     gnuplot -e "from='...'" -e "to='...'" sweep.gp
 # The lower half of the directions; at the others, -wY and -wZ, the motion is
 # the same.
-set terminal png notruecolor nocrop size 600,450 font "DejaVuSans,9" \
-    background rgb "white"
+# Ink that is read on a light and on a dark ground.
+ink = "#777777"
+set terminal png notruecolor nocrop transparent size 600,450 \
+    font "DejaVuSans,9"
 set output to."/sweep.png"
 
 # The scales of sweep.c, in thirds: red, green and blue of either.
@@ -31,6 +33,8 @@ paint(i, r, g, b) = fell(r, b) ? channel(falls, i, band(place(falls, 0, r))) \
 rgb(row, x) = 65536 * channel(row, 0, x) + 256 * channel(row, 1, x) \
               + channel(row, 2, x)
 
+set border lc rgb ink
+set tics textcolor rgb ink
 set multiplot
 set lmargin at screen 0.09
 set rmargin at screen 0.84
@@ -40,8 +44,8 @@ set xrange [-90:90]
 set yrange [-90:90]
 set xtics 30 out nomirror
 set ytics 30 out nomirror
-set xlabel "lean at the start [degrees]"
-set ylabel "spin, atan2(wY, wZ) [degrees]" offset 1,0
+set xlabel "lean at the start [degrees]" textcolor rgb ink
+set ylabel "spin, atan2(wY, wZ) [degrees]" offset 1,0 textcolor rgb ink
 unset key
 set label "falls" at 62,-42 center front tc rgb "white"
 set label "rolls on" at 0,0 center front tc rgb "white"
@@ -66,14 +70,16 @@ do for [k=1:2] {
     if (k == 1) {
         set y2tics ("0" 0, "1" sqrt(1./24), "3" sqrt(3./24), \
                     "6" sqrt(6./24), "12" sqrt(12./24), "24" 1)
-        set y2label "falls after [units of time]" offset 0.8,0
+        set y2label "falls after [units of time]" offset 0.8,0 textcolor rgb ink
     } else {
         set y2tics ("0" 0, "45" 0.25, "90" 0.5, "135" 0.75, "180" 1)
-        set y2label "rolls on: swing of the lean [degrees]" offset 0.8,0
+        set y2label "rolls on: swing of the lean [degrees]" offset 0.8,0 textcolor rgb ink
     }
     set y2range [0:1]
     plot sample [i=0:bands-1:1] '+' using (0.5):((i + 0.5) / bands):(0.5): \
          (0.5 / bands):(rgb(k == 1 ? falls : rolls, (i + 0.5) / bands)) \
          with boxxyerror fillstyle solid noborder linecolor rgb variable
 }
-unset multiplot
+unset border lc rgb ink
+set tics textcolor rgb ink
+set multiplot

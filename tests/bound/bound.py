@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Instructions over random valid states, against the table in the docs.
+"""Instructions over random valid states, against what is said of them.
 
-    bound.py OUT DOCS           fails unless they are within 5 % of it
-    bound.py OUT DOCS update    writes it
+    bound.py OUT DOCS INCLUDE           fails unless those of steps are within
+                                        5 % of the table in DOCS, and those of
+                                        other calls within coin.h's sentence
+    bound.py OUT DOCS INCLUDE update    writes the table
 
-OUT is callgrind's, with a part for each call of bound.c.
+OUT is callgrind's, with a part for each call of bound.c.  A call takes at most
+one textbook step, or what its comment says: "at most N textbook steps", or any
+other "Cost:".
 """
 import collections
 import pathlib
@@ -19,6 +23,9 @@ WITHIN = 0.05
 STATES = 1000
 LONG = 12  # steps of coin_advance that make its start and end count little
 STEPS = 64
+TEXTBOOK = 1496  # instructions of a textbook step, by which all pages count
+DOCUMENTED = re.compile(r"/\*\*((?:(?!\*/).)*)\*/\s*COIN_API[^;(]*?\b(\w+)\(",
+                        re.S)
 BLOCK = re.compile(r"(<!-- bound -->\n).*?(<!-- end -->)", re.S)
 
 
@@ -86,7 +93,39 @@ def compare(got, stated):
     return wrong
 
 
-def main(out, docs, update=None):
+def allowed(include):
+    """{function: textbook steps that a call may take}."""
+    most = {}
+    for header in "coin.h", "coinf.h":
+        for comment, name in DOCUMENTED.findall((include / header).read_text()):
+            said = " ".join(comment.replace("*", " ").split())
+            stated = re.search(r"at most ([\d.,]+) textbook steps", said)
+            most[name] = (float(stated[1].replace(",", "")) if stated else
+                          float("inf") if "Cost:" in said else
+                          most.get(name.replace("coinf", "coin"), 1))
+    return most
+
+
+def dear(out, include):
+    """The functions that a call of takes more than is said."""
+    taken, most = collections.defaultdict(int), allowed(include)
+    for label, total, _ in parts(out):
+        row, what = label.split(",")
+        if what == "call":
+            name = max((n for n in most if f"{row}_".startswith(f"{n}_")),
+                       key=len)
+            taken[name] = max(taken[name], total / TEXTBOOK)
+    dearest = max((n for n in taken if most[n] == 1), key=taken.get)
+    print(f"{len(taken)} other functions; of those that state no cost "
+          f"{dearest} takes most: {taken[dearest]:.2f} textbook steps")
+    if len(taken) < 60:
+        yield "too few functions were called"
+    for name, steps in taken.items():
+        if steps > most[name]:
+            yield f"{name}: {steps:.2f} textbook steps, stated {most[name]:g}"
+
+
+def main(out, docs, include, update=None):
     found = measured(out)
     calls = [len(c) for (_, what), c in found.items() if "one step" in what]
     if calls != [STATES] * 4:
@@ -100,8 +139,9 @@ def main(out, docs, update=None):
     if update:
         path.write_text(BLOCK.sub(lambda m: m[1] + now + m[2], text))
         return
-    wrong = compare(numbers(now), numbers(block[0].split("\n", 1)[1]))
-    sys.exit("\n".join(["bound: other figures than in the docs", *wrong])
+    wrong = [*compare(numbers(now), numbers(block[0].split("\n", 1)[1])),
+             *dear(out, pathlib.Path(include))]
+    sys.exit("\n".join(["bound: other figures than are stated", *wrong])
              if wrong else 0)
 
 

@@ -231,11 +231,34 @@ tosses()
 {
     exits 0 --scene toss --mu 0.3 --out out && awk '
         / flies$/ && $1 < 0.14 {off += $6 != "1.0000"; n++}
-        / lies flat$/ {rests = 1}
-        END {exit !(n >= 2 && off == 0 && rests)}' stdout
+        / (heads|tails)$/ {rests = 1}
+        /^(heads|tails) after [0-9.]+ s$/ {said = 1}
+        END {exit !(n >= 2 && off == 0 && rests && said)}' stdout
 }
-claim "a tossed quarter flies, and lies flat in the end" tosses
+claim "a tossed quarter flies, and ends as heads or tails" tosses
 claim "the drawing shows where" grep -q ">it slips or flies<" out/toss.svg
+# Let go on the edge's inner side of its balance, atan(1.75/24.26), it stands in
+# the end, and has lost no more than it had above that: cos + h sin - 1.
+stands()
+{
+    exits 0 --scene edge --out out && awk '
+        /^ .* (rolls|on its edge)$/ { if ($2 ^ 2 > 4.02 ^ 2) exit 1; rows++ }
+        /^it lost/ { h = 1.75 / 24.26; least = cos(0.07) + h * sin(0.07)
+                     off = $3 - 100 * (1 - 1 / least) }
+        /^on its edge after 1[0-9.]* s$/ { said = 1 }
+        END { exit !(rows == 21 && said && off ^ 2 <= 0.051 ^ 2) }' stdout
+}
+claim "a quarter that rocks stands on its edge in the end" stands
+# 60 rad/s up the slope, and down by 2/3 of gravity along it.
+rolls_down()
+{
+    exits 0 --scene slope --out out && awk '
+        BEGIN { down = 9.80665 * sin(10 * atan2(1, 1) / 45) / 3 }
+        /^ .* rolls$/ { off = $4 - 100 * (down * $1 - 60 * 0.01213) * $1
+                        bad += off ^ 2 > 0.0051 ^ 2 || $6 != "1.0000"; rows++ }
+        END { exit rows != 21 || bad }' stdout
+}
+claim "a quarter rolls up a slope and down again" rolls_down
 # The columns that both tables have.
 poses() { rows | cut -c 1-44; }
 keeps_rolling()

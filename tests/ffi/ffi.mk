@@ -10,10 +10,10 @@ FFI = $(GATE) CXX='$(CXX)' PYTHON=$(DEBIAN_PYTHON) RUSTC='$(RUSTC)' \
       CARGO='$(CARGO)' BINDGEN='$(BINDGEN)'
 
 .PHONY: bindings bindings-update bindings-seeds bindings-cost sweeps
-bindings: $(LIB_A) $(LIB_SO) $(O)/quarter ## C++, Python and Rust are as coin.h says, and roll the quarter
+bindings: $(LIB_A) $(LIB_SO) $(O)/quarter $(O)/many_tosses ## C++, Python and Rust are as coin.h says, and roll the quarter
 	+$(FFI) sh $(SRC)/tests/ffi/ffi.sh
 
-bindings-update: ## write the declarations of Python and Rust from coin.h
+bindings-update: ## write the declarations of Python, Rust, C# and JavaScript from coin.h
 	+$(FFI) sh $(SRC)/tests/ffi/ffi.sh update
 
 bindings-seeds: $(LIB_SO) ## let coin.h and the bindings drift apart: make bindings must see it

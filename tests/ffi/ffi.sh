@@ -45,8 +45,13 @@ rust_declarations()
 rust_declarations --no-layout-tests >"$work/ffi.rs" ||
     die "bindgen cannot read coin.h"
 
+"$PYTHON" "$here/declare.py" csharp "$SRC/include" >"$work/rollcoin.cs"
+"$PYTHON" "$here/declare.py" typescript "$SRC/include" >"$work/rollcoin.d.ts"
+
 if test "${1:-}" = update; then
     cp "$work/_declarations.py" "$work/tables.h" "$package"
+    cp "$work/rollcoin.cs" "$examples/csharp"
+    cp "$work/rollcoin.d.ts" "$examples/js"
     cp "$work/ffi.rs" "$raw"
     echo "bindings: declarations renewed"
     exit
@@ -55,6 +60,9 @@ fi
     diff "$package/tables.h" "$work/tables.h"; } ||
     differs "Python's declarations"
 diff "$raw" "$work/ffi.rs" || differs "Rust's declarations"
+diff "$examples/csharp/rollcoin.cs" "$work/rollcoin.cs" || differs "rollcoin.cs"
+diff "$examples/js/rollcoin.d.ts" "$work/rollcoin.d.ts" ||
+    differs "rollcoin.d.ts"
 
 # The same by another route: what the C compiler, ctypes and rustc make of it.
 "$PYTHON" "$here/header.py" "$SRC/include" layout >"$work/layout.c.txt"
@@ -81,7 +89,7 @@ calls()
         done | grep . && differs "$name's calls" || true
 }
 calls C++ "$examples/cpp/rollcoin.hpp"
-calls Rust "$examples"/rust/src/[!f]*.rs
+calls Rust "$examples"/rust/src/[!ft]*.rs
 
 echo "bindings: $(wc -l <"$work/layout.c.txt") sizes and offsets," \
     "$(grep -c 'pub fn' "$raw") functions in Python and Rust as in coin.h"
@@ -160,6 +168,11 @@ same "Rust, by cargo" env ROLLCOIN_LIB="$OUT" RUSTC="$RUSTC" \
 same "Rust, by rustc" "$work/quarter-rs"
 "$python" "$examples/python/toss.py" 100 >"$work/quarter.txt"
 grep -q ' of 100 show heads' "$work/quarter.txt" || differs "toss.py"
+same "C, tosses by threads as Python's" "$OUT/many_tosses" 100
+for bad in 0 1e5; do
+    ! "$OUT/many_tosses" $bad 2>"$work/log" && grep -q '^usage: ' "$work/log" ||
+        differs "many_tosses $bad"
+done
 same "Rust, tosses as Python's" env ROLLCOIN_LIB="$OUT" RUSTC="$RUSTC" \
     CARGO_TARGET_DIR="$work/cargo" "$CARGO" run --offline -q \
     --manifest-path "$work/rust/Cargo.toml" --example toss 100

@@ -7,7 +7,7 @@ list, a line each, sorted:
 
     header.py INCLUDE constants    COIN_ESTEP -3, as the compiler has them
     header.py INCLUDE layout       coin_state.theta offset 0 size 8, likewise
-    header.py INCLUDE functions    int32_t coin_step(coin_state *, ...)
+    header.py INCLUDE functions    int32_t coin_step(coin_state *s, ...)
     header.py INCLUDE macros       #define COIN_VERSION_MAJOR
 
 CC is the compiler, cc if unset.
@@ -40,7 +40,7 @@ class Header:
     structs: dict    # name -> {member: Type}
     enums: list      # of lists of names
     functions: dict  # name -> (Type of the result, {argument: Type})
-    text: dict       # name of a function -> its prototype, arguments unnamed
+    text: dict       # name of a function -> its prototype
 
 
 def includes(include):
@@ -79,16 +79,6 @@ def arguments_of(function):
     return found
 
 
-def without_names(function):
-    """A prototype whose arguments have types only: their names may change."""
-    for argument in function.type.args.params:
-        node = argument.type
-        while not isinstance(node, c_ast.TypeDecl):
-            node = node.type
-        argument.name = node.declname = None
-    return c_generator.CGenerator().visit(function)
-
-
 def read(include):
     header = Header({}, [], {}, {})
     tree = c_parser.CParser().parse(preprocess(include, "-P"))
@@ -101,7 +91,7 @@ def read(include):
         elif isinstance(kind, c_ast.FuncDecl):
             header.functions[node.name] = (type_of(kind.type),
                                            arguments_of(kind))
-            header.text[node.name] = without_names(node)
+            header.text[node.name] = c_generator.CGenerator().visit(node)
         elif isinstance(kind.type, c_ast.Struct):
             header.structs[node.name] = {
                 member.name: type_of(member.type)

@@ -27,11 +27,12 @@ PREFIX = re.compile(r"coin(f?)_")
 ENUMS = {"COIN_OK": ("Status", "IntEnum", "Error.status, and OK."),
          "COIN_SLIPS": ("Bits", "IntFlag",
                         "What a call that succeeded says of the coin."),
+         "COIN_HEADS": ("Face", "IntEnum", "How a coin lies: body_face()."),
          "COIN_RK4": ("Method", "IntEnum", "Methods of integration.")}
 
 # Functions that are not called as in C without the prefix.
 RENAMED = {"params_disc": "disc", "params_ring": "ring", "params_body": "body",
-           "batch_run": "run_batch", "orbit_init": "orbit"}
+           "params_cylinder": "cylinder", "batch_run": "run_batch", "orbit_init": "orbit"}
 
 HEAD = '''\
 # SPDX-License-Identifier: MIT

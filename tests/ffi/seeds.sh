@@ -69,18 +69,20 @@ SRC=$copy OUT=$copy/build sh "$copy/tests/ffi/ffi.sh" declarations \
 echo "passes  undrifted"
 
 both="Python's declarations; Rust's declarations"
+three="$both; rollcoin.cs"
+all="$three; rollcoin.d.ts"
 update=": make bindings-update"
-drift "a member inserted" "$both; Python's layout$update" include/coin.h \
+drift "a member inserted" "$three; Python's layout$update" include/coin.h \
     's/^    double normal; /    double extra; double normal; /'
-drift "two members in each other's place" "$both; Python's layout$update" \
+drift "two members in each other's place" "$three; Python's layout$update" \
     include/coin.h '/^    double wY;/{h;d};/^    double wZ;/{G;}'
-drift "an argument of another type" "$both$update" include/coin.h \
+drift "an argument of another type" "$three$update" include/coin.h \
     's/size_t count/int32_t count/'
-drift "an argument gone" "$both$update" include/coin.h \
+drift "an argument gone" "$all$update" include/coin.h \
     's/const coin_params \*p, double dt);/const coin_params *p);/'
-drift "a constant with another value" "$both$update" include/coin.h \
+drift "a constant with another value" "$three$update" include/coin.h \
     's/COIN_ESTEP = -3/COIN_ESTEP = -99/'
-drift "a function added" "$both; C++'s calls; Rust's calls$update" include/coin.h \
+drift "a function added" "$all; C++'s calls; Rust's calls$update" include/coin.h \
     's/^COIN_API uint32_t coin_version(void);/&\nCOIN_API double coin_new(void);/'
 drift "a kind of type that no binding knows" "pycparser cannot read coin.h" \
     include/coin.h 's/^    double ratio;/    union { int a; } u; double ratio;/'
@@ -102,6 +104,10 @@ drift "a function no longer called in Rust" "differ: Rust's calls$update" \
     docs/examples/rust/src/losses.rs 's/coin_settle(/coin_advance(/'
 drift "a member's type changed in Rust" "differ: Rust's declarations$update" \
     docs/examples/rust/src/ffi.rs '0,/pub wX: f64/s//pub wX: f32/'
+drift "a member moved in C#" "differ: rollcoin.cs$update" \
+    docs/examples/csharp/rollcoin.cs '/public double wY;/{h;d};/public double wZ;/{G;}'
+drift "a function gone from rollcoin.d.ts" "differ: rollcoin.d.ts$update" \
+    docs/examples/js/rollcoin.d.ts '/coin_settle(/d'
 
 fresh
 BINDGEN=/nowhere/bindgen

@@ -62,8 +62,9 @@ static void numbers()
     THROWS(rollcoin::critical_roll(none), COIN_EPARAMS);
     THROWS(rollcoin::critical_spin(none), COIN_EPARAMS);
     THROWS(rollcoin::losses_power(bad, p, wrong), COIN_EPARAMS);
-    THROWS(rollcoin::time_to_rest(bad, p, wrong), COIN_EPARAMS);
-    THROWS(rollcoin::time_to_rest(bad, p, dry), COIN_ESTATE);
+    THROWS(rollcoin::time_to_rest(bad, p, wrong, 1e-6), COIN_EPARAMS);
+    THROWS(rollcoin::time_to_rest(bad, p, dry, 1e-6), COIN_ESTATE);
+    THROWS(rollcoin::time_to_rest(bad, p, wrong, 1), COIN_EARG);
     THROWS(rollcoin::check(none), COIN_EPARAMS);
     THROWS(rollcoin::check(bad, p), COIN_ESTATE);
     THROWS(rollcoin::check(wrong, p), COIN_EPARAMS);
@@ -151,7 +152,7 @@ static void rest()
     auto s = rollcoin::steady_spin(p, 1.0);
     const auto l = rollcoin::losses_fit(law, s, p, 8);
     double reached = 0;
-    CHECK(std::fabs(rollcoin::time_to_rest(s, p, l) - 8) < 0.08);
+    CHECK(std::fabs(rollcoin::time_to_rest(s, p, l, 1e-6) - 8) < 0.08);
     CHECK(rollcoin::losses_power(s, p, l) > 0);
     CHECK(rollcoin::losses_rates(s, p, l).wY != rollcoin::rates(s, p).wY);
     CHECK(rollcoin::losses_reaction(s, p, l).R[0] !=
@@ -166,7 +167,7 @@ static void bodies()
     f.mu_static = f.mu_kinetic = 0.5;
     rollcoin::check(f, p);
     auto d = rollcoin::body_of(start, p);
-    CHECK(std::fabs(rollcoin::slip(d, p)[0]) < 1e-12);
+    CHECK(std::fabs(rollcoin::contact(d, p)[0]) < 1e-12);
     CHECK(rollcoin::matrix(d, p)[13] == d.y);
     CHECK(std::fabs(rollcoin::energy(d, p) - rollcoin::energy(start, p)) <
           1e-12);
@@ -178,6 +179,110 @@ static void bodies()
                     1) < 0.5);
     d.s.theta = 2;
     THROWS(rollcoin::energy(d, p), COIN_ESTATE);
+}
+
+// A chip as thick as half its width: tossed, struck and on a slope.
+static const auto chip = rollcoin::cylinder(0.005, 0.01, 0.01, 9.80665);
+
+static rollcoin::table felt()
+{
+    rollcoin::table f{};
+    f.mu_static = 0.4;
+    f.mu_kinetic = 0.3;
+    f.restitution = 0.2;
+    f.losses.dry = f.losses.spin = 1e-2 * chip.mass * chip.gravity * 0.01;
+    return f;
+}
+
+static rollcoin::body tossed(double theta, double wX)
+{
+    rollcoin::body b{};
+    b.s.theta = theta;
+    b.s.wX = wX;
+    b.y = 0.03;
+    b.vy = 0.5;
+    return b;
+}
+
+static void ends_as(rollcoin::face face, double y, rollcoin::body b)
+{
+    const auto f = felt();
+    const std::int32_t said =
+        rollcoin::move(b, chip, f, HUGE_VAL, 1e-6, COIN_DECIDED);
+    CHECK((said & COIN_DECIDED) != 0 && (said & COIN_RESTS) == 0);
+    CHECK(rollcoin::face_of(b, chip) == face);
+    CHECK(rollcoin::move(b, chip, f, HUGE_VAL, 1e-6) == COIN_RESTS);
+    CHECK(rollcoin::face_of(b, chip) == face);
+    CHECK(std::fabs(b.y - y) < 1e-12);
+}
+
+static void chips()
+{
+    CHECK(std::fabs(chip.inertia_X - 5e-7 / 3) < 1e-20);
+    ends_as(rollcoin::face::heads, 0.005, tossed(-1, 0));
+    ends_as(rollcoin::face::tails, 0.005, tossed(1, 0));
+    ends_as(rollcoin::face::edge, 0.01, tossed(-1, 10));
+    THROWS(rollcoin::cylinder(1, 1, 5, 1), COIN_EPARAMS);
+    THROWS(rollcoin::energy(start, chip), COIN_EPARAMS);
+    THROWS(rollcoin::fastest_rate(start, chip), COIN_EPARAMS);
+    THROWS(rollcoin::critical_roll(chip), COIN_EPARAMS);
+    THROWS(rollcoin::critical_spin(chip), COIN_EPARAMS);
+    THROWS(rollcoin::face_of(tossed(2, 0), chip), COIN_ESTATE);
+}
+
+static void slope()
+{
+    auto f = felt();
+    auto b = tossed(1, 0);
+    rollcoin::move(b, chip, f, HUGE_VAL, 1e-6);
+    f.pull[0] = 0.3 * chip.gravity;
+    CHECK(rollcoin::move(b, chip, f, 0.1, 1e-9) == COIN_RESTS);
+    f.pull[0] = 0.5 * chip.gravity;
+    CHECK(rollcoin::move(b, chip, f, 0.1, 1e-9) == COIN_SLIPS);
+    CHECK(std::fabs(b.vx - (0.5 - 0.3) * chip.gravity * 0.1) < 1e-9);
+    THROWS(rollcoin::move(b, chip, f, 0.1, 1e-9, COIN_DECIDED), COIN_EARG);
+}
+
+static void blow()
+{
+    auto b = rollcoin::body_of(rollcoin::state{}, chip);
+    rollcoin::strike(b, chip, {0, 0, 1e-3}, {0, chip.radius, 0});
+    CHECK(std::fabs(b.vz - 1e-3 / chip.mass) < 1e-12);
+    CHECK(std::fabs(b.s.wX - 1e-3 * chip.radius / chip.inertia_X) < 1e-9);
+    const auto before = b;
+    THROWS(rollcoin::strike(b, chip, {1e30, 0, 0}, {0, 0, 0}), COIN_ESTATE);
+    CHECK(std::memcmp(&b, &before, sizeof b) == 0);
+}
+
+// Where one call of the library does not suffice, for a time and for ever.
+static void far()
+{
+    rollcoin::losses l{};
+    rollcoin::table f{};
+    auto s = start;
+    auto b = rollcoin::body_of(s, p);
+    double reached = 0, part = 0;
+
+    f.mu_static = HUGE_VAL;
+    l.dry = 1e-15;
+    CHECK(coin_move(&b, &p, &f, 1000, 1e-2, 0, &part) == COIN_MORE);
+    CHECK(rollcoin::move(b, p, f, 1000, 1e-2, 0, &reached) == COIN_OK);
+    CHECK(part < 900 && std::fabs(reached - 1000) < 1e-9);
+    CHECK(rollcoin::move(b, p, f, HUGE_VAL, 1e-2, 0, &reached) == COIN_MORE);
+    CHECK(reached > 90 * part && reached < 110 * part);
+    CHECK(rollcoin::settle(s, p, l, 25000, 1e-2, &reached) == COIN_OK);
+    CHECK(std::fabs(reached - 25000) < 1e-9);
+    s = start;
+    CHECK(coin_settle(&s, &p, &l, 25000, 1e-2, &part) == COIN_MORE);
+    CHECK(rollcoin::advance(s, p, 40000, 1e-2, &reached) == COIN_OK);
+    CHECK(std::fabs(reached - 40000) < 1e-9);
+    s = start;
+    CHECK(coin_advance(&s, &p, 40000, 1e-2, &part) == COIN_MORE);
+    s.psi = 2147483647. - 20000;
+    b = rollcoin::body_of(s, p);
+    reached = 0;
+    THROWS(rollcoin::move(b, p, f, 1000, 1e-2, 0, &reached), COIN_ERANGE);
+    CHECK(reached > 400 && reached < 600);
 }
 
 int main()
@@ -221,6 +326,10 @@ int main()
     orbits();
     rest();
     bodies();
+    chips();
+    slope();
+    blow();
+    far();
     rollcoin::selftest();
     return failures != 0;
 }

@@ -12,6 +12,7 @@ import math
 import mmap
 import os
 import pathlib
+import pty
 import pickle
 import re
 import runpy
@@ -39,6 +40,19 @@ def quarterf():
             rc.Statef(theta=0.3, wY=5, wZ=40))
 
 
+def chip():
+    """As thick as half its width; and a table."""
+    p = rc.cylinder(0.005, 0.01, 0.01, 9.80665)
+    table = rc.Table(mu_static=0.4, mu_kinetic=0.3, restitution=0.2)
+    table.losses.dry = 1e-2 * p.mass * p.gravity * p.radius
+    table.losses.spin = table.losses.dry
+    return p, table
+
+
+def toss(theta, wX=0):
+    return rc.Body(rc.State(theta, wX=wX), 0.03, 0.1, 0.5)
+
+
 def random_table(count, kind=rc.State):
     """States that a step of 1e-3 moves."""
     random = numpy.random.default_rng(1)
@@ -57,7 +71,8 @@ def same(one, other):
 class Package(unittest.TestCase):
     # Names that are not those of C without their prefix.
     NAMES = {"params_disc": "disc", "params_ring": "ring",
-             "params_body": "body", "batch_run": "run_batch",
+             "params_body": "body", "params_cylinder": "cylinder",
+             "batch_run": "run_batch",
              "orbit_init": "orbit", "version_string": "version"}
 
     def test_every_function_has_one_of_python_that_names_it(self):
@@ -101,12 +116,13 @@ class Package(unittest.TestCase):
         self.assertEqual(rc.status_string(rc.EFLAT), "the coin falls flat")
 
     def test_the_readmes_show_programs(self):
-        for readme, lines in ((PYTHON / "README.md", 2),
+        for readme, lines in ((PYTHON / "README.md", 3),
                               (PYTHON / "../../../README.md", 1)):
-            program = re.search(r"```python\n(.*?)```", readme.read_text(),
-                                re.S).group(1)
+            programs = re.findall(r"```python\n(.*?)```", readme.read_text(),
+                                  re.S)
             with contextlib.redirect_stdout(io.StringIO()) as printed:
-                exec(program, {})
+                for program in programs:
+                    exec(program, {})
             self.assertEqual(len(printed.getvalue().splitlines()), lines)
 
     def test_the_answer_that_fits_losses_prints_what_it_shows(self):
@@ -172,7 +188,7 @@ class Structs(unittest.TestCase):
                     self.assertRegex(line, r"\[[^]]+\]")
         for name, unit in (("theta", "rad"), ("x", "m"), ("wX", "rad/s")):
             self.assertRegex(rc.State.__doc__, rf"\b{name} .*\[{unit}\]")
-        for kind in (rc.Status, rc.Bits, rc.Method):
+        for kind in (rc.Status, rc.Bits, rc.Face, rc.Method):
             for member in kind:
                 self.assertIn(f"    {member.name} ", kind.__doc__)
 
@@ -201,16 +217,37 @@ class Errors(unittest.TestCase):
                 ("wZ of State.*nan", rc.orbit, rc.State(wZ=nan), p),
                 ("radius of P.*nan", rc.energy, s, rc.Params(1, nan, 1, 1, 1)),
                 ("mass of Params", rc.energy, s, rc.Params(0, 1, 1, 1, 1)),
-                ("range: dry of Losses.*-1", rc.settle, s, p,
+                (": dry of Losses.*-1", rc.settle, s, p,
                  rc.Losses(dry=-1, rolling=1e-6), 1),
                 ("mu_kinetic of Table", rc.move, b, p, rc.Table(0.3, 0.4), 1),
                 ("vy of Body", rc.body_energy, rc.Body(s, 1, vy=nan), p),
-                ("q = .0.0, 0.0, 0.0, 0.0", rc.state_from_motion, p,
-                 (0, 0, 0, 0), (1, 1, 1)),
-                ("mass = -1", rc.disc, -1, 1, 1),
-                ("t = nan", rc.advance, s, p, nan),
-                (r"call advance\(\): method = 0, dt = 9", rc.run, s, p, rc.RK4,
-                 9, 1)):
+                ("range: Params.*1e.20", rc.energy, s,
+                 rc.Params(1e20, 1, 1, 1, 1)),
+                (": mass = -1$", rc.disc, -1, 1, 1),
+                (": radius = 0, gravity = nan$", rc.ring, 1, 0, 0, nan),
+                (": mass = 1, .*inner_radius = 2,", rc.ring, 1, 1, 2, 1),
+                (": tol = 5$", rc.time_to_rest, s, p, rc.Losses(dry=1), 5),
+                (": t = nan$", rc.advance, s, p, nan),
+                (": tol = 5$", rc.advance, s, p, 1, 5),
+                ("shorten it: dt = 9$", rc.run, s, p, rc.RK4, 9, 1),
+                (": s.theta of Body.*20", rc.body_energy,
+                 rc.Body(rc.State(20), 1), p),
+                (": y of Body", rc.move, rc.Body(), p, rc.Table(), 1),
+                (": losses.dry of Table", rc.move, b, p,
+                 rc.Table(losses=rc.Losses(dry=-1)), 1),
+                (": theta of State", rc.body_from_state, rc.State(20), p),
+                (": dry of Losses", rc.losses_fit, rc.Losses(dry=-1), s, p,
+                 1),
+                (": mass = 1, .*thickness = 5,", rc.cylinder, 1, 1, 5, 1),
+                (": thickness of Params", rc.settle, s, chip()[0],
+                 rc.Losses(dry=1), 1),
+                (": mu_kinetic of Table", rc.move, b, chip()[0],
+                 rc.Table(0.3, 0.4), 1),
+                (": pull of Table", rc.move, b, p, rc.Table(pull=(nan, 0)), 1),
+                (r": J = \(1e\+30, .*, r = \(0.0, 0.0, 0.0\)$",
+                 rc.body_strike, b, p, [1e30, 0, 0], [0, 0, 0]),
+                (": s.theta of Body.*20", rc.body_strike,
+                 rc.Body(rc.State(20), 1), p, [0, 0, 0], [0, 0, 0])):
             with self.assertRaisesRegex(rc.Error, words):
                 function(*arguments)
         for words, function, *arguments in (
@@ -220,9 +257,79 @@ class Errors(unittest.TestCase):
                 ("body_from_state", rc.move, s, p, rc.Table(), 1),
                 ("its .s is one", rc.energy, b, p),
                 ("run_batch", rc.run, numpy.zeros(2, rc.State), p, 0, 0, 1),
-                ("^p: State where Params", rc.energy, p, s)):
+                ("^p: State where Params", rc.energy, p, s),
+                ("^ndarray where a Body", rc.body_strike,
+                 numpy.zeros(2, rc.Body), p, [0, 0, 0], [0, 0, 0])):
             with self.assertRaisesRegex(TypeError, words):
                 function(*arguments)
+
+    def test_of_an_engines_motion_the_wrong_argument_is_named(self):
+        """And no other; what is too low for its rotation is r."""
+        p, pf, nan = quarter()[0], quarterf()[0], math.nan
+        good = {"q": (1, 0, 0, 0), "omega": (0, 0, 0), "r": (0, 1, 0),
+                "v": (0, 0, 0), "x": 0, "z": 0}
+        for function, names in (
+                (rc.state_from_motion, ("q", "omega", "x", "z")),
+                (rc.body_from_motion, ("q", "omega", "r", "v"))):
+            for name in names:
+                bad = nan if name in "xz" else (nan,) * len(good[name])
+                given = {**{each: good[each] for each in names}, name: bad}
+                for kind in (p, pf)[:1 + ("x" in names)]:
+                    with self.assertRaisesRegex(
+                            rc.Error, f"table: {name} = [(nan, ]*[)]?$"):
+                        function(kind, **given)
+        with self.assertRaisesRegex(rc.Error, r": r = \(0.0, 0.005, 0.0\)$"):
+            rc.body_from_motion(p, (1, 0, 0, 0), (0, 0, 0), (0, 0.005, 0),
+                                (0, 0, 0))
+
+    def test_of_many_bodies_row_and_member_are_named(self):
+        p, _ = quarter()
+        bodies = numpy.zeros(4, rc.Body)
+        bodies["y"] = 1
+        with self.assertRaisesRegex(rc.Error, "^argument: .*: .*stop = 4$"):
+            rc.move(bodies, p, rc.Table(), 1, stop=rc.COARSE)
+        bodies["s"]["theta"][3] = 20
+        for function, *arguments in ((rc.move, rc.Table(), 1),
+                                     (rc.body_contact,)):
+            with self.assertRaisesRegex(rc.Error,
+                                        "^row 3: .*: s.theta of Body.*20"):
+                function(bodies.copy(), p, *arguments)
+        with self.assertRaisesRegex(rc.Error, "^param.*: losses.damping of T"):
+            rc.move(bodies, p, rc.Table(math.inf, losses=rc.Losses(1)), 1)
+
+    def test_a_row_that_numpy_cannot_set_says_what_can(self):
+        p, s = quarter()
+        for coin in (s, rc.body_from_state(s, p)):
+            coins = numpy.zeros(3, type(coin))
+            with self.assertRaisesRegex(TypeError, r"array\[k, ...\] = coin"):
+                coins[1] = coin
+            coins[1, ...] = coin
+            self.assertEqual(coins[1].tobytes(), bytes(coin))
+
+    def test_a_row_is_set_as_an_item_of_a_list_is(self):
+        p, s = quarter()
+        body = rc.body_from_state(s, p)
+        coins, bodies = rc.zeros((2, 3)), rc.zeros(3, rc.Body)
+        for array, one in ((coins[1], s), (bodies, body)):
+            array[1] = one
+            self.assertEqual(array[1].tobytes(), bytes(one))
+            self.assertIs(type(array[1]), numpy.void)
+            array[2] = array[1]
+            array[0] = array[1].item()
+            self.assertEqual(array.tobytes(), 3 * bytes(one))
+            array[1:] = type(one)()
+            self.assertEqual(array[1:].tobytes(), bytes(2 * len(bytes(one))))
+        bodies["s"][2] = coins[1, 0]
+        bodies["y"][1:] = bodies["y"][0]
+        self.assertEqual(rc.State.from_buffer_copy(bodies["s"][2]), s)
+        self.assertEqual(bodies["y"][2], body.y)
+        with self.assertRaises(TypeError):
+            coins[1, 0] = body
+        again = pickle.loads(pickle.dumps(bodies))
+        again[1] = body
+        rc.move(again[:2], p, rc.Table(INF), 0.1)
+        self.assertEqual(again[0], again[1])
+        self.assertNotEqual(again[0], bodies[0])
 
     def test_arguments_are_in_the_order_of_c(self):
         """Those that Python has; what C only writes is a result."""
@@ -444,7 +551,7 @@ class Results(unittest.TestCase):
         table = rc.Table(mu_static=0.5, mu_kinetic=0.5)
         rc.table_check(table, p)
         b = rc.body_from_state(s, p)
-        self.assertAlmostEqual(rc.body_slip(b, p)[0], 0, 12)
+        self.assertAlmostEqual(rc.body_contact(b, p)[0], 0, 12)
         self.assertAlmostEqual(rc.body_energy(b, p), rc.energy(s, p), 12)
         self.assertEqual(rc.body_matrix(b, p)[13], b.y)
         self.assertEqual(eval(repr(b), vars(rc)), b)
@@ -452,14 +559,82 @@ class Results(unittest.TestCase):
         self.assertAlmostEqual(rc.body_reaction(b, p, table).ratio, 0.5, 9)
         self.assertEqual(rc.move(b, p, table, 1e-3).status, rc.SLIPS)
         self.assertEqual(rc.move(b, p, table, 1), (0, 1))
-        air = rc.body_from_motion(p, [1, 0, 0, 0], [0, 0, 0], [0, 1, 0],
+        air = rc.body_from_motion(p, [1, 0, 0, 0], [0, 0, 5], [0, 1, 0],
                                   [0, 0, 0])
+        falls = copy.copy(air)
+        self.assertEqual(rc.move(falls, p, table, 1, stop=rc.TOUCHES).status,
+                         rc.LIFTS | rc.TOUCHES)
+        self.assertAlmostEqual(rc.body_contact(falls, p)[1],
+                               -(2 * 9.80665 * (1 - 0.01213))**0.5, 9)
         self.assertEqual(rc.move(air, p, table, 0.1), (rc.LIFTS, 0.1))
         self.assertEqual(rc.move(air, p, table, 1), (0, 1))
         b.s.theta = 2
         with self.assertRaises(rc.Error) as caught:
             rc.body_energy(b, p)
         self.assertEqual(caught.exception.status, rc.ESTATE)
+
+    def test_a_cylinder_is_tossed_to_heads_to_tails_and_to_its_edge(self):
+        p, table = chip()
+        self.assertEqual(p.thickness, 0.01)
+        self.assertAlmostEqual(p.inertia_X, 5e-7 / 3, 20)
+        ends = [(rc.HEADS, 0.005), (rc.TAILS, 0.005), (rc.EDGE, 0.01)]
+        coins = [toss(-1), toss(1), toss(-1, 10)]
+        for b, (face, y) in zip(coins, ends):
+            said = rc.move(b, p, table, INF, 1e-6, rc.DECIDED)
+            self.assertIn(rc.DECIDED, said.status)
+            self.assertNotIn(rc.RESTS, said.status)
+            self.assertIs(rc.body_face(b, p), face)
+            self.assertIn(rc.RESTS, rc.move(b, p, table, INF, 1e-6).status)
+            self.assertIs(rc.body_face(b, p), face)
+            self.assertAlmostEqual(b.y, y, 12)
+        many = numpy.stack(coins)
+        self.assertEqual(list(rc.body_face(many, p)), [1, 2, 3])
+        many["s"]["theta"][1] = 2
+        with self.assertRaises(rc.Error) as caught:
+            rc.body_face(many, p)
+        self.assertEqual(caught.exception.index, 1)
+        status = numpy.zeros(3, numpy.int32)
+        rc.body_face(many, p, status=status)
+        self.assertEqual(list(status), [rc.HEADS, rc.ESTATE, rc.EDGE])
+
+    def test_a_slope_holds_a_coin_or_lets_it_slide(self):
+        p, table = chip()
+        b = toss(1)
+        rc.move(b, p, table, INF, 1e-6)
+        table.pull[0] = 0.3 * p.gravity
+        self.assertEqual(rc.move(b, p, table, 0.1), (rc.RESTS, 0))
+        table.pull[0] = 0.5 * p.gravity
+        self.assertEqual(rc.move(b, p, table, 0.1), (rc.SLIPS, 0.1))
+        self.assertAlmostEqual(b.vx, (0.5 - 0.3) * p.gravity * 0.1, 9)
+        with self.assertRaises(rc.Error) as caught:
+            rc.move(b, p, table, 0.1, stop=rc.DECIDED)
+        self.assertEqual(caught.exception.status, rc.EARG)
+
+    def test_a_blow_turns_and_moves_a_body(self):
+        p, _ = chip()
+        for b in (rc.body_from_state(rc.State(), p),
+                  numpy.stack([rc.body_from_state(rc.State(), p)])[0]):
+            rc.body_strike(b, p, [0, 0, 1e-3], [0, p.radius, 0])
+            s = b.s if isinstance(b, rc.Body) else rc.State(*b["s"])
+            vz = b.vz if isinstance(b, rc.Body) else b["vz"]
+            self.assertAlmostEqual(vz, 1e-3 / p.mass, 12)
+            self.assertAlmostEqual(s.wX, 1e-3 * p.radius / p.inertia_X, 9)
+        before = bytes(b)
+        with self.assertRaises(rc.Error) as caught:
+            rc.body_strike(b, p, [1e30, 0, 0], [0, 0, 0])
+        self.assertEqual(caught.exception.status, rc.ESTATE)
+        self.assertEqual(bytes(b), before)
+        self.assertRaises(ValueError, rc.body_strike, b, p, [1, 2], [0, 0, 0])
+
+    def test_what_is_for_thin_coins_refuses_others(self):
+        p, s = chip()[0], rc.State()
+        for call in (lambda: rc.energy(s, p), lambda: rc.step(s, p, 1e-3),
+                     lambda: rc.critical_roll(p), lambda: rc.orbit(s, p),
+                     lambda: rc.energy(numpy.zeros(2, rc.State), p)):
+            with self.assertRaisesRegex(rc.Error, "thickness of Params") as \
+                    caught:
+                call()
+            self.assertEqual(caught.exception.status, rc.EPARAMS)
 
     def test_a_table_of_bodies_moves_as_one_by_one(self):
         p, _ = quarter()
@@ -474,7 +649,7 @@ class Results(unittest.TestCase):
             self.assertEqual(one, (status.flat[i], reached.flat[i]))
             self.assertTrue(same(numpy.frombuffer(b, rc.Body)[0],
                                  bodies.reshape(-1)[i]))
-        for name, *rest in (("energy",), ("reaction", table), ("slip",),
+        for name, *rest in (("energy",), ("reaction", table), ("contact",),
                             ("matrix",)):
             function = getattr(rc, "body_" + name)
             many = function(bodies, p, *rest)
@@ -498,6 +673,147 @@ class Results(unittest.TestCase):
             rc.move(numpy.zeros(2, rc.State), p, table, 0.3)
         with self.assertRaises(ValueError):
             rc.move(bodies[:, ::2], p, table, 0.3)
+
+    def test_threads_that_share_a_table_give_the_same_bits(self):
+        p, _ = quarter()
+        table = rc.Table(mu_static=0.5, mu_kinetic=0.4, restitution=0.6)
+        bodies = numpy.zeros((5, 9), rc.Body)
+        bodies["y"] = 0.1
+        bodies["s"]["wX"] = numpy.arange(45).reshape(5, 9)
+        bodies["y"][3, 4] = -1
+        states = numpy.zeros(7, rc.State)
+        states["theta"] = 1.5 - 1e-3 * numpy.arange(7)  # goes on: rc.MORE
+        for many, args, call in (
+                (bodies, (table, math.inf, 1e-6), rc.move),
+                (states, (rc.Losses(spin=1e-9), 1e4, 1e-9), rc.settle)):
+            found = []
+            for workers in (1, 2, 3, 100, -1):
+                moved = many.copy()
+                status = numpy.zeros(many.shape, numpy.int32)
+                reached = call(moved, p, *args, status=status,
+                               workers=workers)[1]
+                found.append((moved.tobytes(), status.tobytes(),
+                              reached.tobytes()))
+            self.assertEqual(len(set(found)), 1)
+            self.assertNotEqual(found[0][0], many.tobytes())
+        with self.assertRaises(rc.Error) as caught:
+            rc.move(bodies, p, table, 0.1, workers=2)
+        self.assertEqual(caught.exception.index, 31)
+        for workers in (0, -2):
+            with self.assertRaisesRegex(ValueError, "workers: .* or more"):
+                rc.move(bodies, p, table, 0.1, workers=workers)
+        rc.move(bodies[:0], p, table, 0.1, workers=2)
+
+    def test_long_work_of_threads_tells_a_terminal_how_far_it_is(self):
+        program = ("import numpy, rollcoin as rc\n"
+                   "table = numpy.zeros(3000, rc.State)\n"
+                   "table['theta'], table['wZ'] = 0.3, 40\n"
+                   "rc.advance(table, rc.disc(0.00567, 0.01213, 9.80665), "
+                   "200, 1e-13, workers=2)\n")
+        ours, theirs = pty.openpty()
+        child = subprocess.Popen([sys.executable, "-c", program],
+                                 stderr=theirs)
+        os.close(theirs)
+        try:
+            said = os.read(ours, 100).decode()
+        finally:
+            child.kill()
+            child.wait()
+            os.close(ours)
+        self.assertRegex(said, r"^\r[0-9]+ of 3000, [0-9]+ s to go")
+
+    def test_the_maps_of_luck_are_drawn(self):
+        with tempfile.TemporaryDirectory() as folder:
+            drawn = pathlib.Path(folder) / "luck.png"
+            argv, sys.argv = sys.argv, ["luck.py", str(drawn), "60"]
+            try:
+                made = runpy.run_path(PYTHON / "luck.py")
+            finally:
+                sys.argv = argv
+            self.assertGreater(drawn.stat().st_size, 20000)
+        cannot_stand = (made["heights"] + made["spins"][:, None]**2 / 8) < 1
+        self.assertTrue(made["heads"][cannot_stand].all())
+        self.assertGreater(cannot_stand.sum(), 10)
+        source = (PYTHON / "luck.py").read_text()
+        self.assertLessEqual(len(source.splitlines()), 40)
+        for program, *rest, says in (
+                ("luck.py", "usage: "), ("luck.py", "m.png", "-3", "usage: "),
+                ("luck.py", "m.png", "0", "3 columns"),
+                ("toss.py", "0", "0 coins, where 1 or more"),
+                ("toss.py", "many", "many coins, where 1 or more")):
+            told = subprocess.run([sys.executable, PYTHON / program, *rest],
+                                  capture_output=True, text=True)
+            self.assertEqual(told.returncode, 1)
+            self.assertIn(says, told.stderr)
+            self.assertEqual(len(told.stderr.splitlines()), 1)
+
+    def test_the_page_on_luck_shows_a_line_of_toss_py(self):
+        page = (PYTHON / ".." / ".." / "luck.md").read_text()
+        shown = re.findall("```python\n(.*?)```", page, re.S)
+        self.assertEqual(len(shown), 1)
+        self.assertIn(shown[0], (PYTHON / "toss.py").read_text())
+
+    def test_a_negative_thickness_is_named(self):
+        p, _ = quarter()
+        p.thickness = -1
+        with self.assertRaisesRegex(rc.Error, "thickness of Params"):
+            rc.move(numpy.zeros(2, rc.Body), p, rc.Table(), 1)
+
+    def test_a_call_goes_on_to_its_time(self):
+        """As the loop does that users of C write."""
+        p, s = quarter()
+        for call, coin, inputs, t in (
+                (rc.advance, s, lambda t: (t, 1e-2), 4e4),
+                (rc.settle, copy.copy(s),
+                 lambda t: (rc.Losses(dry=1e-15), t, 1e-2), 2.5e4),
+                (rc.move, rc.body_from_state(s, p),
+                 lambda t: (rc.Table(INF), t, 1e-2, 0), 1000)):
+            alone, part, left, calls = copy.copy(coin), ctypes.c_double(), t, 0
+            while left > 0:
+                getattr(rc.lib, "coin_" + call.__name__)(
+                    alone, p, *inputs(left), ctypes.byref(part))
+                left, calls = left - part.value, calls + 1
+            self.assertGreater(calls, 1)
+            said = call(coin, p, *inputs(t))
+            reached = said if call is rc.advance else said.reached
+            self.assertAlmostEqual(reached / t, 1, 14)
+            if call is not rc.advance:
+                self.assertEqual(said.status, 0)
+            for one, other in zip(numpy.frombuffer(coin),
+                                  numpy.frombuffer(alone)):
+                self.assertAlmostEqual(one, other, 6)
+
+    def test_rows_go_on_like_coins_and_an_infinite_time_has_an_end(self):
+        """One rests at once, one rolls on, one leaves the range of psi."""
+        p, s = quarter()
+        bodies = numpy.zeros(3, rc.Body)
+        bodies[:] = rc.body_from_state(s, p)
+        bodies[0, ...] = rc.body_from_state(rc.State(), p)
+        bodies["s"]["psi"][2] = 2.0**31 - 20000
+        whole, rc._move.CALLS = rc._move.CALLS, 3
+        try:
+            for t, ends in ((1000, [rc.RESTS, rc.OK, rc.ERANGE]),
+                            (INF, [rc.RESTS, rc.MORE, rc.ERANGE])):
+                moved = bodies.copy()
+                status = numpy.zeros(3, numpy.int32)
+                said = rc.move(moved, p, rc.Table(INF), t, 1e-2, status=status)
+                self.assertEqual(list(status), ends)
+                self.assertGreater(said.reached[2], 400)
+                low, high = (600, 800) if t == INF else (999, 1001)
+                self.assertTrue(low < said.reached[1] < high)
+                for row in (0, 1):
+                    alone = rc.Body.from_buffer_copy(bodies[row])
+                    self.assertEqual(
+                        rc.move(alone, p, rc.Table(INF), t, 1e-2),
+                        (status[row], said.reached[row]))
+                    self.assertEqual(bytes(alone), moved[row].tobytes())
+                with self.assertRaises(rc.Error) as caught:
+                    rc.move(bodies[2].copy(), p, rc.Table(INF), t, 1e-2)
+                self.assertEqual((caught.exception.status,
+                                  caught.exception.done),
+                                 (rc.ERANGE, said.reached[2]))
+        finally:
+            rc._move.CALLS = whole
 
     def test_floats_are_called_by_the_same_names(self):
         p, s = quarterf()
@@ -796,6 +1112,10 @@ class Buffers(unittest.TestCase):
                 sys.argv = argv
             self.assertIn("F/N", drawn.read_text())
             self.assertLess(drawn.stat().st_size, 40000)
+        usage = subprocess.run([sys.executable, PYTHON / "picture.py"],
+                               capture_output=True, text=True)
+        self.assertEqual(usage.returncode, 1)
+        self.assertRegex(usage.stderr, "^usage: .*\n$")
         p, s = made["quarter"], rc.State.from_buffer_copy(made["path"][-1])
         self.assertEqual(made["ratio"][-1], rc.reaction(s, p).ratio)
         self.assertTrue(same(made["contact"][-1],
@@ -931,6 +1251,7 @@ except KeyboardInterrupt:
              "rc.run_batch(table, p, rc.SYMPLECTIC4, 1e-3, 10**9)",
              "rc.run_batch(table, p, rc.RK8, 1e-3, 200000)",
              "rc.advance(table, p, 1000, 1e-13)",
+             "rc.advance(table, p, 1000, 1e-13, workers=3)",
              "rc.sample(s, p, rc.RK8, 1e-3, 10**6, table)")
 
     def test_ctrl_c_stops_a_long_call_within_a_second(self):

@@ -21,7 +21,8 @@ static void start_clock(void)
 
 #define LOOP "1: addi %0, %0, -1\n bnez %0, 1b"
 #else
-/* SysTick, without its interrupt: counts down 24 bits. */
+/* SysTick, without its interrupt: counts down 24 bits, which last for 670
+ * million instructions at least. */
 #define SYSTICK ((volatile uint32_t *)0xe000e010)
 
 static uint32_t now(void)

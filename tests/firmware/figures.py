@@ -28,7 +28,8 @@ MOST = {("m4f", "instructions", "coinf_step"): 1400,
 # An entry of coin.h, and the function of counts.c whose stack was looked at.
 WORKS = {"coinf_step": "float_steps", "coinf_run": "float_run",
          "coinf_check": "float_checks",
-         "coin_step": "double_steps", "coin_run": "double_run"}
+         "coin_step": "double_steps", "coin_run": "double_run",
+         "coin_settle": "settles", "coin_move": "moves"}
 UNWANTED = {"malloc", "_malloc_r", "free", "_sbrk", "__errno", "printf"}
 HOLDS = {"firmware": stack.Program, "cross": stack.Part}
 

@@ -101,7 +101,7 @@ $(FW_OUT)/$1/hash.o: $(SRC)/tests/repro/hash.c | $(FW_OUT)/$1
 	$$(call FW_CC,$1) $$(HASH_$(call FW_PART,$1)) -c -o $$@ $$<
 
 $(FW_OUT)/$1/%.txt: $(FW_OUT)/$1/%.elf
-	timeout 120 $$(RUN_$1) $$< $$(QEMU_$$*) </dev/null >$$@ 2>&1 || \
+	timeout 300 $$(RUN_$1) $$< $$(QEMU_$$*) </dev/null >$$@ 2>&1 || \
 	    { echo "$1 fails in $$*:"; tail -3 $$@; exit 1; } >&2
 
 $(FW_OUT)/$1/same: $(FW_OUT)/$1/hash.txt $(call FW_EXPECTED,$1)
@@ -167,7 +167,8 @@ $(FW_OUT)/m0/late.txt: $(FW_OUT)/m0/watchdog.elf
 	test "$$(head -1 $@)" = '1 rounds: late'
 
 # ---------------------------------------------------------------- what it takes
-FW_ENTRIES := coinf_step coinf_run coinf_check coin_step coin_run
+FW_ENTRIES := coinf_step coinf_run coinf_check coin_step coin_run coin_settle \
+              coin_move
 FW_TOOLS    = $(if $(filter wasm32,$1),llvm-,$(patsubst \
                 %gcc,%,$(firstword $(CC_$1))))
 

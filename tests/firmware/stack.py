@@ -11,7 +11,26 @@ import subprocess
 
 NODE = re.compile(r'node: { title: "([^"]*)" label: "[^"]*?'
                   r'(?:\\n(\d+) bytes \(([\w,]+)\))?"')
-EDGE = re.compile(r'edge: { sourcename: "([^"]*)" targetname: "([^"]*)"')
+EDGE = re.compile(r'edge: { sourcename: "([^"]*)" targetname: "([^"]*)"'
+                  r'(?: label: "[^"]*?([^/"]*\.[ch]):)?')
+
+# What a call through a pointer may reach, by the file that it stands in; of
+# coin_priv_root(), by the file that calls it.
+POINTERS = {"dop853.c": ("coin_priv_rates", "coin_priv_slow_rates",
+                         "flat_slide.c:slide_slopes", "line.c:line_slopes",
+                         "line.c:roll_slopes"),
+            "move.c": ("coin_priv_rates", "coin_priv_slow_rates"),
+            "line.c": ("line.c:line_slopes", "line.c:roll_slopes"),
+            "contact.c": ("coin_priv_plain_contact",
+                          "coin_priv_thick_contact"),
+            "root.c, events.c": ("events.c:value",),
+            "root.c, contact.c": ("contact.c:turn_away",),
+            "events.c": ("events.c:above_flat", "events.c:this_side",
+                         "events.c:this_rim", "events.c:undecided",
+                         "events.c:above_rest", "events.c:within_cone",
+                         "events.c:can_hold", "events.c:stays_slow")}
+
+ROOT = "coin_priv_root"
 
 LABEL = re.compile(r"^([0-9a-f]+) <(.*)>:$")
 CODE = re.compile(r"^ *([0-9a-f]+):\t(\S+)(?:\t(.*?))?(?:\s[@;#]\s.*)?$")
@@ -129,9 +148,27 @@ def graph(files):
                 if kind == "dynamic":  # without a bound
                     raise SystemExit(f"stack: {title} takes no fixed room")
                 found[title] = (int(size), set())
-        for source, target in EDGE.findall(text):
-            found[source][1].add(target)
-    return found
+        for source, target, within in EDGE.findall(text):
+            found[source][1].add(
+                within if target == "__indirect_call" else
+                f"{file.stem}.c:{ROOT}" if target == ROOT else target)
+    for file in {name.split(", ")[1] for name in POINTERS if ", " in name}:
+        found[f"{file}:{ROOT}"] = (found[ROOT][0], {f"root.c, {file}"})
+    return {title: (size, set().union(*(reached(c, found) for c in calls)))
+            for title, (size, calls) in found.items()}
+
+
+def reached(call, functions):
+    """The functions that a call may reach: several, through a pointer."""
+    if not call.endswith(".c"):
+        return {call}
+    if call not in POINTERS:
+        return {"a pointer in " + call}
+    ends = tuple("/" + name if ":" in name else name for name in POINTERS[call])
+    names = {f for f in functions if f.endswith(ends)}
+    if len(names) != len(ends):
+        raise SystemExit(f"stack: of {ends} there are {sorted(names)}")
+    return names
 
 
 def deepest(functions, program, name, path=()):
@@ -140,9 +177,11 @@ def deepest(functions, program, name, path=()):
         raise SystemExit(f"stack: {name} calls itself")
     if name not in functions:
         return program.depth(name), (name,)
+    if name.rsplit(":")[-1] not in program.address:
+        return 0, ()  # of another program: the linker has left it out
     size, calls = functions[name]
-    if "__indirect_call" in calls:
-        raise SystemExit(f"stack: {name} calls through a pointer")
+    if any(c.startswith("a pointer in ") for c in calls):
+        raise SystemExit(f"stack: {name} calls through {', '.join(calls)}")
     below = [deepest(functions, program, c, path + (name,)) for c in calls]
     most, way = max(below, default=(0, ()))
     return size + most, (name.rsplit(":")[-1],) + way

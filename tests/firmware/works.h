@@ -11,6 +11,7 @@ typedef void work(uint32_t n);
 
 static coinf_params quarter_f;
 static coin_params quarter;
+static coin_table table;
 
 static void begin_f(coinf_state *s)
 {
@@ -64,10 +65,33 @@ static void double_run(uint32_t n)
     failed |= coin_run(&s, &quarter, COIN_RK4, 1e-3, n, 0) != COIN_OK;
 }
 
+/* Calls of 1 ms at the tolerance of a game. */
+static void settles(uint32_t n)
+{
+    coin_state s;
+    begin(&s);
+    while (n-- > 0)
+        failed |=
+            coin_settle(&s, &quarter, &table.losses, 1e-3, 1e-3, 0) != COIN_OK;
+}
+
+static void moves(uint32_t n)
+{
+    coin_state s;
+    coin_body b;
+    begin(&s);
+    failed |= coin_body_from_state(&b, &s, &quarter) != COIN_OK;
+    while (n-- > 0)
+        failed |= coin_move(&b, &quarter, &table, 1e-3, 1e-3, 0, 0) != COIN_OK;
+}
+
 static void prepare_works(void)
 {
     coinf_params_disc(&quarter_f, 0.00567f, 0.01213f, 9.80665f);
     coin_params_disc(&quarter, 0.00567, 0.01213, 9.80665);
+    table.mu_static = 0.4;
+    table.mu_kinetic = 0.3;
+    table.losses.dry = 1e-6;
 }
 
 static const struct {
@@ -76,12 +100,13 @@ static const struct {
 } works[] = {
     {"coinf_step", float_steps},   {"coinf_run", float_run},
     {"coinf_check", float_checks}, {"coin_step", double_steps},
-    {"coin_run", double_run},
+    {"coin_run", double_run},      {"coin_settle", settles},
+    {"coin_move", moves},
 };
 enum { WORKS = sizeof works / sizeof *works };
 
 /* Bytes of stack below this call that are no longer as they were painted. */
-enum { PAINTED = 3072 };
+enum { PAINTED = 8192 };
 
 __attribute__((noinline)) static uint32_t paint(int look)
 {

@@ -69,7 +69,7 @@ static coin_params take_ring(struct bytes *b, double M, double a, double g)
 {
     const double inner = a * (take_byte(b) / 255.0);
     const double IX = M * (a * a + inner * inner) / 4;
-    const coin_params p = {M, a, g, IX, 2 * IX, {0, 0, 0}};
+    const coin_params p = {M, a, g, IX, 2 * IX, 0, {0, 0}};
     return p;
 }
 
@@ -89,9 +89,11 @@ static coin_params take_params(struct bytes *b)
         p = take_ring(b, take_scale(b), take_scale(b), take_scale(b));
     if (how >= 192)
         p.inertia_Z = p.inertia_X * (1 + take_part(b));
+    if (how % 16 == 5)
+        p.thickness = 4 * p.radius * fabs(take_part(b));
     double *const member[] = {
-        &p.mass,      &p.radius,      &p.gravity,     &p.inertia_X,
-        &p.inertia_Z, &p.reserved[0], &p.reserved[1], &p.reserved[2],
+        &p.mass,      &p.radius,    &p.gravity,     &p.inertia_X,
+        &p.inertia_Z, &p.thickness, &p.reserved[0], &p.reserved[1],
     };
     if (how >= 240)
         *member[take_byte(b) % 8] = take_number(b);

@@ -49,6 +49,9 @@ FUNCTION(coin_params_ring, "Pdddd",
 FUNCTION(coin_params_body, "Pddddd",
          coin_params_body(a[0].p, a[1].d, a[2].d, a[3].d, a[4].d, a[5].d),
          MAKES, 0, PLAIN)
+FUNCTION(coin_params_cylinder, "Pdddd",
+         coin_params_cylinder(a[0].p, a[1].d, a[2].d, a[3].d, a[4].d), MAKES, 0,
+         PLAIN)
 FUNCTION(coin_params_check, "p", coin_params_check(a[0].p), MAKES, 0, PLAIN)
 FUNCTION(coin_state_check, "sp", coin_state_check(a[0].p, a[1].p), USUAL, 0,
          PLAIN)

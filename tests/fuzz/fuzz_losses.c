@@ -43,9 +43,16 @@ static void judge_settle(const struct outcome *o)
 {
     const double reached = reached_by(o, 3, 5);
     const coin_state *s = o->left[0].p;
-    demand(o->result != COIN_OK ||
-           reached == brief(o->given[3].d, o->given[0].p, o->given[1].p));
-    if (o->result == COIN_RESTS && slows(o->given[2].p))
+    const int32_t status = (int32_t)o->result;
+    if (status < 0)
+        return;
+    const double t = brief(o->given[3].d, o->given[0].p, o->given[1].p);
+    demand(status == COIN_OK || status == COIN_RESTS || status == COIN_MORE);
+    demand(status != COIN_OK || reached == t);
+    demand(status != COIN_MORE || reached < t);
+    if (status == COIN_RESTS && s->theta == 0)
+        demand(s->wX == 0 && s->wY == 0);
+    else if (status == COIN_RESTS && slows(o->given[2].p))
         demand(s->wY == 0 && s->wX * s->theta >= 0 && fabs(s->theta) > 1.57);
 }
 
@@ -59,4 +66,4 @@ FUNCTION(coin_losses_reaction, "splF",
          coin_losses_reaction(a[0].p, a[1].p, a[2].p, a[3].p), USUAL, 0, PLAIN)
 FUNCTION(coin_settle, "SplTer",
          settle(a[0].p, a[1].p, a[2].p, a[3].d, a[4].d, a[5].p), USUAL | STOPS,
-         COIN_RESTS, STOPS, judge_settle, 0)
+         COIN_RESTS | COIN_MORE, BIT(COIN_ERANGE), judge_settle, 0)

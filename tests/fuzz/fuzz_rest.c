@@ -43,13 +43,13 @@ static coin_state slow(const coin_state *s, const coin_params *p)
 }
 
 static double time_to_rest(const coin_state *s, const coin_params *p,
-                           const coin_losses *l)
+                           const coin_losses *l, double tol)
 {
     if (!is_sound(s, p, l))
-        return coin_time_to_rest(s, p, l);
+        return coin_time_to_rest(s, p, l, tol);
     const coin_losses more = slowing(l, p);
     const coin_state t = slow(s, p);
-    return coin_time_to_rest(&t, p, &more);
+    return coin_time_to_rest(&t, p, &more, tol);
 }
 
 static int32_t losses_fit(coin_losses *l, const coin_state *s,
@@ -59,7 +59,7 @@ static int32_t losses_fit(coin_losses *l, const coin_state *s,
         return coin_losses_fit(l, s, p, time);
     const coin_losses more = slowing(l, p);
     const coin_state t = slow(s, p);
-    const double soon = coin_time_to_rest(&t, p, &more);
+    const double soon = coin_time_to_rest(&t, p, &more, 1e-6);
     coin_losses fitted = more;
     const int32_t status =
         coin_losses_fit(&fitted, &t, p, time >= 0 ? soon : time);
@@ -72,10 +72,12 @@ static int32_t losses_fit(coin_losses *l, const coin_state *s,
 
 static void judge_time(const struct outcome *o)
 {
+    const double tol = o->given[3].d;
     demand(!(o->result < 0));
+    demand(isnan(o->result) || (tol >= 1e-12 && tol <= 1e-2));
 }
 
-FUNCTION(coin_time_to_rest, "spl", time_to_rest(a[0].p, a[1].p, a[2].p), 0, 0,
-         0, judge_time, 2)
+FUNCTION(coin_time_to_rest, "sple",
+         time_to_rest(a[0].p, a[1].p, a[2].p, a[3].d), 0, 0, 0, judge_time, 2)
 FUNCTION(coin_losses_fit, "LEpT", losses_fit(a[0].p, a[1].p, a[2].p, a[3].d),
          USUAL | BIT(COIN_EDOMAIN), 0, PLAIN)

@@ -4,6 +4,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 /* Friction and losses take energy: what is gained is error.  A step errs by tol
  * per natural unit of time, in units of the energy or of Mga. */
@@ -11,8 +12,12 @@ static void no_energy_is_gained(const struct outcome *o)
 {
     const coin_params *p = &o->world->p;
     const double units = o->given[3].d * sqrt(p->gravity / p->radius);
-    const double before = coin_body_energy(o->given[0].p, p);
-    const double after = coin_body_energy(o->left[0].p, p);
+    const coin_table *f = o->given[2].p;
+    const coin_body *b = o->given[0].p, *d = o->left[0].p;
+    const double pulled = p->mass * (f->pull[0] * (d->s.x - b->s.x) +
+                                     f->pull[1] * (d->s.z - b->s.z));
+    const double before = coin_body_energy(b, p) + fmax(pulled, 0);
+    const double after = coin_body_energy(d, p) + fmax(-pulled, 0);
     const double Mga = p->mass * p->gravity * p->radius;
     const double error = 10 * o->given[4].d * (1 + units) + 1e-12;
     demand(after - before <= error * (before + Mga));
@@ -24,45 +29,80 @@ static void it_is_what_it_says(const coin_body *d, const coin_params *p,
                                int32_t mode)
 {
     const double a = p->radius, v = sqrt(p->gravity * a), u = DBL_EPSILON / 2;
-    const double above = d->y - a * cos(d->s.theta);
-    const double speed = a * d->s.wX * sin(d->s.theta), size = fabs(speed) + v;
-    demand(above >= -20 * u * a);
+    const double s = sin(d->s.theta), c = cos(d->s.theta);
+    const double half = p->thickness / 2;
+    const double lower = s != 0 ? s : d->s.wX;
+    const double eta = lower > 0 ? half : lower < 0 ? -half : 0;
+    const double above = d->y - a * c - half * fabs(s);
+    const double speed = d->s.wX * (a * s - eta * c), size = fabs(speed) + v;
+    demand(above >= -20 * u * (a + half));
     if (mode & COIN_TOUCHES && mode & COIN_LIFTS)
-        demand(above <= 20 * u * a && d->vy + speed <= 1e-10 * size);
+        demand(above <= 20 * u * (a + half) && d->vy + speed <= 1e-10 * size);
     if (mode & COIN_LIFTS)
         return;
-    demand(above <= 20 * u * a);
+    demand(above <= 20 * u * (a + half));
     if (!(mode & COIN_RESTS))
-        demand(fabs(d->vy + speed) <= 8 * u * size);
+        demand(fabs(d->vy + speed) <= 8 * u * (size + half * fabs(d->s.wX)));
+}
+
+static void it_rolls(const coin_body *d, const coin_params *p)
+{
+    double v[3];
+    if (p->thickness != 0)
+        return;
+    demand(coin_velocity(&d->s, p, v) == COIN_OK);
+    demand(d->vx == v[0] && d->vy == v[1] && d->vz == v[2]);
+}
+
+/* What a call of no time says of the body that a call left: its mode alone,
+ * whatever `stop` is, and it changes nothing. */
+static int32_t mode_of(const struct outcome *o, int32_t stop)
+{
+    coin_body d;
+    double reached = 1;
+    memcpy(&d, o->left[0].p, sizeof d);
+    const int32_t mode = coin_move(&d, &o->world->p, o->given[2].p, 0,
+                                   o->given[4].d, stop, &reached);
+    demand(same(&d, o->left[0].p, sizeof d) && reached == 0);
+    demand(mode == COIN_OK || mode == COIN_SLIPS || mode == COIN_LIFTS ||
+           mode == COIN_RESTS);
+    return mode;
 }
 
 static void judge_move(const struct outcome *o)
 {
-    const double t = o->given[3].d;
-    const int32_t stop = o->given[5].i;
+    const double t = o->given[3].d, reached = reached_by(o, 3, 6);
+    const int32_t stop = o->given[5].i, status = (int32_t)o->result;
     const coin_body *d = o->left[0].p;
-    const double reached = reached_by(o, 3, 6);
     if (isnan(reached))
         return;
     no_energy_is_gained(o);
-    const int32_t mode = (int32_t)o->result;
-    if (mode >= 0 && reached > 0)
-        it_is_what_it_says(d, &o->world->p, mode);
-    if (mode >= 0 && !(mode & (COIN_RESTS | COIN_LIFTS | stop)))
+    const int32_t mode = mode_of(o, 0);
+    demand(mode == mode_of(o, stop));
+    if (status < 0)
+        return;
+    demand((status & mode) == mode && !(status & ~(mode | stop | COIN_MORE)));
+    if (!(status & (COIN_RESTS | COIN_MORE | stop)))
         demand(reached == t);
-    if (mode == COIN_RESTS && reached > 0)
+    if (status & COIN_MORE)
+        demand(reached < t);
+    if (status & COIN_ROLLS)
+        demand(mode == COIN_OK);
+    if (status & COIN_TOUCHES)
+        demand(mode == COIN_LIFTS);
+    if (reached > 0)
+        it_is_what_it_says(d, &o->world->p, status);
+    if (mode == COIN_RESTS && t > 0)
         demand(d->s.wX == 0 && d->s.wY == 0 && d->s.wZ == 0 && d->vx == 0 &&
-               d->vy == 0 && d->vz == 0 && fabs(d->s.theta) > 1.57);
-    if (mode == COIN_OK && t > 0) {
-        double v[3];
-        demand(coin_velocity(&d->s, &o->world->p, v) == COIN_OK);
-        demand(d->vx == v[0] && d->vy == v[1] && d->vz == v[2]);
-    }
+               d->vy == 0 && d->vz == 0 &&
+               (d->s.theta == 0 || fabs(d->s.theta) > 1.57));
+    if (mode == COIN_OK && reached > 0)
+        it_rolls(d, &o->world->p);
 }
 
 #define MODES                                                                  \
     (COIN_SLIPS | COIN_LIFTS | COIN_NEARLY_FLAT | COIN_RESTS | COIN_ROLLS |    \
-     COIN_TOUCHES)
+     COIN_TOUCHES | COIN_MORE | COIN_DECIDED)
 
 FUNCTION(coin_table_check, "%p", coin_table_check(a[0].p, a[1].p),
          BIT(COIN_EARG) | BIT(COIN_EPARAMS), 0, PLAIN)
@@ -73,11 +113,15 @@ FUNCTION(coin_body_from_motion, ">pqw--",
          USUAL, 0, PLAIN)
 FUNCTION(coin_move, "=p%Texr",
          coin_move(a[0].p, a[1].p, a[2].p, a[3].d, a[4].d, a[5].i, a[6].p),
-         USUAL | STOPS, MODES, STOPS, judge_move, 0)
+         USUAL | STOPS, MODES, BIT(COIN_ERANGE), judge_move, 0)
 FUNCTION(coin_body_energy, "<p", coin_body_energy(a[0].p, a[1].p), NUMBER)
 FUNCTION(coin_body_reaction, "<p%F",
          coin_body_reaction(a[0].p, a[1].p, a[2].p, a[3].p), USUAL, 0, PLAIN)
-FUNCTION(coin_body_slip, "<p2", coin_body_slip(a[0].p, a[1].p, a[2].p), USUAL,
-         0, PLAIN)
+FUNCTION(coin_body_contact, "<p3", coin_body_contact(a[0].p, a[1].p, a[2].p),
+         USUAL, 0, PLAIN)
 FUNCTION(coin_body_matrix, "<pM", coin_body_matrix(a[0].p, a[1].p, a[2].p),
          USUAL, 0, PLAIN)
+FUNCTION(coin_body_strike, "=pw-",
+         coin_body_strike(a[0].p, a[1].p, a[2].p, a[3].p), USUAL, 0, PLAIN)
+FUNCTION(coin_body_face, "<p", coin_body_face(a[0].p, a[1].p), USUAL,
+         COIN_HEADS | COIN_TAILS, PLAIN)

@@ -107,8 +107,15 @@ static void lay_down(coin_body *d, const struct world *w)
     d->y = w->p.radius * cos(d->s.theta);
 }
 
-/* Rolls, slips, lies flat, or flies up to a hundred radii high; now and then it
- * is none. */
+/* Stands on its edge, and spins, rolls along it or slides. */
+static void stand_up(coin_body *d, const struct world *w)
+{
+    d->s.theta = d->s.wX = d->s.wY = d->vy = 0;
+    d->y = w->p.radius;
+}
+
+/* Rolls, slips, stands, lies flat, or flies up to a hundred radii high; now and
+ * then it is none. */
 static void take_body(struct bytes *b, const struct world *w, void *to)
 {
     const double v = sqrt(w->p.gravity * w->p.radius);
@@ -126,26 +133,32 @@ static void take_body(struct bytes *b, const struct world *w, void *to)
         d.vy += perhaps(b, v * take_part(b));
     if (how % 16 == 7)
         lay_down(&d, w);
+    if (how % 16 == 3)
+        stand_up(&d, w);
     if (how % 64 == 9)
         d.reserved[how / 64] = take_number(b);
     memcpy(to, &d, sizeof d);
 }
 
+/* Now and then one member is any number. */
 static void take_table(struct bytes *b, const struct world *w, void *to)
 {
     const double kinetic = fabs(take_part(b));
     const uint8_t how = take_byte(b);
     const double over[] = {1, 1.05, 1.5, INFINITY};
-    coin_table f = {
-        0, 0, 0, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0}}};
+    coin_table f = {0};
     f.mu_kinetic = kinetic;
     f.mu_static = how % 4 == 3 ? INFINITY : kinetic * over[how % 4];
     f.restitution = perhaps(b, fabs(take_part(b)));
     if (how & 4)
         take_losses(b, w, &f.losses);
-    if (how & 8)
-        f.losses.damping = 0;
+    f.losses.damping = 0;
+    for (int i = 0; how & 8 && i < 2; ++i)
+        f.pull[i] = perhaps(b, 2 * w->p.gravity * take_part(b));
     memcpy(to, &f, sizeof f);
+    if (how >= 240)
+        ((double *)to)[take_byte(b) % (sizeof f / sizeof(double))] =
+            take_number(b);
 }
 
 static void take_r(struct bytes *b, const struct world *w, void *to)
@@ -159,7 +172,7 @@ static void take_r(struct bytes *b, const struct world *w, void *to)
  * with another number before the pieces. */
 static void take_orbit(struct bytes *b, const struct world *w, void *to)
 {
-    const coin_params p = {1, 1, 1, 0.25, 0.5, {0, 0, 0}};
+    const coin_params p = {1, 1, 1, 0.25, 0.5, 0, {0, 0}};
     const coin_state s = {0.1, 0, 0, 0, 0, 0, 0, 1};
     if (coin_orbit_init(to, &w->s, &w->p) != COIN_OK)
         demand(coin_orbit_init(to, &s, &p) == COIN_OK);
@@ -324,7 +337,7 @@ SOUND(params_single, coinf_params_check(of) == COIN_OK)
 SOUND(state, coin_state_check(of, &w->p) == COIN_OK)
 SOUND(single, coinf_state_check(of, &w->pf) == COIN_OK)
 SOUND(losses, coin_losses_check(of, &w->p) == COIN_OK)
-SOUND(body, coin_body_slip(of, &w->p, (double[2]){0}) == COIN_OK)
+SOUND(body, coin_body_contact(of, &w->p, (double[3]){0}) == COIN_OK)
 SOUND(radius, *(const double *)of >= 0)
 /* Of an orbit's own coin, which need not be the world's. */
 SOUND(members, coin_axes(of, (double[9]){0}) == COIN_OK)

@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Projects of CMake's and Meson's: those that find the library where make has
-# installed it, wherever that was moved to, and one that builds it from source,
+# installed it, wherever that was moved to, and those that build it from source,
 # with the bits of make's build.
-# From `make consumers`: MAKE CC SRC OUT VERSION SOVERSION.
+#     consumers.sh [installed]    the first kind only
+# From `make consumers`: MAKE CC SRC OUT VERSION SOVERSION TARBALL.
 set -eu
 work=$OUT/consumers
 client=$SRC/tests/install/client.c
@@ -82,6 +83,7 @@ mv "$work/moved" "$work/first"
 $make PREFIX="$work/first" uninstall
 test -z "$(find "$work/first" ! -type d)" || die "uninstall leaves files"
 ! find_package gone "" >/dev/null 2>&1 || die "CMake still finds it"
+test "${1-}" != installed || exit 0
 
 # From source, as a static and as a shared library.  hash.c prints what many
 # motions end in.
@@ -110,3 +112,35 @@ sh "$work/names.sh" "$so" >"$work/cmake.txt"
 sh "$work/names.sh" "$OUT/librollcoin.so" | diff - "$work/cmake.txt" ||
     die "CMake's shared library has other symbols"
 echo "consumers: CMake builds the same bits and symbols as make"
+
+# Meson's from a release, to which the wrap adds meson.build.
+subprojects=$work/wrap/subprojects
+mkdir -p "$subprojects/packagefiles/rollcoin"
+cp "$SRC/pkgconfig/meson/meson.build" "$subprojects/packagefiles/rollcoin"
+cp "$TARBALL" "$subprojects/packagefiles"
+cp "$client" "$SRC/tests/repro/hash.c" "$SRC"/tests/repro/*.h "$work/wrap"
+cat >"$subprojects/rollcoin.wrap" <<END
+[wrap-file]
+directory = rollcoin-$VERSION
+source_filename = $(basename "$TARBALL")
+source_hash = $(sha256sum "$TARBALL" | cut -d' ' -f1)
+patch_directory = rollcoin
+[provide]
+dependency_names = rollcoin
+END
+cat >"$work/wrap/meson.build" <<END
+project('wrap', 'c', default_options: ['buildtype=release'])
+foreach program : ['client', 'hash']
+  executable(program, program + '.c',
+    dependencies: [dependency('rollcoin', version: '$VERSION'),
+                   meson.get_compiler('c').find_library('m')])
+endforeach
+END
+unset PKG_CONFIG_PATH
+build=$work/wrap/build
+PKG_CONFIG_LIBDIR=/nowhere quiet meson setup "$build" "$work/wrap" &&
+    quiet ninja -C "$build" || die "Meson does not build the subproject"
+"$build/client" "$VERSION" || die "the client fails, with Meson's subproject"
+"$build/hash" | diff "$SRC/tests/repro/expected.txt" - ||
+    die "Meson's build has other bits"
+echo "consumers: Meson builds the same bits, as a subproject"

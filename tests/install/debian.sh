@@ -50,6 +50,6 @@ dpkg-deb --ctrl-tarfile "$work/librollcoin${SOVERSION}_$VERSION"-1_*.deb |
 lib=$(dirname "$(find "$root/usr/lib" -name librollcoin.a)")
 mkdir "$work/tmp"
 AUTOPKGTEST_TMP=$work/tmp PKG_CONFIG_SYSROOT_DIR=$root LD_LIBRARY_PATH=$lib \
-    PKG_CONFIG_PATH=$lib/pkgconfig sh "$top/debian/tests/roll" ||
+    PKG_CONFIG_PATH=$lib/pkgconfig sh "$top/debian/tests/toss" ||
     die "the packages' test fails"
 echo "debian: librollcoin$SOVERSION and librollcoin-dev, clean, and their test passes"

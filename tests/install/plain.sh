@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# make, make install and README.md's ten lines work where git is missing or
+# make, make install and README.md's program work where git is missing or
 # refuses a clone that belongs to another user, and where stat and date have no
 # options of GNU's: here the three fail, whatever they are asked.  make dist,
 # which needs more, says so before it begins.
@@ -30,11 +30,11 @@ PATH="$work/bin:$PATH" $MAKE --no-print-directory O=build CFLAGS=-O0 LDCONFIG=: 
     { cat "$work/log"; die "it needs one of them"; }
 grep -q '^\.TH .* "2[0-9]*-[0-9]*-[0-9]*" ' "$prefix/share/man/man3/rollcoin.3" ||
     die "rollcoin(3) has no date"
-fenced c >"$work/roll.c"
+fenced c >"$work/toss.c"
 fenced text >"$work/expected"
 test -s "$work/expected"
 (cd "$work" && PKG_CONFIG_PATH=$prefix/lib/pkgconfig LD_LIBRARY_PATH=$prefix/lib \
-    sh -ec "$(fenced sh)" | diff expected -) || die "the ten lines fail"
+    sh -ec "$(fenced sh)" | diff expected -) || die "README's program fails"
 
 make=$(command -v "${MAKE%% *}")
 ! PATH=$work/nothing "$make" O=none dist >"$work/log" 2>&1 &&

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# README.md's ten lines after README.md's commands, in the system itself: make
+# README.md's program after README.md's commands, in the system itself: make
 # install, then its command line, prints what it says.  For .ci/run, which has a
 # machine of its own; the library is removed again.
 set -eu
@@ -10,7 +10,7 @@ SRC=.
 root=
 test "$(id -u)" = 0 || root=sudo
 work=$(mktemp -d)
-fenced c >"$work/roll.c"
+fenced c >"$work/toss.c"
 fenced text >"$work/expected"
 test -s "$work/expected"
 command=$(fenced sh)

@@ -59,7 +59,7 @@ END
 compiled()
 {
     for cc in gcc clang; do
-        $cc -std=c99 -O2 $WARN -Werror -I"$SRC/include" -c "$2" \
+        $cc -std=c99 -O2 -fopenmp $WARN -Werror -I"$SRC/include" -c "$2" \
             -o "$work/compiled.$1.o" || return
     done
 }

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """An include in lib/ only points down, and docs/design.md draws lib/ as it is.
 
+No includes lead in a circle, where NAME.c, NAME.h and NAME.t.h count as one.
+
 FLOORS is its drawing: the folders of lib/, floor by floor from the top, each
 with all that its files may include besides one another.
 
@@ -34,12 +36,26 @@ def includes(lib):
     return found
 
 
-def circle(file, seen, path=()):
-    """The files from one back to itself, if its includes lead there."""
-    if file in path:
-        return path[path.index(file):] + (file,)
-    return next(filter(None, (circle(to, seen, path + (file,))
-                              for to in sorted(seen.get(file, ())))), None)
+def stem(file):
+    """The path of a file without its ending."""
+    return re.sub(r"(\.t)?\.[ch]$", "", file)
+
+
+def by_stem(seen):
+    """The includes of files as those of their stems in one another."""
+    found = {}
+    for file, others in seen.items():
+        found.setdefault(stem(file), set()).update(
+            stem(other) for other in others if stem(other) != stem(file))
+    return found
+
+
+def circle(unit, seen, path=()):
+    """The stems from one back to itself, if its includes lead there."""
+    if unit in path:
+        return path[path.index(unit):] + (unit,)
+    return next(filter(None, (circle(to, seen, path + (unit,))
+                              for to in sorted(seen.get(unit, ())))), None)
 
 
 def drawn(page):
@@ -63,9 +79,7 @@ def unlike(lib, page):
     """Where the drawing and the paths of the page differ from lib/."""
     rooms = drawn(page)
     for room in sorted(SEES):
-        names = {f.name if f.suffix not in (".c", ".h") else
-                 re.sub(r"(\.t)?\.[ch]$", "", f.name)
-                 for f in (lib / room).iterdir()}
+        names = {stem(f.name) for f in (lib / room).iterdir()}
         for name in sorted(names):
             if not any(fnmatch.fnmatch(name, d) for d in rooms.get(room, ())):
                 yield f"docs/design.md does not draw {room}/{name}"
@@ -95,7 +109,8 @@ def problems(lib):
                 yield f"{file}: there is no {other}"
             elif not {other, other.split("/")[0]} & (SEES[room] | {room}):
                 yield f"{file} must not see {other}"
-    round_trip = next(filter(None, (circle(file, seen) for file in seen)), None)
+    units = by_stem(seen)
+    round_trip = next(filter(None, (circle(unit, units) for unit in units)), None)
     if round_trip:
         yield "a circle: " + " -> ".join(round_trip)
     print(f"{len(seen)} files, {sum(map(len, seen.values()))} includes")

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The lists by which floats and vectors get names of their own are complete,
-and hold no name that is not used.
+"""The lists by which floats and vectors get names of their own hold no name
+that is not used, and that of floats is complete: no object of floats defines or
+calls a function of doubles.
 
-    names.py SRC CC
+    names.py SRC CC OUT
 """
 import pathlib
 import re
@@ -29,9 +30,18 @@ def words(src, compiler, pattern):
     return found
 
 
-def main(src, compiler):
+def of_doubles(out):
+    """The names of doubles among the global symbols of the objects of floats."""
+    objects = sorted(out.glob("objects/coinf_*.o"))
+    text = subprocess.run(["nm", "-g", "-j", *objects],
+                          capture_output=True, text=True, check=True).stdout
+    assert "coinf_step" in text.split()
+    return set(re.findall(r"^coin_\w+$", text, re.M))
+
+
+def main(src, compiler, out):
     floats = words(src, compiler, "lib/float/*.c")
-    for name in sorted(w for w in floats if w.startswith("coin_priv_")):
+    for name in sorted(of_doubles(out)):
         yield f"lib/float/floats.h lacks {name}"
     for name in sorted(listed(src / "lib/float/floats.h") - floats):
         yield f"lib/float/floats.h: no float uses {name}"
@@ -42,6 +52,7 @@ def main(src, compiler):
 
 
 if __name__ == "__main__":
-    errors = list(main(pathlib.Path(sys.argv[1]), sys.argv[2]))
+    src, compiler, out = sys.argv[1:]
+    errors = list(main(pathlib.Path(src), compiler, pathlib.Path(out)))
     print(*errors, sep="\n", end="\n" if errors else "")
     sys.exit(bool(errors))

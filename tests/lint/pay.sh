@@ -39,9 +39,9 @@ done <<END
 5000 coin_energy(&s, &p)
 7000 coin_reaction(&s, &p, &f)
 40000 coin_settle(&s, &p, &l, 1, 1e-9, 0)
-54000 coin_move(&b, &p, &table, 1, 1e-9, 0, 0)
+75000 coin_move(&b, &p, &table, 1, 1e-9, 0, 0)
 - coin_run(&s, &p, COIN_RK4, .01, 9, 0)
-- coin_advance(&s, &p, 1, 1e-9, 0)
+45000 coin_advance(&s, &p, 1, 1e-9, 0)
 - coin_batch_run(&s, 1, &p, COIN_RK4, .01, 9, 0)
 END
 

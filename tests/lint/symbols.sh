@@ -27,6 +27,11 @@ grep -o 'SIZE(coin[a-z_]*)' "$SRC/lib/about/sizes.c" | sed 's/SIZE(//; s/)//' |
     LC_ALL=C sort | diff "$work/sizes" -
 echo "$(wc -l <"$work/sizes") structs, each with a size"
 
+# A function of the library calls another one itself: no program can put its
+# own in the place of that.
+! objdump -R "$OUT/librollcoin.so" | grep 'coinf*_' ||
+    { echo "called through the dynamic linker" && exit 1; }
+
 test -s "$work/declared"
 for list in mapped exported global; do
     echo "declared and $list: $(wc -l <"$work/$list") names"

@@ -5,10 +5,11 @@
 Two copies of the sources take turns.  For each mutant one text is replaced,
 what depends on it is rebuilt, and the tests run until one fails.  First come
 the tests that are named after the file, then those that noticed other mutants
-of it, then the rest, the quick ones first; last test_selftest, which would see
-any change of a bit and so hide what the others miss.  A mutant that no test
-notices fails the gate; so does one that does not compile, a text that does not
-occur just once, and a source without a mutant.
+of it, then the rest, the quick ones first.  test_selftest would see any change
+of a bit and so hide what the others miss: only the mutants of the self-tests
+are shown to it.  A mutant that no test notices fails the gate; so does one that
+does not compile, a text that does not occur just once, and a source without a
+mutant.
 
 A file is named by its path below lib/, or by as much of the end of that path
 as no other file has.
@@ -22,12 +23,15 @@ import pathlib
 import queue
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
 
 PARALLEL = 2
-SECONDS = 30  # for the tests of one file; a loop that a mutant made endless ends
+# Of the processor, for the tests of one file: a loop that a mutant made endless
+# ends, and a busy machine ends no other.
+SECONDS = 30
 OTHERS = {".awk", ".map", ".md", ".mk"}  # files of lib/ that no compiler reads
 
 # What the runs so far have taught: the tests' times, and for each file the
@@ -124,25 +128,23 @@ class Copy:
     def failing_test(self, tests):
         """The name of the first test that fails, if one does."""
         for test in tests:
-            try:
-                start = time.monotonic()
-                run = subprocess.run([self.out / "tests/run", test],
-                                     capture_output=True, cwd=self.out,
-                                     timeout=SECONDS)
-                SECONDS_OF[test] = time.monotonic() - start
-            except subprocess.TimeoutExpired:
+            start = time.monotonic()
+            run = subprocess.run(["prlimit", f"--cpu={SECONDS}:",
+                                  self.out / "tests/run", test],
+                                 capture_output=True, cwd=self.out)
+            SECONDS_OF[test] = time.monotonic() - start
+            if run.returncode == -signal.SIGXCPU:
                 return f"{test} (endless)"
             if run.returncode:
                 return test
         return ""
 
     def likely_first(self, file):
-        """All tests, in the order to try them in for a mutant of a file."""
+        """All tests but test_selftest, in the order to try them in for a mutant
+        of a file."""
         def rank(test):
-            return (test == "test_selftest",
-                    test not in NOTICED.get(file, ()),
-                    SECONDS_OF.get(test, 0))
-        return sorted(self.all_tests(), key=rank)
+            return test not in NOTICED.get(file, ()), SECONDS_OF.get(test, 0)
+        return sorted(set(self.all_tests()) - {"test_selftest"}, key=rank)
 
     def judge(self, mutant):
         """(what became of a mutant, the test that noticed)."""
@@ -180,7 +182,7 @@ def main(src, work=None, *files):
     mutants = [m for m in mutants if not files or m[0] in files]
     work = work.absolute()
     shutil.rmtree(work, ignore_errors=True)
-    # What `make check-long` does.
+    # As `make check-long`, but with the usual seeds.
     os.environ["ROLLCOIN_LONG"], os.environ["ROLLCOIN_TRIES"] = "1", "8"
     os.environ.pop("MAKEFLAGS", None)  # the flags of the make that runs this
     copies = queue.SimpleQueue()

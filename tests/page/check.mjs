@@ -6,44 +6,20 @@ import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { pathToFileURL } from "node:url";
-import { AXE, Browser } from "./browser.mjs";
-import { CC, claim, count, LIBRARY, PAGE, SRC } from "./claims.mjs";
+import { AXE } from "./browser.mjs";
+import { CC, claim, count, LIBRARY, SRC } from "./claims.mjs";
 import { bits, budgets, sources } from "./files.mjs";
+import { carries, disk, follows, frames, luck, opens, scripts, sinks, sounds, stays, tails } from "./play.mjs";
+import { address, b, DESKTOP, frame, LANDSCAPE, launch, PHONE, quiet, says, see, set, text, visit } from "./see.mjs";
 
-const address = hash => pathToFileURL(PAGE).href + hash;
-
-// -------------------------------------------------------------- the browser --
-let b;
-const DESKTOP = { width: 1280, height: 800 }, PHONE = { width: 360, height: 740, mobile: true };
 const RACE = "scene=tumble&wZ=0.05&dt=0.2&race=1&now=20&play=0";
+const ON_EDGE = "scene=toss&play=0&theta=0.05&y=0.02&wX=0&wY=0&wZ=0&vx=0&vy=0&vz=0&thickness=0.018&now=9";
+// A call of coin_move() has not steps enough for the first frame.
+const MORE = "scene=toss&play=0&thickness=0.008&now=0.0015&theta=-1.5687410100443862&phi=69.999211995609784" +
+  "&psi=-67.878947543616846&x=0.0064474377337831699&z=0.026946341955956691&wX=-1.3933385313197304" +
+  "&wY=0.0014279614062982511&wZ=0.69435234798559242&y=0.004024922525980002&vx=-0.00016188482589106604" +
+  "&vy=-0.016889705686805985&vz=0.0023251640329910528";
 const PAUSED = "scene=quarter&play=0&now=0.5";
-const see = expression => b.evaluate(expression);
-const text = id => see(`(e => e.matches("pre") ? e.textContent : e.innerText)(document.getElementById("${id}"))`);
-const frame = () => b.evaluate("new Promise(r => requestAnimationFrame(() => requestAnimationFrame(() => r(true))))");
-
-async function says(what, id, pattern) {
-  const words = await text(id);
-  claim(what, pattern.test(words), words);
-}
-
-// Opens another hash in the page that is there, and waits until it is drawn.
-async function visit(hash) {
-  await see(`new Promise(done => {
-    addEventListener("hashchange", done, { once: true });
-    setTimeout(done, 1000);
-    location.hash = ${JSON.stringify(hash)};
-  }).then(() => true)`);
-  await frame();
-  await b.until("!motion.more");
-  await frame();
-}
-
-async function quiet(where) {
-  claim(`no exception and no error ${where}`, b.problems.length === 0, b.problems);
-  claim(`no request ${where}`, b.requests.every(url => /^(file|data):/.test(url)) &&
-    b.requests.filter(url => url.startsWith("file:")).length < 2, b.requests);
-}
 
 // The part of a canvas that is drawn upon.
 const DRAWN = `id => {
@@ -52,11 +28,11 @@ const DRAWN = `id => {
 }`;
 const LEAST_DRAWN = { stage: 0.25, leangraph: 0.02, forcegraph: 0.02, phasegraph: 0.02, energygraph: 0.02 };
 
-async function looks(name, { width, mobile }) {
+async function looks(name, { width, mobile }, graphs = Object.keys(LEAST_DRAWN)) {
   claim(`the self-test passes on a ${name}`, (await text("selftest")).endsWith("self-test passed"));
-  for (const [id, least] of Object.entries(LEAST_DRAWN)) {
+  for (const id of graphs) {
     const drawn = await see(`(${DRAWN})("${id}")`);
-    claim(`${id} is not blank on a ${name}`, drawn > least, drawn);
+    claim(`${id} is not blank on a ${name}`, drawn > LEAST_DRAWN[id], drawn);
   }
   const wide = await see("document.documentElement.scrollWidth") - width;
   claim(`nothing overflows on a ${name}`, wide <= 0, wide);
@@ -71,14 +47,12 @@ async function looks(name, { width, mobile }) {
   claim(`targets have ${least} pixels on a ${name}`, small.length === 0, small);
 }
 
-// What axe-core calls serious or critical.
 async function access(where) {
   await see(AXE);
   const { passes, violations } = await see("axe.run()");
   claim(`axe-core has rules for the page ${where}`, passes.length > 20, passes.length);
-  const serious = violations.filter(rule => /serious|critical/.test(rule.impact));
-  claim(`no serious one is violated ${where}`, serious.length === 0,
-    serious.map(rule => [rule.id, rule.nodes.map(node => [node.target, node.failureSummary])]));
+  claim(`none is violated ${where}`, violations.length === 0,
+    violations.map(rule => [rule.id, rule.nodes.map(node => [node.target, node.failureSummary])]));
 }
 
 async function tabulator() {
@@ -138,7 +112,13 @@ async function pointer() {
   await mouse.up();
   claim("dragging looks from elsewhere", await see("m.az") < az);
   await mouse.move(box.left + 50, box.top + 50);
+  await mouse.wheel({ deltaY: 200 });
+  await b.until("scrollY > 0");
+  claim("a wheel over the coin scrolls the page", await see("m.zoom") === zoom);
+  await see("scrollTo(0, 0)");
+  await b.page.keyboard.down("Control");
   await mouse.wheel({ deltaY: -200 });
+  await b.page.keyboard.up("Control");
   await b.until(`m.zoom > ${zoom}`);
   await frame();
   const at = await see("motion.moment[1]");
@@ -152,10 +132,14 @@ async function pointer() {
   for (let k = 0; k <= 8; ++k) {
     await clock(k);
     await mouse.move(box.left + x + 4 * k, box.top + y - 10 * k);
+    await frame();
+    const { x: cx, y: cy } = await see("coinOnStage()");
+    claim(`the coin stays under the finger, ${k}`, Math.hypot(cx - box.left - x - 4 * k, cy - box.top - y + 10 * k) < 3, [cx, cy]);
   }
   claim("dragging lifts it", await see("!playing && m.y > 1.3 * m.radius * Math.cos(m.theta)"));
   await mouse.up();
-  claim("and letting it go throws it up", await see("playing && isReal() && m.vy > 0"), await see("m.vy"));
+  const thrown = await see("metersPerSecond(m.vy)"); // by 1000 pixels in a second
+  claim("and letting it go throws it up, as a hand does", await see("playing && isTossed()") && thrown > 1 && thrown < 2.8, thrown);
 }
 
 // A tossed coin: what it does until it lies.
@@ -174,15 +158,28 @@ async function toss() {
   const slowly = await see("slow");
   await see("$('slow').click()");
   claim("slow motion is slower", await see("slow") < slowly);
+  await b.until("$('pace').textContent === '8 times slower'");
   await see("$('slow').click()");
-  const before = await text("tosses");
+  const before = { Heads: await text("countHeads"), Tails: await text("countTails") };
   await see("{ m.now = motion.end - m.speed / 30; wake(); }");
   await b.until("!playing");
   await frame();
   const face = await see("motion.moment[AT.theta] < 0 ? 'Heads' : 'Tails'");
   await says("at rest a face is up", "verdict", new RegExp(`^${face}$`));
-  claim("the toss is counted", await text("tosses") !== before &&
-    await text("tosses") === (face === "Heads" ? "Heads 1, tails 0" : "Heads 0, tails 1"), await text("tosses"));
+  claim("the toss is counted once", await text("count" + face) === String(Number(before[face]) + 1), before);
+  claim("and the others are not", await text("count" + (face === "Heads" ? "Tails" : "Heads")) === before[face === "Heads" ? "Tails" : "Heads"]);
+}
+
+// The rims are drawn where they are.
+async function rims() {
+  for (const start of ["whirl", "whirl&theta=-0.4&thickness=0.01", "edge", "rosette"]) {
+    await visit(`scene=${start}&play=0`);
+    const heights = await see("[-1, 1].map(side => coinNow().point(1, -Math.PI / 2, side * half())[1])");
+    claim(`the lower rim of ${start} is drawn on the table`, Math.abs(Math.min(...heights)) < 1e-12 && Math.max(...heights) > 1e-3, heights);
+    const [x, , z] = await see(`coinNow().point(1, -Math.PI / 2, ${heights[0] < heights[1] ? -1 : 1} * reckoned())`);
+    const at = await see("[AT.cx, AT.cz].map(what => motion.moment[what] / m.radius)");
+    claim(`and touches it where the contact of ${start} is`, Math.hypot(x - at[0], z - at[1]) < 1e-12, [x, z, at]);
+  }
 }
 
 // What is seen: the coin is large and in the picture all the time.
@@ -192,7 +189,8 @@ async function views() {
     const worst = await see(`(() => {
       const all = Array.from({ length: 40 }, (_, k) => {
         const { clientWidth: w, clientHeight: h } = $("stage");
-        lib.page_at(0, motion.end * k / 40);
+        m.now = motion.end * k / 40;
+        lib.page_at(0, m.now);
         motion.moment = doubles(lib.page_now(), MOMENT);
         drawStage();
         const [x, y] = stage.coinAt, r = stage.coinSize;
@@ -200,12 +198,12 @@ async function views() {
       });
       return [0, 1].map(k => Math.min(...all.map(row => row[k])));
     })()`);
-    claim(`the coin of ${name} has a radius of 40 pixels`, worst[0] >= 40, worst[0]);
+    const least = await see("isReal()") ? 22 : 40; // one that is thrown is seen from afar
+    claim(`the coin of ${name} has a radius of ${least} pixels`, worst[0] >= least, worst[0]);
     claim(`and stays in the picture: ${name}`, worst[1] >= 0, worst[1]);
   }
-  await visit("");
-  claim("the page opens on the rosette", await see("sceneNames()[m.scene]") === "rosette");
-  claim("which closes: angles to 1e-9, but for whole turns", await see(`[1, 2, 3].every(k =>
+  await visit("scene=rosette");
+  claim("the rosette closes: angles to 1e-9, but for whole turns", await see(`[1, 2, 3].every(k =>
     Math.abs(Math.sin((knot(motion.count - 1, k) - knot(0, k)) / 2)) < 1e-9)`));
   await see("{ m.now = motion.end - 0.01; play(true); }");
   await b.until("m.now < 0.5 * motion.end");
@@ -237,16 +235,6 @@ async function pinch() {
   claim("pinching comes closer", await see("m.zoom") > 1.5 * zoom);
 }
 
-// Sets a control as a user does, and waits until the motion is there.
-async function set(id, value, kind = "input") {
-  await see(`{ const e = $("${id}");
-    e[e.type === "checkbox" ? "checked" : "value"] = ${JSON.stringify(value)};
-    e.dispatchEvent(new Event("${kind}", { bubbles: true })); }`);
-  await frame();
-  await b.until("!motion.more");
-  await frame();
-}
-
 async function controls() {
   const near = async (text, expression, value, error) => {
     const x = await see(expression);
@@ -262,7 +250,7 @@ async function controls() {
   await set("lean", 30);
   await near("that of the lean is in degrees", "m.theta", Math.PI / 6, 1e-15);
   await set("wZ", 1.5);
-  await near("those of rates are in natural units", "m.wZ", 1.5 * Math.sqrt(9.80665 / 0.01213), 1e-9);
+  await near("those of rates are in turns a second", "m.wZ", 1.5 * 2 * Math.PI, 1e-12);
   await set("hole", 0.5);
   await near("that of the hole is in radii", "m.inner / m.radius", 0.5, 1e-12);
   await set("scrub", 0.25);
@@ -270,16 +258,21 @@ async function controls() {
   await set("method", 3, "change");
   await set("race", true, "change");
   claim("a race begins", /^off by /.test(await text("racer1")), await text("racer1"));
-  await set("scene", 5, "change");
+  await set("scene", await see("sceneNames().indexOf('spin')"), "change");
   claim("a scene can be chosen", await see("sceneNames()[m.scene]") === "spin" && await see("m.wZ") === 0);
   await see("play(false)");
-  await set("rest", 20, "change");
+  await set("rest", 0.7, "change");
   // coin_losses_fit() is good to m^1.2, and m is 0.026 here.
-  await near("a coin rests when it is told to", "motion.restsAt", 20, 20 * 0.026 ** 1.2);
+  await near("a coin rests when it is told to", "motion.restsAt / second()", 0.7, 0.7 * 0.026 ** 1.2);
   await set("strength", -2);
   await near("a loss is in natural units", "m.dry", 1e-2, 1e-12);
   await set("law", "viscous", "change");
   claim("another law has the same size", await see("Math.abs(m.viscous - 1e-2) < 1e-12 && m.dry === 0"));
+  await set("thick", 0.4);
+  claim("with a thickness it is a real coin, without a hole", await see("isReal() && m.inner === 0"));
+  await near("that of the thickness is in radii", "m.thickness / m.radius", 0.4, 1e-12);
+  await set("mu", 1.05);
+  claim("an ideal coin is thin", await see("m.thickness === 0 && !isReal()"));
   await b.until("location.hash === addressOf(m)");
   await see("$('link').click()");
   await b.until("$('link').textContent !== 'Copy link'");
@@ -309,9 +302,10 @@ const HOSTILE = [
   "scene=", "scene=nope", "scene=__proto__", "theta=", "theta=NaN", "theta=Infinity", "theta=2",
   "theta=1e999", "theta=inf", "theta=0x1", "theta=1,2", "theta=%00", "%", "%E0%A4%A", "=", "a=b=c", "__proto__=1",
   "constructor=1", "toString=1", "knots=1", "theta=0.1&theta=0.2", "mass=-1", "mass=0", "radius=1e308",
-  "inner=2", "gravity=-9.8", "mu=-1", "mu=NaN", "mu=5", "bounce=2", "y=-1", "y=2", "dry=-1", "dry=1e200", "wX=1e300", "phi=1e10", "x=1e999",
+  "inner=2", "gravity=-9.8", "mu=-1", "mu=NaN", "mu=5", "bounce=2", "y=-1", "y=2e9", "dry=-1", "dry=1e200", "wX=1e300", "phi=1e10", "x=1e999",
   "now=-1", "now=1e300", "span=0", "dt=0", "dt=-1", "swings=-1", "swings=1e12", "zoom=0", "el=9",
-  "speed=0", "method=euler", "race=2", "play=yes", "<img src=x onerror=alert(1)>",
+  "speed=0", "thickness=-1", "thickness=0.1", "scene=quarter&thickness=0.001",
+  "scene=toss&inner=0.001", "mapzoom=0", "method=euler", "race=2", "play=yes", "<img src=x onerror=alert(1)>",
   "theta=<script>alert(1)</script>", "javascript:alert(1)", "theta=1 ", "a".repeat(5000), "&".repeat(4000),
   "theta=" + "9".repeat(200), "scene=quarter&\u0000=1",
 ];
@@ -321,7 +315,7 @@ async function hostile() {
     await see("say('')");
     await visit(hash);
     const name = hash.slice(0, 40);
-    await says(`refused with a message: ${name}`, "message", /^Parts of the address were not used/);
+    await says(`refused with a message: ${name}`, "message", /^This link has parts that mean nothing here/);
     claim(`and a coin is there: ${name}`, await see("motion.status >= 0 && motion.count > 1 && m.now >= 0"));
   }
   await see("load('#theta=<b>1</b>')"); // as an address, a browser would encode it
@@ -335,12 +329,12 @@ async function coins() {
     await visit(`scene=${name}&play=0`);
     const chord = await see(`Math.max(...Array.from({ length: motion.count - 1 }, (_, k) =>
       Math.hypot(knot(k + 1, AT.cx) - knot(k, AT.cx), knot(k + 1, AT.cz) - knot(k, AT.cz)) / m.radius))`);
-    claim(`chords of the trail are below 0.12 radii in ${name}`, chord < 0.12, chord);
+    claim(`chords of the trail are below 0.12 radii in ${name}`, chord < 0.12 || await see("isReal()"), chord);
     claim(`the trail reaches the end in ${name}`, await see(
       "(motion.restsAt || m.span) === motion.end && knot(motion.count - 1, 0) === motion.end"));
   }
   const links = await see("[...document.querySelectorAll('nav a')].map(a => a.getAttribute('href'))");
-  claim("there are five things to try", links.length === 5);
+  claim("there are eight things to try", links.length === 8);
   for (const link of links) {
     await visit(link);
     claim(`a thing to try is an address: ${link}`, await text("message") === "", await text("message"));
@@ -353,28 +347,37 @@ async function verdicts() {
     const words = await said(hash);
     claim(`${hash} says ${pattern}`, pattern.test(words), words);
   };
-  await expect("scene=quarter&play=0", /^Rolls: a real coin needs μ 0\.19\d$/);
-  await expect("scene=quarter&play=0&mu=0.3", /^Rolls: needs μ 0\.19\d, has 0\.300$/);
-  await expect("scene=quarter&play=0&mu=0.1&now=0.1", /^Slips: rolling would need more than μ 0\.100$/);
+  await expect("scene=quarter&play=0", /^Rolls: a real coin needs friction of 0\.19\d$/);
+  await expect("scene=quarter&play=0&mu=0.3", /^Rolls: needs friction of 0\.19\d, has 0\.30$/);
+  await expect("scene=quarter&play=0&mu=0.1&now=0.1", /^Slips: rolling would need more friction than 0\.10$/);
   await expect("scene=nearflat&play=0&now=2.3205", /^Is held down: a real coin would lift off: N = −/);
-  await expect("scene=quarter&play=0&y=0.1&now=0.01&mu=0.3", /^Flies: 8\.2 radii high$/);
-  await expect("scene=spin&play=0&dry=0.01&now=500", /^At rest: after [\d.]+ √\(a\/\u2060g\)$/);
+  await expect("scene=quarter&play=0&y=0.1&now=0.01&mu=0.3", /^Flies: 1\.0·10² mm high$|^Flies: 99 mm high$|^Flies: 100 mm high$/);
+  await expect("scene=spin&play=0&dry=0.01&now=500",
+    /^Lies flat: after [\d.]+ s; without pivoting friction its face turns on, [\d.]+ times a second$/);
   claim("the light has a shape for it", await see("$('light').dataset.kind") === "rests");
   claim("the energy falls all the way", await see(`Array.from({ length: motion.count - 1 },
     (_, k) => knot(k + 1, AT.energy) / knot(k, AT.energy)).every(ratio => ratio < 1 + 1e-9) &&
     motion.moment[AT.energy] < 0.5 * knot(0, AT.energy)`));
-  await says("and the time of rest is stated", "resttext", /^It lies flat after [\d.]+ √/);
+  await says("and the time of rest is stated", "resttext", /^It rests after [\d.]+ s/);
   await expect("scene=nearflat&play=0&wY=0&wZ=0&now=9", /^Lies flat: after/);
+  for (const table of ["", "&mu=0.3"])
+    await expect(`scene=wobble&play=0&theta=0&dry=0.01&now=1e3${table}`, /^(At rest|Edge): after [\d.]+ s$/);
+  await expect("scene=wobble&play=0&theta=0&wZ=0&y=2&mu=0.3&now=50", /^Edge: after/);
+  await expect(ON_EDGE, /^Edge: after/);
+  await expect(MORE, /^(Slips|Rolls): /);
+  claim("what takes more steps than a call makes is gone on with", await text("message") === "" && await see("motion.rests"));
+  await expect("scene=generic&play=0", /^Rolls: /);
+  claim("a time of too many steps is refused", await see("lib.page_at(0, 1e9 * unit())") < 0);
 }
 
 async function races() {
   await visit(RACE);
   await access("in a race");
   await says("a textbook RK4 goes through the table", "racer0",
-    /^went through the table at 9\.\d/);
-  await says("the library refuses the step", "racer1", /^refused at 8\.\d.*: the step would be wrong$/);
+    /^sank through the table at 0\.3\d* s$/);
+  await says("the library refuses the step", "racer1", /^stopped at 0\.3\d* s: it sees that the step would be wrong$/);
   await says("coin_advance gets through", "racer2", /^gets through$/);
-  await says("and the verdict agrees", "verdict", /^coin_advance gets through$/);
+  await says("and the verdict agrees", "verdict", /^Ours gets through$/);
   const drawn = await see(`(${DRAWN})("errorgraph")`);
   claim("errorgraph is not blank", drawn > 0.01, drawn);
   await visit("scene=generic&race=1&dt=0.1&now=10.05&play=0&method=rk4");
@@ -383,6 +386,10 @@ async function races() {
   claim("both RK4 err alike at one time", errors.every(x => x > 1e-9 && x < 1e-3), errors);
   await visit("scene=generic&race=1&dt=0.5&now=10&play=0&method=rk4");
   await says("coarse steps are called so", "racer1", /and warns: coarse$/);
+  await visit("scene=generic&race=1&dt=0.6&span=3000&now=2900&play=0&method=rk4");
+  const [apart, path] = await see("[racer(1)[RACE.pose], Math.hypot(racer(1)[RACE.shown + 3] - motion.moment[AT.x], " +
+    "racer(1)[RACE.shown + 4] - motion.moment[AT.z])]");
+  claim("angles are apart by half a turn at most", apart <= Math.max(Math.PI, path + 1e-9) && apart > 0.1, [apart, path]);
   await visit("scene=generic&race=1&dt=0.00001&now=10&play=0");
   await says("a race of too many steps is not begun", "racetext", /^Too many steps/);
 }
@@ -392,7 +399,7 @@ async function far() {
   await b.until("far.there");
   await frame();
   const words = await text("racers");
-  claim("an RK4 is off by then", /^RK4, steps of 0\.1 √\(a\/g\)\s+off by \d\.\d rad, the energy by −.* %/.test(words), words);
+  claim("an RK4 is off by then", /^RK4, steps of 3\.52 ms\s+off by [\d.]+ mm, the energy by −.* %/.test(words), words);
   claim("and the orbit is not", /coin_orbit_at\s+is there without a step, off by at most \d/.test(words), words);
   await visit("scene=generic&play=0&now=1");
   await see("$('million').click()");
@@ -419,7 +426,8 @@ async function listings() {
   for (const hash of [PAUSED, FULL, LOSSY, "scene=generic&swings=1000000&now=2.5&play=0",
     "scene=spin&dry=0.01&now=500&play=0", "scene=flick&race=1&now=0.7&play=0",
     "scene=nearflat&wY=0&wZ=0&now=9&play=0", "scene=quarter&mu=0.1&now=0.3456&play=0",
-    "scene=quarter&mu=0.3&y=0.1&vx=0.2&wX=80&dry=1e-5&now=0.7654&play=0"]) {
+    "scene=quarter&mu=0.3&y=0.1&vx=0.2&wX=80&dry=1e-5&now=0.7654&play=0", "scene=toss&now=0.6&play=0", ON_EDGE, MORE,
+    "scene=disk&now=1.5&play=0"]) {
     await visit(hash);
     writeFileSync(join(folder, "page.c"), await text("listing"));
     execFileSync(CC, ["-std=c99", "-Wall", "-Wextra", "-Werror", "-I" + join(SRC, "include"),
@@ -449,10 +457,10 @@ async function phone(parts) {
   for (const part of parts)
     await part();
   for (const id of ["lean", "mu", "race", "speed"]) {
-    await see(`$("${id}").scrollIntoView({ block: "center" })`);
+    await see(`$("${id}").scrollIntoView({ block: "start" })`);
     await frame();
     const [top, bottom, of] = await see(`(({ top, bottom }) => [top, bottom, $("${id}").getBoundingClientRect().top])(
-      $("stage").getBoundingClientRect())`);
+      $("view").getBoundingClientRect())`);
     claim(`the coin is in view while ${id} is changed`, top >= 0 && bottom > 150 && of >= bottom, [top, bottom, of]);
   }
   await quiet("on a phone");
@@ -463,7 +471,7 @@ async function embedded() {
   claim("embedded, the coin fills the frame", await see("$('view').getBoundingClientRect().height") === 320);
   claim("and nothing else is there", await see("document.documentElement.scrollHeight") === 320);
   await see("$('skip').click()");
-  claim("the skip link leads to the coin", await see("document.activeElement.id === 'stage' && m.scene === 0"));
+  claim("the skip link leads to the coin", await see("document.activeElement.id === 'stage' && sceneName() === 'quarter'"));
   await access("embedded");
 }
 
@@ -471,10 +479,12 @@ async function dark() {
   await b.open(address("#scene=quarter"), { ...DESKTOP, media: [{ name: "prefers-reduced-motion", value: "reduce" },
     { name: "prefers-color-scheme", value: "dark" }] });
   claim("reduced motion starts paused", await see("playing") === false);
-  claim("dark is dark", await see("getComputedStyle(document.body).backgroundColor") === "rgb(20, 23, 26)");
+  claim("dark is dark", await see("getComputedStyle(document.body).backgroundColor") === "rgb(20, 18, 15)");
   await access("in the dark");
   await visit(RACE);
   await access("in a dark race");
+  await visit("scene=luck&play=0");
+  await access("beside the map in the dark");
   await quiet("in the dark");
   await b.open(address("#scene=quarter"), DESKTOP);
   claim("else it plays", await see("playing") === true);
@@ -482,18 +492,30 @@ async function dark() {
   claim("with a program to read", /coin_advance/.test(await text("listing")));
 }
 
+async function landscape() {
+  await b.open(address("#scene=toss"), LANDSCAPE);
+  await looks("phone on its side", LANDSCAPE, []);
+  const { top, bottom } = await see("$('toss').getBoundingClientRect().toJSON()");
+  claim("the button is in view on a phone on its side", top >= 0 && bottom <= LANDSCAPE.height, [top, bottom]);
+  await access("on a phone on its side");
+}
+
 try {
   await bits();
-  sources(["core.js", "address.js", "scene.js", "graphs.js", "listing.js", "words.js", "hand.js", "main.js"]);
+  sources();
   budgets();
-  b = await Browser.launch("chrome");
-  await desktop([keys, pointer, toss, views, files, controls, addresses, hostile, coins, verdicts, races, far, listings]);
+  await launch("chrome");
+  await desktop([opens, keys, pointer, carries, toss, rims, follows, tails, stays, views, files, controls, addresses, hostile, coins, verdicts, sounds,
+    disk, luck, races, sinks, far, listings]);
   await phone([pinch]);
+  await landscape();
   await embedded();
   await dark();
+  await scripts();
+  await frames();
   await b.program.close();
-  b = await Browser.launch("firefox");
-  await desktop([keys, pointer, toss, controls, verdicts, races, far]);
+  await launch("firefox");
+  await desktop([opens, keys, pointer, toss, follows, controls, verdicts, luck, races, sinks, far]);
   await phone([]);
 } finally {
   await b?.program.close();

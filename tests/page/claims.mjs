@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
-export const [SRC, OUT, CC, LIBRARY] = process.argv.slice(2);
+export const [SRC, OUT, CC, LIBRARY, SCRIPTS] = process.argv.slice(2);
 export const PAGE = join(SRC, "docs/page/index.html"), html = readFileSync(PAGE, "utf8");
 export const inside = id => html.match(new RegExp(`<script type="text/plain" id="${id}">\n([^<]*)</script>`))[1];
 export const count = { claims: 0, failures: 0 };

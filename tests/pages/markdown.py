@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """A page as Doxygen reads it: each heading has a label, a link to a heading of
-a page is a reference to it, and what else it links to lies below docs/.
+a page is a reference to it, and what else it links to lies below docs/.  The
+page that tosses coins is a link wherever it is named.
 
     markdown.py PAGE
 """
@@ -11,6 +12,8 @@ import re
 import sys
 
 PAGE = pathlib.Path(sys.argv[1]).resolve().relative_to(pathlib.Path.cwd())
+
+TOY = "docs/page/index.html"    # a clone and the site have it
 
 
 def label(page, heading=""):
@@ -62,6 +65,7 @@ def main(text):
         part = re.sub(r"\[([^]]*)\]\(([^)]*)\)",
                       lambda m: f"[{one_line(m[1])}]({target(one_line(m[2]))})",
                       part)
+        part = part.replace(f"`{TOY}`", f"[{TOY}]({TOY})")
         parts[k] = re.sub(r"^<!--.*-->\n", "", part, flags=re.M)
     print("".join(parts))
 

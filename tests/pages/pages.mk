@@ -15,7 +15,11 @@ proofs: ## sympy derives the equations of docs/physics.md anew (a minute)
 # What the pages link to, beside one another.
 SITE        = $(abspath $(O))/site
 SITE_EXTRAS = LICENSE docs/examples docs/figures docs/proofs \
-              docs/page/index.html
+              docs/page/index.html docs/page/preview.jpg
+
+# The pages that README's table names.
+IN_ORDER = sed '1,/^\#\# Where to go/d' README.md | \
+           grep -o '](docs/[^)\#]*\.md' | cut -c3- | awk '!named[$$0]++'
 
 .PHONY: site
 site: ## coin.h and docs/ as a site in build/site, to browse without a network
@@ -24,6 +28,7 @@ site: ## coin.h and docs/ as a site in build/site, to browse without a network
 	rm -rf $(SITE)
 	mkdir -p $(SITE)
 	cd $(SRC) && { cat tests/pages/Doxyfile; echo PROJECT_NUMBER = $(VERSION); \
+	    echo INPUT = README.md $$($(IN_ORDER)) CHANGELOG.md include tests/studies; \
 	    echo OUTPUT_DIRECTORY = $(SITE); echo HTML_OUTPUT = .; } | doxygen -
 	cd $(SRC) && cp -r --parents $(SITE_EXTRAS) $(SITE)
 	$(PYTHON) $(SRC)/tests/pages/links.py $(SITE)

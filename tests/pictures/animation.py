@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""README's animation against the closed forms of its swing.
+"""The animation of a rosette against the closed forms of its swing.
 
 The rates of the rosette are found again, from (48) and (55) alone.  They tell
 the duration, the leans, the friction, and the path of the contact, which a
@@ -131,6 +131,9 @@ def document(text):
     for wanted in ("<title>", "prefers-color-scheme:dark",
                    "prefers-reduced-motion:reduce"):
         near(f"animation, {wanted}", text.count(wanted), 1, 0)
+
+
+def loops(text):
     for kind, values in re.findall(r'(?:type|attributeName)="([\w-]+)" dur='
                                    r'"[^"]*" repeatCount="indefinite" '
                                    r'values="([^"]*)"', text):
@@ -146,6 +149,7 @@ def document(text):
 
 def animation(text):
     document(text)
+    loops(text)
     leaf, ends, _ = swing(*rates())
     seconds = 2*SWINGS*sum(dt for dt, *_ in leaf.way(*ends, 400))*SECONDS*SLOWER
     for dur in re.findall(r'dur="([0-9.]+)s"', text):

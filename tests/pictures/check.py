@@ -19,9 +19,10 @@ from forms import (DISC, PI, Body, Leaf, Pairs, apart, height_of, lambda2,
                    lines, near, on_leaf, pair, potential, root, slope,
                    slow_circle, unlike)
 from rest import fixed, rest
+from rocking import rocking
 from slip import drawn_slides, slides, slip_map
 from sweep import sweep
-from toss import lean_map, toss_map
+from toss import ghosts, lean_map, toss_map
 
 
 def table(path):
@@ -253,14 +254,14 @@ throws = table(fresh / "slides.csv")
 slides(throws)
 drawn_slides(throws, (kept.parent / "slides.svg").read_text())
 for check in (potentials, bifurcation, precession, nearly_flat,
-              rest):
+              rest, rocking):
     name = {"potentials": "potential"}.get(check.__name__, check.__name__)
     check(table(fresh / f"{name}.csv"))
     check(table(kept / f"{name}.csv"))
     same(fresh / f"{name}.csv", kept / f"{name}.csv")
 fixed(*([line.split(",") for line in file.read_text().splitlines()[1:]]
         for file in (fresh / "fixed.csv", kept / "settle.csv")))
-for check in (animation, slip_map, toss_map, lean_map):
+for check in (animation, ghosts, slip_map, toss_map, lean_map):
     name = f"{check.__name__}.svg"
     drawing = (fresh / name).read_text()
     check(drawing)

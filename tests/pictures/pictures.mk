@@ -4,12 +4,12 @@
 # a program of docs/examples, which prints its numbers.
 
 PICTURES     := rosettes potential bifurcation precession nearly_flat rest \
-                slides
+                rocking slides
 # The numbers of paths are large, and their drawings show all of them.
 KEPT         := $(filter-out rosettes slides,$(PICTURES))
 # Drawn by their programs.
-DRAWN         = $(patsubst %,$(PICTURES_OUT)/%.svg,animation slip_map \
-                  toss_map lean_map)
+DRAWN         = $(patsubst %,$(PICTURES_OUT)/%.svg,animation ghosts \
+                  slip_map toss_map lean_map)
 PICTURES_SRC := $(SRC)/tests/pictures
 PICTURES_OUT  = $(O)/pictures
 SCHEMES       = $(PYTHON) $(PICTURES_SRC)/scheme.py $(SRC)

@@ -39,8 +39,8 @@ set xtics 2
 set ytics 2
 set xlabel "time, in sqrt(a/g)" offset 0,0.3
 set label 1 "slip speed, in sqrt(g a)" at graph 0.5, graph 0.94 left tc rgb "#404040"
-set label 2 "direction 60" at 4.6,3.1 right tc rgb "#404040"
-set label 3 "direction -30" at 10.2,1.6 left tc rgb "#404040"
+set label 2 "direction 60" at 5.4,3.1 right tc rgb "#404040"
+set label 3 "direction -30" at 9.4,1.6 left tc rgb "#404040"
 set label 4 "rolls" at 12,0.45 center tc rgb rolls
 set arrow 1 from 9.2274,0 to 14,0 nohead lw 2.4 lc rgb rolls front
 plot for [k=0:4] file index 2*k using \

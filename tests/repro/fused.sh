@@ -59,4 +59,15 @@ for cc in gcc clang; do
     report "$cc -std=gnu11 -O3 $can_fuse"
     rm -r "$work/objects"
 done
+
+# Flags by which no source may be compiled, whoever passes them.
+for cc in gcc clang; do
+    for flag in -ffast-math -ffinite-math-only; do
+        for source in "$SRC"/lib/*/*.c; do
+            ! $cc $flag -fsyntax-only -I"$SRC/include" "$source" 2>/dev/null ||
+                { echo "not refused: $cc $flag, $source"; failed=1; }
+        done
+        echo "refused  $cc $flag"
+    done
+done
 exit $failed

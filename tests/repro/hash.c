@@ -173,7 +173,7 @@ typedef struct start_float {
 
 static start_float start_float_of(const scene *a)
 {
-    start_float b = {{0, 0, 0, 0, 0, {0, 0, 0}},
+    start_float b = {{0, 0, 0, 0, 0, 0, {0, 0}},
                      {0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0, 0, 0, 0, 0}},
                      0};
     coinf_params_ring(&b.p, (float)a->mass, (float)a->radius,

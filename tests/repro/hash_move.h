@@ -20,7 +20,7 @@ static uint64_t hash_move(const coin_state *s, const coin_params *p,
     int i, lossy;
     for (lossy = 0; lossy < 2; ++lossy) {
         coin_table table = {
-            0, 0, 0, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0}}};
+            0, 0, 0, {0, 0}, {0, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0}}};
         coin_body b;
         table.mu_static = 0.33;
         table.mu_kinetic = 0.3;

@@ -137,7 +137,8 @@ END
 
 # ------------------------------------------------------- what must not pass --
 for compiler in "gcc -Ofast" "g++ -x c++ -ffast-math" "clang -ffast-math" \
-    "gcc -fassociative-math -fno-signed-zeros -fno-trapping-math"; do
+    "gcc -fassociative-math -fno-signed-zeros -fno-trapping-math" \
+    "gcc -ffinite-math-only" "clang -ffinite-math-only"; do
     ! moves refused "$compiler" 2>/dev/null && echo "refused    $compiler" ||
         fail "not refused: $compiler"
 done
@@ -153,17 +154,18 @@ int main(void)
     return coin_selftest() != COIN_EBUILD || coinf_selftest() != COIN_EBUILD;
 }
 END
-# reported NUMBER COMPILER: its fused code says that it has other bits.
+# reported NUMBER COMPILER: its code says that it has other bits, or knows no NaN.
 reported()
 {
     # shellcheck disable=SC2086
-    $2 -O2 $can_fuse -ffp-contract=fast -w -I"$here" "$work/fused.c" \
+    $2 -O2 $can_fuse -w -I"$here" "$work/fused.c" \
         -o "$work/fused.$1" -lm && "$work/fused.$1" && echo "reported   $2" ||
         fail "not reported: $2"
 }
 at_once reported <<END
-clang
-clang++ -x c++
+clang -ffp-contract=fast
+clang++ -x c++ -ffp-contract=fast
+clang -fno-honor-nans
 END
 
 # ------------------------------------------------------------ the user's own --

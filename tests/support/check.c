@@ -71,6 +71,29 @@ void check_within_at(double got, double lowest, double highest,
     fail_at(file, line);
 }
 
+/* How probable k of n cases are. */
+static double binomial(int k, int n, double share)
+{
+    const double ways = lgamma(n + 1) - lgamma(k + 1) - lgamma(n - k + 1);
+    return exp(ways + k * log(share) + (n - k) * log1p(-share));
+}
+
+void check_share_at(int got, int n, double share, const char *what,
+                    const char *file, int line)
+{
+    int least = 0;
+    for (double fewer = 0; least <= n; ++least) {
+        fewer += binomial(least, n, share);
+        if (fewer > 1e-4)
+            break;
+    }
+    if (got >= least)
+        return;
+    print_error("%s\n    got %d of %d, which of a share of %g should be %d\n",
+                what, got, n, share, least);
+    fail_at(file, line);
+}
+
 void check_terms_at(double got, double want, double units, double terms,
                     const char *what, const char *file, int line)
 {

@@ -70,6 +70,13 @@ void check_near_at(double got, double want, double bound, const char *what,
 void check_within_at(double got, double lowest, double highest,
                      const char *what, const char *file, int line);
 
+/* As large a share of n random cases, but for chance: of the samples of a true
+ * share 9,999 in 10,000 pass. */
+#define check_share(got, n, share)                                             \
+    check_share_at(got, n, share, #got, __FILE__, __LINE__)
+void check_share_at(int got, int n, double share, const char *what,
+                    const char *file, int line);
+
 /* got is within `units` u times `terms` of a reference value, of which `want`
  * is the nearest double.  The rounding of the reference, u |want|, is added to
  * the difference, so that the bound is proved for the true value. */

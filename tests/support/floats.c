@@ -14,7 +14,8 @@ coinf_params floats_params(const coin_params *p)
         (float)p->gravity,
         (float)p->inertia_X,
         (float)p->inertia_Z,
-        {(float)p->reserved[0], (float)p->reserved[1], (float)p->reserved[2]},
+        (float)p->thickness,
+        {(float)p->reserved[0], (float)p->reserved[1]},
     };
     return f;
 }

@@ -58,9 +58,13 @@ static void read_exact(const struct table *t, size_t row, coin_params *p,
                        coin_state *s)
 {
     const coin_params params = {
-        table_at(t, row, "mass"),      table_at(t, row, "radius"),
-        table_at(t, row, "gravity"),   table_at(t, row, "inertia_X"),
-        table_at(t, row, "inertia_Z"), {0, 0, 0},
+        table_at(t, row, "mass"),
+        table_at(t, row, "radius"),
+        table_at(t, row, "gravity"),
+        table_at(t, row, "inertia_X"),
+        table_at(t, row, "inertia_Z"),
+        0,
+        {0, 0},
     };
     *p = params;
     *s = state_in_row(t, row);

@@ -39,6 +39,12 @@ double random_between(struct random *r, double low, double high)
     return low + (high - low) * ((double)(next(r) >> 11) * U);
 }
 
+double random_sized(struct random *r, double least, double most)
+{
+    const double beyond = random_between(r, least - most, most - least);
+    return beyond + copysign(least, beyond);
+}
+
 coin_params random_coin(struct random *r)
 {
     coin_params p;

@@ -21,6 +21,9 @@ int all_asked(void);
 
 double random_between(struct random *r, double low, double high);
 
+/* Of either sign, its size between these. */
+double random_sized(struct random *r, double least, double most);
+
 /* Mass, radius and gravity within six decades each; any inner radius. */
 coin_params random_coin(struct random *r);
 

@@ -35,8 +35,10 @@ int32_t slide(coin_body *d, const coin_params *p, const coin_table *f,
     const double least = tol > 0 && tol < 1e-12 ? 1e-12 : tol;
     coin_body b = touching(d, p);
     double moved = 0, sum = 0;
-    int32_t status = coin_move(&b, p, &table, t, least, COIN_LIFTS, &moved);
-    for (int i = 0; i < 200 && status == COIN_ESTEP && moved > 0; ++i) {
+    int32_t status = coin_move(&b, p, &table, 0, least, 0, NULL);
+    if (status != COIN_LIFTS) /* else a call would fly on */
+        status = coin_move(&b, p, &table, t, least, COIN_LIFTS, &moved);
+    for (int i = 0; i < 200 && status >= 0 && status & COIN_MORE; ++i) {
         sum += moved; /* a call is bounded, and the next goes on */
         status = coin_move(&b, p, &table, t - sum, least, COIN_LIFTS, &moved);
     }
@@ -57,7 +59,13 @@ double slide_energy(const coin_body *d, const coin_params *p)
 int32_t slide_velocity(const coin_body *d, const coin_params *p, double u[2])
 {
     const coin_body b = touching(d, p);
-    return coin_body_slip(&b, p, u);
+    double v[3];
+    const int32_t status = coin_body_contact(&b, p, v);
+    if (status == COIN_OK) {
+        u[0] = v[0];
+        u[1] = v[2];
+    }
+    return status;
 }
 
 int32_t slide_reaction(const coin_body *d, const coin_params *p,
@@ -147,8 +155,8 @@ static double least_loss(const coin_params *p, const coin_state *start,
                  : 0;
 }
 
-void check_slips(const coin_params *p, const coin_state *s, const coin_table *f,
-                 double t, double tol)
+int slips_as_it_must(const coin_params *p, const coin_state *s,
+                     const coin_table *f, double t, double tol)
 {
     const coin_table rough = {.mu_static = INFINITY, .mu_kinetic = 0};
     coin_body slips, rolls;
@@ -156,11 +164,9 @@ void check_slips(const coin_params *p, const coin_state *s, const coin_table *f,
     rolls = slips;
     const int32_t got = slide(&slips, p, f, NULL, t, tol, NULL);
     if (got == COIN_LIFTS)
-        return;
+        return 1;
     check(got >= 0);
     check_status(slide(&rolls, p, &rough, NULL, t, tol, NULL), COIN_OK);
     const double lost = slide_energy(&rolls, p) - slide_energy(&slips, p);
-    const double least = least_loss(p, s, f, t);
-    check_note("lost %g, at least %g", lost, least);
-    check(lost > least);
+    return lost > least_loss(p, s, f, t);
 }

@@ -29,11 +29,11 @@ coin_body random_launch(struct random *r, const coin_params *p);
 double slides_apart(const coin_body *a, const coin_body *b,
                     const coin_params *p);
 
-/* Checks that a coin that rolls at first slips within t, by the energy that the
+/* Whether a coin that rolls at first slips within t, by the energy that the
  * slip takes: more than a slip whose friction is mu_kinetic N must take after
- * the largest F/N of the motion that rolls. */
-void check_slips(const coin_params *p, const coin_state *s, const coin_table *f,
-                 double t, double tol);
+ * the largest F/N of the motion that rolls.  1 if it lifts off. */
+int slips_as_it_must(const coin_params *p, const coin_state *s,
+                     const coin_table *f, double t, double tol);
 
 /* The speed of the slip. */
 double slip_speed(const coin_body *d, const coin_params *p);

@@ -16,6 +16,24 @@ coin_params thrown_params(double IX, double IZ)
     return p;
 }
 
+coin_priv_coin coin_of(const coin_body *b, double half)
+{
+    coin_priv_coin c;
+    coin_priv_set_state(&c, &b->s, half);
+    c.y = b->y;
+    c.vx = b->vx;
+    c.vy = b->vy;
+    c.vz = b->vz;
+    return c;
+}
+
+coin_body body_of(const coin_priv_coin *c)
+{
+    coin_body b = {.y = c->y, .vx = c->vx, .vy = c->vy, .vz = c->vz};
+    coin_priv_get_state(&b.s, c);
+    return b;
+}
+
 coin_body body_in_row(const struct table *t, size_t row, const char *suffix)
 {
     static const char *const names[BODY_NUMBERS] = {
@@ -53,6 +71,25 @@ coin_params random_body(struct random *r)
     return thrown_params(IX, IX * random_between(r, 0.3, 2));
 }
 
+coin_params cylinder(double half)
+{
+    coin_params p;
+    check_status(coin_params_cylinder(&p, 1, 1, 2 * half, 1), COIN_OK);
+    return p;
+}
+
+coin_params random_cylinder(struct random *r, double low, double high)
+{
+    return cylinder(low * pow(high / low, random_between(r, 0, 1)));
+}
+
+coin_body rolling(const coin_state *s, const coin_params *p)
+{
+    coin_body b;
+    check_status(coin_body_from_state(&b, s, p), COIN_OK);
+    return b;
+}
+
 coin_body random_throw(struct random *r, double high, double spin)
 {
     coin_body b;
@@ -77,9 +114,18 @@ coin_body random_throw(struct random *r, double high, double spin)
     return b;
 }
 
+coin_body random_toss(struct random *r, const coin_params *p, double high,
+                      double spin)
+{
+    coin_body b = random_throw(r, high, spin);
+    b.y += p->thickness / 2 * fabs(sin(b.s.theta));
+    return b;
+}
+
 coin_table random_table(struct random *r, const coin_params *p)
 {
-    const double k = p->inertia_X;
+    const double half = p->thickness / 2;
+    const double k = p->inertia_X / (1 + half * half);
     const double mu = random_between(r, 0.1, 1);
     const double bound = 0.98 * 2 * sqrt(k * (1 + k)); /* of Painleve */
     coin_table t;
@@ -98,4 +144,9 @@ coin_table random_table(struct random *r, const coin_params *p)
 double gap(const coin_body *b)
 {
     return b->y - cos(b->s.theta);
+}
+
+double rim_gap(const coin_body *b, const coin_params *p)
+{
+    return gap(b) - p->thickness / 2 * fabs(sin(b->s.theta));
 }

@@ -38,9 +38,16 @@ enum class method : std::int32_t {
     symplectic4 = COIN_SYMPLECTIC4
 };
 
+// How a coin lies: face_of().
+enum class face : std::int32_t {
+    heads = COIN_HEADS,
+    tails = COIN_TAILS,
+    edge = COIN_EDGE
+};
+
 // A negative status.  The state is then as before the call; after run(),
-// advance(), settle(), move() and sample() it is the last good one, and what their last
-// argument points to says how far they came.
+// advance(), settle(), move() and sample() it is the last good one, and what
+// their last argument points to says how far they came.
 class error : public std::runtime_error
 {
   public:
@@ -99,6 +106,15 @@ inline params params_of(double mass, double radius, double gravity,
     return p;
 }
 
+// For the calls of a body; thickness is 0, or 1e-4 to 4 radii.
+inline params cylinder(double mass, double radius, double thickness,
+                       double gravity)
+{
+    params p;
+    check(coin_params_cylinder(&p, mass, radius, thickness, gravity));
+    return p;
+}
+
 inline void check(const params &p)
 {
     check(coin_params_check(&p));
@@ -134,10 +150,33 @@ inline std::int32_t run(state &s, const params &p, method m, double dt,
         coin_run(&s, &p, static_cast<std::int32_t>(m), dt, steps, done));
 }
 
+// What call(time left, &moved) returns.  advance(), settle() and move() call
+// again where the steps of one call do not suffice; if t is infinite 100 times
+// at most: COIN_MORE then says that more are needed.
+template <class Call>
+std::int32_t go_on(double t, double *reached, const Call &call)
+{
+    std::int32_t status;
+    double done = 0;
+    int calls = 0;
+    do {
+        double moved = 0;
+        status = call(t - done, &moved);
+        done += moved;
+        ++calls;
+    } while (status > 0 && (status & COIN_MORE) != 0 &&
+             (t < HUGE_VAL || calls < 100));
+    if (reached != nullptr)
+        *reached = done;
+    return check(status);
+}
+
 inline std::int32_t advance(state &s, const params &p, double t, double tol,
                             double *reached = nullptr)
 {
-    return check(coin_advance(&s, &p, t, tol, reached));
+    return go_on(t, reached, [&](double left, double *moved) {
+        return coin_advance(&s, &p, left, tol, moved);
+    });
 }
 
 // count states, steps_per_sample steps apart, the start first.
@@ -195,12 +234,14 @@ inline vec3 angular_velocity(const state &s)
 
 inline double energy(const state &s, const params &p)
 {
-    return check(coin_energy(&s, &p), coin_state_check(&s, &p));
+    double v[3];
+    return check(coin_energy(&s, &p), coin_velocity(&s, &p, v));
 }
 
 inline double fastest_rate(const state &s, const params &p)
 {
-    return check(coin_fastest_rate(&s, &p), coin_state_check(&s, &p));
+    double v[3];
+    return check(coin_fastest_rate(&s, &p), coin_velocity(&s, &p, v));
 }
 
 inline vec2 integrals(const state &s, const params &p)
@@ -345,12 +386,12 @@ inline double stability(const state &s, const params &p)
 
 inline double critical_roll(const params &p)
 {
-    return check(coin_critical_roll(&p), coin_params_check(&p));
+    return check(coin_critical_roll(&p), COIN_EPARAMS);
 }
 
 inline double critical_spin(const params &p)
 {
-    return check(coin_critical_spin(&p), coin_params_check(&p));
+    return check(coin_critical_spin(&p), COIN_EPARAMS);
 }
 
 // -------------------------------------------------------- motion without
@@ -398,21 +439,24 @@ inline force losses_reaction(const state &s, const params &p, const losses &l)
     return f;
 }
 
-// Returns COIN_RESTS if the coin lies flat, else 0.
+// Returns COIN_RESTS if the coin rests, COIN_MORE as go_on() says, else 0.
 inline std::int32_t settle(state &s, const params &p, const losses &l, double t,
                            double tol, double *reached = nullptr)
 {
-    return check(coin_settle(&s, &p, &l, t, tol, reached));
+    return go_on(t, reached, [&](double left, double *moved) {
+        return coin_settle(&s, &p, &l, left, tol, moved);
+    });
 }
 
-inline double time_to_rest(const state &s, const params &p, const losses &l)
+inline double time_to_rest(state s, const params &p, const losses &l,
+                           double tol)
 {
-    const std::int32_t why = coin_losses_check(&l, &p);
-    return check(coin_time_to_rest(&s, &p, &l),
-                 why < 0 ? why : coin_state_check(&s, &p));
+    const double time = coin_time_to_rest(&s, &p, &l, tol);
+    return check(time, coin_settle(&s, &p, &l, 0, tol, nullptr));
 }
 
-// All terms but soft and flat times one factor, so that the coin rests after time.
+// All terms but soft and flat times one factor, so that the coin rests after
+// time.
 inline losses losses_fit(losses l, const state &s, const params &p, double time)
 {
     check(coin_losses_fit(&l, &s, &p, time));
@@ -443,19 +487,21 @@ inline body body_of(const params &p, const quaternion &q, const vec3 &omega,
     return b;
 }
 
-// Returns the mode, 0 if it rolls, and the bits of stop that hold.
+// Returns the mode, 0 if it rolls, with the moments of stop that ended it and
+// COIN_MORE as go_on() says.
 inline std::int32_t move(body &b, const params &p, const table &f, double t,
                          double tol, std::int32_t stop = 0,
                          double *reached = nullptr)
 {
-    return check(coin_move(&b, &p, &f, t, tol, stop, reached));
+    return go_on(t, reached, [&](double left, double *moved) {
+        return coin_move(&b, &p, &f, left, tol, stop, moved);
+    });
 }
 
 inline double energy(const body &b, const params &p)
 {
-    double u[2];
-    const std::int32_t why = coin_body_slip(&b, &p, u);
-    return check(coin_body_energy(&b, &p), why);
+    double v[3];
+    return check(coin_body_energy(&b, &p), coin_body_contact(&b, &p, v));
 }
 
 inline force reaction(const body &b, const params &p, const table &f)
@@ -465,12 +511,24 @@ inline force reaction(const body &b, const params &p, const table &f)
     return out;
 }
 
-// The slip velocity, along x and z.
-inline vec2 slip(const body &b, const params &p)
+// The velocity of the lowest point: the slip, and at COIN_TOUCHES the impact.
+inline vec3 contact(const body &b, const params &p)
 {
-    vec2 u;
-    check(coin_body_slip(&b, &p, u.data()));
-    return u;
+    vec3 v;
+    check(coin_body_contact(&b, &p, v.data()));
+    return v;
+}
+
+// A blow: the impulse J at the place r from the centre.
+inline void strike(body &b, const params &p, const vec3 &J, const vec3 &r)
+{
+    check(coin_body_strike(&b, &p, J.data(), r.data()));
+}
+
+// Which side is up; after COIN_DECIDED it is how the coin ends.
+inline face face_of(const body &b, const params &p)
+{
+    return static_cast<face>(check(coin_body_face(&b, &p)));
 }
 
 // matrix() with the body's own height.

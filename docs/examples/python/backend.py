@@ -99,9 +99,13 @@ def version():
 
 
 # ------------------------------------------------------------------------ wheels
-def tag():
-    """Any Python 3: what is compiled is loaded by ctypes."""
+def tag(native=b""):
+    """Any Python 3: what is compiled is loaded by ctypes.  It names the newest
+    version of glibc whose symbols it needs, by which pip knows where it runs."""
     platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
+    glibc = [int(minor) for minor in re.findall(rb"GLIBC_2\.(\d+)", native)]
+    if glibc and not os.environ.get("ROLLCOIN_SYSTEM"):
+        platform = platform.replace("linux", f"manylinux_2_{max(17, *glibc)}")
     return f"py3-none-{platform}"
 
 
@@ -109,19 +113,19 @@ def info():
     return f"rollcoin-{version()}.dist-info"
 
 
-def metadata():
+def metadata(tagged):
     """{name: bytes} of what says what the package is."""
     readme = (HERE / "README.md").read_text()
     text = METADATA.format(version=version()) + readme
     return {f"{info()}/METADATA": text.encode(),
-            f"{info()}/WHEEL": WHEEL.format(tag=tag()).encode()}
+            f"{info()}/WHEEL": WHEEL.format(tag=tagged).encode()}
 
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
     """Without which pip would build twice."""
     folder = pathlib.Path(metadata_directory)
     (folder / info()).mkdir()
-    for name, data in metadata().items():
+    for name, data in metadata(tag()).items():
         (folder / name).write_bytes(data)
     return info()
 
@@ -129,14 +133,14 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
 prepare_metadata_for_build_editable = prepare_metadata_for_build_wheel
 
 
-def wheel(folder, files):
+def wheel(folder, files, tagged):
     """Writes a wheel of {name: bytes}; returns its name."""
-    files = {**files, **metadata()}
+    files = {**files, **metadata(tagged)}
     record = [f"{name},{digest(data)},{len(data)}"
               for name, data in sorted(files.items())]
     files[f"{info()}/RECORD"] = "\n".join([*record, f"{info()}/RECORD,,",
                                            ""]).encode()
-    name = f"rollcoin-{version()}-{tag()}.whl"
+    name = f"rollcoin-{version()}-{tagged}.whl"
     with zipfile.ZipFile(pathlib.Path(folder) / name, "w",
                          zipfile.ZIP_DEFLATED) as archive:
         for path, data in sorted(files.items()):
@@ -165,7 +169,7 @@ def build_wheel(wheel_directory, config_settings=None,
         files = {f"rollcoin/{path.name}": path.read_bytes()
                  for path in [*sources(), native]
                  if path.suffix not in (".c", ".h")}
-    return wheel(wheel_directory, files)
+    return wheel(wheel_directory, files, tag(files["rollcoin/_native.so"]))
 
 
 def build_editable(wheel_directory, config_settings=None,
@@ -173,7 +177,7 @@ def build_editable(wheel_directory, config_settings=None,
     """The sources are used where they are, with what is compiled beside."""
     compiled(PACKAGE / "_native.so")
     return wheel(wheel_directory,
-                 {"rollcoin.pth": f"{PACKAGE.parent}\n".encode()})
+                 {"rollcoin.pth": f"{PACKAGE.parent}\n".encode()}, tag())
 
 
 def build_sdist(sdist_directory, config_settings=None):

@@ -7,6 +7,9 @@ needs, with matplotlib.
 """
 import sys
 
+if len(sys.argv) != 2:
+    sys.exit("usage: python3 picture.py FILE, such as python.svg or python.png")
+
 import matplotlib
 import matplotlib.pyplot as pyplot
 import numpy

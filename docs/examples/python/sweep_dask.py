@@ -6,12 +6,13 @@ cluster whose scheduler has an address.
     python3 sweep_dask.py FOLDER [--workers N | --scheduler tcp://HOST:8786]
 
 A worker that dies loses the tile that it was at; the scheduler gives it to
-another.  Only this process writes to FOLDER.
+another, until it has lost three or four.  Only this process writes to FOLDER.
 """
 import os
+import sys
 
 import tiles
-from distributed import Client, LocalCluster, as_completed
+from distributed import Client, KilledWorker, LocalCluster, as_completed
 
 
 def local(workers):
@@ -21,14 +22,23 @@ def local(workers):
 
 
 def main():
-    found, sweep, store = tiles.arguments(
+    try:
+        sweep()
+    except KilledWorker as lost:
+        sys.exit(f"\nsweep_dask.py: the workers that took a tile died, the last "
+                 f"{lost.last_worker.address}: is their memory too small?  The "
+                 "same command goes on with the tiles that are missing.")
+
+
+def sweep():
+    found, launches, store = tiles.arguments(
         (["--workers"], {"type": int, "default": os.cpu_count()}),
         (["--scheduler"], {}))
     missing = store.missing()
-    progress = tiles.Progress(sweep, len(missing))
+    progress = tiles.Progress(launches, len(missing))
     with Client(found.scheduler or local(found.workers)) as client:
         client.upload_file(tiles.__file__)
-        asked = {client.submit(tiles.compute, sweep, number, pure=False):
+        asked = {client.submit(tiles.compute, launches, number, pure=False):
                  number for number in missing}
         for future, result in as_completed(asked, with_results=True):
             store.put(asked.pop(future), *result)

@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A map of launches, cut into tiles: a disc let go at every lean, to the right,
-with a spin of 1.2 sqrt(g/a) in every direction of its plane and axis; how far
-it leans after 24 natural units, or NaN if it came too near to the table.
+"""A map of launches, cut into tiles.  Of the kind roll: a disc let go at every
+lean, to the right, with a spin of 1.2 sqrt(g/a) in every direction of its plane
+and axis; how far it leans after 24 natural units, or NaN if it came too near to
+the table.  Of the kind toss: a disc let go with heads up, flat, from every
+height to 20 radii with every spin to 8 sqrt(g/a) about a diameter; 1 for heads,
+0 for tails.
 
-A tile is one call of run_batch().  It depends on nothing but its number, so
-that any process, on any machine, may do it, twice too: its hash, of all bits
-of all its states, comes out the same.  sweep_dask.py and sweep_mpi.py share
-tiles out; this program does them one by one.
+A tile is one call of run_batch() or move().  It depends on nothing but its
+number, so that any process, on any machine, may do it, twice too: its hash, of
+all bits of all its states, comes out the same.  sweep_dask.py and sweep_mpi.py
+share tiles out; this program does them one by one.
 
-    python3 tiles.py FOLDER [--leans N] [--spins N] [--rows N]
+    python3 tiles.py FOLDER [--kind roll|toss] [--leans N] [--spins N] [--rows N]
 
 A tile that is done is a file in FOLDER, so that a sweep that was stopped, in
 whatever way, goes on where it was.
@@ -28,34 +31,67 @@ DT, STEPS = 0.1, 240
 
 
 class Sweep(NamedTuple):
-    """leans times spins launches; a tile is so many rows of one lean each."""
+    """leans, or heights, times spins launches; a tile is so many rows of one
+    lean each."""
     leans: int
     spins: int
     rows: int
+    kind: str
 
     @property
     def tiles(self):
         return -(-self.leans // self.rows)
 
-    def launches(self, number):
-        """The table of a tile, (rows, spins)."""
+    def parts(self, number):
+        """How far each row of a tile is in the sweep, 0 to 1."""
         first = number * self.rows
         rows = numpy.arange(first, min(first + self.rows, self.leans))
+        return ((rows + 0.5) / self.leans)[:, None]
+
+    def launches(self, number):
+        """The table of a tile, (rows, spins)."""
+        leans = 1.4 * self.parts(number)
         angle = numpy.arange(self.spins) * (2 * numpy.pi / self.spins)
-        table = numpy.zeros((len(rows), self.spins), rc.State)
-        table["theta"] = ((rows + 0.5) * (1.4 / self.leans))[:, None]
+        table = numpy.zeros((len(leans), self.spins), rc.State)
+        table["theta"] = leans
         table["wY"] = 1.2 * numpy.sin(angle)
         table["wZ"] = 1.2 * numpy.cos(angle)
         return table
 
+    def tosses(self, number):
+        """The same, of bodies."""
+        heights = 20 * self.parts(number)
+        bodies = numpy.zeros((len(heights), self.spins), rc.Body)
+        bodies["y"] = heights
+        bodies["s"]["theta"] = numpy.nextafter(-numpy.pi / 2, 0)
+        bodies["s"]["wX"] = 8 * (numpy.arange(self.spins) + 0.5) / self.spins
+        return bodies
 
-def compute(sweep, number):
-    """A tile: its leans at the end, and the hash of all bits."""
+
+def roll(sweep, number):
     table = sweep.launches(number)
     status = rc.run_batch(table, rc.disc(1, 1, 1), rc.RK8, DT, STEPS)
+    return table, status, table["theta"]
+
+
+def toss(sweep, number):
+    bodies = sweep.tosses(number)
+    status = numpy.zeros(bodies.shape, numpy.int32)
+    table = rc.Table(mu_static=0.33, mu_kinetic=0.3, restitution=0.5)
+    table.losses.flat = 1e-3
+    rc.move(bodies, rc.disc(1, 1, 1), table, numpy.inf, 1e-6, status=status)
+    return bodies, status, bodies["s"]["theta"] < 0
+
+
+KINDS = {"roll": roll, "toss": toss}
+
+
+def compute(sweep, number):
+    """A tile: its ends, NaN where a launch failed, and the hash of all bits."""
+    table, status, ends = KINDS[sweep.kind](sweep, number)
     bits = hashlib.sha256(table.tobytes() + status.tobytes()).hexdigest()
-    leans = numpy.where(status < 0, numpy.nan, table["theta"])
-    return leans.astype(numpy.float32), bits
+    ends = numpy.where(status < 0, numpy.nan, ends)
+    return ends.astype(numpy.float32), bits
 
 
 # ------------------------------------------------------------------- the folder
@@ -77,11 +113,11 @@ class Store:
         return [number for number in range(self.sweep.tiles)
                 if self.path(number).name not in there]
 
-    def put(self, number, leans, bits):
+    def put(self, number, ends, bits):
         """Under its name when it is complete: a rename is done or not."""
         part = self.path(number).with_suffix(f".{os.getpid()}.part")
         with open(part, "wb") as file:
-            numpy.savez(file, leans=leans, bits=bits)
+            numpy.savez(file, ends=ends, bits=bits)
         part.replace(self.path(number))
 
     def joined(self):
@@ -89,7 +125,7 @@ class Store:
         tiles = [numpy.load(self.path(number))
                  for number in range(self.sweep.tiles)]
         bits = "".join(str(tile["bits"]) for tile in tiles)
-        return (numpy.concatenate([tile["leans"] for tile in tiles]),
+        return (numpy.concatenate([tile["ends"] for tile in tiles]),
                 hashlib.sha256(bits.encode()).hexdigest())
 
 
@@ -113,6 +149,7 @@ def arguments(*more):
     """(the parsed arguments, the Sweep, the Store)."""
     parser = argparse.ArgumentParser()
     parser.add_argument("folder")
+    parser.add_argument("--kind", choices=KINDS, default="roll")
     parser.add_argument("--leans", type=int, default=4000)
     parser.add_argument("--spins", type=int, default=2500)
     parser.add_argument("--rows", type=int, default=10)
@@ -120,15 +157,18 @@ def arguments(*more):
         parser.add_argument(*names, **options)
     found = parser.parse_args()
     if min(found.leans, found.spins, found.rows) < 1:
-        parser.error("nothing to sweep")
-    sweep = Sweep(found.leans, found.spins, found.rows)
+        parser.error("nothing to sweep: each number is 1 or more")
+    sweep = Sweep(found.leans, found.spins, found.rows, found.kind)
     return found, sweep, Store(found.folder, sweep)
 
 
 def report(store):
-    leans, bits = store.joined()
-    print(f"\n{leans.size} launches, {numpy.isnan(leans).mean():.3f} of them "
-          f"near the table; hash {bits}")
+    ends, bits = store.joined()
+    failed = numpy.isnan(ends)
+    says = (f"{failed.mean():.3f} of them near the table"
+            if store.sweep.kind == "roll"
+            else f"{ends[~failed].mean():.4f} of them heads")
+    print(f"\n{ends.size} launches, {says}; hash {bits}")
 
 
 def main():

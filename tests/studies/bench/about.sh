@@ -21,4 +21,5 @@ echo "# peers: GSL $(macro gsl/gsl_version.h GSL_VERSION)," \
     "Boost $(macro boost/version.hpp BOOST_LIB_VERSION)," \
     "SUNDIALS $(macro sundials/sundials_config.h SUNDIALS_VERSION)," \
     "MuJoCo $(macro mujoco/mujoco.h mjVERSION_HEADER)," \
-    "ODE $(macro ode/version.h dODE_VERSION)"
+    "ODE $(macro ode/version.h dODE_VERSION)," \
+    "Bullet $(macro bullet/LinearMath/btScalar.h BT_BULLET_VERSION)"

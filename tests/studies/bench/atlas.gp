@@ -9,9 +9,10 @@ array method[10] = ["rk4", "rk8", "symplectic2", "symplectic4", \
     "odeint rkf78", "odeint dopri5"]
 array outcome[6] = ["right", "place wrong, energy right", "energy lost", \
     "energy gained", "through the table, or no number", "refused"]
-# Each stands out from a light and from a dark ground: scheme.py leaves it.
-array shade[6] = ["#7FB59B", "#F0E442", "#7274C8", "#A8722E", "#E0447C", \
-    "#8C9AA8"]
+# Each stands out from a light and from a dark ground: scheme.py leaves it.  Eyes
+# that see no red or no green tell right from every kind of wrong.
+array shade[6] = ["#8CC5EA", "#F0E442", "#E8902C", "#8B68D2", "#DC4A50", \
+    "#7A8490"]
 
 # Of each family: what it is, what is across, the ends of that, the least step,
 # and places to be marked: across, or steps.
@@ -79,6 +80,11 @@ do for [f=1:4] {
                 set label word(rates, k)."/s" at graph 1.03,first h font ",10"
             }
         }
+        # All of its cells have one colour.
+        if (m == 7) {
+            set label "right at every tolerance" at graph 0.5,screen 0.035 \
+                center font ",11"
+        }
         # The first panel draws what belongs to all.
         if (m == 1) {
             set label title[f] at screen 0.075,0.965 font ",14"
@@ -94,14 +100,14 @@ do for [f=1:4] {
             }
             set object 8 rectangle from screen 0.69,y-0.014 \
                 to screen 0.725,y+0.014 fillcolor rgb "#FFFFFF" \
-                fillstyle transparent pattern 5 noborder
+                fillstyle transparent pattern 2 noborder
         }
         file = from."/atlas_".family."_".system("echo '".method[m]. \
             "' | tr ' ' _").".dat"
         plot for [k=1:6] file index k-1 with filledcurves closed \
                  fillcolor rgb shade[k] fillstyle solid 1 noborder, \
              file index 6 with filledcurves closed \
-                 fillcolor rgb "#FFFFFF" fillstyle transparent pattern 5 \
+                 fillcolor rgb "#FFFFFF" fillstyle transparent pattern 2 \
                  noborder
         unset label
         unset object

@@ -16,11 +16,12 @@ rows(build, coins, method, steps) = sprintf( \
     "<grep '^%s,%s,%s,%d,' '%s/batch.csv' | tr , ' '", \
     build, coins, method, steps, results)
 array shown[2] = ["portable", "native"]
+array flags[2] = ["gcc -O2", "gcc -O3 -march=native"]
 do for [i = 1:2] {
     build = shown[i]
     left = i == 1 ? 0.085 : 0.565
     unset label
-    set title build offset 0,-0.4
+    set title build.": ".flags[i] noenhanced offset 0,-0.4
     set lmargin at screen left
     set rmargin at screen left + 324.0 / 800
     set tmargin at screen 0.9
@@ -29,8 +30,8 @@ do for [i = 1:2] {
     set label "a loop of coin\\_run()" at graph 0.02, first 1.06 font ",11" \
         textcolor rgb "#606060"
     if (i == 1) {
-        set key at screen 0.5, 0.1 center vertical maxrows 2 \
-            samplen 2 width -4 font ",10" noenhanced
+        set key at screen 0.53, 0.1 center vertical maxrows 2 Left reverse \
+            samplen 3 width -8 font ",11" noenhanced
     } else {
         unset key
     }

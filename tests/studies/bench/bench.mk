@@ -84,7 +84,7 @@ $(BENCH_OUT)/native/fused_%: $(BENCH_SRC)/peers/%.cpp $(NEEDED_native) | need-pe
 
 .PHONY: build-bench studies-build need-peers need-charts need-bits \
         results-check charts results figures longrun costs batch atlas orbits \
-        slides
+        slides engine-frames need-engines
 build-bench: $(foreach b,$(BUILDS),$(BENCHES:%=$(BENCH_OUT)/$b/%)) ## the benchmarks compile
 
 # A peer that is missing would make our curve look better than it is.
@@ -110,6 +110,7 @@ results-check: ## the kept measurements are of the bits that the code has
 	$(BITS) $(RESULTS)
 
 STUDIED  = $(SRC)/docs/accuracy.md $(SRC)/docs/limits.md \
+           $(SRC)/docs/luck.md \
            $(SRC)/tests/studies/tables.md
 DRAW     = mkdir -p $(BENCH_OUT) && \
            $(PYTHON) $(BENCH_SRC)/curves.py $(RESULTS) $(BENCH_OUT)/curves && \
@@ -185,6 +186,29 @@ charts: $(TIMED) ## speed against accuracy, beside other solvers (10 minutes)
 	cp $(BENCH_OUT)/accuracy.csv $(RESULTS)
 	+for part in costs batch orbits figures; do $(AGAIN) $$part || exit 1; done
 
+# Debian's Bullet has floats, its ODE and MuJoCo doubles.
+ENGINES_CXX = $(CXX) $(CFLAGS) -Wall -Wextra -std=c++17 $(PLAIN) \
+              -I$(SRC)/include -I$(BENCH_SRC) \
+              $$($(PKG_CONFIG) --cflags bullet | sed s/-I/-isystem/)
+ENGINES_LIBS = $(LIB_A) -lode -lBulletDynamics -lBulletCollision \
+               -lLinearMath -lmujoco -lpthread -lm
+$(BENCH_OUT)/engine_frames: $(BENCH_SRC)/peers/engine_frames.cpp \
+                            $(BENCH_SRC)/peers/engines.h $(BENCH_SRC)/clock.h \
+                            $(LIB_A) $(O)/flags | need-engines
+	mkdir -p $(@D)
+	$(ENGINES_CXX) -o $@ $< $(ENGINES_LIBS)
+
+need-engines:
+	for h in ode/ode.h bullet/btBulletDynamicsCommon.h mujoco/mujoco.h; do \
+	    echo "#include <$$h>" | $(CXX) -I/usr/include/bullet -x c++ \
+	    -fsyntax-only - 2>/dev/null || { echo "the engines need <$$h>: sudo" \
+	    "apt-get install libode-dev libbullet-dev libmujoco-dev"; \
+	    exit 1; }; done >&2
+
+engine-frames: $(BENCH_OUT)/engine_frames need-bits ## a frame by coin_move and by physics engines (1 minute)
+	$(call RESULT,engine_frames,$<)
+	$(DRAW)
+
 # What becomes of a coin under every step: not timed, so at any time, and made
 # anew each time.
 MAPPED := bench_accuracy peer_gsl peer_odeint
@@ -201,8 +225,8 @@ atlas: $(MAPPED:%=$(BENCH_OUT)/portable/%) need-charts ## the maps of docs/limit
 	$(SLIM)
 
 results: ## measure anew all that results-check looks at
-	+for what in charts slides needs silent adversary adversary-update longrun \
-	    figures; do \
+	+for what in charts slides engine-frames needs silent adversary \
+	    adversary-update longrun luck-engines luck figures; do \
 	    $(AGAIN) $$what || exit 1; done
 
 longrun: $(BENCH_OUT)/portable/bench_longrun need-bits ## what ten million steps do (half an hour)
@@ -213,4 +237,4 @@ longrun: $(BENCH_OUT)/portable/bench_longrun need-bits ## what ten million steps
 STUDIES = $(BENCHES:%=$(BENCH_OUT)/portable/%) \
           $(addprefix $(O)/limits/,silent endurance) \
           $(addprefix $(O)/real/,fixed tuning) $(O)/needs/needs
-studies-build: $(STUDIES) ## the programs of tests/studies that need no peer are built
+studies-build: $(STUDIES) luck-small ## the programs of tests/studies that need no peer are built

@@ -25,7 +25,7 @@ enum { CALLS = 1024, COINS = 64, FRAMES = 60, TOSSES = 50, LEAST_OFTEN = 3 };
 #define DT 0.05
 #define FINE 1e-4
 
-static coin_params generic, quarter, disk;
+static coin_params generic, quarter, thick, disk;
 static coinf_params single;
 static coin_state start, along[COINS], coins[COINS], samples[CALLS], s;
 static coinf_state sf, startf;
@@ -101,22 +101,25 @@ static int advance(double tol)
 ONCE(advance6, advance(1e-6))
 ONCE(advance9, advance(1e-9))
 
-static int move(const coin_table *table, double tol, int32_t mode, int frames)
+static int move(const coin_params *p, const coin_table *table, double tol,
+                int32_t mode, int frames)
 {
     int other = 0;
     for (int i = 0; i < frames; ++i)
-        other |= coin_move(&b, &quarter, table, 1.0 / 60, tol, 0, NULL) != mode;
+        other |= coin_move(&b, p, table, 1.0 / 60, tol, 0, NULL) != mode;
     return other;
 }
 
-static int move_rolls(double tol)
+static int move_rolls(const coin_params *p, double tol)
 {
-    return coin_body_from_state(&b, &rolls, &quarter) < 0 ||
-           move(&rough, tol, COIN_OK, FRAMES);
+    return coin_body_from_state(&b, &rolls, p) < 0 ||
+           move(p, &rough, tol, COIN_OK, FRAMES);
 }
 
-ONCE(move_rolls6, move_rolls(1e-6))
-ONCE(move_rolls9, move_rolls(1e-9))
+ONCE(move_rolls6, move_rolls(&quarter, 1e-6))
+ONCE(move_rolls9, move_rolls(&quarter, 1e-9))
+ONCE(move_thick6, move_rolls(&thick, 1e-6))
+ONCE(move_thick9, move_rolls(&thick, 1e-9))
 
 /* It slides at 2 m/s, spinning about the vertical: it rolls after 0.7 s. */
 enum { SLIPS_FOR = 30 };
@@ -126,7 +129,7 @@ static int move_slips(void)
     const coin_state upright = {0.1, 0, 0, 0, 0, 0, 40, 0};
     coin_body_from_state(&b, &upright, &quarter);
     b.vx = 2;
-    return move(&slippery, 1e-6, COIN_SLIPS, SLIPS_FOR);
+    return move(&quarter, &slippery, 1e-6, COIN_SLIPS, SLIPS_FOR);
 }
 
 /* Thrown up at v m/s from y m, turning ten times a second or so. */
@@ -146,7 +149,7 @@ static void thrown(double y, double v)
 static int move_flies(void)
 {
     thrown(6, 0);
-    return move(&rough, 1e-6, COIN_LIFTS, FRAMES);
+    return move(&quarter, &rough, 1e-6, COIN_LIFTS, FRAMES);
 }
 
 /* Of coins that come down at 1 m/s, a millimetre above the table. */
@@ -158,7 +161,7 @@ static int move_bounces(void)
         b.s.theta = 0.3 + 0.01 * i;
         b.s.wX = 1;
         b.y += quarter.radius * cos(b.s.theta);
-        other |= move(&rough, 1e-6, COIN_LIFTS, 1);
+        other |= move(&quarter, &rough, 1e-6, COIN_LIFTS, 1);
     }
     return other;
 }
@@ -230,6 +233,8 @@ static const struct row {
     {"coin_advance, a frame at 1e-9", advance9, FRAMES},
     {"coin_move, a frame that rolls at 1e-6", move_rolls6, FRAMES},
     {"coin_move, a frame that rolls at 1e-9", move_rolls9, FRAMES},
+    {"coin_move, a frame that rolls at 1e-6, thick", move_thick6, FRAMES},
+    {"coin_move, a frame that rolls at 1e-9, thick", move_thick9, FRAMES},
     {"coin_move, a frame that slips at 1e-6", move_slips, SLIPS_FOR},
     {"coin_move, a frame in the air", move_flies, FRAMES},
     {"coin_move, a frame with a bounce", move_bounces, FRAMES},
@@ -251,6 +256,7 @@ static void prepare(void)
     coin_params_disc(&generic, 1, 1, 1);
     coinf_params_disc(&single, 1, 1, 1);
     coin_params_disc(&quarter, 0.00567, 0.01213, 9.80665);
+    coin_params_cylinder(&thick, 0.00567, 0.01213, 1.75e-3, 9.80665);
     coin_params_disc(&disk, 0.438, 0.0375, 9.80665);
     rough =
         (coin_table){.mu_static = 0.6, .mu_kinetic = 0.5, .restitution = 0.5};

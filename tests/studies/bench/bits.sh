@@ -41,6 +41,9 @@ about()
     accuracy) echo "advance orbit: charts" ;;
     silent*) echo ": silent" ;;
     slides) echo "advance move: slides" ;;
+    engine_frames) echo "move: engine-frames" ;;
+    luck_engines) echo "move: luck-engines" ;;
+    luck_*) echo "move: luck" ;;
     *) echo "bits.sh: what does $1.csv depend on?" >&2; exit 2 ;;
     esac
 }

@@ -31,17 +31,21 @@ SOLVERS = (("textbook RK4", 1, ("textbook RK4",)), ("rk4", 2, ("rk4",)),
            ("orbit", 14, ("orbit",)))
 BESIDE_ENGINES = (SOLVERS[0], SOLVERS[3], ("ODE", 12, ENGINES[:1]),
                   ("MuJoCo", 13, ENGINES[1:]))
-SECOND = (("rollcoin", 4, OURS), ("a textbook's RK4", 1, ("textbook RK4",)),
-          ("the best other solver", 7, PEERS),
-          ("the better engine", 12, ENGINES))
+SECOND = (("rollcoin", 4, OURS), ("other solvers", 7, PEERS),
+          ("a textbook's RK4", 1, ("textbook RK4",)),
+          ("engines", 12, ENGINES))
 CALLS = {"textbook RK4": 1, "coin_step": 2, "one step of RK8": 3,
          "coin_advance 1e-6": 4, "coin_orbit_at": 14, "coin_move 1e-6": 17,
          "coin_settle 1e-6": 18}
+# Of a frame: the line, and the label's place: a setting, its error and cost
+# times so much.
+MOVERS = {"coin_move": (17, -1, 5, 2.2), "ODE": (12, 2, 0.08, 1),
+          "MuJoCo": (13, -1, 0.04, 1), "Bullet": (19, 4, 25, 1)}
 LONG = {"rk4": 2, "rk8": 3, "order 14 in tau": 4, "symplectic2": 5,
         "symplectic4": 6}
 
 QUARTER = 0.0351704 # its natural unit of time [s]
-MIDDLE = 1e-10      # the error at which the curves of speed.svg are labelled
+MIDDLE = 1e-12      # the error at which the curves of speed.svg are labelled
 BESIDE = 1.5        # how far from its curve or mark a label stands
 LINE = 0.052        # a line of text, in parts of the height of a chart
 
@@ -86,9 +90,10 @@ def solvers(name, scene, shown, scale, place):
     write(name, curves, [style for _, style, _ in shown], labels)
 
 
-def above_middle(points):
+def by_middle(points):
+    """Below a curve of less than 0.1 ms, else above it."""
     error, cost = min(points, key=lambda p: abs(math.log(p[0] / MIDDLE)))
-    return error, cost * BESIDE
+    return min(error, 1e-4), cost * BESIDE**(2 if cost > 1e5 else -2)
 
 
 def below_end(points):
@@ -98,12 +103,13 @@ def below_end(points):
 def second():
     """The second of speed.svg, and that second from Python."""
     solvers("second", "quarter", SECOND, NS["portable", "quarter"] / QUARTER,
-            above_middle)
+            by_middle)
     marks = [(float(r["error"]), float(r["ns"]), r["method"], style)
              for r, style in zip(rows("python"), (7, 4))]
     write("python", [[(x, y)] for x, y, _, _ in marks],
           [style for *_, style in marks],
-          [(x, y / BESIDE, *rest) for x, y, *rest in marks])
+          [(x, y, method.replace("coin_advance ", ""), style)
+           for x, y, method, style in marks])
 
 
 def spread(labels, low, high):
@@ -140,6 +146,19 @@ def frames(column, but=None):
             for name, style in CALLS.items() if name != but}
 
 
+def engine_frames(scene):
+    """A frame's cost against its error."""
+    best = rungs.best_options(rows("engine_frames"))
+    curves, labels = [], []
+    for who, (style, at, along, up) in MOVERS.items():
+        curves.append([(float(r["error"]), float(r["ns"]))
+                       for key, r in best.items() if key[:2] == (scene, who)])
+        error, ns = curves[-1][at]
+        labels.append((error * along, ns * up, who, style))
+    write(f"engines_{scene}", curves, [style for style, *_ in MOVERS.values()],
+          labels)
+
+
 def by_run(name, *columns):
     """The largest of the columns against t, for each method and step."""
     runs = {}
@@ -158,6 +177,8 @@ solvers("ns_engines", "quarter", BESIDE_ENGINES, NS["portable", "quarter"],
 second()
 chart("frame_ns", frames("ns"), math.log10(40), math.log10(3000), 1100)
 chart("frame_error", frames("error", "textbook RK4"), -15, -1, 1100)
+for scene in ("quarter", "disk"):
+    engine_frames(scene)
 chart("energy", by_run("longrun", "energy_rms"), -17, 0, 1.3e7)
 chart("integrals", by_run("longrun", "KY_rms", "KZ_rms"), -17, 0, 1.3e7)
 chart("phase", by_run("longrun", "phase_rms"), -15, 5, 1.3e7)

@@ -59,7 +59,8 @@ set xtics 10,10,1e6
 unset logscale y
 set yrange [0:0.7]
 set ytics 0.2 format "%.1f"
-set ylabel "swing of the lean, largest less least [rad]" offset 1.5,0
+set ylabel "swing of the lean, largest less least [rad]" offset 0,0
+set label "method, step" at 1.3e6,0.67 left font ",11" tc rgb "#606060"
 plot for [i=1:6] from."/damping.dat" index i-1 using 1:2 \
         with lines ls still[i], \
     from."/damping.labels" using 1:2:3:(colour[int($4)]) \

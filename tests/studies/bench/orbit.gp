@@ -19,6 +19,7 @@ set multiplot layout 1,2 margins 0.08,0.985,0.12,0.9 spacing 0.07
 set xrange [1:1e6]
 set yrange [1e-6:10]
 set key top left Left reverse samplen 2 font ",11"
+set title "many frames of one motion" offset 0,-0.6
 set xlabel "frames n, of 100 natural units in all" offset 0,0.4
 set ylabel "cost [s]" offset 1.5,0
 plot for [k=1:4] costs using (only(k, 2, 100, 3)):($5*1e-9) \
@@ -26,6 +27,7 @@ plot for [k=1:4] costs using (only(k, 2, 100, 3)):($5*1e-9) \
 unset key
 unset ylabel
 set format y ""
+set title "frames of a later time" offset 0,-0.6
 set xlabel "time T of 100 frames [natural units]" offset 0,0.4
 plot for [k=1:4] costs using (only(k, 3, 100, 2)):($5*1e-9) \
     with linespoints ls look[k]

@@ -105,6 +105,17 @@ def curves(path):
     return each, ns
 
 
+def best_options(rows):
+    """Of rows of engine_frames.csv, those that err least, by scene, by whom and
+    setting."""
+    best = {}
+    for r in rows:
+        key = r["scene"], r["by"], float(r["setting"])
+        if key not in best or float(r["error"]) < float(best[key]["error"]):
+            best[key] = r
+    return best
+
+
 def rungs(error, cost):
     costs = iter(cost)
     good = [e[0].isdigit() for e in error]

@@ -210,6 +210,120 @@ def adversary():
                   for r in read("adversary")])
 
 
+def luck(name, what):
+    """The rows of a study of docs/luck.md that say one thing."""
+    return [r for r in read(f"luck_{name}") if r["what"].strip() == what]
+
+
+def share(r, digits=4):
+    """A share, and its standard error in its last digits, if it has any."""
+    error = round(float(r["error"])*10**digits)
+    return f"{float(r['share']):.{digits}f}" + (f"({error})" if error else "")
+
+
+def same_side():
+    return table(["angle", "law", "coin_move", "tosses"],
+                 [[f"{float(r['x']):g} degrees", f"{float(r['expected']):.4f}",
+                   share(r), f"{int(r['tosses']):,}"]
+                  for r in luck("caught", "same side")])
+
+
+def neighbours():
+    rows = luck("dust", "neighbour ends otherwise")
+    apart = sorted({float(r["y"]) for r in rows}, reverse=True)
+    slopes = {r["x"]: share(r, 3) for r in luck("dust", "slope")}
+    impacts = {r["x"]: f"{float(r['share']):.0f}"
+               for r in luck("dust", "impacts")}
+
+    def seen(x, y):
+        found = next(float(r["share"]) for r in rows
+                     if r["x"] == x and float(r["y"]) == y)
+        return f"{found:.2g}".replace("e-0", "e-")
+    return table(["restitution", *(f"{y:.0e}".replace("e-0", "e-")
+                                   for y in apart), "slope", "impacts"],
+                 [[x, *(seen(x, y) for y in apart), slopes.get(x, ""),
+                   impacts[x]] for x in dict.fromkeys(r["x"] for r in rows)])
+
+
+def hands():
+    return table(["restitution", "friction", "same side", "tosses"],
+                 [[r["y"], r["x"], share(r, 3), f"{int(r['tosses']):,}"]
+                  for r in luck("fair", "same side of a hand by friction")])
+
+
+def heights():
+    return table(["height, radii", "of a quarter", "heads"],
+                 [[f"{float(r['x']):.1f}", f"{12.13*float(r['x']):.0f} mm",
+                   share(r, 3)]
+                  for r in luck("heights", "let go within 5 degrees of flat")])
+
+
+def edge(what):
+    """Thickness over diameter, and the share on the edge at each friction."""
+    rows = luck("edge", what)
+    return [[h, *(share(r, 3) for r in rows if r["x"] == h)]
+            for h in dict.fromkeys(r["x"] for r in rows)]
+
+
+def tosses_on_edge():
+    return table(["thickness/diameter", *(f"{what}, friction {mu}"
+                                          for what in ("dry", "angular")
+                                          for mu in ("0.1", "0.2", "0.3"))],
+                 [dry + angular[1:] for dry, angular in zip(edge("dry"),
+                                                            edge("angular"))])
+
+
+def static_rule():
+    return table(["thickness/diameter", "h/sqrt(1 + h^2)", "coin_move",
+                  "drops"],
+                 [[r["x"], f"{float(r['expected']):.4f}", share(r),
+                   f"{int(r['tosses']):,}"]
+                  for r in luck("edge", "static rule")])
+
+
+def third():
+    return table(["friction", "losses", "a third at thickness/diameter"],
+                 [[r["x"], "angular" if float(r["y"]) else "dry", share(r, 3)]
+                  for r in luck("edge", "a third on its edge")])
+
+
+def engines():
+    rows, lines = read("luck_engines"), []
+    for r in rows:
+        if not r["what"].startswith(" "):
+            setting = (f"tolerance {r['x']}" if r["what"] == "coin_move"
+                       else f"{r['x']} step" + "s"*(r["x"] != "1")
+                       + " a frame")
+            lines.append([r["what"], setting, share(r, 3), "0", "",
+                          f"{int(r['tosses']):,}"])
+        elif "neither" in r["what"]:
+            lines[-1][3] = share(r, 3)
+        else:
+            lines[-1][4] = f"{float(r['share']):.2f} ms"
+    return table(["by", "setting", "heads", "on its edge", "a toss takes",
+                  "tosses"], lines)
+
+
+def engine_frames():
+    """A frame by coin_move and by engines: of an engine's options, those that
+    err least with so many steps."""
+    best = rungs.best_options(read("engine_frames"))
+    names = [key[1:] for key in best if key[0] == "quarter"]
+
+    def cells(scene, name):
+        r = best[scene, *name]
+        error = float(r["error"])
+        return (f"{float(r['ns'])/1e3:.3g} us",
+                f"{error:.1g}" if error < 1e-3 else f"{error:.2g}")
+    return table(["by", "setting", "a quarter rolls: a frame",
+                  "off its path, radii", "Euler's disk spins: a frame",
+                  "energy off by"],
+                 [[name, f"tolerance {x:g}" if x < 1 else
+                   f"{x:g} step" + "s"*(x > 1),
+                   *cells("quarter", (name, x)), *cells("disk", (name, x))]
+                  for name, x in names if x < 1 or x in (1, 4, 16, 64)])
+
+
 # Each table, and the CSV that it is made from.
 TABLES = {"frames": ("frames", frames), "costs": ("costs", costs),
           "atlas": ("atlas", atlas), "longrun": ("longrun", longrun),
@@ -222,7 +336,16 @@ TABLES = {"frames": ("frames", frames), "costs": ("costs", costs),
           "silent steps": ("silent_steps", silent_steps),
           "silent methods": ("silent", lambda: silent("method")),
           "silent families": ("silent", lambda: silent("family")),
-          "adversary": ("adversary", adversary)}
+          "adversary": ("adversary", adversary),
+          "luck same side": ("luck_caught", same_side),
+          "luck neighbours": ("luck_dust", neighbours),
+          "luck hands": ("luck_fair", hands),
+          "luck heights": ("luck_heights", heights),
+          "luck static rule": ("luck_edge", static_rule),
+          "luck edge": ("luck_edge", tosses_on_edge),
+          "luck third": ("luck_edge", third),
+          "engine frames": ("engine_frames", engine_frames),
+          "luck engines": ("luck_engines", engines)}
 
 
 def made(match):

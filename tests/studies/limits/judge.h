@@ -9,7 +9,7 @@
 #include "coins.h"
 #include "study.h"
 
-#include <run.h>
+#include <coin_run.h>
 
 #include <math.h>
 
@@ -162,7 +162,7 @@ static double power(double x, int n)
 /* One step; 0 if it fails. */
 static int stride(struct walk *w)
 {
-    const double coarse = coin_priv_coarse_limit((int32_t)w->r->method);
+    const double coarse = coin_priv_reaches[w->r->method].coarse;
     const int factors = w->claim->order + 1;
     const coin_priv_variables *const y = &w->at.g.y;
     if (coin_priv_run_on(&w->at, (int32_t)w->r->method, 1) == 0)
@@ -243,7 +243,9 @@ static struct study_measure study_measure(const struct study_run *r,
     struct study_measure m = {.end = r->s, .truth = r->s, .amplified = 1};
     struct walk w = {.r = r, .claim = claim, .m = &m};
     check_status(coin_priv_check(&r->s, &r->p, &w.at.b), COIN_OK);
-    coin_priv_run_from(&w.at, &r->s, (int32_t)r->method, r->dt);
+    coin_priv_run_from(
+        &w.at, &r->s,
+        r->method == STUDY_ADVANCE ? COIN_RK8 : (int32_t)r->method, r->dt);
     w.at.limits.coarse2 = (double)INFINITY;
     w.at.limits.most2 = w.at.b.w2_max;
     w.fastest = w.at;

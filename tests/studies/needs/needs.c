@@ -185,8 +185,8 @@ static void disk(const char *need)
     });
     row(need, "`coin_settle` at 1e-6, a call per frame", calls + 1,
         fabs(sum + moved - truth) / truth);
-    COUNTED(when = coin_time_to_rest(&start, &p, &l));
-    row(need, "`coin_time_to_rest`", 1, fabs(when - truth) / truth);
+    COUNTED(when = coin_time_to_rest(&start, &p, &l, 1e-6));
+    row(need, "`coin_time_to_rest` at 1e-6", 1, fabs(when - truth) / truth);
 }
 
 /* ----------------------------------------------------------------- a toss */

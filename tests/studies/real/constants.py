@@ -109,10 +109,6 @@ def main(listing, lib, folder, n, tables, *names):
     kinds = sorted({k for r in wanted for k in r[4]})
     for kind in kinds:
         (folder / f"{kind}.{n}").unlink(missing_ok=True)
-    # A slide on the face has no tol.
-    copy.build("real/flat_slide.c", {"define TOL (.+)": "1e-15",
-                                     "define LEFT (.+)": "1e-13"})
-    run(folder, n, kinds)
     copy.build("real/flat_slide.c", {})
     base = run(folder, n, kinds)
     lines = [HEAD, ["---"] * len(HEAD)]

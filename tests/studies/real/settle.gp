@@ -46,9 +46,9 @@ set title "at rest"
 set xlabel "error of the time of rest [s]"
 unset label
 set label 5 "through the table" at 1e-2,6e5 right tc rgb "#404040" point pt 10 \
-    ps 0.8 lc rgb "#404040" offset -1.2,0
+    ps 0.8 lc rgb "#404040" offset -2.4,0
 set label 6 "energy gained" at 1e-2,3.6e5 right tc rgb "#404040" point pt 2 \
-    ps 0.8 lc rgb "#404040" offset -1.2,0
+    ps 0.8 lc rgb "#404040" offset -2.4,0
 plot file using (is(1) ? $6 : NaN):3 with linespoints pt mark[1] ps 0.5 lw 1.8 \
     lc rgb hue[1], \
     for [k=2:3] file using (is(k) && fails("through the table") ? lost : NaN):3 \

@@ -19,7 +19,7 @@
 #include "support/thrown.h"
 
 #include "air/air.h"
-#include "exact/orbit.h"
+#include "exact/pieces.h"
 #include "motion/rest.h"
 #include "step/extrapolation.h"
 
@@ -38,6 +38,7 @@ static const char *const names[COUNTED] = {
 /* ---------------------------------------------------------------- counters */
 struct coin_priv_dop853;
 struct coin_priv_law;
+struct coin_priv_problem;
 #define COUNT(which, type, back, name, params, args)                           \
     type __real_##name params;                                                 \
     type __wrap_##name params;                                                 \
@@ -50,9 +51,9 @@ COUNT(STEP, double, return, coin_priv_try_step,
       (struct coin_priv_dop853 * w, double h), (w, h))
 COUNT(WITHIN, void, , coin_priv_within,
       (double *to, struct coin_priv_dop853 *w, double x), (to, w, x))
-COUNT(SLOPES, void, , coin_priv_rates,
-      (double *d, const double *y, const struct coin_priv_law *l, int mode),
-      (d, y, l, mode))
+COUNT(SLOPES, int, return, coin_priv_rates,
+      (double *d, const double *y, const struct coin_priv_problem *of),
+      (d, y, of))
 COUNT(MARGINS, double, return, coin_priv_contact_margin,
       (const double *y, const struct coin_priv_law *l, int mode), (y, l, mode))
 COUNT(MARGINS, double, return, coin_priv_hold_margin,
@@ -248,7 +249,7 @@ static void go_exactly(struct moving *m, int kind)
         m->reached = 0;
         go(m, kind, m->time - sum, kinds[kind].small);
         sum += m->reached;
-        if (m->status != COIN_ESTEP || !(m->reached > 0))
+        if (m->status < 0 || !(m->status & COIN_MORE))
             break;
     }
     m->reached = sum;
@@ -280,8 +281,7 @@ static void truths(struct moving *small, struct moving *from, int n, int kind,
 }
 
 /* Adds an error if both motions ended alike.  Those that a small tol does not
- * bring to the end are left out.  The error of a slide on the face, which does
- * not depend on tol, is in units of 1e-12. */
+ * bring to the end are left out. */
 static void motions(struct errors *e, int n, int kind, const char *file)
 {
     struct moving *const small = calloc(2 * (size_t)n, sizeof *small);
@@ -292,12 +292,11 @@ static void motions(struct errors *e, int n, int kind, const char *file)
         static const double tols[] = {1e-2, 1e-4, 1e-9};
         for (int i = 0; i < n; ++i) {
             struct moving m = small[n + i];
-            if (small[i].status < 0)
+            if (small[i].status < 0 || small[i].status & COIN_MORE)
                 continue;
             go(&m, kind, m.time, tols[k]);
             if (m.status == small[i].status)
-                e->at[e->n++] = apart(&m, &small[i], kind) /
-                                (kind == FLAT ? 1e-12 : tols[k]);
+                e->at[e->n++] = apart(&m, &small[i], kind) / tols[k];
             else
                 ++e->other;
         }
@@ -315,8 +314,8 @@ static void fits(struct errors *e, int n)
     for (int i = 0; i < n; ++i) {
         struct moving m = draw(&r, REST, i);
         coin_losses *const l = &m.table.losses;
-        const double time =
-            coin_time_to_rest(&m.b.s, &m.p, l) * random_between(&r, 0.3, 3);
+        const double time = coin_time_to_rest(&m.b.s, &m.p, l, 1e-6) *
+                            random_between(&r, 0.3, 3);
         if (coin_losses_fit(l, &m.b.s, &m.p, time) == COIN_OK) {
             memcpy(before, counted, sizeof before);
             coin_settle(&m.b.s, &m.p, l, 2 * time, 1e-10, &m.reached);

@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             vy: 2.0, // m/s
             ..Body::default()
         };
-        coin.advance(&p, &table, f64::INFINITY, 1e-6, Status::OK)?;
+        coin.move_by(&p, &table, f64::INFINITY, 1e-6, Status::OK)?;
         heads += i32::from(coin.s.theta < 0.0);
     }
     println!("{heads} of {count} show heads");

@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: MIT
-//! A real coin: it rolls, slips and comes to rest.
-use crate::status::{checked, checked_to, filled, number};
+//! A real coin: it flies, bounces, slips, rolls and comes to rest.
+use crate::status::{checked, filled, moved_to, number};
 use crate::{ffi, Body, Force, Params, Result, State, Status, Stopped, Table};
+
+/// How a coin lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Face {
+    /// The +Z side is up: theta < 0.
+    Heads = ffi::COIN_HEADS as isize,
+    /// The other side is up.
+    Tails = ffi::COIN_TAILS as isize,
+    /// It is upright, or would fall back on its edge.
+    Edge = ffi::COIN_EDGE as isize,
+}
 
 impl Table {
     /// Whether it can be computed with.
@@ -37,11 +48,13 @@ impl Body {
         })
     }
 
-    /// Moves by a time, or until one of the bits of `stop` begins to hold: its
-    /// mode, [`Status::SLIPS`], [`Status::LIFTS`], [`Status::RESTS`] or, if it
-    /// rolls, [`Status::OK`], and the bits of `stop` that hold; and the time
-    /// moved by.
-    pub fn advance(
+    /// Moves by a time, or until it rests, or to the first of the moments that
+    /// `stop` names: its mode, [`Status::SLIPS`], [`Status::LIFTS`],
+    /// [`Status::RESTS`] or, if it rolls, [`Status::OK`], with the bits of the
+    /// moment; and the time moved by.  [`Status::MORE`] if an infinite time
+    /// needs more than 100 calls of the library.  `coin_move()`, as `move` is a
+    /// word of Rust.
+    pub fn move_by(
         &mut self,
         p: &Params,
         table: &Table,
@@ -49,18 +62,16 @@ impl Body {
         tol: f64,
         stop: Status,
     ) -> std::result::Result<(Status, f64), Stopped<f64>> {
-        let mut reached = 0.0;
         let stop = stop.bits() as i32;
-        let status = unsafe {
-            ffi::coin_move(self, p, table, t, tol, stop, &mut reached)
-        };
-        checked_to(status, reached)
+        moved_to(t, |left, moved| unsafe {
+            ffi::coin_move(self, p, table, left, tol, stop, moved)
+        })
     }
 
     /// Kinetic and potential energy.
     pub fn energy(&self, p: &Params) -> Result<f64> {
         let energy = unsafe { ffi::coin_body_energy(self, p) };
-        number(energy, || self.slip(p))
+        number(energy, || self.contact(p))
     }
 
     /// The force of the table, of rolling or of the slip.
@@ -70,10 +81,35 @@ impl Body {
         })
     }
 
-    /// The slip velocity, along x and z.
-    pub fn slip(&self, p: &Params) -> Result<[f64; 2]> {
-        filled(|u: &mut [f64; 2]| unsafe {
-            ffi::coin_body_slip(self, p, u.as_mut_ptr())
+    /// The velocity of the lowest point: along x and z the slip; along y, where
+    /// it touches, less than 0 by the speed of the impact.
+    pub fn contact(&self, p: &Params) -> Result<[f64; 3]> {
+        filled(|v: &mut [f64; 3]| unsafe {
+            ffi::coin_body_contact(self, p, v.as_mut_ptr())
+        })
+    }
+
+    /// A blow: gives it the impulse `impulse` at the place `r` from its centre,
+    /// in the air or on the table.
+    pub fn strike(
+        &mut self,
+        p: &Params,
+        impulse: [f64; 3],
+        r: [f64; 3],
+    ) -> Result<()> {
+        checked(unsafe {
+            ffi::coin_body_strike(self, p, impulse.as_ptr(), r.as_ptr())
+        })?;
+        Ok(())
+    }
+
+    /// Which side is up.  After [`Status::DECIDED`] it is how the coin ends.
+    pub fn face(&self, p: &Params) -> Result<Face> {
+        let face = checked(unsafe { ffi::coin_body_face(self, p) })?;
+        Ok(match face.bits() {
+            ffi::COIN_HEADS => Face::Heads,
+            ffi::COIN_TAILS => Face::Tails,
+            _ => Face::Edge,
         })
     }
 

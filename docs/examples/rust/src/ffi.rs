@@ -14,7 +14,8 @@ pub struct coin_params {
     pub gravity: f64,
     pub inertia_X: f64,
     pub inertia_Z: f64,
-    pub reserved: [f64; 3usize],
+    pub thickness: f64,
+    pub reserved: [f64; 2usize],
 }
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone, PartialEq)]
@@ -53,12 +54,18 @@ pub const COIN_NEARLY_FLAT: _bindgen_ty_2 = 8;
 pub const COIN_RESTS: _bindgen_ty_2 = 16;
 pub const COIN_ROLLS: _bindgen_ty_2 = 32;
 pub const COIN_TOUCHES: _bindgen_ty_2 = 64;
+pub const COIN_MORE: _bindgen_ty_2 = 128;
+pub const COIN_DECIDED: _bindgen_ty_2 = 256;
 pub type _bindgen_ty_2 = ::std::os::raw::c_uint;
-pub const COIN_RK4: _bindgen_ty_3 = 0;
-pub const COIN_RK8: _bindgen_ty_3 = 1;
-pub const COIN_SYMPLECTIC2: _bindgen_ty_3 = 2;
-pub const COIN_SYMPLECTIC4: _bindgen_ty_3 = 3;
+pub const COIN_HEADS: _bindgen_ty_3 = 1;
+pub const COIN_TAILS: _bindgen_ty_3 = 2;
+pub const COIN_EDGE: _bindgen_ty_3 = 3;
 pub type _bindgen_ty_3 = ::std::os::raw::c_uint;
+pub const COIN_RK4: _bindgen_ty_4 = 0;
+pub const COIN_RK8: _bindgen_ty_4 = 1;
+pub const COIN_SYMPLECTIC2: _bindgen_ty_4 = 2;
+pub const COIN_SYMPLECTIC4: _bindgen_ty_4 = 3;
+pub type _bindgen_ty_4 = ::std::os::raw::c_uint;
 extern "C" {
     pub fn coin_step(s: *mut coin_state, p: *const coin_params, dt: f64) -> i32;
 }
@@ -127,6 +134,15 @@ extern "C" {
         gravity: f64,
         inertia_X: f64,
         inertia_Z: f64,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_params_cylinder(
+        p: *mut coin_params,
+        mass: f64,
+        radius: f64,
+        thickness: f64,
+        gravity: f64,
     ) -> i32;
 }
 extern "C" {
@@ -345,6 +361,7 @@ extern "C" {
         s: *const coin_state,
         p: *const coin_params,
         l: *const coin_losses,
+        tol: f64,
     ) -> f64;
 }
 extern "C" {
@@ -361,7 +378,8 @@ pub struct coin_table {
     pub mu_static: f64,
     pub mu_kinetic: f64,
     pub restitution: f64,
-    pub reserved: [f64; 5usize],
+    pub pull: [f64; 2usize],
+    pub reserved: [f64; 3usize],
     pub losses: coin_losses,
 }
 #[repr(C)]
@@ -417,7 +435,18 @@ extern "C" {
     ) -> i32;
 }
 extern "C" {
-    pub fn coin_body_slip(b: *const coin_body, p: *const coin_params, u: *mut f64) -> i32;
+    pub fn coin_body_contact(b: *const coin_body, p: *const coin_params, v: *mut f64) -> i32;
+}
+extern "C" {
+    pub fn coin_body_strike(
+        b: *mut coin_body,
+        p: *const coin_params,
+        J: *const f64,
+        r: *const f64,
+    ) -> i32;
+}
+extern "C" {
+    pub fn coin_body_face(b: *const coin_body, p: *const coin_params) -> i32;
 }
 extern "C" {
     pub fn coin_body_matrix(b: *const coin_body, p: *const coin_params, m: *mut f64) -> i32;
@@ -445,7 +474,8 @@ pub struct coinf_params {
     pub gravity: f32,
     pub inertia_X: f32,
     pub inertia_Z: f32,
-    pub reserved: [f32; 3usize],
+    pub thickness: f32,
+    pub reserved: [f32; 2usize],
 }
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone, PartialEq)]

@@ -32,6 +32,7 @@ mod steady;
 #[cfg(test)]
 mod tests;
 
+pub use body::Face;
 pub use ffi::{
     coin_body as Body, coin_force as Force, coin_losses as Losses,
     coin_orbit as Orbit, coin_params as Params, coin_state as State,
@@ -47,7 +48,7 @@ pub fn version() -> u32 {
     unsafe { ffi::coin_version() }
 }
 
-/// The same as text, "0.9.0".
+/// The same as text, such as "1.2.3".
 pub fn version_string() -> &'static str {
     let text = unsafe { CStr::from_ptr(ffi::coin_version_string()) };
     text.to_str().unwrap_or_default()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //! Coins that slow down.
-use crate::status::{checked, checked_to, filled, number};
+use crate::status::{checked, filled, moved_to, number};
 use crate::{ffi, Force, Losses, Params, Result, State, Status, Stopped};
 
 impl Losses {
@@ -36,8 +36,9 @@ impl State {
         filled(|force| unsafe { ffi::coin_losses_reaction(self, p, l, force) })
     }
 
-    /// Moves by a time, or until the coin lies flat: [`Status::RESTS`]; and
-    /// the time moved by.
+    /// Moves by a time, or until the coin rests: [`Status::RESTS`]; and the
+    /// time moved by.  [`Status::MORE`] if an infinite time needs more than 100
+    /// calls of the library.
     pub fn settle(
         &mut self,
         p: &Params,
@@ -45,15 +46,19 @@ impl State {
         t: f64,
         tol: f64,
     ) -> std::result::Result<(Status, f64), Stopped<f64>> {
-        let mut reached = 0.0;
-        let status =
-            unsafe { ffi::coin_settle(self, p, l, t, tol, &mut reached) };
-        checked_to(status, reached)
+        moved_to(t, |left, moved| unsafe {
+            ffi::coin_settle(self, p, l, left, tol, moved)
+        })
     }
 
-    /// The time until it lies flat; infinity if nothing stops it.
-    pub fn time_to_rest(&self, p: &Params, l: &Losses) -> Result<f64> {
-        let time = unsafe { ffi::coin_time_to_rest(self, p, l) };
-        number(time, || l.check(p).and_then(|()| self.state_check(p)))
+    /// The time until it rests; infinity if nothing stops it.
+    pub fn time_to_rest(
+        &self,
+        p: &Params,
+        l: &Losses,
+        tol: f64,
+    ) -> Result<f64> {
+        let time = unsafe { ffi::coin_time_to_rest(self, p, l, tol) };
+        number(time, || Ok({ *self }.settle(p, l, 0.0, tol)?))
     }
 }

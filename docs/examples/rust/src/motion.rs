@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //! What moves a coin, or many.
-use crate::status::{checked, checked_to};
+use crate::status::{checked, checked_to, moved_to};
 use crate::{ffi, Error, Params, Result, State, Status, Stopped};
 use std::ffi::CStr;
 
@@ -54,10 +54,10 @@ impl State {
         t: f64,
         tol: f64,
     ) -> std::result::Result<f64, Stopped<f64>> {
-        let mut reached = 0.0;
-        let status =
-            unsafe { ffi::coin_advance(self, p, t, tol, &mut reached) };
-        Ok(checked_to(status, reached)?.1)
+        let said = moved_to(t, |left, moved| unsafe {
+            ffi::coin_advance(self, p, left, tol, moved)
+        });
+        Ok(said?.1)
     }
 
     /// Fills `path` with states `steps_per_sample` steps apart, this one first;

@@ -34,13 +34,13 @@ impl State {
     /// The energy.
     pub fn energy(&self, p: &Params) -> Result<f64> {
         let energy = unsafe { ffi::coin_energy(self, p) };
-        number(energy, || self.state_check(p))
+        number(energy, || self.velocity(p))
     }
 
     /// How fast the coin turns and falls now, W.
     pub fn fastest_rate(&self, p: &Params) -> Result<f64> {
         let rate = unsafe { ffi::coin_fastest_rate(self, p) };
-        number(rate, || self.state_check(p))
+        number(rate, || self.velocity(p))
     }
 
     /// K_Y and K_Z.

@@ -14,8 +14,7 @@ pub enum Error {
     Params = ffi::COIN_EPARAMS,
     /// State or body out of range.
     State = ffi::COIN_ESTATE,
-    /// A step or a time that is not finite, negative where losses or slips
-    /// forbid that, or too long.
+    /// A step or a time out of range, or a step beyond its method.
     Step = ffi::COIN_ESTEP,
     /// Another argument out of range.
     Argument = ffi::COIN_EARG,
@@ -25,7 +24,7 @@ pub enum Error {
     Flat = ffi::COIN_EFLAT,
     /// This build does not give the pinned bits.
     Build = ffi::COIN_EBUILD,
-    /// phi, psi, x or z is at the end of its range.
+    /// phi, psi, a place or a rate would leave its range.
     Range = ffi::COIN_ERANGE,
 }
 
@@ -45,11 +44,11 @@ impl Error {
 }
 
 impl fmt::Display for Error {
-    /// As coin.h has it, with the names of Rust.
+    /// The text of `coin_status_string()`.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let text =
             unsafe { CStr::from_ptr(ffi::coin_status_string(self.status())) };
-        f.write_str(&text.to_string_lossy().replace("coin_", "State::"))
+        f.write_str(&text.to_string_lossy())
     }
 }
 
@@ -86,9 +85,9 @@ impl<T: fmt::Display + fmt::Debug> std::error::Error for Stopped<T> {}
 ///
 /// ```
 /// use rollcoin::Status;
-/// let stop = Status::SLIPS | Status::RESTS;
+/// let stop = Status::SLIPS | Status::TOUCHES;
 /// assert!(stop.contains(Status::SLIPS) && !stop.contains(Status::LIFTS));
-/// assert_eq!(format!("{stop:?}"), "SLIPS | RESTS");
+/// assert_eq!(format!("{stop:?}"), "SLIPS | TOUCHES");
 /// ```
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub struct Status(u32);
@@ -104,15 +103,20 @@ impl Status {
     pub const COARSE: Status = Status(ffi::COIN_COARSE);
     /// cos(theta) < 0.01.
     pub const NEARLY_FLAT: Status = Status(ffi::COIN_NEARLY_FLAT);
-    /// The coin lies flat.
+    /// The coin lies flat, or stands, and stays.
     pub const RESTS: Status = Status(ffi::COIN_RESTS);
-    /// Event of [`Body::advance`](crate::Body::advance): a slip or a flight has
+    /// Event of [`Body::move_by`](crate::Body::move_by): a slip or a flight has
     /// ended, and the coin rolls.
     pub const ROLLS: Status = Status(ffi::COIN_ROLLS);
     /// Event of the same: it comes down on the table.
     pub const TOUCHES: Status = Status(ffi::COIN_TOUCHES);
+    /// An infinite time needs more than 100 calls of the library.
+    pub const MORE: Status = Status(ffi::COIN_MORE);
+    /// Event of [`Body::move_by`](crate::Body::move_by), without a pull: which
+    /// side ends up is decided.
+    pub const DECIDED: Status = Status(ffi::COIN_DECIDED);
 
-    const NAMES: [(Status, &'static str); 7] = [
+    const NAMES: [(Status, &'static str); 9] = [
         (Status::SLIPS, "SLIPS"),
         (Status::LIFTS, "LIFTS"),
         (Status::COARSE, "COARSE"),
@@ -120,6 +124,8 @@ impl Status {
         (Status::RESTS, "RESTS"),
         (Status::ROLLS, "ROLLS"),
         (Status::TOUCHES, "TOUCHES"),
+        (Status::MORE, "MORE"),
+        (Status::DECIDED, "DECIDED"),
     ];
 
     /// Whether all bits of another are among these.
@@ -169,6 +175,24 @@ pub(crate) fn checked_to<T>(
         Ok(status) => Ok((status, done)),
         Err(error) => Err(Stopped { error, done }),
     }
+}
+
+/// What `call(time left, &mut moved)` says, and the time moved: calls again
+/// where the steps of one call do not suffice, if `t` is infinite 100 times at
+/// most.
+pub(crate) fn moved_to(
+    t: f64,
+    mut call: impl FnMut(f64, &mut f64) -> i32,
+) -> std::result::Result<(Status, f64), Stopped<f64>> {
+    let mut said = (Status::MORE, 0.0);
+    let mut calls = 0;
+    while said.0.contains(Status::MORE) && (t < f64::INFINITY || calls < 100) {
+        let mut part = 0.0;
+        let status = call(t - said.1, &mut part);
+        said = checked_to(status, said.1 + part)?;
+        calls += 1;
+    }
+    Ok(said)
 }
 
 /// What a call writes, if it does well.

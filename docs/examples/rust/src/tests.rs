@@ -135,7 +135,9 @@ fn statuses_say_what_they_are() {
         assert_eq!(status::checked(status).unwrap_err().status(), status);
     }
     let long = s.step(&p, 9.0).unwrap_err();
-    assert!(long.to_string().ends_with("or call State::advance()"));
+    assert!(long
+        .to_string()
+        .ends_with("too long for this motion: shorten it"));
     assert_eq!(format!("{long:?}"), "Step");
 }
 
@@ -171,11 +173,11 @@ fn games_get_a_matrix_and_the_first_slip() {
     };
     let mut b = Body::from_state(&s, &p).unwrap();
     let (status, reached) =
-        b.advance(&p, &table, 1.0, 1e-9, Status::SLIPS).unwrap();
+        b.move_by(&p, &table, 1.0, 1e-9, Status::SLIPS).unwrap();
     assert!(status.contains(Status::SLIPS) && reached < 0.06);
     assert!((b.s.reaction(&p).unwrap().ratio - mu).abs() < 1e-6);
     let refused = b
-        .advance(&p, &table, 1.0, 1e-9, Status::COARSE)
+        .move_by(&p, &table, 1.0, 1e-9, Status::COARSE)
         .unwrap_err();
     assert_eq!(refused.error, Error::Argument);
 }
@@ -222,8 +224,11 @@ fn losses_bring_a_coin_to_rest() {
     };
     let l = law.fit(&s, &p, 8.0).unwrap();
     l.check(&p).unwrap();
-    assert!((s.time_to_rest(&p, &l).unwrap() - 8.0).abs() < 0.08);
-    assert_eq!(s.time_to_rest(&p, &Losses::default()), Ok(f64::INFINITY));
+    assert!((s.time_to_rest(&p, &l, 1e-6).unwrap() - 8.0).abs() < 0.08);
+    assert_eq!(
+        s.time_to_rest(&p, &Losses::default(), 1e-6),
+        Ok(f64::INFINITY)
+    );
     assert!(s.losses_power(&p, &l).unwrap() > 0.0);
     assert_ne!(s.losses_rates(&p, &l), s.rates(&p));
     assert_ne!(s.losses_reaction(&p, &l), s.reaction(&p));
@@ -236,8 +241,9 @@ fn losses_bring_a_coin_to_rest() {
     assert_eq!(s.settle(&p, &l, -1.0, 1e-6).unwrap_err().error, Error::Step);
     s = State::default();
     s.theta = 2.0;
-    assert_eq!(s.time_to_rest(&p, &l), Err(Error::State));
-    assert_eq!(s.time_to_rest(&p, &negative), Err(Error::Params));
+    assert_eq!(s.time_to_rest(&p, &l, 1e-6), Err(Error::State));
+    assert_eq!(s.time_to_rest(&p, &negative, 1e-6), Err(Error::Params));
+    assert_eq!(s.time_to_rest(&p, &negative, 1.0), Err(Error::Argument));
     assert_eq!(s.losses_power(&p, &negative), Err(Error::Params));
 }
 
@@ -251,28 +257,166 @@ fn a_body_slips_and_rolls_again() {
     };
     table.check(&p).unwrap();
     let mut b = Body::from_state(&s, &p).unwrap();
-    assert!(b.slip(&p).unwrap()[0].abs() < 1e-12);
+    assert!(b.contact(&p).unwrap()[0].abs() < 1e-12);
     assert_eq!(b.matrix(&p).unwrap()[13], b.y);
     let energy = b.energy(&p).unwrap();
     assert!((energy - s.energy(&p).unwrap()).abs() < 1e-12);
     b.vx += 0.1;
-    assert!(b.slip(&p).unwrap()[0] > 0.09);
+    assert!(b.contact(&p).unwrap()[0] > 0.09);
     assert!((b.reaction(&p, &table).unwrap().ratio - 0.5).abs() < 1e-9);
-    let (status, _) = b.advance(&p, &table, 1e-3, 1e-9, Status::OK).unwrap();
+    let (status, _) = b.move_by(&p, &table, 1e-3, 1e-9, Status::OK).unwrap();
     assert!(status.contains(Status::SLIPS));
     let (status, reached) =
-        b.advance(&p, &table, 1.0, 1e-9, Status::OK).unwrap();
+        b.move_by(&p, &table, 1.0, 1e-9, Status::OK).unwrap();
     assert!(!status.contains(Status::SLIPS) && reached == 1.0);
     let high = [0.0, 1.0, 0.0];
     let mut air =
         Body::from_motion(&p, [1.0, 0.0, 0.0, 0.0], high, high, high).unwrap();
     let (status, reached) =
-        air.advance(&p, &table, 0.1, 1e-9, Status::OK).unwrap();
+        air.move_by(&p, &table, 0.1, 1e-9, Status::OK).unwrap();
     assert!(status.contains(Status::LIFTS) && reached == 0.1);
-    let (status, _) = air.advance(&p, &table, 1.0, 1e-9, Status::OK).unwrap();
+    let (status, _) = air.move_by(&p, &table, 1.0, 1e-9, Status::OK).unwrap();
     assert!(!status.contains(Status::LIFTS));
     b.s.theta = 2.0;
     assert_eq!(b.energy(&p), Err(Error::State));
+}
+
+/// A chip as thick as half its width, and a table.
+fn chip() -> (Params, Table) {
+    let p = Params::cylinder(0.005, 0.01, 0.01, 9.80665).unwrap();
+    let resists = 1e-2 * p.mass * p.gravity * p.radius;
+    let table = Table {
+        mu_static: 0.4,
+        mu_kinetic: 0.3,
+        restitution: 0.2,
+        losses: Losses {
+            dry: resists,
+            spin: resists,
+            ..Losses::default()
+        },
+        ..Table::default()
+    };
+    (p, table)
+}
+
+fn toss(theta: f64, rate: f64) -> Body {
+    Body {
+        s: State {
+            theta,
+            wX: rate,
+            ..State::default()
+        },
+        y: 0.03,
+        vy: 0.5,
+        ..Body::default()
+    }
+}
+
+const EVER: f64 = f64::INFINITY;
+
+#[test]
+fn a_cylinder_is_tossed_to_heads_to_tails_and_to_its_edge() {
+    let (p, table) = chip();
+    assert!((p.inertia_X - 5e-7 / 3.0).abs() < 1e-20);
+    for (face, y, mut b) in [
+        (Face::Heads, 0.005, toss(-1.0, 0.0)),
+        (Face::Tails, 0.005, toss(1.0, 0.0)),
+        (Face::Edge, 0.01, toss(-1.0, 10.0)),
+    ] {
+        let (said, _) =
+            b.move_by(&p, &table, EVER, 1e-6, Status::DECIDED).unwrap();
+        assert!(format!("{said:?}").ends_with("DECIDED"));
+        assert!(!said.contains(Status::RESTS));
+        assert_eq!(b.face(&p), Ok(face));
+        let (said, _) = b.move_by(&p, &table, EVER, 1e-6, Status::OK).unwrap();
+        assert_eq!(said, Status::RESTS);
+        assert_eq!(b.face(&p), Ok(face));
+        assert!((b.y - y).abs() < 1e-12);
+    }
+    assert_eq!(Params::cylinder(1.0, 1.0, 5.0, 1.0), Err(Error::Params));
+    let s = State::default();
+    assert_eq!(s.energy(&p), Err(Error::Params));
+    assert_eq!(s.fastest_rate(&p), Err(Error::Params));
+    assert_eq!(p.critical_roll(), Err(Error::Params));
+    assert_eq!(p.critical_spin(), Err(Error::Params));
+    assert_eq!(toss(2.0, 0.0).face(&p), Err(Error::State));
+}
+
+#[test]
+fn a_slope_holds_a_coin_or_lets_it_slide() {
+    let (p, mut table) = chip();
+    let mut b = toss(1.0, 0.0);
+    b.move_by(&p, &table, EVER, 1e-6, Status::OK).unwrap();
+    table.pull[0] = 0.3 * p.gravity;
+    let (said, _) = b.move_by(&p, &table, 0.1, 1e-9, Status::OK).unwrap();
+    assert_eq!(said, Status::RESTS);
+    table.pull[0] = 0.5 * p.gravity;
+    let (said, _) = b.move_by(&p, &table, 0.1, 1e-9, Status::OK).unwrap();
+    assert_eq!(said, Status::SLIPS);
+    assert!((b.vx - (0.5 - 0.3) * p.gravity * 0.1).abs() < 1e-9);
+    let refused = b.move_by(&p, &table, 0.1, 1e-9, Status::DECIDED);
+    assert_eq!(refused.unwrap_err().error, Error::Argument);
+}
+
+#[test]
+fn a_blow_turns_and_moves_a_body() {
+    let (p, _) = chip();
+    let mut b = Body::from_state(&State::default(), &p).unwrap();
+    b.strike(&p, [0.0, 0.0, 1e-3], [0.0, p.radius, 0.0])
+        .unwrap();
+    assert!((b.vz - 1e-3 / p.mass).abs() < 1e-12);
+    assert!((b.s.wX - 1e-3 * p.radius / p.inertia_X).abs() < 1e-9);
+    let before = b;
+    let refused = b.strike(&p, [1e30, 0.0, 0.0], [0.0; 3]);
+    assert_eq!(refused, Err(Error::State));
+    assert_eq!(b, before);
+}
+
+/// Where one call of the library does not suffice, for a time and for ever.
+#[test]
+fn a_call_goes_on_to_its_time() {
+    let (p, start) = quarter();
+    let table = Table {
+        mu_static: f64::INFINITY,
+        ..Table::default()
+    };
+    let mut b = Body::from_state(&start, &p).unwrap();
+    let mut coin = b;
+    let mut part = 0.0;
+    let one = unsafe {
+        ffi::coin_move(&mut coin, &p, &table, 1e3, 1e-2, 0, &mut part)
+    };
+    assert_eq!(one as u32, ffi::COIN_MORE);
+    let (status, reached) =
+        b.move_by(&p, &table, 1e3, 1e-2, Status::OK).unwrap();
+    assert_eq!(status, Status::OK);
+    assert!(part < 900.0 && (reached - 1e3).abs() < 1e-9);
+    let (status, reached) = b
+        .move_by(&p, &table, f64::INFINITY, 1e-2, Status::OK)
+        .unwrap();
+    assert_eq!(status, Status::MORE);
+    assert!(90.0 * part < reached && reached < 110.0 * part);
+    b.s.psi = 2f64.powi(31) - 2e4;
+    let end = b.move_by(&p, &table, 1e3, 1e-2, Status::OK).unwrap_err();
+    assert_eq!(end.error, Error::Range);
+    assert!(400.0 < end.done && end.done < 600.0);
+
+    let mut s = start;
+    assert!((s.advance(&p, 4e4, 1e-2).unwrap() - 4e4).abs() < 1e-9);
+    s = start;
+    unsafe { ffi::coin_advance(&mut s, &p, 4e4, 1e-2, &mut part) };
+    assert!(part < 4e4);
+    let l = Losses {
+        dry: 1e-15,
+        ..Losses::default()
+    };
+    s = start;
+    let (status, reached) = s.settle(&p, &l, 25e3, 1e-2).unwrap();
+    assert_eq!(status, Status::OK);
+    assert!((reached - 25e3).abs() < 1e-9);
+    s = start;
+    unsafe { ffi::coin_settle(&mut s, &p, &l, 25e3, 1e-2, &mut part) };
+    assert!(part < 25e3);
 }
 
 #[test]

@@ -24,7 +24,8 @@ typedef struct coin_params {
     double gravity;
     double inertia_X;
     double inertia_Z;
-    double reserved[3];
+    double thickness;
+    double reserved[2];
 } coin_params;
 typedef struct coin_state {
     double theta;
@@ -60,7 +61,14 @@ enum {
     COIN_NEARLY_FLAT = 8,
     COIN_RESTS = 16,
     COIN_ROLLS = 32,
-    COIN_TOUCHES = 64
+    COIN_TOUCHES = 64,
+    COIN_MORE = 128,
+    COIN_DECIDED = 256
+};
+enum {
+    COIN_HEADS = 1,
+    COIN_TAILS = 2,
+    COIN_EDGE = 3
 };
 enum {
     COIN_RK4 = 0,
@@ -88,6 +96,9 @@ COIN_API int32_t coin_params_ring(coin_params *p, double mass, double radius,
 COIN_API int32_t coin_params_body(coin_params *p, double mass, double radius,
                                   double gravity, double inertia_X,
                                   double inertia_Z);
+COIN_API int32_t coin_params_cylinder(coin_params *p, double mass,
+                                      double radius, double thickness,
+                                      double gravity);
 COIN_API int32_t coin_params_check(const coin_params *p);
 COIN_API int32_t coin_state_check(const coin_state *s, const coin_params *p);
 COIN_API int32_t coin_state_from_motion(coin_state *s, const coin_params *p,
@@ -180,14 +191,15 @@ COIN_API int32_t coin_settle(coin_state *s, const coin_params *p,
                              const coin_losses *l, double t, double tol,
                              double *reached);
 COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
-                                  const coin_losses *l);
+                                  const coin_losses *l, double tol);
 COIN_API int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
                                  const coin_params *p, double time);
 typedef struct coin_table {
     double mu_static;
     double mu_kinetic;
     double restitution;
-    double reserved[5];
+    double pull[2];
+    double reserved[3];
     coin_losses losses;
 } coin_table;
 typedef struct coin_body {
@@ -211,8 +223,11 @@ COIN_API int32_t coin_move(coin_body *b, const coin_params *p,
 COIN_API double coin_body_energy(const coin_body *b, const coin_params *p);
 COIN_API int32_t coin_body_reaction(const coin_body *b, const coin_params *p,
                                     const coin_table *table, coin_force *out);
-COIN_API int32_t coin_body_slip(const coin_body *b, const coin_params *p,
-                                double u[2]);
+COIN_API int32_t coin_body_contact(const coin_body *b, const coin_params *p,
+                                   double v[3]);
+COIN_API int32_t coin_body_strike(coin_body *b, const coin_params *p,
+                                  const double J[3], const double r[3]);
+COIN_API int32_t coin_body_face(const coin_body *b, const coin_params *p);
 COIN_API int32_t coin_body_matrix(const coin_body *b, const coin_params *p,
                                   double m[16]);
 COIN_API uint32_t coin_version(void);

@@ -11,7 +11,8 @@ typedef struct coinf_params {
     float gravity;
     float inertia_X;
     float inertia_Z;
-    float reserved[3];
+    float thickness;
+    float reserved[2];
 } coinf_params;
 typedef struct coinf_state {
     float theta;

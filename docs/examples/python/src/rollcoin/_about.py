@@ -9,7 +9,7 @@ __all__ = ["method_name", "selftest", "selftestf",
 
 
 def version() -> str:
-    """The library's version, as "0.9.0".  coin_version_string()"""
+    """The library's version, such as "1.2.3".  coin_version_string()"""
     text: str = lib.coin_version_string().decode()
     return text
 

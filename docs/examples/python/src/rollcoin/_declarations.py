@@ -8,20 +8,23 @@ from typing import Any, Dict, Tuple
 from ._types import INT32, SIZE, UINT32, UINT64, In, Out, Plain
 
 __all__ = ["Params", "State", "Force", "Orbit", "Losses", "Table", "Body",
-           "Paramsf", "Statef", "Forcef", "Status", "Bits", "Method", "OK",
-           "EPARAMS", "ESTATE", "ESTEP", "EARG", "EDOMAIN", "EFLAT", "EBUILD",
-           "ERANGE", "SLIPS", "LIFTS", "COARSE", "NEARLY_FLAT", "RESTS",
-           "ROLLS", "TOUCHES", "RK4", "RK8", "SYMPLECTIC2", "SYMPLECTIC4"]
+           "Paramsf", "Statef", "Forcef", "Status", "Bits", "Face", "Method",
+           "OK", "EPARAMS", "ESTATE", "ESTEP", "EARG", "EDOMAIN", "EFLAT",
+           "EBUILD", "ERANGE", "SLIPS", "LIFTS", "COARSE", "NEARLY_FLAT",
+           "RESTS", "ROLLS", "TOUCHES", "MORE", "DECIDED", "HEADS", "TAILS",
+           "EDGE", "RK4", "RK8", "SYMPLECTIC2", "SYMPLECTIC4"]
 
 
 class Params(Plain):
-    """A thin axisymmetric body: disc(), ring(), body().
+    """An axisymmetric body: disc(), ring(), body(), thin; cylinder().
 
     mass       M [kg]
     radius     a, of the rim that rolls [m]
     gravity    g [m/s^2]
     inertia_X  I_X = I_Y, about a diameter [kg m^2]
     inertia_Z  I_Z, about the axis [kg m^2]
+    thickness  between the two rims, 0 or 1e-4 to 4 radii; of a thin coin,
+               which most functions ask for, 0 [m]
     reserved   must be 0
 
     coin_params, in SI units; any others that are consistent do as well.
@@ -32,6 +35,7 @@ class Params(Plain):
     gravity: float
     inertia_X: float
     inertia_Z: float
+    thickness: float
     reserved: "Array[c_double]"
     _fields_ = [
         ("mass", c_double),
@@ -39,7 +43,8 @@ class Params(Plain):
         ("gravity", c_double),
         ("inertia_X", c_double),
         ("inertia_Z", c_double),
-        ("reserved", c_double * 3),
+        ("thickness", c_double),
+        ("reserved", c_double * 2),
     ]
 
 
@@ -222,8 +227,10 @@ class Table(Plain):
                  +infinity [1]
     mu_kinetic   while it slips; 0 to the bound of Painleve, Eq. (86) [1]
     restitution  of an impact, 0 to 1 [1]
+    pull         acceleration along x and z, of a slope or a tray: at most 100
+                 gravity each [m/s^2]
     reserved     must be 0
-    losses       damping is 0 unless mu_static is +infinity
+    losses       damping must be 0
 
     coin_table, in SI units; any others that are consistent do as well.
     """
@@ -231,13 +238,15 @@ class Table(Plain):
     mu_static: float
     mu_kinetic: float
     restitution: float
+    pull: "Array[c_double]"
     reserved: "Array[c_double]"
     losses: Losses
     _fields_ = [
         ("mu_static", c_double),
         ("mu_kinetic", c_double),
         ("restitution", c_double),
-        ("reserved", c_double * 5),
+        ("pull", c_double * 2),
+        ("reserved", c_double * 3),
         ("losses", Losses),
     ]
 
@@ -280,6 +289,7 @@ class Paramsf(Plain):
     gravity    g [m/s^2]
     inertia_X  I_X = I_Y, about a diameter [kg m^2]
     inertia_Z  I_Z, about the axis [kg m^2]
+    thickness  must be 0 [m]
     reserved   must be 0
 
     coinf_params, in SI units; any others that are consistent do as well.
@@ -290,6 +300,7 @@ class Paramsf(Plain):
     gravity: float
     inertia_X: float
     inertia_Z: float
+    thickness: float
     reserved: "Array[c_float]"
     _fields_ = [
         ("mass", c_float),
@@ -297,7 +308,8 @@ class Paramsf(Plain):
         ("gravity", c_float),
         ("inertia_X", c_float),
         ("inertia_Z", c_float),
-        ("reserved", c_float * 3),
+        ("thickness", c_float),
+        ("reserved", c_float * 2),
     ]
 
 
@@ -370,14 +382,13 @@ class Status(IntEnum):
     OK       done
     EPARAMS  parameters, losses or a table out of range
     ESTATE   a state or a body out of range
-    ESTEP    a step or a time out of range, or beyond a method; or the steps of
-             one call do not suffice: call again
+    ESTEP    dt or t out of range, or a step beyond its method
     EARG     null pointer, unknown method, branch or bit, tol
-    EDOMAIN  no such steady motion, period or losses
+    EDOMAIN  no such steady motion, period or losses; or not a steady motion
     EFLAT    the coin falls flat within the time asked
     EBUILD   not the pinned bits: selftest()
-    ERANGE   phi, psi, x or z would leave its range, or a step is refused
-             within 16 rad or radii of its end
+    ERANGE   phi, psi, a place or a rate would leave its range, or a step is
+             refused within 16 rad or radii of its end
     """
     OK = 0
     EPARAMS = -1
@@ -398,9 +409,12 @@ class Bits(IntFlag):
     COARSE       |dt| fastest_rate() is above 0.35 (RK4), 1 (RK8), 0.08, 0.16
                  (symplectic methods)
     NEARLY_FLAT  cos(theta) < 0.01
-    RESTS        the coin lies flat and stays
-    ROLLS        a slip or a flight has ended, and the coin rolls
+    RESTS        the coin lies flat, or stands, and stays
+    ROLLS        a slip or a flight has ended, and it rolls
     TOUCHES      the coin comes down on the table
+    MORE         the steps of one call did not suffice: it has moved by
+                 *reached
+    DECIDED      which side ends up is decided
     """
     SLIPS = 1
     LIFTS = 2
@@ -409,6 +423,20 @@ class Bits(IntFlag):
     RESTS = 16
     ROLLS = 32
     TOUCHES = 64
+    MORE = 128
+    DECIDED = 256
+
+
+class Face(IntEnum):
+    """How a coin lies: body_face().
+
+    HEADS  the +Z side is up: theta < 0
+    TAILS  the other side is up
+    EDGE   upright, or it would fall back on its edge
+    """
+    HEADS = 1
+    TAILS = 2
+    EDGE = 3
 
 
 class Method(IntEnum):
@@ -441,6 +469,11 @@ NEARLY_FLAT = Bits.NEARLY_FLAT
 RESTS = Bits.RESTS
 ROLLS = Bits.ROLLS
 TOUCHES = Bits.TOUCHES
+MORE = Bits.MORE
+DECIDED = Bits.DECIDED
+HEADS = Face.HEADS
+TAILS = Face.TAILS
+EDGE = Face.EDGE
 RK4 = Method.RK4
 RK8 = Method.RK8
 SYMPLECTIC2 = Method.SYMPLECTIC2
@@ -481,6 +514,8 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "coin_params_body": (c_int32, {"p": Out(Params), "mass": c_double,
         "radius": c_double, "gravity": c_double, "inertia_X": c_double,
         "inertia_Z": c_double}),
+    "coin_params_cylinder": (c_int32, {"p": Out(Params), "mass": c_double,
+        "radius": c_double, "thickness": c_double, "gravity": c_double}),
     "coin_params_check": (c_int32, {"p": In(Params)}),
     "coin_state_check": (c_int32, {"s": In(State), "p": In(Params)}),
     "coin_state_from_motion": (c_int32, {"s": Out(State), "p": In(Params),
@@ -543,7 +578,7 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
         "l": In(Losses), "t": c_double, "tol": c_double,
         "reached": Out(c_double)}),
     "coin_time_to_rest": (c_double, {"s": In(State), "p": In(Params),
-        "l": In(Losses)}),
+        "l": In(Losses), "tol": c_double}),
     "coin_losses_fit": (c_int32, {"l": Out(Losses), "s": In(State),
         "p": In(Params), "time": c_double}),
     "coin_table_check": (c_int32, {"table": In(Table), "p": In(Params)}),
@@ -558,8 +593,11 @@ PROTOTYPES: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "coin_body_energy": (c_double, {"b": In(Body), "p": In(Params)}),
     "coin_body_reaction": (c_int32, {"b": In(Body), "p": In(Params),
         "table": In(Table), "out": Out(Force)}),
-    "coin_body_slip": (c_int32, {"b": In(Body), "p": In(Params),
-        "u": Out(c_double, 2)}),
+    "coin_body_contact": (c_int32, {"b": In(Body), "p": In(Params),
+        "v": Out(c_double, 3)}),
+    "coin_body_strike": (c_int32, {"b": Out(Body), "p": In(Params),
+        "J": In(c_double, 3), "r": In(c_double, 3)}),
+    "coin_body_face": (c_int32, {"b": In(Body), "p": In(Params)}),
     "coin_body_matrix": (c_int32, {"b": In(Body), "p": In(Params),
         "m": Out(c_double, 16)}),
     "coin_version": (c_uint32, {}),

@@ -40,12 +40,10 @@ class Error(ValueError):
         self.done = done
         self.index = index
 
-    def about(self, coin: Any, inputs: Sequence[Any]) -> Error:
+    def about(self, name: str, arguments: Sequence[Any]) -> Error:
         """The same, with what was out of range: of a row of a table."""
-        structs = [each for each in (coin, *inputs)
-                   if isinstance(each, ctypes.Structure)]
-        return Error(self.status, self.done, self.index,
-                     given(self.status, dict(enumerate(structs))))
+        return Error(self.status, self.done, self.index, given(
+            self.status, dict(zip(declared.PROTOTYPES[name][1], arguments))))
 
     def __str__(self) -> str:
         row = "" if self.index is None else f"row {self.index}: "
@@ -54,12 +52,12 @@ class Error(ValueError):
 
 
 def text_of(status: int) -> str:
-    """What a status means, with the names of Python."""
+    """What a status means."""
     text: str = lib.coin_status_string(status).decode()
-    return re.sub(r"\bcoin_(?=\w+\()", "", text)
+    return text
 
 
-BITS = [declared.Bits(bits) for bits in range(128)]
+BITS = [declared.Bits(bits) for bits in range(2 * declared.DECIDED)]
 
 BLAMED = {declared.ESTATE: (declared.State, declared.Statef, declared.Body),
           declared.EPARAMS: (declared.Params, declared.Paramsf,
@@ -74,6 +72,13 @@ CHECKS = {declared.State: "coin_state_check",
           declared.Paramsf: "coinf_params_check"}
 
 
+# What moves or scales its first argument; the others only write it.
+MOVERS = re.compile("coinf?_(step|run|batch_run|advance|settle|move|losses_fit"
+                    "|body_strike)")
+
+TIMES = ("dt", "t")
+
+
 def _in_range(target: Any, p: Any) -> bool:
     if isinstance(target, declared.Body):
         energy: float = raw.coin_body_energy(byref(target), byref(p))
@@ -83,44 +88,105 @@ def _in_range(target: Any, p: Any) -> bool:
     return status >= 0
 
 
+def _member(whole: Any, part: Any, p: Any) -> str:
+    """The member of a part, "s.theta", without whose value the whole, which is
+    changed, would be in range; nothing if there is none."""
+    for name, _ in part._fields_:
+        value = getattr(part, name)
+        if isinstance(value, ctypes.Structure):
+            inner = _member(whole, value, p)
+            if inner:
+                return f"{name}.{inner}"
+            continue
+        kept = type(value)(*value) if isinstance(value, Array) else value
+        setattr(part, name, p.radius if name == "y"
+                else getattr(type(part)(), name))
+        if _in_range(whole, p):
+            return str(name)
+        setattr(part, name, kept)
+    return ""
+
+
+def _not_above_0(numbers: dict[str, Any]) -> dict[str, Any]:
+    """What no body has, of its parameters."""
+    return {name: value for name, value in numbers.items()
+            if isinstance(value, (int, float)) and not (
+                value > 0 or value == 0
+                and name in ("inner_radius", "thickness"))}
+
+
 def _wrong(target: Any, p: Any) -> str:
     """A struct that is out of range, after the member that is, if the others
     are in range; nothing if all are."""
     if _in_range(target, p):
         return ""
-    for name, value in target._members():
+    if target is p:
+        name = next(iter(_not_above_0(dict(target._members()))), "")
+    else:
         trial = type(target).from_buffer_copy(target)
-        setattr(trial, name, getattr(type(target)(), name))
-        if (not value > 0 if target is p and name != "reserved"
-                else _in_range(trial, p)):
-            return f"{name} of {target!r}"
-    return repr(target)
+        name = _member(trial, trial, p)
+    return f"{name} of {target!r}" if name else repr(target)
 
 
-def given(status: int, targets: dict[Any, Any]) -> str:
+def _wrong_motion(name: str, values: dict[str, Any]) -> str:
+    """Which argument of an engine's motion is out of range by itself; r, if
+    none is: that is too low for q."""
+    kind, p = type(values.pop(next(iter(values)))), values.pop("p")
+    real = values["q"]._type_
+    harmless = {argument: (real * value)(*rest) if value else real(0)
+                for argument, value, rest in (
+                    ("q", 4, (1, -1 if "r" in values else 0, 0, 0)),
+                    ("omega", 3, ()), ("r", 3, (0, p.radius, 0)),
+                    ("v", 3, ()), ("x", 0, ()), ("z", 0, ()))}
+    for argument, value in values.items():
+        alone = {each: harmless[each] for each in values}
+        alone[argument] = value if isinstance(value, Array) else real(value)
+        if getattr(raw, name)(byref(kind()), byref(p), *alone.values()) < 0:
+            return argument
+    return "r"
+
+
+def _is_too_thick(p: Any, targets: dict[str, Any]) -> bool:
+    """Of parameters with a thickness in range, where thin ones belong: what
+    takes others has a table that may be wrong instead."""
+    return bool(p.thickness) and _in_range(p, p) and not any(
+        isinstance(target, declared.Table) for target in targets.values())
+
+
+def given(status: int, targets: dict[str, Any]) -> str:
     """The struct that a status is about, and its member; or else the numbers
-    that were given."""
+    that were given: the times, or the others, if one of these is wrong; of the
+    parameters of a body those that are not above 0."""
     p = next((target for target in targets.values()
               if isinstance(target, (declared.Params, declared.Paramsf))), None)
     kinds = BLAMED.get(declared.Status(status), ())
+    if status == declared.EPARAMS and p and _is_too_thick(p, targets):
+        return f"thickness of {p!r}"
     shown = [_wrong(target, p) if p else repr(target)
              for target in targets.values() if isinstance(target, kinds)]
-    return next(filter(None, shown), "") or ", ".join(
-        f"{argument} = {target}" for argument, target in targets.items()
-        if isinstance(target, (int, float, tuple)))
+    if any(shown):
+        return next(filter(None, shown))
+    numbers = {argument: target for argument, target in targets.items()
+               if isinstance(target, (int, float, tuple)) and not (
+                   status in (declared.ESTEP, declared.EARG)
+                   and (argument in TIMES) != (status == declared.ESTEP))}
+    if status == declared.EPARAMS:
+        numbers = _not_above_0(numbers) or numbers
+    return ", ".join(f"{argument} = {target}"
+                     for argument, target in numbers.items())
 
 
 def _given(status: int, name: str, arguments: Sequence[Any]) -> str:
     """given() of the arguments of a function, but what it only writes."""
-    targets = {}
-    for (argument, kind), value in zip(declared.PROTOTYPES[name][1].items(),
-                                       arguments):
-        target = getattr(value, "_obj", value)
-        if not isinstance(kind, Out):
-            targets[argument] = (tuple(target) if isinstance(target, Array)
-                                 else target)
-        elif status != declared.EPARAMS:
-            targets[argument] = target
+    kinds = declared.PROTOTYPES[name][1]
+    values = {argument: getattr(value, "_obj", value)
+              for argument, value in zip(kinds, arguments)}
+    targets = {argument: tuple(value) if isinstance(value, Array) else value
+               for argument, value in values.items()
+               if not isinstance(kinds[argument], Out) or MOVERS.fullmatch(name)}
+    if status == declared.ESTATE and "q" in targets:
+        wrong = _wrong_motion(name, values)
+        targets = {wrong: targets[wrong]}
     return given(status, targets)
 
 
@@ -128,6 +194,8 @@ def _no_error(status: int, function: Any, arguments: Sequence[Any]) -> int:
     if status < 0:
         name = function.__name__
         raise Error(status, given=_given(status, name, arguments))
+    if function.__name__ == "coin_body_face":
+        return declared.Face(status)
     return BITS[status]
 
 

@@ -10,8 +10,8 @@ from ._library import lib
 from ._tables import (AnyParams, Coin, Coins, Statuses, coin, function, kind_of,
                      read)
 
-__all__ = ["body", "bodyf", "disc", "discf", "losses_check", "losses_fit",
-           "params_check", "ring", "ringf", "state_check",
+__all__ = ["body", "bodyf", "cylinder", "disc", "discf", "losses_check",
+           "losses_fit", "params_check", "ring", "ringf", "state_check",
            "state_from_motion", "steady_circle",
            "steady_ride", "steady_roll", "steady_spin", "steady_turn",
            "steady_upright_spin"]
@@ -39,6 +39,16 @@ def body(mass: float, radius: float, gravity: float, inertia_X: float,
     """Any thin axisymmetric body.  coin_params_body()"""
     p = Params()
     lib.coin_params_body(p, mass, radius, gravity, inertia_X, inertia_Z)
+    return p
+
+
+def cylinder(mass: float, radius: float, thickness: float,
+             gravity: float) -> Params:
+    """A uniform cylinder, for move() and what begins with body_: thickness is
+    0, or 1e-4 to 4 radii.  Another body gets its rims by p.thickness.
+    coin_params_cylinder()"""
+    p = Params()
+    lib.coin_params_cylinder(p, mass, radius, thickness, gravity)
     return p
 
 

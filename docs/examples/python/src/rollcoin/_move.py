@@ -6,15 +6,18 @@ take long are therefore made in parts, and SLICE says how many steps a part
 has: it never depends on the speed of the machine, nor do the bits."""
 from __future__ import annotations
 
+import math
 import operator
-from ctypes import byref, c_int32, c_size_t, c_uint64
+from ctypes import byref, c_double, c_int32, c_size_t, c_uint64
 from numbers import Integral
-from typing import Any, NamedTuple, Tuple, Type
+from typing import Any, Callable, NamedTuple, Tuple, Type
 
-from ._declarations import EARG, EPARAMS, Bits, Losses, Params, State
+from ._declarations import (EARG, EPARAMS, MORE, Bits, Losses, Params,
+                            State)
 from ._library import BITS, Error, lib
-from ._tables import (REAL, AnyParams, Coin, Coins, Statuses, Table, coin,
-                     function, is_numpy, kind_of, one, read, table)
+from ._tables import (AnyParams, Coin, Coins, Statuses, Table, coin, function,
+                     is_numpy, kind_of, one, read, table)
+from ._workers import share_out, threads_of
 
 __all__ = ["SLICE", "Settled", "advance", "run", "run_batch", "sample",
            "settle", "step"]
@@ -24,6 +27,9 @@ SLICE = 1 << 18
 
 A run of no more has the bits of one coin_run().
 """
+
+CALLS = 100
+"""How many calls of the library settle() and move() do for an infinite time."""
 
 
 def _whole(number: Any) -> int:
@@ -182,56 +188,95 @@ def _no_argument(call: Any, *arguments: Any) -> None:
 
 # ------------------------------------------------------------ any time, to rest
 def advance(s: Coins, p: Params, t: float, tol: float = 1e-9, *,
-            status: Statuses = None) -> Any:
+            status: Statuses = None, workers: int = 1) -> Any:
     """Moves s, a State, a row or a table, by any time t to an accuracy;
     returns the time moved, of a table an array.  With status= that of a coin
-    that falls flat is the time of its fall.  coin_advance()"""
-    return moved("advance", s, (p, t, tol), status, kind_of(p))[1]
+    that falls flat is the time of its fall.  workers as in move().
+    coin_advance()"""
+    return moved("advance", s, lambda left: (p, left, tol), t, status,
+                 kind_of(p), workers)[1]
 
 
 class Settled(NamedTuple):
     """What settle() and move() return."""
     status: Statuses
-    """RESTS if the coin lies flat, else 0; of a table an array."""
+    """The Bits, RESTS at rest; MORE if an infinite time needs more than 100
+    calls of the library, which have moved the coin by `reached`.  Of a table an
+    array."""
     reached: Any
     """The time moved by; of a table an array."""
 
 
 def settle(s: Coins, p: Params, losses: Losses, t: float, tol: float = 1e-9, *,
-           status: Statuses = None) -> Settled:
+           status: Statuses = None, workers: int = 1) -> Settled:
     """Moves s, a State, a row or a table, with losses, by any time t >= 0 or
-    until it lies flat.  coin_settle()"""
-    return Settled(*moved("settle", s, (p, losses, t, tol), status,
-                          kind_of(p)))
+    until it rests.  workers as in move().  coin_settle()"""
+    return Settled(*moved("settle", s, lambda left: (p, losses, left, tol), t,
+                          status, kind_of(p), workers))
 
 
-def moved(name: str, s: Any, inputs: Tuple[Any, ...], status: Statuses,
-          kind: Type[Any]) -> Tuple[Any, Any]:
-    """What coin_NAME(s, inputs..., &reached) returns, and the time."""
+Inputs = Callable[[float], Tuple[Any, ...]]
+"""What a call is given for the time that is left."""
+
+
+def moved(name: str, s: Any, inputs: Inputs, t: float, status: Statuses,
+          kind: Type[Any], workers: int) -> Tuple[Any, Any]:
+    """What coin_NAME(s, inputs(t)..., &reached) returns, and the time: by as
+    many calls as that takes."""
+    threads_of(workers)
     target = one(s, kind, write=True)
     if target is None:
-        return _moved_table(name, s, inputs, status, kind)
+        return _moved_table(name, s, inputs, t, status, kind, workers)
     if status is not None:
         raise TypeError("status is for tables")
-    reached = REAL[kind]()
-    try:
-        said = function(name, kind)(target, *inputs, byref(reached))
-    except Error as error:
-        error.done = reached.value
-        raise
-    return said, reached.value
+    return _go_on(function(name, kind), target, inputs, t, 0, CALLS)
 
 
-def _moved_table(name: str, s: Any, inputs: Tuple[Any, ...],
-                 status: Statuses, kind: Type[Any]) -> Tuple[Any, Any]:
+def _go_on(call: Any, target: Any, inputs: Inputs, t: float, done: float,
+           calls: int) -> Tuple[Bits, float]:
+    """At most so many calls if t is infinite."""
+    left = t
+    while True:
+        part = c_double()
+        try:
+            said = call(target, *inputs(left), byref(part))
+        except Error as error:
+            error.done = done + part.value
+            raise
+        done += part.value
+        calls -= 1
+        if not said & MORE or (t == math.inf and calls < 1):
+            return said, done
+        left = t - done
+
+
+def _moved_table(name: str, s: Any, inputs: Inputs, t: float,
+                 status: Statuses, kind: Type[Any],
+                 workers: int) -> Tuple[Any, Any]:
     import numpy
     where = table(s, kind, write=True)
     said = (numpy.empty(where.shape, numpy.int32) if status is None
             else status)
-    reached = read(name, s, *inputs, status=said, write=True, kind=kind)
+    reached = read(name, s, *inputs(t), status=said, write=True, kind=kind,
+                   workers=workers)
+    more = numpy.flatnonzero((said > 0) & (said & MORE > 0))
+
+    def go_on(first: int, length: int) -> None:
+        for index in more[first:first + length].tolist():
+            try:
+                said.flat[index], reached.flat[index] = _go_on(
+                    function(name, kind), where.part(index, 1)[0], inputs,
+                    t, reached.flat[index], CALLS - 1)
+            except Error as error:
+                said.flat[index], reached.flat[index] = (error.status,
+                                                         error.done)
+
+    share_out(len(more), workers, go_on)
     bad = said.reshape(-1) < 0
     if status is None and bad.any():
         index = int(numpy.argmax(bad))
-        raise Error(int(said.flat[index]), reached.flat[index], index).about(
-            where.part(index, 1)[0], inputs)
+        worst = int(said.flat[index])
+        whole = worst in (EARG, EPARAMS)  # of no row in particular
+        raise Error(worst, reached.flat[index], None if whole else index).about(
+            "coin_" + name, (where.part(index, 1)[0], *inputs(t)))
     return said, reached

@@ -137,8 +137,8 @@ def losses_reaction(s: Coins, p: Params, losses: Losses, *,
     return read("losses_reaction", s, p, losses, status=status)
 
 
-def time_to_rest(s: Coins, p: Params, losses: Losses, *,
+def time_to_rest(s: Coins, p: Params, losses: Losses, tol: float = 1e-6, *,
                  status: Statuses = None) -> Any:
-    """The time until a coin near a steady motion lies flat; infinity if
-    nothing stops it.  coin_time_to_rest()"""
-    return read("time_to_rest", s, p, losses, status=status)
+    """The time until a coin rests; infinity if nothing stops it.
+    coin_time_to_rest()"""
+    return read("time_to_rest", s, p, losses, tol, status=status)

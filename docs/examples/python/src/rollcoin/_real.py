@@ -16,8 +16,9 @@ if TYPE_CHECKING:
 Bodies = Union[Body, "numpy.void", "numpy.ndarray[Any, Any]"]
 """A body, a row of an array of dtype Body, or such an array."""
 
-__all__ = ["body_energy", "body_from_motion", "body_from_state", "body_matrix",
-           "body_reaction", "body_slip", "move", "table_check"]
+__all__ = ["body_contact", "body_energy", "body_face", "body_from_motion",
+           "body_from_state", "body_matrix", "body_reaction", "body_strike",
+           "move", "table_check"]
 
 
 def table_check(table: Table, p: Params) -> None:
@@ -44,12 +45,19 @@ def body_from_motion(p: Params, q: Sequence[float], omega: Sequence[float],
 
 
 def move(b: Bodies, p: Params, table: Table, t: float, tol: float = 1e-9,
-         stop: int = 0, *, status: Statuses = None) -> Settled:
-    """Moves b, a Body, a row or an array of numpy of dtype Body, by a time t >= 0, or
-    until one of the bits of stop begins to hold; the status is its mode: OK, it
-    rolls, SLIPS, LIFTS or RESTS, and the bits of stop that hold.
-    coin_move()"""
-    return Settled(*moved("move", b, (p, table, t, tol, stop), status, Body))
+         stop: int = 0, *, status: Statuses = None,
+         workers: int = 1) -> Settled:
+    """Moves b, a Body, a row or an array of numpy of dtype Body, by a time
+    t >= 0, or until it rests, or to the first of the moments that stop names:
+    SLIPS, LIFTS, NEARLY_FLAT, ROLLS, TOUCHES, and without a pull DECIDED.  The
+    status is the mode, OK, it rolls, SLIPS, LIFTS or RESTS, with the bits of
+    the moment.
+
+    workers: how many threads share the rows of an array, -1 for one in each
+    processor; they move them where they are, with the same bits.  Long work
+    with more than one tells on a terminal how far it is.  coin_move()"""
+    return Settled(*moved("move", b, lambda left: (p, table, left, tol, stop),
+                          t, status, Body, workers))
 
 
 def body_energy(b: Bodies, p: Params, *, status: Statuses = None) -> Any:
@@ -64,9 +72,24 @@ def body_reaction(b: Bodies, p: Params, table: Table, *,
     return read("body_reaction", b, p, table, status=status, kind=Body)
 
 
-def body_slip(b: Bodies, p: Params, *, status: Statuses = None) -> Any:
-    """The slip velocity, along x and z.  coin_body_slip()"""
-    return read("body_slip", b, p, status=status, kind=Body)
+def body_contact(b: Bodies, p: Params, *, status: Statuses = None) -> Any:
+    """The velocity of the lowest point: along x and z the slip; along y less
+    than 0 where it touches, by the speed of the impact.  coin_body_contact()"""
+    return read("body_contact", b, p, status=status, kind=Body)
+
+
+def body_strike(b: Union[Body, "numpy.void"], p: Params, J: Sequence[float],
+                r: Sequence[float]) -> None:
+    """A blow: gives b, a Body or a row, the impulse J at the place r from its
+    centre, three numbers each.  coin_body_strike()"""
+    lib.coin_body_strike(coin(b, Body, True), p, vector("J", J, 3),
+                         vector("r", r, 3))
+
+
+def body_face(b: Bodies, p: Params, *, status: Statuses = None) -> Any:
+    """Which side is up: HEADS, TAILS or EDGE, a Face; of an array one of
+    int32.  After DECIDED it is how the coin ends.  coin_body_face()"""
+    return read("body_face", b, p, status=status, kind=Body)
 
 
 def body_matrix(b: Bodies, p: Params, *, status: Statuses = None) -> Any:

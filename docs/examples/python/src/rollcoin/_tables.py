@@ -7,17 +7,17 @@ import ctypes
 import math
 import mmap
 import sys
-import time
 from ctypes import Array, c_double, c_float, c_int32, sizeof
-from typing import (TYPE_CHECKING, Any, Iterator, NamedTuple, Optional, Tuple,
+from typing import (TYPE_CHECKING, Any, NamedTuple, Optional, Tuple,
                     Type, Union)
 
 from ._declarations import (EARG, EPARAMS, PROTOTYPES, Body, Params, Paramsf,
                             State, Statef)
 from ._library import Error, lib
 from ._types import Out, Plain
+from ._workers import share_out
 
-__all__ = ["states"]
+__all__ = ["states", "zeros"]
 
 if TYPE_CHECKING:
     import array
@@ -206,18 +206,15 @@ def states(buffer: Any) -> Any:
     return array
 
 
-# ----------------------------------------------------------------------- slices
-def slices(count: int) -> Iterator[Tuple[int, int]]:
-    """(first, how many) of parts that take some 50 ms each, so that between
-    them Python sees Ctrl-C.  No bit depends on them."""
-    first, length = 0, 1
-    while first < count:
-        length = min(length, count - first)
-        before = time.monotonic()
-        yield first, length
-        taken = time.monotonic() - before
-        first += length
-        length = 2 * length if taken < 0.05 else max(1, length // 2)
+def zeros(shape: Union[int, Tuple[int, ...]],
+          kind: Type[Any] = State) -> "numpy.ndarray[Any, Any]":
+    """An array of numpy of dtype kind, State, Statef or Body, with all
+    members 0, in which array[k] = coin sets a row.  In an array that numpy
+    made, only array[k, ...] = coin does."""
+    import numpy
+
+    from ._rows import Rows
+    return numpy.zeros(shape, kind).view(Rows)
 
 
 # ------------------------------------------------------------------------ calls
@@ -265,7 +262,8 @@ def give(name: str, kind: Type[Any], *inputs: Any) -> Any:
 
 
 def read(name: str, s: Any, *inputs: Any, status: Any = None,
-         write: bool = False, kind: Optional[Type[Any]] = None) -> Any:
+         write: bool = False, kind: Optional[Type[Any]] = None,
+         workers: int = 1) -> Any:
     """coin_NAME(s, inputs...) of a coin, or of each in a table; the kind is
     that of the parameters, unless it is given."""
     kind = kind or (kind_of(inputs[0]) if inputs else None)
@@ -280,9 +278,11 @@ def read(name: str, s: Any, *inputs: Any, status: Any = None,
     size = sizeof(coins.kind)
     try:
         return _rows_of(full, "each_", coins.shape, status, lambda first: (
-            coins.address + first * size, *inputs), 0 if write else math.nan)
+            coins.address + first * size, *inputs), 0 if write else math.nan,
+            workers)
     except Error as error:
-        raise error.about(coins.part(error.index or 0, 1)[0], inputs) from None
+        row = coins.part(error.index or 0, 1)[0]
+        raise error.about(full, (row, *inputs)) from None
 
 
 def times(name: str, t: Any, *inputs: Any, status: Any = None) -> Any:
@@ -296,7 +296,8 @@ def times(name: str, t: Any, *inputs: Any, status: Any = None) -> Any:
 
 
 def _rows_of(full: str, prefix: str, shape: Tuple[int, ...], status: Any,
-             arguments: Any, unwritten: float = math.nan) -> Any:
+             arguments: Any, unwritten: float = math.nan,
+             workers: int = 1) -> Any:
     """Calls a function of tables.h, part by part, with the arguments from a
     row on; returns what it wrote, or else the statuses.  An error leaves what
     it does not write: that is `unwritten`."""
@@ -308,15 +309,16 @@ def _rows_of(full: str, prefix: str, shape: Tuple[int, ...], status: Any,
     if result is not c_int32:
         outs = [_filled(shape, result, 1, unwritten)]
     count = statuses.size
-    worst = 0
-    for first, length in slices(count):
+
+    def some(first: int, length: int) -> None:
         places = [out.ctypes.data + first * (out.nbytes // count)
                   for out in outs]
         before = () if result is c_int32 else (places.pop(),)
-        some = call(length, statuses.ctypes.data + 4 * first, *before,
-                    *arguments(first), *places)
-        worst = min(worst, some)
-    if worst < 0 and status is None:
+        call(length, statuses.ctypes.data + 4 * first, *before,
+             *arguments(first), *places)
+
+    share_out(count, workers, some)
+    if status is None and (statuses < 0).any():
         _raise_first(statuses.reshape(-1))
     return outs[0] if len(outs) == 1 else tuple(outs) or statuses
 

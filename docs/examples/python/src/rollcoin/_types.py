@@ -35,6 +35,12 @@ class Plain(Structure):
 
     __hash__ = None  # type: ignore[assignment]
 
+    def __float__(self) -> float:
+        """What numpy asks for where an array is given a coin for array[k]."""
+        raise TypeError(f"a {type(self).__name__} is no number: array[k, ...] "
+                        "= coin sets a row, as array[k] = coin does in an "
+                        "array of rollcoin.zeros()")
+
     def __reduce__(self) -> Any:
         """For copy and pickle: a worker elsewhere gets the same bytes."""
         return _restored, (type(self), bytes(self))

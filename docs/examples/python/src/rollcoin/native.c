@@ -59,10 +59,17 @@ static int32_t joined(int32_t all, int32_t status)
 
 /* Why a number is NaN: the first error in the order of coin.h; for any other
  * reason it is COIN_EDOMAIN. */
-#define why_coin_energy  coin_state_check
-#define why_coinf_energy coinf_state_check
-#define why_coin_fastest_rate  coin_state_check
+#define why_coin_energy        why_thin
+#define why_coin_fastest_rate  why_thin
+#define why_coinf_energy       coinf_state_check
 #define why_coinf_fastest_rate coinf_state_check
+
+/* coin_state_check() also accepts parameters with a thickness. */
+static int32_t why_thin(const coin_state *s, const coin_params *p)
+{
+    double v[3];
+    return coin_velocity(s, p, v);
+}
 
 static int32_t why_coin_losses_power(const coin_state *s, const coin_params *p,
                                      const coin_losses *l)
@@ -72,16 +79,16 @@ static int32_t why_coin_losses_power(const coin_state *s, const coin_params *p,
 }
 
 static int32_t why_coin_time_to_rest(const coin_state *s, const coin_params *p,
-                                     const coin_losses *l)
+                                     const coin_losses *l, double tol)
 {
-    const int32_t why = coin_losses_check(l, p);
-    return why < 0 ? why : coin_state_check(s, p);
+    coin_state copy = *s;
+    return coin_settle(&copy, p, l, 0, tol, NULL);
 }
 
 static int32_t why_coin_body_energy(const coin_body *b, const coin_params *p)
 {
-    double u[2];
-    return coin_body_slip(b, p, u);
+    double v[3];
+    return coin_body_contact(b, p, v);
 }
 
 #include "tables.h"

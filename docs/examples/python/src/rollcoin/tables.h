@@ -56,7 +56,8 @@ EACH(each_coin_settle, (coin_state *s, const coin_params *p,
      const coin_losses *l, double t, double tol, double *reached),
      coin_settle(s + i, p, l, t, tol, reached + i))
 EACH_NUMBER(coin_time_to_rest, double, (const coin_state *s,
-     const coin_params *p, const coin_losses *l), (s + i, p, l))
+     const coin_params *p, const coin_losses *l, double tol), (s + i, p, l,
+     tol))
 EACH(each_coin_move, (coin_body *b, const coin_params *p,
      const coin_table *table, double t, double tol, int32_t stop,
      double *reached), coin_move(b + i, p, table, t, tol, stop, reached + i))
@@ -65,8 +66,10 @@ EACH_NUMBER(coin_body_energy, double, (const coin_body *b,
 EACH(each_coin_body_reaction, (const coin_body *b, const coin_params *p,
      const coin_table *table, coin_force *out), coin_body_reaction(b + i, p,
      table, out + i))
-EACH(each_coin_body_slip, (const coin_body *b, const coin_params *p, double *u),
-     coin_body_slip(b + i, p, u + 2 * i))
+EACH(each_coin_body_contact, (const coin_body *b, const coin_params *p,
+     double *v), coin_body_contact(b + i, p, v + 3 * i))
+EACH(each_coin_body_face, (const coin_body *b, const coin_params *p),
+     coin_body_face(b + i, p))
 EACH(each_coin_body_matrix, (const coin_body *b, const coin_params *p,
      double *m), coin_body_matrix(b + i, p, m + 16 * i))
 EACH(each_coinf_state_check, (const coinf_state *s, const coinf_params *p),
