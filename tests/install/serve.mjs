@@ -13,10 +13,10 @@ let browser;
 function end(said, code) {
   console.log(said);
   browser.on("close", () => {
-    rmSync(profile, { recursive: true, force: true });
+    rmSync(profile, { recursive: true, force: true, maxRetries: 20 });
     process.exit(code);
   });
-  browser.kill();
+  process.kill(-browser.pid, "SIGKILL"); // and its children, which write into the profile
 }
 
 const server = createServer((request, response) => {
@@ -36,6 +36,6 @@ const server = createServer((request, response) => {
 server.listen(0, "127.0.0.1", () => {
   browser = spawn("chromium", ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
     `--user-data-dir=${profile}`, "--remote-debugging-port=0",
-    `http://127.0.0.1:${server.address().port}/${process.argv[2]}`], { stdio: "ignore" });
+    `http://127.0.0.1:${server.address().port}/${process.argv[2]}`], { detached: true, stdio: "ignore" });
   setTimeout(() => end("the page says nothing", 1), 120e3);
 });
