@@ -678,8 +678,8 @@ typedef struct coin_table {
     double mu_kinetic; /**< while it slips; 0 to the bound of Painleve, Eq. (86)
                             [1] */
     double restitution; /**< of an impact, 0 to 1 [1] */
-    double pull[2]; /**< acceleration along x and z, of a slope or a tray: at
-                         most 100 gravity each [L/T^2] */
+    double pull[2];     /**< acceleration along x and z, of a slope or a tray;
+                             of at most 100 gravity in size [L/T^2] */
     double reserved[3]; /**< must be 0 */
     coin_losses losses; /**< damping must be 0 */
 } coin_table;

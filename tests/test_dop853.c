@@ -25,7 +25,7 @@ static void make_step(coin_priv_moving *g, double h)
     coin_priv_dop853 *const w = &g->step;
     w->of.rates = coin_priv_rates;
     w->of.mode = 0;
-    w->of.most = 1e6;
+    w->of.limit = 1e6;
     check(coin_priv_rates(w->slope[0], w->y, &w->of) == 1);
     check(coin_priv_try_step(w, h) < 1e-6);
 }
@@ -79,7 +79,7 @@ TEST(a_polynomial_without_its_stages_is_the_cubic_of_the_ends)
     coin_priv_dop853 *const w = &g.step;
     coin_priv_within(y, w, x);
     w->has_dense = 0;
-    w->of.most = 0; /* no further stage is sound */
+    w->of.limit = 0; /* no further stage is sound */
     coin_priv_within(y, w, x);
     for (int i = 0; i < COIN_PRIV_READ; ++i) {
         const double from = w->y[i], to = w->end[i];
@@ -234,7 +234,7 @@ TEST(a_slip_does_not_end_where_a_rate_leaves_its_range)
         g.step.y[COIN_PRIV_WY] = beyond ? 1.1e6 : 0;
         g.step.y[COIN_PRIV_UX] = 1e-12;
         g.step.of.mode = g.mode;
-        g.step.of.most = INFINITY;
+        g.step.of.limit = INFINITY;
         check(coin_priv_rates(g.step.slope[0], g.step.y, &g.step.of) == 1);
         check(coin_priv_end_slip(&g) == !beyond);
         check((g.step.y[COIN_PRIV_UX] == 0) == !beyond);

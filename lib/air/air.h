@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A coin under way, in the air and at an impact.
+/* A coin under way, in all modes, and what it does in the air and at an impact.
+ * In contact phi, psi, x and z alone are current (real/move.h).
  *
  * All is in natural units, in which M = a = g = 1.  IX, IZ are I_X/(M a^2),
  * I_Z/(M a^2). */
@@ -8,7 +9,6 @@
 
 #include "../motion/equations.h"
 #include "../motion/state.h"
-#include "../motion/sum.h"
 
 /* A coin: its rates, the sines and cosines of its lean theta and of its heading
  * phi, half its thickness, the height of its centre and the velocity of that.

@@ -33,10 +33,11 @@ void coin_priv_impact(coin_priv_coin *c, double eta, double IX, double IZ,
     const coin_priv_lever d = coin_priv_lever_of(c->th.s, c->th.c, eta);
     const coin_priv_sc ph = c->ph;
     const double P = d.P, Y = d.Y, kx = 1 / IX, kz = 1 / IZ, eta2 = eta * eta;
-    const double wy = 1 + kx * (P * P), o = kx * Y * P / wy;         /* (106) */
-    const double N = (1 + law->restitution) * -u.y / wy;             /* (107) */
-    const double dX = -u.X / (1 + kz + kx * eta2);                   /* (107) */
-    const double dh = -wy / (1 + kx * (1 + eta2)) * (u.h + o * u.y); /* (107) */
+    const double Wyy = 1 + kx * (P * P), o = kx * Y * P / Wyy; /* (106) */
+    const double N = (1 + law->restitution) * -u.y / Wyy;      /* (107) */
+    const double dX = -u.X / (1 + kz + kx * eta2);             /* (107) */
+    const double dh =
+        -Wyy / (1 + kx * (1 + eta2)) * (u.h + o * u.y); /* (107) */
     const double f = part(law, N, sqrt(dX * dX + dh * dh), o * dh);
     const double pX = f * dX, along = f * dh, py = N + o * along;
     c->vx += pX * ph.c + along * ph.s;

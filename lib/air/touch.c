@@ -74,7 +74,9 @@ static void arc_of(struct arc *r, const coin_priv_flight *f, double eta)
         (3 * w + b) * b * w * 2 * D * (fabs(A) + D); /* (103), (117), (124) */
 }
 
-/* The height of the rim's centre; G and its derivatives. */
+/* The height of the rim's centre; G and its derivatives by the time.
+ * look_at() has those of n, the horizontal part of e_Z, by the angle: d, and
+ * the sums nn of n^2, nd of its half slope, nd_slope of the slope of that. */
 struct look {
     double y, G, d, dd;
 };
@@ -85,28 +87,29 @@ static struct look look_at(const struct arc *r, double t)
     const double turned = slows.part * t;  /* from (116) */
     const double w = slows.left * r->rate; /* from (116) */
     const coin_priv_sc half = coin_priv_sincos(r->rate * turned / 2);
-    const double S = 2 * half.s * half.c, C = 2 * half.s * half.s, c = 1 - C;
+    const double S = 2 * half.s * half.c, versine = 2 * half.s * half.s,
+                 cosine = 1 - versine;
     double y = r->y + t * (r->vy - t / 2), v = r->vy - t, lift = -1;
-    double nn = 0, nd = 0, dd = 0;
+    double nn = 0, nd = 0, nd_slope = 0;
     if (r->eta != 0) {
-        const double turn = c * r->c1[2] + S * r->c2[2];
-        y += r->eta * (r->n[2] + S * r->c1[2] + C * r->c2[2]);
+        const double turn = cosine * r->c1[2] + S * r->c2[2];
+        y += r->eta * (r->n[2] + S * r->c1[2] + versine * r->c2[2]);
         v += r->eta * (w * turn);
-        lift += r->eta *
-                (w * w * (c * r->c2[2] - S * r->c1[2]) - r->angular * w * turn);
+        lift += r->eta * (w * w * (cosine * r->c2[2] - S * r->c1[2]) -
+                          r->angular * w * turn);
     }
     for (int i = 0; i < 2; ++i) {
-        const double n = r->n[i] + S * r->c1[i] + C * r->c2[i];
-        const double d = c * r->c1[i] + S * r->c2[i];
+        const double n = r->n[i] + S * r->c1[i] + versine * r->c2[i];
+        const double d = cosine * r->c1[i] + S * r->c2[i];
         nn += n * n;
         nd += n * d;
-        dd += d * d + n * (c * r->c2[i] - S * r->c1[i]);
+        nd_slope += d * d + n * (cosine * r->c2[i] - S * r->c1[i]);
     }
     const struct look at = {
         y,
         y * y - nn, /* (101) */
         2 * (y * v - w * nd),
-        2 * (v * v + y * lift - (w * w * dd - r->angular * w * nd)),
+        2 * (v * v + y * lift - (w * w * nd_slope - r->angular * w * nd)),
     };
     return at;
 }

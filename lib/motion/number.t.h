@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Operations that C has for one number and not for a vector of them. */
+/* Operations that C has for one number and not for a vector of them, and sums
+ * that keep what rounding leaves out. */
 #include "kind.h"
 #include "precision.h"
 
@@ -76,4 +77,25 @@ COIN_PRIV_INLINE number coin_priv_choose(integer mask, number a, number b)
 {
     return coin_priv_of_bits((mask & coin_priv_bits(a)) |
                              (~mask & coin_priv_bits(b)));
+}
+
+/* A sum and what its rounding left out. */
+typedef struct coin_priv_sum {
+    number sum, low;
+} coin_priv_sum;
+
+/* Adds a part, by Knuth's exact sum. */
+COIN_PRIV_INLINE_UNLESS_SMALL void coin_priv_add(coin_priv_sum *to, number part)
+{
+    const number y = part + to->low, sum = to->sum + y;
+    const number of_y = sum - to->sum;
+    to->low = (to->sum - (sum - of_y)) + (y - of_y);
+    to->sum = sum;
+}
+
+/* A sum with a part that is not in it yet. */
+COIN_PRIV_INLINE number coin_priv_total(coin_priv_sum so_far, number part)
+{
+    coin_priv_add(&so_far, part);
+    return so_far.sum;
 }

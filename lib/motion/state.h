@@ -4,6 +4,12 @@
 
 #include "params.h"
 
+/* COIN_NEARLY_FLAT begins below this cos theta (coin.h). */
+#define COIN_PRIV_NEARLY_FLAT 0.01
+
+/* The last lean that coin_state_check() accepts: that of a coin at rest. */
+#define COIN_PRIV_LAST_LEAN (COIN_PRIV_HALF_PI - COIN_PRIV_EPSILON)
+
 /* Whether all members are in range, with x and z up to `far` and the squares of
  * the rates up to w2_max.  NaN is not. */
 COIN_PRIV_INLINE int coin_priv_members_in_range(const coin_state *s, number far,
@@ -33,7 +39,7 @@ COIN_PRIV_INLINE int coin_priv_time_in_range(number t,
 /* A lean that rounding took beyond the last one is the last one. */
 COIN_PRIV_INLINE number coin_priv_lean_clamped(number theta)
 {
-    const number most = COIN_PRIV_HALF_PI - COIN_PRIV_EPSILON;
+    const number most = COIN_PRIV_LAST_LEAN;
     return theta > most ? most : theta < -most ? -most : theta;
 }
 
@@ -80,6 +86,13 @@ COIN_PRIV_INLINE void coin_priv_copy_state(coin_state *to,
 #pragma GCC unroll 16
     for (size_t i = 0; i < sizeof *to / sizeof *numbers; ++i)
         numbers[i] = ((const number *)from)[i];
+}
+
+/* Whether a coin lies flat. */
+COIN_PRIV_INLINE int coin_priv_lies_flat(const coin_state *s)
+{
+    return FABS(s->theta) >= COIN_PRIV_LAST_LEAN && s->wY == 0 &&
+           s->wX * s->theta >= 0;
 }
 
 #endif

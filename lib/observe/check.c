@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/methods.h"
-#include "../motion/rest.h"
 #include "../motion/state.h"
 #include "reaction.h"
 

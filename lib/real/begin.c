@@ -2,7 +2,7 @@
 /* From a state to a coin under way, and back. */
 #include "../motion/pinned.h"
 
-#include "../motion/rest.h"
+#include "../motion/state.h"
 
 #include "move.h"
 

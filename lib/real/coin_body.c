@@ -2,15 +2,15 @@
 /* A coin_body: its ranges, its units and its mode. */
 #include "../motion/pinned.h"
 
-#include "../motion/rest.h"
+#include "../motion/state.h"
 
 #include "coin_body.h"
 
 int coin_priv_body_in_range(const coin_body *b, double length, double rate)
 {
     const double far = COIN_PRIV_PLACE_MAX * length;
-    const double turn = COIN_PRIV_RATE_MAX * rate, fast = turn * length;
-    return coin_priv_members_in_range(&b->s, far, turn * turn) &
+    const double most = COIN_PRIV_RATE_MAX * rate, fast = most * length;
+    return coin_priv_members_in_range(&b->s, far, most * most) &
            (fabs(b->y) <= far) & (fabs(b->vx) <= fast) & (fabs(b->vy) <= fast) &
            (fabs(b->vz) <= fast);
 }
@@ -36,9 +36,9 @@ static void turn_axes(coin_state *s)
     if (w == 0)
         return;
     const coin_priv_sc by = {s->wY / w, -side * (s->wX / w)};
-    const double turn = coin_priv_angle(by);
-    s->phi += turn;
-    s->psi += side * turn;
+    const double angle = coin_priv_angle(by);
+    s->phi += angle;
+    s->psi += side * angle;
     s->wX = -side * w;
     s->wY = 0;
 }
@@ -107,14 +107,14 @@ int coin_priv_coin_mode(const coin_priv_coin *c, const coin_priv_law *l,
     u[0] = u[1] = 0;
     if (!coin_priv_is_low(c))
         return COIN_PRIV_AIR;
-    const double eta = coin_priv_lower_rim(c), turn = fabs(c->wZ);
+    const double eta = coin_priv_lower_rim(c), roll = fabs(c->wZ);
     const coin_priv_rim rim = coin_priv_rim_of(c, eta);
-    const double turns = fabs(c->wX) + turn + (eta != 0 ? fabs(c->wY) : 0);
+    const double turns = fabs(c->wX) + roll + (eta != 0 ? fabs(c->wY) : 0);
     if (fabs(rim.y) > COIN_PRIV_SLIP_LEAST)
         return COIN_PRIV_AIR;
     const double v = sqrt(c->vx * c->vx + c->vz * c->vz);
     if (coin_priv_lies(c))
-        return v + turn <= COIN_PRIV_SLIP_LEAST && holds_on(l) ? COIN_PRIV_RESTS
+        return v + roll <= COIN_PRIV_SLIP_LEAST && holds_on(l) ? COIN_PRIV_RESTS
                                                                : COIN_PRIV_LIES;
     if (stands(c, l, v))
         return COIN_PRIV_RESTS;

@@ -15,9 +15,9 @@ double coin_body_energy(const coin_body *b, const coin_params *p)
         return (double)NAN;
     const coin_state *s = &b->s;
     const double v2 = b->vx * b->vx + b->vy * b->vy + b->vz * b->vz;
-    const double turn =
+    const double rotation =
         of.IX * (s->wX * s->wX + s->wY * s->wY) + of.IZ * s->wZ * s->wZ;
-    return (of.M * v2 + turn) / 2 + of.Mg * b->y; /* (88) */
+    return (of.M * v2 + rotation) / 2 + of.Mg * b->y; /* (88) */
 }
 
 int32_t coin_body_contact(const coin_body *b, const coin_params *p, double v[3])
@@ -55,7 +55,9 @@ int32_t coin_body_matrix(const coin_body *b, const coin_params *p, double m[16])
     return COIN_OK;
 }
 
-/* The force on a coin that touches the table, in natural units. */
+/* The force on a coin that touches the table, in natural units.  The mode is
+ * that of a body as it is given: never HELD, so that the push is times cos
+ * theta. */
 static coin_priv_push touching_force(const coin_priv_coin *c,
                                      const coin_priv_law *l, int mode,
                                      const double u[2])
@@ -68,6 +70,7 @@ static coin_priv_push touching_force(const coin_priv_coin *c,
     const coin_priv_push none = {0, 0, 0};
     if (next & COIN_PRIV_AIR)
         return none;
+    /* A slip that begins has no direction yet. */
     const int slip_begins = next & ~mode & COIN_PRIV_SLIPS;
     coin_priv_push F = coin_priv_push_of(g.step.y, l, next & ~slip_begins);
     if (slip_begins) {

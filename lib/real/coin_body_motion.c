@@ -2,7 +2,7 @@
 /* A coin_body from the motion of an engine's body. */
 #include "../motion/pinned.h"
 
-#include "../motion/rest.h"
+#include "../motion/state.h"
 
 #include "coin_body.h"
 

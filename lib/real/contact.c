@@ -2,6 +2,7 @@
 #include "../motion/pinned.h"
 
 #include "../motion/kind.h"
+#include "../motion/root.h"
 
 #define LANES COIN_PRIV_LANES
 #include "../motion/vector.t.h"
@@ -84,7 +85,7 @@ int coin_priv_rates(double *d, const double *y, const coin_priv_problem *of)
                        fabs(y[COIN_PRIV_WZ]) + fabs(y[COIN_PRIV_UX]) +
                        fabs(y[COIN_PRIV_UH]);
     const int above = y[COIN_PRIV_C] > 0 || of->mode & COIN_PRIV_HELD;
-    if (!(above && isless(sum, of->most)))
+    if (!(above && isless(sum, of->limit)))
         return 0;
     if (!d)
         return 1;

@@ -17,8 +17,8 @@ typedef int coin_priv_rates_function(double *d, const double *y,
 struct coin_priv_problem {
     coin_priv_rates_function *rates;
     const coin_priv_law *law;
-    int mode, by_t;
-    double most; /* a stage whose rates add up to more has run away */
+    int mode, by_t; /* of law.h; on the line that of line.c */
+    double limit;   /* of a stage: each rates() says what it limits */
 };
 
 /* A step from y to end.  slope[0] are the slopes at y, slope[12] those at end

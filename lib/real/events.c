@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
+#include "../motion/root.h"
 #include "move.h"
 
 #include <string.h>

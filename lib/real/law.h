@@ -8,7 +8,6 @@
 #define ROLLCOIN_LAW_H
 
 #include "../air/air.h"
-#include "../motion/root.h"
 #include "../motion/state.h"
 
 #include <math.h>
@@ -45,7 +44,8 @@ enum {
     COIN_PRIV_HELD = 2,   /* the losses keep d(psi)/dt = 0 */
     COIN_PRIV_IDLE = 4,   /* for one step the losses do not act, nor hold the
                              contact: N would be negative */
-    COIN_PRIV_AIR = 8,    /* it does not touch, or lifts off */
+    COIN_PRIV_AIR = 8,    /* it does not touch, lifts off, or comes down: an
+                             impact is due */
     COIN_PRIV_RESTS = 16, /* it does not move; or a contact ended so, which may
                              go on as a slide on the face */
     COIN_PRIV_LIES = 32,  /* it is on its face */
@@ -166,13 +166,13 @@ COIN_PRIV_INLINE coin_priv_slowing coin_priv_slowing_of(const coin_priv_law *l,
     const double Q = -u * coin_priv_grip(l, u, c);
     coin_priv_slowing d = {0, Q * s * l->perJ[1], Q * c * perK}; /* (68) */
     if (COIN_PRIV_RARELY(l->damping + l->spin + l->angular > 0)) {
-        const double fade = l->damping * fabs(u);            /* (66) */
-        const double turn = l->spin * (wY * c - wZ * s) * c; /* (67) */
-        const double all = l->angular * c;                   /* (95) */
+        const double fade = l->damping * fabs(u);             /* (66) */
+        const double pivot = l->spin * (wY * c - wZ * s) * c; /* (67) */
+        const double all = l->angular * c;                    /* (95) */
         /* (68) */
         d.wX -= (fade + all * (l->IX * perJ)) * wX;
-        d.wY -= turn * c * l->perJ[1] + (fade + all) * wY;
-        d.wZ += turn * s * perK - (fade + all * (l->IZ * perK)) * wZ;
+        d.wY -= pivot * c * l->perJ[1] + (fade + all) * wY;
+        d.wZ += pivot * s * perK - (fade + all * (l->IZ * perK)) * wZ;
     }
     return d;
 }

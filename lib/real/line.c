@@ -15,9 +15,10 @@
 enum { RIMS = 2 };
 static const double side[RIMS] = {1, -1};
 
-/* A mode: 1 << i, the rim i sticks; CREEP << i, it creeps: it slips so slowly
- * that its slip has the direction of its slope; else it slips. */
-enum { BOTH = 3, CREEP = 4, BOTH_CREEP = 12 };
+/* The mode of a step on the line: STICKS << i, the rim i sticks; CREEP << i, it
+ * creeps: it slips so slowly that its slip has the direction of its slope; else
+ * it slips. */
+enum { STICKS = 1, BOTH = 3, CREEP = 4, BOTH_CREEP = 12 };
 
 /* A mode ends beyond PAST, and what rounding makes of the direction of a
  * slip. */
@@ -58,9 +59,9 @@ enum { BOTH = 3, CREEP = 4, BOTH_CREEP = 12 };
 
 /* What acts besides friction. */
 struct free_line {
-    double X, h, Y, Z; /* slopes of uX, uh, h wY, wZ */
-    double both, turn; /* what a friction of 1 along e_X adds to uX, h wY */
-    double spun;       /* the moment of spin about e_X */
+    double X, h, Y, Z;  /* slopes of uX, uh, h wY, wZ */
+    double both, apart; /* what a friction of 1 along e_X adds to uX, h wY */
+    double spun;        /* the moment of spin about e_X */
 };
 
 /* What friction does at the two ends. */
@@ -95,10 +96,10 @@ static struct free_line free_of(const double *y, const coin_priv_law *l)
 }
 
 /* The slip of a rim, or its slope. */
-static coin_priv_direction slip(const double *y, double h, int rim)
+static coin_priv_direction slip(const double *y, double half, int rim)
 {
     const coin_priv_direction u = {
-        y[COIN_PRIV_UX] + side[rim] * h * y[COIN_PRIV_WY], y[COIN_PRIV_UH]};
+        y[COIN_PRIV_UX] + side[rim] * half * y[COIN_PRIV_WY], y[COIN_PRIV_UH]};
     return u;
 }
 
@@ -115,10 +116,10 @@ static double sum_of_speeds(const double *y)
 
 /* The normal forces, where the moment of friction and spin about e_X is M with
  * all weight on the rim + or -. */
-static void share(struct ends *e, double h, double plus, double minus)
+static void share(struct ends *e, double half, double plus, double minus)
 {
-    const double to_plus = h - plus, to_minus = minus + h;
-    e->slack = coin_priv_lesser(to_plus, to_minus) / h;
+    const double to_plus = half - plus, to_minus = minus + half;
+    e->slack = coin_priv_lesser(to_plus, to_minus) / half;
     e->over = to_plus < to_minus ? 1 : -1;
     e->N[0] =
         e->slack < 0 ? to_plus < to_minus : to_minus / (to_plus + to_minus);
@@ -158,13 +159,13 @@ static double hold(struct ends *e, const coin_priv_law *l, int mode,
                    double across)
 {
     const struct free_line *const f = &e->f;
-    const int i = (mode & (1 | CREEP)) != 0 ? 0 : 1, j = 1 - i;
-    const double D = f->both + f->turn, mu = l->mu_kinetic;
+    const int i = (mode & (STICKS | CREEP)) != 0 ? 0 : 1, j = 1 - i;
+    const double D = f->both + f->apart, mu = l->mu_kinetic;
     const double M = f->h - f->spun - across;
     share(e, l->half, M, M);
     rub(e, j, mu * e->N[j]);
     const coin_priv_direction P = {
-        (f->X + side[i] * f->Y + (f->both - f->turn) * e->F[j].X) / D,
+        (f->X + side[i] * f->Y + (f->both - f->apart) * e->F[j].X) / D,
         f->h + e->F[j].h}; /* (136) */
     e->F[i].X = -P.X;
     e->F[i].h = -P.h;
@@ -190,10 +191,10 @@ static void creep(struct ends *e, const coin_priv_law *l, int mode)
 }
 
 /* Both rims stick. */
-static void roll_force(struct ends *e, double h)
+static void roll_force(struct ends *e, double half)
 {
     const double M = e->f.h - e->f.spun;
-    share(e, h, M, M);
+    share(e, half, M, M);
     e->F[0].X = e->F[1].X = -e->f.X / (2 * e->f.both); /* (135) */
     e->F[0].h = e->F[1].h = -e->f.h / 2;
 }
@@ -232,7 +233,7 @@ COIN_PRIV_NOINLINE struct ends ends_of(const double *y, const coin_priv_law *l,
         const double per = 1 / coin_priv_larger(length_of(u), TINY);
         e.n[i].X = u.X * per;
         e.n[i].h = u.h * per;
-        if (!(mode & (1 | CREEP) << i))
+        if (!(mode & (STICKS | CREEP) << i))
             e.past += ROUNDED * sum_of_speeds(y) * per;
     }
     if (mode & BOTH)
@@ -285,7 +286,7 @@ static void slopes(double *d, const double *y, const coin_priv_law *l,
     const double sph = y[COIN_PRIV_SPH], cph = y[COIN_PRIV_CPH];
     const double X = e->F[0].X + e->F[1].X;
     memset(d, 0, COIN_PRIV_WIDE * sizeof *d);
-    d[COIN_PRIV_WY] = (e->f.Y + e->f.turn * (e->F[0].X - e->F[1].X)) / l->half;
+    d[COIN_PRIV_WY] = (e->f.Y + e->f.apart * (e->F[0].X - e->F[1].X)) / l->half;
     d[COIN_PRIV_WZ] = e->f.Z + X / l->IZ;
     d[COIN_PRIV_UX] = e->f.X + e->f.both * X;
     d[COIN_PRIV_UH] = e->f.h + e->F[0].h + e->F[1].h;
@@ -306,21 +307,22 @@ static int line_slopes(double *d, const double *y, const coin_priv_problem *of)
     const struct ends e = ends_of(y, l, of->mode);
     const double least = coin_priv_lesser(e.slack, cone_of(&e, l->mu_static));
     for (int i = 0; i < RIMS; ++i)
-        if (of->mode & CREEP << i && length_of(slip(y, l->half, i)) > of->most)
+        if (of->mode & CREEP << i && length_of(slip(y, l->half, i)) > of->limit)
             return 0;
     if (d && least >= -2 * e.past)
         slopes(d, y, l, &e);
     return least >= -2 * e.past;
 }
 
-/* The same of a coin that rolls straight on.  Slower than of->most it rests. */
+/* The same of a coin that rolls straight on.  Slower than of->limit it rests.
+ */
 static int roll_slopes(double *d, const double *y, const coin_priv_problem *of)
 {
     const coin_priv_law *const l = of->law;
     const double wZ = y[COIN_PRIV_WZ];
     const double lost =
         l->lossy ? coin_priv_grip(l, wZ, 1) + l->angular * l->IZ : 0;
-    if (!(fabs(wZ) >= of->most))
+    if (!(fabs(wZ) >= of->limit))
         return 0;
     if (!d)
         return 1;
@@ -342,10 +344,11 @@ static double creep_speed(double tol)
 
 /* The slip of which a rim counts as sticking, if it can be held: in a call, or,
  * with tol 0, of a body. */
-static double least_slip(const double *y, double h, double tol)
+static double least_slip(const double *y, double half, double tol)
 {
     return COIN_PRIV_SLIP_LEAST + STOPS * tol +
-           ROUNDED * (1 + h) * (fabs(y[COIN_PRIV_WY]) + fabs(y[COIN_PRIV_WZ]));
+           ROUNDED * (1 + half) *
+               (fabs(y[COIN_PRIV_WY]) + fabs(y[COIN_PRIV_WZ]));
 }
 
 /* What the rims do. */
@@ -378,11 +381,11 @@ static void stop(double *y, const coin_priv_law *l, const struct ends *e)
     const int mode = e->stops;
     const double u =
         mode == BOTH ? y[COIN_PRIV_UX] : slip(y, l->half, mode - 1).X;
-    const double X = u / (mode == BOTH ? e->f.both : e->f.both + e->f.turn);
+    const double X = u / (mode == BOTH ? e->f.both : e->f.both + e->f.apart);
     y[COIN_PRIV_UX] -= e->f.both * X;
     y[COIN_PRIV_WZ] -= X / l->IZ;
     y[COIN_PRIV_WY] -= mode == BOTH ? y[COIN_PRIV_WY]
-                                    : side[mode - 1] * e->f.turn * X / l->half;
+                                    : side[mode - 1] * e->f.apart * X / l->half;
     y[COIN_PRIV_UH] = 0;
 }
 
@@ -392,8 +395,8 @@ static double within(double h, double most, double slope)
     return h * slope > most ? most / slope : h;
 }
 
-/* The longest step.  *slow: the speed of the slowest slip, or 1. */
-static double longest(const coin_priv_moving *g, double *slow)
+/* The longest step.  *slowest: the speed of the slowest slip, or 1. */
+static double longest(const coin_priv_moving *g, double *slowest)
 {
     const double *const y = g->step.y, *const d = g->step.slope[0];
     const coin_priv_law *const l = &g->law;
@@ -403,12 +406,12 @@ static double longest(const coin_priv_moving *g, double *slow)
         within(g->stride, STABLE, coin_priv_loss_rate(y, l, mode != BOTH));
     if (l->dry + l->rolling > 0)
         h = within(h, WIDTH * roll, fabs(d[COIN_PRIV_WZ]));
-    *slow = 1;
+    *slowest = 1;
     for (int i = 0; i < RIMS; ++i) {
-        if (mode & (1 | CREEP) << i)
+        if (mode & (STICKS | CREEP) << i)
             continue;
         const double u = length_of(slip(y, l->half, i));
-        *slow = coin_priv_lesser(*slow, u);
+        *slowest = coin_priv_lesser(*slowest, u);
         h = within(h, REACH * u, length_of(slip(d, l->half, i)));
     }
     return h;
@@ -419,15 +422,15 @@ static int32_t line_step(coin_priv_moving *g)
 {
     coin_priv_dop853 *const w = &g->step;
     const double left = coin_priv_time_left(g);
-    double slow;
+    double slowest;
     (void)w->of.rates(w->slope[0], w->y, &w->of);
-    const double most_h = longest(g, &slow);
+    const double most_h = longest(g, &slowest);
     const int ends = most_h >= left;
     const double h = ends ? left : most_h;
     const double error = coin_priv_try_step(w, h);
     const double most =
         coin_priv_lesser(ESTIMATE * g->tol * coin_priv_larger(h, SHORTEST),
-                         FINE * slow) +
+                         FINE * slowest) +
         4 * DBL_EPSILON * sum_of_speeds(w->y);
     const double by = coin_priv_lesser(4, coin_priv_next_length(error, most));
     --g->tries;
@@ -440,11 +443,11 @@ static int32_t line_step(coin_priv_moving *g)
 }
 
 /* Whether a rim that is to stick slips faster than that of a body may. */
-static int stops(const double *y, double h, int mode)
+static int stops(const double *y, double half, int mode)
 {
-    const double least = least_slip(y, h, 0);
-    return (mode & 1 && length_of(slip(y, h, 0)) > least) ||
-           (mode & 2 && length_of(slip(y, h, 1)) > least);
+    const double least = least_slip(y, half, 0);
+    return (mode & 1 && length_of(slip(y, half, 0)) > least) ||
+           (mode & 2 && length_of(slip(y, half, 1)) > least);
 }
 
 /* Whether a coin that rolls has come to rest. */
@@ -490,9 +493,9 @@ static int32_t go(coin_priv_moving *g, int *why, int *over)
     int32_t status = COIN_OK;
     *why = look(g, 1, over);
     of->rates = of->mode == BOTH ? roll_slopes : line_slopes;
-    of->most = of->mode != BOTH            ? 2 * creep_speed(g->tol)
-               : holds(g->step.y, &g->law) ? COIN_PRIV_SLIP_LEAST - PAST
-                                           : 0;
+    of->limit = of->mode != BOTH            ? 2 * creep_speed(g->tol)
+                : holds(g->step.y, &g->law) ? COIN_PRIV_SLIP_LEAST - PAST
+                                            : 0;
     g->stride = FIRST / sum_of_speeds(g->step.y);
     while (status == COIN_OK && *why == COIN_PRIV_LINE_GOES && g->tries > 0 &&
            coin_priv_time_left(g) > 0) {

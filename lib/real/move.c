@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "../motion/rest.h"
+#include "../motion/state.h"
 
 #include "move.h"
 
@@ -257,8 +257,8 @@ static void first_slopes(coin_priv_moving *g)
     of->rates = g->slow > 0 ? coin_priv_slow_rates : coin_priv_rates;
     of->mode = g->mode;
     of->by_t = 0;
-    of->most = RUNAWAY * (1 + fabs(y[COIN_PRIV_WX]) + fabs(y[COIN_PRIV_WY]) +
-                          fabs(y[COIN_PRIV_WZ]) + slip_speed(y));
+    of->limit = RUNAWAY * (1 + fabs(y[COIN_PRIV_WX]) + fabs(y[COIN_PRIV_WY]) +
+                           fabs(y[COIN_PRIV_WZ]) + slip_speed(y));
     (void)of->rates(g->step.slope[0], y, of);
 }
 
@@ -345,13 +345,14 @@ static int32_t make_step(coin_priv_moving *g)
     const double stride = try_steps(g, &ends);
     if (stride == 0)
         return COIN_OK;
-    double cut[COIN_PRIV_WIDE], turn = stride;
+    double cut[COIN_PRIV_WIDE], radians = stride;
     if (is_followed(g) && !ends) {
         /* The strides of a slip are shorter than the coin's own turn. */
         const double u = slip_speed(g->step.y);
-        turn = w->h * coin_priv_rate(g->step.y, &g->law, g->mode) * u / (u + 1);
+        radians =
+            w->h * coin_priv_rate(g->step.y, &g->law, g->mode) * u / (u + 1);
     }
-    const int whole = !coin_priv_first_event(cut, g, turn);
+    const int whole = !coin_priv_first_event(cut, g, radians);
     double *const to = whole ? w->end : cut;
     if (g->slow > 0)
         coin_priv_end_slow(g, to);
@@ -454,9 +455,9 @@ void coin_priv_moments(coin_priv_moving *g, int32_t is)
 double coin_priv_undecided(const coin_priv_coin *c, const coin_priv_law *l)
 {
     const double v2 = c->vx * c->vx + c->vy * c->vy + c->vz * c->vz;
-    const double turn =
+    const double rotation =
         l->IX * (c->wX * c->wX + c->wY * c->wY) + l->IZ * (c->wZ * c->wZ);
-    return (v2 + turn) / 2 + c->y - coin_priv_barrier(l->half);
+    return (v2 + rotation) / 2 + c->y - coin_priv_barrier(l->half);
 }
 
 /* The bits of coin_priv_moments() of a mode in contact. */

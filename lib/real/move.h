@@ -4,7 +4,7 @@
 #ifndef ROLLCOIN_MOVE_H
 #define ROLLCOIN_MOVE_H
 
-#include "../motion/rest.h"
+#include "../motion/state.h"
 #include "dop853.h"
 
 /* The longest stride.  The losses' own rate is then followed in steps of at
@@ -36,10 +36,12 @@ typedef struct coin_priv_moving {
 
     coin_priv_coin c; /* of a coin in contact, only phi, psi, x and z: step.y
                          has the rest until the contact ends */
-    int changed;      /* whether the coin is not as it was at the start */
+    int changed; /* whether the coin is not as it was when the call began; in a
+                    contact, when that did */
 
     int mode;      /* COIN_PRIV_SLIPS ... */
-    double stride; /* the length of steps, over 1/rate; 0 is not known */
+    double stride; /* the length of steps, over 1/rate, on the line a time; 0 is
+                      not known */
     double slow;   /* in the step of a slow slip, (onset.c), the speed up to
                       which it is slow; its uX, uh are those of (1 + u) n, so
                       that u has a sign; else 0 */

@@ -164,7 +164,7 @@ int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
     const int32_t status = coin_priv_check(s, p, &b);
     if (status != COIN_OK)
         return status;
-    if (!(LONG * time * sqrt(b.g_a) <= 1e15))
+    if (!(LONG * time * sqrt(b.g_a) <= COIN_PRIV_TIME_MAX))
         return COIN_EARG;
     struct search f = {s, p, l, time, TRIES};
     struct tried guess = try_factor(&f, 1, LONG);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../motion/pinned.h"
 
-#include "../motion/rest.h"
+#include "../motion/state.h"
 
 #include "move.h"
 #include "settle.h"

@@ -24,14 +24,14 @@ int32_t coin_body_strike(coin_body *b, const coin_params *p, const double J[3],
     const coin_priv_variables y = coin_priv_variables_of(&b->s);
     coin_priv_axes(&y, R);
     const double inertia[3] = {of.IX, of.IX, of.IZ};
-    double turn[3];
+    double rates[3];
     for (int i = 0; i < 3; ++i)
-        turn[i] = (R[3 * i] * torque[0] + R[3 * i + 1] * torque[1] +
-                   R[3 * i + 2] * torque[2]) /
-                  inertia[i]; /* (129) */
-    to.s.wX += turn[0];
-    to.s.wY += turn[1];
-    to.s.wZ += turn[2];
+        rates[i] = (R[3 * i] * torque[0] + R[3 * i + 1] * torque[1] +
+                    R[3 * i + 2] * torque[2]) /
+                   inertia[i]; /* (129) */
+    to.s.wX += rates[0];
+    to.s.wY += rates[1];
+    to.s.wZ += rates[2];
     to.vx += J[0] / of.M; /* (129) */
     to.vy += J[1] / of.M;
     to.vz += J[2] / of.M;

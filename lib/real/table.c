@@ -3,7 +3,7 @@
 
 #include "law.h"
 
-/* The most of a component of a pull, in g. */
+/* The largest size of a pull, in g. */
 #define PULL_MOST 100
 
 /* Sets what a thickness and a pull change; per: 1/g. */

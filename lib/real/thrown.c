@@ -197,14 +197,14 @@ static void stand(coin_priv_coin *c)
 static int32_t hit(coin_priv_moving *g, double up)
 {
     const coin_priv_law *const l = &g->law;
-    const int slow = up > -PLASTIC; /* (114) */
+    const int is_plastic = up > -PLASTIC; /* (114) */
     const coin_priv_bounce law = {
-        slow ? 0 : l->restitution,
+        is_plastic ? 0 : l->restitution,
         l->mu_static,
         l->mu_kinetic,
     };
     coin_priv_coin to = g->c;
-    if (slow && to.th.c < l->flat)
+    if (is_plastic && to.th.c < l->flat)
         lie_down(&to, l); /* (115) */
     else if (to.th.c <= COIN_PRIV_TOUCH_GAP && to.wX == 0)
         to.vy *= -law.restitution; /* no point is lowest */

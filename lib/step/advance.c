@@ -6,7 +6,7 @@
 #pragma GCC optimize("rename-registers")
 #endif
 
-#include "../motion/rest.h"
+#include "../motion/state.h"
 
 #include "advance.h"
 #include "rk4.h"

@@ -21,7 +21,6 @@
 
 #include "../motion/methods.t.h"
 
-#include "../motion/sum.t.h"
 #include "progress.t.h"
 
 #include "rk4.t.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* How far a run has come, and the loop around its steps. */
 #include "../motion/methods.h"
-#include "../motion/sum.h"
 
 #include "../motion/kind.h"
 

@@ -196,7 +196,7 @@ namespace Rollcoin
         public double mu_kinetic;
         /// of an impact, 0 to 1 [1]
         public double restitution;
-        /// acceleration along x and z, of a slope or a tray: at most 100 gravity each [L/T^2]
+        /// acceleration along x and z, of a slope or a tray; of at most 100 gravity in size [L/T^2]
         public double pull_0, pull_1;
         readonly double reserved_0, reserved_1, reserved_2;
         /// damping must be 0

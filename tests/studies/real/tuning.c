@@ -20,7 +20,7 @@
 
 #include "air/air.h"
 #include "exact/pieces.h"
-#include "motion/rest.h"
+#include "motion/state.h"
 #include "step/extrapolation.h"
 
 #include <math.h>

@@ -227,8 +227,8 @@ class Table(Plain):
                  +infinity [1]
     mu_kinetic   while it slips; 0 to the bound of Painleve, Eq. (86) [1]
     restitution  of an impact, 0 to 1 [1]
-    pull         acceleration along x and z, of a slope or a tray: at most 100
-                 gravity each [m/s^2]
+    pull         acceleration along x and z, of a slope or a tray; of at most
+                 100 gravity in size [m/s^2]
     reserved     must be 0
     losses       damping must be 0
 
