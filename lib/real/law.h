@@ -87,7 +87,7 @@ typedef struct coin_priv_law {
     double J[2], K[2]; /* I_X + 1 + h^2 and I_Z + 1 of a coin that rolls; I_X
                           and I_Z of one that slips */
     double perJ[2];    /* 1/J */
-    double perK[2];    /* 1/(I_Z D) with D of (118), 1/K where h = 0; 1/I_Z */
+    double perK[2];    /* 1/(I_Z D) with D of (120), 1/K where h = 0; 1/I_Z */
     double damping, dry, viscous, layer, gap, rolling, spin, angular, soft;
     double flat; /* a coin with a smaller cos theta lies flat */
     double mu_static, mu_kinetic, restitution;
