@@ -2,7 +2,7 @@
 /* What a general solver is given, in natural units, M = a = g = 1: (14)-(20)
  * with one division and no tangent, as a careful user would write them; or the
  * same with the sines and cosines of lean and heading as variables, as the
- * library has them, (32). */
+ * library has them, (31). */
 #ifndef RATES_H
 #define RATES_H
 
