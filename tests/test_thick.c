@@ -817,7 +817,26 @@ TEST(a_thick_toss_comes_to_rest)
 }
 
 /* Upright it slips on one rim and hardly on the other, which stops and over
- * which it tips. */
+ * which it tips: it rolls on that rim, and neither rim is lower yet. */
+TEST(a_rim_that_stops_rolls_though_no_rim_is_lower)
+{
+    const coin_params p = cylinder(0.0721);
+    const coin_table f = {
+        .mu_static = 0.4, .mu_kinetic = 0.3, .losses = {.dry = 2e-3}};
+    coin_body b = {.s = {.wY = 2.747, .wZ = 0.1542},
+                   .y = 1,
+                   .vx = 0.0721 * 2.747 - 0.1542,
+                   .vz = 1.14e-5};
+    const int32_t stop = COIN_ROLLS | COIN_SLIPS;
+    double moved;
+    check_status(coin_move(&b, &p, &f, 1, 1e-6, stop, &moved), COIN_ROLLS);
+    check(moved < 1e-3 && b.s.theta == 0 && b.s.wX == 0 && b.s.wY > 2);
+    check_near(hypot(b.vx, b.vz), 0.0721 * b.s.wY - b.s.wZ, 1e-13);
+    check_status(coin_move(&b, &p, &f, 0, 1e-6, stop, NULL), COIN_OK);
+    check_status(coin_move(&b, &p, &f, 0.1, 1e-6, stop, &moved), COIN_OK);
+    check_near(moved, 0.1, 0);
+}
+
 /* A rim 2e-16 above the other one comes down, and back: both are on the table.
  */
 TEST(a_coin_does_not_hop_where_its_rims_are_equally_low)
