@@ -275,6 +275,27 @@ TEST(every_status_that_coin_h_documents_is_among_the_cases)
     check(count >= 50);
 }
 
+/* Of moments and modes together the text is that of the first of these. */
+TEST(what_ends_a_loop_is_said_whatever_else_holds)
+{
+    static const int32_t first[] = {COIN_RESTS, COIN_MORE, COIN_DECIDED,
+                                    COIN_ROLLS, COIN_TOUCHES};
+    enum { FIRST = sizeof first / sizeof *first };
+    for (int k = 0; k < FIRST; ++k) {
+        int32_t others = 2 * COIN_NEARLY_FLAT - 1;
+        for (int i = k + 1; i < FIRST; ++i)
+            others |= first[i];
+        for (int32_t with = 0; with <= others; ++with) {
+            check_note("%d with %d", (int)first[k], (int)with);
+            if ((with & others) == with)
+                check(strcmp(coin_status_string(first[k] | with),
+                             coin_status_string(first[k])) == 0);
+        }
+        check(k == 0 || strcmp(coin_status_string(first[k]),
+                               coin_status_string(first[k - 1])) != 0);
+    }
+}
+
 TEST(any_other_number_is_unknown)
 {
     const int32_t others[] = {COIN_ERANGE - 1, -1000, INT32_MIN, 1000,

@@ -44,8 +44,8 @@ COIN_PRIV_INLINE int coin_priv_method_is_known(int32_t method)
 #ifdef COIN_PRIV_FLOAT
     return method == COIN_RK4;
 #else
-    return method >= 0 && (size_t)method < sizeof coin_priv_reaches /
-                                               sizeof *coin_priv_reaches;
+    const size_t count = sizeof coin_priv_reaches / sizeof *coin_priv_reaches;
+    return (size_t)method < count;
 #endif
 }
 
