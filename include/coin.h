@@ -159,7 +159,7 @@ enum {
     COIN_ROLLS = 32,      /**< a slip or a flight has ended, and it rolls */
     COIN_TOUCHES = 64,    /**< the coin comes down on the table */
     COIN_MORE = 128,      /**< the steps of one call did not suffice: it has
-                               moved by *reached */
+                               moved by `reached` */
     COIN_DECIDED = 256    /**< which side ends up is decided */
 };
 
@@ -729,7 +729,8 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  *                   of them after its start, located to tol natural units
  * @return the mode at the end, or-ed with the moments that ended the call: 0,
  * it rolls; COIN_SLIPS; COIN_LIFTS, in the air, or an impact is due;
- * COIN_RESTS, all rates and velocities are 0.  COIN_MORE: 11,000 trials of
+ * COIN_RESTS, all rates and velocities are 0.  So COIN_SLIPS says that it
+ * slips, not that a slip begins: see MOMENTS.  COIN_MORE: 11,000 trials of
  * steps did not suffice; COIN_ERANGE: a member of b would leave its range; b is
  * then the body at *reached.  COIN_EARG also for tol or stop; COIN_ESTATE also
  * for a body below the table; COIN_ESTEP if t is out of range.
@@ -755,7 +756,12 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  *                     sqrt(a^2 + h^2): coin_body_face() is how it ends.  With a
  *                     pull COIN_EARG
  * At COIN_SLIPS and COIN_LIFTS the members still roll or touch; the mode is
- * what begins.  A loop that tells each moment of a frame:
+ * what begins.  To tell a moment from a mode, keep `before`, the status of the
+ * call before.  With COIN_TOUCHES and COIN_ROLLS in stop, a slip begins if
+ * status & ~before & COIN_SLIPS; the coin leaves the table without an impact if
+ * status & ~before & COIN_LIFTS, and not COIN_TOUCHES.  The time moved may be
+ * 0: after an impact that does not bounce a slip begins at the same moment.  A
+ * loop that tells each moment of a frame:
  *
  *     for (left = frame; left > 0 && status >= 0 && !(status & COIN_RESTS);
  *          left -= moved)

@@ -60,7 +60,7 @@ namespace Rollcoin
         ROLLS = 32,
         /// the coin comes down on the table
         TOUCHES = 64,
-        /// the steps of one call did not suffice: it has moved by *reached
+        /// the steps of one call did not suffice: it has moved by `reached`
         MORE = 128,
         /// which side ends up is decided
         DECIDED = 256,

@@ -413,7 +413,7 @@ class Bits(IntFlag):
     ROLLS        a slip or a flight has ended, and it rolls
     TOUCHES      the coin comes down on the table
     MORE         the steps of one call did not suffice: it has moved by
-                 *reached
+                 `reached`
     DECIDED      which side ends up is decided
     """
     SLIPS = 1
