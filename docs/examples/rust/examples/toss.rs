@@ -3,7 +3,7 @@
 //! heads.
 //!
 //!     cargo run --release --example toss [COINS]
-use rollcoin::{Body, Losses, Params, State, Status, Table};
+use rollcoin::{Body, Face, Losses, Params, State, Status, Table};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let count = std::env::args().nth(1).map_or(Ok(10_000), |n| n.parse())?;
@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             ..Body::default()
         };
         coin.move_by(&p, &table, f64::INFINITY, 1e-6, Status::OK)?;
-        heads += i32::from(coin.s.theta < 0.0);
+        heads += i32::from(coin.face(&p)? == Face::Heads);
     }
     println!("{heads} of {count} show heads");
     Ok(())

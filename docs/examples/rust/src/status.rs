@@ -88,6 +88,7 @@ impl<T: fmt::Display + fmt::Debug> std::error::Error for Stopped<T> {}
 /// let stop = Status::SLIPS | Status::TOUCHES;
 /// assert!(stop.contains(Status::SLIPS) && !stop.contains(Status::LIFTS));
 /// assert_eq!(format!("{stop:?}"), "SLIPS | TOUCHES");
+/// assert_eq!(stop - Status::SLIPS, Status::TOUCHES);
 /// ```
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub struct Status(u32);
@@ -143,6 +144,15 @@ impl std::ops::BitOr for Status {
     type Output = Status;
     fn bitor(self, other: Status) -> Status {
         Status(self.0 | other.0)
+    }
+}
+
+/// The bits that the other has not.  A slip begins where `(status - before)`
+/// has [`Status::SLIPS`], `before` the status of the call before.
+impl std::ops::Sub for Status {
+    type Output = Status;
+    fn sub(self, other: Status) -> Status {
+        Status(self.0 & !other.0)
     }
 }
 

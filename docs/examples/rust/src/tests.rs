@@ -131,6 +131,10 @@ fn statuses_say_what_they_are() {
     assert_eq!(format!("{bits:?}"), "SLIPS | COARSE");
     assert_eq!(bits.bits(), 5);
     assert!(bits.contains(Status::COARSE) && !bits.contains(Status::RESTS));
+    let both = Status::SLIPS | Status::LIFTS;
+    assert_eq!(bits - both, Status::COARSE);
+    assert_eq!(both - bits, Status::LIFTS);
+    assert_eq!(bits - bits, Status::OK);
     for status in [-1, -2, -3, -4, -5, -6, -7, -9] {
         assert_eq!(status::checked(status).unwrap_err().status(), status);
     }
