@@ -198,13 +198,14 @@ def advance(s: Coins, p: Params, t: float, tol: float = 1e-9, *,
 
 
 class Settled(NamedTuple):
-    """What settle() and move() return."""
+    """What settle() and move() return: (status, reached), the Bits and the time
+    moved by in this call."""
     status: Statuses
     """The Bits, RESTS at rest; MORE if an infinite time needs more than 100
     calls of the library, which have moved the coin by `reached`.  Of a table an
     array."""
     reached: Any
-    """The time moved by; of a table an array."""
+    """The time moved by in this call; of a table an array."""
 
 
 def settle(s: Coins, p: Params, losses: Losses, t: float, tol: float = 1e-9, *,

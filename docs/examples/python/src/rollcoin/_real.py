@@ -51,7 +51,7 @@ def move(b: Bodies, p: Params, table: Table, t: float, tol: float = 1e-9,
     t >= 0, or until it rests, or to the first of the moments that stop names:
     SLIPS, LIFTS, NEARLY_FLAT, ROLLS, TOUCHES, and without a pull DECIDED.  The
     status is the mode, OK, it rolls, SLIPS, LIFTS or RESTS, with the bits of
-    the moment.
+    the moment.  Gives (status, reached), the time moved by in this call.
 
     workers: how many threads share the rows of an array, -1 for one in each
     processor; they move them where they are, with the same bits.  Long work
