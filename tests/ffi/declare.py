@@ -4,6 +4,7 @@
 
     declare.py csharp INCLUDE       rollcoin.cs, the whole of it
     declare.py typescript INCLUDE   rollcoin.d.ts, the types of rollcoin.mjs
+    declare.py javascript INCLUDE   rollcoin.mjs, which it reads, with its lists
 """
 import sys
 
@@ -218,13 +219,18 @@ def csharp(include):
     yield "    }\n}"
 
 
-# ------------------------------------------------------------------ TypeScript
+# ------------------------------------------------------- TypeScript, JavaScript
 TYPESCRIPT = '''\
 // SPDX-License-Identifier: MIT
 // The types of rollcoin.mjs: by `make bindings-update`.
 
-/** What the library is given by a pointer: from struct() or doubles(). */
+/** What the library is given by a pointer: from struct(), doubles(), ... */
 export type Doubles = Float64Array;
+/** From ints(). */
+export type Ints = Int32Array;
+/** From longs(). */
+export type Longs = BigUint64Array;
+export type StructName = keyof Structs;
 '''
 LOADED = '''\
 
@@ -234,28 +240,55 @@ export function load(bytes?: BufferSource): Promise<Coin>;
 export interface Coin {
   /** So many zeros. */
   doubles(count: number): Doubles;
+  /** The same, for an int32_t or size_t. */
+  ints(count: number): Ints;
+  /** The same, for a uint64_t. */
+  longs(count: number): Longs;
   /** The zeros of a struct of coin.h. */
-  struct(name: StructName): Doubles;
+  struct<Name extends StructName>(name: Name): Structs[Name];
+  /** An array of C's, which is passed by the first. */
+  structs<Name extends StructName>(name: Name, count: number): Structs[Name][];
   /** A coin_losses of these, or the losses of a coin_table. */
-  losses(named: Losses, into?: Doubles): Doubles;'''
+  losses(named: Losses): coin_losses;
+  losses<Into extends coin_losses | coin_table>(named: Losses, into: Into): Into;'''
+# The memory of WebAssembly has less than 2^31 bytes.
+ARRAYS = {"double": "Doubles", "int32_t": "Ints", "size_t": "Ints",
+          "uint64_t": "Longs"}
 
 
 def script_type(name, kind):
     if kind.name == "char":
         return "string"
     if kind.pointers or kind.length:
-        return "Doubles | null"
+        return ARRAYS["double" if kind.name.startswith("coin_")
+                      else kind.name] + " | null"
     return "bigint" if kind.name == "uint64_t" else "number"
 
 
+def script_member(member, kind):
+    if kind.name == "double" and not kind.length:
+        return f"{member}: number;"
+    return f"readonly {member}: {ARRAYS.get(kind.name, kind.name)};"
+
+
 def typescript(include):
-    found = doubles_only(header.read(include))
-    losses = [m for m in found.structs["coin_losses"] if m != "reserved"]
-    names = " | ".join(f'"{name}"' for name in found.structs)
+    found, said = doubles_only(header.read(include)), header.comments(include)
     yield TYPESCRIPT.rstrip("\n")
-    yield f"export type StructName = {names};"
+    losses = [m for m in found.structs["coin_losses"] if not is_spare(m)]
     yield f"export type Losses = {{ {'; '.join(m + '?: number' for m in losses)} }};"
+    yield f"export type Structs = {{ {'; '.join(f'{s}: {s}' for s in found.structs)} }};"
+    yield "\n// The structs of coin.h: members by name, or by place."
+    for name, struct in found.structs.items():
+        yield f"export interface {name} extends Doubles {{"
+        for member, kind in struct.items():
+            if not is_spare(member):
+                text = said[name][1].get(member)
+                comment = f"/** {text} */ " if text else ""
+                yield f"  {comment}{script_member(member, kind)}"
+        yield "}"
     yield LOADED
+    for name in sum(found.enums, []):
+        yield f"  /** {said['enums'][name]} */ readonly {name}: number;"
     for function, (kind, arguments) in found.functions.items():
         if function != "coin_sizeof":
             given = ", ".join(f"{WORDS.get(a, a)}: {script_type(a, k)}"
@@ -264,8 +297,42 @@ def typescript(include):
     yield "}"
 
 
+# Between these lines rollcoin.mjs has what coin.h says.
+FROM = "// From coin.h, by `make bindings-update`; members by their places, in doubles:\n"
+UNTIL = "// Until here.\n"
+
+
+def script_place(kind, offset, size):
+    """A number, or where an array or a struct begins and ends."""
+    place = [offset // 8, (offset + size) // 8]
+    if kind.name != "double":
+        return f'[{place[0]}, {place[1]}, "{kind.name}"]'
+    return place if kind.length else place[0]
+
+
+def javascript(include):
+    found, values = doubles_only(header.read(include)), header.constants(include)
+    at = {member: (int(offset), int(size)) for member, _, offset, _, size in
+          (line.split() for line in header.layout(include) if "." in line)}
+    before, rest = sys.stdin.read().split(FROM)
+    yield before + FROM + "const CONSTANTS = {"
+    for names in found.enums:
+        yield "  " + " ".join(f"{name}: {values[name]}," for name in names)
+    yield "};\nconst STRUCTS = {"
+    for name, struct in found.structs.items():
+        places = ", ".join(
+            f"{member}: {script_place(kind, *at[f'{name}.{member}'])}"
+            for member, kind in struct.items() if not is_spare(member))
+        yield f"  {name}: {{ {places} }},"
+    texts = ", ".join(f'"{function}"' for function, (kind, _)
+                      in found.functions.items() if kind.pointers)
+    yield f"}};\nconst TEXTS = [{texts}];"
+    yield UNTIL + rest.split(UNTIL)[1].rstrip("\n")
+
+
 if __name__ == "__main__":
-    kinds = {"csharp": csharp, "typescript": typescript}
+    kinds = {"csharp": csharp, "typescript": typescript,
+             "javascript": javascript}
     if len(sys.argv) != 3 or sys.argv[1] not in kinds:
         sys.exit(__doc__)
     print(*kinds[sys.argv[1]](sys.argv[2]), sep="\n")

@@ -47,11 +47,13 @@ rust_declarations --no-layout-tests >"$work/ffi.rs" ||
 
 "$PYTHON" "$here/declare.py" csharp "$SRC/include" >"$work/rollcoin.cs"
 "$PYTHON" "$here/declare.py" typescript "$SRC/include" >"$work/rollcoin.d.ts"
+"$PYTHON" "$here/declare.py" javascript "$SRC/include" \
+    <"$examples/js/rollcoin.mjs" >"$work/rollcoin.mjs"
 
 if test "${1:-}" = update; then
     cp "$work/_declarations.py" "$work/tables.h" "$package"
     cp "$work/rollcoin.cs" "$examples/csharp"
-    cp "$work/rollcoin.d.ts" "$examples/js"
+    cp "$work/rollcoin.d.ts" "$work/rollcoin.mjs" "$examples/js"
     cp "$work/ffi.rs" "$raw"
     echo "bindings: declarations renewed"
     exit
@@ -63,6 +65,7 @@ diff "$raw" "$work/ffi.rs" || differs "Rust's declarations"
 diff "$examples/csharp/rollcoin.cs" "$work/rollcoin.cs" || differs "rollcoin.cs"
 diff "$examples/js/rollcoin.d.ts" "$work/rollcoin.d.ts" ||
     differs "rollcoin.d.ts"
+diff "$examples/js/rollcoin.mjs" "$work/rollcoin.mjs" || differs "rollcoin.mjs"
 
 # The same by another route: what the C compiler, ctypes and rustc make of it.
 "$PYTHON" "$here/header.py" "$SRC/include" layout >"$work/layout.c.txt"

@@ -71,17 +71,22 @@ echo "passes  undrifted"
 both="Python's declarations; Rust's declarations"
 three="$both; rollcoin.cs"
 all="$three; rollcoin.d.ts"
+five="$all; rollcoin.mjs"
 update=": make bindings-update"
-drift "a member inserted" "$three; Python's layout$update" include/coin.h \
+drift "a member inserted" "$five; Python's layout$update" include/coin.h \
     's/^    double normal; /    double extra; double normal; /'
-drift "two members in each other's place" "$three; Python's layout$update" \
+drift "two members in each other's place" "$five; Python's layout$update" \
     include/coin.h '/^    double wY;/{h;d};/^    double wZ;/{G;}'
 drift "an argument of another type" "$three$update" include/coin.h \
     's/size_t count/int32_t count/'
 drift "an argument gone" "$all$update" include/coin.h \
     's/const coin_params \*p, double dt);/const coin_params *p);/'
-drift "a constant with another value" "$three$update" include/coin.h \
-    's/COIN_ESTEP = -3/COIN_ESTEP = -99/'
+drift "a constant with another value" "$three; rollcoin.mjs$update" \
+    include/coin.h 's/COIN_ESTEP = -3/COIN_ESTEP = -99/'
+drift "a constant added" "$five$update" include/coin.h \
+    's;COIN_DECIDED = 256 .*;COIN_DECIDED = 256, /**< a */ COIN_NEW = 512 /**< b */;'
+drift "an array of another type" "$all$update" include/coin.h \
+    's/int32_t \*status/double *status/'
 drift "a function added" "$all; C++'s calls; Rust's calls$update" include/coin.h \
     's/^COIN_API uint32_t coin_version(void);/&\nCOIN_API double coin_new(void);/'
 drift "a kind of type that no binding knows" "pycparser cannot read coin.h" \
@@ -108,6 +113,8 @@ drift "a member moved in C#" "differ: rollcoin.cs$update" \
     docs/examples/csharp/rollcoin.cs '/public double wY;/{h;d};/public double wZ;/{G;}'
 drift "a function gone from rollcoin.d.ts" "differ: rollcoin.d.ts$update" \
     docs/examples/js/rollcoin.d.ts '/coin_settle(/d'
+drift "a constant gone from rollcoin.mjs" "differ: rollcoin.mjs$update" \
+    docs/examples/js/rollcoin.mjs 's/COIN_TOUCHES: 64, //'
 
 fresh
 BINDGEN=/nowhere/bindgen

@@ -1,10 +1,79 @@
 // SPDX-License-Identifier: MIT
 // The types of rollcoin.mjs: by `make bindings-update`.
 
-/** What the library is given by a pointer: from struct() or doubles(). */
+/** What the library is given by a pointer: from struct(), doubles(), ... */
 export type Doubles = Float64Array;
-export type StructName = "coin_params" | "coin_state" | "coin_force" | "coin_orbit" | "coin_losses" | "coin_table" | "coin_body";
+/** From ints(). */
+export type Ints = Int32Array;
+/** From longs(). */
+export type Longs = BigUint64Array;
+export type StructName = keyof Structs;
 export type Losses = { damping?: number; dry?: number; viscous?: number; layer?: number; gap?: number; rolling?: number; spin?: number; angular?: number; soft?: number; flat?: number };
+export type Structs = { coin_params: coin_params; coin_state: coin_state; coin_force: coin_force; coin_orbit: coin_orbit; coin_losses: coin_losses; coin_table: coin_table; coin_body: coin_body };
+
+// The structs of coin.h: members by name, or by place.
+export interface coin_params extends Doubles {
+  /** M [M] */ mass: number;
+  /** a, of the rim that rolls [L] */ radius: number;
+  /** g [L/T^2] */ gravity: number;
+  /** I_X = I_Y, about a diameter [M L^2] */ inertia_X: number;
+  /** I_Z, about the axis [M L^2] */ inertia_Z: number;
+  /** between the two rims, 0 or 1e-4 to 4 radii; of a thin coin, which most functions ask for, 0 [L] */ thickness: number;
+}
+export interface coin_state extends Doubles {
+  /** lean, -pi/2 < theta < pi/2 [rad] */ theta: number;
+  /** heading, |phi| <= 2^31 [rad] */ phi: number;
+  /** roll, |psi| <= 2^31 [rad] */ psi: number;
+  /** of the centre [L] */ x: number;
+  /** of the centre [L] */ z: number;
+  /** omega_X = d(theta)/dt [1/T] */ wX: number;
+  /** omega_Y [1/T] */ wY: number;
+  /** omega_Z [1/T] */ wZ: number;
+}
+export interface coin_force extends Doubles {
+  /** in the table frame x, y, z [M L/T^2] */ readonly R: Doubles;
+  /** N = R_y [M L/T^2] */ normal: number;
+  /** F = sqrt(R_x^2 + R_z^2) [M L/T^2] */ friction: number;
+  /** F/N [1]; +infinity if N <= 0 */ ratio: number;
+}
+export interface coin_orbit extends Doubles {
+  /** of theta; 0 if the motion is steady [T] */ period: number;
+  /** what phi gains in it [rad] */ heading_per_period: number;
+  /** what psi gains in it [rad] */ roll_per_period: number;
+  /** the turning points of the lean [rad] */ theta_min: number;
+  theta_max: number;
+  /** x, z of the centre of the annulus that the path fills; NaN if it drifts [L] */ readonly center: Doubles;
+  /** of the annulus; NaN if it drifts [L] */ radius_min: number;
+  radius_max: number;
+  /** x, z of the displacement per period, if heading_per_period is k 2 pi; else 0 [L] */ readonly drift: Doubles;
+  /** growth of rounding in a period, >= 1 [1] */ conditioning: number;
+}
+export interface coin_losses extends Doubles {
+  /** a torque damping |d(psi)/dt| times the angular momentum; of a coin that rolls [1] */ damping: number;
+  /** a torque against the rolling of the contact along the rim, independent of its rate [M L^2/T^2] */ dry: number;
+  /** the same, proportional to that rate [M L^2/T] */ viscous: number;
+  /** the same, to its power 3/2: the boundary layer of the air [M L^2/T^(1/2)] */ layer: number;
+  /** the same, to the rate over cos(theta): the air in the gap below the coin [M L^2/T] */ gap: number;
+  /** dry times cos(theta): the rolling moment of engines [M L^2/T^2] */ rolling: number;
+  /** pivoting friction: a torque proportional to the turn about the vertical [M L^2/T] */ spin: number;
+  /** the angular damping of engines: the torque -angular (I_X wX, I_X wY, I_Z wZ) [1/T] */ angular: number;
+  /** the rate of roll below which dry and rolling fade; 0 stands for sqrt(g/a)/1024 [1/T] */ soft: number;
+  /** a coin whose cos(theta) comes below this lies flat; 0 stands for 1e-6 [rad] */ flat: number;
+}
+export interface coin_table extends Doubles {
+  /** of Coulomb's friction, before the contact slips; mu_kinetic to +infinity [1] */ mu_static: number;
+  /** while it slips; 0 to the bound of Painleve, Eq. (86) [1] */ mu_kinetic: number;
+  /** of an impact, 0 to 1 [1] */ restitution: number;
+  /** acceleration along x and z, of a slope or a tray; of at most 100 gravity in size [L/T^2] */ readonly pull: Doubles;
+  /** damping must be 0 */ readonly losses: coin_losses;
+}
+export interface coin_body extends Doubles {
+  /** where it is and how it turns */ readonly s: coin_state;
+  /** height of the centre [L] */ y: number;
+  /** velocity of the centre [L/T] */ vx: number;
+  vy: number;
+  vz: number;
+}
 
 /** Of the bytes of rollcoin.wasm; by itself of that which is beside this file. */
 export function load(bytes?: BufferSource): Promise<Coin>;
@@ -12,14 +81,46 @@ export function load(bytes?: BufferSource): Promise<Coin>;
 export interface Coin {
   /** So many zeros. */
   doubles(count: number): Doubles;
+  /** The same, for an int32_t or size_t. */
+  ints(count: number): Ints;
+  /** The same, for a uint64_t. */
+  longs(count: number): Longs;
   /** The zeros of a struct of coin.h. */
-  struct(name: StructName): Doubles;
+  struct<Name extends StructName>(name: Name): Structs[Name];
+  /** An array of C's, which is passed by the first. */
+  structs<Name extends StructName>(name: Name, count: number): Structs[Name][];
   /** A coin_losses of these, or the losses of a coin_table. */
-  losses(named: Losses, into?: Doubles): Doubles;
+  losses(named: Losses): coin_losses;
+  losses<Into extends coin_losses | coin_table>(named: Losses, into: Into): Into;
+  /** done */ readonly COIN_OK: number;
+  /** parameters, losses or a table out of range */ readonly COIN_EPARAMS: number;
+  /** a state or a body out of range */ readonly COIN_ESTATE: number;
+  /** dt or t out of range, or a step beyond its method */ readonly COIN_ESTEP: number;
+  /** null pointer, unknown method, branch or bit, tol */ readonly COIN_EARG: number;
+  /** no such steady motion, period or losses; or not a steady motion */ readonly COIN_EDOMAIN: number;
+  /** the coin falls flat within the time asked */ readonly COIN_EFLAT: number;
+  /** not the pinned bits: coin_selftest() */ readonly COIN_EBUILD: number;
+  /** phi, psi, a place or a rate would leave its range, or a step is refused within 16 rad or radii of its end */ readonly COIN_ERANGE: number;
+  /** F > mu N > 0: a real coin slips */ readonly COIN_SLIPS: number;
+  /** N <= 0; of a body: it is off the table */ readonly COIN_LIFTS: number;
+  /** |dt| coin_fastest_rate() is above 0.35 (RK4), 1 (RK8), 0.08, 0.16 (symplectic methods) */ readonly COIN_COARSE: number;
+  /** cos(theta) < 0.01 */ readonly COIN_NEARLY_FLAT: number;
+  /** the coin lies flat, or stands, and stays */ readonly COIN_RESTS: number;
+  /** a slip or a flight has ended, and it rolls */ readonly COIN_ROLLS: number;
+  /** the coin comes down on the table */ readonly COIN_TOUCHES: number;
+  /** the steps of one call did not suffice: it has moved by *reached */ readonly COIN_MORE: number;
+  /** which side ends up is decided */ readonly COIN_DECIDED: number;
+  /** the +Z side is up: theta < 0 */ readonly COIN_HEADS: number;
+  /** the other side is up */ readonly COIN_TAILS: number;
+  /** upright, or it would fall back on its edge */ readonly COIN_EDGE: number;
+  /** classical Runge-Kutta, order 4 */ readonly COIN_RK4: number;
+  /** Dormand-Prince, 12 stages, order 8 */ readonly COIN_RK8: number;
+  /** kick-drift-kick with the exact drift, order 2 */ readonly COIN_SYMPLECTIC2: number;
+  /** Chin 4A with the exact drift, order 4 */ readonly COIN_SYMPLECTIC4: number;
   coin_step(s: Doubles | null, p: Doubles | null, dt: number): number;
-  coin_run(s: Doubles | null, p: Doubles | null, method: number, dt: number, steps: bigint, done: Doubles | null): number;
-  coin_sample(start: Doubles | null, p: Doubles | null, method: number, dt: number, steps_per_sample: bigint, count: number, result: Doubles | null, done: Doubles | null): number;
-  coin_batch_run(s: Doubles | null, count: number, p: Doubles | null, method: number, dt: number, steps: bigint, status: Doubles | null): number;
+  coin_run(s: Doubles | null, p: Doubles | null, method: number, dt: number, steps: bigint, done: Longs | null): number;
+  coin_sample(start: Doubles | null, p: Doubles | null, method: number, dt: number, steps_per_sample: bigint, count: number, result: Doubles | null, done: Ints | null): number;
+  coin_batch_run(s: Doubles | null, count: number, p: Doubles | null, method: number, dt: number, steps: bigint, status: Ints | null): number;
   coin_advance(s: Doubles | null, p: Doubles | null, t: number, tol: number, reached: Doubles | null): number;
   coin_method_name(method: number): string;
   coin_params_disc(p: Doubles | null, mass: number, radius: number, gravity: number): number;
