@@ -5,13 +5,14 @@
 #   make page         builds it from docs/page: one file, the library within
 #   make page-preview draws docs/page/preview.jpg, which links to the page show
 #   make js           build/js, the package of docs/examples/js
-#   make js-check     its tests pass
+#   make js-check     its tests pass, also those of its types
 #   make page-check   it gives this computer's bits, works in Chromium and
 #                     Firefox, and its C listing prints its digits
 #
 # The first two need what need-wasm says, as `make cross` does, the first also
 # binaryen and zopfli; the last node, npm, chromium and firefox-esr: npm installs
-# what drives the browsers, and axe-core, in build/page/npm.
+# what drives the browsers, and axe-core, in build/page/npm.  js-check needs node
+# and tsc.
 
 PAGE      := $(SRC)/docs/page
 PAGE_OUT  := $(O)/page
@@ -104,7 +105,7 @@ JS_NAMES = __heap_base $(shell sed -n 's/^ *\(coin_[a-z_]*\);/\1/p' \
 
 js: $(JS_WASM) ## build/js, the library as WebAssembly, a package of npm's
 	cp $(addprefix $(JS)/,rollcoin.mjs rollcoin.d.ts package.json README.md) \
-	    $(SRC)/LICENSE $(<D)
+	    $(SRC)/LICENSE $(SRC)/include/coin.h $(<D)
 
 $(JS_WASM): $(filter-out $(patsubst %.c,$(PAGE_OUT)/%.o,$(notdir $(PAGE_C))),\
               $(PAGE_OBJ))
@@ -112,8 +113,9 @@ $(JS_WASM): $(filter-out $(patsubst %.c,$(PAGE_OUT)/%.o,$(notdir $(PAGE_C))),\
 	clang --target=wasm32-wasi $(PAGE_LINK) $(JS_NAMES:%=-Wl,--export=%) \
 	    -Wl,--initial-memory=4194304 -o $@ $^ -lm
 
-js-check: $(JS_WASM) ## the tests of docs/examples/js pass
+js-check: $(JS_WASM) ## the tests of docs/examples/js pass, of its types too
 	node $(SRC)/tests/ffi/test_js.mjs $(JS_WASM)
+	tsc --noEmit --strict --target es2022 --module nodenext $(SRC)/tests/ffi/types_js.mts
 	mkdir -p $(O)/js/empty
 	! PATH=$(abspath $(O))/js/empty $$(command -v $(MAKE)) -f $(SRC)/Makefile \
 	    need-wasm >$(O)/js/needs 2>&1
