@@ -26,13 +26,16 @@ done
 want=$("$OUT/toss")
 echo "$want" | grep -qE '^(heads|tails|edge) after 0\.[0-9]{6} s$' || die "toss.c: $want"
 
-# toss FOLDER LANGUAGE: what the README says, and the program in it.
-toss()
+# section FOLDER LANGUAGE TITLE: the blocks of this language there in the README.
+section()
 {
-    sed -n '/^## A toss/,/^## [^A]/p' "$examples/$1/README.md" |
+    sed -n "/^## $3\$/,/^## /p" "$examples/$1/README.md" |
         sed -n "/^\`\`\`$2\$/,/^\`\`\`\$/{/^\`/d;p}" | grep . ||
-        die "$1/README.md has no toss"
+        die "$1/README.md has no '$3'"
 }
+
+# toss FOLDER LANGUAGE: what the README says, and the program in it.
+toss() { section "$1" "$2" "A toss"; }
 
 # ends FOLDER COMMAND...: what it prints is as in its README, and as in C.
 ends()
@@ -100,9 +103,13 @@ js()
     quiet npm install --offline --no-audit --no-fund "$packages/rollcoin-$VERSION.tgz"
     toss js js >toss.mjs
     ends js node toss.mjs
-    # Its types: the toss has them, and a wrong call is refused.
+    # What goes on below the toss.
+    { toss js js && section js js "Frame by frame"; } >frames.mjs
+    { toss js text && section js text "Frame by frame"; } >"$room/expected"
+    node frames.mjs | diff "$room/expected" - || die "js/README.md: other frames"
+    # Its types: both have them, and a wrong call is refused.
     types="tsc --noEmit --strict --allowJs --checkJs --target es2022 --module nodenext"
-    quiet $types toss.mjs
+    quiet $types toss.mjs frames.mjs
     sed 's/Infinity, 1e-6/Infinity, "1e-6"/' toss.mjs >wrong.mjs
     ! $types wrong.mjs >"$room/log" && grep -q "not assignable" "$room/log" ||
         die "rollcoin.d.ts lets a text pass for a number"
