@@ -271,6 +271,34 @@ TEST(the_matrix_of_a_thick_coin_has_its_centre)
     }
 }
 
+/* v + omega x r, with r from the axes: along that of the coin to the lower
+ * face, and down the face to the rim. */
+TEST(the_velocity_of_the_contact_is_that_of_the_lowest_point)
+{
+    struct random r = random_begin(16);
+    for (int i = 0; i < 50; ++i) {
+        coin_params p = random_cylinder(&r, 1e-2, 2);
+        const coin_body b = random_toss(&r, &p, 3, 2);
+        const double half = p.thickness / 2;
+        double m[16], v[3], at[3], w[3];
+        check_note("seed 16, coin %d", i);
+        check_status(coin_body_contact(&b, &p, v), COIN_OK);
+        coin_state s = b.s;
+        s.psi = p.thickness = 0; /* the axes do not roll */
+        check_status(coin_matrix(&s, &p, m), COIN_OK);
+        const double up = m[9], along = up > 0 ? -half : half;
+        const double per = 1 / sqrt(1 - up * up);
+        for (int k = 0; k < 3; ++k) {
+            const double down = up * m[8 + k] - (k == 1);
+            at[k] = along * m[8 + k] + per * down;
+            w[k] = b.s.wX * m[k] + b.s.wY * m[4 + k] + b.s.wZ * m[8 + k];
+        }
+        check_near(v[0], b.vx + w[1] * at[2] - w[2] * at[1], 1e-13);
+        check_near(v[1], b.vy + w[2] * at[0] - w[0] * at[2], 1e-13);
+        check_near(v[2], b.vz + w[0] * at[1] - w[1] * at[0], 1e-13);
+    }
+}
+
 /* --------------------------------------------------------------- forces */
 /* The acceleration of the centre, by differences of the fourth order. */
 static void acceleration(double a[3], const coin_body *b, const coin_params *p,

@@ -716,31 +716,34 @@ TEST(any_throw_is_silent_and_its_body_is_accepted)
 }
 
 /* A thousandth within each range, and a thousandth beyond it: the top of the
- * flight, the place and the speed at its end, and wX of a coin that turns. */
+ * flight, the place and the speed at its end, without a pull and with one, and
+ * wX of a coin that turns. */
 TEST(a_flight_goes_on_up_to_the_ranges)
 {
     const coin_params p = thrown_params(0.25, 0.5);
-    const coin_table f = {.restitution = 0};
     for (int side = -1; side <= 1; side += 2) {
         const double part = 1 + side * 1e-3, turn = part * 1e6 / sqrt(2);
         const struct {
             coin_body b;
-            double t;
-            int32_t beyond;
+            double t, pull[2];
         } starts[] = {
-            {{.y = 2, .vy = sqrt(part * 2e9)}, 1e5, COIN_ERANGE},
-            {{.y = 1e4, .s.x = part * 1e9 - 1e7, .vx = 1e6}, 10, COIN_ERANGE},
-            {{.y = 1e4, .s.z = 1e7 - part * 1e9, .vz = -1e6}, 10, COIN_ERANGE},
-            {{.y = 1e9, .vy = 1 - 1e6}, part, COIN_ERANGE},
-            {{.y = 1e4, .s = {.wX = turn, .wY = turn}}, 10, COIN_ERANGE},
+            {{.y = 2, .vy = sqrt(part * 2e9)}, 1e5, {0, 0}},
+            {{.y = 1e4, .s.x = part * 1e9 - 1e7, .vx = 1e6}, 10, {0, 0}},
+            {{.y = 1e4, .s.z = 1e7 - part * 1e9, .vz = -1e6}, 10, {0, 0}},
+            {{.y = 1e9, .vy = 1 - 1e6}, part, {0, 0}},
+            {{.y = 1e4, .s = {.wX = turn, .wY = turn}}, 10, {0, 0}},
+            {{.y = 1e4, .vx = 999000}, part * 10, {100, 0}},
+            {{.y = 1e4, .vz = -999000}, part * 10, {0, -100}},
         };
         for (size_t i = 0; i < sizeof starts / sizeof *starts; ++i) {
+            const coin_table f = {
+                .pull = {starts[i].pull[0], starts[i].pull[1]}};
             coin_body b = starts[i].b;
             check_note("start %zu, side %d", i, side);
             const int32_t status =
                 coin_move(&b, &p, &f, starts[i].t, 1e-6, COIN_TOUCHES, NULL);
             if (side > 0)
-                check_status(status, starts[i].beyond);
+                check_status(status, COIN_ERANGE);
             else
                 check_status(status & ~COIN_TOUCHES, COIN_LIFTS);
         }

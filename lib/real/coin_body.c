@@ -18,8 +18,7 @@ int coin_priv_body_in_range(const coin_body *b, double length, double rate)
 int coin_priv_coin_in_range(const coin_priv_coin *c)
 {
     const double far = COIN_PRIV_PLACE_MAX, fast = COIN_PRIV_RATE_MAX;
-    return (fabs(c->phi.sum) <= COIN_PRIV_ANGLE_MAX) &
-           (fabs(c->psi.sum) <= COIN_PRIV_ANGLE_MAX) & (fabs(c->x.sum) <= far) &
+    return (fabs(c->psi.sum) <= COIN_PRIV_ANGLE_MAX) & (fabs(c->x.sum) <= far) &
            (fabs(c->z.sum) <= far) & (fabs(c->y) <= far) &
            (fabs(c->wX) <= fast) & (fabs(c->wY) <= fast) &
            (fabs(c->wZ) <= fast) & (fabs(c->vx) <= fast) &

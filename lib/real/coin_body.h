@@ -31,7 +31,8 @@ COIN_PRIV_INLINE int coin_priv_lies(const coin_priv_coin *c)
  * rates are in range. */
 int coin_priv_body_in_range(const coin_body *b, double length, double rate);
 
-/* The same of a coin under way. */
+/* The same of a coin under way, but for phi: a contact looks at that itself,
+ * and nothing else takes it out of its range. */
 int coin_priv_coin_in_range(const coin_priv_coin *c);
 
 /* Sets *c to a body of a coin with these constants, after the checks of the
