@@ -3,6 +3,8 @@
 #include "support/check.h"
 #include "support/thrown.h"
 
+#include <law.h>
+
 #include <math.h>
 #include <string.h>
 
@@ -770,6 +772,78 @@ TEST(the_turn_near_flat_depends_on_the_square_of_the_thickness)
         check_note("half = %g", half);
         check_near(turn_near_flat(&p), PI * sqrt((k + 1) / k), 1e-3);
     }
+}
+
+/* ------------------------------------------------------------ lift-off */
+/* How fast the gap under a coin that nothing holds would close, times cos
+ * theta, (96), (123). */
+static double closing(const double *y, const coin_priv_law *l)
+{
+    const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
+    const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
+    const double spin = l->IZ / l->IX * c * y[COIN_PRIV_WZ] + s * wY;
+    return c - c * (c + l->eta * s) * (wX * wX) + (s - l->eta * c) * wY * spin;
+}
+
+/* The slope of that in a slip without friction, by a difference. */
+static double closing_slope(const double *y, const coin_priv_law *l, double *dt)
+{
+    const coin_priv_direction none = {0, 0};
+    const double e = 1e-6;
+    double d[COIN_PRIV_WIDE], before[COIN_PRIV_WIDE], after[COIN_PRIV_WIDE];
+    (void)coin_priv_slopes(d, y, l, COIN_PRIV_SLIPS | COIN_PRIV_IDLE, none);
+    for (int i = 0; i < COIN_PRIV_WIDE; ++i) {
+        before[i] = y[i] - e * d[i];
+        after[i] = y[i] + e * d[i];
+    }
+    *dt = d[COIN_PRIV_ADDS_T];
+    return (closing(after, l) - closing(before, l)) / (2 * e);
+}
+
+/* A coin whose gap opens no faster than `opens` of what closes it within
+ * coin_priv_blind() stays. */
+TEST(a_coin_lifts_off_where_its_gap_stays_open)
+{
+    struct random r = random_begin(17);
+    const int count = tries_asked(400);
+    int leave = 0, stay = 0;
+    for (int i = 0; i < count; ++i) {
+        const coin_params p = random_cylinder(&r, 1e-2, 1);
+        const coin_table f = random_table(&r, &p);
+        const double half = p.thickness / 2, part = random_between(&r, 0, 2);
+        const double lean = random_between(&r, -1.4, 1.4);
+        coin_priv_constants b;
+        coin_priv_law l;
+        double y[COIN_PRIV_WIDE] = {0}, dt;
+        check(coin_priv_check_thick(&b, &p) == COIN_OK);
+        check(coin_priv_table_law(&l, &f, &b, half) == COIN_OK);
+        l.eta = lean < 0 ? -half : half;
+        y[COIN_PRIV_S] = sin(lean);
+        y[COIN_PRIV_C] = cos(lean);
+        y[COIN_PRIV_WY] = random_between(&r, -2, 2);
+        y[COIN_PRIV_WZ] = random_between(&r, -2, 2);
+        y[COIN_PRIV_UX] = 1;
+        y[COIN_PRIV_CPH] = 1;
+        /* wX at which the gap opens by part of that */
+        double opens = 0, slope = 0;
+        for (int k = 0; k < 4; ++k) {
+            y[COIN_PRIV_WX] = 0;
+            const double rest = closing(y, &l) + opens;
+            y[COIN_PRIV_WX] = 1;
+            const double per = closing(y, &l) + opens - rest;
+            y[COIN_PRIV_WX] = (i % 2 ? 1 : -1) * sqrt(fabs(rest / per));
+            slope = closing_slope(y, &l, &dt);
+            opens = part * fabs(slope) * coin_priv_blind(y) / dt;
+        }
+        if (fabs(closing(y, &l) + opens) > 1e-12 || fabs(part - 1) < 1e-3)
+            continue;
+        check_note("seed 17, coin %d, part %g, slope %g", i, part, slope);
+        check(coin_priv_leaves(y, &l) == (slope < 0 || part > 1));
+        leave += slope > 0 && part > 1;
+        stay += slope > 0 && part < 1;
+    }
+    check_within(leave, count / 10, count);
+    check_within(stay, count / 10, count);
 }
 
 /* ------------------------------------------------------------- a pull */
