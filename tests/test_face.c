@@ -236,6 +236,33 @@ TEST(the_moment_is_located_in_a_slide)
     }
 }
 
+/* In the first steps of a slip, which are written otherwise, the energy is that
+ * of the members too. */
+TEST(the_moment_is_located_where_a_slip_begins)
+{
+    static const struct {
+        double mu_static, mu_kinetic, viscous;
+        coin_state s;
+    } cases[] = {
+        {0.2311, 0.2217, 0.0283, {1.03626, 0, 0, 0, 0, 0.1968, 1.9291, 0.2645}},
+        {0.3723, 0.3522, 0.0119, {0.74842, 0, 0, 0, 0, 0.4145, 1.1856, 0.1782}},
+        {0.2783, 0.2763, 0.0144, {1.18299, 0, 0, 0, 0, 0.4230, 1.9324, 0.2708}},
+    };
+    const coin_params p = thrown_params(0.25, 0.5);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const coin_table f = {.mu_static = cases[i].mu_static,
+                              .mu_kinetic = cases[i].mu_kinetic,
+                              .losses = {.viscous = cases[i].viscous}};
+        for (double tol = 1e-9; tol < 1e-2; tol *= 3) {
+            coin_body b = rolling(&cases[i].s, &p);
+            check_note("case %zu, tol %g", i, tol);
+            check_status(coin_move(&b, &p, &f, 5, tol, COIN_DECIDED, NULL),
+                         COIN_DECIDED | COIN_SLIPS);
+            check_within(coin_body_energy(&b, &p), 1 - tol, 1);
+        }
+    }
+}
+
 /* An impact decides at once. */
 TEST(an_impact_decides)
 {

@@ -55,12 +55,11 @@ static double slow_speed(const double *y)
  * members are rounded too. */
 static double undecided(const coin_priv_moving *g, const double *y)
 {
-    const double part = g->slow > 0 ? slow_speed(y) / (1 + slow_speed(y)) : 1;
     double at[COIN_PRIV_READ];
     coin_priv_coin c;
     memcpy(at, y, sizeof at);
-    at[COIN_PRIV_UX] *= part;
-    at[COIN_PRIV_UH] *= part;
+    if (g->slow > 0)
+        coin_priv_end_slow(g, at);
     coin_priv_normalize_pair(&at[COIN_PRIV_SPH], &at[COIN_PRIV_CPH]);
     coin_priv_set_contact(&c, at, g->law.eta);
     return coin_priv_undecided(&c, &g->law) + 4 * COIN_PRIV_BEYOND;
