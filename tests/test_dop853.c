@@ -3,9 +3,11 @@
  * holds a contact. */
 #include "support/check.h"
 #include "support/coins.h"
+#include "support/random.h"
 
 #include "move.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -239,4 +241,97 @@ TEST(a_slip_does_not_end_where_a_rate_leaves_its_range)
         check(coin_priv_end_slip(&g) == !beyond);
         check((g.step.y[COIN_PRIV_UX] == 0) == !beyond);
     }
+}
+
+static int refuses_ends(double *d, const double *y, const coin_priv_problem *of)
+{
+    return d ? coin_priv_rates(d, y, of) : 0;
+}
+
+TEST(a_step_is_refused_whose_end_means_nothing)
+{
+    static coin_priv_moving g;
+    make_step(&g, 0.1);
+    g.step.of.rates = refuses_ends;
+    check(coin_priv_try_step(&g.step, 0.1) > DBL_MAX);
+}
+
+/* The polynomial of a step may fall through the table. */
+TEST(below_the_table_losses_are_numbers)
+{
+    const coin_losses layer = {.layer = 1};
+    const coin_params p = disc();
+    coin_priv_constants b;
+    coin_priv_law law;
+    check_status(coin_priv_check_params(&b, &p), COIN_OK);
+    check_status(coin_priv_law_of(&law, &layer, &b), COIN_OK);
+    for (int side = -1; side <= 1; side += 2)
+        check(isfinite(coin_priv_grip(&law, side * 0.1, -0.1)));
+}
+
+/* d/dtau of the roll speed c wZ + s wY of a coin that slips as y says. */
+static double roll_slope(const double *y, const coin_priv_law *l)
+{
+    const double u = sqrt(y[COIN_PRIV_UX] * y[COIN_PRIV_UX] +
+                          y[COIN_PRIV_UH] * y[COIN_PRIV_UH]);
+    const coin_priv_direction n = {y[COIN_PRIV_UX] / u, y[COIN_PRIV_UH] / u};
+    double d[COIN_PRIV_WIDE];
+    (void)coin_priv_slopes(d, y, l, COIN_PRIV_SLIPS, n);
+    return d[COIN_PRIV_C] * y[COIN_PRIV_WZ] + y[COIN_PRIV_C] * d[COIN_PRIV_WZ] +
+           d[COIN_PRIV_S] * y[COIN_PRIV_WY] + y[COIN_PRIV_S] * d[COIN_PRIV_WY];
+}
+
+/* Where the losses hold the contact of a coin that slips, a roll as slow as
+ * they may leave out becomes slower; where the friction of the slip is too
+ * large for them, it does not. */
+TEST(losses_hold_a_slip_against_its_friction)
+{
+    struct random r = random_begin(19);
+    const int count = tries_asked(2000);
+    int held = 0, pushed = 0;
+    for (int i = 0; i < count; ++i) {
+        const double half = i % 2 ? random_between(&r, 0.02, 1) : 0;
+        const coin_table f = {
+            .mu_static = 0.4,
+            .mu_kinetic = 0.3,
+            .losses = {.dry = pow(10, random_between(&r, -4, 0)),
+                       .soft = pow(10, random_between(&r, -9, -3))}};
+        coin_params p = disc();
+        coin_priv_constants b;
+        coin_priv_law l;
+        double y[COIN_PRIV_WIDE] = {0};
+        p.thickness = 2 * half;
+        check_status(coin_priv_check_thick(&b, &p), COIN_OK);
+        check_status(coin_priv_table_law(&l, &f, &b, half), COIN_OK);
+        const double c = pow(10, random_between(&r, -3, -0.3));
+        const double side = random_between(&r, -1, 1) < 0 ? -1 : 1;
+        const double s = side * sqrt(1 - c * c),
+                     way = random_between(&r, -3, 3);
+        const double turn = i % 3 ? 0 : random_between(&r, -0.1, 0.1);
+        l.eta = side * half;
+        y[COIN_PRIV_WX] = random_between(&r, -1, 1);
+        y[COIN_PRIV_S] = s;
+        y[COIN_PRIV_C] = c;
+        y[COIN_PRIV_UX] = cos(way);
+        y[COIN_PRIV_UH] = sin(way);
+        y[COIN_PRIV_CPH] = 1;
+        check_note("seed 19, slip %d", i);
+        for (int sign = -1; sign <= 1; sign += 2) {
+            double roll = 1e-6;
+            do {
+                roll *= 0.9;
+                y[COIN_PRIV_WY] = turn * c + sign * roll * s;
+                y[COIN_PRIV_WZ] = -turn * s + sign * roll * c;
+            } while (roll > 1e-20 &&
+                     !coin_priv_is_held(y, &l, COIN_PRIV_SLIPS, 1e-6));
+            const double slope = sign * roll_slope(y, &l);
+            held += roll > 1e-20;
+            if (roll > 1e-20)
+                check(slope < 0);
+            else
+                pushed += slope > 0;
+        }
+    }
+    check_within(held, count / 20, 2 * count);
+    check_within(pushed, count / 20, 2 * count);
 }

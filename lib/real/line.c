@@ -25,11 +25,9 @@ enum { STICKS = 1, BOTH = 3, CREEP = 4, BOTH_CREEP = 12 };
 #define PAST 1e-12
 #define ROUNDED (16 * DBL_EPSILON)
 
-/* As ESTIMATE and SHORTEST of move.c; and the part of the speed of a slip that
- * an error may be: it would turn the direction of the slip. */
+/* As ESTIMATE and SHORTEST of move.c. */
 #define ESTIMATE 2.0
 #define SHORTEST 0.03
-#define FINE 1e-3
 
 /* What bounds the length of a step.
  * FIRST: the first step takes at most so many times the time in which the
@@ -395,8 +393,8 @@ static double within(double h, double most, double slope)
     return h * slope > most ? most / slope : h;
 }
 
-/* The longest step.  *slowest: the speed of the slowest slip, or 1. */
-static double longest(const coin_priv_moving *g, double *slowest)
+/* The longest step. */
+static double longest(const coin_priv_moving *g)
 {
     const double *const y = g->step.y, *const d = g->step.slope[0];
     const coin_priv_law *const l = &g->law;
@@ -406,13 +404,11 @@ static double longest(const coin_priv_moving *g, double *slowest)
         within(g->stride, STABLE, coin_priv_loss_rate(y, l, mode != BOTH));
     if (l->dry + l->rolling > 0)
         h = within(h, WIDTH * roll, fabs(d[COIN_PRIV_WZ]));
-    *slowest = 1;
     for (int i = 0; i < RIMS; ++i) {
         if (mode & (STICKS | CREEP) << i)
             continue;
-        const double u = length_of(slip(y, l->half, i));
-        *slowest = coin_priv_lesser(*slowest, u);
-        h = within(h, REACH * u, length_of(slip(d, l->half, i)));
+        h = within(h, REACH * length_of(slip(y, l->half, i)),
+                   length_of(slip(d, l->half, i)));
     }
     return h;
 }
@@ -422,16 +418,13 @@ static int32_t line_step(coin_priv_moving *g)
 {
     coin_priv_dop853 *const w = &g->step;
     const double left = coin_priv_time_left(g);
-    double slowest;
     (void)w->of.rates(w->slope[0], w->y, &w->of);
-    const double most_h = longest(g, &slowest);
+    const double most_h = longest(g);
     const int ends = most_h >= left;
     const double h = ends ? left : most_h;
     const double error = coin_priv_try_step(w, h);
-    const double most =
-        coin_priv_lesser(ESTIMATE * g->tol * coin_priv_larger(h, SHORTEST),
-                         FINE * slowest) +
-        4 * DBL_EPSILON * sum_of_speeds(w->y);
+    const double most = ESTIMATE * g->tol * coin_priv_larger(h, SHORTEST) +
+                        4 * DBL_EPSILON * sum_of_speeds(w->y);
     const double by = coin_priv_lesser(4, coin_priv_next_length(error, most));
     --g->tries;
     if (error <= most) {
