@@ -492,6 +492,35 @@ TEST(a_coin_rocks_to_rest_on_its_edge)
     }
 }
 
+/* K dw/dt = -dry w/sqrt(w^2 + soft^2) until w = 1e-10.  In the end w decays by
+ * e within K soft/dry, of which a small part is the error: w is below tol then.
+ */
+static double time_left(double w, double soft)
+{
+    return hypot(w, soft) - soft * asinh(soft / w);
+}
+
+TEST(a_roll_on_the_edge_stops_in_its_time)
+{
+    for (double soft = 1e-6; soft < 1; soft *= 30) {
+        const double K = 1.5, dry = 0.01, w = 0.3;
+        const coin_params p = cylinder(0.3);
+        const coin_table f = {.mu_static = 0.5,
+                              .mu_kinetic = 0.4,
+                              .losses = {.dry = dry, .soft = soft}};
+        const double when =
+            K / dry * (time_left(w, soft) - time_left(1e-10, soft));
+        for (double tol = 1e-9; tol < 1e-2; tol *= 10) {
+            coin_body b = {.s = {.wZ = w}, .y = 1, .vx = -w};
+            double t;
+            check_note("soft %g, tol %g", soft, tol);
+            check_status(coin_move(&b, &p, &f, INFINITY, tol, 0, &t),
+                         COIN_RESTS);
+            check_near(t, when, (0.03 * soft + tol) * K / dry + tol * when);
+        }
+    }
+}
+
 /* The last pass is the first one that leaves less than h/100. */
 TEST(rocking_ends_after_as_many_passes_as_the_rule_says)
 {
