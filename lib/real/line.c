@@ -32,12 +32,13 @@ enum { STICKS = 1, BOTH = 3, CREEP = 4, BOTH_CREEP = 12 };
 /* What bounds the length of a step.
  * FIRST: the first step takes at most so many times the time in which the
  * motion changes.  A frame of a roll is then one step. STABLE: a step takes at
- * most so many times the time in which the losses slow the coin.  The method is
- * stable up to 6. REACH: a slip of the speed u loses at most this part of u in
- * a step. WIDTH: a roll loses at most this part of its rate, or of `soft`,
- * within which dry friction changes. */
+ * most so many times the time in which the losses slow the coin: so a rate that
+ * is far below tol still decays as it should, until the coin rests. REACH: a
+ * slip of the speed u loses at most this part of u in a step. WIDTH: a roll
+ * loses at most this part of its rate, or of `soft`, within which dry friction
+ * changes. */
 #define FIRST 4
-#define STABLE 4
+#define STABLE 1
 #define REACH 0.8
 #define WIDTH 0.5
 
@@ -486,9 +487,10 @@ static int32_t go(coin_priv_moving *g, int *why, int *over)
     int32_t status = COIN_OK;
     *why = look(g, 1, over);
     of->rates = of->mode == BOTH ? roll_slopes : line_slopes;
-    of->limit = of->mode != BOTH            ? 2 * creep_speed(g->tol)
-                : holds(g->step.y, &g->law) ? COIN_PRIV_SLIP_LEAST - PAST
-                                            : 0;
+    of->limit = of->mode != BOTH ? 2 * creep_speed(g->tol)
+                : holds(g->step.y, &g->law)
+                    ? (1 - g->tol) * COIN_PRIV_SLIP_LEAST
+                    : 0;
     g->stride = FIRST / sum_of_speeds(g->step.y);
     while (status == COIN_OK && *why == COIN_PRIV_LINE_GOES && g->tries > 0 &&
            coin_priv_time_left(g) > 0) {
