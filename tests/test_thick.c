@@ -492,6 +492,50 @@ TEST(a_coin_rocks_to_rest_on_its_edge)
     }
 }
 
+/* Upright with slow slips, on both rims: they end within one call, and a body
+ * that hardly slips loses by friction alone what it has of that: what friction
+ * gives the centre along e_X it takes from the roll. */
+TEST(slips_on_both_rims_end_within_a_call)
+{
+    struct random r = random_begin(20);
+    const int count = tries_asked(400);
+    int rolls = 0;
+    for (int i = 0; i < count; ++i) {
+        const coin_params p = cylinder(pow(10, random_between(&r, -1.3, 0.2)));
+        const double mu = random_between(&r, 0.05, 0.5);
+        const double size = pow(10, random_between(&r, -4, 0));
+        const double tol = pow(10, random_between(&r, -6, -2));
+        const coin_table f = {.mu_static = i % 2 ? mu : 1.2 * mu,
+                              .mu_kinetic = mu,
+                              .losses = {.dry = random_between(&r, 0, 0.01),
+                                         .spin = random_between(&r, 0, 0.02)}};
+        coin_body b = {.s = {.wY = size * random_between(&r, -1, 1),
+                             .wZ = random_between(&r, -1, 1)},
+                       .y = 1,
+                       .vz = size * random_between(&r, -1, 1)};
+        b.vx = size * random_between(&r, -1, 1) - b.s.wZ;
+        check_note("seed 20, coin %d, tol %g", i, tol);
+        const int32_t status =
+            coin_move(&b, &p, &f, fmin(1, 3 * size / mu), tol, 0, NULL);
+        check(status >= 0 && !(status & COIN_MORE));
+        rolls += status == COIN_OK;
+    }
+    check_within(rolls, count / 4, count);
+}
+
+TEST(a_slip_that_is_none_ends_by_friction)
+{
+    const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.4};
+    const coin_params p = cylinder(0.3);
+    const double w = 0.3, slip = 4e-6;
+    coin_body b = {.s = {.wZ = w}, .y = 1, .vx = slip - w};
+    const double E = coin_body_energy(&b, &p);
+    check_status(coin_move(&b, &p, &f, 1e-12, 1e-3, 0, NULL), COIN_OK);
+    check_near(b.vx + b.s.wZ, 0, 1e-15);
+    check_near(b.vx + w - slip, p.inertia_Z * (b.s.wZ - w), 1e-15);
+    check(fabs(b.s.wZ - w) > slip / 2 && coin_body_energy(&b, &p) < E);
+}
+
 /* K dw/dt = -dry w/sqrt(w^2 + soft^2) until w = 1e-10.  In the end w decays by
  * e within K soft/dry, of which a small part is the error: w is below tol then.
  */
