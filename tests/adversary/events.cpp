@@ -151,7 +151,7 @@ bool until(trial<doubles> &q)
     motion truth = start;
     const bool lifts = !(mu > 1e6L && q.s.method < 2);
     double reached = 0;
-    if (truth.is_long(q.s.t) || !q.roll() ||
+    if (truth.is_long(q.s.t) || !q.roll() || !q.says(COIN_OK, q.b) ||
         q.move(&q.b, q.s.t, lifts ? COIN_SLIPS | COIN_LIFTS : COIN_SLIPS,
                &reached) < 0)
         return false;

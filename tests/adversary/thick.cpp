@@ -80,7 +80,7 @@ struct thick {
 
     bool has_one_contact() const
     {
-        return c > 0x1p-49L && (eta != 0 || h == 0);
+        return c > 0x1p-49L && (h * std::fabs(s) > 0x1p-49L || h == 0);
     }
 
     /* What holds the lowest point: a coin that rolls. */
