@@ -120,9 +120,14 @@ static int has_kink(const coin_priv_moving *g)
 
 /* A step with a kink ends just before u = 0: within AIM of the way to there, or
  * where |u| is below AIMED sqrt(tol): an error of u^2 is far below tol there.
- * The next one passes over it.  Measured: AIM, AIMED in tables.md. */
+ * The next one passes over it.  Measured: AIM, AIMED in tables.md.
+ *
+ * From there on u grows by at most LEAVES times itself, or sqrt(tol), in a
+ * step: the power 3/2 has no Taylor series at 0, on which the estimate of the
+ * error rests. */
 #define AIM 0.97
 #define AIMED 0.01
+#define LEAVES 2
 
 /* Whether the step has passed u = 0 though it began before it. */
 static int passed_kink(const coin_priv_moving *g)
@@ -195,8 +200,12 @@ static plan plan_step(coin_priv_moving *g)
     }
     if (has_kink(g)) {
         const double roll = coin_priv_roll_speed(y), slope = roll_slope(y, d);
-        if (roll * slope < 0 && fabs(roll) > AIMED * sqrt(g->tol))
-            r.h = coin_priv_lesser(r.h, AIM * fabs(roll / slope));
+        const int goes_to =
+            roll * slope < 0 && fabs(roll) > AIMED * sqrt(g->tol);
+        const double far =
+            goes_to ? AIM * fabs(roll)
+                    : LEAVES * coin_priv_larger(fabs(roll), sqrt(g->tol));
+        r.h = r.h * fabs(slope) > far ? far / fabs(slope) : r.h;
     }
     return r;
 }
