@@ -170,11 +170,27 @@ TEST(a_coin_that_nothing_leans_stays_upright)
                          soft * asinh(soft / 1e-10));
     check_near(coin_time_to_rest(&stay[1], &p, &dry, 1e-9), when, 1e-3);
     check(coin_time_to_rest(&(coin_state){0}, &p, &dry, 1e-6) == 0);
+    check(coin_time_to_rest(&(coin_state){0}, &p, &none, 1e-6) == 0);
     /* A spin fades, and is never 0. */
     check(coin_time_to_rest(&stay[0], &p, &spin, 1e-6) == INFINITY);
     check(isnan(coin_time_to_rest(&fall[0], &p, &dry, 1e-13)));
     check(isnan(coin_time_to_rest(&fall[0], &p, &dry, 0.02)));
+    check(isnan(coin_time_to_rest(&stay[0], &p, &dry, 0.02)));
     check(isnan(coin_time_to_rest(&stay[0], &p, &wrong, 1e-6)));
+}
+
+TEST(the_time_to_rest_has_the_tolerance_asked_for)
+{
+    const coin_params p = disc();
+    const coin_losses l = {.viscous = 0.01};
+    const coin_state s = {.theta = 0.8, .wX = 0.1, .wY = 1.2, .wZ = -0.9};
+    for (double tol = 1e-2; tol > 1e-11; tol /= 100) {
+        coin_state copy = s;
+        double when;
+        check_status(coin_settle(&copy, &p, &l, INFINITY, tol, &when),
+                     COIN_RESTS);
+        check_near(coin_time_to_rest(&s, &p, &l, tol), when, 0);
+    }
 }
 
 /* From any start, by the laws whose time to rest does not jump.  About one

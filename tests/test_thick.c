@@ -876,6 +876,25 @@ TEST(the_turn_near_flat_depends_on_the_square_of_the_thickness)
     }
 }
 
+/* With a thickness the inertia about the contact is larger. */
+TEST(friction_and_pull_of_a_thick_coin_have_bounds)
+{
+    for (double half = 0.1; half < 2; half *= 2) {
+        const coin_params p = cylinder(half);
+        const double k = p.inertia_X / (1 + half * half);
+        const double bound = 2 * sqrt(k * (1 + k));
+        coin_table f = {.mu_static = INFINITY,
+                        .mu_kinetic = bound * (1 - 1e-14),
+                        .pull = {60 * (1 - 1e-14), -80}};
+        check_status(coin_table_check(&f, &p), COIN_OK);
+        f.pull[0] = 60 * (1 + 1e-14);
+        check_status(coin_table_check(&f, &p), COIN_EPARAMS);
+        f.pull[0] = 0;
+        f.mu_kinetic = bound * (1 + 1e-14);
+        check_status(coin_table_check(&f, &p), COIN_EPARAMS);
+    }
+}
+
 /* ------------------------------------------------------------ lift-off */
 /* How fast the gap under a coin that nothing holds would close, times cos
  * theta, (96), (123). */
