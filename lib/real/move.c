@@ -157,6 +157,26 @@ static int is_followed(const coin_priv_moving *g)
     return g->mode & COIN_PRIV_SLIPS && !(g->slow > 0);
 }
 
+/* The rate by which the steps of a slip are chosen, from that of the motion. */
+static double rate_of_slip(const coin_priv_moving *g, double rate)
+{
+    const coin_priv_law *l = &g->law;
+    const double *y = g->step.y, *d = g->step.slope[0];
+    const double u = slip_speed(y), s = y[COIN_PRIV_S];
+    const double nX = y[COIN_PRIV_UX] / u, nh = y[COIN_PRIV_UH] / u;
+    const double N = coin_priv_push_of(y, l, g->mode).N;
+    const double h2 = l->half * l->half;
+    const double P = coin_priv_lever_of(s, y[COIN_PRIV_C], l->eta).P;
+    const double across =
+        nh * nh * (1 + 1 / l->IZ + h2 / l->IX) +
+        nX * nX * (1 + (1 + h2) / l->IX) / (1 + P * P / l->IX);
+    const double du2 =
+        d[COIN_PRIV_UX] * d[COIN_PRIV_UX] + d[COIN_PRIV_UH] * d[COIN_PRIV_UH];
+    const double slip_rate = sqrt(du2) / u;
+    return rate * u / (u + 1) + RELAX * (l->mu_kinetic * N * across / (u + 1) +
+                                         slip_rate); /* (87) */
+}
+
 /* What a step is chosen by: the rate of the motion, and the longest step, in
  * the time that it is made in. */
 typedef struct plan {
@@ -169,22 +189,8 @@ static plan plan_step(coin_priv_moving *g)
     const double *y = g->step.y, *d = g->step.slope[0];
     double rate = coin_priv_rate(y, l, g->mode) +
                   LOSSES * coin_priv_loss_rate(y, l, g->mode);
-    if (is_followed(g)) {
-        const double u = slip_speed(y), s = y[COIN_PRIV_S];
-        const double nX = y[COIN_PRIV_UX] / u, nh = y[COIN_PRIV_UH] / u;
-        const double N = coin_priv_push_of(y, l, g->mode).N;
-        const double h2 = l->half * l->half;
-        const double P = coin_priv_lever_of(s, y[COIN_PRIV_C], l->eta).P;
-        const double across =
-            nh * nh * (1 + 1 / l->IZ + h2 / l->IX) +
-            nX * nX * (1 + (1 + h2) / l->IX) / (1 + P * P / l->IX);
-        const double du2 = d[COIN_PRIV_UX] * d[COIN_PRIV_UX] +
-                           d[COIN_PRIV_UH] * d[COIN_PRIV_UH];
-        const double slip_rate = sqrt(du2) / u;
-        rate =
-            rate * u / (u + 1) + RELAX * (l->mu_kinetic * N * across / (u + 1) +
-                                          slip_rate); /* (87) */
-    }
+    if (is_followed(g))
+        rate = rate_of_slip(g, rate);
     if (g->stride == 0)
         g->stride = first_stride(g, rate);
     plan r = {rate, g->stride / rate};
