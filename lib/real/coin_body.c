@@ -76,11 +76,13 @@ void coin_priv_body_of(coin_body *b, const coin_priv_coin *c,
     b->vz = a * w0 * c->vz;
 }
 
-void coin_priv_set_on_table(coin_body *b, double a, double eta, int slips)
+void coin_priv_set_on_table(coin_body *b, double a, double half, double tips,
+                            int slips)
 {
     coin_priv_coin c;
-    coin_priv_set_state(&c, &b->s, fabs(eta));
-    coin_priv_set_rolling(&c, eta);
+    coin_priv_set_state(&c, &b->s, half);
+    const double lower = coin_priv_lower_rim(&c);
+    coin_priv_set_rolling(&c, lower != 0 ? lower : tips);
     b->y = a * c.y;
     b->vy = a * c.vy;
     b->vx = slips ? b->vx : a * c.vx;
@@ -150,8 +152,7 @@ int32_t coin_body_from_state(coin_body *b, const coin_state *s,
     const double half = coin_priv_half_of(p);
     coin_body made = {*s, 0, 0, 0, 0, {0, 0, 0, 0}};
     coin_priv_coin c;
-    coin_priv_set_state(&c, s, half);
-    coin_priv_set_on_table(&made, of.a, coin_priv_lower_rim(&c), 0);
+    coin_priv_set_on_table(&made, of.a, half, 0, 0);
     const int32_t good = coin_priv_coin_of(&c, &made, &of, half);
     if (good == COIN_OK)
         *b = made;

@@ -49,11 +49,12 @@ int32_t coin_priv_check_coin_body(coin_priv_coin *c, const coin_body *b,
 void coin_priv_body_of(coin_body *b, const coin_priv_coin *c,
                        const coin_priv_constants *of);
 
-/* Sets height and velocity of a body of the radius a that touches with the rim
- * at eta to what its other members, which have been rounded, say, as
- * coin_velocity(): of one that does not slip; or, but for vx and vz, of one
- * that slips. */
-void coin_priv_set_on_table(coin_body *b, double a, double eta, int slips);
+/* Sets height and velocity of a body of the radius a on the table to what its
+ * other members, which have been rounded, say, as coin_velocity(): of one that
+ * does not slip; or, but for vx and vz, of one that slips.  tips: the place of
+ * the rim over which it is about to tip, where neither is lower; or 0. */
+void coin_priv_set_on_table(coin_body *b, double a, double half, double tips,
+                            int slips);
 
 /* What a coin does on a table, by the rule of touching in coin.h: 0,
  * COIN_PRIV_SLIPS, _AIR, _LINE, _LIES or _RESTS.  A coin whose lowest point is

@@ -42,10 +42,8 @@ int32_t coin_move(coin_body *b, const coin_params *p, const coin_table *table,
     status = coin_priv_go_on(&g);
     if (g.changed) {
         coin_priv_body_of(b, &g.c, &of);
-        /* Where neither rim is lower, it may be about to tip over one. */
-        const double lower = coin_priv_lower_rim(&g.c);
         if (status >= 0 && !(status & COIN_LIFTS))
-            coin_priv_set_on_table(b, of.a, lower != 0 ? lower : g.law.eta,
+            coin_priv_set_on_table(b, of.a, half, g.law.eta,
                                    status & COIN_SLIPS);
     }
     if (reached)

@@ -38,7 +38,6 @@ configure()
     quiet cmake -S "$work/$name" -B "$work/$name/build" "$@"
 }
 
-# Where it was moved to, and nowhere else: it may be installed here, too.
 find_package() # NAME VERSION
 {
     configure "$1" "
@@ -46,9 +45,7 @@ find_package() # NAME VERSION
         foreach(way rollcoin static)
           add_executable(\${way} $client)
           target_link_libraries(\${way} rollcoin::\${way} m)
-        endforeach()" "-DCMAKE_PREFIX_PATH=$work/moved" \
-        -DCMAKE_FIND_USE_CMAKE_SYSTEM_PATH=OFF \
-        -DCMAKE_FIND_USE_SYSTEM_ENVIRONMENT_PATH=OFF
+        endforeach()" "-DCMAKE_PREFIX_PATH=$work/moved"
 }
 series=${VERSION%.*}
 for version in "" "$series" "$VERSION" "$VERSION EXACT"; do

@@ -108,7 +108,7 @@ export interface Coin {
   /** the coin lies flat, or stands, and stays */ readonly COIN_RESTS: number;
   /** a slip or a flight has ended, and it rolls */ readonly COIN_ROLLS: number;
   /** the coin comes down on the table */ readonly COIN_TOUCHES: number;
-  /** the steps of one call did not suffice: it has moved by *reached */ readonly COIN_MORE: number;
+  /** the steps of one call did not suffice: it has moved by `reached` */ readonly COIN_MORE: number;
   /** which side ends up is decided */ readonly COIN_DECIDED: number;
   /** the +Z side is up: theta < 0 */ readonly COIN_HEADS: number;
   /** the other side is up */ readonly COIN_TAILS: number;
