@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* The first touch of a flight.
  *
- * The lowest point of a rim is |n_h| below the rim's centre, n_h the horizontal
- * part of e_Z.  The gap has a kink where the face is horizontal, G = Y^2 -
- * |n_h|^2 has none, and has the sign of the gap; Y = y + eta n_y is the height
- * of the rim's centre.  A bound of its second derivative says how far no zero
- * can be.  A coin with a thickness has two rims, and the earlier touch
- * counts. */
+ * The centre of a rim is Y = y + eta n_y high.  Its lowest point is |n_h|
+ * lower, where n_h is the horizontal part of e_Z.  This gap, Y - |n_h|, has a
+ * kink where the face is horizontal.  G = Y^2 - |n_h|^2 has the same sign and
+ * no kink, so its zeros are looked for.  A bound of the second derivative of G
+ * says how long there is surely none.  A coin with a thickness has two rims:
+ * the earlier touch counts. */
 #include "../motion/pinned.h"
 
 #include "air.h"
