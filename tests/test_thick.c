@@ -967,6 +967,29 @@ TEST(a_coin_lifts_off_where_its_gap_stays_open)
     check_within(stay, count / 10, count);
 }
 
+/* A rim that lifts off just before the coin passes upright is not looked at for
+ * coin_priv_blind(); the other rim comes down within that time. */
+TEST(the_other_rim_comes_down_while_one_lifts_off)
+{
+    struct random r = random_begin(58);
+    const coin_table f = {.mu_static = 0.2, .mu_kinetic = 0.2};
+    for (int i = 0; i < 200; ++i) {
+        const coin_params p = cylinder(random_between(&r, 0.2, 1));
+        const coin_state s = {.theta = random_between(&r, 1e-6, 6e-5),
+                              .wX = -random_between(&r, 3, 4),
+                              .wY = random_between(&r, -0.1, 0.1)};
+        coin_body b = rolling(&s, &p);
+        const double E = coin_body_energy(&b, &p);
+        double reached;
+        check_note("seed 58, coin %d", i);
+        check_status(coin_move(&b, &p, &f, 1, 1e-6, COIN_TOUCHES, &reached),
+                     COIN_LIFTS | COIN_TOUCHES);
+        check_near(reached, s.theta / -s.wX, 1e-8);
+        check_near(b.s.theta, 0, 1e-8);
+        check_near(coin_body_energy(&b, &p), E, 1e-13);
+    }
+}
+
 /* ------------------------------------------------------------- a pull */
 /* With a pull the force depends on the heading.  That of the members is that
  * by which the modes of a call were decided: else a call that ended where a

@@ -102,8 +102,12 @@ typedef struct coin_priv_touch {
     int looks;   /* how often the gap has been computed */
 } coin_priv_touch;
 
-/* The first touch within t.  leaves: the lowest point of the rim is on the
- * table and moves up.  A search that is long ends before t. */
+/* The first touch of the rim at eta within t.  leaves: the lowest point of the
+ * rim is on the table and moves up.  A search that is long ends before t. */
+coin_priv_touch coin_priv_rim_touch(const coin_priv_flight *f, double eta,
+                                    double t, int leaves);
+
+/* The first touch of any rim. */
 coin_priv_touch coin_priv_first_touch(const coin_priv_flight *f, double t,
                                       int leaves);
 

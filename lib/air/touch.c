@@ -165,9 +165,8 @@ static void search(coin_priv_touch *found, const struct arc *r, double end,
         found->t = end;
 }
 
-/* The first touch of the rim at eta. */
-static coin_priv_touch rim_touch(const coin_priv_flight *f, double eta,
-                                 double t, int leaves)
+coin_priv_touch coin_priv_rim_touch(const coin_priv_flight *f, double eta,
+                                    double t, int leaves)
 {
     struct arc r;
     coin_priv_touch found = {0, 0, 0};
@@ -197,8 +196,8 @@ coin_priv_touch coin_priv_first_touch(const coin_priv_flight *f, double t,
     if (f->from.y > far && f->from.y + t * (f->from.vy - t / 2) > far)
         return none; /* the rims are at most so far below the centre */
     if (h == 0)
-        return rim_touch(f, 0, t, leaves);
-    const coin_priv_touch a = rim_touch(f, h, t, leaves && s >= 0);
-    const coin_priv_touch b = rim_touch(f, -h, a.t, leaves && s <= 0);
+        return coin_priv_rim_touch(f, 0, t, leaves);
+    const coin_priv_touch a = coin_priv_rim_touch(f, h, t, leaves && s >= 0);
+    const coin_priv_touch b = coin_priv_rim_touch(f, -h, a.t, leaves && s <= 0);
     return b.touches || b.t < a.t ? b : a;
 }

@@ -155,16 +155,19 @@ static int32_t fly(coin_priv_moving *g, int leaves)
     return fly_for(g, &f, to.t, to.touches);
 }
 
-/* Leaves the table with no normal speed.  The gap is looked at after a time:
- * until then it is rounding.  A touch that this misses is less than 1e-12
- * deep. */
+/* Leaves the table with no normal speed.  The gap of the rim that leaves is
+ * looked at after a time: until then it is rounding.  A touch that this misses
+ * is less than 1e-12 deep.  The other rim may come down before. */
 static int32_t lift_off(coin_priv_moving *g)
 {
     const double t =
         coin_priv_lesser(coin_priv_blind(g->step.y), coin_priv_time_left(g));
+    coin_priv_touch to = {t, 0, 0};
     coin_priv_flight f;
     flight_of(&f, g);
-    return fly_for(g, &f, t, 0);
+    if (g->law.eta * g->c.th.s != 0)
+        to = coin_priv_rim_touch(&f, -g->law.eta, t, 0);
+    return fly_for(g, &f, to.t, to.touches);
 }
 
 static void lie_down(coin_priv_coin *c, const coin_priv_law *l)

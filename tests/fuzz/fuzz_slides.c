@@ -54,6 +54,14 @@ static void it_rolls(const coin_body *d, const coin_params *p)
     demand(d->vx == v[0] && d->vy == v[1] && d->vz == v[2]);
 }
 
+/* Whether a coin is upright: one with a thickness, to rounding of its height.
+ */
+static int stands(const coin_body *d, const coin_params *p)
+{
+    const double low = p->thickness * fabs(sin(d->s.theta));
+    return d->s.theta == 0 || (low > 0 && low <= 4 * DBL_EPSILON * p->radius);
+}
+
 /* What a call of no time says of the body that a call left: its mode alone,
  * whatever `stop` is, and it changes nothing. */
 static int32_t mode_of(const struct outcome *o, int32_t stop)
@@ -95,7 +103,7 @@ static void judge_move(const struct outcome *o)
     if (mode == COIN_RESTS && t > 0)
         demand(d->s.wX == 0 && d->s.wY == 0 && d->s.wZ == 0 && d->vx == 0 &&
                d->vy == 0 && d->vz == 0 &&
-               (d->s.theta == 0 || fabs(d->s.theta) > 1.57));
+               (stands(d, &o->world->p) || fabs(d->s.theta) > 1.57));
     if (mode == COIN_OK && reached > 0)
         it_rolls(d, &o->world->p);
 }
