@@ -404,3 +404,29 @@ TEST(a_slip_that_grows_from_nothing_gains_no_energy)
         check_within(coin_body_energy(&b, &p) - before, -1, 2 * tol);
     }
 }
+
+/* A coin that tips on ice, from a slip of 1e-6: its time grows with the slip,
+ * and went back within a step that tol = 0.008 allowed. */
+TEST(a_slip_on_ice_does_not_go_back_in_time)
+{
+    const coin_table ice = {0};
+    const int32_t stop =
+        COIN_SLIPS | COIN_NEARLY_FLAT | COIN_ROLLS | COIN_TOUCHES;
+    struct random r = random_begin(105);
+    coin_params p;
+    check_status(coin_params_cylinder(&p, 1, 1, 1.2207e-4, 1), COIN_OK);
+    for (int i = 0; i < 100; ++i) {
+        const coin_state s = {.wX = random_between(&r, 0.003, 0.008),
+                              .wY = random_between(&r, 0.005, 0.015)};
+        double left = 25, moved;
+        coin_body b;
+        check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+        check_note("seed 105, coin %d", i);
+        for (int calls = 0; left > 0 && calls < 100; ++calls) {
+            check(coin_move(&b, &p, &ice, left, 0x1p-7, stop, &moved) >= 0);
+            check(moved >= 0 && moved <= left);
+            left -= moved;
+        }
+        check(left == 0);
+    }
+}

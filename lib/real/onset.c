@@ -230,19 +230,6 @@ void coin_priv_end_slow(const coin_priv_moving *g, double *y)
     set_pair(y, slips ? u : 0, slips ? o.n : n);
 }
 
-/* The time until a coin with a thickness has just passed upright, to which it
- * is pulled, by the slopes d. */
-static double until_upright(const double *y, const double *d,
-                            const coin_priv_law *l)
-{
-    const double side = l->eta > 0 ? 1 : -1, dt = d[COIN_PRIV_ADDS_T];
-    const double way = side * y[COIN_PRIV_S] + 4 * DBL_EPSILON;
-    const double v = -side * d[COIN_PRIV_S] / dt;
-    const double square = v * v - 2 * side * d[COIN_PRIV_WX] / dt * way;
-    const double twice = v + (square > 0 ? sqrt(square) : 0);
-    return l->eta != 0 && twice > 0 ? 2 * way / twice : (double)INFINITY;
-}
-
 int coin_priv_end_slip(coin_priv_moving *g)
 {
     double to[COIN_PRIV_WIDE];
@@ -258,16 +245,17 @@ int coin_priv_end_slip(coin_priv_moving *g)
     const double aside = fabs(nX * d[COIN_PRIV_UH] - nh * d[COIN_PRIV_UX]);
     const double part = STRAIGHT * sqrt(g->tol);
     const double h = u / -grows, scale = u / (u + 1);
-    const double most =
-        coin_priv_lesser(coin_priv_time_left(g), until_upright(y, d, &g->law));
     const double rate = coin_priv_rate(y, &g->law, g->mode) +
                         coin_priv_loss_rate(y, &g->law, g->mode);
     const int is_short = u < part && scale * rate * h < part;
     const int is_straight = aside <= part * -grows || u < LEAST;
-    if (!(is_short && is_straight && h * d[COIN_PRIV_ADDS_T] <= most))
+    const double t = h * d[COIN_PRIV_ADDS_T];
+    if (!(is_short && is_straight && t <= coin_priv_time_left(g)))
         return 0;
     for (int i = 0; i < COIN_PRIV_SIZE; ++i)
         to[i] = y[i] + h * d[i];
     to[COIN_PRIV_UX] = to[COIN_PRIV_UH] = 0;
+    if (g->law.eta * to[COIN_PRIV_S] < -4 * DBL_EPSILON)
+        return 0; /* beyond upright, where the other rim touches */
     return coin_priv_accept(g, to, 0) == COIN_OK;
 }
