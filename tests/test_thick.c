@@ -596,6 +596,35 @@ TEST(rocking_ends_after_as_many_passes_as_the_rule_says)
     }
 }
 
+/* What rocking has in the velocity of the centre goes by friction, which never
+ * makes a coin faster, and on ice is none. */
+TEST(a_coin_that_ends_to_rock_gains_no_energy)
+{
+    struct random r = random_begin(128);
+    for (int i = 0; i < 1000; ++i) {
+        const coin_params p = cylinder(random_between(&r, 0.01, 1));
+        const double mu = i % 2 ? random_between(&r, 0.01, 0.3) : 0;
+        const coin_table f = {.mu_static = mu, .mu_kinetic = mu};
+        const coin_state s = {.phi = random_between(&r, -3, 3),
+                              .wX =
+                                  random_between(&r, -2e-3, 2e-3) * p.thickness,
+                              .wY = random_between(&r, -1, 1),
+                              .wZ = random_between(&r, -1, 1)};
+        coin_body b = rolling(&s, &p);
+        b.vx += random_between(&r, -0.01, 0.01);
+        b.vy = 0;
+        b.vz += random_between(&r, -0.01, 0.01);
+        const double vx = b.vx, vz = b.vz, E = coin_body_energy(&b, &p);
+        check_note("seed 128, coin %d, mu = %g", i, mu);
+        check(coin_move(&b, &p, &f, 1e-9, 1e-9, 0, NULL) >= 0);
+        check(coin_body_energy(&b, &p) <= E + 1e-15);
+        if (mu == 0) {
+            check_near(b.vx, vx, 1e-15);
+            check_near(b.vz, vz, 1e-15);
+        }
+    }
+}
+
 /* A pass that is no impact, since the other rim comes down at less than 1e-10:
  * by an impact alone this coin would rock for ever. */
 TEST(the_thinnest_coin_comes_to_stand)

@@ -187,12 +187,16 @@ static void lie_down(coin_priv_coin *c, const coin_priv_law *l)
     c->y = coin_priv_height(c);
 }
 
-/* Ends to rock: the coin that is upright, on one rim, stands on both. */
-static void stand(coin_priv_coin *c)
+/* Ends to rock: the coin that is upright, on one rim, stands on both.  Friction
+ * takes what rocking gave to the velocity along e_h, if that slows the coin. */
+static void stand(coin_priv_coin *c, double mu)
 {
-    const double vh = c->wX; /* of rocking */
-    c->vx -= vh * c->ph.s;
-    c->vz -= vh * c->ph.c;
+    const coin_priv_sc ph = c->ph;
+    const double vh = c->vx * ph.s + c->vz * ph.c;
+    const double part = coin_priv_lesser(fabs(vh), fabs(c->wX));
+    const double dv = mu > 0 && vh * c->wX > 0 ? copysign(part, vh) : 0;
+    c->vx -= dv * ph.s;
+    c->vz -= dv * ph.c;
     c->vy = c->wX = 0;
 }
 
@@ -214,7 +218,7 @@ static int32_t hit(coin_priv_moving *g, double up)
     else
         coin_priv_impact(&to, coin_priv_lower_rim(&to), l->IX, l->IZ, &law);
     if (to.th.s == 0 && law.restitution == 0 && fabs(to.wX) < STANDS * l->half)
-        stand(&to); /* (128) */
+        stand(&to, law.mu_static); /* (128) */
     return take(g, &to);
 }
 
@@ -277,7 +281,7 @@ static int32_t in_contact(coin_priv_moving *g, int mode, double eta,
     if (g->mode & COIN_PRIV_ROCKS) {
         come_down(g);
         if (normal_speed(&g->c) >= -COIN_PRIV_SLIP_LEAST)
-            stand(&g->c); /* no impact is due */
+            stand(&g->c, g->law.mu_static); /* no impact is due */
     }
     /* What it does where it has come to, its members say. */
     return changed ? UNDER_WAY : g->was & (COIN_SLIPS | COIN_LIFTS);
