@@ -129,6 +129,16 @@ int coin_priv_coin_mode(const coin_priv_coin *c, const coin_priv_law *l,
     return COIN_PRIV_SLIPS;
 }
 
+int coin_priv_tip_mode(const coin_priv_coin *c, double eta, double u[2])
+{
+    const coin_priv_rim rim = coin_priv_rim_of(c, eta);
+    u[0] = rim.X;
+    u[1] = rim.h;
+    return sqrt(u[0] * u[0] + u[1] * u[1]) > COIN_PRIV_SLIP_LEAST
+               ? COIN_PRIV_SLIPS
+               : 0;
+}
+
 int32_t coin_priv_check_coin_body(coin_priv_coin *c, const coin_body *b,
                                   const coin_params *p, coin_priv_constants *of)
 {

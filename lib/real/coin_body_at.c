@@ -113,12 +113,10 @@ static coin_priv_push force_on_line(const coin_priv_coin *c, coin_priv_law *l)
     const int tips = coin_priv_tips(c, l);
     if (!tips)
         return coin_priv_line_push(c, l);
+    double u[2];
     l->eta = tips * l->half;
-    const coin_priv_rim rim = coin_priv_rim_of(c, l->eta);
-    const double u[2] = {rim.X, rim.h};
-    const int slips =
-        sqrt(rim.X * rim.X + rim.h * rim.h) > COIN_PRIV_SLIP_LEAST;
-    return touching_force(c, l, slips ? COIN_PRIV_SLIPS : 0, u);
+    const int mode = coin_priv_tip_mode(c, l->eta, u);
+    return touching_force(c, l, mode, u);
 }
 
 int32_t coin_body_reaction(const coin_body *b, const coin_params *p,

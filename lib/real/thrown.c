@@ -290,11 +290,9 @@ static int32_t in_contact(coin_priv_moving *g, int mode, double eta,
 /* Over a rim of a coin on both. */
 static int32_t tip(coin_priv_moving *g, double eta)
 {
-    const coin_priv_rim rim = coin_priv_rim_of(&g->c, eta);
-    const double u[2] = {rim.X, rim.h};
-    const int slips =
-        sqrt(rim.X * rim.X + rim.h * rim.h) > COIN_PRIV_SLIP_LEAST;
-    return in_contact(g, slips ? COIN_PRIV_SLIPS : 0, eta, u);
+    double u[2];
+    const int mode = coin_priv_tip_mode(&g->c, eta, u);
+    return in_contact(g, mode, eta, u);
 }
 
 /* On both rims. */
