@@ -33,11 +33,6 @@
 #define ANGLE 1e-6
 #define AHEAD 1e-5
 
-/* A direction is followed up to FASTEST times the rate of the motion.  On ice
- * nothing holds it, and it turns round within a time of the size of u.
- * Measured: FASTEST in tables.md. */
-#define FASTEST 1000
-
 /* A slip is taken as a straight line for at most STRAIGHT sqrt(tol) of the time
  * in which the motion changes, or the slip velocity does by sqrt(g a).  One
  * below LEAST ends in any case: the direction of some never settles.  The error
@@ -119,7 +114,7 @@ static void find_first(struct slow_slip *o, const double *y, double u,
         (along(other, ahead, u + h * du, n, l, mode) - q) / h;
     const double size = fabs(by_angle), change = fabs(by_time);
     o->by_angle = by_angle;
-    o->weak = LEAST * d[COIN_PRIV_ADDS_T] + change / (FASTEST * rate);
+    o->weak = LEAST * d[COIN_PRIV_ADDS_T];
     o->turn = -by_time * inverse_of(by_angle, o->weak);
     o->off = -q * inverse_of(by_angle, o->weak);
     o->from = turned(n, o->off);
