@@ -13,7 +13,7 @@
  * direction of (84) changes.  Steps are then as long as those of the coin's own
  * motion.  The speed has a sign, and the slip ends where it passes 0.
  *
- * The angle is known to order u^2.  A slip is slow while an estimate of it is
+ * The angle is known to order u.  A slip is slow while an estimate of it is
  * below SLOW tol^(5/16), and its own direction is so near to n that the error
  * of its velocity is ALIGNED tol.  Measured: SLOW in tables.md.
  *
@@ -46,9 +46,7 @@ struct slow_slip {
     double d[COIN_PRIV_WIDE], du; /* the slopes, and that of its speed */
     double turn;                  /* the slope of the direction of (84) */
     double off;                   /* the angle from a given direction to n */
-    double by_angle; /* how what along() returns changes with the direction */
-    double weak;     /* below which of that a direction is not followed */
-    double most;     /* about its speed where it lags by an angle of 1 */
+    double most;                  /* about its speed where it lags by 1 */
 };
 
 static coin_priv_direction turned(coin_priv_direction n, double angle)
@@ -82,65 +80,38 @@ static double along(double *d, const double *y, double u, coin_priv_direction n,
     return n.X * d[COIN_PRIV_UH] - n.h * d[COIN_PRIV_UX];
 }
 
-/* 1/x, but 0 where x is far below `weak`. */
+/* 1/x, but 0 where x is far below `weak`: what turns a direction so little does
+ * not lead it. */
 static double inverse_of(double x, double weak)
 {
     return x / (x * x + weak * weak);
 }
 
-/* The variables a part AHEAD of the time of the motion later.  Returns it. */
-static double go_ahead(double *to, const double *y, const double *d,
-                       double rate)
+/* Sets a slow slip of the speed u, from a direction near its own, to order u.
+ * With q for what along() returns, (84) is q = 0, and n is where
+ * q = u d(n)/dt. */
+static void find_slow(struct slow_slip *o, const double *y, double u,
+                      coin_priv_direction n, const coin_priv_law *l, int mode)
 {
-    const double h = AHEAD / rate;
-    for (int i = 0; i < COIN_PRIV_READ; ++i)
-        to[i] = y[i] + h * d[i];
-    return h;
-}
-
-/* Sets all but d and du of a slow slip of the speed u, from a direction near
- * its own, to order u.  With q for what along() returns, (84) is q = 0, and n
- * is where q = u d(n)/dt. */
-static void find_first(struct slow_slip *o, const double *y, double u,
-                       coin_priv_direction n, const coin_priv_law *l, int mode)
-{
-    double d[COIN_PRIV_WIDE], other[COIN_PRIV_WIDE], ahead[COIN_PRIV_READ];
+    double other[COIN_PRIV_WIDE], ahead[COIN_PRIV_READ];
+    double *const d = o->d;
     const double q = along(d, y, u, n, l, mode), du = speeding(d, n);
-    const double rate = coin_priv_rate(y, l, mode);
-    const double h = go_ahead(ahead, y, d, rate);
+    const double rate = coin_priv_rate(y, l, mode), h = AHEAD / rate;
+    for (int i = 0; i < COIN_PRIV_READ; ++i)
+        ahead[i] = y[i] + h * d[i];
     const double by_angle =
         (along(other, y, u, turned(n, ANGLE), l, mode) - q) / ANGLE;
     const double by_time =
         (along(other, ahead, u + h * du, n, l, mode) - q) / h;
-    const double size = fabs(by_angle), change = fabs(by_time);
-    o->by_angle = by_angle;
-    o->weak = LEAST * d[COIN_PRIV_ADDS_T];
-    o->turn = -by_time * inverse_of(by_angle, o->weak);
-    o->off = -q * inverse_of(by_angle, o->weak);
+    const double size = fabs(by_angle), weak = LEAST * d[COIN_PRIV_ADDS_T];
+    o->turn = -by_time * inverse_of(by_angle, weak);
+    o->off = -q * inverse_of(by_angle, weak);
     o->from = turned(n, o->off);
-    o->off -= u * o->turn * inverse_of(du - by_angle, o->weak);
+    o->off -= u * o->turn * inverse_of(du - by_angle, weak);
     o->n = turned(n, o->off);
-    o->most = (du - by_angle) * size / (rate * (size + o->weak) + change);
-}
-
-/* Sets a slow slip, to order u^2. */
-static void find_slow(struct slow_slip *o, const double *y, double u,
-                      coin_priv_direction n, const coin_priv_law *l, int mode)
-{
-    struct slow_slip next;
-    double ahead[COIN_PRIV_READ];
-    find_first(o, y, u, n, l, mode);
-    const double q = along(o->d, y, u, o->n, l, mode);
-    const double du = speeding(o->d, o->n);
-    const double h = go_ahead(ahead, y, o->d, coin_priv_rate(y, l, mode));
-    find_first(&next, ahead, u + h * du, n, l, mode);
-    const double turn = (o->n.X * next.n.h - o->n.h * next.n.X) / h;
-    const double more =
-        (q - u * turn) * inverse_of(2 * du - o->by_angle, o->weak);
-    o->n = turned(o->n, more);
-    o->off += more;
-    (void)along(o->d, y, u, o->n, l, mode);
-    o->du = speeding(o->d, o->n);
+    o->most = (du - by_angle) * size / (rate * (size + weak) + fabs(by_time));
+    (void)along(d, y, u, o->n, l, mode);
+    o->du = speeding(d, o->n);
 }
 
 /* The speed of a slow slip in a step, and its direction. */
