@@ -46,10 +46,6 @@
  * exponentially.  Measured: CUT in tables.md. */
 #define CUT 0.1
 
-/* A step of a slow slip changes its speed by FARTHER times that up to which it
- * is slow. */
-#define FARTHER 1.5
-
 static double slip_speed(const double *y)
 {
     const double uX = y[COIN_PRIV_UX], uh = y[COIN_PRIV_UH];
@@ -206,12 +202,6 @@ static plan plan_step(coin_priv_moving *g)
     if (g->stride == 0)
         g->stride = first_stride(g, rate);
     plan r = {rate, g->stride / rate};
-    if (g->slow > 0) {
-        const double du = fabs(y[COIN_PRIV_UX] * d[COIN_PRIV_UX] +
-                               y[COIN_PRIV_UH] * d[COIN_PRIV_UH]) /
-                          slip_speed(y);
-        r.h = r.h * du > FARTHER * g->slow ? FARTHER * g->slow / du : r.h;
-    }
     if (has_width(g)) {
         const double slope = fabs(roll_slope(y, d)), far = TURN_ROUND * way(g);
         r.h = r.h * slope > far ? far / slope : r.h;
