@@ -1019,6 +1019,51 @@ TEST(the_other_rim_comes_down_while_one_lifts_off)
     }
 }
 
+/* ------------------------------------------------------------ a held contact
+ */
+/* A coin whose contact is held turns about the vertical through it, or through
+ * its centre if it slips on ice, and nothing turns it about that: its angular
+ * momentum there stays. */
+TEST(a_held_contact_keeps_the_angular_momentum_about_its_vertical)
+{
+    const coin_priv_direction none = {0, 0};
+    const coin_table ice = {0};
+    struct random r = random_begin(72);
+    for (int i = 0; i < 400; ++i) {
+        const coin_params p = random_cylinder(&r, 1e-2, 1);
+        const double half = p.thickness / 2;
+        const double lean = random_between(&r, -1.4, 1.4);
+        const double turn = random_between(&r, -2, 2);
+        const int slips = i % 2;
+        coin_priv_constants b;
+        coin_priv_law l;
+        double y[COIN_PRIV_WIDE] = {0}, d[COIN_PRIV_WIDE];
+        check(coin_priv_check_thick(&b, &p) == COIN_OK);
+        check(coin_priv_table_law(&l, &ice, &b, half) == COIN_OK);
+        l.eta = lean < 0 ? -half : half;
+        const double s = sin(lean), c = cos(lean), ds = c, dc = -s;
+        const double wX = random_between(&r, -2, 2);
+        y[COIN_PRIV_S] = s;
+        y[COIN_PRIV_C] = c;
+        y[COIN_PRIV_CPH] = 1;
+        y[COIN_PRIV_WX] = wX;
+        y[COIN_PRIV_WY] = turn * c;
+        y[COIN_PRIV_WZ] = -turn * s;
+        y[COIN_PRIV_UX] = slips;
+        (void)coin_priv_slopes(
+            d, y, &l, COIN_PRIV_HELD | (slips ? COIN_PRIV_SLIPS : 0), none);
+        const double P = slips ? 0 : s - l.eta * c;
+        const double dP = slips ? 0 : ds - l.eta * dc;
+        const double H = l.IX * c * c + l.IZ * s * s + P * P;
+        const double dH =
+            2 * (l.IX * c * dc + l.IZ * s * ds + P * dP) * wX * turn;
+        const double dturn = c * d[COIN_PRIV_WY] - s * d[COIN_PRIV_WZ] +
+                             wX * (dc * y[COIN_PRIV_WY] - ds * y[COIN_PRIV_WZ]);
+        check_note("seed 72, coin %d, lean %g, slips %d", i, lean, slips);
+        check_near(dturn * H / d[COIN_PRIV_ADDS_T], -dH, 1e-12);
+    }
+}
+
 /* ------------------------------------------------------------- a pull */
 /* With a pull the force depends on the heading.  That of the members is that
  * by which the modes of a call were decided: else a call that ended where a
