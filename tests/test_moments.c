@@ -268,3 +268,25 @@ TEST(a_toss_that_rolls_has_the_velocity_of_rolling)
         check(b.vx == v[0] && b.vy == v[1] && b.vz == v[2]);
     }
 }
+
+/* A coin that falls exactly flat begins to touch with its face, and its impact
+ * takes the energy to turn over. */
+TEST(a_fall_on_the_face_tells_what_it_begins)
+{
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.mu_static = 0.2, .mu_kinetic = 0.2};
+    for (int slides = 0; slides < 2; ++slides) {
+        const int32_t mode = slides ? COIN_SLIPS : COIN_RESTS;
+        const int32_t stops[] = {COIN_NEARLY_FLAT, COIN_DECIDED};
+        for (int i = 0; i < 2; ++i) {
+            double t;
+            coin_body b = {.s = {.theta = nextafter(asin(1), 0)},
+                           .y = 1.125,
+                           .vx = slides};
+            check_note("slides %d, stop %d", slides, (int)stops[i]);
+            check_status(coin_move(&b, &p, &f, 3, 1e-9, stops[i], &t),
+                         stops[i] | mode);
+            check_near(t, 1.5, 1e-9);
+        }
+    }
+}

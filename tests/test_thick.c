@@ -632,9 +632,11 @@ TEST(the_thinnest_coin_comes_to_stand)
     const coin_params p = cylinder(5e-5);
     const coin_table f = {.mu_static = INFINITY, .mu_kinetic = 0.3};
     const coin_state s = {.theta = 5e-11};
-    coin_body b = rolling(&s, &p);
+    coin_body b = rolling(&s, &p), c = b;
     check_status(coin_move(&b, &p, &f, 1, 1e-9, 0, NULL), COIN_RESTS);
     check(b.s.theta == 0 && b.s.wX == 0);
+    check_status(coin_move(&c, &p, &f, 1, 1e-9, COIN_TOUCHES, NULL),
+                 COIN_RESTS);
 }
 
 /* A coin that turns fast may dip through upright and come back within one step:

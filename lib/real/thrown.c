@@ -60,7 +60,6 @@ static double try_for(coin_priv_moving *g, const coin_priv_flight *f, double t,
     const coin_priv_coin c = g->c;
     const coin_priv_sum moved = g->moved;
     const double time = g->time;
-    const int tries = g->tries;
     int why, over;
     g->time = moved.sum + t;
     if (f) {
@@ -75,7 +74,6 @@ static double try_for(coin_priv_moving *g, const coin_priv_flight *f, double t,
     g->c = c;
     g->moved = moved;
     g->time = time;
-    g->tries = tries;
     return t;
 }
 
@@ -239,7 +237,6 @@ static int32_t on_face(coin_priv_moving *g)
     if (!(coin_priv_time_left(g) > 0))
         return COIN_SLIPS;
     coin_priv_coin to = g->c;
-    to.y = coin_priv_height(&to);
     const double end = until_decided(g, 0, coin_priv_time_left(g));
     const double t = coin_priv_slide_flat(&to, g, end);
     const int32_t status = take(g, &to);
