@@ -199,3 +199,13 @@ TEST(a_slowed_flight_turns_about_its_momentum)
         check_near(to.y, b.y + t * (b.vy - t / 2), 1e-13 * b.y);
     }
 }
+
+TEST(angular_damping_slows_the_turn_about_the_axis)
+{
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.losses.angular = 0.5};
+    const coin_body start = {.s = {.theta = 0.3, .wZ = 1.5}, .y = 100};
+    coin_body b = start;
+    check_status(coin_move(&b, &p, &f, 2, 1e-9, 0, NULL), COIN_LIFTS);
+    check_near(b.s.psi, 1.5 * (1 - exp(-1)) / 0.5, 1e-14);
+}

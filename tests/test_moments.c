@@ -290,3 +290,14 @@ TEST(a_fall_on_the_face_tells_what_it_begins)
         }
     }
 }
+
+/* One that sticks has stopped when it rests. */
+TEST(a_face_that_sticks_leaves_no_velocity)
+{
+    const coin_params p = thrown_params(0.25, 0.5);
+    const coin_table f = {.mu_static = INFINITY, .mu_kinetic = 0.2};
+    coin_body b = {
+        .s = {.theta = nextafter(asin(1), 0)}, .y = 0.5, .vx = 1, .vz = -1};
+    check_status(coin_move(&b, &p, &f, 3, 1e-9, 0, NULL), COIN_RESTS);
+    check(b.vx == 0 && b.vy == 0 && b.vz == 0);
+}

@@ -225,3 +225,14 @@ TEST(a_thick_coin_that_falls_straight_needs_few_steps)
         check_status(status, COIN_RESTS);
     }
 }
+
+/* The contact of a coin that leans so little has still a direction. */
+TEST(a_coin_just_above_flat_does_not_lie_yet)
+{
+    const coin_params p = disc();
+    const coin_table f = {.mu_static = 0.2, .mu_kinetic = 0.2};
+    const coin_state s = {.theta = asin(1) - 1e-10};
+    coin_body b;
+    check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+    check_status(coin_move(&b, &p, &f, 0, 1e-6, 0, NULL), COIN_OK);
+}

@@ -625,6 +625,37 @@ TEST(a_coin_that_ends_to_rock_gains_no_energy)
     }
 }
 
+/* A coin stands after a pass through upright alone, and one that does not
+ * bounce. */
+TEST(a_slow_coin_that_leans_or_bounces_does_not_stand)
+{
+    const coin_params p = cylinder(0.5);
+    const coin_table f = {.mu_static = INFINITY, .mu_kinetic = 0.3};
+    const coin_table lively = {
+        .mu_static = 0.3, .mu_kinetic = 0.3, .restitution = 0.9};
+    const coin_state leans = {.theta = 0.3, .wX = 0.004};
+    const coin_state upright = {.wX = -0.0045};
+    coin_body b = rolling(&leans, &p);
+    b.vy -= 1e-6;
+    check_status(coin_move(&b, &p, &f, 1e-9, 1e-9, 0, NULL), COIN_OK);
+    check_near(b.s.wX, leans.wX, 1e-5);
+    b = rolling(&upright, &p);
+    b.vy = 0;
+    check_status(coin_move(&b, &p, &lively, 1e-9, 1e-9, 0, NULL), COIN_LIFTS);
+    check(b.s.wX != 0);
+}
+
+/* It touches with one rim or the other. */
+TEST(a_coin_that_rocks_does_not_leave_the_table)
+{
+    const coin_params p = cylinder(0.5);
+    const coin_table f = {.mu_static = INFINITY, .mu_kinetic = 0.3};
+    const coin_state s = {.theta = 0.1};
+    coin_body b = rolling(&s, &p);
+    check_status(coin_move(&b, &p, &f, INFINITY, 1e-9, COIN_LIFTS, NULL),
+                 COIN_RESTS);
+}
+
 /* A pass that is no impact, since the other rim comes down at less than 1e-10:
  * by an impact alone this coin would rock for ever. */
 TEST(the_thinnest_coin_comes_to_stand)

@@ -126,8 +126,8 @@ static void come_down(coin_priv_moving *g)
         coin_priv_end_here(g, COIN_TOUCHES);
 }
 
-/* Flies for a time.  The coin comes down on the table if `touches`, or if
- * rounding took it there. */
+/* Flies for a time, at the end of which the coin comes down on the table if
+ * `touches`. */
 static int32_t fly_for(coin_priv_moving *g, const coin_priv_flight *f, double t,
                        int touches)
 {
@@ -136,7 +136,7 @@ static int32_t fly_for(coin_priv_moving *g, const coin_priv_flight *f, double t,
     const double end = until_decided(g, f, t);
     coin_priv_fly(&g->c, f, end);
     coin_priv_set_upright(&g->c);
-    if ((touches && end == t) || coin_priv_gap(&g->c) < 0)
+    if (touches && end == t)
         g->c.y = coin_priv_height(&g->c);
     spend(g, end);
     come_down(g);
@@ -154,8 +154,8 @@ static int32_t fly(coin_priv_moving *g, int leaves)
 }
 
 /* Leaves the table with no normal speed.  The gap of the rim that leaves is
- * looked at after a time: until then it is rounding.  A touch that this misses
- * is less than 1e-12 deep.  The other rim may come down before. */
+ * looked at after a time: until then it is rounding.  The other rim may come
+ * down before. */
 static int32_t lift_off(coin_priv_moving *g)
 {
     const double t =
@@ -186,13 +186,13 @@ static void lie_down(coin_priv_coin *c, const coin_priv_law *l)
 }
 
 /* Ends to rock: the coin that is upright, on one rim, stands on both.  Friction
- * takes what rocking gave to the velocity along e_h, if that slows the coin. */
+ * takes from the velocity along e_h what rocking may have given to it. */
 static void stand(coin_priv_coin *c, double mu)
 {
     const coin_priv_sc ph = c->ph;
     const double vh = c->vx * ph.s + c->vz * ph.c;
     const double part = coin_priv_lesser(fabs(vh), fabs(c->wX));
-    const double dv = mu > 0 && vh * c->wX > 0 ? copysign(part, vh) : 0;
+    const double dv = mu > 0 ? copysign(part, vh) : 0;
     c->vx -= dv * ph.s;
     c->vz -= dv * ph.c;
     c->vy = c->wX = 0;
@@ -253,7 +253,7 @@ static int32_t at_rest(coin_priv_moving *g)
         c->wY != 0 || c->wZ != 0 || c->vx != 0 || c->vy != 0 || c->vz != 0;
     const int32_t low = c->th.c < COIN_PRIV_NEARLY_FLAT ? COIN_NEARLY_FLAT : 0;
     coin_priv_moments(g, COIN_RESTS | low | decided(g));
-    c->wY = c->wZ = c->vx = c->vy = c->vz = 0;
+    c->wY = c->wZ = 0; /* its velocity is that of rolling */
     g->changed |= moves && g->time > 0;
     return COIN_RESTS;
 }
