@@ -140,14 +140,13 @@ int coin_priv_slow_rates(double *d, const double *y,
 int coin_priv_end_slip(coin_priv_moving *g);
 
 /* How fast a coin moves that nothing leans: the larger of its roll and its
- * speed; infinity of any other. */
+ * slip; infinity of any other. */
 COIN_PRIV_INLINE double coin_priv_upright_speed(const double *y)
 {
-    const double wZ = y[COIN_PRIV_WZ], uh = y[COIN_PRIV_UH];
-    const double vX = y[COIN_PRIV_UX] - wZ;
+    const double uX = y[COIN_PRIV_UX], uh = y[COIN_PRIV_UH];
     if (y[COIN_PRIV_S] != 0 || y[COIN_PRIV_WX] != 0 || y[COIN_PRIV_WY] != 0)
         return (double)INFINITY;
-    return coin_priv_larger(fabs(wZ), sqrt(vX * vX + uh * uh));
+    return coin_priv_larger(fabs(y[COIN_PRIV_WZ]), sqrt(uX * uX + uh * uh));
 }
 
 /* The time left of the call. */
