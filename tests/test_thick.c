@@ -1055,15 +1055,18 @@ TEST(the_other_rim_comes_down_while_one_lifts_off)
 /* ------------------------------------------------------------ a held contact
  */
 /* A coin whose contact is held turns about the vertical through it, or through
- * its centre if it slips on ice, and nothing turns it about that: its angular
- * momentum there stays. */
-TEST(a_held_contact_keeps_the_angular_momentum_about_its_vertical)
+ * its centre if it slips on ice.  Its angular momentum there is changed by the
+ * pull alone, and so is its energy: that of the slip without what the centre
+ * has along the table. */
+TEST(a_held_contact_keeps_angular_momentum_and_energy)
 {
     const coin_priv_direction none = {0, 0};
-    const coin_table ice = {0};
     struct random r = random_begin(72);
     for (int i = 0; i < 400; ++i) {
         const coin_params p = random_cylinder(&r, 1e-2, 1);
+        const double gX = random_between(&r, -1, 1);
+        const double gh = random_between(&r, -1, 1);
+        const coin_table ice = {.pull = {p.gravity * gX, p.gravity * gh}};
         const double half = p.thickness / 2;
         const double lean = random_between(&r, -1.4, 1.4);
         const double turn = random_between(&r, -2, 2);
@@ -1074,7 +1077,7 @@ TEST(a_held_contact_keeps_the_angular_momentum_about_its_vertical)
         check(coin_priv_check_thick(&b, &p) == COIN_OK);
         check(coin_priv_table_law(&l, &ice, &b, half) == COIN_OK);
         l.eta = lean < 0 ? -half : half;
-        const double s = sin(lean), c = cos(lean), ds = c, dc = -s;
+        const double s = sin(lean), c = cos(lean);
         const double wX = random_between(&r, -2, 2);
         y[COIN_PRIV_S] = s;
         y[COIN_PRIV_C] = c;
@@ -1085,16 +1088,41 @@ TEST(a_held_contact_keeps_the_angular_momentum_about_its_vertical)
         y[COIN_PRIV_UX] = slips;
         (void)coin_priv_slopes(
             d, y, &l, COIN_PRIV_HELD | (slips ? COIN_PRIV_SLIPS : 0), none);
-        const double P = slips ? 0 : s - l.eta * c;
-        const double dP = slips ? 0 : ds - l.eta * dc;
-        const double H = l.IX * c * c + l.IZ * s * s + P * P;
-        const double dH =
-            2 * (l.IX * c * dc + l.IZ * s * ds + P * dP) * wX * turn;
-        const double dturn = c * d[COIN_PRIV_WY] - s * d[COIN_PRIV_WZ] +
-                             wX * (dc * y[COIN_PRIV_WY] - ds * y[COIN_PRIV_WZ]);
+        /* The centre is P along e_h and Y above the contact. */
+        const double P = s - l.eta * c, Y = c + l.eta * s, far = slips ? 0 : P;
+        const double H = l.IX * c * c + l.IZ * s * s + far * far;
+        const double dH = 2 * (s * c * (l.IZ - l.IX) + far * Y) * wX;
+        const double J = l.IX + P * P + (slips ? 0 : Y * Y);
+        const double dJ = slips ? 2 * P * Y * wX : 0;
+        const double dturn =
+            (c * d[COIN_PRIV_WY] - s * d[COIN_PRIV_WZ]) / d[COIN_PRIV_ADDS_T];
+        const double dwX = d[COIN_PRIV_WX] / d[COIN_PRIV_ADDS_T];
+        const double power = slips ? 0 : gh * Y * wX + gX * P * turn;
+        const double grows = wX * (J * dwX + dJ * wX / 2) +
+                             turn * (H * dturn + dH * turn / 2) - P * wX;
         check_note("seed 72, coin %d, lean %g, slips %d", i, lean, slips);
-        check_near(dturn * H / d[COIN_PRIV_ADDS_T], -dH, 1e-12);
+        check_near(dturn * H + dH * turn, far * gX, 1e-12);
+        check_near(grows, power, 1e-12);
     }
+}
+
+/* The torque of `angular` takes its power from a coin that rolls on a rim. */
+TEST(angular_damping_of_a_rim_takes_its_power)
+{
+    const coin_params p = cylinder(0.5);
+    const coin_table f = {
+        .mu_static = INFINITY, .mu_kinetic = 0.3, .losses.angular = 0.5};
+    const coin_state s = {.theta = 0.6, .wX = 0.9, .wY = -0.7, .wZ = 0.4};
+    coin_body b = rolling(&s, &p);
+    const double t = 1e-3, before = coin_body_energy(&b, &p);
+    double power = 0;
+    for (int i = 0; i < 2; ++i) {
+        power += 0.25 * (p.inertia_X * (b.s.wX * b.s.wX + b.s.wY * b.s.wY) +
+                         p.inertia_Z * b.s.wZ * b.s.wZ);
+        if (i == 0)
+            check_status(coin_move(&b, &p, &f, t, 1e-12, 0, NULL), COIN_OK);
+    }
+    check_near((before - coin_body_energy(&b, &p)) / t, power, 1e-5 * power);
 }
 
 /* ------------------------------------------------------------- a pull */
