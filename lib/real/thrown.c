@@ -60,6 +60,7 @@ static double try_for(coin_priv_moving *g, const coin_priv_flight *f, double t,
     const coin_priv_coin c = g->c;
     const coin_priv_sum moved = g->moved;
     const double time = g->time;
+    const int tries = g->tries;
     int why, over;
     g->time = moved.sum + t;
     if (f) {
@@ -74,6 +75,7 @@ static double try_for(coin_priv_moving *g, const coin_priv_flight *f, double t,
     g->c = c;
     g->moved = moved;
     g->time = time;
+    g->tries = tries;
     return t;
 }
 
