@@ -3,6 +3,8 @@
 #include "support/check.h"
 #include "support/thrown.h"
 
+#include <coin_body.h>
+
 #include <math.h>
 
 #define LAST_LEAN (1.5707963267948966 - 2.220446049250313e-16)
@@ -394,4 +396,27 @@ TEST(a_toss_lies_as_it_was_decided)
     }
     check(lie[0] > count / 2 && lie[1] > count / 2);
     check_share(kept[2], lie[2], 0.99);
+}
+
+/* The search for the moment moves the coin ahead about 40 times.  The steps of
+ * that are not taken from those of the call. */
+TEST(looking_ahead_takes_no_steps_of_the_call)
+{
+    const coin_params p = cylinder(0.7);
+    const coin_table f = {.mu_static = 0.1,
+                          .mu_kinetic = 0.1,
+                          .losses = {.dry = 0.002, .spin = 0.02}};
+    const coin_body b = {.s = {.wZ = -1.2}, .y = 1, .vx = 1.5};
+    static coin_priv_moving searches, moves;
+    coin_priv_moving *const calls[] = {&searches, &moves};
+    for (int i = 0; i < 2; ++i) {
+        coin_priv_moving *const g = calls[i];
+        coin_priv_constants of;
+        check_status(coin_priv_check_coin_body(&g->c, &b, &p, &of), COIN_OK);
+        check_status(coin_priv_table_law(&g->law, &f, &of, 0.7), COIN_OK);
+        coin_priv_begin_call(g, i ? searches.moved.sum : INFINITY, 1e-6, 11000);
+        g->stop = i ? 0 : COIN_DECIDED;
+        check_status(coin_priv_go_on(g), i ? COIN_OK : COIN_DECIDED);
+    }
+    check(searches.tries == moves.tries);
 }
