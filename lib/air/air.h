@@ -102,12 +102,13 @@ typedef struct coin_priv_touch {
     int looks;   /* how often the gap has been computed */
 } coin_priv_touch;
 
-/* The first touch of the rim at eta within t.  leaves: the lowest point of the
- * rim is on the table and moves up.  A search that is long ends before t. */
+/* The first time within t at which the rim at eta touches the table.  leaves:
+ * its lowest point is on the table at the start and moves up.  The search has a
+ * limit: it may end before t. */
 coin_priv_touch coin_priv_rim_touch(const coin_priv_flight *f, double eta,
                                     double t, int leaves);
 
-/* The first touch of any rim. */
+/* The same for the rim that touches first. */
 coin_priv_touch coin_priv_first_touch(const coin_priv_flight *f, double t,
                                       int leaves);
 

@@ -63,8 +63,9 @@ void coin_priv_set_on_table(coin_body *b, double a, double half, double tips,
 int coin_priv_coin_mode(const coin_priv_coin *c, const coin_priv_law *l,
                         double u[2]);
 
-/* What a coin on both rims does as it tips over the one at eta: 0, or
- * COIN_PRIV_SLIPS.  u: the velocity of that rim along e_X and e_h. */
+/* The mode of a coin on both rims that begins to tip over the rim at eta: 0 if
+ * that rim rolls, COIN_PRIV_SLIPS if it slips.  u: set to the velocity of its
+ * lowest point along e_X and e_h. */
 int coin_priv_tip_mode(const coin_priv_coin *c, double eta, double u[2]);
 
 #endif

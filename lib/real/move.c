@@ -153,12 +153,12 @@ static int is_followed(const coin_priv_moving *g)
     return g->mode & COIN_PRIV_SLIPS && !(g->slow > 0);
 }
 
-/* In one step a slip grows at most to so many times its speed: the time of a
- * step grows with it, and is not among the variables whose error is estimated.
- * Measured: GROWTH in tables.md. */
+/* In one step the speed of a slip becomes at most GROWTH times as large.  The
+ * slope of the time is proportional to it, and the estimate of a step's error
+ * leaves the time out.  Measured: GROWTH in tables.md. */
 #define GROWTH 10
 
-/* Whether the slip of the step has grown too much. */
+/* Whether the slip became too fast within the step. */
 static int slip_outgrows(const coin_priv_moving *g)
 {
     return is_followed(g) &&

@@ -13,9 +13,9 @@
  * direction of (84) changes.  Steps are then as long as those of the coin's own
  * motion.  The speed has a sign, and the slip ends where it passes 0.
  *
- * The angle is known to order u.  A slip is slow while an estimate of it is
- * below SLOW tol^(5/16), and its own direction is so near to n that the error
- * of its velocity is ALIGNED tol.  Measured: SLOW in tables.md.
+ * The angle is computed to first order in u.  A slip is slow while an estimate
+ * of it is below SLOW tol^(5/16), and its own direction is so near to n that
+ * the error of its velocity is ALIGNED tol.  Measured: SLOW in tables.md.
  *
  * A slip that grows or ends faster than by QUICK of the friction changes in few
  * steps that follow it, which cost less.  Measured: QUICK in tables.md.
@@ -80,16 +80,15 @@ static double along(double *d, const double *y, double u, coin_priv_direction n,
     return n.X * d[COIN_PRIV_UH] - n.h * d[COIN_PRIV_UX];
 }
 
-/* 1/x, but 0 where x is far below `weak`: what turns a direction so little does
- * not lead it. */
+/* 1/x, but 0 where |x| is far below `weak`. */
 static double inverse_of(double x, double weak)
 {
     return x / (x * x + weak * weak);
 }
 
-/* Sets a slow slip of the speed u, from a direction near its own, to order u.
- * With q for what along() returns, (84) is q = 0, and n is where
- * q = u d(n)/dt. */
+/* Sets *o to the slow slip of the speed u, to first order in u.  n: a direction
+ * near that of the slip.  Let q be what along() returns.  The direction of (84)
+ * is where q = 0, that of the slip where q = u d(n)/dt. */
 static void find_slow(struct slow_slip *o, const double *y, double u,
                       coin_priv_direction n, const coin_priv_law *l, int mode)
 {

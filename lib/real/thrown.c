@@ -51,9 +51,10 @@ static int32_t decided(const coin_priv_moving *g)
 }
 
 /* Moves the coin for a time t, or until its mode ends, reads its energy, and
- * puts the coin back.  It flies by *f; where f is null, it is on its face or on
- * both rims.  Returns the time moved.  *above: by how much the energy is above
- * that of balancing, plus the rounding of a body's members. */
+ * puts the coin, the time and the number of trials back.  It flies by *f; where
+ * f is null, it is on its face or on both rims.  Returns the time moved.
+ * *above: by how much the energy is above that of balancing, plus the rounding
+ * of a body's members. */
 static double try_for(coin_priv_moving *g, const coin_priv_flight *f, double t,
                       double *above)
 {
@@ -155,9 +156,9 @@ static int32_t fly(coin_priv_moving *g, int leaves)
     return fly_for(g, &f, to.t, to.touches);
 }
 
-/* Leaves the table with no normal speed.  The gap of the rim that leaves is
- * looked at after a time: until then it is rounding.  The other rim may come
- * down before. */
+/* Leaves the table with no normal speed.  For the time coin_priv_blind() the
+ * gap below the rim that leaves is smaller than its rounding, and is not
+ * computed. The other rim may come down in that time. */
 static int32_t lift_off(coin_priv_moving *g)
 {
     const double t =
@@ -187,8 +188,9 @@ static void lie_down(coin_priv_coin *c, const coin_priv_law *l)
     c->y = coin_priv_height(c);
 }
 
-/* Ends to rock: the coin that is upright, on one rim, stands on both.  Friction
- * takes from the velocity along e_h what rocking may have given to it. */
+/* Ends rocking: a coin that is upright on one rim then stands on both.  Rocking
+ * moves the centre at |wX| along e_h.  Friction takes up to that from the
+ * velocity along e_h; on ice it takes nothing. */
 static void stand(coin_priv_coin *c, double mu)
 {
     const coin_priv_sc ph = c->ph;
