@@ -700,6 +700,25 @@ TEST(the_force_on_both_rims_is_what_slows_a_roll)
     check_near(F.R[2], 0, 4 * U);
 }
 
+/* At rest it needs what holds it, as a coin on one rim does. */
+TEST(the_force_on_both_rims_at_rest_holds_the_pull)
+{
+    const coin_params p = cylinder(0.4);
+    const coin_table f = {.mu_static = 0.3,
+                          .mu_kinetic = 0.3,
+                          .losses = {.rolling = 0.05},
+                          .pull = {0.03, 0.04}};
+    for (double phi = -3; phi < 4; ++phi) {
+        coin_body b = rolling(&(coin_state){.phi = phi}, &p);
+        coin_force F;
+        check_status(coin_move(&b, &p, &f, 0, 1e-9, 0, NULL), COIN_RESTS);
+        check_status(coin_body_reaction(&b, &p, &f, &F), COIN_OK);
+        check_near(F.R[0], -0.03, 4 * U);
+        check_near(F.normal, 1, 4 * U);
+        check_near(F.R[2], -0.04, 4 * U);
+    }
+}
+
 TEST(a_coin_on_ice_slides_on_its_edge_as_it_does)
 {
     const coin_params p = cylinder(0.3);

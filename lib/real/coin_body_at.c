@@ -106,13 +106,15 @@ static coin_priv_push force_on_face(const coin_priv_coin *c,
     return r;
 }
 
-/* The force on a coin that is upright, in natural units: on both rims, or,
- * where it tips, on the rim that stays. */
+/* The force on a coin that is upright, in natural units: on both rims, at rest
+ * against the pull, or, where it tips, on the rim that stays. */
 static coin_priv_push force_on_line(const coin_priv_coin *c, coin_priv_law *l)
 {
     const int tips = coin_priv_tips(c, l);
     if (!tips)
-        return coin_priv_line_push(c, l);
+        return coin_priv_line_mode(c, l) == COIN_PRIV_RESTS
+                   ? force_on_face(c, l, COIN_PRIV_RESTS)
+                   : coin_priv_line_push(c, l);
     double u[2];
     l->eta = tips * l->half;
     const int mode = coin_priv_tip_mode(c, l->eta, u);
