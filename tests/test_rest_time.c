@@ -179,6 +179,17 @@ TEST(a_coin_that_nothing_leans_stays_upright)
     check(isnan(coin_time_to_rest(&stay[0], &p, &wrong, 1e-6)));
 }
 
+TEST(a_thick_coin_has_no_time_to_rest_by_any_losses)
+{
+    const coin_losses losses[] = {{0}, {.spin = 0.01}, {.dry = 0.01}};
+    const coin_state starts[] = {{.theta = 0.3, .wZ = 2}, {.wY = 5}};
+    coin_params p = disc();
+    p.thickness = 0.1;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 2; ++k)
+            check(isnan(coin_time_to_rest(&starts[k], &p, &losses[i], 1e-6)));
+}
+
 TEST(the_time_to_rest_has_the_tolerance_asked_for)
 {
     const coin_params p = disc();

@@ -34,8 +34,9 @@ static int stays_upright(const coin_state *s, const coin_losses *l)
 double coin_time_to_rest(const coin_state *s, const coin_params *p,
                          const coin_losses *l, double tol)
 {
+    coin_priv_constants b;
     double time = 0;
-    if (coin_state_check(s, p) != COIN_OK ||
+    if (!s || !p || coin_priv_check(s, p, &b) != COIN_OK ||
         coin_losses_check(l, p) != COIN_OK || !coin_priv_tol_in_range(tol))
         return (double)NAN;
     if (stays_upright(s, l))
