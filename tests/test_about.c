@@ -298,8 +298,8 @@ TEST(what_ends_a_loop_is_said_whatever_else_holds)
 
 TEST(any_other_number_is_unknown)
 {
-    const int32_t others[] = {COIN_ERANGE - 1, -1000, INT32_MIN, 1000,
-                              INT32_MAX};
+    const int32_t others[] = {COIN_ERANGE - 1,  -1000, INT32_MIN,
+                              2 * COIN_DECIDED, 1000,  INT32_MAX};
     for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
         check_note("%d", (int)others[i]);
         check(strcmp(coin_status_string(others[i]), "unknown status") == 0);

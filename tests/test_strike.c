@@ -379,3 +379,22 @@ TEST(a_blow_may_lead_to_the_end_of_the_range)
     check_status(coin_body_strike(&b, &p, more, centre), COIN_ESTATE);
     check_same(&b, &fast, sizeof b);
 }
+
+/* The end is 1e6 a sqrt(g/a) for a velocity. */
+TEST(the_end_of_the_range_of_a_blow_has_units)
+{
+    const coin_state s = {.theta = 0.3};
+    const double centre[] = {0, 0, 0};
+    for (double a = 1e-3; a < 2e3; a *= 1e3) {
+        coin_params p;
+        check_status(coin_params_cylinder(&p, 3, a, a / 10, 9), COIN_OK);
+        const coin_body good = rolling(&s, &p);
+        const double J = 3 * 1e6 * sqrt(9 * a);
+        const double less[] = {0.999 * J, 0, 0}, more[] = {1.001 * J, 0, 0};
+        coin_body b = good;
+        check_status(coin_body_strike(&b, &p, more, centre), COIN_ESTATE);
+        check_same(&b, &good, sizeof b);
+        check_status(coin_body_strike(&b, &p, less, centre), COIN_OK);
+        check_near(b.vx, 0.999 * J / 3, 4 * U * J / 3);
+    }
+}

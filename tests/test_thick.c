@@ -8,6 +8,8 @@
 #include <math.h>
 #include <string.h>
 
+#define LAST_LEAN (1.5707963267948966 - 2.220446049250313e-16)
+
 #define PI 3.14159265358979323846
 
 /* ------------------------------------------------------------- reference */
@@ -391,6 +393,64 @@ TEST(a_lying_coin_holds_against_a_pull)
         check_near(F.R[1], 1, 4 * U);
         check_near(F.R[2], -f.pull[1], 4 * U);
         check_near(F.ratio, size, 4 * U);
+    }
+}
+
+/* The blow with which it comes to lie takes from the velocity of the centre
+ * what the tilt of the face gives it, as far as friction can, Eq. (133). */
+TEST(a_coin_that_comes_to_lie_loses_the_velocity_of_its_tilt)
+{
+    const double h = 0.3, turn = 0.8, fall = 1;
+    const coin_params p = cylinder(h);
+    coin_table f = {.losses = {.flat = 1e-2}};
+    for (int i = 0; i < 50; ++i) {
+        const double up = i % 2 ? 1 : -1, phi = i * 0.37;
+        const double mu = 0.02 * (i + 1);
+        const coin_state s = {.theta = (LAST_LEAN - 5e-3) * up,
+                              .phi = phi,
+                              .wX = fall * up,
+                              .wY = turn};
+        coin_body b = rolling(&s, &p);
+        b.vx += 0.1 * (i % 5); /* the face slides, too */
+        f.mu_static = f.mu_kinetic = mu;
+        /* From the middle of the face to the centre is h upwards. */
+        const double AX = -up * h * turn, Ah = h * fall * up;
+        const double Ax = AX * cos(phi) + Ah * sin(phi);
+        const double Az = Ah * cos(phi) - AX * sin(phi);
+        const double U2 = (b.vx - Ax) * (b.vx - Ax) + (b.vz - Az) * (b.vz - Az);
+        const double S = sqrt(U2 + (Ax * Ax + Az * Az) / 4);
+        const double q = fmin(1, mu * fabs(b.vy) / (2 * S));
+        const coin_body was = b;
+        check_note("%d", i);
+        check(coin_move(&b, &p, &f, 1e-13, 1e-9, 0, NULL) >= 0);
+        check(b.s.wX == 0 && b.s.wY == 0 && b.vy == 0);
+        check_near(b.vx, was.vx - q * Ax, 2e-13 * mu + 64 * U);
+        check_near(b.vz, was.vz - q * Az, 2e-13 * mu + 64 * U);
+    }
+}
+
+/* A coin that starts near flat without a turn: dry friction needs the lever of
+ * the pull about the contact, (c/H) g_X (I_X c + I_Z h s), to hold it, where
+ * it does not fade with the roll. */
+TEST(dry_friction_holds_a_contact_against_a_pull)
+{
+    const double c = 0.02, s = sqrt(1 - c * c), h = 0.1, pull = 0.5;
+    const coin_params p = cylinder(h);
+    const double P = s - h * c;
+    const double H = p.inertia_X * c * c + p.inertia_Z * s * s + P * P;
+    const double Q = c / H * pull * (p.inertia_X * c + p.inertia_Z * h * s);
+    for (int i = 0; i < 4; ++i) {
+        const int holds = i % 2;
+        const coin_state leans = {.theta = acos(c) * (i < 2 ? 1 : -1)};
+        const coin_table f = {
+            .mu_static = INFINITY,
+            .mu_kinetic = 0.3,
+            .losses = {.dry = holds ? 1.02 * Q : 0.9 * Q, .soft = 1e-12},
+            .pull = {pull, 0}};
+        coin_body b = rolling(&leans, &p);
+        check_note("%d", i);
+        check_status(coin_move(&b, &p, &f, 0.01, 1e-9, 0, NULL), COIN_OK);
+        check((b.s.psi == 0) == holds);
     }
 }
 
