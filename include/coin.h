@@ -21,17 +21,17 @@
  * or losses, scalars, outputs.  A pointer is not null unless a line says "may
  * be null".  An output may be the same object as an input of the same type.
  *
- * STATUS. Most functions return an int32_t: 0 is COIN_OK; a positive value
- * means done, with bits that are warnings or the mode of a body; a negative
- * value is an error, after which every output and the state are unchanged,
- * unless the function says otherwise.  Functions that return a double return
- * NaN instead of an error.  Each function may return these, the usual errors:
- * COIN_EARG for a null pointer; COIN_EPARAMS if p, losses or a table are out of
- * range; COIN_ESTATE if a state or a body is, given or to be made.  Its @return
- * says what else.  Of several errors the first of COIN_EARG, COIN_EPARAMS,
- * COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is returned.  A function without p
- * accepts what is in the range of some coin: x, z up to 1e24, an angular
- * velocity up to 1e21.
+ * STATUS. Most functions return an int32_t: 0 is COIN_OK; a positive value is
+ * no error: its bits are warnings, the mode of a body, or COIN_MORE, not all
+ * was done; a negative value is an error, after which every output and the
+ * state are unchanged, unless the function says otherwise.  Functions that
+ * return a double return NaN instead of an error.  Each function may return
+ * these, the usual errors: COIN_EARG for a null pointer; COIN_EPARAMS if p,
+ * losses or a table are out of range; COIN_ESTATE if a state or a body is,
+ * given or to be made.  Its @return says what else.  Of several errors the
+ * first of COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is
+ * returned.  A function without p accepts what is in the range of some coin: x,
+ * z up to 1e24, an angular velocity up to 1e21.
  *
  * RANGES. What no coin and no wheel is, is refused:
  *   mass, radius, gravity      1e-15 to 1e15 each, in the units of the caller
@@ -58,12 +58,14 @@
  * documentation states another cost (make bound).
  *
  * PROMISES. No allocation, no global state, no output, no errno: every function
- * is reentrant and bounded in time and stack.  What moves a state gives the
- * same bits wherever doubles are those of IEEE 754 (see coin_selftest()).
+ * is reentrant, and bounded in stack and, for a given number of steps and of
+ * coins, in time.  What moves a state gives the same bits wherever doubles are
+ * those of IEEE 754 (see coin_selftest()).
  * A state that is returned is in range, and means to the next call what the
- * returned status says: many short calls move a coin as one long call does
- * (test_state_out).  No function changes the rounding mode or the traps;
- * docs/embedding.md says which values raise no floating-point exception.
+ * returned status says: many short calls move a coin as one long call does,
+ * within the stated error (test_state_out).  No function changes the rounding
+ * mode or the traps; docs/embedding.md says which values raise no
+ * floating-point exception.
  *
  * ACCURACY. "u" is 2^-53 = 1.1e-16.  "8 u of the terms" bounds an error by 8 u
  * times the sum of the absolute values of the formula's terms, for the double
@@ -97,16 +99,16 @@ extern "C" {
 
 /* ---------------------------------------------------------------- types -- */
 
-/** An axisymmetric body: coin_params_disc(), _ring(), _body(), thin;
- * coin_params_cylinder(). */
+/** An axisymmetric body.  coin_params_disc(), _ring() and _body() make a thin
+ * one, coin_params_cylinder() one with a thickness. */
 typedef struct coin_params {
     double mass;        /**< M [M] */
     double radius;      /**< a, of the rim that rolls [L] */
     double gravity;     /**< g [L/T^2] */
     double inertia_X;   /**< I_X = I_Y, about a diameter [M L^2] */
     double inertia_Z;   /**< I_Z, about the axis [M L^2] */
-    double thickness;   /**< between the two rims, 0 or 1e-4 to 4 radii; of a
-                             thin coin, which most functions ask for, 0 [L] */
+    double thickness;   /**< between the two rims: 1e-4 to 4 radii; or 0, a
+                             thin coin, which most functions ask for [L] */
     double reserved[2]; /**< must be 0 */
 } coin_params;
 
@@ -148,7 +150,7 @@ enum {
                             end */
 };
 
-/** Status: positive = done, with these bits. */
+/** Status: positive = no error, with these bits. */
 enum {
     COIN_SLIPS = 1,       /**< F > mu N > 0: a real coin slips */
     COIN_LIFTS = 2,       /**< N <= 0; of a body: it is off the table */
@@ -183,11 +185,12 @@ enum {
 /** One step of classical Runge-Kutta, order 4: coin_run(s, p, COIN_RK4, dt, 1,
  * null), with the same bits.  Eq. (14)-(20).
  * Step, status and accuracy are those of coin_run(); an error leaves *s.
- * Cost: 955 instructions, where a further step of coin_run() takes 587; at
+ * Cost: 962 instructions, where a further step of coin_run() takes 587; at
  *         most 832 bytes of stack on a Cortex-M4F (make firmware). */
 COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
 
-/** Moves a coin by fixed steps.  Runs of one step differ by rounding alone.
+/** Moves a coin by fixed steps.  n runs of one step give what one run of n
+ * steps gives, but for rounding.
  * @param method      COIN_RK4, ...: coin_method_name()
  * @param dt          the step; < 0 runs backward [T]
  * @param steps       how many; 0 changes nothing
@@ -223,7 +226,7 @@ COIN_API int32_t coin_run(coin_state *s, const coin_params *p, int32_t method,
  * @param[out] done         how many samples were written; may be null
  * @return as coin_run(); if a step is refused, out[0 .. *done-1] hold the
  *         samples before it, and the rest are untouched.
- * Cost: that of coin_run(); 300 instructions more for each sample. */
+ * Cost: that of coin_run(); some 340 instructions more for each sample. */
 COIN_API int32_t coin_sample(const coin_state *start, const coin_params *p,
                              int32_t method, double dt,
                              uint64_t steps_per_sample, size_t count,
@@ -252,7 +255,8 @@ COIN_API int32_t coin_batch_run(coin_state *s, size_t count,
  * @param tol        the error that the steps may add per natural unit of time
  *                   or per radius that a fast coin covers, in radians and
  *                   radii, before the motion's own amplification [1]
- * @param[out] reached  the time moved: t, if no error is returned; may be null
+ * @param[out] reached  the time moved: t, unless the status says that the call
+ *                   ended earlier; may be null
  * @return COIN_EARG also for tol out of range; COIN_ESTEP: t is out of range,
  *         *reached untouched.  COIN_MORE: 2^20 steps were not enough, and s is
  *         the state at *reached.  COIN_ERANGE: phi, psi, x or z would leave its
@@ -520,7 +524,7 @@ COIN_API double coin_critical_spin(const coin_params *p);
  *         leaves its range; COIN_EDOMAIN as coin_steady_radii().
  * Accuracy: 6 u of the angles turned, and 6 u of the path, plus the rounding of
  *         phi, psi, x and z to doubles (test_steady_at).
- * Cost: three sines and cosines. */
+ * Cost: 0.6 textbook steps. */
 COIN_API int32_t coin_steady_at(const coin_state *s, const coin_params *p,
                                 double t, coin_state *out);
 
@@ -661,7 +665,7 @@ COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
 /** Scales losses so that a coin comes to rest after a given time: all members
  * of *l but soft and flat are multiplied by one factor.
  * @param[in,out] l  at least one term other than spin is not 0
- * @param time       > 0 [T]
+ * @param time       > 0, up to 5e14 natural units [T]
  * @return COIN_OK: the coin rests after `time` within 1 %, by settling it at
  * tol = 1e-6; COIN_EARG also for time not in range; COIN_EDOMAIN if no such
  *         factor was found by 100,000 trials of steps (docs/choosing.md).
@@ -738,10 +742,11 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  * MODES are read off the members.  h is half of the thickness.  A body touches
  * the table if y is a cos(theta) + h |sin(theta)| within 16 u (a + h), and the
  * normal speed of its lowest point, coin_body_contact(), is at most 1e-10
- * sqrt(g a); else it is in the air.  It rolls if besides its slip speed is at
- * most 1e-10 sqrt(g a) + 16 u (a + h) (|wX| + |wZ|, + |wY| where h > 0) and the
- * table can hold it.  It lies flat if |theta| is the last lean before pi/2 and
- * wX = wY = 0.  With h > 0, theta = wX = 0 it is upright on both rims.
+ * sqrt(g a); else it is in the air.  It rolls if it touches, its slip speed is
+ * at most 1e-10 sqrt(g a) + 16 u (a + h) w, and the table can hold it; w is
+ * |wX| + |wZ|, and where h > 0 also + |wY|.  It lies flat if |theta| is the
+ * last lean before pi/2 and wX = wY = 0.  With h > 0, theta = wX = 0 it is
+ * upright on both rims.
  *
  * MOMENTS. What holds at the start is none; each is told once.
  *   COIN_SLIPS        the contact, or the face, begins to slide
@@ -773,17 +778,18 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  *   else                    it ends: the time is over
  *
  * MOTION. A slip begins where F exceeds mu_static N, Eq. (84), or where rolling
- * would need a pull.  The coin lifts off where N <= 0 and the free acceleration
- * of its lowest point is upward, Eq. (96).  In the air, Eq. (99), (116), phi
- * and psi come to lie in [-pi, pi]; where the face passes the horizontal both
- * jump by pi, and wX, wY change sign.  The +Z side, heads, is up where theta <
- * 0.  An impact below 1e-4 sqrt(g a) does not bounce, Eq. (108), (114).  On its
- * face the coin slides by mu_kinetic without losses, Eq. (109), and wZ is the
- * turn of the face; where mu_static is infinite it sticks; flat it rests on a
- * slope if |pull| <= mu_static g, Eq. (127).  A coin rests on its edge if theta
- * = wX = wY = 0, and |wZ| and its speed (natural) are < 1e-10.  With a
- * thickness it rocks from rim to rim through upright, Eq. (118)-(123), and
- * stands where that gets slow, Eq. (128).
+ * would need the table to hold it down.  The coin lifts off where N <= 0 and
+ * the free acceleration of its lowest point is upward, Eq. (96).  In the air,
+ * Eq. (99), (116), phi and psi come to lie in [-pi, pi]; where the face passes
+ * the horizontal both jump by pi, and wX, wY change sign.  The +Z side, heads,
+ * is up where theta < 0.  An impact below 1e-4 sqrt(g a) does not bounce, Eq.
+ * (108), (114).  On its face the coin slides by mu_kinetic without losses, Eq.
+ * (109), and wZ is the turn of the face; where mu_static is infinite it sticks;
+ * flat it rests on a slope if |pull| <= mu_static g, Eq. (127).  A coin rests
+ * on its edge if theta = wX = wY = 0, and |wZ| and its speed (natural) are <
+ * 1e-10; against a pull only with a thickness, if its losses and mu_static hold
+ * it.  With a thickness it rocks from rim to rim through upright, Eq.
+ * (118)-(123), and stands where that gets slow, Eq. (128).
  *
  * Accuracy: of 100 random launches, 98 err by less than tol (1 + n) after n
  *         natural units (test_slide).  A flight errs by 1e-15 for each radian
@@ -822,7 +828,7 @@ COIN_API int32_t coin_body_contact(const coin_body *b, const coin_params *p,
 /** A blow: gives a body the impulse J at a place, in the air or on the table,
  * for which the next coin_move() answers.  Eq. (129).
  * @param J  [3] along x, y and z [M L/T]
- * @param r  [3] the place, from the centre [L]
+ * @param r  [3] the place, from the centre, along x, y and z too [L]
  * @return COIN_ESTATE also if the body is out of range then; b stays.
  * Accuracy: 8 u of the terms (make adversary). */
 COIN_API int32_t coin_body_strike(coin_body *b, const coin_params *p,

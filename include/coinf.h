@@ -10,8 +10,8 @@
  * STATE. A float holds 7 digits, and a loop of many small steps would lose most
  * of them.  So a state keeps in low what the rounding of its members left out:
  * theta + low[0] is the lean, and so on.  Functions that move a state read and
- * write low.  Functions that only read a state ignore low.  Heading and roll
- * are returned within half a turn of 0.
+ * write low.  Functions that only read a state check low, and leave it out.
+ * Heading and roll are returned within half a turn of 0.
  *
  * ERROR. Over 20 natural units of time, by coinf_step() with any dt from 1e-3
  * to 2e-2 units, the pose is within 4e-6 radians and radii of the exact motion
