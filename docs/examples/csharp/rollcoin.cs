@@ -101,7 +101,7 @@ namespace Rollcoin
         public double inertia_X;
         /// I_Z, about the axis [M L^2]
         public double inertia_Z;
-        /// between the two rims, 0 or 1e-4 to 4 radii; of a thin coin, which most functions ask for, 0 [L]
+        /// between the two rims: 1e-4 to 4 radii; or 0, a thin coin, which most functions ask for [L]
         public double thickness;
     }
 

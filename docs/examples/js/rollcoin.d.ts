@@ -18,7 +18,7 @@ export interface coin_params extends Doubles {
   /** g [L/T^2] */ gravity: number;
   /** I_X = I_Y, about a diameter [M L^2] */ inertia_X: number;
   /** I_Z, about the axis [M L^2] */ inertia_Z: number;
-  /** between the two rims, 0 or 1e-4 to 4 radii; of a thin coin, which most functions ask for, 0 [L] */ thickness: number;
+  /** between the two rims: 1e-4 to 4 radii; or 0, a thin coin, which most functions ask for [L] */ thickness: number;
 }
 export interface coin_state extends Doubles {
   /** lean, -pi/2 < theta < pi/2 [rad] */ theta: number;

@@ -16,15 +16,16 @@ __all__ = ["Params", "State", "Force", "Orbit", "Losses", "Table", "Body",
 
 
 class Params(Plain):
-    """An axisymmetric body: disc(), ring(), body(), thin; cylinder().
+    """An axisymmetric body. disc(), ring() and body() make a thin one,
+    cylinder() one with a thickness.
 
     mass       M [kg]
     radius     a, of the rim that rolls [m]
     gravity    g [m/s^2]
     inertia_X  I_X = I_Y, about a diameter [kg m^2]
     inertia_Z  I_Z, about the axis [kg m^2]
-    thickness  between the two rims, 0 or 1e-4 to 4 radii; of a thin coin,
-               which most functions ask for, 0 [m]
+    thickness  between the two rims: 1e-4 to 4 radii; or 0, a thin coin, which
+               most functions ask for [m]
     reserved   must be 0
 
     coin_params, in SI units; any others that are consistent do as well.
