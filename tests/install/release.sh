@@ -25,10 +25,12 @@ test "$(echo "$VERSION" | sed "s/^$number\.$number\.$number\$//")" = "" ||
     die "'$VERSION' is no version: make release VERSION=1.0.0"
 old=$(sed -n 's/^#define COIN_VERSION_[MP][A-Z]* //p' include/coin.h | paste -sd.)
 ! newer "$old" "$VERSION" || die "$VERSION is older than $old, that of coin.h"
-for tool in gcc readelf abidiff clang "$PYTHON" "$BINDGEN" rustfmt; do
+for tool in gcc readelf abidiff clang "$PYTHON" "$BINDGEN" rustfmt wasm-opt zopfli
+do
     command -v "$tool" >/dev/null || die "needs $tool: sudo apt-get install gcc" \
-        "make clang abigail-tools python3-pycparser bindgen rustfmt"
+        "make clang abigail-tools python3-pycparser bindgen rustfmt binaryen zopfli"
 done
+$make need-wasm || die "the page is built anew"
 "$PYTHON" -c 'import pycparser' || die "needs Debian's python3-pycparser"
 test ! -e .git || test -z "$(git status --porcelain)" ||
     die "there are changes without a commit: git status"
@@ -98,7 +100,7 @@ sh tests/lint/version.sh || die "these places are left"
 
 # What is compiled from the headers, and the baselines of this soname alone.
 $make
-$make abi-update bindings-update
+$make abi-update bindings-update page
 sh tests/abi/abi.sh release
 find tests/abi -mindepth 1 -maxdepth 1 -type d ! -name "$SOVERSION" \
     -exec rm -r {} +
