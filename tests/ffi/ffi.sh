@@ -17,10 +17,14 @@ export CC
 die() { echo "bindings: $*" >&2; exit 1; }
 differs() { echo "bindings: $1"; failed="$failed; $1"; }
 
-for tool in "$CC" "$CXX" "$PYTHON" "$RUSTC" "$CARGO" "$BINDGEN" rustfmt \
-    cargo-clippy pip3 mypy; do
-    command -v "${tool%% *}" >/dev/null || die "needs $tool"
-done
+need()
+{
+    for tool; do
+        command -v "${tool%% *}" >/dev/null || die "needs $tool"
+    done
+}
+
+need "$PYTHON" "$BINDGEN" rustfmt
 rm -rf "$work"
 mkdir -p "$work"
 
@@ -58,6 +62,7 @@ if test "${1:-}" = update; then
     echo "bindings: declarations renewed"
     exit
 fi
+need "$CC" "$CXX" "$RUSTC" "$CARGO" cargo-clippy pip3 mypy
 { diff "$package/_declarations.py" "$work/_declarations.py" &&
     diff "$package/tables.h" "$work/tables.h"; } ||
     differs "Python's declarations"

@@ -25,10 +25,11 @@ test "$(echo "$VERSION" | sed "s/^$number\.$number\.$number\$//")" = "" ||
     die "'$VERSION' is no version: make release VERSION=1.0.0"
 old=$(sed -n 's/^#define COIN_VERSION_[MP][A-Z]* //p' include/coin.h | paste -sd.)
 ! newer "$old" "$VERSION" || die "$VERSION is older than $old, that of coin.h"
-for tool in gcc readelf abidiff clang "$PYTHON" "$BINDGEN" rustfmt wasm-opt zopfli
-do
+for tool in gcc readelf abidiff clang wasm-ld wasm-opt zopfli "$PYTHON" \
+    "$BINDGEN" rustfmt; do
     command -v "$tool" >/dev/null || die "needs $tool: sudo apt-get install gcc" \
-        "make clang abigail-tools python3-pycparser bindgen rustfmt binaryen zopfli"
+        "make clang lld wasi-libc libclang-rt-14-dev-wasm32 binaryen zopfli" \
+        "abigail-tools python3-pycparser bindgen rustfmt"
 done
 $make need-wasm || die "the page is built anew"
 "$PYTHON" -c 'import pycparser' || die "needs Debian's python3-pycparser"
