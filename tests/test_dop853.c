@@ -122,23 +122,6 @@ TEST(a_call_whose_last_trial_is_refused_stays_where_it_was)
     check(g.found == COIN_MORE && g.tries == 0 && !g.changed);
 }
 
-/* A step without them does not decide for the next one. */
-TEST(losses_act_wherever_the_table_presses)
-{
-    static coin_priv_moving g;
-    double wZ[2];
-    for (int idle = 0; idle < 2; ++idle) {
-        make_step(&g, 0.1);
-        g.law.dry = 0.1;
-        g.law.lossy = 1;
-        g.mode = idle ? COIN_PRIV_IDLE : 0;
-        g.tries = 100;
-        check_status(coin_priv_go(&g), COIN_OK);
-        wZ[idle] = g.step.y[COIN_PRIV_WZ];
-    }
-    check(wZ[0] == wZ[1]);
-}
-
 /* Spin brakes the turn about the vertical, c wY - s wZ, and angular damping
  * all. */
 TEST(steps_are_planned_by_no_less_than_the_rate_of_the_losses)

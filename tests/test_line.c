@@ -582,7 +582,7 @@ static int begins_to_slip(const coin_priv_law *l, const coin_body *b,
 TEST(a_pivot_ends_where_it_has_stopped_or_takes_too_much_friction)
 {
     struct random r = random_begin(614);
-    const int n = tries_asked(400);
+    const int n = tries_asked(1600);
     int lost = 0, stopped = 0;
     for (int i = 0; i < n; ++i) {
         coin_priv_law l = random_law(&r, 1);
@@ -612,7 +612,8 @@ TEST(a_pivot_ends_where_it_has_stopped_or_takes_too_much_friction)
         }
     }
     check_share(stopped, n, 0.1);
-    check_share(lost, n, 0.02);
+    check(lost > 0);
+    check_share(lost, n, 0.008);
 }
 
 /* Two pivot down a slope, ever faster; the friction of one that slides turns

@@ -209,6 +209,7 @@ TEST(a_thick_coin_that_falls_straight_needs_few_steps)
                           .losses = {.dry = 2e-3, .spin = 1e-3}};
     const int count = tries_asked(60);
     struct random r = random_begin(197);
+    int few = 0;
     for (int i = 0; i < count; ++i) {
         coin_params p;
         coin_params_cylinder(&p, 1, 1, random_between(&r, 0.1, 2), 1);
@@ -216,14 +217,17 @@ TEST(a_thick_coin_that_falls_straight_needs_few_steps)
                              .wX = random_between(&r, 1, 5)},
                        .y = random_between(&r, 2, 15)};
         int32_t status = COIN_OK;
+        int more = 0;
         check_note("coin %d", i);
-        for (int calls = 0; status == (status & (COIN_SLIPS | COIN_LIFTS));
-             ++calls) {
+        for (int calls = 0; !(status & COIN_RESTS); ++calls) {
             check(calls < 20000); /* it may rock for long */
             status = coin_move(&b, &p, &f, 0.03, 1e-6, 0, NULL);
+            check(status >= 0);
+            more |= status & COIN_MORE;
         }
-        check_status(status, COIN_RESTS);
+        few += !more; /* a coin may clatter on its face */
     }
+    check_share(few, count, 0.99);
 }
 
 /* The contact of a coin that leans so little has still a direction. */

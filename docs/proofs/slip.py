@@ -74,7 +74,8 @@ lever, free = M*a**2/IX, M*(g - a*c*wX**2 - a*s*gX)
 D = 1 + lever*s**2
 N79 = (free + lever*s*c*Fh)/D
 holds(79, of[5].subs(right).subs(N, N79))
-holds(96, free + M*a*(c*wX**2 - g/a - s*wY*(IZ/IX*wZ + wY*T)))
+damped = M*(g - a*c*wX**2 - a*s*(gX - k*wX))
+holds(96, damped + M*a*(c*wX**2 - g/a - s*(wY*(IZ/IX*wZ + wY*T) + k*wX)))
 nh = sp.Symbol('n_h')
 N80 = free/(D + lever*mu*nh*s*c)
 holds(80, (N - N79).subs(Fh, -mu*nh*N).subs(N, N80))

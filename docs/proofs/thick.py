@@ -108,8 +108,8 @@ of = [e.subs({x: constant(r) for x, r in slips.items()}).subs(lossless)
 zero(122, *of[:5], of[5].subs(Fh, -mu*nh*N).subs(N, constant(N122)))
 y = sp.Function('y')(t)
 gap = constant(diff(y - Y, t, 2).subs(diff(y, t, 2), -1))
-zero(123, gap.subs(dwX, constant(gX0)) -
-     constant(Y*wX**2 - 1 - P*wY*(k1*wZ + wY*T)))
+zero(123, gap.subs(dwX, constant(gX0 - k*wX)) -
+     constant(Y*wX**2 - 1 - P*(wY*(k1*wZ + wY*T) + k*wX)))
 
 # ---- held, psi' = 0: it turns about a contact that is at rest
 turn = diff(ph, t)

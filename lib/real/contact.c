@@ -110,7 +110,8 @@ static double weight_of(const double *y, const coin_priv_law *l)
     const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
     const double up = l->IZ / l->IX * c * y[COIN_PRIV_WZ] + s * wY;
     const coin_priv_lever r = coin_priv_lever_of(s, c, l->eta);
-    return c * (1 - r.Y * (wX * wX)) + r.P * (wY * up); /* (96), (123) */
+    return c * (1 - r.Y * (wX * wX)) +
+           r.P * (wY * up + l->angular * c * wX); /* (96), (123) */
 }
 
 int coin_priv_leaves(const double *y, const coin_priv_law *l)
@@ -122,8 +123,11 @@ int coin_priv_leaves(const double *y, const coin_priv_law *l)
     double d[COIN_PRIV_WIDE];
     if (weight > 0)
         return 0;
-    (void)coin_priv_slopes(d, y, l, COIN_PRIV_SLIPS | COIN_PRIV_IDLE,
-                           no_friction);
+    coin_priv_law without = *l;
+    without.lossy = 0;
+    (void)coin_priv_slopes(d, y, &without, COIN_PRIV_SLIPS, no_friction);
+    for (int i = COIN_PRIV_WX; i <= COIN_PRIV_WZ; ++i)
+        d[i] -= l->angular * d[COIN_PRIV_ADDS_T] * y[i];
     const double ds = d[COIN_PRIV_S], dc = d[COIN_PRIV_C];
     const coin_priv_lever r = coin_priv_lever_of(s, c, l->eta);
     const coin_priv_lever dr = coin_priv_lever_of(ds, dc, l->eta);
@@ -131,9 +135,11 @@ int coin_priv_leaves(const double *y, const coin_priv_law *l)
     const double PwY = dr.P * wY + r.P * d[COIN_PRIV_WY];
     const double cwZ = dc * y[COIN_PRIV_WZ] + c * d[COIN_PRIV_WZ];
     const double up = k1 * c * y[COIN_PRIV_WZ] + s * wY;
+    const double damped = dc * wX + c * d[COIN_PRIV_WX];
     const double slope =
         dc - wX * ((dc * r.Y + c * dr.Y) * wX + 2 * c * r.Y * d[COIN_PRIV_WX]) +
-        PwY * up + r.P * wY * (k1 * cwZ + swY);
+        PwY * up + r.P * wY * (k1 * cwZ + swY) +
+        l->angular * (dr.P * c * wX + r.P * damped);
     return !(-weight * d[COIN_PRIV_ADDS_T] < slope * coin_priv_blind(y));
 }
 

@@ -108,8 +108,7 @@ COIN_PRIV_INLINE void add_thick_losses(struct free_motion *r, const double *y,
 COIN_PRIV_INLINE struct free_motion rolling_motion(const double *y,
                                                    const coin_priv_law *l,
                                                    const struct place *at,
-                                                   int slips, int lossy,
-                                                   int plain)
+                                                   int slips, int plain)
 {
     const double wX = y[COIN_PRIV_WX], wY = y[COIN_PRIV_WY];
     const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
@@ -130,9 +129,9 @@ COIN_PRIV_INLINE struct free_motion rolling_motion(const double *y,
         r.perY = at->eta * l->perJ[1]; /* from (122) */
     if (!plain && !slips)
         add_thickness(&r, y, l, at);
-    if (lossy && !plain && !slips) {
+    if (l->lossy && !plain && !slips) {
         add_thick_losses(&r, y, l, at->eta);
-    } else if (lossy) {
+    } else if (l->lossy) {
         const coin_priv_slowing d = coin_priv_slowing_of(l, y, slips);
         r.X += d.wX;
         r.Y += d.wY;
@@ -184,10 +183,9 @@ COIN_PRIV_INLINE coin_priv_push contact(double *d, const double *y,
     const struct place at = place_of(y, l, plain);
     const double wX = y[COIN_PRIV_WX], P = at.P, Y = at.Y;
     const int slips = (mode & COIN_PRIV_SLIPS) != 0;
-    const int lossy = l->lossy && !(mode & COIN_PRIV_IDLE);
     struct free_motion o = mode & COIN_PRIV_HELD
                                ? held_motion(y, l, &at, slips)
-                               : rolling_motion(y, l, &at, slips, lossy, plain);
+                               : rolling_motion(y, l, &at, slips, plain);
     coin_priv_push F;
     if (slips) {
         const double mu = l->mu_kinetic;

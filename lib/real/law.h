@@ -35,22 +35,20 @@ enum {
     COIN_PRIV_WIDE = 16 /* with what fills the last vector of a step */
 };
 
-/* What a coin does, as bits; 0 rolls.  HELD and IDLE are bits of a contact
- * under way alone, ROCKS says how one ended; coin_priv_coin_mode() reads the
- * others off a coin.  SLIPS is 1, so that it is an index into J and K of a law.
+/* What a coin does, as bits; 0 rolls.  HELD is a bit of a contact under way
+ * alone, ROCKS says how one ended; coin_priv_coin_mode() reads the others off a
+ * coin.  SLIPS is 1, so that it is an index into J and K of a law.
  */
 enum {
-    COIN_PRIV_SLIPS = 1,  /* against kinetic friction */
-    COIN_PRIV_HELD = 2,   /* the losses keep d(psi)/dt = 0 */
-    COIN_PRIV_IDLE = 4,   /* for one step the losses do not act, nor hold the
-                             contact: N would be negative */
-    COIN_PRIV_AIR = 8,    /* it does not touch, lifts off, or comes down: an
-                             impact is due */
-    COIN_PRIV_RESTS = 16, /* it does not move; or a contact ended so, which may
-                             go on as a slide on the face */
-    COIN_PRIV_LIES = 32,  /* it is on its face */
-    COIN_PRIV_LINE = 64,  /* it is on both rims, upright */
-    COIN_PRIV_ROCKS = 128 /* the other rim comes down, upright */
+    COIN_PRIV_SLIPS = 1, /* against kinetic friction */
+    COIN_PRIV_HELD = 2,  /* the losses keep d(psi)/dt = 0 */
+    COIN_PRIV_AIR = 4,   /* it does not touch, lifts off, or comes down: an
+                            impact is due */
+    COIN_PRIV_RESTS = 8, /* it does not move; or a contact ended so, which may
+                            go on as a slide on the face */
+    COIN_PRIV_LIES = 16, /* it is on its face */
+    COIN_PRIV_LINE = 32, /* it is on both rims, upright */
+    COIN_PRIV_ROCKS = 64 /* the other rim comes down, upright */
 };
 
 /* The force of the table on a coin, times dt over the time of the slopes: cos

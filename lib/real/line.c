@@ -43,12 +43,14 @@ enum { STICKS = 1, BOTH = 3, CREEP = 4, BOTH_CREEP = 12 };
 #define WIDTH 0.5
 
 /* A slip slower than STOPS tol ends, if the table can hold it.  A slip that
- * begins creeps while it is slower than CREEPS tol^(5/8): it keeps the
- * direction of its onset.  The error of that direction changes the motion by
- * less than tol. */
+ * begins creeps until it is faster than that: it keeps the direction of its
+ * onset, in a first step that leads at most to twice CREEPS tol^(5/8).  The
+ * error of that direction changes the motion by less than tol.  A step may err
+ * by at most SHARE of a slip: else its error would keep up a slip that the
+ * table hardly slows, in steps as short as that slip is slow. */
 #define STOPS 0.01
 #define CREEPS 0.1
-#define ALIGNED 0.999
+#define SHARE 0.01
 
 /* Passes in which an onset is found, Newton's steps in each, and a friction
  * that is not 0. */
@@ -357,15 +359,6 @@ static struct ends ends_now(const double *y, const coin_priv_law *l, double tol)
     int mode = 0;
     for (int i = 0; i < RIMS; ++i)
         mode |= (length_of(slip(y, l->half, i)) <= least) << i;
-    for (int i = 0; i < RIMS && !mode; ++i) {
-        const coin_priv_direction u = slip(y, l->half, i);
-        if (length_of(u) < creep_speed(tol)) {
-            const struct ends e = ends_of(y, l, CREEP << i);
-            const double along = u.X * e.n[i].X + u.h * e.n[i].h;
-            if (e.grows > 0 && along > ALIGNED * length_of(u))
-                return e;
-        }
-    }
     struct ends e = ends_of(y, l, mode);
     if (cone_of(&e, l->mu_static) < -PAST)
         e = ends_of(y, l, CREEP * mode);
@@ -414,6 +407,16 @@ static double longest(const coin_priv_moving *g)
     return h;
 }
 
+/* The speed of the rim that slips slowest. */
+static double slowest(const double *y, double half, int mode)
+{
+    double u = (double)INFINITY;
+    for (int i = 0; i < RIMS; ++i)
+        if (!(mode & (STICKS | CREEP) << i))
+            u = coin_priv_lesser(u, length_of(slip(y, half, i)));
+    return u;
+}
+
 /* Tries a step, and takes it if it is good. */
 static int32_t line_step(coin_priv_moving *g)
 {
@@ -424,8 +427,10 @@ static int32_t line_step(coin_priv_moving *g)
     const int ends = most_h >= left;
     const double h = ends ? left : most_h;
     const double error = coin_priv_try_step(w, h);
-    const double most = ESTIMATE * g->tol * coin_priv_larger(h, SHORTEST) +
-                        4 * DBL_EPSILON * sum_of_speeds(w->y);
+    const double most =
+        coin_priv_lesser(ESTIMATE * g->tol * coin_priv_larger(h, SHORTEST),
+                         SHARE * slowest(w->y, g->law.half, w->of.mode)) +
+        4 * DBL_EPSILON * sum_of_speeds(w->y);
     const double by = coin_priv_lesser(4, coin_priv_next_length(error, most));
     --g->tries;
     if (error <= most) {

@@ -75,7 +75,7 @@ double coin_priv_loss_rate(const double *y, const coin_priv_law *l, int mode)
 {
     const double s = y[COIN_PRIV_S], c = y[COIN_PRIV_C];
     const double u = coin_priv_roll_speed(y);
-    if (!l->lossy || mode & (COIN_PRIV_HELD | COIN_PRIV_IDLE))
+    if (!l->lossy || mode & COIN_PRIV_HELD)
         return 0;
     const double lever = s * s / l->IX + c * c / l->K[mode & COIN_PRIV_SLIPS];
     return coin_priv_grip(l, u, c) * lever + l->damping * fabs(u) +
@@ -93,8 +93,7 @@ static double roll_slope(const double *y, const double *d)
  * soft cos theta, where the contact turns round. */
 static int has_width(const coin_priv_moving *g)
 {
-    return g->law.dry + g->law.rolling > 0 &&
-           !(g->mode & (COIN_PRIV_HELD | COIN_PRIV_IDLE));
+    return g->law.dry + g->law.rolling > 0 && !(g->mode & COIN_PRIV_HELD);
 }
 
 /* How far the roll speed is from where such losses change: sqrt(u^2 + z^2).
@@ -110,8 +109,7 @@ static double way(const coin_priv_moving *g)
  * damping has a kink there, that of layer friction a power 3/2. */
 static int has_kink(const coin_priv_moving *g)
 {
-    return g->law.damping + g->law.layer > 0 &&
-           !(g->mode & (COIN_PRIV_HELD | COIN_PRIV_IDLE));
+    return g->law.damping + g->law.layer > 0 && !(g->mode & COIN_PRIV_HELD);
 }
 
 /* A step with a kink ends just before u = 0: within AIM of the way to there, or
@@ -436,20 +434,14 @@ static void set_held(coin_priv_moving *g)
 int coin_priv_next_mode(coin_priv_moving *g)
 {
     const double *const y = g->step.y;
-    const coin_priv_direction no_friction = {0, 0};
-    const int mode = g->mode, idle = (mode & COIN_PRIV_SLIPS) | COIN_PRIV_IDLE;
     if (g->law.keeps_rolling)
-        return mode;
-    g->margin = coin_priv_contact_margin(y, &g->law, mode);
+        return g->mode;
+    g->margin = coin_priv_contact_margin(y, &g->law, g->mode);
     if (g->margin >= 0)
-        return mode;
-    if (coin_priv_leaves(y, &g->law))
-        return mode | COIN_PRIV_AIR; /* it keeps its slip velocity */
-    if (coin_priv_slopes(0, y, &g->law, mode | COIN_PRIV_SLIPS, no_friction).N >
-        0)
-        return mode | COIN_PRIV_SLIPS;
-    g->margin = coin_priv_contact_margin(y, &g->law, idle);
-    return g->margin >= 0 ? idle : idle | COIN_PRIV_SLIPS;
+        return g->mode;
+    /* In the air it keeps its slip velocity. */
+    return g->mode |
+           (coin_priv_leaves(y, &g->law) ? COIN_PRIV_AIR : COIN_PRIV_SLIPS);
 }
 
 void coin_priv_end_here(coin_priv_moving *g, int32_t why)
@@ -516,7 +508,6 @@ static int32_t follow(coin_priv_moving *g)
     while (status == COIN_OK) {
         if (lies_down(g) || stands(g) || rocks(g))
             return COIN_OK;
-        g->mode &= ~COIN_PRIV_IDLE;
         set_held(g);
         const int next = coin_priv_next_mode(g);
         const int slip_begins = next & ~g->mode & COIN_PRIV_SLIPS;
