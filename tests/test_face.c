@@ -348,6 +348,18 @@ TEST(with_a_pull_nothing_is_decided_by_energy)
     check(t == 7);
 }
 
+/* Where a face sticks, it is decided as it comes to lie. */
+TEST(a_face_that_sticks_is_decided_where_it_comes_to_rest)
+{
+    const coin_params p = cylinder(0);
+    const coin_table f = {
+        .mu_static = INFINITY, .mu_kinetic = 0.3, .losses = {.dry = 0.01}};
+    const coin_state s = {.theta = 1.4, .wX = 0.3, .wZ = 2};
+    coin_body b = rolling(&s, &p);
+    check_status(coin_move(&b, &p, &f, INFINITY, 1e-6, COIN_DECIDED, NULL),
+                 COIN_RESTS | COIN_DECIDED);
+}
+
 /* ------------------------------------------------------------------ tosses */
 /* A toss to rest by calls that end at the moments: 1 if it came to lie as the
  * moment said; 0 if not; -1 if it stands on its edge. */

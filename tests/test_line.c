@@ -720,6 +720,20 @@ TEST(the_force_on_both_rims_at_rest_holds_the_pull)
     }
 }
 
+/* Whichever way it heads, nothing holds it. */
+TEST(on_ice_a_slope_moves_a_coin_on_both_rims)
+{
+    const coin_params p = cylinder(0.5);
+    for (double phi = -3; phi < 3; phi += 0.0123) {
+        const coin_table ice = {.losses = {.dry = 0.01},
+                                .pull = {0.2 * sin(phi), 0.2 * cos(phi)}};
+        coin_body b = rolling(&(coin_state){.phi = phi}, &p);
+        check_note("phi %g", phi);
+        check_status(coin_move(&b, &p, &ice, 1, 1e-9, 0, NULL), COIN_SLIPS);
+        check_near(hypot(b.vx, b.vz), 0.2, 1e-9);
+    }
+}
+
 TEST(a_coin_on_ice_slides_on_its_edge_as_it_does)
 {
     const coin_params p = cylinder(0.3);

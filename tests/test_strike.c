@@ -270,6 +270,35 @@ TEST(a_rolling_coin_answers_a_blow)
     check(moved == 1e-2); /* a slip that is there is no moment */
 }
 
+/* A face that is struck up leaves the table with a rim at rest. */
+TEST(a_struck_face_does_not_stay_where_it_was)
+{
+    struct random r = random_begin(806);
+    const int count = tries_asked(300);
+    const double thick[] = {0, 0.144, 1, 2};
+    for (int i = 0; i < count; ++i) {
+        const coin_params p = cylinder(thick[i % 4] / 2);
+        const coin_table f = {.mu_static = 0.4,
+                              .mu_kinetic = 0.3,
+                              .restitution = random_between(&r, 0, 0.1)};
+        const coin_state lies = {.theta = i % 2 ? LAST_LEAN : -LAST_LEAN};
+        const double J[] = {random_between(&r, -1, 1), 0,
+                            random_between(&r, -1, 1)};
+        const double at[] = {0, thick[i % 4] / 2 + 0.1, 0};
+        coin_body b = rolling(&lies, &p);
+        double left = 0.5, moved;
+        int32_t status = COIN_OK;
+        check_note("seed 806, blow %d", i);
+        check_status(coin_body_strike(&b, &p, J, at), COIN_OK);
+        for (int calls = 0; status != COIN_RESTS && left > 0; ++calls) {
+            check(calls < 20);
+            status = coin_move(&b, &p, &f, left, 1e-6, 0, &moved);
+            check(status >= 0);
+            left -= moved;
+        }
+    }
+}
+
 /* -------------------------------------------------------------- bad input */
 TEST(a_bad_blow_is_refused_and_nothing_touched)
 {

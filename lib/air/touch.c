@@ -152,7 +152,10 @@ static void search(coin_priv_touch *found, const struct arc *r, double end,
         const int zero = at.y <= 0 || at.G <= 4 * DBL_EPSILON * (at.y * at.y);
         double h = 0, width = (double)INFINITY;
         ++found->looks;
-        at.G = leaves ? 0 : at.G;
+        if (leaves) { /* whatever rounding says */
+            at.G = 0;
+            at.d = coin_priv_larger(at.d, 0);
+        }
         if (leaves || !zero)
             h = safe(r, &at, &width);
         leaves = 0;

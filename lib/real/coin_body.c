@@ -25,21 +25,20 @@ int coin_priv_coin_in_range(const coin_priv_coin *c)
            (fabs(c->vy) <= fast) & (fabs(c->vz) <= fast);
 }
 
-/* Turns the axes of a coin whose face is horizontal, and the coin back, so that
- * the lowest point is the one that goes down fastest: wY = 0, wX sin(theta) <=
- * 0.  Its pose and its motion stay. */
-static void turn_axes(coin_state *s)
+void coin_priv_turn_axes(coin_priv_coin *c)
 {
-    const double side = s->theta < 0 ? -1 : 1;
-    const double w = sqrt(s->wX * s->wX + s->wY * s->wY);
-    if (w == 0)
+    const double side = c->th.s < 0 ? -1 : 1;
+    const double w = sqrt(c->wX * c->wX + c->wY * c->wY);
+    if (!(c->th.c <= COIN_PRIV_TOUCH_GAP && w > 0))
         return;
-    const coin_priv_sc by = {s->wY / w, -side * (s->wX / w)};
+    const coin_priv_sc by = {c->wY / w, -side * (c->wX / w)}, ph = c->ph;
     const double angle = coin_priv_angle(by);
-    s->phi += angle;
-    s->psi += side * angle;
-    s->wX = -side * w;
-    s->wY = 0;
+    coin_priv_add(&c->phi, angle);
+    coin_priv_add(&c->psi, side * angle);
+    c->ph.s = ph.s * by.c + ph.c * by.s;
+    c->ph.c = ph.c * by.c - ph.s * by.s;
+    c->wX = -side * w;
+    c->wY = 0;
 }
 
 int32_t coin_priv_coin_of(coin_priv_coin *c, const coin_body *b,
@@ -52,10 +51,7 @@ int32_t coin_priv_coin_of(coin_priv_coin *c, const coin_body *b,
     coin_state s = b->s;
     coin_priv_scale(&s, 1 / of->a, 1 / w0);
     coin_priv_set_state(c, &s, half);
-    if (c->th.c <= COIN_PRIV_TOUCH_GAP) {
-        turn_axes(&s);
-        coin_priv_set_state(c, &s, half);
-    }
+    coin_priv_turn_axes(c);
     c->y = b->y / of->a;
     c->vx = b->vx * per;
     c->vy = b->vy * per;

@@ -35,6 +35,11 @@ int coin_priv_body_in_range(const coin_body *b, double length, double rate);
  * and nothing else takes it out of its range. */
 int coin_priv_coin_in_range(const coin_priv_coin *c);
 
+/* Turns the axes of a coin whose face is horizontal, and the coin back, so that
+ * the lowest point is the one that goes down fastest: wY = 0, wX sin(theta) <=
+ * 0.  Its pose and its motion stay. */
+void coin_priv_turn_axes(coin_priv_coin *c);
+
 /* Sets *c to a body of a coin with these constants, after the checks of the
  * parameters: COIN_OK, or COIN_ESTATE. */
 int32_t coin_priv_coin_of(coin_priv_coin *c, const coin_body *b,

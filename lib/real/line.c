@@ -256,13 +256,13 @@ static double cone_of(const struct ends *e, double mu)
     if (mode != BOTH)
         return mu * e->N[mode - 1] - length_of(e->F[mode - 1]);
     const double x = fabs(e->F[0].X);
-    double across = -2 * fabs(e->F[0].h);
+    double least = 1, across = -2 * fabs(e->F[0].h);
     for (int i = 0; i < RIMS; ++i) {
-        if (mu * e->N[i] < x)
-            return mu * e->N[i] - x;
-        across += sqrt((mu * e->N[i] - x) * (mu * e->N[i] + x));
+        const double rest = mu * e->N[i] - x;
+        least = coin_priv_lesser(least, rest);
+        across += rest > 0 ? sqrt(rest * (rest + 2 * x)) : 0;
     }
-    return across; /* (139) */
+    return coin_priv_lesser(least, across); /* (139) */
 }
 
 /* Whether dry friction and the two ends hold a coin that does not move. */

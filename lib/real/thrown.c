@@ -139,8 +139,9 @@ static int32_t fly_for(coin_priv_moving *g, const coin_priv_flight *f, double t,
     const double end = until_decided(g, f, t);
     coin_priv_fly(&g->c, f, end);
     coin_priv_set_upright(&g->c);
-    if (touches && end == t)
-        g->c.y = coin_priv_height(&g->c);
+    coin_priv_turn_axes(&g->c);
+    const double height = coin_priv_height(&g->c);
+    g->c.y = touches && end == t ? height : coin_priv_larger(g->c.y, height);
     spend(g, end);
     come_down(g);
     return UNDER_WAY;
@@ -256,8 +257,8 @@ static int32_t at_rest(coin_priv_moving *g)
     const int moves =
         c->wY != 0 || c->wZ != 0 || c->vx != 0 || c->vy != 0 || c->vz != 0;
     const int32_t low = c->th.c < COIN_PRIV_NEARLY_FLAT ? COIN_NEARLY_FLAT : 0;
+    c->wY = c->wZ = c->vx = c->vy = c->vz = 0;
     coin_priv_moments(g, COIN_RESTS | low | decided(g));
-    c->wY = c->wZ = 0; /* its velocity is that of rolling */
     g->changed |= moves && g->time > 0;
     return COIN_RESTS;
 }
@@ -329,6 +330,7 @@ static int slides_on_face(const coin_priv_moving *g, int mode)
 static int32_t move_on(coin_priv_moving *g)
 {
     double u[2];
+    coin_priv_turn_axes(&g->c);
     const int mode = coin_priv_coin_mode(&g->c, &g->law, u);
     if (mode & COIN_PRIV_AIR)
         return in_air(g);
