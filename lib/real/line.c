@@ -148,8 +148,9 @@ static coin_priv_direction onset(coin_priv_direction P, double D, double k,
         n.X = D * P.X / X; /* (138) */
         n.h = P.h / h;     /* (138) */
         const double z = length_of(n);
-        if (z > 0 && i < NEWTON)
-            *grows += (z - 1) * (z * z) / (n.X * n.X / X + n.h * n.h / h);
+        if (i < NEWTON)
+            *grows +=
+                (z - 1) * (z * z) / (n.X * n.X / X + n.h * n.h / h + DBL_MIN);
     }
     return n;
 }
