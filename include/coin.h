@@ -21,17 +21,17 @@
  * or losses, scalars, outputs.  A pointer is not null unless a line says "may
  * be null".  An output may be the same object as an input of the same type.
  *
- * STATUS. Most functions return an int32_t: 0 is COIN_OK; a positive value is
- * no error: its bits are warnings, the mode of a body, or COIN_MORE, not all
- * was done; a negative value is an error, after which every output and the
- * state are unchanged, unless the function says otherwise.  Functions that
- * return a double return NaN instead of an error.  Each function may return
- * these, the usual errors: COIN_EARG for a null pointer; COIN_EPARAMS if p,
- * losses or a table are out of range; COIN_ESTATE if a state or a body is,
- * given or to be made.  Its @return says what else.  Of several errors the
- * first of COIN_EARG, COIN_EPARAMS, COIN_ESTATE, COIN_ESTEP, COIN_EDOMAIN is
- * returned.  A function without p accepts what is in the range of some coin: x,
- * z up to 1e24, an angular velocity up to 1e21.
+ * STATUS. Most functions return an int32_t.  0 is COIN_OK.  A positive value is
+ * no error: its bits are warnings, or the mode of a body, or COIN_MORE, which
+ * says that not all was done.  A negative value is an error: every output and
+ * the state are then unchanged, unless the function says otherwise.  Functions
+ * that return a double return NaN instead of an error.  Each function may
+ * return these, the usual errors: COIN_EARG for a null pointer; COIN_EPARAMS if
+ * p, losses or a table are out of range; COIN_ESTATE if a state or a body is,
+ * whether it is given or would be made.  Its @return says what else.  If there
+ * are several errors, the first of COIN_EARG, COIN_EPARAMS, COIN_ESTATE,
+ * COIN_ESTEP, COIN_EDOMAIN is returned.  A function without p accepts what is
+ * in the range of some coin: x, z up to 1e24, an angular velocity up to 1e21.
  *
  * RANGES. What no coin and no wheel is, is refused:
  *   mass, radius, gravity      1e-15 to 1e15 each, in the units of the caller

@@ -42,12 +42,16 @@ enum { STICKS = 1, BOTH = 3, CREEP = 4, BOTH_CREEP = 12 };
 #define REACH 0.8
 #define WIDTH 0.5
 
-/* A slip slower than STOPS tol ends, if the table can hold it.  A slip that
- * begins creeps until it is faster than that: it keeps the direction of its
- * onset, in a first step that leads at most to twice CREEPS tol^(5/8).  The
- * error of that direction changes the motion by less than tol.  A step may err
- * by at most SHARE of a slip: else its error would keep up a slip that the
- * table hardly slows, in steps as short as that slip is slow. */
+/* A slip slower than STOPS tol ends, if the table can hold it.
+ *
+ * A rim that begins to slip creeps in its first step: its slip keeps the
+ * direction in which it begins.  That step ends before the slip is faster than
+ * twice CREEPS tol^(5/8).  The error of the direction then changes the motion
+ * by less than tol.
+ *
+ * A step may err by at most SHARE of the slowest slip.  Larger errors would
+ * keep a slow slip alive that the table hardly slows.  It would then go on in
+ * very many short steps. */
 #define STOPS 0.01
 #define CREEPS 0.1
 #define SHARE 0.01
