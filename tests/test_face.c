@@ -360,6 +360,25 @@ TEST(a_face_that_sticks_is_decided_where_it_comes_to_rest)
                  COIN_RESTS | COIN_DECIDED);
 }
 
+/* On its rim at the start of the call, on its face at once. */
+TEST(a_fall_on_the_face_decides_and_begins_a_slide)
+{
+    const coin_params p = cylinder(0);
+    const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.4};
+    for (int side = -1; side <= 1; side += 2) {
+        const coin_state s = {
+            .theta = -side * 1.5707958, .wX = 3 * side, .wZ = 1};
+        for (int i = 0; i < 2; ++i) {
+            const int32_t stop = i ? COIN_SLIPS : COIN_DECIDED;
+            coin_body b = rolling(&s, &p);
+            double t;
+            check_status(coin_move(&b, &p, &f, 1, 1e-6, stop, &t),
+                         COIN_SLIPS | (i ? 0 : COIN_DECIDED));
+            check(t == 0 && b.vx * b.vx + b.vz * b.vz > 0.9);
+        }
+    }
+}
+
 /* ------------------------------------------------------------------ tosses */
 /* A toss to rest by calls that end at the moments: 1 if it came to lie as the
  * moment said; 0 if not; -1 if it stands on its edge. */

@@ -613,6 +613,32 @@ TEST(a_pivot_about_one_rim_takes_few_steps)
     check_share(few, count, 0.995);
 }
 
+/* However rough the table is: a rim that sticks and loses its weight slips. */
+TEST(a_pivot_on_a_rough_table_goes_on)
+{
+    struct random r = random_begin(22);
+    const int count = tries_asked(200);
+    for (int i = 0; i < count; ++i) {
+        const double half = random_between(&r, 0.5, 2);
+        const coin_params p = cylinder(half);
+        const coin_table f = {.mu_static = (double)INFINITY,
+                              .mu_kinetic = random_between(&r, 0.05, 1)};
+        const double wY = random_between(&r, -2, 2);
+        const double wZ = random_between(&r, -2, 2);
+        coin_body b = {.s = {.wY = wY, .wZ = wZ},
+                       .y = 1,
+                       .vx = (i % 2 ? half : -half) * wY - wZ};
+        double E = coin_body_energy(&b, &p);
+        check_note("seed 22, coin %d, %g thick", i, 2 * half);
+        for (int k = 0; k < 10; ++k) {
+            const int32_t status = coin_move(&b, &p, &f, 0.1, 1e-6, 0, NULL);
+            check(status >= 0 && !(status & COIN_MORE));
+            check(coin_body_energy(&b, &p) < E + 1e-6);
+            E = coin_body_energy(&b, &p);
+        }
+    }
+}
+
 TEST(a_slip_that_is_none_ends_by_friction)
 {
     const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.4};

@@ -56,11 +56,12 @@ enum { STICKS = 1, BOTH = 3, CREEP = 4, BOTH_CREEP = 12 };
 #define CREEPS 0.1
 #define SHARE 0.01
 
-/* Passes in which an onset is found, Newton's steps in each, and a friction
- * that is not 0. */
+/* Passes in which an onset is found, Newton's steps in each, a friction that is
+ * not 0, and one that is as good as infinite. */
 #define PASSES 8
 #define NEWTON 6
 #define TINY 1e-50
+#define ENOUGH 1e100
 
 /* What acts besides friction. */
 struct free_line {
@@ -252,11 +253,13 @@ COIN_PRIV_NOINLINE struct ends ends_of(const double *y, const coin_priv_law *l,
 }
 
 /* How far the friction that the sticking rims need is below what the table can
- * give; below 0 a rim begins to slip. */
+ * give; below 0 a rim begins to slip.  A rim without weight has no friction,
+ * whatever mu is. */
 static double cone_of(const struct ends *e, double mu)
 {
     const int mode = e->mode;
-    if (mu > DBL_MAX || !(mode & BOTH))
+    mu = coin_priv_lesser(mu, ENOUGH);
+    if (!(mode & BOTH))
         return 1;
     if (mode != BOTH)
         return mu * e->N[mode - 1] - length_of(e->F[mode - 1]);

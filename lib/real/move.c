@@ -375,17 +375,6 @@ static int32_t make_step(coin_priv_moving *g)
     return coin_priv_accept(g, to, whole && ends);
 }
 
-/* Whether the coin is nearer to flat than `flat`: its contact then ends on the
- * face.  A call of no time changes nothing. */
-static int lies_down(coin_priv_moving *g)
-{
-    if (!(g->time > 0 && g->step.y[COIN_PRIV_C] < g->law.flat)) /* (97) */
-        return 0;
-    g->mode = COIN_PRIV_RESTS | COIN_PRIV_LIES;
-    g->changed = 1;
-    return 1;
-}
-
 /* Whether the coin has come to rest on its edge, where nothing leans it. */
 static int stands(coin_priv_moving *g)
 {
@@ -483,6 +472,19 @@ static int32_t bits_of(const coin_priv_moving *g, int mode)
     const int32_t low =
         g->step.y[COIN_PRIV_C] < COIN_PRIV_NEARLY_FLAT ? COIN_NEARLY_FLAT : 0;
     return decided | (mode & COIN_PRIV_AIR ? COIN_LIFTS : slips | low);
+}
+
+/* Whether the coin is nearer to flat than `flat`: its contact then ends on the
+ * face.  A call of no time changes nothing. */
+static int lies_down(coin_priv_moving *g)
+{
+    if (!(g->time > 0 && g->step.y[COIN_PRIV_C] < g->law.flat)) /* (97) */
+        return 0;
+    if (g->was < 0)
+        coin_priv_moments(g, bits_of(g, g->mode)); /* those of the rim */
+    g->mode = COIN_PRIV_RESTS | COIN_PRIV_LIES;
+    g->changed = 1;
+    return 1;
 }
 
 /* The first step of a slip, or one of a slow slip. */

@@ -32,7 +32,7 @@ COIN_PRIV_INLINE void coin_priv_steps(coin_priv_run *r, uint64_t n,
                                       const void *coefficients)
 {
     const uint64_t end = r->steps + n;
-    int64_t sound = coin_priv_admit_start(&r->limits, &r->g.y);
+    int64_t sound = r->steps > 0 || coin_priv_admit_start(&r->limits, &r->g.y);
     while (sound && r->steps < end)
         sound = coin_priv_block(&r->g, &r->limits, &r->steps, end - r->steps,
                                 step, coefficients);
