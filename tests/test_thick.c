@@ -639,6 +639,38 @@ TEST(a_pivot_on_a_rough_table_goes_on)
     }
 }
 
+/* Where dry friction holds the contact its force is not seen in the members. */
+TEST(the_force_on_a_held_contact_moves_the_centre)
+{
+    struct random r = random_begin(23);
+    const double h = 1e-5;
+    const int count = tries_asked(100);
+    for (int i = 0; i < count; ++i) {
+        const coin_params p = cylinder(i % 2 ? 0 : random_between(&r, 0, 0.3));
+        const double mu = random_between(&r, 0.2, 2);
+        const double turn = random_between(&r, 0.02, 0.4);
+        const coin_table f = {
+            .mu_static = mu,
+            .mu_kinetic = mu / 2,
+            .losses = {.dry = random_between(&r, 0.3, 1), .soft = 1e-9}};
+        coin_state s = {.theta = random_between(&r, -1.4, 1.4),
+                        .phi = random_between(&r, -3, 3),
+                        .wX = random_between(&r, -0.5, 0.5)};
+        s.wY = turn * cos(s.theta);
+        s.wZ = -turn * sin(s.theta);
+        coin_body b = rolling(&s, &p);
+        coin_force F;
+        check_note("seed 23, coin %d", i);
+        check(coin_move(&b, &p, &f, 1e-3, 1e-9, 0, NULL) >= 0);
+        const coin_body at = b;
+        check_status(coin_body_reaction(&b, &p, &f, &F), COIN_OK);
+        check(coin_move(&b, &p, &f, h, 1e-9, 0, NULL) >= 0);
+        check_near((b.vx - at.vx) / h, F.R[0], 1e-4);
+        check_near((b.vy - at.vy) / h, F.R[1] - 1, 1e-4);
+        check_near((b.vz - at.vz) / h, F.R[2], 1e-4);
+    }
+}
+
 TEST(a_slip_that_is_none_ends_by_friction)
 {
     const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.4};

@@ -7,6 +7,9 @@
 #include "flat_slide.h"
 #include "line.h"
 
+/* The largest tolerance. */
+#define HOLDS 1e-2
+
 double coin_body_energy(const coin_body *b, const coin_params *p)
 {
     coin_priv_coin c;
@@ -55,9 +58,8 @@ int32_t coin_body_matrix(const coin_body *b, const coin_params *p, double m[16])
     return COIN_OK;
 }
 
-/* The force on a coin that touches the table, in natural units.  The mode is
- * that of a body as it is given: never HELD, so that the push is times cos
- * theta. */
+/* The force on a coin that touches the table, in natural units.  A contact is
+ * held as in a call of the tolerance HOLDS. */
 static coin_priv_push touching_force(const coin_priv_coin *c,
                                      const coin_priv_law *l, int mode,
                                      const double u[2])
@@ -65,7 +67,10 @@ static coin_priv_push touching_force(const coin_priv_coin *c,
     coin_priv_moving g;
     g.law = *l;
     g.c = *c;
+    g.tol = HOLDS;
     coin_priv_begin(&g, mode, u);
+    coin_priv_set_held(&g);
+    mode = g.mode;
     const int next = coin_priv_next_mode(&g);
     const coin_priv_push none = {0, 0, 0};
     if (next & COIN_PRIV_AIR)
@@ -79,9 +84,8 @@ static coin_priv_push touching_force(const coin_priv_coin *c,
     }
     if (F.N < 0) /* no lift-off is looked at: coin_priv_blind() */
         return none;
-    const coin_priv_push r = {F.N / g.step.y[COIN_PRIV_C],
-                              F.X / g.step.y[COIN_PRIV_C],
-                              F.h / g.step.y[COIN_PRIV_C]};
+    const double f = mode & COIN_PRIV_HELD ? 1 : g.step.y[COIN_PRIV_C];
+    const coin_priv_push r = {F.N / f, F.X / f, F.h / f};
     return r;
 }
 

@@ -401,9 +401,9 @@ static int rocks(coin_priv_moving *g)
     return 1;
 }
 
-/* Begins or ends to hold the contact.  A roll that counts as stopped is left
- * out; not that of a coin that nothing leans, which would end it early. */
-static void set_held(coin_priv_moving *g)
+/* A roll that counts as stopped is left out; not that of a coin that nothing
+ * leans, which would end it early. */
+void coin_priv_set_held(coin_priv_moving *g)
 {
     double *const y = g->step.y;
     const int held =
@@ -510,7 +510,7 @@ static int32_t follow(coin_priv_moving *g)
     while (status == COIN_OK) {
         if (lies_down(g) || stands(g) || rocks(g))
             return COIN_OK;
-        set_held(g);
+        coin_priv_set_held(g);
         const int next = coin_priv_next_mode(g);
         const int slip_begins = next & ~g->mode & COIN_PRIV_SLIPS;
         g->mode = next & ~slip_begins;

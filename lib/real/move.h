@@ -119,6 +119,9 @@ int32_t coin_priv_go_on(coin_priv_moving *g);
  * g->margin. */
 int coin_priv_next_mode(coin_priv_moving *g);
 
+/* Begins or ends to hold the contact. */
+void coin_priv_set_held(coin_priv_moving *g);
+
 /* onset.c: begins the slip of a coin whose contact leaves the cone of friction,
  * as a slow one. */
 void coin_priv_begin_slip(coin_priv_moving *g);
