@@ -61,11 +61,11 @@
  * is reentrant, and bounded in stack and, for a given number of steps and of
  * coins, in time.  What moves a state gives the same bits wherever doubles are
  * those of IEEE 754 (see coin_selftest()).
- * A state that is returned is in range, and means to the next call what the
- * returned status says: many short calls move a coin as one long call does,
- * within the stated error (test_state_out).  No function changes the rounding
- * mode or the traps; docs/embedding.md says which values raise no
- * floating-point exception.
+ * A state that is returned is in range, but for the rounding of a body's phi, x
+ * and z at the end of theirs.  It means to the next call what the returned
+ * status says: many short calls move a coin as one long call does, within the
+ * stated error (test_state_out).  No function changes the rounding mode or the
+ * traps; docs/embedding.md says which values raise no floating-point exception.
  *
  * ACCURACY. "u" is 2^-53 = 1.1e-16.  "8 u of the terms" bounds an error by 8 u
  * times the sum of the absolute values of the formula's terms, for the double
@@ -577,7 +577,7 @@ COIN_API int32_t coin_orbit_init(coin_orbit *o, const coin_state *s,
  * @param t         the time since the state that the orbit was made from [T]
  * @return COIN_EARG also for contents that are seen not to be an orbit;
  *         COIN_ESTEP if t is 2^31 periods or more, or, of a steady motion, out
- *         of range; COIN_ERANGE if phi, psi, x or z leaves its range.
+ *         of range; COIN_ERANGE if a member of *out leaves its range.
  * Accuracy: in theta, phi and psi 1e-14 rad + 1e-15 conditioning for each
  *         period + 4 u W (|t| + period), W the fastest rate of the motion; in
  *         x and z, in radii, (1 + radius_max/radius) times that; in the rates W
@@ -667,8 +667,9 @@ COIN_API double coin_time_to_rest(const coin_state *s, const coin_params *p,
  * @param[in,out] l  at least one term other than spin is not 0
  * @param time       > 0, up to 5e14 natural units [T]
  * @return COIN_OK: the coin rests after `time` within 1 %, by settling it at
- * tol = 1e-6; COIN_EARG also for time not in range; COIN_EDOMAIN if no such
- *         factor was found by 100,000 trials of steps (docs/choosing.md).
+ * tol = 1e-6; COIN_EARG also for time not in range, the last that is asked;
+ *         COIN_EDOMAIN if no such factor was found by 100,000 trials of steps
+ *         (docs/choosing.md).
  * Cost: that of 5 to 100 settlings of that time, at most some 0.1 s. */
 COIN_API int32_t coin_losses_fit(coin_losses *l, const coin_state *s,
                                  const coin_params *p, double time);
@@ -758,8 +759,9 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  *                     upright: b is the body before the impact, which the next
  *                     call with t > 0 makes
  *   COIN_DECIDED      its energy falls below that of balancing on a rim, M g
- *                     sqrt(a^2 + h^2): coin_body_face() is how it ends.  With a
- *                     pull COIN_EARG
+ *                     sqrt(a^2 + h^2): coin_body_face() is how it ends.  A thin
+ *                     coin that ends on its edge tells none.  With a pull
+ *                     COIN_EARG
  * At COIN_SLIPS and COIN_LIFTS the members still roll or touch; the mode is
  * what begins.  To tell a moment from a mode, keep `before`, the status of the
  * call before.  With COIN_TOUCHES and COIN_ROLLS in stop, a slip begins if
@@ -798,7 +800,8 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  *         mu_static by 1e-4 of it, 4 are missed at tol = 1e-5, and fewer below
  *         (test_excursions).  Bounces amplify errors (test_toss).
  * Cost: docs/accuracy.md counts frames in which a coin rolls, slips, flies or
- *         bounces.  Coins near flat cost most, some 20 ms a call at most. */
+ *         bounces.  Coins near flat cost most, some 20 ms a call; with
+ *         losses at the end of their ranges 0.2 s. */
 COIN_API int32_t coin_move(coin_body *b, const coin_params *p,
                            const coin_table *table, double t, double tol,
                            int32_t stop, double *reached);

@@ -118,7 +118,8 @@ COIN_API int32_t coinf_angular_velocity(const coinf_state *s, float omega[3]);
  *         coinf_run() makes once for all its steps. */
 COIN_API int32_t coinf_step(coinf_state *s, const coinf_params *p, float dt);
 
-/** As coin_run().  A run of n steps is n runs of one step, to the bit. */
+/** As coin_run(); COIN_ESTEP also where a rate ends out of range.  A run of n
+ * steps is n runs of one step, to the bit. */
 COIN_API int32_t coinf_run(coinf_state *s, const coinf_params *p,
                            int32_t method, float dt, uint64_t steps,
                            uint64_t *done);

@@ -261,6 +261,8 @@ TEST(the_ranges_are_those_of_natural_units)
                          k == 1 || k == 2 ? COIN_OK : COIN_EPARAMS);
         }
     }
+    const coin_losses too_soft = {.soft = 0x1p-1074};
+    check_status(coin_losses_check(&too_soft, &p), COIN_EPARAMS);
     const double flats[] = {-1e-9, 0.99e-12, NAN, 1.01e-2, 0, 1e-12, 1e-2};
     for (int k = 0; k < 7; ++k) {
         const coin_losses l = {.flat = flats[k]};

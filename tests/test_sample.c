@@ -109,6 +109,24 @@ TEST(samples_that_fail_keep_those_before)
     }
 }
 
+/* A steady spin at the limit of dt: rounding leads over it after 67 steps. */
+TEST(samples_end_where_a_run_is_refused)
+{
+    const coin_state start = {.theta = 0x1.cb3e675948dc6p-1,
+                              .wY = 0x1.94719754babe7p+0};
+    const double dt = 0x1.b218344415537p-2;
+    coin_params p;
+    coin_state s = start, out[200];
+    uint64_t steps;
+    size_t samples;
+    check_status(coin_params_disc(&p, 1, 1, 1), COIN_OK);
+    check_status(coin_run(&s, &p, COIN_RK4, dt, 200, &steps), COIN_ESTEP);
+    check_status(coin_sample(&start, &p, COIN_RK4, dt, 1, 200, out, &samples),
+                 COIN_ESTEP);
+    check(steps == 67 && samples == 68);
+    check_same(&out[67], &s, sizeof s);
+}
+
 TEST(samples_stop_before_a_place_out_of_range)
 {
     coin_params p;

@@ -64,8 +64,8 @@ int32_t coin_priv_law_of(coin_priv_law *out, const coin_losses *l,
         holds(out->damping) && is_within(out->dry, LEAST, SOLID_MOST) &&
         is_within(out->rolling, LEAST, SOLID_MOST) && holds(out->viscous) &&
         holds(out->layer) && holds(out->gap) && holds(out->spin) &&
-        holds(out->angular) && holds(out->soft) && l->soft >= 0 &&
-        is_within(l->flat, LEAST, FLAT_MOST) &&
+        holds(out->angular) && out->soft >= LEAST && out->soft <= MOST &&
+        l->soft >= 0 && is_within(l->flat, LEAST, FLAT_MOST) &&
         coin_priv_are_zero(l->reserved, 2);
     return good ? COIN_OK : COIN_EPARAMS;
 }
