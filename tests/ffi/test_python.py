@@ -932,7 +932,12 @@ class Tables(unittest.TestCase):
             self.assertTrue(same(rc.energy(other, p), want))
             with self.assertRaisesRegex(TypeError, word):
                 rc.run_batch(other, p, rc.RK4, 1e-3, 1)
-        self.assertTrue(same(rc.quaternion(coins), rc.quaternion(table)))
+        for function in (rc.quaternion, rc.axes, rc.angular_velocity):
+            for other in (coins, numbers.tolist(), numbers.astype(">f8"),
+                          numbers.astype(numpy.float32)):
+                self.assertTrue(same(function(other), function(table)))
+            whole = numpy.arange(16).reshape(2, 8) // 8
+            self.assertTrue(same(function(whole), function(whole * 1.0)))
         table[3, ...] = coins[5]
         self.assertEqual(table[3], table[5])
 

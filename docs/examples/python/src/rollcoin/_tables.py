@@ -142,10 +142,13 @@ def _ndarray(array: Any, wanted: Optional[Type[Any]], write: bool) -> Table:
     numpy = sys.modules["numpy"]
     if isinstance(array, numpy.ma.MaskedArray):
         raise TypeError("a masked array: its mask would be lost")
+    if wanted is None:
+        floats = array.dtype == numpy.float32 and array.shape[-1:] != (8,)
+        wanted = Statef if floats else State
     for kind, real in REAL.items():
         if array.dtype == numpy.dtype(kind):
             shape = array.shape
-        elif array.dtype == numpy.dtype(real) and wanted in (kind, None):
+        elif array.dtype == numpy.dtype(real) and wanted is kind:
             shape = _rows(array.shape, sizeof(kind) // sizeof(real))
         else:
             continue
@@ -162,7 +165,7 @@ def _ndarray(array: Any, wanted: Optional[Type[Any]], write: bool) -> Table:
         raise TypeError(f"an array of {array.dtype} is not moved in place: "
                         "move array.astype(numpy.float64)")
     raise TypeError(f"an array of dtype {array.dtype}: neither "
-                    f"{(wanted or State).__name__} nor float64")
+                    f"{wanted.__name__} nor float64")
 
 
 def _rows(shape: Tuple[int, ...], columns: int) -> Tuple[int, ...]:
