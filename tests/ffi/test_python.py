@@ -527,6 +527,9 @@ class Results(unittest.TestCase):
         self.assertEqual(list(status), [0, rc.ESTEP])
         self.assertTrue(math.isnan(some["theta"][1]))
         self.assertRaises(rc.Error, rc.orbit_at, o, [0, math.nan])
+        one = rc.orbit_at(o, numpy.array(0.5))
+        self.assertEqual(one.shape, ())
+        self.assertEqual(one.tobytes(), bytes(rc.orbit_at(o, 0.5)))
 
     def test_losses_bring_a_coin_to_rest(self):
         p = quarter()[0]

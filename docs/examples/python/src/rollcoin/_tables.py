@@ -292,7 +292,7 @@ def times(name: str, t: Any, *inputs: Any, status: Any = None) -> Any:
     """coin_NAME(inputs..., t) at each of an array of times; the last of
     inputs comes before t."""
     import numpy
-    array = numpy.ascontiguousarray(t, dtype=numpy.float64)
+    array = numpy.asarray(t, dtype=numpy.float64, order="C")
     address = array.ctypes.data
     return _rows_of("coin_" + name, "times_", array.shape, status,
                     lambda first: (*inputs, address + 8 * first))
