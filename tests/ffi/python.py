@@ -185,8 +185,9 @@ def declarations(include):
     for name, (kind, arguments) in found.functions.items():
         counted = any(k.name == "size_t" and not k.pointers
                       for k in arguments.values())
-        listed = ", ".join(f'"{a}": {argument(k, counted)}'
-                           for a, k in arguments.items())
+        listed = ", ".join(
+            f'"{"losses" if a == "l" else a}": {argument(k, counted)}'
+            for a, k in arguments.items())
         line = f'    "{name}": ({result(kind)}, {{{listed}}}),'
         yield from wrapped(line.strip(), 8, 75)
     yield "}"

@@ -333,7 +333,7 @@ class Errors(unittest.TestCase):
 
     def test_arguments_are_in_the_order_of_c(self):
         """Those that Python has; what C only writes is a result."""
-        python = {"coins": "s", "losses": "l"}
+        python = {"coins": "s"}
         for full, (_, kinds) in rc._declarations.PROTOTYPES.items():
             name = full.split("_", 1)[1]
             function = getattr(rc, Package.NAMES.get(name, name), None)
@@ -919,6 +919,24 @@ class Tables(unittest.TestCase):
                                        msg=repr(bad)) as caught:
                     call()
                 self.assertNotIsInstance(caught.exception, rc.Error)
+
+    def test_a_table_complains_as_a_coin_does(self):
+        p, s = quarter()
+        for some in (s, numpy.zeros(2, rc.State)):
+            for kind, words, function, *arguments in (
+                    (TypeError, "^losses: int where a Losses belongs$",
+                     rc.losses_power, some, p, 1),
+                    (TypeError, "^method: 'str'", rc.check, some, p, "rk4", 1,
+                     1),
+                    (ValueError, "^method: .* is not in", rc.check, some, p,
+                     1 << 32, 1, 1),
+                    (TypeError, "^tol: a number", rc.advance, some, p, 1,
+                     "1e-9")):
+                with self.assertRaisesRegex(kind, words):
+                    function(*arguments)
+        for t in (1, [1]):
+            with self.assertRaisesRegex(TypeError, "^o: State where a Orbit"):
+                rc.orbit_at(s, t)
 
     def test_other_numbers_are_read_but_not_moved(self):
         p, _ = quarter()

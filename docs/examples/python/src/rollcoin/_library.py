@@ -250,9 +250,7 @@ def _declare(library: ctypes.CDLL) -> None:
             function.errcheck = _no_error
         elif result in (c_double, c_float):
             function.errcheck = _no_nan
-        setattr(library, name, _named(function, [
-            {"l": "losses"}.get(argument, argument)
-            for argument in arguments]))
+        setattr(library, name, _named(function, list(arguments)))
         for prefix in ("each_", "times_"):
             if hasattr(library, prefix + name):
                 _declare_table(library, prefix, name)
@@ -264,13 +262,15 @@ def _declare_table(library: ctypes.CDLL, prefix: str, name: str) -> None:
     result, arguments = declared.PROTOTYPES[name]
     function = getattr(library, prefix + name)
     function.restype = c_int32
-    function.argtypes = [c_size_t, c_void_p]
-    if result is not c_int32:
-        function.argtypes += [c_void_p]
     one = "t" if prefix == "times_" else next(iter(arguments))
-    function.argtypes += [
-        c_void_p if argument == one or isinstance(kind, Out) else kind
-        for argument, kind in arguments.items()]
+    takes = {"count": c_size_t, "status": c_void_p}
+    if result is not c_int32:
+        takes["numbers"] = c_void_p
+    for argument, kind in arguments.items():
+        takes[argument] = (c_void_p if argument == one
+                           or isinstance(kind, Out) else kind)
+    function.argtypes = list(takes.values())
+    setattr(library, prefix + name, _named(function, list(takes)))
 
 
 def _load() -> ctypes.CDLL:
