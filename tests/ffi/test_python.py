@@ -220,6 +220,16 @@ class Errors(unittest.TestCase):
                 (": dry of Losses.*-1", rc.settle, s, p,
                  rc.Losses(dry=-1, rolling=1e-6), 1),
                 ("mu_kinetic of Table", rc.move, b, p, rc.Table(0.3, 0.4), 1),
+                (": mass of Params", rc.losses_check, rc.Losses(dry=1),
+                 rc.Params()),
+                (": mass of Params", rc.table_check, rc.Table(), rc.Params()),
+                (": mass of Params", rc.losses_fit, rc.Losses(dry=1), s,
+                 rc.Params(), 1),
+                (": dry of Losses", rc.losses_check, rc.Losses(dry=-1),
+                 chip()[0]),
+                (": p = None$", rc.body_from_motion, None, [1, 0, 0, 0],
+                 *3 * [[0, 0, 0]]),
+                (": losses = None$", rc.losses_power, s, p, None),
                 ("vy of Body", rc.body_energy, rc.Body(s, 1, vy=nan), p),
                 ("range: Params.*1e.20", rc.energy, s,
                  rc.Params(1e20, 1, 1, 1, 1)),
@@ -240,7 +250,7 @@ class Errors(unittest.TestCase):
                  1),
                 (": mass = 1, .*thickness = 5,", rc.cylinder, 1, 1, 5, 1),
                 (": thickness of Params", rc.settle, s, chip()[0],
-                 rc.Losses(dry=1), 1),
+                 rc.Losses(dry=1e-7), 1),
                 (": mu_kinetic of Table", rc.move, b, chip()[0],
                  rc.Table(0.3, 0.4), 1),
                 (": pull of Table", rc.move, b, p, rc.Table(pull=(nan, 0)), 1),
@@ -281,6 +291,14 @@ class Errors(unittest.TestCase):
         with self.assertRaisesRegex(rc.Error, r": r = \(0.0, 0.005, 0.0\)$"):
             rc.body_from_motion(p, (1, 0, 0, 0), (0, 0, 0), (0, 0.005, 0),
                                 (0, 0, 0))
+        # A thick coin that leans is higher than its radius.
+        with self.assertRaisesRegex(rc.Error, "table: omega = "):
+            rc.body_from_motion(chip()[0], (0.97, 0.24, 0, 0), (nan,) * 3,
+                                (0, 1, 0), (0, 0, 0))
+        # Each component is in range, but not that along e_X.
+        with self.assertRaisesRegex(rc.Error, "table: omega = "):
+            rc.state_from_motion(rc.disc(1, 1, 1), (1, 1, 2, 3),
+                                 (9e5, 9e5, 0))
 
     def test_of_many_bodies_row_and_member_are_named(self):
         p, _ = quarter()

@@ -129,43 +129,39 @@ def _wrong(target: Any, p: Any) -> str:
 
 
 def _wrong_motion(name: str, values: dict[str, Any]) -> str:
-    """Which argument of an engine's motion is out of range by itself; r, if
-    none is: that is too low for q."""
+    """Which argument of an engine's motion is out of range with those before
+    it; the last is r, which may be too low for q."""
     kind, p = type(values.pop(next(iter(values)))), values.pop("p")
     real = values["q"]._type_
-    harmless = {argument: (real * value)(*rest) if value else real(0)
-                for argument, value, rest in (
-                    ("q", 4, (1, -1 if "r" in values else 0, 0, 0)),
-                    ("omega", 3, ()), ("r", 3, (0, p.radius, 0)),
-                    ("v", 3, ()), ("x", 0, ()), ("z", 0, ()))}
-    for argument, value in values.items():
-        alone = {each: harmless[each] for each in values}
-        alone[argument] = value if isinstance(value, Array) else real(value)
-        if getattr(raw, name)(byref(kind()), byref(p), *alone.values()) < 0:
-            return argument
-    return "r"
-
-
-def _is_too_thick(p: Any, targets: dict[str, Any]) -> bool:
-    """Of parameters with a thickness in range, where thin ones belong: what
-    takes others has a table that may be wrong instead."""
-    return bool(p.thickness) and _in_range(p, p) and not any(
-        isinstance(target, declared.Table) for target in targets.values())
+    harmless = {"q": (real * 4)(1), "omega": (real * 3)(), "v": (real * 3)(),
+                "r": (real * 3)(0, 3 * p.radius), "x": real(), "z": real()}
+    trial = {argument: harmless[argument] for argument in values}
+    for argument in sorted(values, key="r".__eq__):
+        value = values[argument]
+        trial[argument] = value if isinstance(value, Array) else real(value)
+        if getattr(raw, name)(byref(kind()), byref(p), *trial.values()) < 0:
+            break
+    return argument
 
 
 def given(status: int, targets: dict[str, Any]) -> str:
-    """The struct that a status is about, and its member; or else the numbers
-    that were given: the times, or the others, if one of these is wrong; of the
-    parameters of a body those that are not above 0."""
+    """The struct that a status is about, and its member: p, if it is wrong, as
+    nothing is right with it; or a thickness where none belongs.  Or else what
+    is null, or the numbers that were given: the times, or the others, if one
+    of these is wrong; of the parameters of a body those that are not above
+    0."""
     p = next((target for target in targets.values()
               if isinstance(target, (declared.Params, declared.Paramsf))), None)
     kinds = BLAMED.get(declared.Status(status), ())
-    if status == declared.EPARAMS and p and _is_too_thick(p, targets):
-        return f"thickness of {p!r}"
     shown = [_wrong(target, p) if p else repr(target)
-             for target in targets.values() if isinstance(target, kinds)]
+             for target in (p, *targets.values()) if isinstance(target, kinds)]
     if any(shown):
         return next(filter(None, shown))
+    if status == declared.EPARAMS and p:
+        return f"thickness of {p!r}"
+    null = [argument for argument in targets if targets[argument] is None]
+    if null:
+        return f"{null[0]} = None"
     numbers = {argument: target for argument, target in targets.items()
                if isinstance(target, (int, float, tuple)) and not (
                    status in (declared.ESTEP, declared.EARG)
@@ -177,13 +173,15 @@ def given(status: int, targets: dict[str, Any]) -> str:
 
 
 def _given(status: int, name: str, arguments: Sequence[Any]) -> str:
-    """given() of the arguments of a function, but what it only writes."""
+    """given() of the arguments of a function, but what it only writes, and
+    may leave out."""
     kinds = declared.PROTOTYPES[name][1]
     values = {argument: getattr(value, "_obj", value)
               for argument, value in zip(kinds, arguments)}
     targets = {argument: tuple(value) if isinstance(value, Array) else value
                for argument, value in values.items()
-               if not isinstance(kinds[argument], Out) or MOVERS.fullmatch(name)}
+               if not isinstance(kinds[argument], Out)
+               or MOVERS.fullmatch(name) and value is not None}
     if status == declared.ESTATE and "q" in targets:
         wrong = _wrong_motion(name, values)
         targets = {wrong: targets[wrong]}
