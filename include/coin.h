@@ -19,7 +19,8 @@
  *
  * ARGUMENTS come in one order: the object acted on, the parameters p, the table
  * or losses, scalars, outputs.  A pointer is not null unless a line says "may
- * be null".  An output may be the same object as an input of the same type.
+ * be null"; one to [count] things may be null if count is 0.  An output may be
+ * the same object as an input of the same type.
  *
  * STATUS. Most functions return an int32_t.  0 is COIN_OK.  A positive value is
  * no error: its bits are warnings, or the mode of a body, or COIN_MORE, which

@@ -262,6 +262,8 @@ TEST(a_time_of_0_and_0_steps_change_nothing)
     check_status(coin_batch_run(t.s, t.count, &t.p, COIN_RK8, 0.1, 0, NULL),
                  COIN_OK);
     check_status(coin_batch_run(t.s, 0, &t.p, COIN_RK4, 0.1, 5, NULL), COIN_OK);
+    check_status(coin_batch_run(NULL, 0, &t.p, COIN_RK4, 0.1, 5, NULL),
+                 COIN_OK);
     check_same(t.s, before.s, sizeof t.s);
 }
 
@@ -291,7 +293,9 @@ TEST(bad_arguments_touch_nothing)
     const struct trial before = t;
     coin_params wrong = t.p;
     wrong.mass = -1;
-    check_status(coin_batch_run(NULL, 0, &t.p, COIN_RK4, 0.1, 5, t.status),
+    check_status(coin_batch_run(NULL, 3, &t.p, COIN_RK4, 0.1, 5, t.status),
+                 COIN_EARG);
+    check_status(coin_batch_run(NULL, 0, NULL, COIN_RK4, 0.1, 5, t.status),
                  COIN_EARG);
     check_status(coin_batch_run(t.s, 3, NULL, COIN_RK4, 0.1, 5, t.status),
                  COIN_EARG);

@@ -78,6 +78,11 @@ TEST(there_may_be_no_samples_or_samples_at_one_time)
         COIN_OK);
     check(done == 0);
     check_same(&out[0], &untouched, sizeof untouched);
+    done = 77;
+    check_status(
+        coin_sample(&start, &scene.params, COIN_RK4, 0.05, 9, 0, NULL, &done),
+        COIN_OK);
+    check(done == 0);
     check_status(
         coin_sample(&start, &scene.params, COIN_RK4, 0.05, 0, 2, out, &done),
         COIN_OK);

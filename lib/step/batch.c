@@ -7,7 +7,7 @@ int32_t coin_batch_run(coin_state *s, size_t count, const coin_params *p,
 {
     coin_priv_constants b;
     coin_priv_batch r = {s, count, status, COIN_OK, COIN_OK};
-    if (!s || !p || !coin_priv_method_is_known(method))
+    if ((!s && count > 0) || !p || !coin_priv_method_is_known(method))
         return COIN_EARG;
     if (coin_priv_check_params(&b, p) != COIN_OK)
         return COIN_EPARAMS;

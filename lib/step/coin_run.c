@@ -52,7 +52,8 @@ int32_t coin_sample(const coin_state *start, const coin_params *p,
 {
     coin_priv_run r;
     const uint64_t n = steps_per_sample;
-    const int32_t status = out ? begin(&r, start, p, method, dt) : COIN_EARG;
+    const int32_t status =
+        out || count == 0 ? begin(&r, start, p, method, dt) : COIN_EARG;
     if (status != COIN_OK)
         return status;
     size_t k = 0;

@@ -84,6 +84,10 @@ static void batches()
     rollcoin::run(alone, p, method::rk8, 1e-3, 9);
     CHECK(same(coins[4], alone));
     CHECK(rollcoin::step(alone, p, 1e-2) == COIN_COARSE);
+    coins = {};
+    coins.shrink_to_fit();
+    CHECK(rollcoin::batch_run(coins, p, method::rk8, 1e-3, 9) == 0);
+    CHECK(rollcoin::sample(start, p, method::rk8, 1e-3, 5, 0).empty());
     CHECK(std::strcmp(rollcoin::name(method::rk8), "rk8") == 0);
 }
 
