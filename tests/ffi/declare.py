@@ -293,7 +293,10 @@ def typescript(include):
         if function != "coin_sizeof":
             given = ", ".join(f"{WORDS.get(a, a)}: {script_type(a, k)}"
                               for a, k in arguments.items())
-            yield f"  {function}({given}): {script_type('', kind) if not kind.pointers else 'string'};"
+            result = script_type("", kind) if not kind.pointers else "string"
+            if function == "coin_method_name":
+                result += " | null"
+            yield f"  {function}({given}): {result};"
     yield "}"
 
 

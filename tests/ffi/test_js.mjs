@@ -91,7 +91,10 @@ assert.throws(() => { body.s = state; }, TypeError);
 assert.throws(() => coin.struct("coin_coin"), TypeError);
 assert.throws(() => coin.losses({ drag: 1 }), /no losses: drag/);
 assert.throws(() => coin.coin_energy(new Float64Array(8), p), TypeError);
-assert.throws(() => coin.doubles(1e6), RangeError);
+assert.throws(() => coin.coin_energy([...state], p), TypeError);
+assert.throws(() => coin.coin_velocity(state, p, [0, 0, 0]), TypeError);
+for (const count of [1e6, -4, NaN, undefined]) assert.throws(() => coin.doubles(count), RangeError);
+assert.ok(coin.doubles(1).byteOffset > force.byteOffset);
 
 // Whole numbers come back as they are.
 const [done, steps, status] = [coin.longs(1), coin.ints(2), coin.ints(3)];
@@ -107,6 +110,12 @@ path[1].theta = 2;
 assert.equal(coin.coin_batch_run(path[0], 3, p, coin.COIN_RK4, 1e-4, 1n, status), ESTATE);
 assert.deepEqual([...status], [coin.COIN_OK, ESTATE, coin.COIN_OK]);
 assert.equal(coin.coin_method_name(coin.COIN_SYMPLECTIC4), "symplectic4");
+assert.equal(coin.coin_method_name(9), null);
+
+// Of no coins the array may be null.
+const none = coin.structs("coin_state", 0);
+assert.equal(coin.coin_batch_run(none[0], 0, p, coin.COIN_RK4, 1e-4, 1n, null), coin.COIN_OK);
+assert.equal(coin.coin_sample(state, p, coin.COIN_RK4, 1e-4, 1n, 0, null, null), coin.COIN_OK);
 
 // Every constant is there, in the order of coin.h.
 const header = readFileSync(new URL("../../include/coin.h", import.meta.url), "utf8");

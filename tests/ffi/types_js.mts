@@ -29,6 +29,10 @@ coin.coin_batch_run(many[0], 3, p, coin.COIN_RK4, 1e-3, 1n, coin.doubles(3));
 // @ts-expect-error: states in JavaScript's own array
 coin.coin_batch_run(many, 3, p, coin.COIN_RK4, 1e-3, 1n, null);
 
+const name: string | null = coin.coin_method_name(9);
+// @ts-expect-error: there may be no such method
+name.length;
+
 coin.coin_energy(body.s, p);
 [body.s.theta, table.pull[0], table.losses.dry, many[1].wX] = [1, 0.1, p.mass, s[5]];
 coin.losses({ dry: 1e-7 }, table).restitution = 0.4;

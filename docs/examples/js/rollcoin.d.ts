@@ -122,7 +122,7 @@ export interface Coin {
   coin_sample(start: Doubles | null, p: Doubles | null, method: number, dt: number, steps_per_sample: bigint, count: number, result: Doubles | null, done: Ints | null): number;
   coin_batch_run(s: Doubles | null, count: number, p: Doubles | null, method: number, dt: number, steps: bigint, status: Ints | null): number;
   coin_advance(s: Doubles | null, p: Doubles | null, t: number, tol: number, reached: Doubles | null): number;
-  coin_method_name(method: number): string;
+  coin_method_name(method: number): string | null;
   coin_params_disc(p: Doubles | null, mass: number, radius: number, gravity: number): number;
   coin_params_ring(p: Doubles | null, mass: number, radius: number, inner_radius: number, gravity: number): number;
   coin_params_body(p: Doubles | null, mass: number, radius: number, gravity: number, inertia_X: number, inertia_Z: number): number;

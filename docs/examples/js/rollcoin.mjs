@@ -44,13 +44,13 @@ export async function load(bytes) {
   const c = (await WebAssembly.instantiate(bytes ?? await beside())).instance.exports;
   let top = c.__heap_base.value;
   const bytesAt = (at, count) => new Uint8Array(c.memory.buffer, at, count);
-  const textAt = at => at && new TextDecoder().decode(bytesAt(at, 256)).split("\0")[0];
+  const textAt = at => at === 0 ? null : new TextDecoder().decode(bytesAt(at, 256)).split("\0")[0];
 
   // Zeros that the library can be given.
   const zeros = Type => count => {
     const at = Math.ceil(top / 8) * 8;
     const size = count * Type.BYTES_PER_ELEMENT;
-    if (at + size > c.memory.buffer.byteLength) throw new RangeError("no memory left for coins");
+    if (!(size >= 0 && at + size <= c.memory.buffer.byteLength)) throw new RangeError("no memory for so many: " + count);
     top = at + size;
     bytesAt(at, size).fill(0);
     return new Type(c.memory.buffer, at, count);
@@ -88,7 +88,7 @@ export async function load(bytes) {
   }
 
   function passed(x) {
-    if (!ArrayBuffer.isView(x)) return x;
+    if (Object(x) !== x) return x;
     if (x.buffer !== c.memory.buffer) throw new TypeError("an array that is not from struct(), doubles(), ints() or longs()");
     return x.byteOffset;
   }
