@@ -72,7 +72,9 @@ COIN = '''\
 
         static void Holds(Array array, int length, string name)
         {
-            if (array != null && array.Length < length)
+            if (array == null)
+                throw new ArgumentNullException(name);
+            if (array.Length < length)
                 throw new ArgumentException(name + " has " + array.Length
                     + " elements, where " + length + " belong");
         }
@@ -182,9 +184,12 @@ def call(function, kind, arguments):
         if a.length:
             lines.append(f"            Holds({a.name}, {a.length}, "
                          f'"{a.name}");')
-    for a in many[1:]:
-        lines.append(f"            Holds({a.name}, {many[0].name}.Length, "
-                     f'"{a.name}");')
+    for a in many[:1]:
+        lines.append(f'            Holds({a.name}, 0, "{a.name}");')
+    for a in many[1:]:  # which may be null
+        lines += [f"            if ({a.name} != null)",
+                  f"                Holds({a.name}, {many[0].name}.Length, "
+                  f'"{a.name}");']
     passed = ", ".join(a.passed if a.public else
                        f"(UIntPtr){many[0].name}.Length" for a in all_of)
     value = f"{function}({passed})"

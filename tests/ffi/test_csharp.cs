@@ -102,6 +102,23 @@ static class Test
             () => Coin.BatchRun(coins, ref p, Method.RK8, 1e-2, 100, new int[1]));
     }
 
+    static void NullIsRefusedByName()
+    {
+        var p = Quarter();
+        var s = new State();
+        var three = new double[3];
+        foreach (var call in new Action[] {
+            () => Coin.Quaternion(ref s, null),
+            () => Coin.StateFromMotion(out State made, ref p, null, three, 0, 0),
+            () => Coin.BatchRun(null, ref p, Method.RK8, 1e-2, 1, null),
+            () => Coin.Sample(ref s, ref p, Method.RK8, 1e-2, 1, null, out UIntPtr n) })
+            Check(Throws<ArgumentNullException>(call).ParamName != null, "a name");
+        Coin.BatchRun(new[] { s }, ref p, Method.RK8, 1e-2, 1, null);
+        Coin.BatchRun(new State[0], ref p, Method.RK8, 1e-2, 1, null);
+        Coin.Sample(ref s, ref p, Method.RK8, 1e-2, 1, new State[0], out UIntPtr none);
+        Check(none == UIntPtr.Zero, "no coins");
+    }
+
     static void ErrorsAreThrown()
     {
         var error = Throws<CoinException>(() => Coin.ParamsDisc(out Params p, -1, 1, 1));
@@ -115,6 +132,7 @@ static class Test
         MembersAreWhereCHasThem();
         StructsAreWhatTheLibraryReads();
         ArraysAreFilledAndNotBeyond();
+        NullIsRefusedByName();
         ErrorsAreThrown();
     }
 }

@@ -250,7 +250,9 @@ namespace Rollcoin
 
         static void Holds(Array array, int length, string name)
         {
-            if (array != null && array.Length < length)
+            if (array == null)
+                throw new ArgumentNullException(name);
+            if (array.Length < length)
                 throw new ArgumentException(name + " has " + array.Length
                     + " elements, where " + length + " belong");
         }
@@ -273,6 +275,7 @@ namespace Rollcoin
         static extern int coin_sample(ref State start, ref Params p, Method method, double dt, ulong steps_per_sample, UIntPtr count, [In, Out] State[] result, out UIntPtr done);
         public static Bits Sample(ref State start, ref Params p, Method method, double dt, ulong steps_per_sample, State[] result, out UIntPtr done)
         {
+            Holds(result, 0, "result");
             return (Bits)Checked(coin_sample(ref start, ref p, method, dt, steps_per_sample, (UIntPtr)result.Length, result, out done));
         }
 
@@ -280,7 +283,9 @@ namespace Rollcoin
         static extern int coin_batch_run([In, Out] State[] s, UIntPtr count, ref Params p, Method method, double dt, ulong steps, [In, Out] int[] status);
         public static Bits BatchRun(State[] s, ref Params p, Method method, double dt, ulong steps, int[] status)
         {
-            Holds(status, s.Length, "status");
+            Holds(s, 0, "s");
+            if (status != null)
+                Holds(status, s.Length, "status");
             return (Bits)Checked(coin_batch_run(s, (UIntPtr)s.Length, ref p, method, dt, steps, status));
         }
 
