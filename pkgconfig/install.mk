@@ -14,8 +14,10 @@ FILLED ?= $(O)
 
 # ------------------------------------------------------------------- files made
 # Folders below the prefix are written relative to it, so that the whole can be
-# moved: by pkg-config's --define-prefix, and for CMake by nothing else.
+# moved: by pkg-config's --define-prefix, and for CMake by nothing else.  ROOT is
+# the variable that holds it there; CMake's must be no variable of the caller's.
 below = $(patsubst $(PREFIX),$2,$(patsubst $(PREFIX)/%,$2/%,$1))
+ROOT  := prefix
 none  :=
 blank := $(none) $(none)
 
@@ -26,10 +28,10 @@ CMAKE_PREFIX = $(if $(inside),$${CMAKE_CURRENT_LIST_DIR}$(UP),$(PREFIX))
 
 FILL = sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' \
            -e 's|@URL@|$(URL)|' -e '/^URL: $$/d' \
-           -e 's|@EXEC_PREFIX@|$(call below,$(EXEC_PREFIX),$${prefix})|' \
-           -e 's|@LIBDIR@|$(call below,$(LIBDIR),$${prefix})|' \
-           -e 's|@INCLUDEDIR@|$(call below,$(INCLUDEDIR),$${prefix})|' \
-           -e 's|@RUNDIR@|$(call below,$(RUNDIR),$${prefix})|' \
+           -e 's|@EXEC_PREFIX@|$(call below,$(EXEC_PREFIX),$${$(ROOT)})|' \
+           -e 's|@LIBDIR@|$(call below,$(LIBDIR),$${$(ROOT)})|' \
+           -e 's|@INCLUDEDIR@|$(call below,$(INCLUDEDIR),$${$(ROOT)})|' \
+           -e 's|@RUNDIR@|$(call below,$(RUNDIR),$${$(ROOT)})|' \
            -e 's|@CMAKE_PREFIX@|$(CMAKE_PREFIX)|' \
            -e 's|@SOVERSION@|$(SOVERSION)|' \
            -e 's|@SHARED@|$(REAL_SO)|' -e 's|@IMPORT@|$(IMPORT)|'
@@ -42,7 +44,9 @@ $(FILLED)/rollcoin.pc: $(SRC)/pkgconfig/rollcoin.pc.in force | $(O)
 	$(FILL) $< >$@.$$PPID
 	$(if_new)
 
-$(CMAKE_FILES:%=$(FILLED)/%): $(FILLED)/%: $(SRC)/pkgconfig/cmake/%.in force | $(O)
+$(CMAKE_FILES:%=$(FILLED)/%): ROOT := rollcoin_prefix
+$(CMAKE_FILES:%=$(FILLED)/%): $(FILLED)/%: $(SRC)/pkgconfig/cmake/%.in force
+	mkdir -p $(@D)
 	$(FILL) $< >$@.$$PPID
 	$(if_new)
 

@@ -41,7 +41,11 @@ configure()
 find_package() # NAME VERSION
 {
     configure "$1" "
+        set(prefix mine)
         find_package(rollcoin $2 REQUIRED)
+        if(NOT prefix STREQUAL mine)
+          message(FATAL_ERROR prefix)
+        endif()
         foreach(way rollcoin static)
           add_executable(\${way} $client)
           target_link_libraries(\${way} rollcoin::\${way} m)
