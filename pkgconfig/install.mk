@@ -40,7 +40,8 @@ CMAKE_FILES := rollcoin-config.cmake rollcoin-config-version.cmake
 GENERATED   := $(addprefix $(FILLED)/,rollcoin.pc rollcoin.3 $(CMAKE_FILES))
 all: $(GENERATED)
 
-$(FILLED)/rollcoin.pc: $(SRC)/pkgconfig/rollcoin.pc.in force | $(O)
+$(FILLED)/rollcoin.pc: $(SRC)/pkgconfig/rollcoin.pc.in force
+	mkdir -p $(@D)
 	$(FILL) $< >$@.$$PPID
 	$(if_new)
 
@@ -51,7 +52,8 @@ $(CMAKE_FILES:%=$(FILLED)/%): $(FILLED)/%: $(SRC)/pkgconfig/cmake/%.in force
 	$(if_new)
 
 # A manual page from the groups of coin.h.
-$(FILLED)/rollcoin.3: $(SRC)/lib/about/man.awk $(SRC)/include/coin.h force | $(O)
+$(FILLED)/rollcoin.3: $(SRC)/lib/about/man.awk $(SRC)/include/coin.h force
+	mkdir -p $(@D)
 	LC_ALL=C awk -v version=$(VERSION) -v date=$(DATE) -v docs=$(DOCDIR) \
 	    -f $(filter-out force,$^) >$@.$$PPID
 	$(if_new)

@@ -121,15 +121,15 @@ prefix=$work/prefix
 printf '#!/bin/sh\necho told >>%s\n' "$work/told" >"$work/ldconfig"
 chmod +x "$work/ldconfig"
 run="$MAKE --no-print-directory -f $SRC/Makefile O=$OUT PREFIX=$prefix"
-run="$run FILLED=$work LDCONFIG=$work/ldconfig"
+run="$run FILLED=$work/filled LDCONFIG=$work/ldconfig"
 $run install
 test "$(id -u)" != 0 || test "$(cat "$work/told")" = told ||
     die "the dynamic linker was not told"
 files_are "$prefix" /lib
 docs_are_there "$prefix/share/doc/rollcoin"
 plugin_hides "$prefix/lib"
-test "$($run URL=https://example.org "$work/rollcoin.pc" &&
-    sed -n 's/^URL: //p' "$work/rollcoin.pc")" = https://example.org ||
+test "$($run URL=https://example.org "$work/filled/rollcoin.pc" &&
+    sed -n 's/^URL: //p' "$work/filled/rollcoin.pc")" = https://example.org ||
     die "rollcoin.pc has no URL"
 page=$prefix/share/man/man3/rollcoin.3
 mandoc -T lint "$page" >"$work/log" && test ! -s "$work/log" ||
