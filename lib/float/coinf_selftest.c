@@ -47,7 +47,7 @@ int32_t coinf_selftest(void)
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
     for (int i = 0; i < 2; ++i) {
         coinf_state s = start[i];
-        coinf_params p;
+        coinf_params p = {0, 0, 0, 0, 0, 0, {0, 0}};
         coinf_params_disc(&p, disc[i][0], disc[i][1], disc[i][2]);
         coinf_run(&s, &p, COIN_RK4, dt[i], 100, NULL);
         hash = hashed_state(hash, &s);

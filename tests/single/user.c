@@ -33,5 +33,6 @@ int main(void)
 
     return coin_params_disc(&p, 0.00567, 0.01213, 9.80665) < 0 ||
            coin_run(&s, &p, COIN_RK8, 1.0 / 60, 60, NULL) < 0 ||
-           coin_selftest() != COIN_OK || advance(&steady, 0.5) != 5;
+           coin_selftest() != COIN_OK || coinf_selftest() != COIN_OK ||
+           advance(&steady, 0.5) != 5;
 }
