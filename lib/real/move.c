@@ -388,12 +388,14 @@ static int stands(coin_priv_moving *g)
     return 1;
 }
 
-/* Whether the rim that does not touch has come down, upright. */
+/* Whether the rim that does not touch has come down: the coin is upright, as
+ * coin_priv_set_upright(). */
 static int rocks(coin_priv_moving *g)
 {
     double *const y = g->step.y;
     const double eta = g->law.eta;
-    if (!(eta * y[COIN_PRIV_S] <= 0 && eta * y[COIN_PRIV_WX] < 0))
+    if (!(eta * y[COIN_PRIV_S] <= 2 * COIN_PRIV_EPSILON &&
+          eta * y[COIN_PRIV_WX] < 0))
         return 0;
     y[COIN_PRIV_S] = 0;
     y[COIN_PRIV_C] = 1;
