@@ -671,6 +671,58 @@ TEST(the_force_on_a_held_contact_moves_the_centre)
     }
 }
 
+/* The friction of a slip turns the contact against dry friction, the more
+ * slowly the nearer it is to flat. */
+TEST(a_slip_on_the_rim_next_to_flat_takes_few_calls)
+{
+    struct random r = random_begin(24);
+    const int count = tries_asked(20), most = 15 * count;
+    int calls = 0;
+    for (int i = 0; i < count && calls < most; ++i) {
+        const coin_params p = cylinder(random_between(&r, 0.02, 0.3));
+        const double mu = random_between(&r, 0.1, 1);
+        const coin_table f = {
+            .mu_static = mu,
+            .mu_kinetic = 0.8 * mu,
+            .losses = {.dry = random_between(&r, 0.001, 0.02)}};
+        const coin_state s = {.theta =
+                                  acos(pow(10, random_between(&r, -5, -2))),
+                              .wX = random_between(&r, 0, 0.02),
+                              .wZ = random_between(&r, -0.1, 0.1)};
+        coin_body b = rolling(&s, &p);
+        b.vx += 0.1;
+        b.vz += 0.1;
+        int32_t status = COIN_MORE;
+        check_note("seed 24, coin %d", i);
+        for (; status & COIN_MORE && calls < most; ++calls)
+            status = coin_move(&b, &p, &f, 1, 1e-9, 0, NULL);
+        check(status >= 0);
+    }
+    check(calls < most);
+}
+
+/* It slips slowly on one rim, and comes back on both before theta counts. */
+TEST(a_coin_upright_to_rounding_is_on_both_rims)
+{
+    const double h = 0.04008983;
+    const coin_params p = cylinder(h);
+    const coin_table f = {.mu_static = 0.88,
+                          .mu_kinetic = 0.88,
+                          .restitution = 0.46,
+                          .losses = {.rolling = 7.3e-3}};
+    for (int i = 0; i < 60; ++i) {
+        const double slip = 1e-8 * (1 + i);
+        coin_body b = {.s = {.wY = -3.5056, .wZ = -0.09908}, .y = 1};
+        b.vx = -(b.s.wZ - h * b.s.wY) + slip;
+        b.vz = slip / 16;
+        const double E = coin_body_energy(&b, &p);
+        check_note("slip %g", slip);
+        const int32_t status =
+            coin_move(&b, &p, &f, 1e-6, 1e-6, COIN_ROLLS | COIN_TOUCHES, NULL);
+        check(status >= 0 && coin_body_energy(&b, &p) < E + 1e-6);
+    }
+}
+
 TEST(a_slip_that_is_none_ends_by_friction)
 {
     const coin_table f = {.mu_static = 0.5, .mu_kinetic = 0.4};

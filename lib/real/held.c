@@ -7,7 +7,10 @@
  * of the fall.  Its roll is then left out, which would have turned the coin by
  * at most twice this part, in radians: by 4 tol.
  *
- * MOST limits this part at tol above 5e-8: coins that slip would err.
+ * MOST limits this part at tol above 5e-8: coins that slip would err.  It is
+ * the part of a thick coin that slips, at any tol.  The friction of the slip
+ * turns its contact the more slowly the nearer it is to flat, by less than MOST
+ * in all, and to follow that would take millions of steps.
  *
  * A coin with so small a roll would pass flat at a least cos theta of
  * about its own cos theta times this part.  It must lie flat by then: the part
@@ -18,11 +21,13 @@
 #define OF_FLAT 0.5
 
 /* The roll speed below which the contact counts as stopped. */
-static double least_roll(const double *y, const coin_priv_law *l, double tol)
+static double least_roll(const double *y, const coin_priv_law *l, int slips,
+                         double tol)
 {
     const double wX = y[COIN_PRIV_WX];
     const double c = coin_priv_larger(y[COIN_PRIV_C], l->flat);
-    const double least = coin_priv_lesser(PART * tol, OF_FLAT * l->flat / c);
+    const double part = slips && l->half > 0 ? MOST : PART * tol;
+    const double least = coin_priv_lesser(part, OF_FLAT * l->flat / c);
     return coin_priv_lesser(least, MOST) * sqrt(wX * wX + c / l->J[0]);
 }
 
@@ -59,7 +64,7 @@ double coin_priv_hold_margin(const double *y, const coin_priv_law *l, int mode,
                          IZ / D * (h * h + hs * (hs + 2 * c));
     const double pivot = l->spin * fabs(K - IX) + l->angular * IX * (K - IZ);
     const double thick = l->spin * fabs(more) + l->angular * IZ * h;
-    const double small = least_roll(y, l, tol);
+    const double small = least_roll(y, l, slips, tol);
     const double need =
         fabs(turn * lever) * c * fastest + fabs(turn) * pivot / D * (c * c) +
         (fabs(turn) * thick + pull * (IX * c + IZ * hs)) / D * c; /* (73) */
@@ -73,6 +78,8 @@ double coin_priv_hold_margin(const double *y, const coin_priv_law *l, int mode,
 int coin_priv_is_held(const double *y, const coin_priv_law *l, int mode,
                       double tol)
 {
-    return l->lossy && fabs(coin_priv_roll_speed(y)) <= least_roll(y, l, tol) &&
+    const int slips = mode & COIN_PRIV_SLIPS;
+    const double roll = fabs(coin_priv_roll_speed(y));
+    return l->lossy && roll <= least_roll(y, l, slips, tol) &&
            coin_priv_hold_margin(y, l, mode, tol) >= 0;
 }
