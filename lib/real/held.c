@@ -7,10 +7,12 @@
  * of the fall.  Its roll is then left out, which would have turned the coin by
  * at most twice this part, in radians: by 4 tol.
  *
- * MOST limits this part at tol above 5e-8: coins that slip would err.  It is
- * the part of a thick coin that slips, at any tol.  The friction of the slip
- * turns its contact the more slowly the nearer it is to flat, by less than MOST
- * in all, and to follow that would take millions of steps.
+ * MOST limits this part at tol above 5e-8: coins that slip would err.
+ *
+ * The friction of a slip turns the contact of a thick coin, the more slowly the
+ * nearer it is to flat.  To follow that at a small tol would take millions of
+ * steps.  The part is then tol/cos theta: the energy errs by some tol, and
+ * the coin turns by less than 2 MOST.
  *
  * A coin with so small a roll would pass flat at a least cos theta of
  * about its own cos theta times this part.  It must lie flat by then: the part
@@ -26,7 +28,7 @@ static double least_roll(const double *y, const coin_priv_law *l, int slips,
 {
     const double wX = y[COIN_PRIV_WX];
     const double c = coin_priv_larger(y[COIN_PRIV_C], l->flat);
-    const double part = slips && l->half > 0 ? MOST : PART * tol;
+    const double part = slips && l->half > 0 ? tol / c : PART * tol;
     const double least = coin_priv_lesser(part, OF_FLAT * l->flat / c);
     return coin_priv_lesser(least, MOST) * sqrt(wX * wX + c / l->J[0]);
 }

@@ -56,12 +56,11 @@ enum { STICKS = 1, BOTH = 3, CREEP = 4, BOTH_CREEP = 12 };
 #define CREEPS 0.1
 #define SHARE 0.01
 
-/* Passes in which an onset is found, Newton's steps in each, a friction that is
- * not 0, and one that is as good as infinite. */
+/* Passes in which an onset is found, Newton's steps in each, and a friction
+ * that is not 0. */
 #define PASSES 8
 #define NEWTON 6
 #define TINY 1e-50
-#define ENOUGH 1e100
 
 /* What acts besides friction. */
 struct free_line {
@@ -253,20 +252,22 @@ COIN_PRIV_NOINLINE struct ends ends_of(const double *y, const coin_priv_law *l,
 }
 
 /* How far the friction that the sticking rims need is below what the table can
- * give; below 0 a rim begins to slip.  A rim without weight has no friction,
- * whatever mu is. */
+ * give, as a part of mu where that exceeds 1; below 0 a rim begins to slip.  A
+ * rim without weight slips, whatever mu is. */
 static double cone_of(const struct ends *e, double mu)
 {
     const int mode = e->mode;
-    mu = coin_priv_lesser(mu, ENOUGH);
+    const double of_N = coin_priv_lesser(1, mu), per = of_N < mu ? 1 / mu : 1;
     if (!(mode & BOTH))
         return 1;
-    if (mode != BOTH)
-        return mu * e->N[mode - 1] - length_of(e->F[mode - 1]);
-    const double x = fabs(e->F[0].X);
-    double least = 1, across = -2 * fabs(e->F[0].h);
+    if (mode != BOTH) {
+        const double N = e->N[mode - 1], F = length_of(e->F[mode - 1]);
+        return coin_priv_lesser(N > 0 ? 1 : e->slack, of_N * N - per * F);
+    }
+    const double x = per * fabs(e->F[0].X);
+    double least = e->slack, across = -2 * per * fabs(e->F[0].h);
     for (int i = 0; i < RIMS; ++i) {
-        const double rest = mu * e->N[i] - x;
+        const double rest = of_N * e->N[i] - x;
         least = coin_priv_lesser(least, rest);
         across += rest > 0 ? sqrt(rest * (rest + 2 * x)) : 0;
     }
