@@ -186,7 +186,7 @@ enum {
 /** One step of classical Runge-Kutta, order 4: coin_run(s, p, COIN_RK4, dt, 1,
  * null), with the same bits.  Eq. (14)-(20).
  * Step, status and accuracy are those of coin_run(); an error leaves *s.
- * Cost: 962 instructions, where a further step of coin_run() takes 587; at
+ * Cost: 962 instructions, where a further step of coin_run() takes 581; at
  *         most 832 bytes of stack on a Cortex-M4F (make firmware). */
 COIN_API int32_t coin_step(coin_state *s, const coin_params *p, double dt);
 
