@@ -722,6 +722,20 @@ TEST(the_force_on_both_rims_at_rest_holds_the_pull)
     }
 }
 
+/* All but a little weight is on one rim: the other cannot hold its half of the
+ * force that makes the coin roll down the slope. */
+TEST(a_rim_slips_that_has_too_little_weight_to_roll)
+{
+    const coin_params p = cylinder(0.1);
+    for (int side = -1; side <= 1; side += 2) {
+        coin_table f = {0.5, 0.4, .pull = {0.3, side * 0.0999}};
+        coin_body b = rolling(&(coin_state){0}, &p);
+        check_status(coin_move(&b, &p, &f, 0, 1e-9, 0, NULL), COIN_SLIPS);
+        f.pull[0] = 4e-4;
+        check_status(coin_move(&b, &p, &f, 0, 1e-9, 0, NULL), COIN_OK);
+    }
+}
+
 /* Whichever way it heads, nothing holds it. */
 TEST(on_ice_a_slope_moves_a_coin_on_both_rims)
 {

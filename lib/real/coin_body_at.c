@@ -77,7 +77,7 @@ static coin_priv_push touching_force(const coin_priv_coin *c,
         return none;
     /* A slip that begins has no direction yet. */
     const int slip_begins = next & ~mode & COIN_PRIV_SLIPS;
-    coin_priv_push F = coin_priv_push_of(g.step.y, l, next & ~slip_begins);
+    coin_priv_push F = coin_priv_push_of(g.step.y, l, mode);
     if (slip_begins) {
         const coin_priv_direction n = coin_priv_onset(g.step.y, l, next, F);
         F = coin_priv_slopes(0, g.step.y, l, next, n);

@@ -265,7 +265,7 @@ static double cone_of(const struct ends *e, double mu)
         return coin_priv_lesser(N > 0 ? 1 : e->slack, of_N * N - per * F);
     }
     const double x = per * fabs(e->F[0].X);
-    double least = e->slack, across = -2 * per * fabs(e->F[0].h);
+    double least = 1, across = -2 * per * fabs(e->F[0].h);
     for (int i = 0; i < RIMS; ++i) {
         const double rest = of_N * e->N[i] - x;
         least = coin_priv_lesser(least, rest);
