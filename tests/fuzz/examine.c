@@ -290,6 +290,16 @@ static int takes_thickness(const char *name)
     return is;
 }
 
+/* Whether the i-th argument may be null; an array may if it is of no coins. */
+static int may_be_null(const struct subject *s, size_t i)
+{
+    const struct kind *k = s->kind[i];
+    for (size_t c = 0; c < s->count && strchr("XA", k->letter); ++c)
+        if (s->kind[c]->letter == 'c')
+            return s->a[GIVEN][c].u == 0;
+    return k->role == PROGRESS || k->role == OPTIONAL;
+}
+
 /* With what to compare an outcome: whether arguments are good, by the public
  * checks; a function has its say only in what these leave open. */
 static void the_right_error_is_returned(const struct subject *s, double result,
@@ -306,9 +316,7 @@ static void the_right_error_is_returned(const struct subject *s, double result,
     const int bad_state = knows && has_state && !bad_params &&
                           (single ? coinf_state_check(&w->sf, &w->pf)
                                   : coin_state_check(&w->s, &w->p)) != COIN_OK;
-    const int null_counts = null < s->count &&
-                            s->kind[null]->role != PROGRESS &&
-                            s->kind[null]->role != OPTIONAL;
+    const int null_counts = null < s->count && !may_be_null(s, null);
     if (f->is_number) {
         if (null_counts || bad_params || bad_state)
             demand(isnan(result));
