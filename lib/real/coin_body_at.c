@@ -7,7 +7,7 @@
 #include "flat_slide.h"
 #include "line.h"
 
-/* The largest tolerance. */
+/* The largest tolerance of a call. */
 #define HOLDS 1e-2
 
 double coin_body_energy(const coin_body *b, const coin_params *p)
@@ -75,10 +75,8 @@ static coin_priv_push touching_force(const coin_priv_coin *c,
     const coin_priv_push none = {0, 0, 0};
     if (next & COIN_PRIV_AIR)
         return none;
-    /* A slip that begins has no direction yet. */
-    const int slip_begins = next & ~mode & COIN_PRIV_SLIPS;
     coin_priv_push F = coin_priv_push_of(g.step.y, l, mode);
-    if (slip_begins) {
+    if (next & ~mode & COIN_PRIV_SLIPS) { /* it has no direction yet */
         const coin_priv_direction n = coin_priv_onset(g.step.y, l, next, F);
         F = coin_priv_slopes(0, g.step.y, l, next, n);
     }

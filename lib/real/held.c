@@ -11,8 +11,8 @@
  *
  * The friction of a slip turns the contact of a thick coin, the more slowly the
  * nearer it is to flat.  To follow that at a small tol would take millions of
- * steps.  The part is then tol/cos theta: the energy errs by some tol, and
- * the coin turns by less than 2 MOST.
+ * steps.  So its part is tol/cos theta: leaving out the roll changes the energy
+ * by a few tol, and the heading by less than 2 MOST.
  *
  * A coin with so small a roll would pass flat at a least cos theta of
  * about its own cos theta times this part.  It must lie flat by then: the part

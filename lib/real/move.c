@@ -388,8 +388,8 @@ static int stands(coin_priv_moving *g)
     return 1;
 }
 
-/* Whether the rim that does not touch has come down: the coin is upright, as
- * coin_priv_set_upright(). */
+/* Whether the rim that does not touch has come down: the coin is upright by the
+ * rule of coin_priv_set_upright(). */
 static int rocks(coin_priv_moving *g)
 {
     double *const y = g->step.y;
