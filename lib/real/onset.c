@@ -95,7 +95,9 @@ static void find_slow(struct slow_slip *o, const double *y, double u,
     double other[COIN_PRIV_WIDE], ahead[COIN_PRIV_READ];
     double *const d = o->d;
     const double q = along(d, y, u, n, l, mode), du = speeding(d, n);
-    const double rate = coin_priv_rate(y, l, mode), h = AHEAD / rate;
+    const double rate =
+        coin_priv_rate(y, l, mode) + coin_priv_loss_rate(y, l, mode);
+    const double h = AHEAD / rate;
     for (int i = 0; i < COIN_PRIV_READ; ++i)
         ahead[i] = y[i] + h * d[i];
     const double by_angle =

@@ -128,7 +128,8 @@ struct thick {
 
 /* ------------------------------------------------------------------- sizes */
 
-/* Of the terms of N, F_X and F_h: (120), of a coin that rolls. */
+/* Of the terms of N, F_X and F_h: (120), of a coin that rolls.  Those of F_X
+ * are Newton's, as in (25): they leave its D-th part. */
 struct sizes {
     real N, X, h;
 };
@@ -138,14 +139,13 @@ sizes rolling(const thick &o)
     const real wX = std::fabs(o.w[0]), wY = std::fabs(o.w[1]),
                wZ = std::fabs(o.w[2]);
     const real J = o.IX + 1 + o.h * o.h, k1 = o.IZ / o.IX;
-    const real D = 1 + 1 / o.IZ + o.h * o.h / o.IX;
     const real pull = std::abs(o.pull).sum(), roll = wZ + o.h * wY;
     const real slope =
         (wY * (o.IZ * wZ + o.IX * wY * std::fabs(o.T) + o.Y / o.c * roll) +
          o.size_P + pull * o.Y) /
         J;
     return {1 + o.Y * wX * wX + o.size_P * slope,
-            (wX * (wY + o.h * k1 * wZ) + pull) / D,
+            wX * (wY + o.h * k1 * wZ) + pull,
             o.Y * slope + o.size_P * wX * wX + wY / o.c * roll + pull};
 }
 

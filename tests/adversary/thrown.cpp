@@ -140,6 +140,13 @@ void fading(scene *s, const double *g)
     s->loss[3] = power_of_ten(g[LOSS], g[LOSS + 1] < 0.5 ? -2 : -11.9, 2.9);
 }
 
+/* A face within 16 u of the horizontal counts as horizontal: the other side of
+ * that is twice as far. */
+real level(const top &n)
+{
+    return std::hypot(n.Z[0], n.Z[2]) <= 16 * doubles::u ? 32 * doubles::u : 0;
+}
+
 /* 1e-15 a radian of what turns, and the rounding of units of what the centre
  * does. */
 bool flies(trial<doubles> &q)
@@ -150,8 +157,10 @@ bool flies(trial<doubles> &q)
     if (q.move(&q.b, q.s.t, COIN_TOUCHES, &reached) != COIN_LIFTS ||
         reached != q.s.t)
         return false;
-    const real turn = 1e-15L * (2 + n.turned(t)), way = 16 * q.u * n.way(t);
+    const real way = 16 * q.u * n.way(t);
+    real turn = 1e-15L * (2 + n.turned(t)) + level(n);
     n.fly(t);
+    turn += level(n);
     const top is(q.p, q.b);
     hold(&q, is.X, n.X, turn);
     hold(&q, is.Z, n.Z, turn);
@@ -173,7 +182,8 @@ bool touches(trial<doubles> &q)
     if (status < 0)
         return false;
     const real t = reached / real(unit_of(q.s));
-    const real rounding = 1e-15L * (1 + n.turned(t)) + 16 * q.u * n.way(t);
+    const real rounding =
+        1e-15L * (1 + n.turned(t)) + 16 * q.u * n.way(t) + level(n);
     real least = 0;
     for (int i = 1; i < LOOKS; ++i) {
         n.fly(t / LOOKS);
