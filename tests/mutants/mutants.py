@@ -5,7 +5,8 @@
 Two copies of the sources take turns.  For each mutant one text is replaced,
 what depends on it is rebuilt, and the tests run until one fails.  First come
 the tests that are named after the file, then those that noticed other mutants
-of it, then the rest, the quick ones first.  test_selftest would see any change
+of it, then the rest, the quick ones first: as in `make check`, and where none
+fails once more as in `make check-long`.  test_selftest would see any change
 of a bit and so hide what the others miss: only the mutants of the self-tests
 are shown to it.  A mutant that no test notices fails the gate; so does one that
 does not compile, a text that does not occur just once, and a source without a
@@ -33,6 +34,10 @@ PARALLEL = 2
 # ends, and a busy machine ends no other.
 SECONDS = 30
 OTHERS = {".awk", ".map", ".md", ".mk"}  # files of lib/ that no compiler reads
+
+# The usual tests, and the long ones with the usual seeds.
+USUAL = {"ROLLCOIN_TRIES": "1"}
+LONG = {"ROLLCOIN_LONG": "1", "ROLLCOIN_TRIES": "8"}
 
 # What the runs so far have taught: the tests' times, and for each file the
 # tests that noticed a mutant.
@@ -125,13 +130,14 @@ class Copy:
     def all_tests(self):
         return sorted(f.stem for f in self.src.glob("tests/test_*.c"))
 
-    def failing_test(self, tests):
+    def failing_test(self, tests, how):
         """The name of the first test that fails, if one does."""
         for test in tests:
             start = time.monotonic()
             run = subprocess.run(["prlimit", f"--cpu={SECONDS}:",
                                   self.out / "tests/run", test],
-                                 capture_output=True, cwd=self.out)
+                                 capture_output=True, cwd=self.out,
+                                 env=os.environ | how)
             SECONDS_OF[test] = time.monotonic() - start
             if run.returncode == -signal.SIGXCPU:
                 return f"{test} (endless)"
@@ -156,11 +162,14 @@ class Copy:
             own = self.own_tests(file)
             if own and self.build(*own):
                 return "ERROR", "does not compile"
-            killer = self.failing_test(own)
+            killer = self.failing_test(own, USUAL)
             if not killer:
                 if self.build():
                     return "ERROR", "does not compile"
-                killer = self.failing_test(self.likely_first(file))
+                rest = [test for test in self.likely_first(file)
+                        if test not in own]
+                killer = (self.failing_test(rest, USUAL) or
+                          self.failing_test(own + rest, LONG))
                 NOTICED.setdefault(file, set()).add(killer.split(" ")[0])
             return ("killed", killer) if killer else ("SURVIVED", "")
         finally:
@@ -182,8 +191,6 @@ def main(src, work=None, *files):
     mutants = [m for m in mutants if not files or m[0] in files]
     work = work.absolute()
     shutil.rmtree(work, ignore_errors=True)
-    # As `make check-long`, but with the usual seeds.
-    os.environ["ROLLCOIN_LONG"], os.environ["ROLLCOIN_TRIES"] = "1", "8"
     os.environ.pop("MAKEFLAGS", None)  # the flags of the make that runs this
     copies = queue.SimpleQueue()
 
@@ -199,7 +206,7 @@ def main(src, work=None, *files):
         for copy in pool.map(lambda i: Copy(src, work / f"copy{i}"),
                              range(PARALLEL)):
             copies.put(copy)
-        failing = copy.failing_test(copy.all_tests())
+        failing = copy.failing_test(copy.all_tests(), LONG)
         if failing:
             sys.exit(f"mutants: the unbroken library fails {failing}")
         for (file, old, new), (fate, by) in zip(mutants,
