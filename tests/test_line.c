@@ -722,6 +722,15 @@ TEST(the_force_on_both_rims_at_rest_holds_the_pull)
     }
 }
 
+TEST(what_is_left_of_a_pivot_at_rest_is_0)
+{
+    const coin_params p = cylinder(0.4);
+    const coin_table f = {.mu_static = 0.3, .mu_kinetic = 0.3};
+    coin_body b = rolling(&(coin_state){.wY = 5e-11, .wZ = 5e-11}, &p);
+    check_status(coin_move(&b, &p, &f, 1, 1e-9, 0, NULL), COIN_RESTS);
+    check(b.s.wY == 0 && b.s.wZ == 0 && b.vx == 0 && b.vz == 0);
+}
+
 /* All but a little weight is on one rim: the other cannot hold its half of the
  * force that makes the coin roll down the slope. */
 TEST(a_rim_slips_that_has_too_little_weight_to_roll)

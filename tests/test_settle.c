@@ -5,6 +5,8 @@
 #include "support/methods.h"
 #include "support/random.h"
 
+#include "settle.h"
+
 #include <math.h>
 
 /* The scenes of tests/reference/losses. */
@@ -389,4 +391,17 @@ TEST(a_small_roll_is_left_out_only_where_the_coin_lies_flat)
             s = start;
             check_status(coin_settle(&s, &p, &flat, 3, tol, NULL), COIN_RESTS);
         }
+}
+
+/* What one search for losses may take in all is counted so. */
+TEST(a_settling_takes_its_trials_from_what_is_left)
+{
+    const coin_params p = disc();
+    const coin_losses l = {.rolling = 1e-4};
+    coin_state s = {.theta = 0.5, .wY = 1, .wZ = 1};
+    int tries = 20;
+    double reached = 0;
+    check_status(coin_priv_settle(&s, &p, &l, 1000, 1e-9, &tries, &reached),
+                 COIN_MORE);
+    check(tries == 0 && reached > 0);
 }

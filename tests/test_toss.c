@@ -715,6 +715,31 @@ TEST(any_throw_is_silent_and_its_body_is_accepted)
     check(seen[COIN_LIFTS] > count && seen[COIN_SLIPS] > count / 50);
 }
 
+/* Its height is rounded by more than a coin may be below the table. */
+TEST(a_fall_from_high_up_that_nearly_touches_is_accepted)
+{
+    struct random r = random_begin(41);
+    const int count = tries_asked(200);
+    for (int i = 0; i < count; ++i) {
+        const coin_params p = thrown_params(0.25, 0.5);
+        const coin_table f = {.mu_static = 0.3, .mu_kinetic = 0.3};
+        const coin_body from = {.s = {.theta = random_between(&r, -1, 1)},
+                                .y = pow(10, random_between(&r, 1, 6))};
+        coin_body b = from;
+        double touch;
+        check_status(
+            coin_move(&b, &p, &f, INFINITY, 1e-9, COIN_TOUCHES, &touch),
+            COIN_LIFTS | COIN_TOUCHES);
+        for (int k = 1; k <= 4; ++k) {
+            b = from;
+            check_note("fall %d", i);
+            check(coin_move(&b, &p, &f, touch * (1 - k * U), 1e-9, COIN_TOUCHES,
+                            NULL) >= COIN_OK);
+            check_within(b.y - cos(b.s.theta), -U, INFINITY);
+        }
+    }
+}
+
 /* A thousandth within each range, and a thousandth beyond it: the top of the
  * flight, the place and the speed at its end, without a pull and with one, and
  * wX of a coin that turns. */

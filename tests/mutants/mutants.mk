@@ -2,7 +2,7 @@
 #
 # Broken libraries, which the tests must notice: included by the Makefile.
 #
-#   make mutants                        all of mutants.txt   (forty minutes)
+#   make mutants                        all of mutants.txt   (an hour)
 #   make mutants MUTANTS='rk4.c run.c'  those of these files
 
 .PHONY: mutants
