@@ -796,10 +796,10 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  *
  * Accuracy: of 100 random launches, 98 err by less than tol (1 + n) after n
  *         natural units (test_slide).  A flight errs by 1e-15 for each radian
- *         that it turns by (test_flight); a face within 2e-15 of the horizontal
- *         counts as horizontal.  A touch is located to 1e-15 over its normal
- *         speed (test_touch).  Of 1,000 excursions of F/N above mu_static by
- *         1e-4 of it, 4 are missed at tol = 1e-5, and fewer below
+ *         that it turns by (test_flight).  A face that is within 2e-15 rad of
+ *         horizontal counts as horizontal.  A touch is located to 1e-15 over
+ *         its normal speed (test_touch).  Of 1,000 excursions of F/N above
+ *         mu_static by 1e-4 of it, 4 are missed at tol = 1e-5, and fewer below
  *         (test_excursions).  Bounces amplify errors (test_toss).  phi and psi
  *         of a thick coin that slips as it falls on its face may err by 1e-7.
  * Cost: docs/accuracy.md counts frames in which a coin rolls, slips, flies or

@@ -393,7 +393,7 @@ TEST(a_small_roll_is_left_out_only_where_the_coin_lies_flat)
         }
 }
 
-/* What one search for losses may take in all is counted so. */
+/* coin_losses_fit() bounds the steps of all its settlings so. */
 TEST(a_settling_takes_its_trials_from_what_is_left)
 {
     const coin_params p = disc();

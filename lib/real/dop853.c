@@ -147,10 +147,11 @@ static void all_stages(coin_priv_dop853 *w)
     stage(w, A12, A_OF, 9, 11);
 }
 
-/* The estimate of order 5 passes through 0 at some lengths of a step, and that
- * of DOP853 with it, though the error does not.  So an error is at least this
- * part of the square of the estimate of order 3, which is of order 8 too.
- * Measured: LEAST_PART in tables.md. */
+/* DOP853 estimates the error from two estimates, of order 5 and of order 3.  At
+ * some lengths of a step the one of order 5 is 0 by chance, and then so is the
+ * whole.  The square of the one of order 3 has the order 8 of the whole: the
+ * error is taken to be at least LEAST_PART times that.  Measured: LEAST_PART in
+ * tables.md. */
 #define LEAST_PART 1e-4
 
 double coin_priv_try_step(coin_priv_dop853 *w, double h)

@@ -128,8 +128,8 @@ struct thick {
 
 /* ------------------------------------------------------------------- sizes */
 
-/* Of the terms of N, F_X and F_h: (120), of a coin that rolls.  Those of F_X
- * are Newton's, as in (25): they leave its D-th part. */
+/* Of the terms of N, F_X and F_h: (120), of a coin that rolls.  F_X is
+ * computed by Newton's law, as in (25), so that its terms are not over D. */
 struct sizes {
     real N, X, h;
 };

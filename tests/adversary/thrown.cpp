@@ -140,8 +140,8 @@ void fading(scene *s, const double *g)
     s->loss[3] = power_of_ten(g[LOSS], g[LOSS + 1] < 0.5 ? -2 : -11.9, 2.9);
 }
 
-/* A face within 16 u of the horizontal counts as horizontal: the other side of
- * that is twice as far. */
+/* What a pose errs by where the face is within 16 u of horizontal: the library
+ * takes it for horizontal, which may move it to the other side of that. */
 real level(const top &n)
 {
     return std::hypot(n.Z[0], n.Z[2]) <= 16 * doubles::u ? 32 * doubles::u : 0;

@@ -46,7 +46,7 @@ LONG = {"rk4": 2, "rk8": 3, "order 14 in tau": 4, "symplectic2": 5,
 
 QUARTER = 0.0351704 # its natural unit of time [s]
 MIDDLE = 1e-12      # the error at which the curves of speed.svg are labelled
-BESIDE = 1.5        # how far from its curve or mark a label stands
+BESIDE = 1.65       # how far from its curve or mark a label stands
 LINE = 0.052        # a line of text, in parts of the height of a chart
 
 
