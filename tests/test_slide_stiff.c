@@ -262,3 +262,21 @@ TEST(an_estimate_that_vanishes_is_not_believed)
     check_status(slide(&fine, &p, &f, NULL, t, 1e-12, NULL), COIN_SLIPS);
     check_within(slides_apart(&coarse, &fine, &p), 0, tol);
 }
+
+/* The slip on ice begins where its direction turns round: the stages of the
+ * step that only its polynomial needs run away. */
+TEST(a_slip_that_begins_where_it_turns_round_is_no_faster)
+{
+    const coin_params p = {
+        1, 1, 1, 0.32428296808919643, 0.64856593617839287, 0, {0, 0}};
+    const coin_table ice = {.mu_static = 0};
+    coin_body b = {.s = {.theta = -1.5707905889165144,
+                         .wX = 1.1246554403424103e-21,
+                         .wY = 0.0029296875},
+                   .y = 5.7378783822357109e-06,
+                   .vy = 1.1246554403238967e-21,
+                   .vz = 6.4531361386045001e-27};
+    check_status(coin_move(&b, &p, &ice, 0.0487891, 0.0078125, 0, NULL),
+                 COIN_SLIPS);
+    check_within(fabs(b.vx) + fabs(b.vz), 0, 1e-8);
+}

@@ -123,6 +123,58 @@ TEST(a_loss_too_strong_for_a_step_is_quiet)
     }
 }
 
+/* On ice, dry friction slows the turn but not the slip, whose slope is the
+ * rounding of its terms. */
+TEST(a_slip_that_nothing_ends_is_quiet)
+{
+    const coin_params p = {1, 1,     1, 0.2558477508650519, 0.51169550173010381,
+                           0, {0, 0}};
+    const coin_table ice = {.losses = {.dry = 0.046878814697265625}};
+    coin_body b = {.s = {.phi = 6.1875, .wZ = 0.017822265625},
+                   .y = 1,
+                   .vx = 0.77421568795820728,
+                   .vz = 0.0044789317035110569};
+    QUIET(coin_move(&b, &p, &ice, 20, 1e-9, 0, NULL), COIN_SLIPS);
+}
+
+/* The direction of a slip whose turn is the least number. */
+TEST(a_slip_that_begins_next_to_upright_is_quiet)
+{
+    const coin_params p = {
+        1, 1, 1, 0.25221453287197232, 0.50442906574394464, 0, {0, 0}};
+    const coin_table f = {.mu_static = 0.95976562500000007,
+                          .mu_kinetic = 0.9140625,
+                          .restitution = 0.9140625};
+    coin_body b = {.s = {.theta = -0x1p-1074,
+                         .phi = 3.051513671875,
+                         .wX = 0.7529296875,
+                         .wY = 3.875},
+                   .y = 1,
+                   .vx = 0.067731454745744935,
+                   .vz = -0.74987703282396423};
+    QUIET(coin_move(&b, &p, &f, 3e-6, 1e-4, 0, NULL), COIN_SLIPS);
+}
+
+/* What slows the turn also stops it. */
+TEST(a_turn_that_ends_upright_is_quiet)
+{
+    const coin_params p = disc();
+    const coin_table f = {.mu_static = (double)INFINITY,
+                          .mu_kinetic = 0.2,
+                          .losses = {.spin = 1.7}};
+    coin_body b = {.s = turning(0, 0, 1.5, 0), .y = 1};
+    QUIET(coin_move(&b, &p, &f, (double)INFINITY, 3e-5, 0, NULL), COIN_RESTS);
+}
+
+TEST(the_largest_friction_is_quiet)
+{
+    const coin_params p = disc();
+    const coin_table f = {
+        .mu_static = DBL_MAX, .mu_kinetic = 0.3, .restitution = 0.5};
+    coin_body b = {.s = turning(0.3, 0.5, 1, 2), .y = 1, .vx = 1, .vy = -4};
+    QUIET(coin_move(&b, &p, &f, 0.2, 1e-6, 0, NULL), COIN_LIFTS);
+}
+
 TEST(a_radius_beyond_all_doubles_is_infinite)
 {
     const coin_params p = disc();

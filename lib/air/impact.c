@@ -5,8 +5,6 @@
 
 #include "air.h"
 
-#include <float.h>
-
 coin_priv_rim coin_priv_rim_of(const coin_priv_coin *c, double eta)
 {
     const coin_priv_lever d = coin_priv_lever_of(c->th.s, c->th.c, eta);
@@ -21,7 +19,8 @@ coin_priv_rim coin_priv_rim_of(const coin_priv_coin *c, double eta)
 /* The part of the change from the smooth impact to the one that sticks. */
 static double part(const coin_priv_bounce *law, double N, double T, double lift)
 {
-    if (law->mu_static > DBL_MAX || T <= law->mu_static * (N + lift))
+    const int holds_all = law->mu_static > 1e100; /* no T is so large */
+    if (holds_all || T <= law->mu_static * (N + lift))
         return 1;
     return law->mu_kinetic * N / (T - law->mu_kinetic * lift); /* (108) */
 }

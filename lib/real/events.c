@@ -68,7 +68,8 @@ static double undecided(const coin_priv_moving *g, const double *y)
 static double above_rest(const coin_priv_moving *g, const double *y)
 {
     (void)g;
-    return coin_priv_upright_speed(y) - COIN_PRIV_SLIP_LEAST;
+    return coin_priv_lesser(coin_priv_upright_speed(y), 1) -
+           COIN_PRIV_SLIP_LEAST;
 }
 
 static double within_cone(const coin_priv_moving *g, const double *y)

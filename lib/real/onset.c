@@ -17,6 +17,10 @@
  * of it is below SLOW tol^(5/16), and its own direction is so near to n that
  * the error of its velocity is ALIGNED tol.  Measured: SLOW in tables.md.
  *
+ * A step with a slow slip ends near twice the speed up to which it is slow.  At
+ * OVER times that speed the polynomial of the step has run away: a slip on ice
+ * turns round where its speed passes 0.
+ *
  * A slip that grows or ends faster than by QUICK of the friction changes in few
  * steps that follow it, which cost less.  Measured: QUICK in tables.md.
  *
@@ -24,6 +28,7 @@
  * in tables.md. */
 #define SLOW 0.1
 #define ALIGNED 0.05
+#define OVER 10
 #define QUICK 0.1
 #define LEAST 1e-14
 
@@ -190,7 +195,7 @@ void coin_priv_end_slow(const coin_priv_moving *g, double *y)
 {
     coin_priv_direction n;
     struct slow_slip o;
-    const double u = speed_of(&n, y);
+    const double u = coin_priv_lesser(speed_of(&n, y), OVER * g->slow);
     const int slips = u > LEAST;
     if (slips)
         find_slow(&o, y, u, n, &g->law, g->mode);
@@ -211,13 +216,15 @@ int coin_priv_end_slip(coin_priv_moving *g)
         return 0;
     const double aside = fabs(nX * d[COIN_PRIV_UH] - nh * d[COIN_PRIV_UX]);
     const double part = STRAIGHT * sqrt(g->tol);
-    const double h = u / -grows, scale = u / (u + 1);
+    const double scale = u / (u + 1);
     const double rate = coin_priv_rate(y, &g->law, g->mode) +
                         coin_priv_loss_rate(y, &g->law, g->mode);
-    const int is_short = u < part && scale * rate * h < part;
+    const int is_short = u < part && scale * rate * u < part * -grows;
     const int is_straight = aside <= part * -grows || u < LEAST;
-    const double t = h * d[COIN_PRIV_ADDS_T];
-    if (!(is_short && is_straight && t <= coin_priv_time_left(g)))
+    if (!(is_short && is_straight))
+        return 0;
+    const double h = u / -grows;
+    if (!(h * d[COIN_PRIV_ADDS_T] <= coin_priv_time_left(g)))
         return 0;
     for (int i = 0; i < COIN_PRIV_SIZE; ++i)
         to[i] = y[i] + h * d[i];
