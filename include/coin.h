@@ -741,14 +741,14 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  * then the body at *reached.  COIN_EARG also for tol or stop; COIN_ESTATE also
  * for a body below the table; COIN_ESTEP if t is out of range.
  *
- * MODES are read off the members.  h is half of the thickness.  A body touches
- * the table if y is a cos(theta) + h |sin(theta)| within 16 u (a + h), and the
- * normal speed of its lowest point, coin_body_contact(), is at most 1e-10
- * sqrt(g a); else it is in the air.  It rolls if it touches, its slip speed is
- * at most 1e-10 sqrt(g a) + 16 u (a + h) w, and the table can hold it; w is
- * |wX| + |wZ|, and where h > 0 also + |wY|.  It lies flat if |theta| is the
- * last lean before pi/2 and wX = wY = 0.  With h > 0, theta = wX = 0 it is
- * upright on both rims.
+ * MODES are read off the members.  h is half of the thickness; w is |wX| +
+ * |wZ|, and where h > 0 also + |wY|; r is 1e-10 sqrt(g a) + 16 u (a + h) w.  A
+ * body touches the table if y is a cos(theta) + h |sin(theta)| within
+ * 16 u (a + h), and the normal speed of its lowest point, coin_body_contact(),
+ * is at most r; else it is in the air.  It rolls if it touches, its slip speed
+ * is at most r, and the table can hold it.  It lies flat if |theta| is the last
+ * lean before pi/2 and wX = wY = 0.  With h > 0, theta = wX = 0 it is upright
+ * on both rims.
  *
  * MOMENTS. What holds at the start is none; each is told once.
  *   COIN_SLIPS        the contact, or the face, begins to slide

@@ -3,6 +3,7 @@
 #include "support/check.h"
 #include "support/coins.h"
 #include "support/methods.h"
+#include "support/random.h"
 
 #include <float.h>
 #include <math.h>
@@ -57,5 +58,82 @@ TEST(a_fast_coin_moves_as_without_gravity)
         fast.wZ /= 0x1p18;
         check_within(states_apart(&fast, &slow, &p), 1, 100);
         check_same(&fast, &light, sizeof fast);
+    }
+}
+
+/* However fast it falls on its face: its velocity rounds by more than 1e-10. */
+TEST(a_fast_fall_next_to_flat_is_over_in_few_calls)
+{
+    struct random r = random_begin(65);
+    const coin_table f = {.mu_static = 0.6, .mu_kinetic = 0.6};
+    for (int i = 0; i < 2000; ++i) {
+        coin_params p;
+        check_status(
+            coin_params_disc(&p, 1, random_between(&r, 0.01, 0.02), 9.81),
+            COIN_OK);
+        const double flat = random_between(&r, 1e-6, 1e-3);
+        const double w0 = sqrt(p.gravity / p.radius);
+        const coin_state s = {.theta = asin(1) - flat,
+                              .wX = random_between(&r, 5e5, 9e5) * w0,
+                              .wY = random_between(&r, -1, 1) * w0,
+                              .wZ = random_between(&r, -4, 4) * w0};
+        const double end = 2 * flat / s.wX;
+        coin_body b;
+        double reached;
+        int calls = 0;
+        check_note("seed 65, coin %d", i);
+        check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+        for (double t = 0; t < end; t += reached)
+            check(coin_move(&b, &p, &f, end - t, 1e-6, COIN_NEARLY_FLAT,
+                            &reached) >= 0 &&
+                  ++calls < 10);
+    }
+}
+
+/* A coin that lies turns its axes: the heading stays in range. */
+TEST(a_heading_at_the_end_of_its_range_turns_back)
+{
+    const coin_params p = disc();
+    const coin_table f = {.mu_static = 0.1, .mu_kinetic = 0.1};
+    const double last = nextafter(asin(1), 0);
+    for (int i = 0; i < 8; ++i) {
+        coin_body b = {.s = {.theta = i & 1 ? last : -last,
+                             .phi = i & 2 ? 0x1p31 : -0x1p31,
+                             .wX = 1e-4,
+                             .wY = i & 4 ? 1e-4 : -1e-4,
+                             .wZ = 3},
+                       .y = cos(last),
+                       .vx = 1};
+        double from[16], to[16];
+        check_note("case %d", i);
+        check_status(coin_body_matrix(&b, &p, from), COIN_OK);
+        check(coin_move(&b, &p, &f, 1e-6, 1e-6, 0, NULL) >= 0);
+        check_status(coin_state_check(&b.s, &p), COIN_OK);
+        check_status(coin_body_matrix(&b, &p, to), COIN_OK);
+        for (int k = 0; k < 16; ++k)
+            check_near(to[k], from[k], 1e-5);
+        check(coin_move(&b, &p, &f, 10, 1e-6, 0, NULL) >= 0);
+    }
+}
+
+/* The heading of a coin that is pulled is that of its sine and cosine, which
+ * may have turned by a little more than phi. */
+TEST(a_pull_turns_a_heading_within_its_range)
+{
+    struct random r = random_begin(65);
+    const coin_params p = disc();
+    const coin_table f = {
+        .mu_static = 0.94, .mu_kinetic = 0.94, .pull = {0, -1.8}};
+    for (int i = 0; i < 2000; ++i) {
+        const coin_state s = {.theta = 0.36,
+                              .phi = 0x1p31 - random_between(&r, 2e-7, 1e-6),
+                              .wX = 1,
+                              .wY = 0.163,
+                              .wZ = 1.4};
+        coin_body b;
+        check_note("seed 65, coin %d", i);
+        check_status(coin_body_from_state(&b, &s, &p), COIN_OK);
+        (void)coin_move(&b, &p, &f, random_between(&r, 0, 6e-6), 1e-3, 0, NULL);
+        check_status(coin_state_check(&b.s, &p), COIN_OK);
     }
 }

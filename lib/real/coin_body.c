@@ -33,8 +33,8 @@ void coin_priv_turn_axes(coin_priv_coin *c)
         return;
     const coin_priv_sc by = {c->wY / w, -side * (c->wX / w)}, ph = c->ph;
     const double angle = coin_priv_angle(by);
-    coin_priv_add(&c->phi, angle);
-    coin_priv_add(&c->psi, side * angle);
+    coin_priv_turn(&c->phi, angle);
+    coin_priv_turn(&c->psi, side * angle);
     c->ph.s = ph.s * by.c + ph.c * by.s;
     c->ph.c = ph.c * by.c - ph.s * by.s;
     c->wX = -side * w;
@@ -107,7 +107,8 @@ int coin_priv_coin_mode(const coin_priv_coin *c, const coin_priv_law *l,
     const double eta = coin_priv_lower_rim(c), roll = fabs(c->wZ);
     const coin_priv_rim rim = coin_priv_rim_of(c, eta);
     const double turns = fabs(c->wX) + roll + (eta != 0 ? fabs(c->wY) : 0);
-    if (fabs(rim.y) > COIN_PRIV_SLIP_LEAST)
+    const double rounding = COIN_PRIV_TOUCH_GAP * (1 + c->half) * turns;
+    if (fabs(rim.y) > COIN_PRIV_SLIP_LEAST + rounding)
         return COIN_PRIV_AIR;
     const double v = sqrt(c->vx * c->vx + c->vz * c->vz);
     if (coin_priv_lies(c))
@@ -117,8 +118,7 @@ int coin_priv_coin_mode(const coin_priv_coin *c, const coin_priv_law *l,
         return COIN_PRIV_RESTS;
     if (c->half > 0 && eta == 0)
         return COIN_PRIV_LINE;
-    if (sqrt(rim.X * rim.X + rim.h * rim.h) <=
-        COIN_PRIV_SLIP_LEAST + COIN_PRIV_TOUCH_GAP * (1 + c->half) * turns)
+    if (sqrt(rim.X * rim.X + rim.h * rim.h) <= COIN_PRIV_SLIP_LEAST + rounding)
         return 0;
     u[0] = rim.X;
     u[1] = rim.h;
