@@ -1264,6 +1264,31 @@ TEST(the_other_rim_comes_down_while_one_lifts_off)
     }
 }
 
+/* Both rims are down at the start; the coin begins to turn over the one that
+ * leaves, and its spin turns it back. */
+TEST(the_other_rim_stays_down_where_one_lifts_off)
+{
+    struct random r = random_begin(65);
+    const coin_table ice = {.restitution = 0};
+    for (int i = 0; i < 400; ++i) {
+        const double half = random_between(&r, 0.2, 1);
+        const double slow = i % 4 ? pow(10, random_between(&r, -20, -7)) : 0;
+        const coin_params p = cylinder(half);
+        const coin_state s = {.wX = i % 8 == 0 ? -1e-300 : -slow,
+                              .wY = -random_between(&r, 1, 2),
+                              .wZ = random_between(&r, 2, 4)};
+        coin_body b = rolling(&s, &p);
+        const double E = coin_body_energy(&b, &p);
+        double reached;
+        check_note("seed 65, coin %d", i);
+        const int32_t status =
+            coin_move(&b, &p, &ice, 1e-5, 1e-12, 0, &reached);
+        check(status >= 0 && !(status & COIN_MORE) && reached == 1e-5);
+        check_near(coin_body_energy(&b, &p), E, 1e-13);
+        check(rim_gap(&b, &p) >= -1e-15);
+    }
+}
+
 /* ----------------------------------------------------- a held contact */
 /* A coin whose contact is held turns about the vertical through it, or through
  * its centre if it slips on ice.  Its angular momentum there is changed by the
@@ -1497,4 +1522,51 @@ TEST(a_coin_tips_over_the_rim_whose_slip_stops)
     check_status(coin_move(&b, &p, &f, (double)INFINITY, 1e-6, 0, &moved),
                  COIN_RESTS);
     check(moved > 1);
+}
+
+/* Where the pull across is h, the coin is at the limit of tipping.  A pull
+ * along it turns it beyond. */
+TEST(a_coin_at_the_limit_of_tipping_tips_in_few_calls)
+{
+    const double halves[] = {0.1, 0.25, 0.5}, off[] = {0, 1e-15, -1e-12, -1e-8};
+    const int32_t stop = COIN_SLIPS | COIN_ROLLS | COIN_LIFTS;
+    for (int i = 0; i < 12; ++i) {
+        const double half = halves[i % 3];
+        const coin_table f = {.mu_static = 1.5,
+                              .mu_kinetic = 0.8,
+                              .restitution = 0.3,
+                              .pull = {0.02, half * (1 + off[i / 3])}};
+        const coin_params p = cylinder(half);
+        const coin_state s = {.wZ = 0.1};
+        coin_body b = rolling(&s, &p);
+        int calls = 0;
+        check_note("case %d", i);
+        for (double t = 0, reached; t < 2; t += reached, ++calls)
+            check(coin_move(&b, &p, &f, 2 - t, 1e-6, stop, &reached) >= 0 &&
+                  calls < 40);
+        check(fabs(b.s.theta) > 1e-4);
+    }
+}
+
+/* It rocked on one rim before: its velocity is that of its middle. */
+TEST(a_coin_that_comes_to_stand_rolls_on_both_rims)
+{
+    struct random r = random_begin(65);
+    const coin_table f = {.mu_static = 7e-4, .mu_kinetic = 7e-4};
+    int stood = 0;
+    for (int i = 0; i < 400; ++i) {
+        const coin_params p = cylinder(random_between(&r, 0.5, 0.8));
+        const coin_state s = {.theta = -random_between(&r, 5e-10, 2e-9),
+                              .wZ = random_between(&r, 0.02, 0.06)};
+        coin_body b = rolling(&s, &p);
+        check_note("seed 65, coin %d", i);
+        check_status(coin_move(&b, &p, &f, 1, 5e-7, COIN_ROLLS, NULL),
+                     COIN_ROLLS);
+        if (b.s.theta != 0)
+            continue;
+        stood += b.s.wY != 0;
+        check(b.vx + b.s.wZ == 0);
+        check_status(coin_move(&b, &p, &f, 0, 5e-7, 0, NULL), COIN_OK);
+    }
+    check(stood > 100);
 }

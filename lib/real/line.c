@@ -488,6 +488,8 @@ static int look(coin_priv_moving *g, int begins, int *over)
     if (e.stops) /* before it tips too: over a rim that rolls */
         stop(y, &g->law, &e);
     g->changed |= changes;
+    if (*over && e.stops == BOTH)
+        g->was &= ~COIN_SLIPS; /* no slip ends */
     if (*over)
         return COIN_PRIV_LINE_TIPS;
     return changes                            ? COIN_PRIV_LINE_CHANGES

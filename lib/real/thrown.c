@@ -104,10 +104,11 @@ static double until_decided(coin_priv_moving *g, const coin_priv_flight *f,
 static int flies_within(const coin_priv_coin *c, const double pull[2], double t)
 {
     const double rise = coin_priv_lesser(t, c->vy);
+    const double up = 1 + 4 * DBL_EPSILON; /* whatever rounding makes of it */
     coin_priv_coin to = *c;
     to.y = rise > 0 ? c->y + rise * (c->vy - rise / 2) : c->y;
-    to.x.sum += t * (c->vx + pull[0] * t / 2);
-    to.z.sum += t * (c->vz + pull[1] * t / 2);
+    to.x.sum = up * (c->x.sum + t * (c->vx + pull[0] * t / 2));
+    to.z.sum = up * (c->z.sum + t * (c->vz + pull[1] * t / 2));
     to.vx += pull[0] * t;
     to.vy -= t;
     to.vz += pull[1] * t;
@@ -159,17 +160,23 @@ static int32_t fly(coin_priv_moving *g, int leaves)
 
 /* Leaves the table with no normal speed.  For the time coin_priv_blind() the
  * gap below the rim that leaves is smaller than its rounding, and is not
- * computed. The other rim may come down in that time. */
+ * computed.  The other rim may come down in that time; where it is down
+ * already, the coin stays on both. */
 static int32_t lift_off(coin_priv_moving *g)
 {
     const double t =
         coin_priv_lesser(coin_priv_blind(g->step.y), coin_priv_time_left(g));
+    const int upright = g->c.th.s == 0;
     coin_priv_touch to = {t, 0, 0};
     coin_priv_flight f;
     flight_of(&f, g);
-    if (g->law.eta * g->c.th.s != 0)
-        to = coin_priv_rim_touch(&f, -g->law.eta, t, 0);
-    return fly_for(g, &f, to.t, to.touches);
+    if (g->law.eta != 0)
+        to = coin_priv_rim_touch(&f, -g->law.eta, t, upright);
+    if (!(upright && to.touches && to.t <= DBL_EPSILON))
+        return fly_for(g, &f, to.t, to.touches);
+    g->c.wX = g->c.vy = 0;
+    g->changed = 1;
+    return UNDER_WAY;
 }
 
 static void lie_down(coin_priv_coin *c, const coin_priv_law *l)
@@ -300,6 +307,7 @@ static int32_t tip(coin_priv_moving *g, double eta)
 /* On both rims. */
 static int32_t on_line(coin_priv_moving *g)
 {
+    g->law.eta = 0; /* neither is the one that holds it, unless it tips */
     const int tips = coin_priv_tips(&g->c, &g->law);
     if (tips)
         return tip(g, tips * g->law.half);
