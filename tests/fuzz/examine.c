@@ -329,7 +329,7 @@ static void the_right_error_is_returned(const struct subject *s, double result,
     else if (bad_state)
         demand(result == COIN_EARG || result == COIN_ESTATE ||
                (result == COIN_EPARAMS && strpbrk(f->signature, "l%")));
-    else if (knows && has_state && !strpbrk(f->signature, "loK"))
+    else if (knows && has_state && !strpbrk(f->signature, "loK>"))
         demand(result != COIN_EPARAMS && result != COIN_ESTATE);
 }
 
