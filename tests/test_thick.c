@@ -1289,6 +1289,23 @@ TEST(the_other_rim_stays_down_where_one_lifts_off)
     }
 }
 
+/* So fast that the other rim rises too. */
+TEST(a_coin_that_turns_fast_leaves_the_table_upright)
+{
+    struct random r = random_begin(66);
+    const coin_table ice = {.restitution = 0};
+    for (int i = 0; i < 100; ++i) {
+        const coin_params p = cylinder(random_between(&r, 0.2, 1));
+        const coin_state s = {.wX = -random_between(&r, 2, 5)};
+        coin_body b = rolling(&s, &p);
+        const double E = coin_body_energy(&b, &p);
+        check_note("seed 66, coin %d", i);
+        check_status(coin_move(&b, &p, &ice, 1e-5, 1e-12, 0, NULL), COIN_LIFTS);
+        check(b.s.wX == s.wX && rim_gap(&b, &p) > 0);
+        check_near(coin_body_energy(&b, &p), E, 1e-13);
+    }
+}
+
 /* ----------------------------------------------------- a held contact */
 /* A coin whose contact is held turns about the vertical through it, or through
  * its centre if it slips on ice.  Its angular momentum there is changed by the
