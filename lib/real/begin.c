@@ -108,13 +108,6 @@ void coin_priv_begin(coin_priv_moving *g, int mode, const double u[2])
     g->margin = g->stride = g->slow = 0;
 }
 
-void coin_priv_turn(coin_priv_sum *to, double by)
-{
-    const double around = copysign(4 * COIN_PRIV_HALF_PI, to->sum);
-    const int beyond = fabs(to->sum + to->low + by) >= COIN_PRIV_ANGLE_MAX;
-    coin_priv_add(to, beyond ? by - around : by);
-}
-
 /* How far the heading of the variables is ahead of this one. */
 static double ahead(const double *y, coin_priv_sc ph)
 {
@@ -129,7 +122,7 @@ void coin_priv_end(coin_priv_moving *g)
     double *const y = g->step.y;
     coin_priv_sc ph = coin_priv_sincos(c->phi.sum + c->phi.low);
     if (coin_priv_pull(&g->law) > 0) { /* the force depends on the heading */
-        coin_priv_turn(&c->phi, ahead(y, ph));
+        coin_priv_add(&c->phi, ahead(y, ph));
         ph = coin_priv_sincos(c->phi.sum + c->phi.low);
     }
     y[COIN_PRIV_SPH] = ph.s;

@@ -33,8 +33,8 @@ void coin_priv_turn_axes(coin_priv_coin *c)
         return;
     const coin_priv_sc by = {c->wY / w, -side * (c->wX / w)}, ph = c->ph;
     const double angle = coin_priv_angle(by);
-    coin_priv_turn(&c->phi, angle);
-    coin_priv_turn(&c->psi, side * angle);
+    coin_priv_add(&c->phi, angle);
+    coin_priv_add(&c->psi, side * angle);
     c->ph.s = ph.s * by.c + ph.c * by.s;
     c->ph.c = ph.c * by.c - ph.s * by.s;
     c->wX = -side * w;

@@ -77,10 +77,6 @@ void coin_priv_begin_call(coin_priv_moving *g, double time, double tol,
  * slip velocity, in a mode. */
 void coin_priv_begin(coin_priv_moving *g, int mode, const double u[2]);
 
-/* begin.c: adds an angle to one in range; less a whole turn, where the sum
- * would leave its range. */
-void coin_priv_turn(coin_priv_sum *to, double by);
-
 /* begin.c: sets g->c to the variables of a contact that ends.  A contact
  * integrates the heading twice: as phi, and as its sine and cosine.  Without a
  * pull phi is kept.  With one, sine and cosine are: the force depends on them.

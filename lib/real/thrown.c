@@ -104,11 +104,10 @@ static double until_decided(coin_priv_moving *g, const coin_priv_flight *f,
 static int flies_within(const coin_priv_coin *c, const double pull[2], double t)
 {
     const double rise = coin_priv_lesser(t, c->vy);
-    const double up = 1 + 4 * DBL_EPSILON; /* whatever rounding makes of it */
     coin_priv_coin to = *c;
     to.y = rise > 0 ? c->y + rise * (c->vy - rise / 2) : c->y;
-    to.x.sum = up * (c->x.sum + t * (c->vx + pull[0] * t / 2));
-    to.z.sum = up * (c->z.sum + t * (c->vz + pull[1] * t / 2));
+    to.x.sum += t * (c->vx + pull[0] * t / 2);
+    to.z.sum += t * (c->vz + pull[1] * t / 2);
     to.vx += pull[0] * t;
     to.vy -= t;
     to.vz += pull[1] * t;
@@ -307,7 +306,7 @@ static int32_t tip(coin_priv_moving *g, double eta)
 /* On both rims. */
 static int32_t on_line(coin_priv_moving *g)
 {
-    g->law.eta = 0; /* neither is the one that holds it, unless it tips */
+    g->law.eta = 0; /* it is not on one rim, unless it tips */
     const int tips = coin_priv_tips(&g->c, &g->law);
     if (tips)
         return tip(g, tips * g->law.half);

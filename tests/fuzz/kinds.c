@@ -114,14 +114,28 @@ static void stand_up(coin_body *d, const struct world *w)
     d->y = w->p.radius;
 }
 
+/* A state whose angles and places are not at the ends of their ranges: there
+ * rounding may take those of a body out of them. */
+static coin_state inner(const coin_state *s, const coin_params *p)
+{
+    coin_state t = *s;
+    double *const angles[] = {&t.phi, &t.psi}, *const places[] = {&t.x, &t.z};
+    for (int i = 0; i < 2; ++i) {
+        *angles[i] /= fabs(*angles[i]) > 0x1p30 ? 4 : 1;
+        *places[i] /= fabs(*places[i]) > 5e8 * p->radius ? 4 : 1;
+    }
+    return t;
+}
+
 /* Rolls, slips, stands, lies flat, or flies up to a hundred radii high; now and
  * then it is none. */
 static void take_body(struct bytes *b, const struct world *w, void *to)
 {
     const double v = sqrt(w->p.gravity * w->p.radius);
     const uint8_t how = take_byte(b);
-    coin_body d = {w->s, 0, 0, 0, 0, {0, 0, 0, 0}};
-    if (coin_body_from_state(&d, &w->s, &w->p) == COIN_OK && how % 2) {
+    const coin_state s = inner(&w->s, &w->p);
+    coin_body d = {s, 0, 0, 0, 0, {0, 0, 0, 0}};
+    if (coin_body_from_state(&d, &s, &w->p) == COIN_OK && how % 2) {
         d.vx += perhaps(b, v * take_part(b));
         d.vz += perhaps(b, v * take_part(b));
     }
