@@ -739,16 +739,18 @@ COIN_API int32_t coin_body_from_motion(coin_body *b, const coin_params *p,
  * slips, not that a slip begins: see MOMENTS.  COIN_MORE: 11,000 trials of
  * steps did not suffice; COIN_ERANGE: a member of b would leave its range; b is
  * then the body at *reached.  COIN_EARG also for tol or stop; COIN_ESTATE also
- * for a body below the table; COIN_ESTEP if t is out of range.
+ * for a body below the table; COIN_ESTEP if t is out of range.  An angle within
+ * a turn of the end of its range, or a place next to it, may leave it: the next
+ * call is COIN_ESTATE.
  *
- * MODES are read off the members.  h is half of the thickness; w is |wX| +
- * |wZ|, and where h > 0 also + |wY|; r is 1e-10 sqrt(g a) + 16 u (a + h) w.  A
- * body touches the table if y is a cos(theta) + h |sin(theta)| within
- * 16 u (a + h), and the normal speed of its lowest point, coin_body_contact(),
- * is at most r; else it is in the air.  It rolls if it touches, its slip speed
- * is at most r, and the table can hold it.  It lies flat if |theta| is the last
- * lean before pi/2 and wX = wY = 0.  With h > 0, theta = wX = 0 it is upright
- * on both rims.
+ * MODES are read off the members.  Let h be half of the thickness, and w the
+ * sum |wX| + |wZ|, or |wX| + |wY| + |wZ| if h > 0.  A speed counts as 0 up to
+ * 1e-10 sqrt(g a) + 16 u (a + h) w.  A body touches the table if its height y
+ * is a cos(theta) + h |sin(theta)| within 16 u (a + h), and the normal speed of
+ * its lowest point, coin_body_contact(), counts as 0; else it is in the air.
+ * It rolls if it touches, its slip speed counts as 0, and the table can hold
+ * it.  It lies flat if |theta| is the last lean before pi/2 and wX = wY = 0.
+ * It is upright on both rims if h > 0 and theta = wX = 0.
  *
  * MOMENTS. What holds at the start is none; each is told once.
  *   COIN_SLIPS        the contact, or the face, begins to slide

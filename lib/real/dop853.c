@@ -147,11 +147,11 @@ static void all_stages(coin_priv_dop853 *w)
     stage(w, A12, A_OF, 9, 11);
 }
 
-/* DOP853 estimates the error from two estimates, of order 5 and of order 3.  At
- * some lengths of a step the one of order 5 is 0 by chance, and then so is the
- * whole.  The square of the one of order 3 has the order 8 of the whole: the
- * error is taken to be at least LEAST_PART times that.  Measured: LEAST_PART in
- * tables.md. */
+/* The error of a step is computed from two estimates, one of order 5 and one of
+ * order 3.  At some lengths of a step the first is 0 by chance, and so is then
+ * the error that is computed.  It is therefore set to at least LEAST_PART times
+ * the square of the second, which is of order 8 as the error is.  Measured:
+ * LEAST_PART in tables.md. */
 #define LEAST_PART 1e-4
 
 double coin_priv_try_step(coin_priv_dop853 *w, double h)

@@ -17,9 +17,10 @@
  * of it is below SLOW tol^(5/16), and its own direction is so near to n that
  * the error of its velocity is ALIGNED tol.  Measured: SLOW in tables.md.
  *
- * A step with a slow slip ends near twice the speed up to which it is slow.  At
- * OVER times that speed the polynomial of the step has run away: a slip on ice
- * turns round where its speed passes 0.
+ * A step is cut where a slow slip has become twice as fast as a slow slip may
+ * be.  Its polynomial is wrong where a slip on ice turns round, and may give
+ * any speed.  So the speed at the cut is limited to OVER times that of a slow
+ * slip.
  *
  * A slip that grows or ends faster than by QUICK of the friction changes in few
  * steps that follow it, which cost less.  Measured: QUICK in tables.md.
