@@ -78,8 +78,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define COIN_VERSION_MAJOR 0
-#define COIN_VERSION_MINOR 9
+#define COIN_VERSION_MAJOR 1
+#define COIN_VERSION_MINOR 0
 #define COIN_VERSION_PATCH 0
 
 /* Define COIN_API (empty, or to your own linkage) before including this file

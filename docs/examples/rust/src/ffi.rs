@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: MIT
 // What coin.h and coinf.h declare: by `make bindings-update`.
 
-pub const COIN_VERSION_MAJOR: u32 = 0;
-pub const COIN_VERSION_MINOR: u32 = 9;
+pub const COIN_VERSION_MAJOR: u32 = 1;
+pub const COIN_VERSION_MINOR: u32 = 0;
 pub const COIN_VERSION_PATCH: u32 = 0;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone, PartialEq)]

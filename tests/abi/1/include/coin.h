@@ -3,8 +3,8 @@
 #define ROLLCOIN_COIN_H
 #include <stddef.h>
 #include <stdint.h>
-#define COIN_VERSION_MAJOR 0
-#define COIN_VERSION_MINOR 9
+#define COIN_VERSION_MAJOR 1
+#define COIN_VERSION_MINOR 0
 #define COIN_VERSION_PATCH 0
 #ifndef COIN_API
 #if defined(_WIN32) && defined(COIN_BUILD)
